@@ -96,7 +96,9 @@ class NetworkSettings(PlannedCamera):
     )
     control: int = setting(0, "Control points to put on the object.", limits=Range(low=0, high=200))
     control_sigma: float = setting(2.0, "Standard deviation of their coordinates [mm].", limits=POSITIVE)
-    effort: Literal["quick", "thorough"] = setting("thorough", "quick: seconds, of large networks a minute; thorough: better stations, in minutes.")
+    effort: Literal["quick", "thorough"] = setting(
+        "thorough", "quick: seconds, for large networks a minute; thorough: better stations, in minutes."
+    )
 
 
 def plan_network(object: str, out: str | Path, *, progress: Progress = silent, **settings: Any) -> NetworkPlan:  # noqa: A002
