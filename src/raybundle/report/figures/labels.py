@@ -112,4 +112,5 @@ def _meet(some: Array, others: Array) -> Mask:
     """(n,) which of boxes (n, 4) lie over any of others (m, 4)."""
     beside = some[:, None, 2:] <= others[None, :, :2]
     apart = (beside | (some[:, None, :2] >= others[None, :, 2:])).any(axis=2)
-    return np.asarray(~apart).any(axis=1)
+    meeting: Mask = np.asarray(~apart)
+    return np.asarray(meeting.any(axis=1))
