@@ -7,9 +7,11 @@ Every sentence, figure and number of the page comes from here, so that page and 
 
 from __future__ import annotations
 
+import io
 import math
 import re
 import sys
+from contextlib import redirect_stdout
 from pathlib import Path
 
 from rule_charts import picture
@@ -28,6 +30,11 @@ What the literature says of networks in a sentence each, what the covariance of 
 ends. Image points are exact and sigma0 is 1 a priori: no accident of noise is in the figures. They are computed by
 `raybundle.planning.rules` on each run of `tools/rules_page.py`, and tests hold every factor of the page. A dash stands
 where a parameter is not determinable: where the network says less of it than is known before the first photograph.
+
+Targets lie in the middles of equal cells: 10 × 10 cells on a square metre have targets over 0.9 × 0.9 m, and that is
+told. Costs are counted as `raybundle plan network` counts them: half a minute a photograph, and a short way through the
+stations at 0.7 m/s. What is to be tried prints a figure of the table above it, in a second or two; change its numbers
+to see your own network.
 
 What no figure here tells: errors that no observation knows of, as of a lens model that does not fit.
 """
@@ -54,6 +61,15 @@ def table(evidence: Evidence) -> str:
     return "\n".join(lines)
 
 
+def shown(rule: Rule) -> str:
+    """The rule's example as Python, and what it prints."""
+    printed = io.StringIO()
+    with redirect_stdout(printed):
+        exec(compile(rule.example, f"<{rule.name}>", "exec"), {})  # noqa: S102  (our own text, as a reader would run it)
+    lines = "".join(f"# {line}\n" for line in printed.getvalue().splitlines())
+    return f"```python\n{rule.example}{lines}```\n"
+
+
 def section(rule: Rule, evidence: Evidence) -> str:
     """What the page says of a rule."""
     w = told(rule, evidence)
@@ -61,7 +77,7 @@ def section(rule: Rule, evidence: Evidence) -> str:
     return (
         f'<a id="{rule.name}"></a>\n\n## {rule.title}\n\n**{w.statement}** ({known})\n\n*Computed.* {w.network}\n\n'
         f"![{rule.title}](../images/network-rules/{rule.name}.svg)\n\n{table(evidence)}\n\n{w.finding}\n\n"
-        f"*Where it ends.* {w.ends}\n"
+        f"*Where it ends.* {w.ends}\n\n*What it costs.* {w.costs}\n\n*Try it.*\n\n{shown(rule)}"
     )
 
 

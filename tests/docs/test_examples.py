@@ -133,6 +133,27 @@ def test_every_page_is_in_the_navigation():
         assert str(page.relative_to(DOCS)) in nav
 
 
+def test_every_page_of_the_navigation_is_reached_from_the_index():
+    """By links alone, as who reads in a folder or on a page of a forge has no navigation."""
+    nav = re.findall(r": (\S+\.md)$", (DOCS.parent / "mkdocs.yml").read_text(), re.MULTILINE)
+    assert len(nav) > 80
+    reached, further = set(), ["index.md"]
+    while further:
+        page = further.pop()
+        if page in reached:
+            continue
+        reached.add(page)
+        for link in re.findall(r"\]\(([^)#\s]+\.md)(?:#[^)]*)?\)", (DOCS / page).read_text()):
+            target = (DOCS / page).parent.joinpath(link).resolve()
+            assert target.is_file(), f"{page}: {link}"
+            if target.is_relative_to(DOCS):
+                further.append(str(target.relative_to(DOCS)))
+    assert sorted(set(nav) - reached) == []
+    linked = re.findall(r"\]\(([^)#\s]+\.md)", (DOCS / "index.md").read_text())
+    told = [p for p in nav if p.split("/")[0] in {"tutorial", "how-to", "explanation"}]
+    assert sorted(set(told) - set(linked)) == []
+
+
 def test_the_readme_shows_the_two_commands():
     readme = (DOCS.parent / "README.md").read_text()
     assert "make demo" in readme

@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 
 from raybundle.planning.rules import in_order, rules, told
+from raybundle.planning.rules.networks import Targets
 from raybundle.planning.rules.resolution import fitted, matched
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -84,3 +85,38 @@ def test_what_matching_and_targets_state_is_true(step):
     assert 0.7 < np.sqrt(np.mean(error**2 / cov[:, :2])) < 1.4
     error, cov = fitted(step)
     assert 0.6 < np.sqrt(np.mean(error**2 / np.diagonal(cov, axis1=1, axis2=2))) < 1.4
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_what_is_to_be_tried_prints_figures_of_one_row_of_the_table(name):
+    rule = rules[name]
+    printed = [float(n) for n in re.findall(r"(?<!\w)\d+(?:\.\d+)?(?!\w)", printed_by(rule))]
+    assert printed
+    table = rules_page.table(evidence(name)).splitlines()[2:]
+    cells = [[cell.strip() for cell in line.strip("|").split("|")] for line in table]
+    rows = [[float(c) for c in row if re.fullmatch(r"\d+(?:\.\d+)?", c)] for row in cells]
+    assert any(all(any(n == pytest.approx(c, rel=6e-3) for c in row) for n in printed) for row in rows), printed
+
+
+def printed_by(rule):
+    text = rules_page.shown(rule)
+    return "\n".join(line[2:] for line in text.splitlines() if line.startswith("# "))
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_a_rule_says_what_it_costs(name):
+    words = told(rules[name], evidence(name)).costs
+    assert re.search("photograph|minutes", words, re.IGNORECASE)
+
+
+@pytest.mark.parametrize(("layers", "side"), [(1, 10), (1, 3), (2, 7), (3, 6)])
+def test_targets_span_what_is_told_of_them(layers, side):
+    targets = Targets(size=(1.0, 0.8), depth=0.3, side=side, layers=layers)
+    assert targets.span == pytest.approx(np.ptp(targets.xyz(), axis=0)[:2])
+
+
+def test_the_page_tells_what_targets_span_not_the_cells():
+    page = rules_page.PAGE.read_text(encoding="utf-8")
+    assert "1 × 1 m" not in page.partition("## Literature")[0]
+    assert "0.9 × 0.9 m" in page
+    assert (Targets().over, Targets(side=3).over) == ("0.9 × 0.9 m", "0.67 × 0.67 m")

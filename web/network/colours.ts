@@ -1,6 +1,7 @@
-// Colours of points: by role, by number of rays (the classes of the report's maps), by standard deviation.
+// Colours of points: by role, by number of rays (the classes of the report's maps), by the classes of standard deviations
+// that the page carries.
 import { Color } from "three";
-import { Network } from "./data";
+import { Classes, Network } from "./data";
 
 export interface Colouring {
   rgb: Float32Array<ArrayBuffer>;
@@ -15,7 +16,8 @@ const RAY_CLASSES: [number, number, string, string][] = [
   [6, 9, "#3f8fa6", "6 to 9"],
   [10, Infinity, "#234b7a", "10 and more"],
 ];
-const SIGMA_COLOURS = ["#234b7a", "#3f8fa6", "#8fb58a", "#e0a84f", "#c4562b"];
+
+const UNKNOWN: [number, number, number] = [0.32, 0.32, 0.32];
 
 function rgb(hex: string): [number, number, number] {
   const n = parseInt(hex.slice(1), 16);
@@ -44,31 +46,19 @@ export function byRays(net: Network): Colouring {
 }
 
 export function bySigma(net: Network): Colouring | null {
-  return classes(Array.from({ length: net.points }, (_, i) => net.sigmaOf(i)), net.packed.sigmaUnit, "sigma");
+  return classed(net.points, (i) => net.sigmaOf(i), net.packed.classes.points);
 }
 
 /** Colours of the object's triangles: of a coordinate's standard deviation there. */
 export function bySurface(net: Network): Colouring | null {
-  const found = classes([...net.surfaceSigma], net.packed.sigmaUnit, "sigma of a coordinate");
-  const unseen = net.surfaceSigma.some((s) => !(s >= 0));
-  if (found && unseen) found.legend.push(["#999999", "seen by less than two images"]);
-  return found;
+  return classed(net.surfaceSigma.length, (i) => net.surfaceSigma[i], net.packed.classes.surface);
 }
 
-function classes(all: number[], scale: string, what: string): Colouring | null {
-  const known = all.filter((s) => s >= 0).sort((a, b) => a - b);
-  if (!known.length) return null;
-  // five classes of equal number: the spread of sigmas is too wide for a linear scale
-  const limits = [0.2, 0.4, 0.6, 0.8].map((q) => known[Math.floor(q * (known.length - 1))]);
-  const colours = SIGMA_COLOURS.map(rgb);
-  const name = (s: number) => `${s.toPrecision(2)} ${scale}`;
-  return {
-    rgb: filled(all.length, (i) => (all[i] >= 0 ? colours[limits.filter((l) => all[i] > l).length] : [0.6, 0.6, 0.6])),
-    legend: SIGMA_COLOURS.map((c, k): [string, string] => [
-      c,
-      k === 0 ? `${what} up to ${name(limits[0])}` : k === 4 ? `above ${name(limits[3])}` : `to ${name(limits[k])}`,
-    ]),
-  };
+function classed(n: number, of: (i: number) => number, classes: Classes | null): Colouring | null {
+  if (!classes) return null;
+  const colours = classes.colours.map(rgb);
+  const classOf = (s: number) => classes.limits.filter((l) => s > l).length;
+  return { rgb: filled(n, (i) => (of(i) >= 0 ? colours[classOf(of(i))] : UNKNOWN)), legend: classes.legend };
 }
 
 function filled(n: number, colour: (i: number) => [number, number, number]): Float32Array<ArrayBuffer> {

@@ -1,5 +1,12 @@
 // What the page carries: arrays as base64 of little-endian bytes, lengths relative to `origin` in object units.
 
+/** Classes of standard deviations: limits of all but the last, and colours with words; no colour: a heading. */
+export interface Classes {
+  limits: number[];
+  colours: string[];
+  legend: [string, string][];
+}
+
 export interface Packed {
   unit: string;
   sigmaUnit: string;
@@ -12,6 +19,7 @@ export interface Packed {
   ellipsoids: { point: string; axes: string; enlarged: number };
   bars: string;
   surface: { xyz: string; sigma: string } | null;
+  classes: { points: Classes | null; surface: Classes | null };
 }
 
 export const ROLES = ["tie", "control", "check"] as const;
@@ -89,9 +97,9 @@ export class Network {
     return this.seen.subarray(this.starts[point], this.starts[point + 1]);
   }
 
-  /** Length of the standard deviation of a point, or NaN. */
+  /** Standard deviation of a coordinate of a point, root mean square of the three, or NaN. */
   sigmaOf(point: number): number {
-    return Math.hypot(this.sigma[3 * point], this.sigma[3 * point + 1], this.sigma[3 * point + 2]);
+    return Math.hypot(this.sigma[3 * point], this.sigma[3 * point + 1], this.sigma[3 * point + 2]) / Math.sqrt(3);
   }
 
   coordinates(point: number): string {

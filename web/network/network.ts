@@ -23,7 +23,10 @@ function start(): void {
   stage.append(renderer.domElement);
   const scene = new THREE.Scene();
   scene.background = new THREE.Color(0xf7f5f0);
-  scene.add(new THREE.HemisphereLight(0xffffff, 0x9a8f80, 3));
+  // mostly from all sides, so that colours are those of the legend; the rest from where one looks
+  scene.add(new THREE.AmbientLight(0xffffff, 0.75 * Math.PI));
+  const lamp = new THREE.DirectionalLight(0xffffff, 0.25 * Math.PI);
+  scene.add(lamp, lamp.target);
   const drawn = new Drawn(net);
   scene.add(...drawn.all());
 
@@ -40,7 +43,11 @@ function start(): void {
     controls.target.set(0, 0, 0);
     controls.update();
   };
-  const render = () => renderer.render(scene, camera);
+  const render = () => {
+    lamp.position.copy(camera.position);
+    lamp.target.position.copy(controls.target);
+    renderer.render(scene, camera);
+  };
   const size = () => {
     renderer.setSize(stage.clientWidth, stage.clientHeight);
     camera.aspect = stage.clientWidth / Math.max(stage.clientHeight, 1);
@@ -85,9 +92,12 @@ function panel(net: Network, drawn: Drawn, render: () => void, home: () => void)
     element("legend").replaceChildren(
       ...chosen.legend.map(([hex, words]) => {
         const item = document.createElement("li");
-        const dot = document.createElement("span");
-        dot.style.background = hex;
-        item.append(dot, words);
+        if (hex) {
+          const dot = document.createElement("span");
+          dot.style.background = hex;
+          item.append(dot);
+        }
+        item.append(words);
         return item;
       }),
     );

@@ -20,12 +20,16 @@ from raybundle.numerics.arrays import Array, Index
 from raybundle.report.document import environment
 from raybundle.report.figures.network import frusta
 from raybundle.report.figures.svg import spread_rows
-from raybundle.report.text.numbers import counted, grouped
+from raybundle.report.sigma_classes import sigma_classes
+from raybundle.report.text.numbers import counted, grouped, plain
 from raybundle.report.text.words import datum_words
 from raybundle.report.view import FREE_UNIT, View, view_of, with_near_viewpoints
 
 MOST_POINTS, MOST_ELLIPSOIDS, MOST_IMAGES = 50_000, 2_000, 5_000
 """Points, error ellipsoids and images that a page holds; control and check points are all there."""
+FAR = 4.0
+"""Points farther from the middle than so many times what half of them lie within do not widen the first view: of evenly
+spread points on a line none is farther than twice, on a disc or in a ball less"""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -45,6 +49,8 @@ class Planned:
     """Images that are to be taken yet, where others were"""
     length_unit: str = "m"
     """Empty where nothing fixes the scale"""
+    wanted: tuple[float, str] | None = None
+    """Standard deviation of a coordinate that was wanted, and of what, as "worst point"; None: none was"""
 
 
 def write_network_page(adjustment: Adjustment, path: str | Path, planned: Planned | None = None) -> None:
@@ -68,7 +74,7 @@ def write_network_page(adjustment: Adjustment, path: str | Path, planned: Planne
         environment()
         .get_template("network.html.j2")
         .render(
-            title=f"Network of {view.given.name}",
+            title=title_of(view.given.name, planned),
             remarks=words,
             data=Markup(_json(contents)),  # noqa: S704  (what could end the element is escaped by _json)
             program=Markup(_program()),  # noqa: S704  (our own script, built from web/network)
@@ -76,6 +82,11 @@ def write_network_page(adjustment: Adjustment, path: str | Path, planned: Planne
     )
     with new_files(Path(path)) as (file,):
         file.write_text(html, encoding="utf-8")
+
+
+def title_of(name: str, planned: Planned | None) -> str:
+    """What the page is called."""
+    return f"{name[:1].upper()}{name[1:]}" if planned is not None and name else f"Network of {name}"
 
 
 def _program() -> str:
@@ -136,7 +147,18 @@ def network_contents(view: View) -> dict[str, Any]:
         },
         "bars": _packed(bars, "<u4"),
         "surface": None,
+        "classes": {"points": _classes(of_coordinates(sigma), view.unit), "surface": None},
     }
+
+
+def of_coordinates(sigma: Array) -> Array:
+    """(n,) standard deviation of a coordinate of points: root mean square of the three of each (n, 3)."""
+    return np.sqrt(np.mean(np.square(sigma), axis=1))
+
+
+def _classes(sigma: Array, unit: str, wanted: float | None = None, unknown: str = "") -> dict[str, Any] | None:
+    found = sigma_classes(sigma, unit, wanted, unknown)
+    return None if found is None else found.told()
 
 
 def _as_planned(view: View, planned: Planned) -> View:
@@ -158,15 +180,30 @@ def _of_plan(contents: dict[str, Any], planned: Planned, view: View) -> dict[str
         "xyz": _packed(planned.corners.reshape(-1, 3) - np.array(contents["origin"]), "<f4"),
         "sigma": _packed(view.factor * planned.sigma, "<f4"),
     }
+    wanted = None if planned.wanted is None else view.factor * planned.wanted[0]
+    sigma = of_coordinates(np.zeros((0, 3)) if view.std is None else view.std[shown_points(view)])
     return {
-        "remarks": [contents["remarks"][0], *planned.remarks],
+        "remarks": [contents["remarks"][0], *_wanted_words(planned, view), *planned.remarks],
         "images": contents["images"]
         | {
             "words": [planned.image_words[i] for i in images],
             "proposed": np.flatnonzero(np.isin(images, planned.proposed)).tolist(),
         },
         "surface": surface if len(planned.corners) else None,
+        "classes": {
+            "points": _classes(sigma, view.unit, wanted),
+            "surface": _classes(view.factor * planned.sigma, view.unit, wanted, "seen by less than two images"),
+        },
     }
+
+
+def _wanted_words(planned: Planned, view: View) -> list[str]:
+    """What was wanted, and what the colours say of it."""
+    if planned.wanted is None:
+        return []
+    length, what = planned.wanted
+    words = f"Wanted: a coordinate to {plain(view.factor * length, 3)} {view.unit} ({what})."
+    return [f"{words} Red is what would be worse; a step of the colours is what twice as many photographs bring."]
 
 
 def shown_points(view: View) -> Index:
@@ -190,10 +227,15 @@ def shown_images(view: View) -> Index:
 
 
 def extent_of(xyz: Array) -> float:
-    """Length that holds most of the points; 1 where they have none."""
+    """Length that holds most of the points, of places (n, 3) about their middle; 1 where they have none.
+
+    Points that lie far from all others, as those of a background, do not widen it.
+    """
     if not len(xyz):
         return 1.0
-    low, high = np.quantile(xyz, [0.02, 0.98], axis=0)
+    away = np.linalg.norm(xyz, axis=1)
+    near = xyz[away <= FAR * np.median(away)]
+    low, high = np.quantile(near, [0.02, 0.98], axis=0)
     size = float(np.linalg.norm(high - low))
     return size if size > 0 else 1.0
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import io
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -11,6 +11,7 @@ import numpy as np
 
 from raybundle.errors import InputError
 from raybundle.numerics.arrays import Array
+from raybundle.report.figures.labels import Placed, placed_labels
 
 MARGIN, LINE = 40.0, 13.0
 """Points of a PDF"""
@@ -18,7 +19,10 @@ WIDTH, HEIGHT = 595.0, 842.0
 """A4"""
 COLOURS = ((0.76, 0.25, 0.05), (0.11, 0.31, 0.85), (0.08, 0.5, 0.24), (0.49, 0.13, 0.81), (0.05, 0.45, 0.56))
 """Of the groups, one after the other"""
-LABEL = 7.0
+FONT, LABEL, DOT, TICK = "Helvetica", 7.0, 1.8, 14.0
+"""Of the sketches: their font and its size, radius of a station, length of its axis"""
+TALL, GAP, HEAD = 250.0, 20.0, 16.0
+"""Height of the sketches, between them, and for the words above them"""
 MOST_EDGES = 4000
 
 
@@ -65,7 +69,8 @@ def list_pdf(listed: PhotographList) -> bytes:
     sheet.gap()
     _sketches(sheet, listed)
     sheet.gap()
-    sheet.heading("To heed", size=11)
+    if listed.rules:
+        sheet.heading("To heed", size=11)
     for rule in listed.rules:
         sheet.text(rule, bullet=True)
     group = ""
@@ -141,10 +146,14 @@ class _Paper:
         return list(simpleSplit(text, font, size, width))
 
     def photograph(self, p: ListedPhotograph) -> None:
-        see = self._lines(_latin(p.see), 9, WIDTH - 2 * MARGIN - 62)
-        how = self._lines(_latin(p.how), 8, WIDTH - 2 * MARGIN - 62)
-        tall = LINE * (len(see) + len(how)) + 4
-        if self.y - tall < MARGIN:
+        told = [(p.see, FONT, 9, 0.1), (p.how, FONT, 8, 0.4)]
+        told += [(f"taken: {p.ticked}", "Helvetica-Oblique", 8, 0.1)] if p.ticked else []
+        lines = [
+            (line, font, size, grey)
+            for words, font, size, grey in told
+            for line in self._lines(_latin(words), size, WIDTH - 2 * MARGIN - 62, font)
+        ]
+        if self.y - LINE * len(lines) - 4 < MARGIN:
             self.page()
         c, top = self.canvas, self.y - 4
         c.setStrokeGray(0.2)
@@ -157,15 +166,12 @@ class _Paper:
         c.setFont("Helvetica-Bold", 10)
         c.drawString(MARGIN + 18, top - 9, p.number)
         self.y = top
-        for lines, size, grey in ((see, 9, 0.1), (how, 8, 0.4)):
-            c.setFont("Helvetica", size)
+        for line, font, size, grey in lines:
+            self.room(1)
+            c.setFont(font, size)
             c.setFillGray(grey)
-            for line in lines:
-                self.y -= LINE - 2
-                c.drawString(MARGIN + 62, self.y + 1, line)
-        if p.ticked:
-            c.setFont("Helvetica-Oblique", 7)
-            c.drawRightString(WIDTH - MARGIN, top - 9, _latin(p.ticked)[:40])
+            self.y -= LINE - 2
+            c.drawString(MARGIN + 62, self.y + 1, line)
         self.y -= 3
 
     def table(self, rows: Sequence[Sequence[str]]) -> None:
@@ -185,59 +191,93 @@ def _latin(text: str) -> str:
     return text.encode("cp1252", "replace").decode("cp1252")
 
 
-def _sketches(sheet: _Paper, listed: PhotographList) -> None:
-    """From above and from the front, side by side."""
-    wide, tall = (WIDTH - 2 * MARGIN - 20) / 2, 250.0
-    centre = np.array([p.centre for p in listed.photographs])
-    low = np.minimum(listed.edges.reshape(-1, 3).min(axis=0), centre.min(axis=0))
-    high = np.maximum(listed.edges.reshape(-1, 3).max(axis=0), centre.max(axis=0))
-    sheet.room((tall + 20) / LINE)
-    top = sheet.y
-    for k, (axes, word) in enumerate((((0, 1), "from above (Y up)"), ((0, 2), "from the front (Z up)"))):
-        left = MARGIN + k * (wide + 20)
-        a, b = axes
-        size = np.array([high[a] - low[a], high[b] - low[b]])
-        scale = min((wide - 24) / max(size[0], 1e-9), (tall - 30) / max(size[1], 1e-9))
-        middle = (low + high) / 2
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Sketch:
+    """Stations and object seen along one axis, in points of the PDF."""
+
+    words: str
+    place: Callable[[Array], Array]
+    """(..., 3) to (..., 2)"""
+    dots: Array
+    """(n, 2) stations"""
+    ticks: Array
+    """(n, 2, 2) from there towards what is looked at"""
+    labels: Placed
+
+
+VIEWS = ((0, 1, "from above (Y up)"), (0, 2, "from the front (Z up)"))
+
+
+def sketches(listed: PhotographList, top: float) -> tuple[Sketch, ...]:
+    """From above and from the front, side by side below `top`."""
+    from reportlab.pdfbase.pdfmetrics import stringWidth  # noqa: PLC0415
+
+    centre, at = (np.array([getattr(p, n) for p in listed.photographs], float) for n in ("centre", "at"))
+    every = np.concatenate([listed.edges.reshape(-1, 3), centre])
+    low, high = every.min(axis=0), every.max(axis=0)
+    sizes = np.array([(stringWidth(p.number, FONT, LABEL), 0.72 * LABEL) for p in listed.photographs])
+    wide, found = (WIDTH - 2 * MARGIN - GAP) / 2, list[Sketch]()
+    for k, (a, b, words) in enumerate(VIEWS):
+        left, axes = MARGIN + k * (wide + GAP), [a, b]
+        room = np.array([wide - 24, TALL - 36])
+        scale = float((room / np.maximum((high - low)[axes], 1e-9)).min())
+        middle, there = (low + high)[axes] / 2, np.array([left + wide / 2, top - HEAD - (TALL - HEAD) / 2])
 
         def place(
-            xyz: Array, a: int = a, b: int = b, left: float = left, scale: float = scale, m: Array = middle
-        ) -> Any:
-            return left + wide / 2 + scale * (xyz[a] - m[a]), top - 16 - (tall - 16) / 2 + scale * (xyz[b] - m[b])
+            xyz: Array, axes: Sequence[int] = axes, scale: float = scale, m: Array = middle, t: Array = there
+        ) -> Array:
+            return t + scale * (xyz[..., axes] - m)
 
-        sheet.canvas.setFont("Helvetica", 8)
-        sheet.canvas.setFillGray(0.3)
-        sheet.canvas.drawString(left, top - 9, f"{word}, 1 : {_scale_words(scale)}")
-        _sketch(sheet.canvas, listed, place)
-    sheet.y = top - tall - 6
+        dots, to = place(centre), place(at) - place(centre)
+        long = np.linalg.norm(to, axis=1, keepdims=True)
+        way = to / np.maximum(long, 1e-9)
+        ticks = np.stack([dots, dots + np.minimum(long, TICK) * way], axis=1)
+        # what stands behind is in the sketch from above
+        before = None if b == 1 else centre[:, 1] <= (low + high)[1] / 2
+        area = np.array([[left, top - TALL], [left + wide, top - HEAD + 4]])
+        found.append(
+            Sketch(
+                words=f"{words}, 1 : {72 / 0.0254 / scale:.0f}", place=place, dots=dots, ticks=ticks,
+                labels=placed_labels(dots, DOT, sizes, np.where(long > DOT, -way, [0.0, 1.0]), ticks, area, before),
+            )
+        )  # fmt: skip
+    return tuple(found)
 
 
-def _scale_words(scale: float) -> str:
-    """Denominator of a scale of so many points of a PDF a metre."""
-    return f"{72 / 0.0254 / scale:.0f}"
+def _sketches(sheet: _Paper, listed: PhotographList) -> None:
+    """Draw both."""
+    sheet.room((TALL + 20) / LINE)
+    top, c = sheet.y, sheet.canvas
+    for k, sketch in enumerate(sketches(listed, top)):
+        left = MARGIN + k * ((WIDTH - 2 * MARGIN - GAP) / 2 + GAP)
+        c.setFont(FONT, 8)
+        c.setFillGray(0.3)
+        left_out = len(sketch.dots) - int(sketch.labels.fits.sum())
+        c.drawString(
+            left, top - 9, sketch.words + (f"; {left_out} more are in the other sketch" if left_out and k else "")
+        )
+        c.setStrokeGray(0.55)
+        c.setLineWidth(0.6)
+        for a, b in listed.edges[:MOST_EDGES]:
+            c.line(*sketch.place(a).tolist(), *sketch.place(b).tolist())
+        _stations(c, listed, sketch)
+    sheet.y = top - TALL - 6
 
 
-def _sketch(canvas: Any, listed: PhotographList, place: Any) -> None:
-    canvas.setStrokeGray(0.55)
-    canvas.setLineWidth(0.6)
-    for a, b in listed.edges[:MOST_EDGES]:
-        canvas.line(*place(a), *place(b))
-    taken = list[tuple[float, float]]()
-    canvas.setFont("Helvetica", LABEL)
-    for p in listed.photographs:
-        x, y = place(p.centre)
-        u, v = place(p.at)
-        long = float(np.hypot(u - x, v - y)) or 1.0
-        canvas.setStrokeColorRGB(*_colour(listed, p.group))
-        canvas.setFillColorRGB(*_colour(listed, p.group))
-        canvas.circle(x, y, 1.8, stroke=0, fill=1)
-        short = min(long, 14.0) / long
-        canvas.line(x, y, x + short * (u - x), y + short * (v - y))
-        lx, ly = x - 7 * (u - x) / long - 3, y - 7 * (v - y) / long - 2
-        # a number that would lie on another one is left out; the list has the place
-        if all(abs(lx - i) > 9 or abs(ly - j) > LABEL for i, j in taken):
-            canvas.drawString(lx, ly, p.number)
-            taken.append((lx, ly))
+def _stations(c: Any, listed: PhotographList, sketch: Sketch) -> None:
+    labels = sketch.labels
+    c.setFont(FONT, LABEL)
+    for k, p in enumerate(listed.photographs):
+        c.setStrokeColorRGB(*_colour(listed, p.group))
+        c.setFillColorRGB(*_colour(listed, p.group))
+        c.setLineWidth(0.6)
+        c.circle(*sketch.dots[k].tolist(), DOT, stroke=0, fill=1)
+        c.line(*sketch.ticks[k].ravel().tolist())
+        if labels.led[k]:
+            c.setLineWidth(0.2)
+            c.line(*labels.start[k].tolist(), *labels.end[k].tolist())
+        if labels.fits[k]:
+            c.drawString(*labels.box[k, :2].tolist(), p.number)
 
 
 def edges_of(triangles: Array) -> Array:

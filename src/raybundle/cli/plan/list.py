@@ -29,6 +29,7 @@ def command(kind: str, object: str, progress: str, **given: Any) -> None:  # noq
     \b
     Example:
       raybundle plan list cipa box:12,8,6 --c 24 --around 15 --out house
+      raybundle plan list cipa box:12,8,6 --c 24 --around 15 --clearance 8 --out house-from-8
       raybundle plan list calibration sheet:0.42,0.297 --c 24 --out calibration-list
       raybundle plan list targets box:4,3,2.5 --stations plan/stations.csv --targets 50 --out targets-list
     """  # noqa: D301

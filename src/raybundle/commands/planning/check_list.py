@@ -8,16 +8,16 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from raybundle.commands.planning.photograph_list import LIST
+from raybundle.commands.planning.photograph_list import LIST, PRINTED
 from raybundle.errors import InputError
 from raybundle.numerics.progress import Progress, silent
 
 if TYPE_CHECKING:
     from raybundle.block import Block
     from raybundle.commands.planning.check import PlanCheckSettings
-    from raybundle.numerics.arrays import Array
     from raybundle.planning.candidates import Stations
     from raybundle.planning.ticked import Ticked
+    from raybundle.report.photograph_list import PhotographList
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -73,7 +73,7 @@ def run_list_check(settings: PlanCheckSettings, progress: Progress = silent) -> 
         numbers=tuple(r["image"] for r in rows), see=tuple(r["see"] for r in rows), names=taken.images.ids,
         left_out=left_out, ticked=found, remarks=tuple(remarks), files=(),
     )  # fmt: skip
-    return done if settings.out is None else _written(settings.out, done, rows, planned, stations)
+    return done if settings.out is None else _written(settings.out, done, rows, _printed(settings.plan), stations)
 
 
 def _taken(settings: PlanCheckSettings, progress: Progress) -> tuple[Block, tuple[str, ...]]:
@@ -135,14 +135,14 @@ def _rows(path: Path) -> list[dict[str, str]]:
 
 
 def _written(
-    out: Path, done: CheckedList, rows: Sequence[dict[str, str]], planned: Block, stations: Stations
+    out: Path, done: CheckedList, rows: Sequence[dict[str, str]], planned: PhotographList, stations: Stations
 ) -> CheckedList:
     """list.pdf and list.csv with the names of the photographs that were taken."""
     import numpy as np  # noqa: PLC0415
 
     from raybundle.commands.planning.photograph_list import write_list  # noqa: PLC0415
     from raybundle.io.folders import new_folder  # noqa: PLC0415
-    from raybundle.report.photograph_list import ListedPhotograph, PhotographList  # noqa: PLC0415
+    from raybundle.report.photograph_list import ListedPhotograph  # noqa: PLC0415
 
     s, of = stations, done.ticked.of
     listed = tuple(
@@ -152,22 +152,34 @@ def _written(
         )
         for k, r in enumerate(rows)
     )  # fmt: skip
-    printed = PhotographList(
-        title=f"{len(rows) - len(done.ticked.missing)} of {len(rows)} photographs taken: {planned.name}",
-        facts=(f"Missing: {', '.join(done.numbers[k] for k in done.ticked.missing) or 'none'}",), rules=(),
-        photographs=listed, edges=_edges(planned),
+    there = len(rows) - len(done.ticked.missing)
+    missing = ", ".join(done.numbers[k] for k in done.ticked.missing) or "none"
+    printed = replace(
+        planned, title=f"{planned.title}: {there} of {len(rows)} taken",
+        facts=(f"Missing: {missing}", *planned.facts), photographs=listed,
     )  # fmt: skip
     with new_folder(out) as folder:
         write_list(folder, printed, listed)
     return replace(done, files=(out / "list.pdf", out / LIST))
 
 
-def _edges(block: Block) -> Array:
-    """(k, 2, 3) the box round the points."""
+def _printed(plan: Path) -> PhotographList:
+    """What the list has beside its photographs."""
     import numpy as np  # noqa: PLC0415
 
-    low, high = np.nanmin(block.points.xyz, axis=0), np.nanmax(block.points.xyz, axis=0)
-    corner = np.array([[i, j, k] for i in (0, 1) for j in (0, 1) for k in (0, 1)], float)
-    corners = low + corner * (high - low)
-    pairs = [(a, b) for a in range(8) for b in range(a + 1, 8) if np.abs(corner[a] - corner[b]).sum() == 1]
-    return np.array([(corners[a], corners[b]) for a, b in pairs])
+    from raybundle.io.reading.trees import read_json  # noqa: PLC0415
+    from raybundle.report.photograph_list import PhotographList  # noqa: PLC0415
+
+    path = plan / PRINTED
+    if not path.is_file():
+        raise InputError("is not there; make the list again", file=path)
+    told = read_json(path)
+    edges = [np.concatenate([end.numbers(3) for end in edge.items()]) for edge in told.get("edges").items()]
+    if not edges or any(len(e) != 6 for e in edges):
+        told.get("edges").fail("edges of the object have two ends each, and there are some; make the list again")
+    return PhotographList(
+        title=told.get("title").text(), facts=tuple(f.text() for f in told.get("facts").items()),
+        rules=tuple(r.text() for r in told.get("rules").items()), photographs=(),
+        edges=np.array(edges).reshape(-1, 2, 3),
+        table=tuple(tuple(c.text() for c in row.items()) for row in told.get("table").items()),
+    )  # fmt: skip

@@ -99,7 +99,7 @@ def write_network_plan(
         )
         planned = Planned(
             corners=plan.corners, sigma=plan.map_sigma, covariance=seen.points,
-            image_words=tuple(what_for),
+            image_words=tuple(what_for), wanted=None if plan.wanted is None else (plan.wanted, plan.aim.words),
             remarks=(
                 f"Standard deviations that the plan promises, with {plan.site.sigma_px:g} px of image points, "
                 + frame_words(plan),

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 from collections.abc import Sequence
 from dataclasses import MISSING, dataclass, fields, replace
 from pathlib import Path
@@ -13,9 +14,9 @@ from raybundle.commands.planning.network import (
     PlannedCamera,
     site_of,
     stations_of,
-    title_of,
 )
 from raybundle.errors import InputError
+from raybundle.numerics.counting import counted
 from raybundle.numerics.progress import Progress, silent
 from raybundle.settings import METRES, Range, made, setting
 
@@ -33,6 +34,8 @@ POINTS = {"cipa": 600}
 """Points by which a list is judged: natural ones are many"""
 LIST = "list.csv"
 """File of a folder with a list, by which `plan check` knows it"""
+PRINTED = "list.json"
+"""What is printed beside the photographs, for a list that is ticked off"""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -49,6 +52,9 @@ class ListSettings(PlannedCamera):
         None, "What is measured.  [default: natural of a building, dots of a sheet, else targets]"
     )
     around: float = setting(30.0, "cipa: how far one can go from the walls [m].", limits=METRES)
+    clearance: float | None = setting(
+        None, "cipa: how near one may go to the walls [m].  [default: as near as the lists need]", limits=METRES
+    )
     eye: float = setting(1.7, "cipa: height of the camera above the ground [m].", limits=METRES)
     overlap: float = setting(0.6, "cipa: of neighbouring photographs of the ring.", limits=Range(low=0.5, high=0.95))
     steps: int = setting(24, "turntable: steps of a full turn.", limits=Range(low=3, high=360))
@@ -98,12 +104,13 @@ def run_plan_list(settings: ListSettings, progress: Progress = silent) -> Networ
     shots = assistants[settings.kind].shots(task_of(settings))
     known = Wanted() if shots.bars is None else Wanted(bars=shots.bars[0], bar_sigma=shots.bars[1])
     plan = plan_network(shots.site, start=shots.stations, as_given=True, least_rays=2, known=known, progress=progress)
-    printed, listed = printed_list(settings, shots, plan)
+    title = f"{assistants[settings.kind].title} of {_object_words(plan)}"
+    printed, listed = printed_list(settings, shots, plan, title)
 
     def more(folder: Path) -> None:
         write_list(folder, printed, listed)
 
-    write_network_plan(plan, f"{settings.kind} of {title_of(settings.object)}", settings.out, more, settings.kind)
+    write_network_plan(plan, title[:1].lower() + title[1:], settings.out, more, settings.kind)
     return plan
 
 
@@ -125,6 +132,7 @@ def task_of(settings: ListSettings) -> Task:
     return Task(
         site=site, reach=s.around, eye=s.eye, overlap=s.overlap, steps=s.steps, elevations_deg=s.elevations,
         measured_by=None if s.stations is None else stations_of(s.stations), targets=s.targets, across_px=s.across,
+        clearance=s.clearance or 0.0,
     )  # fmt: skip
 
 
@@ -143,8 +151,14 @@ def _focused(site: Site, f_number: float) -> tuple[float, float]:
     return Optics(f_number=f_number, focus=focus).depth_of_field(c, site.camera.pixel_mm[0])
 
 
+def _object_words(plan: NetworkPlan) -> str:
+    """The object in words."""
+    surface = plan.site.surface
+    return f"{surface.name} {surface.about}".rstrip()
+
+
 def printed_list(
-    settings: ListSettings, shots: Shots, plan: NetworkPlan
+    settings: ListSettings, shots: Shots, plan: NetworkPlan, title: str
 ) -> tuple[PhotographList, tuple[ListedPhotograph, ...]]:
     """What is printed, and its lines."""
     from raybundle.report.photograph_list import PhotographList, edges_of  # noqa: PLC0415
@@ -152,8 +166,8 @@ def printed_list(
     surface = plan.site.surface
     listed = photographs_of(shots, plan)
     printed = PhotographList(
-        title=f"{settings.kind}: {len(listed)} photographs of {surface.name} {surface.about}",
-        facts=tuple(facts_of(settings, plan)), rules=shots.rules, photographs=listed,
+        title=title, facts=(counted(len(listed), "photograph"), *facts_of(settings, plan)), rules=shots.rules,
+        photographs=listed,
         edges=edges_of(surface.vertices[surface.triangles]),
         table=(("target", "X", "Y", "Z [m]", "dot [mm]", "code [mm]", "photographs"), *shots.about_targets)
         if shots.about_targets else (),
@@ -162,9 +176,9 @@ def printed_list(
 
 
 def write_list(folder: Path, printed: PhotographList, listed: Sequence[ListedPhotograph]) -> None:
-    """Write list.pdf and list.csv."""
+    """Write list.pdf, list.csv and list.json."""
     from raybundle.io.tables import write_table  # noqa: PLC0415
-    from raybundle.report.photograph_list import list_pdf  # noqa: PLC0415
+    from raybundle.report.photograph_list import MOST_EDGES, list_pdf  # noqa: PLC0415
 
     (folder / "list.pdf").write_bytes(list_pdf(printed))
     write_table(
@@ -174,12 +188,18 @@ def write_list(folder: Path, printed: PhotographList, listed: Sequence[ListedPho
             "how": [p.how for p in listed], "taken": [p.ticked for p in listed],
         },
     )  # fmt: skip
+    told = {
+        "title": printed.title, "facts": printed.facts, "rules": printed.rules, "table": printed.table,
+        "edges": printed.edges[:MOST_EDGES].tolist(),
+    }  # fmt: skip
+    (folder / PRINTED).write_text(json.dumps(told, indent=1) + "\n", encoding="utf-8")
 
 
 def photographs_of(shots: Shots, plan: NetworkPlan) -> tuple[ListedPhotograph, ...]:
     """The lines of the list."""
     import numpy as np  # noqa: PLC0415
 
+    from raybundle.planning.assistants.base import held_words  # noqa: PLC0415
     from raybundle.report.photograph_list import ListedPhotograph  # noqa: PLC0415
 
     s, low = shots.stations, plan.site.surface.wanted_bounds[0]
@@ -188,12 +208,10 @@ def photographs_of(shots: Shots, plan: NetworkPlan) -> tuple[ListedPhotograph, .
         to = s.at[k] - s.centre[k]
         distance = float(np.linalg.norm(to))
         tilt = float(np.degrees(np.arctan2(to[2], np.hypot(to[0], to[1]))))
-        roll = float(np.degrees(np.arctan2(np.sin(s.roll[k]), np.cos(s.roll[k]))))
-        turn = {0: "level", 90: "turned by 90 deg", -90: "turned by -90 deg", 180: "upside down", -180: "upside down"}
         x, y, z = s.centre[k]
         how = (
             f"stand at X {x:.2f}, Y {y:.2f} m, {z - low[2]:.2f} m high; {distance:.2f} m to what is looked at, "
-            f"{abs(tilt):.0f} deg {'up' if tilt > 0 else 'down'}; camera {turn.get(round(roll), f'{roll:.0f} deg')}"
+            f"{abs(tilt):.0f} deg {'up' if tilt > 0 else 'down'}; {held_words(plan.site.camera, float(s.roll[k]))}"
         )
         found.append(
             ListedPhotograph(
@@ -219,8 +237,31 @@ def facts_of(settings: ListSettings, plan: NetworkPlan) -> list[str]:
         ),
     ]
     if plan.promise.calibration_px is not None:
-        lines.append(f"Calibrated with it: image points to {plan.promise.calibration_px:.2g} px at worst")
+        lines.append(_worth_words(plan, plan.promise.calibration_px))
     if len(plan.left_out):
         share = len(plan.left_out) / (len(plan.left_out) + len(plan.site.points))
         lines.append(f"{100 * share:.0f} % of the object is shown by less than two of the photographs (as roof or top)")
     return lines
+
+
+def _worth_words(plan: NetworkPlan, sigma_px: float) -> str:
+    """What the calibration that comes with the photographs is good for."""
+    from raybundle.calibration.quality import GOOD_PX, REACH, SURE, USABLE_PX  # noqa: PLC0415
+    from raybundle.planning.worth import calibration_worth  # noqa: PLC0415
+    from raybundle.report.text.numbers import significant  # noqa: PLC0415
+
+    w = calibration_worth(plan.site, plan.design.stations, plan.promise.interior)
+    uses = {
+        "good": "Good: it may be held in other work with targets",
+        "usable": f"Usable: it may be held for natural points; for targets {GOOD_PX:g} px are asked for",
+        "weak": (
+            f"Weak: for these photographs alone, a start for others, which estimate the camera again "
+            f"({USABLE_PX:g} px are asked for)"
+        ),
+    }
+    edge = "" if w.reach >= REACH else f"; image points reach {100 * w.reach:.0f} % of the way to the corners"
+    sigma, likely, sure = (significant(v, 2) for v in (sigma_px, w.likely_px, w.sure_px))
+    return (
+        f"Calibrated with it: image points to {sigma} px at worst over the format (standard deviation); {likely} px "
+        f"of error are to be expected there, {sure} px are kept with {100 * SURE:.0f} %. {uses[w.grade]}{edge}"
+    )

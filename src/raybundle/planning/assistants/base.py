@@ -9,6 +9,7 @@ from typing import ClassVar
 
 import numpy as np
 
+from raybundle.block import Camera
 from raybundle.errors import InputError
 from raybundle.numerics.arrays import Array
 from raybundle.planning.candidates import Stations
@@ -17,8 +18,7 @@ from raybundle.settings import option
 
 FULL = 0.9
 """Part of the format that what is wanted fills"""
-UPRIGHT, TURNED = 0.0, np.pi / 2
-"""Rolls: the long side of the format level, or upright"""
+QUARTER = np.pi / 2
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -42,6 +42,22 @@ class Task:
     """How many"""
     across_px: float = 10.0
     """Diameter of a target's dot in the farthest photograph that counts"""
+    clearance: float = 0.0
+    """Least distance from the object"""
+
+    @property
+    def landscape(self) -> float:
+        """Roll with which the long side of the format is level [rad]."""
+        return 0.0 if self.site.camera.width_px >= self.site.camera.height_px else QUARTER
+
+    @property
+    def portrait(self) -> float:
+        """Roll with which the long side of the format is upright [rad]."""
+        return QUARTER - self.landscape
+
+    def held(self, roll: float) -> str:
+        """How the camera is held with a roll [rad], in words."""
+        return held_words(self.site.camera, roll)
 
     @property
     def half_angles(self) -> tuple[float, float]:
@@ -96,6 +112,8 @@ class Assistant(ABC):
 
     registry: ClassVar[dict[str, Assistant]] = {}
     name: ClassVar[str]
+    title: ClassVar[str]
+    """Of the list; "of" and the object follow"""
     about: ClassVar[str]
     example: ClassVar[str]
     """An object as one may type it"""
@@ -109,6 +127,22 @@ class Assistant(ABC):
     @abstractmethod
     def shots(self, task: Task) -> Shots:
         """The photographs; raises InputError where the task cannot be done, with what would help."""
+
+
+def held_words(camera: Camera, roll: float) -> str:
+    """How a camera is held that is turned by a roll [rad] against the upright one, as who photographs says it.
+
+    Turned anticlockwise, as who looks through it sees the camera, the image of what is up points to the right: a
+    positive roll.
+    """
+    turn = float(np.degrees(np.arctan2(np.sin(roll), np.cos(roll))))
+    way = "anticlockwise" if turn > 0 else "clockwise"
+    quarter = round(turn / 90)
+    if abs(turn - 90 * quarter) >= 1:
+        return f"camera turned {abs(turn):.0f} deg {way}"
+    lying = (camera.width_px >= camera.height_px) == (quarter % 2 == 0)
+    how = ("", f", camera turned 90 deg {way}", ", camera upside down")[abs(quarter)]
+    return f"{'landscape' if lying else 'portrait'} format{how}"
 
 
 def made_stations(rows: Sequence[tuple[Array, Array, float]]) -> Stations:

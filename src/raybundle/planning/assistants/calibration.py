@@ -8,7 +8,7 @@ import numpy as np
 
 from raybundle.errors import InputError
 from raybundle.numerics.arrays import Array
-from raybundle.planning.assistants.base import FULL, Assistant, Leaf, Shots, Task, made_stations
+from raybundle.planning.assistants.base import FULL, QUARTER, Assistant, Leaf, Shots, Task, made_stations
 from raybundle.planning.optics import Optics, best_focus
 
 TILT_DEG = 45.0
@@ -16,6 +16,10 @@ TILT_DEG = 45.0
 FARTHER = 1.4
 SLANT = 30.0
 """Of the far views"""
+INTO_CORNER = 0.95
+"""Part of the way to the edges of the format that the sheet is brought in the square views"""
+SMALLEST, SHARPEST = 22.0, 16.0
+"""f-numbers: the end of the scale of most lenses for 24 x 36 mm, and what is advised instead"""
 
 
 class CalibrationNetwork(Assistant):
@@ -25,6 +29,7 @@ class CalibrationNetwork(Assistant):
     """
 
     name = "calibration"
+    title = "Calibration photographs"
     about = "a calibration network for this camera and this sheet"
     example = "sheet:0.42,0.297"
     order = 2
@@ -37,26 +42,31 @@ class CalibrationNetwork(Assistant):
             raise InputError("a calibration list is made for a flat sheet: sheet:WIDTH,HEIGHT, or a board")
         across = float(np.hypot(size[0], size[1]))
         near = across / 2 / np.tan(FULL * task.half_angles[1])
-        sharp = _sharp_words(task, near, across)
+        sharp = _sharp_words(task, near, size)
         sides = ("front", "right", "back", "left")
         rows, leaves = list[tuple[Array, Array, float]](), list[Leaf]()
         for k in range(8):
-            rows.append((middle + near * _away(TILT_DEG, 45.0 * k), middle, np.radians((0, 90, 180, 270)[k % 4])))
-            leaves.append(
-                Leaf(group="1 convergent, full format", see=f"whole sheet from {45 * k} deg round it, {_turn(k % 4)}")
-            )
-        step = 0.5 * near * np.tan(task.half_angles[1])
-        for k, (x, y) in enumerate(((-1, -1), (1, -1), (1, 1), (-1, 1))):
-            aside = step * np.array([x, y, 0.0]) / np.sqrt(2)
-            rows.append((middle + aside + np.array([0, 0, near]), middle + aside, np.radians(90.0 * (k % 2))))
+            roll = task.landscape + k % 4 * QUARTER
+            rows.append((middle + near * _away(TILT_DEG, 45.0 * k), middle, roll))
             leaves.append(
                 Leaf(
-                    group="2 square, sheet in the corners", see=f"sheet in another corner of the format, {_turn(k % 2)}"
+                    group="1 convergent, full format", see=f"whole sheet from {45 * k} deg round it, {task.held(roll)}"
+                )
+            )
+        for k, (x, y) in enumerate(((-1, -1), (1, -1), (1, 1), (-1, 1))):
+            roll = task.portrait if k % 2 else task.landscape
+            aside = np.array([x, y, 0.0]) * _into_corner(task, near, size, turned=bool(k % 2))
+            rows.append((middle + aside + np.array([0, 0, near]), middle + aside, roll))
+            leaves.append(
+                Leaf(
+                    group="2 square, sheet in the corners",
+                    see=f"sheet in another corner of the format, {task.held(roll)}",
                 )
             )
         for k, side in enumerate(sides):
-            rows.append((middle + FARTHER * near * _away(SLANT, 90.0 * k), middle, np.radians(90.0 * (k % 2))))
-            leaves.append(Leaf(group="3 from farther away", see=f"sheet from the {side}, {_turn(k % 2)}"))
+            roll = task.portrait if k % 2 else task.landscape
+            rows.append((middle + FARTHER * near * _away(SLANT, 90.0 * k), middle, roll))
+            leaves.append(Leaf(group="3 from farther away", see=f"sheet from the {side}, {task.held(roll)}"))
         return Shots(
             stations=made_stations(rows), leaves=tuple(leaves),
             site=replace(task.site, depth=(0.0, float("inf"))),
@@ -71,25 +81,52 @@ class CalibrationNetwork(Assistant):
         )  # fmt: skip
 
 
-def _sharp_words(task: Task, near: float, across: float) -> tuple[str, ...]:
-    """What is not sharp, and what aperture would make it so; nothing where all is.
+def _into_corner(task: Task, distance: float, size: Array, *, turned: bool) -> Array:
+    """(3,) how far a square view is moved aside so that the sheet reaches into a corner of the format; Z 0.
+
+    turned  the long side of the format along Y
+    """
+    half = distance * np.tan(np.array(task.half_angles))[:: -1 if turned else 1]
+    aside = np.maximum(INTO_CORNER * half - size[:2] / 2, 0)
+    return np.append(aside, 0.0)
+
+
+def _sharp_words(task: Task, near: float, size: Array) -> tuple[str, ...]:
+    """What is not sharp, and what aperture or which sheet would make it so; nothing where all is.
 
     raises  InputError where the lens is not sharp where the whole sheet fills the format
     """
     low, high = task.site.depth
-    first, last = near - across / 2 * np.sin(np.radians(TILT_DEG)), FARTHER * near
+    across = float(np.hypot(size[0], size[1]))
+    first, last = max(near - across / 2 * np.sin(np.radians(TILT_DEG)), 1e-3), FARTHER * near
     if low <= first and last <= high:
         return ()
     task.check_sharp(near, "a sheet that fills the format")
-    camera, focus = task.site.camera, best_focus(max(first, 1e-3), last)
-    c = camera.sensor.camera_constant(camera.parameters)
-    hyperfocal = max(first, 1e-3) * focus / (focus - max(first, 1e-3))
-    wanted = c**2 / (1000 * hyperfocal * Optics().blur_px * camera.pixel_mm[0])
+    camera, focus = task.site.camera, best_focus(first, last)
+    c, pixel = camera.sensor.camera_constant(camera.parameters), camera.pixel_mm[0]
+    hyperfocal = first * focus / (focus - first)
+    wanted = c**2 / (1000 * hyperfocal * Optics().blur_px * pixel)
+    here = f"Sharp from {low:.2f} to {high:.2f} m; the sheet reaches from {first:.2f} to {last:.2f} m: "
+    if wanted <= SMALLEST:
+        return (
+            (
+                f"{here}stop down to f/{np.ceil(wanted):.0f} and focus to {focus:.2f} m, take a larger sheet from "
+                "farther away, or accept soft targets, which are less precise."
+            ),
+        )
+    # all distances grow with the sheet, and with them the hyperfocal distance that is needed
+    larger = wanted / SHARPEST
+    sharp = Optics(f_number=SHARPEST, focus=focus).depth_of_field(c, pixel)
     return (
         (
-            f"Sharp from {low:.2f} to {high:.2f} m; the sheet reaches from {first:.2f} to {last:.2f} m: stop down to "
-            f"f/{wanted:.0f} and focus to {focus:.2f} m, take a larger sheet from farther away, or accept soft "
-            "targets, which are less precise."
+            f"{here}all of it would be sharp at f/{wanted:.0f} only, which hardly a lens has. A sheet {larger:.1f} "
+            f"times as large, {larger * size[0]:.2f} x {larger * size[1]:.2f} m from {larger * near:.2f} m and the "
+            f"lens focused to {larger * focus:.2f} m, is sharp at f/{SHARPEST:.0f}."
+        ),
+        (
+            f"With this sheet: f/{SHARPEST:.0f} focused to {focus:.2f} m is sharp from {sharp[0]:.2f} to "
+            f"{sharp[1]:.2f} m; targets at the ends of the sheet are blurred by {larger * Optics().blur_px:.1f} px "
+            f"where {Optics().blur_px:g} px are sharp: less precise, and lost where dots are hardly larger than that."
         ),
     )
 
@@ -97,7 +134,3 @@ def _sharp_words(task: Task, near: float, across: float) -> tuple[str, ...]:
 def _away(tilt_deg: float, azimuth_deg: float) -> Array:
     t, a = np.radians(tilt_deg), np.radians(azimuth_deg)
     return np.array([np.sin(t) * np.sin(a), -np.sin(t) * np.cos(a), np.cos(t)])
-
-
-def _turn(quarters: int) -> str:
-    return ("camera level", "camera turned by 90 deg", "camera upside down", "camera turned by 270 deg")[quarters]

@@ -10,7 +10,7 @@ from scipy.spatial import ConvexHull, QhullError
 from raybundle.errors import InputError
 from raybundle.numerics.arrays import Array
 from raybundle.objects.surface import Surface
-from raybundle.planning.assistants.base import FULL, TURNED, UPRIGHT, Assistant, Leaf, Shots, Task, made_stations
+from raybundle.planning.assistants.base import FULL, Assistant, Leaf, Shots, Task, made_stations
 from raybundle.settings import option
 
 PAIR = 1 / 5
@@ -41,6 +41,7 @@ class Cipa(Assistant):
     """A ring that shows the whole height, three views over each corner, nearer stereo pairs of each facade."""
 
     name = "cipa"
+    title = "CIPA photographs"
     about = "the CIPA 3x3 ring round a building, and stereo pairs of its facades"
     example = "box:12,8,6"
     order = 1
@@ -50,11 +51,14 @@ class Cipa(Assistant):
         low, high = task.bounds
         height = float(high[2] - low[2])
         eye = min(task.eye, 0.9 * height)
-        distance, roll = _stand_off(task, height, eye)
+        shown, roll = _stand_off(task, height, eye)
+        corners, outside = _footprint(task.site.surface, ROUNDED * max(shown, task.clearance))
+        least = task.clearance + outside if task.clearance else 0.0
+        distance = max(shown, least)
+        _check_room(task, distance)
         task.check_sharp(distance, "the building")
-        level = task.half_angles[0] if roll == UPRIGHT else task.half_angles[1]
+        level = task.half_angles[0] if roll == task.landscape else task.half_angles[1]
         width = 2 * distance * np.tan(level)
-        corners = _footprint(task.site.surface, ROUNDED * distance)
         count = len(corners)
         names = [_named(corners, k) for k in range(count)]
         rows, leaves = list[tuple[Array, Array, float]](), list[Leaf]()
@@ -81,28 +85,32 @@ class Cipa(Assistant):
                         f"{np.degrees(turn):.0f} deg off the first",
                     )
                 )
-        near = max(DETAIL * distance, _needed(height, eye, task.half_angles[0]))
+        near = max(DETAIL * distance, _needed(height, eye, task.half_angles[0]), least)
         task.check_sharp(near, "a facade for stereo pairs")
         for k, name in enumerate(names):
             for place, foot, word in _pairs(task, (corners[k], corners[(k + 1) % count]), near, name):
-                rows.append((np.r_[place, z], np.r_[foot, aim], TURNED))
-                leaves.append(Leaf(group=f"stereo pair, {name}", see=f"{name}, {word}, camera upright, both alike"))
+                rows.append((np.r_[place, z], np.r_[foot, aim], task.portrait))
+                leaves.append(Leaf(group=f"stereo pair, {name}", see=f"{name}, {word}, portrait format, both alike"))
         return Shots(
             stations=made_stations(rows), leaves=tuple(leaves), site=task.site,
             rules=(
                 *RULES,
-                (f"Ring: {distance:.1f} m before the walls, camera {'level' if roll == UPRIGHT else 'upright'}, "
-                f"{eye:.1f} m high; pairs from {near:.1f} m, their photographs {PAIR * near:.2f} m apart."),
+                (f"Ring: {distance:.1f} m before the walls, {task.held(roll)}, {eye:.1f} m high; pairs from "
+                f"{near:.1f} m, their photographs {PAIR * near:.2f} m apart."),
+                *((f"No photograph from nearer than {task.clearance:.3g} m.",) if task.clearance else ()),
             ),
         )  # fmt: skip
 
 
-def _footprint(surface: Surface, tolerance: float) -> Array:
-    """(k, 2) corners round what is to be measured, counterclockwise from in front on the left; notches closed."""
+def _footprint(surface: Surface, tolerance: float) -> tuple[Array, float]:
+    """(k, 2) corners round what is to be measured, counterclockwise from in front on the left; notches closed.
+
+    And how far the object reaches out of them: corners that hardly turn are cut.
+    """
     rows = surface.triangles if surface.wanted is None else surface.triangles[surface.wanted]
     xy = surface.vertices[np.unique(rows), :2]
     try:
-        corners = xy[ConvexHull(xy).vertices]
+        hull = corners = xy[ConvexHull(xy).vertices]
     except QhullError:
         raise InputError("the object has no footprint: it is a line or a point from above") from None
     while len(corners) > 3:
@@ -113,7 +121,19 @@ def _footprint(surface: Surface, tolerance: float) -> Array:
         if off.min() > min(tolerance, 0.2 * float(np.ptp(xy, axis=0).min())):
             break
         corners = np.delete(corners, int(off.argmin()), axis=0)
-    return np.roll(corners, -int(np.argmin(corners @ [1.0, 1.0])), axis=0)
+    sides = [(a, _axes(a, b)[1]) for a, b in zip(corners, np.roll(corners, -1, axis=0), strict=True)]
+    outside = max(0.0, *(float(((hull - a) @ out).max()) for a, out in sides))
+    return np.roll(corners, -int(np.argmin(corners @ [1.0, 1.0])), axis=0), outside
+
+
+def _check_room(task: Task, distance: float) -> None:
+    """Raise InputError where the least distance leaves nothing of how far one can go."""
+    if distance > task.reach:
+        raise InputError(
+            f"the ring would stand {distance:.3g} m before the walls, not nearer than {task.clearance:.3g} m "
+            f"({option('clearance')}), and one may go {task.reach:.3g} m away ({option('around')}); go farther "
+            f"({option('around', f'{np.ceil(10 * distance) / 10:g}')}), or nearer where that is allowed"
+        )
 
 
 def _named(corners: Array, k: int) -> str:
@@ -153,14 +173,14 @@ def _stand_off(task: Task, height: float, eye: float) -> tuple[float, float]:
     long, short = task.half_angles
     level, upright = _needed(height, eye, short), _needed(height, eye, long)
     if level <= task.reach:
-        return level, UPRIGHT
+        return level, task.landscape
     if upright <= task.reach:
-        return upright, TURNED
+        return upright, task.portrait
     c = task.site.camera.sensor.camera_constant(task.site.camera.parameters)
     seen = np.arctan((height - eye) / task.reach) + np.arctan(eye / task.reach)
     fits = c * np.tan(long) / np.tan(seen / 2 / FULL)
     raise InputError(
-        f"the whole height of {height:.3g} m is shown from {upright:.3g} m with the camera upright, and one may go "
+        f"the whole height of {height:.3g} m is shown from {upright:.3g} m in portrait format, and one may go "
         f"{task.reach:.3g} m away ({option('around')}); a lens with c = {fits:.2g} mm would do ({option('c')}), or a "
         f"higher standpoint ({option('eye')})"
     )

@@ -27,6 +27,7 @@ class TargetPlan(Assistant):
     """Targets well spread over what at least three stations see, as large as the farthest of them needs."""
 
     name = "targets"
+    title = "Photographs of targets"
     about = "where coded targets and scale bars go, how large they must be, how well the bars must be known"
     example = "box:4,3,2.5"
     order = 4
@@ -113,8 +114,7 @@ def _bar_sigma(task: Task, points: SurfacePoints, length: Array) -> float:
 
 
 def _shown(names: list[str]) -> str:
-    few = ", ".join(names[:8])
-    return f"{len(names)} targets: {few}" + (" ..." if len(names) > 8 else "")
+    return f"{len(names)} targets: {', '.join(names)}"
 
 
 def _row(name: str, xyz: Array, dot: float, rays: int) -> tuple[str, ...]:

@@ -6,13 +6,14 @@ import numpy as np
 
 from raybundle.errors import InputError
 from raybundle.numerics.arrays import Array
-from raybundle.planning.assistants.base import FULL, TURNED, UPRIGHT, Assistant, Leaf, Shots, Task, made_stations
+from raybundle.planning.assistants.base import FULL, Assistant, Leaf, Shots, Task, made_stations
 
 
 class Turntable(Assistant):
     """Rings of views: the table turns, which is the same as a camera that goes round it the other way."""
 
     name = "turntable"
+    title = "Turntable photographs"
     about = "an object on a turntable: views at equal steps, from several heights, some with the camera turned"
     example = "cylinder:0.3,0.4"
     order = 3
@@ -35,11 +36,11 @@ class Turntable(Assistant):
                 a = 2 * np.pi * k / task.steps
                 away = np.array([np.sin(a) * np.cos(e), -np.cos(a) * np.cos(e), np.sin(e)])
                 turned = ring == 0 and k % 2 == 1
-                rows.append((middle + distance * away, middle, TURNED if turned else UPRIGHT))
+                rows.append((middle + distance * away, middle, task.portrait if turned else task.landscape))
                 leaves.append(
                     Leaf(
                         group=f"camera {elevation:g} deg above the table",
-                        see=f"table turned to {360 * k / task.steps:.0f} deg" + (", camera upright" if turned else ""),
+                        see=f"table turned to {360 * k / task.steps:.0f} deg, {task.held(rows[-1][2])}",
                     )
                 )
         return Shots(

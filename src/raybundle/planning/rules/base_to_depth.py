@@ -31,7 +31,9 @@ class BaseToDepth(Rule):
     sources = (FRASER_1984, GRANSHAW_1980)
     words = Words(
         statement="The wider the base against the depth, the more accurate are the depths.",
-        network="Two photographs of 108 targets in a box of 0.4 × 0.4 × 0.1 m, 1.5 m away, the camera calibrated "
+        network=f"Two photographs of 108 targets in a box of {TARGETS.over.removesuffix(' m')} × 0.1 m, 1.5 m away, "
+        "the "
+        "camera calibrated "
         "(24 megapixels, c = 4000 px), 0.05 px: axes parallel (normal case) or meeting in the middle; orientations "
         "known, or found from the same targets (inner constraints). The law is error propagation of Z = B c / "
         "parallax: sigma_Z = (D / B) (D / c) √2 sigma_xy.",
@@ -43,7 +45,14 @@ class BaseToDepth(Rule):
         "the three is least at {best_angle:.0f}° between the axes and within 10 % of that from {from_angle:.0f}° to "
         "{to_angle:.0f}°. Not in the figures: that matching natural features fails long before 60°, and that round "
         "targets are seen slantwise.",
+        costs="No photograph more: the second is taken {narrow:.2f} m beside the first at B/D 0.1, {wide:.1f} m at 1.",
     )
+    example = """from raybundle.planning.rules.networks import Network, Targets, known_camera, pair
+
+targets = Targets(size=(0.4, 0.4), depth=0.1, side=6, layers=3)
+network = Network(camera=known_camera(), targets=targets, stations=pair(0.6 * 1.5, 1.5, convergent=True))
+print(f"sigma Z {1e6 * network.predicted().rms[2]:.3g}")
+"""
     limits: ClassVar[Mapping[str, Limits]] = {
         "normal_gain": (9.5, 10.5),  # ten times the base
         "law": (0.0, 0.01),  # the box is 3 % of the depth to either side, its square is what is left
@@ -94,6 +103,7 @@ class BaseToDepth(Rule):
                 "normal_gain": normal[at[0.1], 2] / normal[at[1.0], 2],
                 "law": float(np.abs(normal[:, 2] / law[: len(square)] - 1).max()),
                 "relative": float((found[:, 2] / meeting[:, 2]).max() - 1),
+                "narrow": 0.1 * DEPTH, "wide": DEPTH,
                 "best_angle": float(angles[mean.argmin()]), "from_angle": near.min(), "to_angle": near.max(),
             },
         )  # fmt: skip

@@ -10,7 +10,7 @@ import numpy as np
 
 from raybundle.planning.calibration_networks import ROLLS, FlatField, calibration_camera, flat_field_scene
 from raybundle.planning.predicted import Predicted, predicted
-from raybundle.planning.rules.networks import pixels, survey
+from raybundle.planning.rules.networks import Targets, on_site, pixels, survey
 from raybundle.planning.rules.rule import Cell, Chart, Curve, Evidence, Figures, Limits, Rule, Words
 from raybundle.planning.rules.sources import FRASER_1984
 from raybundle.planning.simulate import simulate
@@ -32,7 +32,9 @@ class Distances(Rule):
     words = Words(
         statement="A plane field is photographed from several distances. Square views determine no camera constant "
         "from however many: a tilt, or distances that are known, must come with them.",
-        network="Eight photographs of a flat field of 100 unknown targets, 1 m × 1 m, from 1.5 m, or from 1.2, 1.5 "
+        network=f"Eight photographs of a flat field of 10 × 10 unknown targets over {Targets().over}, from 1.5 m, or "
+        "from "
+        "1.2, 1.5 "
         "and 1.8 m in turn; 0.05 px, Brown's eight terms free. Square views are shifted sideways by 0.1 m. "
         "Projection centres are unknown, or known with a standard deviation.",
         finding="At a tilt of 20° three distances in place of one divide sigma c by {c:.2f}, with rolls or without; "
@@ -42,7 +44,18 @@ class Distances(Rule):
         "{known_well:.1f} px; one distance leaves it open even then, as the distance of the plane itself is unknown.",
         ends="Known distances on the field do not help square views: they scale camera and field alike. Nor do three "
         "distances replace a tilt: one distance at 45° gives sigma c = {steep:.2f} px, three at 10° {flat:.2f} px.",
+        costs="No photograph more: the same eight, three of them nearer and three farther. At a tilt of 20° the way is "
+        "{way:.1f} m in place of {way_one:.1f} m. Known distances cost an instrument.",
     )
+    example = """from raybundle.planning.calibration_networks import FlatField, flat_field_scene
+from raybundle.planning.predicted import predicted
+from raybundle.planning.rules.networks import pixels, survey
+from raybundle.planning.simulate import simulate
+
+scene = flat_field_scene(FlatField(tilt_deg=20, rolls_deg=(0, 90, 180, 270), distances=(1.2, 1.5, 1.8)))
+found = predicted(simulate(scene, survey()).truth)
+print(f"sigma c {pixels(found, 'c', scene.camera):.3g}, x0 {pixels(found, 'x0', scene.camera):.3g}")
+"""
     limits: ClassVar[Mapping[str, Limits]] = {
         # the distances vary by 13 % (root mean square) about their mean, which parts c from a tilted field's distance;
         # they can at most undo the correlation of the two, and three of eight photographs are nearer, three farther
@@ -121,11 +134,17 @@ class Distances(Rule):
                 "c": px(one, "c") / px(three, "c"), "x0": px(one, "x0") / px(three, "x0"),
                 "x0_rolled": px(one_rolled, "x0") / px(three_rolled, "x0"),
                 "lost_one": len(square[ONE].lost), "lost_three": len(square[THREE].lost),
+                "way": _way(THREE), "way_one": _way(ONE),
                 "known": px(known[1e-3], "c"), "known_well": px(known[1e-4], "c"),
                 "lost_known_one": float(("1", "c") in known_one.lost),
                 "steep": px(tilted[ONE, ROLLS, 45.0], "c"), "flat": px(tilted[THREE, ROLLS, 10.0], "c"),
             },
         )  # fmt: skip
+
+
+def _way(distances: tuple[float, ...]) -> float:
+    """Through the stations of a tilt of 20 degrees [m]."""
+    return on_site(flat_field_scene(FlatField(tilt_deg=TILT, distances=distances)).centre).path_m
 
 
 def _square(distances: tuple[float, ...]) -> FlatField:

@@ -9,6 +9,7 @@ import numpy as np
 from raybundle.block import Block, Camera
 from raybundle.numerics.arrays import Array
 from raybundle.planning.calibration_networks import calibration_camera
+from raybundle.planning.network_plan import Cost, walk
 from raybundle.planning.predicted import Predicted, predicted
 from raybundle.planning.scenes import Scene, look_at
 from raybundle.planning.simulate import Survey, simulate
@@ -33,6 +34,17 @@ class Targets:
     side: int = 10
     """Targets along a side of a layer"""
     layers: int = 1
+
+    @property
+    def span(self) -> tuple[float, float]:
+        """Sides of what the targets themselves span [m]: they lie in the middles of the cells of the field."""
+        share = (self.side - 1 + (0.5 if self.layers > 1 else 0.0)) / self.side
+        return share * self.size[0], share * self.size[1]
+
+    @property
+    def over(self) -> str:
+        """The same in words: 0.9 × 0.9 m."""
+        return f"{self.span[0]:.2g} × {self.span[1]:.2g} m"
 
     def xyz(self) -> Array:
         """(p, 3) coordinates; layers are shifted against each other by half a mesh by turns."""
@@ -68,6 +80,14 @@ class Cone:
         centre = out * np.resize(np.asarray(self.distances), self.count)[:, None]
         roll = np.radians(np.resize(np.asarray(self.rolls_deg), self.count))
         return centre, look_at(centre, np.zeros(3), roll, up=np.array([0.0, 1.0, 0.0]))
+
+
+def on_site(centre: Array) -> Cost:
+    """What photographing from stations (n, 3) costs, as plans count it."""
+    way = centre[walk(centre)]
+    none = Cost(photographs=len(centre), path_m=float(np.linalg.norm(np.diff(way, axis=0), axis=1).sum()), minutes=0.0)
+    seconds = none.photographs * none.seconds_per_photograph + none.path_m / none.metres_per_second
+    return replace(none, minutes=seconds / 60)
 
 
 def survey(sigma_px: float = IMAGE_SIGMA_PX, **known: float) -> Survey:

@@ -7,7 +7,7 @@ from typing import ClassVar
 
 import numpy as np
 
-from raybundle.planning.rules.networks import Cone, Network, Targets, known_camera
+from raybundle.planning.rules.networks import Cone, Network, Targets, known_camera, on_site
 from raybundle.planning.rules.rule import Chart, Curve, Evidence, Figures, Limits, Rule, Words
 from raybundle.planning.rules.sources import FRASER_1984, YORK_1982
 
@@ -24,7 +24,8 @@ class Rays(Rule):
     sources = (FRASER_1984, YORK_1982)
     words = Words(
         statement="Points are the more accurate the more photographs show them; beyond four rays the gain is small.",
-        network="147 targets in a box of 1 × 1 × 0.3 m, each on all photographs, which stand at equal azimuths 1.5 "
+        network=f"147 targets in a box of {TARGETS.over.removesuffix(' m')} × 0.3 m, each on all photographs, which "
+        "stand at equal azimuths 1.5 "
         "m away, the axes 35° against the vertical; camera calibrated, 0.05 px, inner constraints.",
         finding="From two rays to four sigma of a coordinate falls to 1 / {two_four:.2f}, from four to eight to 1 / "
         "{four_eight:.3f}: √2, as twice the observations in the same directions do. A fifth photograph brings "
@@ -34,7 +35,15 @@ class Rays(Rule):
         ends="Rays from where others are already: a second exposure from the same place is worth √2 as well, but "
         "neither opens an angle nor controls what the place has in common. Few rays in a bad geometry gain far more "
         "than √2 by a ray in a new direction (see [base to depth](#base-to-depth)).",
+        costs="A photograph for each ray, half a minute and the way: two take {two_minutes:.1f} minutes, four "
+        "{four_minutes:.1f}, eight {eight_minutes:.1f}. Half the sigma of four is sixteen: {sixteen_minutes:.1f}.",
     )
+    example = """from raybundle.planning.rules.networks import Cone, Network, Targets, known_camera
+
+targets = Targets(depth=0.3, side=7, layers=3)
+network = Network(camera=known_camera(), targets=targets, stations=Cone(count=4, tilt_deg=35).stations())
+print(f"sigma Z {1e6 * network.predicted().rms[2]:.1f}, mean {1e6 * network.predicted().mean:.1f}")
+"""
     limits: ClassVar[Mapping[str, Limits]] = {
         "four_eight": (1.40, 1.43),  # sqrt(2)
         "two_four": (1.43, 2.0),  # more than sqrt(2): the second pair of rays opens the other direction
@@ -81,6 +90,10 @@ class Rays(Rule):
             numbers={
                 "two_four": mean[at[2]] / mean[at[4]], "four_eight": mean[at[4]] / mean[at[8]],
                 "fifth": 1 - mean[at[5]] / mean[at[4]], "ninth": 1 - np.sqrt(8 / 9),
+                **{
+                    f"{name}_minutes": on_site(Cone(count=n, tilt_deg=35.0).stations()[0]).minutes
+                    for name, n in (("two", 2), ("four", 4), ("eight", 8), ("sixteen", 16))
+                },
                 "r2": r[at[2]], "r4": r[at[4]], "r8": r[at[8]], "least2": least[at[2]],
             },
         )  # fmt: skip

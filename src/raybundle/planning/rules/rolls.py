@@ -9,7 +9,7 @@ import numpy as np
 
 from raybundle.planning.calibration_networks import ROLLS, FlatField, calibration_camera, flat_field_scene
 from raybundle.planning.predicted import Predicted, predicted
-from raybundle.planning.rules.networks import pixels, survey
+from raybundle.planning.rules.networks import Targets, on_site, pixels, survey
 from raybundle.planning.rules.rule import Chart, Curve, Evidence, Figures, Limits, Rule, Words
 from raybundle.planning.rules.sources import FRASER_1984, YORK_1982
 from raybundle.planning.simulate import simulate
@@ -28,7 +28,9 @@ class Rolls(Rule):
     sources = (FRASER_1984, YORK_1982)
     words = Words(
         statement="Photographs rolled by 90° break the coupling of x0, y0 with the stations.",
-        network="Eight photographs of a flat field of 100 unknown targets from 1.5 m at equal azimuths, the camera "
+        network=f"Eight photographs of a flat field of 10 × 10 unknown targets over {Targets().over} from 1.5 m at "
+        "equal "
+        "azimuths, the camera "
         "never rolled, rolled by 0 and 90°, or by 0, 90, 180 and 270° in turn; 0.05 px, Brown's eight terms free.",
         finding="At a tilt of 20° rolls divide sigma x0 by {x0:.0f} and sigma y0 by {y0:.0f}, at 45° by "
         "{x0_steep:.1f} and {y0_steep:.1f}; with four rolls sigma x0 is {two:.0%} of that with two. The largest "
@@ -38,7 +40,19 @@ class Rolls(Rule):
         "distances part x0 and the stations, too ([several distances](#distances)). Without rolls, walking round "
         "with the upper side of the image to the middle leaves c and y0 open ([calibration "
         "networks](calibration-networks.md)).",
+        costs="Nothing where the camera is held otherwise from station to station, as here. A second photograph at "
+        "each, "
+        "rolled, is {more:.0f} photographs and {minutes:.0f} minutes more.",
     )
+    example = """from raybundle.planning.calibration_networks import FlatField, flat_field_scene
+from raybundle.planning.predicted import predicted
+from raybundle.planning.rules.networks import pixels, survey
+from raybundle.planning.simulate import simulate
+
+scene = flat_field_scene(FlatField(tilt_deg=20, rolls_deg=(0, 90)))
+found = predicted(simulate(scene, survey()).truth)
+print(f"sigma x0 {pixels(found, 'x0', scene.camera):.3g}, y0 {pixels(found, 'y0', scene.camera):.3g}")
+"""
     limits: ClassVar[Mapping[str, Limits]] = {
         # without rolls x0 is told only by the perspective within a photograph, s / D sin t of the format, to which the
         # coupling adds the same in the turn; with them by opposite turns: sigma x0 is then noise over the root of n
@@ -70,6 +84,7 @@ class Rolls(Rule):
         }
         at = {t: k for k, t in enumerate(TILTS)}
         none, two, four = rolls
+        here = flat_field_scene(FlatField()).centre
         rms = {name: results[name, 20.0].rms for name in rolls}
         return Evidence(
             charts=tuple(
@@ -96,6 +111,7 @@ class Rolls(Rule):
                 "x0_steep": px[none, "x0"][at[45.0]] / px[four, "x0"][at[45.0]],
                 "y0_steep": px[none, "y0"][at[45.0]] / px[four, "y0"][at[45.0]],
                 "c": px[four, "c"][at[20.0]] / px[none, "c"][at[20.0]],
+                "more": len(here), "minutes": on_site(np.repeat(here, 2, axis=0)).minutes - on_site(here).minutes,
                 "two": px[four, "x0"][at[20.0]] / px[two, "x0"][at[20.0]],
                 "coupled": _coupling(results[none, 20.0], "x0"), "parted": _coupling(results[four, 20.0], "x0"),
                 "points": float(np.mean(rms[none][:2]) / np.mean(rms[four][:2])),

@@ -87,6 +87,8 @@ class Words:
     finding: str
     ends: str
     """Where the rule ends"""
+    costs: str
+    """What following it costs: photographs, minutes, as plans count them"""
 
 
 class Rule(ABC):
@@ -104,6 +106,8 @@ class Rule(ABC):
     """Place on the page"""
     sources: ClassVar[Sequence[Source]]
     words: ClassVar[Words]
+    example: ClassVar[str]
+    """Python that prints figures of a row of the table, to be tried and changed"""
     limits: ClassVar[Mapping[str, Limits]]
     """Number -> between which values it lies where the rule is true, and why that is derived stands beside it"""
 

@@ -9,17 +9,16 @@ import numpy as np
 
 from raybundle.planning.calibration_networks import FlatField, calibration_camera, flat_field_scene
 from raybundle.planning.predicted import Predicted
-from raybundle.planning.rules.networks import Cone, Network, Targets, known_camera, pixels
+from raybundle.planning.rules.networks import Cone, Network, Targets, known_camera, on_site, pixels
 from raybundle.planning.rules.rule import Cell, Chart, Curve, Evidence, Figures, Limits, Rule, Words
 from raybundle.planning.rules.sources import FRASER_1984, JAMES_2014, YORK_1982
 
 SIDES = (3, 4, 5, 7, 10, 14, 20)
 SIZES = (0.2, 0.3, 0.45, 0.6, 0.8, 1.0, 1.2)
+MIDDLE = Targets(size=(0.3, 0.3))
 FIELDS = {
-    "100 targets over 1 × 1 m": Targets(),
-    "400 targets over 1 × 1 m": Targets(side=20),
-    "9 targets over 1 × 1 m": Targets(side=3),
-    "100 targets in the middle, 0.3 × 0.3 m": Targets(size=(0.3, 0.3)),
+    **{f"{t.side**2} targets over {t.over}": t for t in (Targets(), Targets(side=20), Targets(side=3))},
+    f"100 targets in the middle, {MIDDLE.over}": MIDDLE,
 }
 
 
@@ -33,7 +32,8 @@ class SelfCalibration(Rule):
     words = Words(
         statement="A camera calibrates itself only in a network of convergent photographs of many, well distributed "
         "targets.",
-        network="Eight photographs of a flat field from 1.5 m, rolled by 0 and 90° in turn, axes 40° against the "
+        network="Eight photographs of a flat field, targets in the middles of equal cells, from 1.5 m, rolled by 0 "
+        "and 90° in turn, axes 40° against the "
         "normal of the field, or parallel to it and 0.4 m apart; Brown's eight terms free or the camera calibrated; "
         "0.05 px.",
         finding="Convergent, with 100 targets, leaving the camera free costs {cost:.1%} of sigma of the object "
@@ -45,7 +45,16 @@ class SelfCalibration(Rule):
         ends="Nothing here is wrong of the lens model. Where it is, a network that determines its parameters badly "
         "bends the object (a dome over a plane: James and Robson 2014), which no standard deviation of this page "
         "tells.",
+        costs="No photograph more: eight convergent ones take {round:.1f} minutes, eight parallel ones {along:.1f}. "
+        "400 "
+        "targets in place of 100 are paper, not minutes.",
     )
+    example = """from raybundle.planning.rules.networks import Cone, Network, Targets, pixels
+
+network = Network(targets=Targets(side=10), stations=Cone(count=8, tilt_deg=40).stations())
+found = network.predicted()
+print(f"sigma {1e6 * found.mean:.3g}, c {pixels(found, 'c', network.camera):.3g}")
+"""
     limits: ClassVar[Mapping[str, Limits]] = {
         "cost": (0.0, 0.05),  # the camera's eight unknowns among 1600 observations: 0.5 %, and more at the edge
         "cost_many": (0.0, 0.0125),  # a quarter of that
@@ -72,6 +81,7 @@ class SelfCalibration(Rule):
         convergent = {name: both(targets, cone.stations()) for name, targets in FIELDS.items()}
         parallel = both(Targets(), square)
         many = [both(Targets(side=s), cone.stations()) for s in SIDES]
+        wide = np.array([Targets(size=(s, s)).span[0] for s in SIZES])
         spread = [both(Targets(size=(s, s)), cone.stations()) for s in SIZES]
         cost = {name: b.mean / a.mean - 1 for name, (a, b) in convergent.items()}
         c = {name: pixels(b, "c", free) for name, (_, b) in convergent.items()}
@@ -80,7 +90,7 @@ class SelfCalibration(Rule):
         return Evidence(
             charts=(
                 Chart(
-                    title="Number of targets, 1 × 1 m", x_label="targets", y_label="sigma [px]",
+                    title="Number of targets, cells of 1 × 1 m", x_label="targets", y_label="sigma [px]",
                     logarithmic=(True, True),
                     curves=tuple(
                         Curve(
@@ -91,22 +101,23 @@ class SelfCalibration(Rule):
                     ),
                 ),
                 Chart(
-                    title="Spread of 100 targets", x_label="side of the field [m]", y_label="sigma [px]",
+                    title="Spread of 100 targets", x_label="side of what they span [m]", y_label="sigma [px]",
                     logarithmic=(False, True),
                     curves=tuple(
-                        Curve(name=s, x=np.array(SIZES), y=np.array([pixels(b, s, free) for _, b in spread]))
+                        Curve(name=s, x=wide, y=np.array([pixels(b, s, free) for _, b in spread]))
                         for s in ("c", "x0")
                     ),
                 ),
             ),
             figures=Figures(
                 header=("network", "camera known [µm]", "camera free", "sigma c [px]", "not determinable"),
-                rows=(*rows, _row("parallel, 100 targets over 1 × 1 m", *parallel, float("nan"))),
+                rows=(*rows, _row(f"parallel, {names[0]}", *parallel, float("nan"))),
             ),
             numbers={
                 "cost": cost[names[0]], "cost_many": cost[names[1]], "cost_few": cost[names[2]],
                 "lost_few": len(convergent[names[2]][1].lost), "middle": c[names[3]] / c[names[0]],
-                "lost_parallel": len(parallel[1].lost),
+                "lost_parallel": len(parallel[1].lost), "round": on_site(cone.stations()[0]).minutes,
+                "along": on_site(scene.centre).minutes,
             },
         )  # fmt: skip
 
