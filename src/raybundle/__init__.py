@@ -63,6 +63,7 @@ if TYPE_CHECKING:
         query,
         transform_to_points,
     )
+    from raybundle.commands.moved import MovedSettings, moved_points
     from raybundle.commands.orient import OrientSettings, orient
     from raybundle.commands.photos import (
         FramesSettings,
@@ -144,6 +145,7 @@ _HOME = {
     "InputError": "errors",
     "Instrument": "block",
     "MissionSettings": "commands.planning.mission",
+    "MovedSettings": "commands.moved",
     "NotSolvable": "errors",
     "Observations": "block",
     "OrientSettings": "commands.orient",
@@ -185,6 +187,7 @@ _HOME = {
     "find_fiducials": "commands.measure",
     "mark": "commands.measure",
     "marks": "commands.measure",
+    "moved_points": "commands.moved",
     "merge_blocks": "block.merge",
     "orient": "commands.orient",
     "photos": "commands.photos",
@@ -249,6 +252,7 @@ __all__ = [
     "Instrument",
     "ListSettings",
     "MissionSettings",
+    "MovedSettings",
     "NetworkSettings",
     "NextSettings",
     "NotSolvable",
@@ -294,6 +298,7 @@ __all__ = [
     "mark",
     "marks",
     "merge_blocks",
+    "moved_points",
     "orient",
     "photos",
     "plan_flight",

@@ -30,6 +30,7 @@ COMMANDS = {
     "query": "Coordinates, distances, angles, areas, planes of a result, with standard deviations.",
     "datum": "The points of a result in a coordinate system by some of them.",
     "compare": "Put two results side by side.",
+    "moved": "What has moved between measurements of the same points.",
     "convert": "Convert to and from the formats of other programs.",
     "studio": "Look, measure and adjust in the browser.",
     "rectify": "A picture to scale of a plane object: facade, floor, wall painting.",

@@ -11,25 +11,24 @@ import click
 from raybundle.cli.common import COMMAND_SETTINGS, FOLDER
 from raybundle.cli.settings import options_of, values_of
 from raybundle.commands.measure_settings import QuerySettings
-from raybundle.settings import settings_of
 
 if TYPE_CHECKING:
     from raybundle.measuring.query import Answer
 
-SEVERAL = [f"--{s.flag}" for s in settings_of(QuerySettings) if s.each is str and s.many]
-"""Options that take all words up to the next option."""
-
 
 class SeveralNames(click.Command):
-    """A command with options that take any number of names."""
+    """A command whose options of names take all words up to the next option."""
 
     def parse_args(self, ctx: click.Context, args: list[str]) -> list[str]:
         """`--area A B C` is `--area A --area B --area C`."""
+        several = {
+            name for p in self.params if isinstance(p, click.Option) and p.multiple and p.nargs == 1 for name in p.opts
+        }
         spread: list[str] = []
         option = ""
         for word in args:
             if word.startswith("--"):
-                option = word if word in SEVERAL else ""
+                option = word if word in several else ""
                 spread += [] if option else [word]
             elif option:
                 spread += [option, word]

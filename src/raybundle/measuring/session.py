@@ -45,6 +45,19 @@ def adjusted_again(folder: str | Path, progress: Progress = silent) -> Adjustmen
     return readjusted(block, progress, options)
 
 
+def adjusted_as_free(given: Block | str | Path, progress: Progress = silent) -> Adjustment:
+    """The adjustment of a block, or of a folder, with inner constraints for everything but a measured scale.
+
+    Control then has no part in the shape of the network, and no point is without error.
+    """
+    if isinstance(given, Block):
+        block, options = given, AdjustmentOptions()
+    else:
+        inner = block_folder(given)
+        block, options = made_as(inner, read_block(inner))
+    return readjusted(block, progress, replace(options, datum="inner", datum_points=()))
+
+
 @dataclass(slots=True)
 class Session:
     """A block, adjusted or only oriented, and the answers that are kept of it."""
