@@ -63,6 +63,7 @@ if TYPE_CHECKING:
         query,
         transform_to_points,
     )
+    from raybundle.commands.measured import MeasureSettings, measure_targets
     from raybundle.commands.moved import MovedSettings, moved_points
     from raybundle.commands.orient import OrientSettings, orient
     from raybundle.commands.photos import (
@@ -144,6 +145,7 @@ _HOME = {
     "Images": "block",
     "InputError": "errors",
     "Instrument": "block",
+    "MeasureSettings": "commands.measured",
     "MissionSettings": "commands.planning.mission",
     "MovedSettings": "commands.moved",
     "NotSolvable": "errors",
@@ -187,6 +189,7 @@ _HOME = {
     "find_fiducials": "commands.measure",
     "mark": "commands.measure",
     "marks": "commands.measure",
+    "measure_targets": "commands.measured",
     "moved_points": "commands.moved",
     "merge_blocks": "block.merge",
     "orient": "commands.orient",
@@ -251,6 +254,7 @@ __all__ = [
     "InputError",
     "Instrument",
     "ListSettings",
+    "MeasureSettings",
     "MissionSettings",
     "MovedSettings",
     "NetworkSettings",
@@ -297,6 +301,7 @@ __all__ = [
     "kept_calibrations",
     "mark",
     "marks",
+    "measure_targets",
     "merge_blocks",
     "moved_points",
     "orient",

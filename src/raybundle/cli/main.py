@@ -25,6 +25,7 @@ COMMANDS = {
     "frames": "Take frames from a video: sharp ones, far enough apart.",
     "targets": "Print coded targets; find and measure them in photographs.",
     "calibrate": "Calibrate cameras from photographs of coded targets or a board.",
+    "measure": "Measure targets: coordinates, deviations from nominal, length errors.",
     "adjust": "Adjust a block and write a result folder with its report.",
     "mark": "Measure points by hand: marks, control, scale bars, undo; adjust them with the block.",
     "query": "Coordinates, distances, angles, areas, planes of a result, with standard deviations.",

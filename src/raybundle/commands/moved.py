@@ -141,9 +141,7 @@ def words_of(done: Congruence) -> list[str]:
         d, s = 1000 * done.displacement[j, k], 1000 * std[j, k]
         by = ", ".join(f"{a} {v:+.3g} ± {u:.2g}" for a, v, u in zip("XYZ", d, s, strict=True))
         lines.append(f"{done.ids[k]} moved by {1000 * length[k]:.3g} mm ({by} mm), p {done.p_value[k]:.1g}")
-    lines.append(
-        f"displacements from {least[0]:.2g} mm on are found with 80 % (median; {least[1]:.2g} mm at worst)"
-    )
+    lines.append(f"displacements from {least[0]:.2g} mm on are found with 80 % (median; {least[1]:.2g} mm at worst)")
     if done.scale:
         lines.append("remark: epochs may differ in scale: lengths are those of the first")
     return lines

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING, Literal
 
@@ -26,6 +26,7 @@ def write_result(
     photographs: PhotographFacts | None = None,
     frame: LocalFrame | None = None,
     qualities: tuple[CalibrationQuality, ...] = (),
+    more: Callable[[Path], None] | None = None,
     progress: Progress = silent,
 ) -> None:
     """Write a result folder, whole or not at all; an older result there is replaced when the new one is complete.
@@ -35,6 +36,7 @@ def write_result(
     photographs  what is known of the photographs that the adjustment comes from
     frame        the coordinate system in which the local frame of the adjustment stands; map.csv is in that system
     qualities    verdicts on calibrated cameras; calibration.toml, as orient takes it, is written beside them
+    more         writes further files of the result into the folder
     raises       InputError where something else stands at `path`
     """
     with written_folder(adjustment, path, additions, progress) as folder:
@@ -47,6 +49,8 @@ def write_result(
 
             text = calibration_text(adjustment, qualities)
             (folder / "calibration.toml").write_text(text, encoding="utf-8", newline="\n")
+        if more is not None:
+            more(folder)
         if report == "html":
             from raybundle.report.document import write_report  # noqa: PLC0415  (Jinja2 only where it is used)
             from raybundle.report.network_page import write_network_page  # noqa: PLC0415

@@ -32,6 +32,9 @@ ENTRIES = {
     "network.html",
     "map.csv",
     "calibration.toml",
+    "coordinate_list.csv",
+    "nominal.csv",
+    "lengths.csv",
 }
 """Of a result folder beside its tables"""
 

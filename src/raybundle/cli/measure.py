@@ -1,0 +1,120 @@
+"""`raybundle measure`."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import click
+
+from raybundle.cli.common import COMMAND_SETTINGS, FOLDER, NEW_FOLDER, common_options, counted, significant
+from raybundle.cli.query import SeveralNames
+from raybundle.cli.settings import options_of, values_of
+from raybundle.commands.measured import LENGTHS, LIST, NOMINAL, MeasureSettings, run_measure
+from raybundle.settings import made
+
+if TYPE_CHECKING:
+    from raybundle.commands.measured import Measured
+    from raybundle.metrology.best_fit import BestFit
+    from raybundle.metrology.lengths import LengthTest
+
+SHOWN = 10
+
+
+@click.command("measure", cls=SeveralNames, context_settings=COMMAND_SETTINGS)
+@click.argument("photos", type=FOLDER, nargs=-1, required=True, metavar="PHOTOS...|RESULT")
+@options_of(MeasureSettings, out=NEW_FOLDER)
+@common_options
+def command(photos: tuple[Path, ...], progress: str, **given: Any) -> int:
+    """Measure targets: photographs in, coordinates out, held against nominal ones and known lengths.
+
+    Coded targets are found, the camera is calibrated with them or held, and the free network is scaled by scale bars.
+    RESULT gets, beside what `adjust` writes, coordinate_list.csv (in natural order, with standard deviations and
+    correlations), nominal.csv (deviations, their significance, tolerances) and lengths.csv (errors of lengths).
+
+    \b
+    Exit status: 0 measured and kept what was asked; 2 bad input; 3 not solvable; 4 a tolerance or an allowed error of a
+    length is not kept.
+
+    \b
+    Example:
+      raybundle measure photos/ --target aicon14 --scale-bar 2 74 0.9512 0.00001 --out part
+      raybundle measure photos/ --scale-bar 2 74 0.9512 0.00001 --nominal cad.csv --by 1 2 3 --out part
+      raybundle measure part --lengths certificate.csv --allowed 0.02 0.01 --out part-test
+    """  # noqa: D301
+    from raybundle.cli.progress import reporting  # noqa: PLC0415  (what computes is loaded after the help)
+
+    settings = made(MeasureSettings, {"photos": photos, **values_of(MeasureSettings, given)})
+    with reporting(progress) as tell:
+        done = run_measure(settings, tell)
+    click.echo("\n".join(f" {line}" for line in lines(done)))
+    files = [LIST, *([NOMINAL] if done.fit else []), *([LENGTHS] if done.lengths else [])]
+    click.echo(f" {settings.out}: {', '.join(files)}" + (", report.html" if settings.report else ""))
+    return 0 if kept(done) else 4
+
+
+def kept(done: Measured) -> bool:
+    """Whether nothing is proved to be beyond what was asked for."""
+    beyond = done.fit is not None and "beyond" in done.fit.verdict
+    return not beyond and (done.lengths is None or done.lengths.kept is not False)
+
+
+def lines(done: Measured) -> list[str]:
+    """What is told of a measurement."""
+    import numpy as np  # noqa: PLC0415
+
+    a, s = done.adjustment, 1000 * done.points.sigma
+    images = len(np.unique(a.given.observations.image))
+    unit = "of a scale that nothing measured" if done.points.free_scale else "mm"
+    rms, worst = significant(float(np.sqrt(np.mean(s**2))), 2), significant(float(s.max()), 2)
+    weakest = done.points.ids[int(s.max(axis=1).argmax())]
+    where = f"{counted(len(done.points.ids), 'point')} in {counted(images, 'photograph')}"
+    text = [
+        f"{where}, sigma0 {a.sigma0:.3g}, redundancy {a.redundancy}",
+        f"standard deviation of a coordinate: {rms} {unit} in the mean, {worst} at worst (point {weakest})",
+    ]
+    if done.fit is not None:
+        text += _fit_lines(done.fit)
+    if done.lengths is not None:
+        text += _length_lines(done.lengths)
+    return text + [f"caution: {r}" for r in done.remarks]
+
+
+def _fit_lines(f: BestFit) -> list[str]:
+    import numpy as np  # noqa: PLC0415
+
+    scale = "" if not f.scale_sigma else f", scale {f.transform.scale:.7f} ± {f.scale_sigma:.1g}"
+    rms, largest = significant(1000 * f.rms, 2), significant(1000 * float(f.length.max()), 2)
+    by, farthest = counted(int(f.fitted.sum()), "point"), f.ids[int(f.length.argmax())]
+    text = [f"fitted to nominal by {by}{scale}: rms {rms} mm, largest {largest} mm (point {farthest})"]
+    off = np.flatnonzero(f.significant)
+    share = f"{len(off)} of {len(f.ids)} deviations are more than errors of measurement explain"
+    text.append(share if len(off) else "no deviation is more than errors of measurement explain")
+    for k in off[np.argsort(-f.length[off])][:SHOWN].tolist():
+        d = ", ".join(f"{a} {1000 * v:+.3g}" for a, v in zip("XYZ", f.deviation[k], strict=True))
+        text.append(f"{f.ids[k]}: {1000 * f.length[k]:.3g} ± {1000 * f.length_sigma[k]:.2g} mm ({d})")
+    if np.isfinite(f.tolerance).any():
+        words = {v: f.verdict.count(v) for v in ("within", "beyond", "undecided")}
+        text.append(
+            f"tolerances: {words['within']} within, {words['beyond']} beyond, {words['undecided']} undecided by the "
+            "uncertainty (ISO 14253-1, two standard deviations)"
+        )
+    if f.missing:
+        text.append(f"caution: {len(f.missing)} nominal points were not measured: {', '.join(f.missing[:SHOWN])}")
+    return text
+
+
+def _length_lines(t: LengthTest) -> list[str]:
+    import numpy as np  # noqa: PLC0415
+
+    k = int(np.abs(t.error).argmax())
+    largest, rms = significant(1000 * t.largest, 2), significant(1000 * t.rms, 2)
+    error = f"largest error {largest} mm ({t.known[k].start} - {t.known[k].end}), rms {rms} mm"
+    share = f"{100 * t.within:.0f} % within two standard deviations"
+    text = [f"{counted(len(t.known), 'length')}: {error}; {share}, together F {t.whole[0]:.2f} (p {t.whole[1]:.2g})"]
+    if t.kept is not None:
+        over = int((np.abs(t.error) > t.allowed).sum())
+        text.append("all errors are within what is allowed" if t.kept else f"{over} errors are beyond what is allowed")
+    if t.significant.any():
+        text.append(f"caution: {int(t.significant.sum())} errors are more than standard deviations explain")
+    return text
