@@ -8,6 +8,7 @@ import click
 
 from raybundle.cli.common import COMMAND_SETTINGS, NEW_FOLDER, common_options, counted
 from raybundle.cli.settings import options_of, values_of
+from raybundle.commands.planning.network_files import free_camera_words
 from raybundle.commands.planning.photograph_list import ListKind, ListSettings, facts_of, run_plan_list
 from raybundle.settings import made
 
@@ -39,4 +40,6 @@ def command(kind: str, object: str, progress: str, **given: Any) -> None:  # noq
     with reporting(progress) as tell:
         plan = run_plan_list(settings, tell)
     lines = [f"{counted(len(plan.design.stations), 'photograph')} listed", *facts_of(settings, plan)]
+    if words := free_camera_words(plan):
+        lines.append(f"caution: {words}")
     click.echo("\n".join(f" {line}" for line in [*lines, f"{settings.out}: list.pdf, list.csv, network.html, block"]))
