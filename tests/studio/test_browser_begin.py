@@ -102,7 +102,9 @@ def test_fiducial_marks_are_clicked_one_after_the_other(browse, tmp_path):
     hand = Hand(page)
     card = page.locator("#fiducials")
     page.select_option("#snap", "hand")
+    hand.open(IMAGES[0])  # the card is drawn anew while a scan is opened
     page.get_by_role("button", name="F1").click()
+    card.filter(has_text="Click F1 in the scan").wait_for()
     for k, (x, y) in enumerate([(80, 1080), (1520, 1085), (1525, 120)]):
         hand.point_at(IMAGES[0], x, y, zoom=2)
         hand.click_here(f"F{k + 1} measured")
