@@ -140,3 +140,7 @@ def test_photographs_of_cern_give_its_coordinates(tmp_path):
     assert len(done.points.ids) == 73
     assert done.lengths.rms < 1e-5  # the given coordinates have errors of their own, which nobody states
     assert done.lengths.within > 0.8
+    page = " ".join((Path(__file__).parents[2] / "docs/how-to/measure-targets.md").read_text().split())
+    assert (
+        f"by {1000 * done.lengths.rms:.3f} mm (root mean square; {100 * done.lengths.within:.0f} % are within" in page
+    )

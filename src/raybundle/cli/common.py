@@ -62,3 +62,24 @@ def common_options(function: Callable[..., Any]) -> Callable[..., Any]:
         show_default=True,
         help="auto: a bar on a terminal, nothing when piped; json: a JSON object a line on stderr.",
     )(function)
+
+
+class SeveralNames(click.Command):
+    """A command whose options of names take all words up to the next option."""
+
+    def parse_args(self, ctx: click.Context, args: list[str]) -> list[str]:
+        """`--area A B C` is `--area A --area B --area C`."""
+        several = {
+            name for p in self.params if isinstance(p, click.Option) and p.multiple and p.nargs == 1 for name in p.opts
+        }
+        spread: list[str] = []
+        option = ""
+        for word in args:
+            if word.startswith("--"):
+                option = word if word in several else ""
+                spread += [] if option else [word]
+            elif option:
+                spread += [option, word]
+            else:
+                spread.append(word)
+        return super().parse_args(ctx, spread)

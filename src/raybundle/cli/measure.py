@@ -7,8 +7,15 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from raybundle.cli.common import COMMAND_SETTINGS, FOLDER, NEW_FOLDER, common_options, counted, significant
-from raybundle.cli.query import SeveralNames
+from raybundle.cli.common import (
+    COMMAND_SETTINGS,
+    FOLDER,
+    NEW_FOLDER,
+    SeveralNames,
+    common_options,
+    counted,
+    significant,
+)
 from raybundle.cli.settings import options_of, values_of
 from raybundle.commands.measured import LENGTHS, LIST, NOMINAL, MeasureSettings, run_measure
 from raybundle.settings import made

@@ -8,33 +8,12 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from raybundle.cli.common import COMMAND_SETTINGS, FOLDER
+from raybundle.cli.common import COMMAND_SETTINGS, FOLDER, SeveralNames
 from raybundle.cli.settings import options_of, values_of
 from raybundle.commands.measure_settings import QuerySettings
 
 if TYPE_CHECKING:
     from raybundle.measuring.query import Answer
-
-
-class SeveralNames(click.Command):
-    """A command whose options of names take all words up to the next option."""
-
-    def parse_args(self, ctx: click.Context, args: list[str]) -> list[str]:
-        """`--area A B C` is `--area A --area B --area C`."""
-        several = {
-            name for p in self.params if isinstance(p, click.Option) and p.multiple and p.nargs == 1 for name in p.opts
-        }
-        spread: list[str] = []
-        option = ""
-        for word in args:
-            if word.startswith("--"):
-                option = word if word in several else ""
-                spread += [] if option else [word]
-            elif option:
-                spread += [option, word]
-            else:
-                spread.append(word)
-        return super().parse_args(ctx, spread)
 
 
 @click.command("query", cls=SeveralNames, context_settings=COMMAND_SETTINGS)

@@ -58,6 +58,7 @@ def run_moved(settings: MovedSettings, progress: Progress = silent) -> Congruenc
 
 
 def _moved(s: MovedSettings, epochs: Sequence[Adjustment | str | Path], progress: Progress) -> Congruence:
+    from raybundle.adjustment.again import block_again  # noqa: PLC0415
     from raybundle.adjustment.result import Adjustment  # noqa: PLC0415  (what computes is loaded after the help)
     from raybundle.io.folders import check_new_folder  # noqa: PLC0415
     from raybundle.measuring.point_sets import point_set  # noqa: PLC0415
@@ -70,7 +71,7 @@ def _moved(s: MovedSettings, epochs: Sequence[Adjustment | str | Path], progress
     sets = []
     for k, (name, epoch) in enumerate(zip(_names(s.epochs), epochs, strict=True)):
         progress("reading measurements", k / len(epochs))
-        found = adjusted_as_free(epoch.given if isinstance(epoch, Adjustment) else epoch)
+        found = adjusted_as_free(block_again(epoch) if isinstance(epoch, Adjustment) else epoch)
         sets.append(point_set(found, name, s.points))
     if s.free_scale:
         sets = [replace(e, free_scale=True) for e in sets]
@@ -115,33 +116,3 @@ def _write(out: Path, done: Congruence) -> None:
     with new_folder(out) as folder:
         write_table(folder / "points.csv", columns)
         (folder / "moved.json").write_text(json.dumps(clean(told), indent=1) + "\n", encoding="utf-8")
-
-
-def words_of(done: Congruence) -> list[str]:
-    """What is told of the test."""
-    import numpy as np  # noqa: PLC0415
-
-    n, moved = len(done.ids), int(done.moved.sum())
-    least = 1000 * np.quantile(done.detectable[np.isfinite(done.detectable)], [0.5, 1.0])
-    told = f"{n} common points of {' and '.join(done.epochs)}: {moved or 'none'} moved"
-    (F0, p0), (F1, p1) = done.before, done.after
-    lines = [
-        f"{told}, at {100 * done.significance:g} % for any false alarm",
-        f"as if none had moved F {F0:.2f} (p {p0:.2g}); those that stayed F {F1:.2f} (p {p1:.2g})",
-    ]
-    if done.after[1] < done.significance:
-        lines.append(
-            "caution: points that stayed differ by more than their standard deviations say: they are too small, or "
-            "many points moved a little"
-        )
-    std = np.sqrt(np.maximum(np.diagonal(done.covariance, axis1=2, axis2=3), 0))
-    length = np.linalg.norm(done.displacement, axis=2).max(axis=0)
-    for k in sorted(np.flatnonzero(done.moved).tolist(), key=lambda k: -length[k]):
-        j = int(np.linalg.norm(done.displacement[:, k], axis=1).argmax())
-        d, s = 1000 * done.displacement[j, k], 1000 * std[j, k]
-        by = ", ".join(f"{a} {v:+.3g} ± {u:.2g}" for a, v, u in zip("XYZ", d, s, strict=True))
-        lines.append(f"{done.ids[k]} moved by {1000 * length[k]:.3g} mm ({by} mm), p {done.p_value[k]:.1g}")
-    lines.append(f"displacements from {least[0]:.2g} mm on are found with 80 % (median; {least[1]:.2g} mm at worst)")
-    if done.scale:
-        lines.append("remark: epochs may differ in scale: lengths are those of the first")
-    return lines

@@ -40,8 +40,7 @@ def readjusted(block: Block, progress: Progress = silent, options: AdjustmentOpt
 
 def adjusted_again(folder: str | Path, progress: Progress = silent) -> Adjustment:
     """The adjustment of a project, result or block folder, of a result under its options; see `readjusted`."""
-    inner = block_folder(folder)
-    block, options = made_as(inner, read_block(inner))
+    block, options = _told(folder)
     return readjusted(block, progress, options)
 
 
@@ -50,12 +49,14 @@ def adjusted_as_free(given: Block | str | Path, progress: Progress = silent) -> 
 
     Control then has no part in the shape of the network, and no point is without error.
     """
-    if isinstance(given, Block):
-        block, options = given, AdjustmentOptions()
-    else:
-        inner = block_folder(given)
-        block, options = made_as(inner, read_block(inner))
+    block, options = (given, AdjustmentOptions()) if isinstance(given, Block) else _told(given)
     return readjusted(block, progress, replace(options, datum="inner", datum_points=()))
+
+
+def _told(folder: str | Path) -> tuple[Block, AdjustmentOptions]:
+    """The block of a folder, and the options that its result was made under."""
+    inner = block_folder(folder)
+    return made_as(inner, read_block(inner))
 
 
 @dataclass(slots=True)

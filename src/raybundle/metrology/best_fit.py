@@ -15,6 +15,7 @@ import numpy as np
 from raybundle.errors import InputError
 from raybundle.metrology.point_set import PointSet, datum_directions
 from raybundle.numerics.arrays import Array, Mask
+from raybundle.numerics.statistics import joint_test
 from raybundle.numerics.transform import SimilarityTransform, similarity
 
 Verdict = Literal["within", "beyond", "undecided", ""]
@@ -60,7 +61,6 @@ class BestFit:
     """Probability below which a deviation is significant: family-wise over the points"""
     tolerance: Array
     """(n,) [m]"""
-    verdict: tuple[Verdict, ...]
     transform: SimilarityTransform
     """Of the measured axes into the nominal ones"""
     scale_sigma: float
@@ -82,6 +82,13 @@ class BestFit:
         """(n,) their standard deviations along themselves [m]."""
         u = self.deviation / np.maximum(self.length, 1e-300)[:, None]
         return np.sqrt(np.maximum(np.einsum("ni,nij,nj->n", u, self.covariance, u), 0))
+
+    @property
+    def verdict(self) -> tuple[Verdict, ...]:
+        """(n,) whether tolerances are kept, as far as the uncertainty lets it be said; "" where none is asked for."""
+        uncertain = COVERAGE * self.length_sigma
+        rows = zip(self.length.tolist(), uncertain.tolist(), self.tolerance.tolist(), strict=True)
+        return tuple(_verdict(*row) for row in rows)
 
     @property
     def significant(self) -> Mask:
@@ -124,28 +131,17 @@ def best_fit(
     S = np.eye(3 * n)
     S[:, np.repeat(fitted, 3)] -= G @ gain
     C = (S @ Q @ S.T).reshape(n, 3, n, 3)[np.arange(n), :, np.arange(n), :]
-    p = np.array([_tail(d, c, m.freedom) for d, c in zip(deviation, C, strict=True)])
+    p = np.array([joint_test(d, c, m.freedom)[1] for d, c in zip(deviation, C, strict=True)])
     tolerance = nominal.tolerance[at]
     of_scale = G.shape[1] == 7
     size = float(np.sqrt(np.mean(np.sum((here.xyz[fitted] - here.xyz[fitted].mean(axis=0)) ** 2, axis=1))))
     K = gain @ Q[np.ix_(np.repeat(fitted, 3), np.repeat(fitted, 3))] @ gain.T
-    found = BestFit(
+    return BestFit(
         ids=names, fitted=fitted, xyz=here.xyz, deviation=deviation, covariance=C, p_value=p,
-        limit=significance / max(int(np.isfinite(p).sum()), 1), tolerance=tolerance, verdict=(), transform=transform,
+        limit=significance / max(int(np.isfinite(p).sum()), 1), tolerance=tolerance, transform=transform,
         scale_sigma=float(np.sqrt(max(K[6, 6], 0.0))) / size if of_scale else 0.0,
         rms=float(np.sqrt(np.mean(deviation[fitted] ** 2))), weighting=weighting, missing=missing, freedom=m.freedom,
     )  # fmt: skip
-    return _judged(found)
-
-
-def _judged(found: BestFit) -> BestFit:
-    from dataclasses import replace  # noqa: PLC0415
-
-    uncertain = COVERAGE * found.length_sigma
-    words = tuple(
-        _verdict(*v) for v in zip(found.length.tolist(), uncertain.tolist(), found.tolerance.tolist(), strict=True)
-    )
-    return replace(found, verdict=words)
 
 
 def _verdict(length: float, uncertain: float, tolerance: float) -> Verdict:
@@ -154,19 +150,6 @@ def _verdict(length: float, uncertain: float, tolerance: float) -> Verdict:
     if length + uncertain <= tolerance:
         return "within"
     return "beyond" if length - uncertain > tolerance else "undecided"
-
-
-def _tail(d: Array, C: Array, freedom: float) -> float:
-    """Probability of a larger deviation; of the directions in which it is not zero by the fit itself."""
-    from scipy.special import chdtrc, fdtrc  # noqa: PLC0415
-
-    size, way = np.linalg.eigh(C)
-    good = size > 1e-9 * max(size[-1], 1e-300)
-    dof = int(good.sum())
-    if not dof or size[-1] <= 0:
-        return float("nan")
-    value = float(np.sum((way[:, good].T @ d) ** 2 / size[good]))
-    return float(chdtrc(dof, value)) if np.isinf(freedom) else float(fdtrc(dof, freedom, value / dof))
 
 
 def _fit(

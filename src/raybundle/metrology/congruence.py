@@ -15,6 +15,7 @@ import numpy as np
 from raybundle.errors import InputError
 from raybundle.metrology.point_set import PointSet, datum_directions
 from raybundle.numerics.arrays import Array, Index, Mask
+from raybundle.numerics.statistics import fisher_tail
 from raybundle.numerics.transform import SimilarityTransform, robust_similarity, similarity
 
 LEAST = 4
@@ -219,14 +220,14 @@ class _Model:
         freedom = len(s.rows) - self.B.shape[1]
         d = self.d[s.rows]
         F = float(d @ s.weights @ d) / max(freedom, 1)
-        return F, self.tail(F, freedom)
+        return F, fisher_tail(F, freedom, self.freedom)
 
     def tests(self, moved: Mask) -> tuple[Array, Array]:
         """(n,) F of each point against those that stayed, without it; and its probability."""
         dof = 3 * self.later
         u, S = self.compared(moved)
         F = np.array([float(a @ np.linalg.lstsq(C, a, rcond=1e-10)[0]) for a, C in zip(u, S, strict=True)]) / dof
-        return F, np.array([self.tail(f, dof) for f in F])
+        return F, np.array([fisher_tail(f, dof, self.freedom) for f in F])
 
     def compared(self, moved: Mask) -> tuple[Array, Array]:
         """Of each point a vector (n, 3 k) and its covariance.
@@ -253,14 +254,6 @@ class _Model:
             u[i] = self.d[r] - self.B[r] @ t - gain @ (d - Bs @ t)
             S[i] = self.Q[np.ix_(r, r)] + s.fill * self.B[r] @ self.B[r].T - gain @ across.T + open_ @ open_.T
         return u, S
-
-    def tail(self, F: float, dof: int) -> float:
-        """Probability of a larger F."""
-        from scipy.special import chdtrc, fdtrc  # noqa: PLC0415
-
-        if np.isinf(self.freedom):
-            return float(chdtrc(dof, F * dof))
-        return float(fdtrc(dof, self.freedom, F))
 
     def displacements(self, moved: Mask) -> tuple[Array, Array]:
         """(k, n, 3) displacements in the datum of the points that stayed, and their covariances (k, n, 3, 3)."""

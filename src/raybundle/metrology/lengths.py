@@ -14,6 +14,7 @@ import numpy as np
 from raybundle.errors import InputError
 from raybundle.metrology.point_set import PointSet
 from raybundle.numerics.arrays import Array, Mask
+from raybundle.numerics.statistics import joint_test
 
 COVERAGE = 2.0
 
@@ -123,7 +124,7 @@ def length_test(
     return LengthTest(
         known=tuple(known), measured=length, sigma=np.sqrt(np.diagonal(C)), error=error, error_sigma=sigma,
         p_value=np.array([_tail(e / s, measured.freedom) for e, s in zip(error, sigma, strict=True)]),
-        limit=significance / len(known), whole=_whole(error, D, measured.freedom), freedom=measured.freedom,
+        limit=significance / len(known), whole=joint_test(error, D, measured.freedom), freedom=measured.freedom,
         allowed=A + K * wanted,
     )  # fmt: skip
 
@@ -132,14 +133,3 @@ def _tail(ratio: float, freedom: float) -> float:
     from scipy.special import ndtr, stdtr  # noqa: PLC0415
 
     return float(2 * (ndtr(-abs(ratio)) if np.isinf(freedom) else stdtr(freedom, -abs(ratio))))
-
-
-def _whole(error: Array, C: Array, freedom: float) -> tuple[float, float]:
-    """All errors together: of directions that vary at all."""
-    from scipy.special import chdtrc, fdtrc  # noqa: PLC0415
-
-    size, way = np.linalg.eigh(C)
-    good = size > 1e-9 * size[-1]
-    dof = int(good.sum())
-    value = float(np.sum((way[:, good].T @ error) ** 2 / size[good])) / dof
-    return value, float(chdtrc(dof, value * dof) if np.isinf(freedom) else fdtrc(dof, freedom, value))

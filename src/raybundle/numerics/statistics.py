@@ -76,11 +76,26 @@ def chi_square_tails(value: float, freedom: float) -> tuple[float, float]:
     return float(gammainc(freedom / 2, value / 2)), float(gammaincc(freedom / 2, value / 2))
 
 
-def fisher_tail(value: float, first: int, second: int) -> float:
-    """Probability of a larger F value with so many degrees of freedom."""
-    from scipy.special import fdtrc  # noqa: PLC0415
+def fisher_tail(value: float, first: int, second: float) -> float:
+    """Probability of a larger F value with so many degrees of freedom; the second infinite: chi-square / first."""
+    from scipy.special import chdtrc, fdtrc  # noqa: PLC0415
 
-    return float(fdtrc(first, second, value))
+    return float(chdtrc(first, value * first) if np.isinf(second) else fdtrc(first, second, value))
+
+
+def joint_test(error: Array, covariance: Array, freedom: float) -> tuple[float, float]:
+    """F of an error (n,) under its covariance (n, n), in the directions in which it varies, and its probability.
+
+    freedom  of the variance factor in the covariance; infinite where it is known
+    NaN where it varies in none.
+    """
+    size, way = np.linalg.eigh(covariance)
+    good = size > 1e-9 * max(float(size[-1]), 1e-300)
+    dof = int(good.sum())
+    if not dof:
+        return float("nan"), float("nan")
+    F = float(np.sum((way[:, good].T @ error) ** 2 / size[good])) / dof
+    return F, fisher_tail(F, dof, freedom)
 
 
 def mahalanobis2(error: Array, covariance: Array) -> Array:

@@ -73,12 +73,7 @@ def standing_places(site: Site, count: int) -> Array:
     even = a.low + (a.high - a.low) * _sequence(TRIES * count, 3)
     p = site.points
     row = np.arange(TRIES * count) % len(p)
-    u = _sequence(TRIES * count, 4)
-    far = min(float(np.linalg.norm(a.high - a.low)), site.depth[1])
-    near = max(a.clearance, site.depth[0], 1e-3 * far)
-    aside = np.linalg.norm(p.normal, axis=1)[row, None] * (u[:, :3] - 0.5)
-    before = p.xyz[row] + (near * (far / near) ** u[:, 3:]) * (p.normal[row] + aside)
-    before = np.clip(before, a.low, a.high)
+    before = _along_normals(site, row, np.linalg.norm(p.normal, axis=1)[row, None])
     found = [_first_allowed(site, places, count // 2) for places in (even, before)]
     places = np.concatenate(found)
     if not len(places):
@@ -112,9 +107,9 @@ def candidate_stations(site: Site, places: int = 400, aims: int = 3, *, straight
             continue
         found += [(centre[k], at) for at in _aims(centre[k], site.points.xyz[rows], float(half), aims)]
     made = _both_rolls(np.array([f[0] for f in found]), np.array([f[1] for f in found]))
-    seldom = np.flatnonzero(places_of(site, made) < SEVERAL)
-    if len(seldom) and straight:
-        made = joined(made, _at_them(site, seldom, centre))
+    if straight:
+        seldom = np.flatnonzero(places_of(site, made) < SEVERAL)
+        made = joined(made, _at_them(site, seldom, centre)) if len(seldom) else made
     shown = np.bincount(site.seen(made.centre, made.rotation)[0], minlength=len(made))
     return made if (shown >= LEAST).all() or not (shown >= LEAST).any() else made.rows(np.flatnonzero(shown >= LEAST))
 
@@ -148,13 +143,8 @@ def _at_them(site: Site, points: Index, places: Array) -> Stations:
 
 def _before(site: Site, points: Index) -> Array:
     """(k, 3) places where one may stand before points that few other places see, along their normals."""
-    a, p = site.access, site.points
     row = np.tile(points, 10 * TRIES)
-    u = _sequence(len(row), 4)
-    far = min(float(np.linalg.norm(a.high - a.low)), site.depth[1])
-    near = max(a.clearance, site.depth[0], 1e-3 * far)
-    aside = 2 * np.tan(np.radians(site.incidence_deg)) * (u[:, :3] - 0.5)
-    drawn = np.clip(p.xyz[row] + (near * (far / near) ** u[:, 3:]) * (p.normal[row] + aside), a.low, a.high)
+    drawn = _along_normals(site, row, 2 * np.tan(np.radians(site.incidence_deg)))
     allowed = np.flatnonzero(site.may_stand(drawn))
     allowed = allowed[np.argsort(row[allowed], kind="stable")]
     station, point = site.faced(drawn[allowed])
@@ -163,6 +153,16 @@ def _before(site: Site, points: Index) -> Array:
     good = allowed[np.unique(station[mine])]
     rank = np.arange(len(good)) - np.searchsorted(row[good], row[good])  # of each point the first so many
     return drawn[good[rank < SEVERAL]]
+
+
+def _along_normals(site: Site, row: Index, aside: Array | float) -> Array:
+    """(n, 3) places before points, in directions beside their normals, at distances even in their logarithm."""
+    a, p = site.access, site.points
+    u = _sequence(len(row), 4)
+    far = min(float(np.linalg.norm(a.high - a.low)), site.depth[1])
+    near = max(a.clearance, site.depth[0], 1e-3 * far)
+    way = p.normal[row] + aside * (u[:, :3] - 0.5)
+    return np.clip(p.xyz[row] + (near * (far / near) ** u[:, 3:]) * way, a.low, a.high)
 
 
 def _aims(centre: Array, xyz: Array, half_angle: float, most: int) -> list[Array]:

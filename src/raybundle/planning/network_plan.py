@@ -51,6 +51,14 @@ class Cost:
     seconds_per_photograph: float = 30.0
     metres_per_second: float = 0.7
 
+    @classmethod
+    def of(cls, centre: Array) -> Cost:
+        """Of stations (n, 3), in the order in which one walks."""
+        path = float(np.linalg.norm(np.diff(centre, axis=0), axis=1).sum())
+        none = cls(photographs=len(centre), path_m=path, minutes=0.0)
+        seconds = none.photographs * none.seconds_per_photograph + path / none.metres_per_second
+        return replace(none, minutes=seconds / 60)
+
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Purpose:
@@ -175,8 +183,10 @@ def plan_network(
     elif stations is not None or wanted is None:
         design = improved(designer, first, search, stations or len(first))
         for _ in range(GIVEN_UP):  # few points that so many stations do not show are left out rather than all refused
+            if design.expected is not None:
+                break
             seldom = _seldom_shown(designer, design)
-            if design.expected is not None or not 0 < len(seldom) <= FEW * len(site.points):
+            if not 0 < len(seldom) <= FEW * len(site.points):
                 break
             site, left_out = _without(site, seldom, left_out)
             designer = Designer(Networks(site, None, least_rays), aim, progress)
@@ -381,10 +391,7 @@ def _told(
                 "targets"
             )
     loose = d.networks.with_rays(2)
-    path = float(np.linalg.norm(np.diff(design.stations.centre, axis=0), axis=1).sum())
-    n = len(parts)
-    cost = Cost(photographs=n, path_m=path, minutes=0.0)
-    cost = replace(cost, minutes=(n * cost.seconds_per_photograph + path / cost.metres_per_second) / 60)
+    n, cost = len(parts), Cost.of(design.stations.centre)
     return NetworkPlan(
         site=site, design=replace(design, expected=e), expected=e, aim=d.aim, wanted=wanted, tried=tried, cost=cost,
         left_out=left_out, held=known_there, more=more,

@@ -84,10 +84,7 @@ class Cone:
 
 def on_site(centre: Array) -> Cost:
     """What photographing from stations (n, 3) costs, as plans count it."""
-    way = centre[walk(centre)]
-    none = Cost(photographs=len(centre), path_m=float(np.linalg.norm(np.diff(way, axis=0), axis=1).sum()), minutes=0.0)
-    seconds = none.photographs * none.seconds_per_photograph + none.path_m / none.metres_per_second
-    return replace(none, minutes=seconds / 60)
+    return Cost.of(centre[walk(centre)])
 
 
 def survey(sigma_px: float = IMAGE_SIGMA_PX, **known: float) -> Survey:
