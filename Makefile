@@ -3,6 +3,7 @@
 #   make test    the tests
 #   make test-long  those that take more than five seconds each or need a browser
 #   make test-versions  the tests with every Python from 3.11 that is here, and with the oldest dependencies allowed
+#   make wheel   sdist and wheels as published, each installed into an empty environment and tried, for every Python here
 #   make check   the whole gate: format, lint, types, layers, generated files, docs
 #   make bench   benchmarks and long truth tests (figures into benchmarks/results)
 PYTHON ?= python3
@@ -12,7 +13,7 @@ UV := $(shell command -v uv 2>/dev/null)
 export RAYBUNDLE_REQUIRE_NATIVE ?= 1
 SOURCES := $(wildcard cpp/*) CMakeLists.txt pyproject.toml
 
-.PHONY: setup setup-dev demo test test-long test-versions check format lint types layers generated docs bench clean
+.PHONY: setup setup-dev demo test test-long test-versions wheel check format lint types layers generated docs bench clean
 
 setup: $(VENV)/.installed
 
@@ -55,6 +56,9 @@ test-long: setup-dev
 test-versions: setup-dev
 	$(BIN)/python tools/versions.py $(VERSIONS) -n 2
 
+wheel: setup-dev
+	$(BIN)/python tools/wheel.py $(WHEEL)
+
 check: format lint types layers generated docs
 
 format: setup-dev
@@ -71,6 +75,7 @@ layers: setup-dev
 
 generated: setup-dev
 	$(BIN)/python tools/generate_kernels.py --check
+	$(BIN)/python tools/public_api.py --check
 
 docs: setup-dev
 	$(BIN)/python tools/generate_docs.py --check

@@ -99,7 +99,7 @@ def before(site: Site, size: float, count: int, rng: np.random.Generator) -> Sta
 def options(site: Site, control: np.ndarray | None) -> AdjustmentOptions:
     names = tuple(f"T{k + 1}" for k in range(len(site.points))) if control is None else ()
     datum = "inner" if control is None else "control"
-    return AdjustmentOptions(datum=datum, datum_points=names, threads=1, noise="white")
+    return AdjustmentOptions(datum=datum, datum_points=names, jobs=1, noise="white")
 
 
 def determined(site: Site, stations: Stations, control: np.ndarray | None) -> bool:

@@ -1,10 +1,14 @@
-"""Memory and time of writing the table of image observations: its cells all at once, or some rows at a time.
+"""Memory, time and size of writing the table of image observations.
 
-Run: python benchmarks/result_tables.py [ROWS]          a process for each; the bytes are compared
+Its cells all at once, or some rows at a time; with all digits, or with those that its numbers deserve.
+
+Run: python benchmarks/result_tables.py [ROWS]          a process for each, five writings, of which the quickest counts;
+the bytes of the first two are compared; writes benchmarks/results/result_tables.json
 """
 
 import hashlib
 import json
+import platform
 import resource
 import subprocess
 import sys
@@ -15,56 +19,77 @@ from pathlib import Path
 import numpy as np
 
 from raybundle.io import tables
+from raybundle.io.digits import EVERY
+from raybundle.results.digits import observation_digits
 
-NUMBERS = 14
+RESULTS = Path(__file__).parent / "results/result_tables.json"
+WRITINGS = 5
 
 
 def columns(rows):
     """A table like that of the image observations of a result."""
     rng = np.random.default_rng(1)
-    names = {f"n{k}": rng.normal(0, 1000, rows) for k in range(NUMBERS)}
-    names["n13"][rng.random(rows) < 0.3] = np.nan
-    ids, points = [f"IMG_{k:04d}" for k in range(2000)], [f"p{k}" for k in range(rows // 5 + 1)]
+    ids, points = [f"IMG_{k:04d}.jpg" for k in range(41)], [f"t{k}" for k in range(rows // 5 + 1)]
     image, point = rng.integers(0, len(ids), rows), rng.integers(0, len(points), rows)
-    return {
-        "image": [ids[k] for k in image],
-        "point": [points[k] for k in point],
-        **names,
-        "rejected": [""] * rows,
-    }
+    table = {"image": [ids[k] for k in image], "point": [points[k] for k in point]}
+    s, r = rng.uniform(0.05, 0.3, (2, rows)), rng.beta(4, 1.5, (2, rows))
+    w = rng.normal(0, 1, (2, rows))
+    parts = {
+        "{}_px": rng.uniform(0, 4000, (2, rows)), "s{}_px": s, "v{}_px": w * s * np.sqrt(r), "r{}": r, "w{}": w,
+        "t{}": w / 0.991, "mdb{}_px": 4.1321 * s / np.sqrt(r),
+    }  # fmt: skip
+    for name, values in parts.items():
+        table |= {name.format(x): v for x, v in zip("xy", values, strict=True)}
+    return {**table, "rejected": [""] * rows}
 
 
 def one(how, rows):
     """Write, and say what it took beyond what the table itself takes."""
     table = columns(rows)
+    numbers = {n: c for n, c in table.items() if isinstance(c, np.ndarray)}
+    digits = observation_digits(numbers) if how == "digits deserved" else EVERY
     if how == "at once":
         tables.WRITTEN_ROWS = rows
     before = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / 1024
     with tempfile.TemporaryDirectory() as folder:
         path = Path(folder) / "observations.csv"
-        start = time.process_time()
-        tables.write_table(path, table)
-        seconds = time.process_time() - start
+        seconds = []
+        for _ in range(WRITINGS):
+            start = time.process_time()
+            tables.write_table(path, table, digits)
+            seconds.append(time.process_time() - start)
+        size = path.stat().st_size / 1e6
         peak = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / 1024
         with path.open("rb") as file:
             digest = hashlib.file_digest(file, "sha256").hexdigest()
     print(
         json.dumps(
-            {"MB before": round(before), "MB at the peak": round(peak), "CPU s": round(seconds, 2), "sha256": digest}
+            {
+                "MB before": round(before),
+                "MB at the peak": round(peak),
+                "CPU s": round(min(seconds), 3),
+                "MB of the file": round(size, 1),
+                "sha256": digest,
+            }
         )
     )
 
 
 def main():
-    """Both ways, in processes of their own."""
-    rows = int(sys.argv[1]) if len(sys.argv) > 1 else 1_000_000
+    """All ways, in processes of their own."""
+    rows = int(sys.argv[1]) if len(sys.argv) > 1 else 400_000
     found = {}
-    for how in ("at once", "some rows at a time"):
+    for how in ("at once", "some rows at a time", "digits deserved"):
         out = subprocess.run([sys.executable, __file__, str(rows), how], check=True, capture_output=True, text=True)
         found[how] = json.loads(out.stdout)
         print(f"{how}: {found[how]}")
-    same = len({f["sha256"] for f in found.values()}) == 1
+    same = len({found[how]["sha256"] for how in ("at once", "some rows at a time")}) == 1
     print(f"{rows} rows; same bytes: {same}")
+    machine = {"machine": platform.machine(), "python": platform.python_version()}
+    told = {how: {k: v for k, v in f.items() if k != "sha256"} for how, f in found.items()}
+    RESULTS.write_text(
+        json.dumps({**machine, "rows": rows, "same bytes": same, **told}, indent=1) + "\n", encoding="utf-8"
+    )
 
 
 if __name__ == "__main__":

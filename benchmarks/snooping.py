@@ -49,7 +49,7 @@ def strips(seed: int):
 def run(seed: int) -> dict:
     """Counts of one block."""
     block, truth, wrong = strips(seed)
-    result = decide(block, AdjustmentOptions(threads=1, reject="snooping"))
+    result = decide(block, AdjustmentOptions(jobs=1, reject="snooping"))
     used = result.image_observations.used
     o = block.observations
     rays = np.bincount(o.point, minlength=len(block.points))

@@ -43,7 +43,7 @@ from raybundle.adjustment.normals import Normals
 from raybundle.adjustment.solve import solve
 import numpy as np
 block = block_from_npz({problem!r})
-options = AdjustmentOptions(threads=2, tolerance={tolerance})
+options = AdjustmentOptions(jobs=2, tolerance={tolerance})
 began = time.perf_counter()
 system = assemble(block, options, np.zeros(len(block.observations), bool), {{"1": ("c", "k1", "k2")}})
 normals = Normals.of(system, 2)
@@ -91,7 +91,7 @@ from raybundle.adjustment.options import AdjustmentOptions
 from raybundle.adjustment.precision import cofactors
 import numpy as np, scipy.linalg
 block = block_from_npz({problem!r}, truth=True)
-options = AdjustmentOptions(threads=2, datum={datum!r})
+options = AdjustmentOptions(jobs=2, datum={datum!r})
 system = assemble(block, options, np.zeros(len(block.observations), bool), {{"1": ("c", "k1", "k2")}})
 state = system.initial_state()
 datum = analyse(system, state, options)

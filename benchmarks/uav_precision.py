@@ -19,7 +19,7 @@ from raybundle.planning.uav_networks import Flight, flight_block
 
 def adjusted(plan: Flight) -> Adjustment:
     """The flight, adjusted."""
-    return adjust_block(flight_block(plan), AdjustmentOptions(threads=1))
+    return adjust_block(flight_block(plan), AdjustmentOptions(jobs=1))
 
 
 def rms_mm(result: Adjustment) -> Array:

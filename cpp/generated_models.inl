@@ -818,6 +818,7 @@ struct aicon {
   static constexpr const char* label = "aicon";
   static constexpr int parameters = 10;
   static constexpr bool explicit_image = true;
+  static constexpr bool all_round = false;
   static RB_INLINE void evaluate(const double (*in)[V], const double (*own)[V], double (*out)[V]) {
     RB_SIMD
     for (int l = 0; l < V; ++l) {
@@ -1050,6 +1051,7 @@ struct brown {
   static constexpr const char* label = "brown";
   static constexpr int parameters = 10;
   static constexpr bool explicit_image = false;
+  static constexpr bool all_round = false;
   static RB_INLINE void evaluate(const double (*in)[V], const double (*own)[V], double (*out)[V]) {
     RB_SIMD
     for (int l = 0; l < V; ++l) {
@@ -1270,6 +1272,7 @@ struct brown_harmonic {
   static constexpr const char* label = "brown_harmonic";
   static constexpr int parameters = 16;
   static constexpr bool explicit_image = false;
+  static constexpr bool all_round = false;
   static RB_INLINE void evaluate(const double (*in)[V], const double (*own)[V], double (*out)[V]) {
     RB_SIMD
     for (int l = 0; l < V; ++l) {
@@ -1603,6 +1606,7 @@ struct fisheye {
   static constexpr const char* label = "fisheye";
   static constexpr int parameters = 8;
   static constexpr bool explicit_image = false;
+  static constexpr bool all_round = true;
   static RB_INLINE void evaluate(const double (*in)[V], const double (*own)[V], double (*out)[V]) {
     RB_SIMD
     for (int l = 0; l < V; ++l) {
@@ -1822,10 +1826,219 @@ struct fisheye {
   }
 };
 
+struct kannala_brandt {
+  static constexpr const char* label = "kannala_brandt";
+  static constexpr int parameters = 8;
+  static constexpr bool explicit_image = true;
+  static constexpr bool all_round = true;
+  static RB_INLINE void evaluate(const double (*in)[V], const double (*own)[V], double (*out)[V]) {
+    RB_SIMD
+    for (int l = 0; l < V; ++l) {
+      const double x = in[0][l];
+      const double y = in[1][l];
+      const double X = in[2][l];
+      const double Y = in[3][l];
+      const double Z = in[4][l];
+      const double c = own[0][l];
+      const double x0 = own[1][l];
+      const double y0 = own[2][l];
+      const double k1 = own[3][l];
+      const double k2 = own[4][l];
+      const double k3 = own[5][l];
+      const double k4 = own[6][l];
+      const double A = own[7][l];
+      const double t0 = ((X)*(X));
+      const double t1 = ((Y)*(Y));
+      const double t2 = t0 + t1;
+      const double t3 = -Z;
+      const double t4 = angle_ratio(t2, t3);
+      const double t5 = ((t4)*(t4));
+      const double t6 = t2*t5;
+      const double t7 = k3 + k4*t6;
+      const double t8 = k2 + t6*t7;
+      const double t9 = k1 + t6*t8;
+      const double t10 = t6*t9 + 1;
+      const double t11 = t10*t4;
+      const double t12 = c*t11;
+      const double t13 = A + 1;
+      const double t14 = t12*t13;
+      const double t15 = 2*t5;
+      const double t16 = X*k4;
+      const double t17 = angle_ratio_slope(t2, t3);
+      const double t18 = t2*t4;
+      const double t19 = 4*t17*t18;
+      const double t20 = X*t15;
+      const double t21 = X*t19;
+      const double t22 = t20*t9 + t21*t9 + t6*(t20*t8 + t21*t8 + t6*(t20*t7 + t21*t7 + t6*(t15*t16 + t16*t19)));
+      const double t23 = X*c;
+      const double t24 = t23*t4;
+      const double t25 = 2*t10*t17;
+      const double t26 = c*t25;
+      const double t27 = Y*t15;
+      const double t28 = Y*t19;
+      const double t29 = t27*t9 + t28*t9 + t6*(t27*t8 + t28*t8 + t6*(t27*t7 + t28*t7 + t6*(k4*t27 + k4*t28)));
+      const double t30 = t23*t25;
+      const double t31 = (1.0/(((Z)*(Z)) + t2));
+      const double t32 = t10*t31;
+      const double t33 = ((t4)*(t4)*(t4));
+      const double t34 = ((t2)*(t2));
+      const double t35 = 2*t31;
+      const double t36 = t18*t35;
+      const double t37 = t36*t9 + t6*(t36*t8 + t6*(k4*t33*t34*t35 + t36*t7));
+      const double t38 = t2*t33;
+      const double t39 = t34*((t4)*(t4)*(t4)*(t4)*(t4));
+      const double t40 = ((t2)*(t2)*(t2))*((t4)*(t4)*(t4)*(t4)*(t4)*(t4)*(t4));
+      const double t41 = ((t2)*(t2)*(t2)*(t2))*std::pow(t4, 9);
+      const double t42 = Y*t13;
+      const double t43 = c*t42;
+      const double t44 = t4*t43;
+      out[0][l] = -X*t12 + x - x0;
+      out[1][l] = -Y*t14 + y - y0;
+      out[2][l] = 1;
+      out[3][l] = 0;
+      out[4][l] = -t0*t26 - t12 - t22*t24;
+      out[5][l] = -Y*t30 - t24*t29;
+      out[6][l] = -t23*t32 - t24*t37;
+      out[7][l] = -X*t11;
+      out[8][l] = -1;
+      out[9][l] = 0;
+      out[10][l] = -t23*t38;
+      out[11][l] = -t23*t39;
+      out[12][l] = -t23*t40;
+      out[13][l] = -t23*t41;
+      out[14][l] = 0;
+      out[15][l] = 0;
+      out[16][l] = 1;
+      out[17][l] = -t22*t44 - t30*t42;
+      out[18][l] = -t1*t13*t26 - t14 - t29*t44;
+      out[19][l] = -t32*t43 - t37*t44;
+      out[20][l] = -t11*t42;
+      out[21][l] = 0;
+      out[22][l] = -1;
+      out[23][l] = -t38*t43;
+      out[24][l] = -t39*t43;
+      out[25][l] = -t40*t43;
+      out[26][l] = -t41*t43;
+      out[27][l] = -Y*t12;
+    }
+  }
+  static RB_INLINE void by_image(const double (*in)[V], const double (*own)[V], double (*out)[V]) {
+    RB_SIMD
+    for (int l = 0; l < V; ++l) {
+      const double x = in[0][l];
+      const double y = in[1][l];
+      const double X = in[2][l];
+      const double Y = in[3][l];
+      const double Z = in[4][l];
+      const double c = own[0][l];
+      const double x0 = own[1][l];
+      const double y0 = own[2][l];
+      const double k1 = own[3][l];
+      const double k2 = own[4][l];
+      const double k3 = own[5][l];
+      const double k4 = own[6][l];
+      const double A = own[7][l];
+      const double t0 = ((X)*(X));
+      const double t1 = ((Y)*(Y));
+      const double t2 = t0 + t1;
+      const double t3 = -Z;
+      const double t4 = angle_ratio(t2, t3);
+      const double t5 = ((t4)*(t4));
+      const double t6 = t2*t5;
+      const double t7 = k3 + k4*t6;
+      const double t8 = k2 + t6*t7;
+      const double t9 = k1 + t6*t8;
+      const double t10 = t6*t9 + 1;
+      const double t11 = t10*t4;
+      const double t12 = c*t11;
+      const double t13 = A + 1;
+      const double t14 = t12*t13;
+      out[0][l] = -X*t12 + x - x0;
+      out[1][l] = -Y*t14 + y - y0;
+      out[2][l] = 1;
+      out[3][l] = 0;
+      out[4][l] = 0;
+      out[5][l] = 1;
+    }
+  }
+  static RB_INLINE void by_point(const double (*in)[V], const double (*own)[V], double (*out)[V]) {
+    RB_SIMD
+    for (int l = 0; l < V; ++l) {
+      const double x = in[0][l];
+      const double y = in[1][l];
+      const double X = in[2][l];
+      const double Y = in[3][l];
+      const double Z = in[4][l];
+      const double c = own[0][l];
+      const double x0 = own[1][l];
+      const double y0 = own[2][l];
+      const double k1 = own[3][l];
+      const double k2 = own[4][l];
+      const double k3 = own[5][l];
+      const double k4 = own[6][l];
+      const double A = own[7][l];
+      const double t0 = ((X)*(X));
+      const double t1 = ((Y)*(Y));
+      const double t2 = t0 + t1;
+      const double t3 = -Z;
+      const double t4 = angle_ratio(t2, t3);
+      const double t5 = ((t4)*(t4));
+      const double t6 = t2*t5;
+      const double t7 = k3 + k4*t6;
+      const double t8 = k2 + t6*t7;
+      const double t9 = k1 + t6*t8;
+      const double t10 = t6*t9 + 1;
+      const double t11 = t10*t4;
+      const double t12 = c*t11;
+      const double t13 = A + 1;
+      const double t14 = t12*t13;
+      const double t15 = 2*t5;
+      const double t16 = X*k4;
+      const double t17 = angle_ratio_slope(t2, t3);
+      const double t18 = t2*t4;
+      const double t19 = 4*t17*t18;
+      const double t20 = X*t15;
+      const double t21 = X*t19;
+      const double t22 = t20*t9 + t21*t9 + t6*(t20*t8 + t21*t8 + t6*(t20*t7 + t21*t7 + t6*(t15*t16 + t16*t19)));
+      const double t23 = X*c;
+      const double t24 = t23*t4;
+      const double t25 = 2*t10*t17;
+      const double t26 = c*t25;
+      const double t27 = Y*t15;
+      const double t28 = Y*t19;
+      const double t29 = t27*t9 + t28*t9 + t6*(t27*t8 + t28*t8 + t6*(t27*t7 + t28*t7 + t6*(k4*t27 + k4*t28)));
+      const double t30 = t23*t25;
+      const double t31 = (1.0/(((Z)*(Z)) + t2));
+      const double t32 = t10*t31;
+      const double t33 = ((t4)*(t4)*(t4));
+      const double t34 = ((t2)*(t2));
+      const double t35 = 2*t31;
+      const double t36 = t18*t35;
+      const double t37 = t36*t9 + t6*(t36*t8 + t6*(k4*t33*t34*t35 + t36*t7));
+      const double t42 = Y*t13;
+      const double t43 = c*t42;
+      const double t44 = t4*t43;
+      out[0][l] = -X*t12 + x - x0;
+      out[1][l] = -Y*t14 + y - y0;
+      out[2][l] = 1;
+      out[3][l] = 0;
+      out[4][l] = -t0*t26 - t12 - t22*t24;
+      out[5][l] = -Y*t30 - t24*t29;
+      out[6][l] = -t23*t32 - t24*t37;
+      out[7][l] = 0;
+      out[8][l] = 1;
+      out[9][l] = -t22*t44 - t30*t42;
+      out[10][l] = -t1*t13*t26 - t14 - t29*t44;
+      out[11][l] = -t32*t43 - t37*t44;
+    }
+  }
+};
+
 struct line {
   static constexpr const char* label = "line";
   static constexpr int parameters = 5;
   static constexpr bool explicit_image = false;
+  static constexpr bool all_round = false;
   static RB_INLINE void evaluate(const double (*in)[V], const double (*own)[V], double (*out)[V]) {
     RB_SIMD
     for (int l = 0; l < V; ++l) {
@@ -1940,6 +2153,7 @@ struct panorama {
   static constexpr const char* label = "panorama";
   static constexpr int parameters = 11;
   static constexpr bool explicit_image = false;
+  static constexpr bool all_round = false;
   static RB_INLINE void evaluate(const double (*in)[V], const double (*own)[V], double (*out)[V]) {
     RB_SIMD
     for (int l = 0; l < V; ++l) {
@@ -2217,6 +2431,7 @@ struct radial {
   static constexpr const char* label = "radial";
   static constexpr int parameters = 3;
   static constexpr bool explicit_image = true;
+  static constexpr bool all_round = false;
   static RB_INLINE void evaluate(const double (*in)[V], const double (*own)[V], double (*out)[V]) {
     RB_SIMD
     for (int l = 0; l < V; ++l) {
@@ -2355,6 +2570,7 @@ struct rational {
   static constexpr const char* label = "rational";
   static constexpr int parameters = 12;
   static constexpr bool explicit_image = true;
+  static constexpr bool all_round = false;
   static RB_INLINE void evaluate(const double (*in)[V], const double (*own)[V], double (*out)[V]) {
     RB_SIMD
     for (int l = 0; l < V; ++l) {
@@ -2610,6 +2826,7 @@ struct spherical {
   static constexpr const char* label = "spherical";
   static constexpr int parameters = 2;
   static constexpr bool explicit_image = false;
+  static constexpr bool all_round = false;
   static RB_INLINE void evaluate(const double (*in)[V], const double (*own)[V], double (*out)[V]) {
     RB_SIMD
     for (int l = 0; l < V; ++l) {
@@ -2789,6 +3006,308 @@ struct spherical {
   }
 };
 
+struct thin_prism {
+  static constexpr const char* label = "thin_prism";
+  static constexpr int parameters = 16;
+  static constexpr bool explicit_image = true;
+  static constexpr bool all_round = false;
+  static RB_INLINE void evaluate(const double (*in)[V], const double (*own)[V], double (*out)[V]) {
+    RB_SIMD
+    for (int l = 0; l < V; ++l) {
+      const double x = in[0][l];
+      const double y = in[1][l];
+      const double X = in[2][l];
+      const double Y = in[3][l];
+      const double Z = in[4][l];
+      const double c = own[0][l];
+      const double x0 = own[1][l];
+      const double y0 = own[2][l];
+      const double k1 = own[3][l];
+      const double k2 = own[4][l];
+      const double k3 = own[5][l];
+      const double k4 = own[6][l];
+      const double k5 = own[7][l];
+      const double k6 = own[8][l];
+      const double p1 = own[9][l];
+      const double p2 = own[10][l];
+      const double s1 = own[11][l];
+      const double s2 = own[12][l];
+      const double s3 = own[13][l];
+      const double s4 = own[14][l];
+      const double A = own[15][l];
+      const double t0 = ((Y)*(Y));
+      const double t1 = (1.0/((Z)*(Z)));
+      const double t2 = t0*t1;
+      const double t3 = ((X)*(X));
+      const double t4 = t1*t3;
+      const double t5 = t2 + 3*t4;
+      const double t6 = t2 + t4;
+      const double t7 = s2*t6;
+      const double t8 = s1 + t7;
+      const double t9 = k3*t6;
+      const double t10 = k2 + t9;
+      const double t11 = k1 + t10*t6;
+      const double t12 = t11*t6 + 1;
+      const double t13 = (1.0/(Z));
+      const double t14 = k6*t6;
+      const double t15 = k5 + t14;
+      const double t16 = k4 + t15*t6;
+      const double t17 = t16*t6 + 1;
+      const double t18 = (1.0/(t17));
+      const double t19 = t13*t18;
+      const double t20 = t12*t19;
+      const double t21 = 2*t1;
+      const double t22 = X*t21;
+      const double t23 = p1*t22;
+      const double t24 = -X*t20 + Y*t23 + p2*t5 + t6*t8;
+      const double t25 = A + 1;
+      const double t26 = 3*t2 + t4;
+      const double t27 = s4*t6;
+      const double t28 = s3 + t27;
+      const double t29 = p2*t22;
+      const double t30 = -Y*t20 + Y*t29 + p1*t26 + t28*t6;
+      const double t31 = t25*t30;
+      const double t32 = -t20;
+      const double t33 = Y*t21;
+      const double t34 = X*t1;
+      const double t35 = t11*t22 + t6*(t10*t22 + t22*t9);
+      const double t36 = X*t19;
+      const double t37 = -t16*t22 - t6*(t14*t22 + t15*t22);
+      const double t38 = t12*t13/((t17)*(t17));
+      const double t39 = X*t38;
+      const double t40 = t11*t33 + t6*(t10*t33 + t33*t9);
+      const double t41 = -t16*t33 - t6*(t14*t33 + t15*t33);
+      const double t42 = p2*t33 + t23;
+      const double t43 = (1.0/((Z)*(Z)*(Z)));
+      const double t44 = t0*t43;
+      const double t45 = 2*t44;
+      const double t46 = t3*t43;
+      const double t47 = 2*t46;
+      const double t48 = -t45 - t47;
+      const double t49 = t12*t18;
+      const double t50 = t11*t48 + t6*(t10*t48 + t48*t9);
+      const double t51 = 4*X*Y*t43;
+      const double t52 = -t16*t48 - t6*(t14*t48 + t15*t48);
+      const double t53 = c*t6;
+      const double t54 = c*((t6)*(t6));
+      const double t55 = ((t6)*(t6)*(t6));
+      const double t56 = c*t55;
+      const double t57 = -t6;
+      const double t58 = Y*t22;
+      const double t59 = Y*t19;
+      const double t60 = Y*t38;
+      const double t61 = c*t25;
+      const double t62 = Y*t1;
+      const double t63 = t25*t53;
+      const double t64 = t25*t54;
+      const double t65 = t55*t61;
+      out[0][l] = -c*t24 + x - x0;
+      out[1][l] = -c*t31 + y - y0;
+      out[2][l] = 1;
+      out[3][l] = 0;
+      out[4][l] = -c*(p1*t33 + 6*p2*t34 + t22*t7 + t22*t8 + t32 - t35*t36 - t37*t39);
+      out[5][l] = -c*(t33*t7 + t33*t8 - t36*t40 - t39*t41 + t42);
+      out[6][l] = -c*(-p1*t51 + p2*(-t45 - 6*t46) + t34*t49 - t36*t50 - t39*t52 + t48*t7 + t48*t8);
+      out[7][l] = -t24;
+      out[8][l] = -1;
+      out[9][l] = 0;
+      out[10][l] = t36*t53;
+      out[11][l] = t36*t54;
+      out[12][l] = t36*t56;
+      out[13][l] = c*t39*t57;
+      out[14][l] = -t39*t54;
+      out[15][l] = -t39*t56;
+      out[16][l] = -c*t58;
+      out[17][l] = -c*t5;
+      out[18][l] = -t53;
+      out[19][l] = -t54;
+      out[20][l] = 0;
+      out[21][l] = 0;
+      out[22][l] = 0;
+      out[23][l] = 0;
+      out[24][l] = 1;
+      out[25][l] = -t61*(t22*t27 + t22*t28 - t35*t59 - t37*t60 + t42);
+      out[26][l] = -t61*(6*p1*t62 + t27*t33 + t28*t33 + t29 + t32 - t40*t59 - t41*t60);
+      out[27][l] = -t61*(p1*(-6*t44 - t47) - p2*t51 + t27*t48 + t28*t48 + t49*t62 - t50*t59 - t52*t60);
+      out[28][l] = -t31;
+      out[29][l] = 0;
+      out[30][l] = -1;
+      out[31][l] = t59*t63;
+      out[32][l] = t59*t64;
+      out[33][l] = t59*t65;
+      out[34][l] = t57*t60*t61;
+      out[35][l] = -t60*t64;
+      out[36][l] = -t60*t65;
+      out[37][l] = -t26*t61;
+      out[38][l] = -t58*t61;
+      out[39][l] = 0;
+      out[40][l] = 0;
+      out[41][l] = -t63;
+      out[42][l] = -t64;
+      out[43][l] = -c*t30;
+    }
+  }
+  static RB_INLINE void by_image(const double (*in)[V], const double (*own)[V], double (*out)[V]) {
+    RB_SIMD
+    for (int l = 0; l < V; ++l) {
+      const double x = in[0][l];
+      const double y = in[1][l];
+      const double X = in[2][l];
+      const double Y = in[3][l];
+      const double Z = in[4][l];
+      const double c = own[0][l];
+      const double x0 = own[1][l];
+      const double y0 = own[2][l];
+      const double k1 = own[3][l];
+      const double k2 = own[4][l];
+      const double k3 = own[5][l];
+      const double k4 = own[6][l];
+      const double k5 = own[7][l];
+      const double k6 = own[8][l];
+      const double p1 = own[9][l];
+      const double p2 = own[10][l];
+      const double s1 = own[11][l];
+      const double s2 = own[12][l];
+      const double s3 = own[13][l];
+      const double s4 = own[14][l];
+      const double A = own[15][l];
+      const double t0 = ((Y)*(Y));
+      const double t1 = (1.0/((Z)*(Z)));
+      const double t2 = t0*t1;
+      const double t3 = ((X)*(X));
+      const double t4 = t1*t3;
+      const double t5 = t2 + 3*t4;
+      const double t6 = t2 + t4;
+      const double t7 = s2*t6;
+      const double t8 = s1 + t7;
+      const double t9 = k3*t6;
+      const double t10 = k2 + t9;
+      const double t11 = k1 + t10*t6;
+      const double t12 = t11*t6 + 1;
+      const double t13 = (1.0/(Z));
+      const double t14 = k6*t6;
+      const double t15 = k5 + t14;
+      const double t16 = k4 + t15*t6;
+      const double t17 = t16*t6 + 1;
+      const double t18 = (1.0/(t17));
+      const double t19 = t13*t18;
+      const double t20 = t12*t19;
+      const double t21 = 2*t1;
+      const double t22 = X*t21;
+      const double t23 = p1*t22;
+      const double t24 = -X*t20 + Y*t23 + p2*t5 + t6*t8;
+      const double t25 = A + 1;
+      const double t26 = 3*t2 + t4;
+      const double t27 = s4*t6;
+      const double t28 = s3 + t27;
+      const double t29 = p2*t22;
+      const double t30 = -Y*t20 + Y*t29 + p1*t26 + t28*t6;
+      const double t31 = t25*t30;
+      out[0][l] = -c*t24 + x - x0;
+      out[1][l] = -c*t31 + y - y0;
+      out[2][l] = 1;
+      out[3][l] = 0;
+      out[4][l] = 0;
+      out[5][l] = 1;
+    }
+  }
+  static RB_INLINE void by_point(const double (*in)[V], const double (*own)[V], double (*out)[V]) {
+    RB_SIMD
+    for (int l = 0; l < V; ++l) {
+      const double x = in[0][l];
+      const double y = in[1][l];
+      const double X = in[2][l];
+      const double Y = in[3][l];
+      const double Z = in[4][l];
+      const double c = own[0][l];
+      const double x0 = own[1][l];
+      const double y0 = own[2][l];
+      const double k1 = own[3][l];
+      const double k2 = own[4][l];
+      const double k3 = own[5][l];
+      const double k4 = own[6][l];
+      const double k5 = own[7][l];
+      const double k6 = own[8][l];
+      const double p1 = own[9][l];
+      const double p2 = own[10][l];
+      const double s1 = own[11][l];
+      const double s2 = own[12][l];
+      const double s3 = own[13][l];
+      const double s4 = own[14][l];
+      const double A = own[15][l];
+      const double t0 = ((Y)*(Y));
+      const double t1 = (1.0/((Z)*(Z)));
+      const double t2 = t0*t1;
+      const double t3 = ((X)*(X));
+      const double t4 = t1*t3;
+      const double t5 = t2 + 3*t4;
+      const double t6 = t2 + t4;
+      const double t7 = s2*t6;
+      const double t8 = s1 + t7;
+      const double t9 = k3*t6;
+      const double t10 = k2 + t9;
+      const double t11 = k1 + t10*t6;
+      const double t12 = t11*t6 + 1;
+      const double t13 = (1.0/(Z));
+      const double t14 = k6*t6;
+      const double t15 = k5 + t14;
+      const double t16 = k4 + t15*t6;
+      const double t17 = t16*t6 + 1;
+      const double t18 = (1.0/(t17));
+      const double t19 = t13*t18;
+      const double t20 = t12*t19;
+      const double t21 = 2*t1;
+      const double t22 = X*t21;
+      const double t23 = p1*t22;
+      const double t24 = -X*t20 + Y*t23 + p2*t5 + t6*t8;
+      const double t25 = A + 1;
+      const double t26 = 3*t2 + t4;
+      const double t27 = s4*t6;
+      const double t28 = s3 + t27;
+      const double t29 = p2*t22;
+      const double t30 = -Y*t20 + Y*t29 + p1*t26 + t28*t6;
+      const double t31 = t25*t30;
+      const double t32 = -t20;
+      const double t33 = Y*t21;
+      const double t34 = X*t1;
+      const double t35 = t11*t22 + t6*(t10*t22 + t22*t9);
+      const double t36 = X*t19;
+      const double t37 = -t16*t22 - t6*(t14*t22 + t15*t22);
+      const double t38 = t12*t13/((t17)*(t17));
+      const double t39 = X*t38;
+      const double t40 = t11*t33 + t6*(t10*t33 + t33*t9);
+      const double t41 = -t16*t33 - t6*(t14*t33 + t15*t33);
+      const double t42 = p2*t33 + t23;
+      const double t43 = (1.0/((Z)*(Z)*(Z)));
+      const double t44 = t0*t43;
+      const double t45 = 2*t44;
+      const double t46 = t3*t43;
+      const double t47 = 2*t46;
+      const double t48 = -t45 - t47;
+      const double t49 = t12*t18;
+      const double t50 = t11*t48 + t6*(t10*t48 + t48*t9);
+      const double t51 = 4*X*Y*t43;
+      const double t52 = -t16*t48 - t6*(t14*t48 + t15*t48);
+      const double t59 = Y*t19;
+      const double t60 = Y*t38;
+      const double t61 = c*t25;
+      const double t62 = Y*t1;
+      out[0][l] = -c*t24 + x - x0;
+      out[1][l] = -c*t31 + y - y0;
+      out[2][l] = 1;
+      out[3][l] = 0;
+      out[4][l] = -c*(p1*t33 + 6*p2*t34 + t22*t7 + t22*t8 + t32 - t35*t36 - t37*t39);
+      out[5][l] = -c*(t33*t7 + t33*t8 - t36*t40 - t39*t41 + t42);
+      out[6][l] = -c*(-p1*t51 + p2*(-t45 - 6*t46) + t34*t49 - t36*t50 - t39*t52 + t48*t7 + t48*t8);
+      out[7][l] = 0;
+      out[8][l] = 1;
+      out[9][l] = -t61*(t22*t27 + t22*t28 - t35*t59 - t37*t60 + t42);
+      out[10][l] = -t61*(6*p1*t62 + t27*t33 + t28*t33 + t29 + t32 - t40*t59 - t41*t60);
+      out[11][l] = -t61*(p1*(-6*t44 - t47) - p2*t51 + t27*t48 + t28*t48 + t49*t62 - t50*t59 - t52*t60);
+    }
+  }
+};
+
 struct spherical_mounted : carried<spherical, mounted> {
   static constexpr const char* label = "spherical_mounted";
 };
@@ -2805,8 +3324,16 @@ struct fisheye_mounted : carried<fisheye, mounted> {
   static constexpr const char* label = "fisheye_mounted";
 };
 
+struct kannala_brandt_mounted : carried<kannala_brandt, mounted> {
+  static constexpr const char* label = "kannala_brandt_mounted";
+};
+
 struct fisheye_rolling : carried<fisheye, rolling> {
   static constexpr const char* label = "fisheye_rolling";
+};
+
+struct kannala_brandt_rolling : carried<kannala_brandt, rolling> {
+  static constexpr const char* label = "kannala_brandt_rolling";
 };
 
 struct radial_trajectory : carried<radial, trajectory> {
@@ -2849,8 +3376,16 @@ struct fisheye_trajectory : carried<fisheye, trajectory> {
   static constexpr const char* label = "fisheye_trajectory";
 };
 
+struct kannala_brandt_trajectory : carried<kannala_brandt, trajectory> {
+  static constexpr const char* label = "kannala_brandt_trajectory";
+};
+
 struct fisheye_rolling_mounted : carried<fisheye_rolling, mounted> {
   static constexpr const char* label = "fisheye_rolling_mounted";
+};
+
+struct kannala_brandt_rolling_mounted : carried<kannala_brandt_rolling, mounted> {
+  static constexpr const char* label = "kannala_brandt_rolling_mounted";
 };
 
 struct radial_trajectory_mounted : carried<radial_trajectory, mounted> {
@@ -2869,6 +3404,10 @@ struct brown_trajectory : carried<brown, trajectory> {
   static constexpr const char* label = "brown_trajectory";
 };
 
+struct thin_prism_mounted : carried<thin_prism, mounted> {
+  static constexpr const char* label = "thin_prism_mounted";
+};
+
 struct aicon_rolling_mounted : carried<aicon_rolling, mounted> {
   static constexpr const char* label = "aicon_rolling_mounted";
 };
@@ -2879,6 +3418,10 @@ struct brown_harmonic_rolling : carried<brown_harmonic, rolling> {
 
 struct brown_rolling_mounted : carried<brown_rolling, mounted> {
   static constexpr const char* label = "brown_rolling_mounted";
+};
+
+struct thin_prism_rolling : carried<thin_prism, rolling> {
+  static constexpr const char* label = "thin_prism_rolling";
 };
 
 struct rational_trajectory : carried<rational, trajectory> {
@@ -2893,6 +3436,10 @@ struct fisheye_trajectory_mounted : carried<fisheye_trajectory, mounted> {
   static constexpr const char* label = "fisheye_trajectory_mounted";
 };
 
+struct kannala_brandt_trajectory_mounted : carried<kannala_brandt_trajectory, mounted> {
+  static constexpr const char* label = "kannala_brandt_trajectory_mounted";
+};
+
 struct aicon_trajectory_mounted : carried<aicon_trajectory, mounted> {
   static constexpr const char* label = "aicon_trajectory_mounted";
 };
@@ -2905,8 +3452,16 @@ struct brown_trajectory_mounted : carried<brown_trajectory, mounted> {
   static constexpr const char* label = "brown_trajectory_mounted";
 };
 
+struct thin_prism_trajectory : carried<thin_prism, trajectory> {
+  static constexpr const char* label = "thin_prism_trajectory";
+};
+
 struct brown_harmonic_rolling_mounted : carried<brown_harmonic_rolling, mounted> {
   static constexpr const char* label = "brown_harmonic_rolling_mounted";
+};
+
+struct thin_prism_rolling_mounted : carried<thin_prism_rolling, mounted> {
+  static constexpr const char* label = "thin_prism_rolling_mounted";
 };
 
 struct rational_trajectory_mounted : carried<rational_trajectory, mounted> {
@@ -2917,4 +3472,8 @@ struct brown_harmonic_trajectory_mounted : carried<brown_harmonic_trajectory, mo
   static constexpr const char* label = "brown_harmonic_trajectory_mounted";
 };
 
-#define RB_MODELS(DO) DO(aicon) DO(aicon_mounted) DO(aicon_rolling) DO(aicon_rolling_mounted) DO(aicon_trajectory) DO(aicon_trajectory_mounted) DO(brown) DO(brown_harmonic) DO(brown_harmonic_mounted) DO(brown_harmonic_rolling) DO(brown_harmonic_rolling_mounted) DO(brown_harmonic_trajectory) DO(brown_harmonic_trajectory_mounted) DO(brown_mounted) DO(brown_rolling) DO(brown_rolling_mounted) DO(brown_trajectory) DO(brown_trajectory_mounted) DO(fisheye) DO(fisheye_mounted) DO(fisheye_rolling) DO(fisheye_rolling_mounted) DO(fisheye_trajectory) DO(fisheye_trajectory_mounted) DO(panorama) DO(pushbroom) DO(radial) DO(radial_mounted) DO(radial_rolling) DO(radial_rolling_mounted) DO(radial_trajectory) DO(radial_trajectory_mounted) DO(rational) DO(rational_mounted) DO(rational_rolling) DO(rational_rolling_mounted) DO(rational_trajectory) DO(rational_trajectory_mounted) DO(spherical) DO(spherical_mounted)
+struct thin_prism_trajectory_mounted : carried<thin_prism_trajectory, mounted> {
+  static constexpr const char* label = "thin_prism_trajectory_mounted";
+};
+
+#define RB_MODELS(DO) DO(aicon) DO(aicon_mounted) DO(aicon_rolling) DO(aicon_rolling_mounted) DO(aicon_trajectory) DO(aicon_trajectory_mounted) DO(brown) DO(brown_harmonic) DO(brown_harmonic_mounted) DO(brown_harmonic_rolling) DO(brown_harmonic_rolling_mounted) DO(brown_harmonic_trajectory) DO(brown_harmonic_trajectory_mounted) DO(brown_mounted) DO(brown_rolling) DO(brown_rolling_mounted) DO(brown_trajectory) DO(brown_trajectory_mounted) DO(fisheye) DO(fisheye_mounted) DO(fisheye_rolling) DO(fisheye_rolling_mounted) DO(fisheye_trajectory) DO(fisheye_trajectory_mounted) DO(kannala_brandt) DO(kannala_brandt_mounted) DO(kannala_brandt_rolling) DO(kannala_brandt_rolling_mounted) DO(kannala_brandt_trajectory) DO(kannala_brandt_trajectory_mounted) DO(panorama) DO(pushbroom) DO(radial) DO(radial_mounted) DO(radial_rolling) DO(radial_rolling_mounted) DO(radial_trajectory) DO(radial_trajectory_mounted) DO(rational) DO(rational_mounted) DO(rational_rolling) DO(rational_rolling_mounted) DO(rational_trajectory) DO(rational_trajectory_mounted) DO(spherical) DO(spherical_mounted) DO(thin_prism) DO(thin_prism_mounted) DO(thin_prism_rolling) DO(thin_prism_rolling_mounted) DO(thin_prism_trajectory) DO(thin_prism_trajectory_mounted)

@@ -125,10 +125,10 @@ enum class Want { value, jacobian };
 // Whether the sensor-frame point lies on the side that the sensor sees, as `in_front` of the Python model: along -Z,
 // everywhere but at the projection centre, or in front of the line at the turn at which it was measured.
 template <class M, class = void> struct Side {
-  static bool in_front(const double* P, const double*, const double*) { return P[2] < 0; }
-};
-template <> struct Side<models::fisheye> {
-  static bool in_front(const double* P, const double*, const double*) { return P[0] != 0 || P[1] != 0 || P[2] != 0; }
+  static bool in_front(const double* P, const double*, const double*) {
+    if constexpr (M::all_round) return P[0] != 0 || P[1] != 0 || P[2] != 0;
+    return P[2] < 0;
+  }
 };
 template <> struct Side<models::panorama> {
   static bool in_front(const double* P, const double* xy, const double* io) {

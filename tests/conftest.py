@@ -21,3 +21,18 @@ def blocks():
     if not folder.is_dir():
         pytest.skip("no public data: set RAYBUNDLE_DATA to the folder that holds blocks/")
     return folder
+
+
+@pytest.fixture(scope="module")
+def browser():
+    """A Chromium that a test drives; skips where there is none."""
+    from tests.studio.browser import ARGUMENTS, chromium
+
+    sync_api = pytest.importorskip("playwright.sync_api", reason="playwright is not installed: no page is tested here")
+    path = chromium()
+    if path is None:
+        pytest.skip("no Chromium is here (RAYBUNDLE_CHROMIUM may name one): the page is not tested here")
+    with sync_api.sync_playwright() as playwright:
+        found = playwright.chromium.launch(executable_path=path, args=list(ARGUMENTS))
+        yield found
+        found.close()

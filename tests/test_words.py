@@ -110,8 +110,8 @@ def test_what_a_message_names_is_a_setting_under_its_flag():
     assert asked <= known
 
 
-BY_HAND = {("port", "port")}
-"""Options of the studio, which are no data class."""
+BY_HAND = {("port", "port"), ("overwrite", "overwrite")}
+"""Options of the studio, and of all commands, which are no data class."""
 
 
 def test_a_setting_is_spelt_as_its_reader_writes_it():
@@ -125,7 +125,7 @@ def test_a_setting_is_spelt_as_its_reader_writes_it():
         assert option("crs", "EPSG:25832") == "--crs EPSG:25832"
         assert option("gps", False, flag="no-gps") == "--no-gps"
         assert option("read_out", 25.0) == "--read-out 25"
-        assert option("separate", "a b|c", flag="camera") == "--camera 'a b|c'"
+        assert option("separate", "a b|c", flag="own-camera") == "--own-camera 'a b|c'"
     assert option("control") == "control="
 
 

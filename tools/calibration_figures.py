@@ -81,7 +81,7 @@ def colour(value: float) -> str:
 
 def worth(scene: Scene) -> tuple[list[str], str]:
     """The map of the uncertainty of projection, and what it says in words."""
-    result = adjust_block(simulate(scene, SURVEY).observed, AdjustmentOptions(threads=1))
+    result = adjust_block(simulate(scene, SURVEY).observed, AdjustmentOptions(jobs=1))
     lost = [s for s, p in result.interior[0].parameters.items() if p.status == "not determinable"]
     left, width, height = (SIDE - MAP) / 2, MAP, MAP * 2 / 3
     if "c" in lost:

@@ -39,7 +39,7 @@ def texts() -> dict[Path, str]:
         if "AngleRatio" in body:
             head += "\nfrom raybundle.numerics.maths import AngleRatio_numpy, AngleRatioSlope_numpy\n"
         files[PYTHON / f"{name}.py"] = f"{head}\n\n{body}"
-        structs.append(cxx_source(name, derived))
+        structs.append(cxx_source(name, derived, all_round=model.all_round))
     made = {name: model for name, model in derivable.items() if isinstance(model, Carried)}
     for name, model in sorted(made.items(), key=lambda item: (len(item[1].symbols), item[0])):
         both = f"{model.sensor.name}, {model.platform.name}"

@@ -34,7 +34,7 @@ def rows() -> list[str]:
     """Lines of the table."""
     lines = ["| network | sigma c [px] | sigma x0 | sigma y0 | not determinable |", "|---|---|---|---|---|"]
     for name, plan in PLANS.items():
-        result = adjust_block(simulate(flat_field_scene(plan), SURVEY).observed, AdjustmentOptions(threads=1))
+        result = adjust_block(simulate(flat_field_scene(plan), SURVEY).observed, AdjustmentOptions(jobs=1))
         camera = result.given.cameras[0]
         parameters = result.interior[0].parameters
         std = [(parameters[s].std or np.nan) / result.sigma0 / camera.pixel_mm[0] for s in ("c", "x0", "y0")]

@@ -149,7 +149,7 @@ def stages(page: Page) -> None:
     page.fill("#run-photos", "photos")
     page.fill("#run-redo_from", "features")
     page.keyboard.press("Tab")
-    page.locator("#decide .command", has_text="--from features").wait_for()
+    page.locator("#decide .command", has_text="--from-stage features").wait_for()
     page.click("#run-begin")
     page.locator(".stages .at-work th", has_text="features").wait_for()
     keep(page, "run")

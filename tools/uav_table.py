@@ -38,7 +38,7 @@ def rows() -> list[str]:
         "|---|---|---|---|---|---|---|",
     ]
     for name, plan in PLANS.items():
-        result = adjust_block(flight_block(plan), AdjustmentOptions(threads=1))
+        result = adjust_block(flight_block(plan), AdjustmentOptions(jobs=1))
         lost = [n.split()[0] for n in result.not_determinable]
         cells = ["–"] * 4 if lost else _figures(result)
         cells = [str(len(result.given.images)), *cells, ", ".join(lost) or "none"]

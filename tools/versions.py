@@ -24,7 +24,7 @@ from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[1]
 PLACE = ROOT / "build/versions"
-TESTED_EXTRAS = ("las", "heic")
+TESTED_EXTRAS = ("pdf", "las", "heic", "plots")
 """Extras that the tests use; `learned` brings gigabytes, and its tests skip without it."""
 
 

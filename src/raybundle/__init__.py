@@ -13,7 +13,8 @@
     rb.convert("facade-project/result", "model", to="colmap")
     rb.rectify("facade-project", "facade.tif", pixel=0.002)
     rb.film("fiducials.csv", "film", calibrated="certificate.csv", camera="rmk.toml")
-    rb.rpc_correct("scene.XML", "control.csv", bias="shift", out="corrected_RPC.TXT")
+    rb.rpc_correct("scene.tif", "control.gpkg", bias="shift", out="corrected.tif")
+    rb.rpc_ortho("corrected.tif", "dem.tif", "ortho.tif", crs="EPSG:32654")
 
 Names are loaded when they are first used: `import raybundle` alone loads neither NumPy nor SciPy.
 """
@@ -22,11 +23,15 @@ from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
+    from raybundle.adjustment.matrices import Matrices, matrices
     from raybundle.adjustment.options import AdjustmentOptions
+    from raybundle.adjustment.queries import NamedCovariance, covariance
     from raybundle.adjustment.result import Adjustment
     from raybundle.block import Block, Camera, Distances, Images, Instrument, Observations, Points, Role, Stations
     from raybundle.block.merge import merge_blocks
     from raybundle.block.transform import transform_block
+    from raybundle.calibration.at_pixels import projection_uncertainty
+    from raybundle.cameras.opencv import OpenCVCamera
     from raybundle.commands.begin import begin
     from raybundle.commands.calibrate import CalibrateSettings, calibrate
     from raybundle.commands.calibrations import (
@@ -54,7 +59,7 @@ if TYPE_CHECKING:
         StraightFilm,
         film,
     )
-    from raybundle.commands.measure import (
+    from raybundle.commands.marks import (
         adjust_marks,
         export_marks,
         find_fiducials,
@@ -63,7 +68,8 @@ if TYPE_CHECKING:
         query,
         transform_to_points,
     )
-    from raybundle.commands.measured import MeasureSettings, measure_targets
+    from raybundle.commands.measure import MeasureSettings, measure
+    from raybundle.commands.merge import MergeSettings, merge_projects
     from raybundle.commands.moved import MovedSettings, moved_points
     from raybundle.commands.orient import OrientSettings, orient
     from raybundle.commands.photos import (
@@ -77,15 +83,13 @@ if TYPE_CHECKING:
     from raybundle.commands.planning.network import NetworkSettings, plan_network
     from raybundle.commands.planning.next import NextSettings, plan_next
     from raybundle.commands.planning.photograph_list import ListSettings, plan_list
+    from raybundle.commands.record import Recorded, RecordSettings, record
     from raybundle.commands.rectify import Rectification, RectifySettings, rectify
-    from raybundle.commands.rpc import (
-        RpcCorrectSettings,
-        RpcFitSettings,
-        RpcProjectSettings,
-        rpc_correct,
-        rpc_fit,
-        rpc_project,
-    )
+    from raybundle.commands.rpc import RpcFitSettings, RpcProjectSettings, rpc_fit, rpc_project
+    from raybundle.commands.scenes.batch import Batch, RpcBatchSettings, rpc_batch
+    from raybundle.commands.scenes.correct import RpcCorrectSettings, rpc_correct
+    from raybundle.commands.scenes.ortho import Orthophoto, RpcOrthoSettings, rpc_ortho
+    from raybundle.commands.sheet import DrawingSheet, DrawingSheetSettings, drawing_sheet
     from raybundle.commands.show import show
     from raybundle.commands.target_settings import (
         ChooseSettings,
@@ -97,13 +101,14 @@ if TYPE_CHECKING:
     from raybundle.commands.targets import detect_targets
     from raybundle.errors import InputError, NotSolvable, RaybundleError
     from raybundle.io.block.folder import read_block, write_block
+    from raybundle.io.folders import overwriting
     from raybundle.numerics.transform import SimilarityTransform
     from raybundle.planning.flight import plan_flight
     from raybundle.planning.uav_networks import Flight
     from raybundle.report.compare import write_comparison
     from raybundle.report.document import write_report
     from raybundle.report.network_page import write_network_page
-    from raybundle.report.pictures import (
+    from raybundle.report.plotting import (
         plot_control,
         plot_interior,
         plot_network,
@@ -113,6 +118,7 @@ if TYPE_CHECKING:
     from raybundle.report.tables import table, table_names
     from raybundle.report.write import write_result
     from raybundle.results.folder import read_result
+    from raybundle.results.matrices_file import write_matrices
     from raybundle.workflows.adjust import adjust
     from raybundle.workflows.calibrate_state import Calibration
     from raybundle.workflows.orient import Orientation
@@ -120,8 +126,16 @@ if TYPE_CHECKING:
     __version__: str
 
 _HOME = {
+    "Matrices": "adjustment.matrices",
+    "matrices": "adjustment.matrices",
+    "NamedCovariance": "adjustment.queries",
+    "covariance": "adjustment.queries",
+    "projection_uncertainty": "calibration.at_pixels",
+    "OpenCVCamera": "cameras.opencv",
+    "write_matrices": "results.matrices_file",
     "Adjustment": "adjustment.result",
     "AdjustmentOptions": "adjustment.options",
+    "Batch": "commands.scenes.batch",
     "Block": "block",
     "CalibrateSettings": "commands.calibrate",
     "Calibration": "workflows.calibrate_state",
@@ -145,23 +159,33 @@ _HOME = {
     "Images": "block",
     "InputError": "errors",
     "Instrument": "block",
-    "MeasureSettings": "commands.measured",
+    "MeasureSettings": "commands.measure",
     "MissionSettings": "commands.planning.mission",
+    "MergeSettings": "commands.merge",
     "MovedSettings": "commands.moved",
     "NotSolvable": "errors",
     "Observations": "block",
     "OrientSettings": "commands.orient",
     "Orientation": "workflows.orient",
+    "Orthophoto": "commands.scenes.ortho",
     "PhotosSettings": "commands.photos",
     "PlanCheckSettings": "commands.planning.check",
     "PlannedMission": "commands.planning.mission",
     "Points": "block",
     "RaybundleError": "errors",
     "Rectification": "commands.rectify",
+    "record": "commands.record",
+    "Recorded": "commands.record",
+    "RecordSettings": "commands.record",
+    "drawing_sheet": "commands.sheet",
+    "DrawingSheetSettings": "commands.sheet",
+    "DrawingSheet": "commands.sheet",
     "RectifySettings": "commands.rectify",
     "Role": "block",
-    "RpcCorrectSettings": "commands.rpc",
+    "RpcBatchSettings": "commands.scenes.batch",
+    "RpcCorrectSettings": "commands.scenes.correct",
     "RpcFitSettings": "commands.rpc",
+    "RpcOrthoSettings": "commands.scenes.ortho",
     "RpcProjectSettings": "commands.rpc",
     "SheetSettings": "commands.target_settings",
     "SimilarityTransform": "numerics.transform",
@@ -169,7 +193,7 @@ _HOME = {
     "StraightFilm": "commands.film",
     "ZoomSettings": "commands.calibrations",
     "adjust": "workflows.adjust",
-    "adjust_marks": "commands.measure",
+    "adjust_marks": "commands.marks",
     "begin": "commands.begin",
     "calibrate": "commands.calibrate",
     "calibrate_zoom": "commands.calibrations",
@@ -180,19 +204,21 @@ _HOME = {
     "convert_calibration": "commands.calibrations",
     "detect_targets": "commands.targets",
     "empirical": "commands.empirical",
-    "export_marks": "commands.measure",
+    "export_marks": "commands.marks",
     "film": "commands.film",
     "find_calibration": "commands.calibrations",
     "frames": "commands.photos",
     "keep_calibration": "commands.calibrations",
     "kept_calibrations": "commands.calibrations",
-    "find_fiducials": "commands.measure",
-    "mark": "commands.measure",
-    "marks": "commands.measure",
-    "measure_targets": "commands.measured",
+    "find_fiducials": "commands.marks",
+    "mark": "commands.marks",
+    "marks": "commands.marks",
+    "measure": "commands.measure",
+    "merge_projects": "commands.merge",
     "moved_points": "commands.moved",
     "merge_blocks": "block.merge",
     "orient": "commands.orient",
+    "overwriting": "io.folders",
     "photos": "commands.photos",
     "plan_flight": "planning.flight",
     "plan_mission": "commands.planning.mission",
@@ -202,23 +228,25 @@ _HOME = {
     "ListSettings": "commands.planning.photograph_list",
     "plan_next": "commands.planning.next",
     "NextSettings": "commands.planning.next",
-    "plot_control": "report.pictures",
-    "plot_interior": "report.pictures",
-    "plot_network": "report.pictures",
-    "plot_reliability": "report.pictures",
-    "plot_residuals": "report.pictures",
-    "query": "commands.measure",
+    "plot_control": "report.plotting",
+    "plot_interior": "report.plotting",
+    "plot_network": "report.plotting",
+    "plot_reliability": "report.plotting",
+    "plot_residuals": "report.plotting",
+    "query": "commands.marks",
     "read_block": "io.block.folder",
     "read_result": "results.folder",
     "rectify": "commands.rectify",
-    "rpc_correct": "commands.rpc",
+    "rpc_batch": "commands.scenes.batch",
+    "rpc_correct": "commands.scenes.correct",
     "rpc_fit": "commands.rpc",
+    "rpc_ortho": "commands.scenes.ortho",
     "rpc_project": "commands.rpc",
     "show": "commands.show",
     "table": "report.tables",
     "table_names": "report.tables",
     "transform_block": "block.transform",
-    "transform_to_points": "commands.measure",
+    "transform_to_points": "commands.marks",
     "write_block": "io.block.folder",
     "write_comparison": "report.compare",
     "write_network_page": "report.network_page",
@@ -230,6 +258,7 @@ _HOME = {
 __all__ = [
     "Adjustment",
     "AdjustmentOptions",
+    "Batch",
     "Block",
     "CalibrateSettings",
     "Calibration",
@@ -245,6 +274,8 @@ __all__ = [
     "Converted",
     "DetectSettings",
     "Distances",
+    "DrawingSheet",
+    "DrawingSheetSettings",
     "Empirical",
     "EmpiricalSettings",
     "FilmSettings",
@@ -254,25 +285,34 @@ __all__ = [
     "InputError",
     "Instrument",
     "ListSettings",
+    "Matrices",
     "MeasureSettings",
+    "MergeSettings",
     "MissionSettings",
     "MovedSettings",
+    "NamedCovariance",
     "NetworkSettings",
     "NextSettings",
     "NotSolvable",
     "Observations",
+    "OpenCVCamera",
     "OrientSettings",
     "Orientation",
+    "Orthophoto",
     "PhotosSettings",
     "PlanCheckSettings",
     "PlannedMission",
     "Points",
     "RaybundleError",
+    "RecordSettings",
+    "Recorded",
     "Rectification",
     "RectifySettings",
     "Role",
+    "RpcBatchSettings",
     "RpcCorrectSettings",
     "RpcFitSettings",
+    "RpcOrthoSettings",
     "RpcProjectSettings",
     "SheetSettings",
     "SimilarityTransform",
@@ -290,7 +330,9 @@ __all__ = [
     "compare_calibrations",
     "convert",
     "convert_calibration",
+    "covariance",
     "detect_targets",
+    "drawing_sheet",
     "empirical",
     "export_marks",
     "film",
@@ -301,10 +343,13 @@ __all__ = [
     "kept_calibrations",
     "mark",
     "marks",
-    "measure_targets",
+    "matrices",
+    "measure",
     "merge_blocks",
+    "merge_projects",
     "moved_points",
     "orient",
+    "overwriting",
     "photos",
     "plan_flight",
     "plan_list",
@@ -316,12 +361,16 @@ __all__ = [
     "plot_network",
     "plot_reliability",
     "plot_residuals",
+    "projection_uncertainty",
     "query",
     "read_block",
     "read_result",
+    "record",
     "rectify",
+    "rpc_batch",
     "rpc_correct",
     "rpc_fit",
+    "rpc_ortho",
     "rpc_project",
     "show",
     "table",
@@ -330,6 +379,7 @@ __all__ = [
     "transform_to_points",
     "write_block",
     "write_comparison",
+    "write_matrices",
     "write_network_page",
     "write_report",
     "write_result",
@@ -337,7 +387,7 @@ __all__ = [
 ]
 
 
-def __getattr__(name: str) -> Any:
+def _loaded(name: str) -> Any:
     """The public name, from the module where it lives."""
     if name == "__version__":
         from importlib.metadata import version  # noqa: PLC0415
@@ -349,6 +399,10 @@ def __getattr__(name: str) -> Any:
         raise AttributeError(f"module 'raybundle' has no attribute {name!r}")
     globals()[name] = value
     return value
+
+
+if not TYPE_CHECKING:  # a checker that saw it would take every name for a public one
+    __getattr__ = _loaded
 
 
 def __dir__() -> list[str]:

@@ -121,18 +121,22 @@ class About:
     """whether the default is what holds where nothing is said, and no word of the command line"""
     typed: str = ""
     """the default as it is typed, where that is not its value: 5mm"""
+    also: tuple[str, ...] = ()
+    """other spellings of its name that are accepted on the command line, as the exchange format has them"""
 
 
 def setting(
     default: Any, help_: str, *, flag: str = "", metavar: str = "", limits: Part | tuple[Part, ...] = (),
-    joined: bool = False, unsaid: bool = False, typed: str = "",
+    joined: bool = False, unsaid: bool = False, typed: str = "", also: tuple[str, ...] = (),
 ) -> Any:  # fmt: skip
     """A field of a data class of settings; with MISSING for its default it has to be given.
 
     help_  names another setting as {name}, which stands as a flag on the command line
     """
     parts = limits if isinstance(limits, tuple) else (limits,)
-    about = About(words=help_, flag=flag, metavar=metavar, limits=parts, joined=joined, unsaid=unsaid, typed=typed)
+    about = About(
+        words=help_, flag=flag, metavar=metavar, limits=parts, joined=joined, unsaid=unsaid, typed=typed, also=also
+    )
     return field(default=default, metadata={"about": about})
 
 

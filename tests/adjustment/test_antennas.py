@@ -6,11 +6,14 @@ import numpy as np
 import pytest
 from scipy.stats import chi2
 
-from raybundle import adjust
-from raybundle.adjustment.engine import adjust_block
+from raybundle import AdjustmentOptions, adjust
+from raybundle.adjustment.again import block_again
+from raybundle.adjustment.engine import adjust_block, open_datum
+from raybundle.adjustment.interior import plausible_std
 from raybundle.block import Instrument, Stations
 from raybundle.errors import DatumDefect, InputError
 from raybundle.io.block.folder import read_block, write_block
+from raybundle.measuring.session import adjusted_as_free
 from raybundle.planning.scenes import AerialStrips, aerial_scene
 from raybundle.planning.simulate import Survey, simulate
 from raybundle.platforms import instrument_models
@@ -92,3 +95,42 @@ def test_antennas_go_through_folders(tmp_path):
     (tmp_path / "block" / "stations.csv").write_text(text.replace("line3", "line9"), encoding="utf-8")
     with pytest.raises(InputError, match="none of the antennas"):
         read_block(tmp_path / "block")
+
+
+def test_a_shift_need_not_be_known_beforehand():
+    """Positions good to metres tell a shift to a metre, and that is as it should be; a tape tells lever arms."""
+    antenna = flight(SHIFT).instruments[0]
+    symbols = instrument_models["antenna"].symbols
+    least = {s: plausible_std(antenna, np.zeros(len(symbols)), k, lambda: np.zeros(0)) for k, s in enumerate(symbols)}
+    assert [s for s in symbols if least[s] == np.inf] == [*SHIFT, *DRIFT]
+    assert least["ax"] == 0.3
+
+
+def test_a_free_network_without_the_positions_goes_on():
+    """Instruments of which nothing is observed any more have no unknowns in its datum."""
+    free = adjusted_as_free(block_again(adjust(flight(SHIFT))))
+    assert "scale" in free.datum_defect
+    assert np.isfinite(free.precision.object_points).any()
+
+
+@pytest.mark.parametrize("off", [0.5, 3.0])
+def test_control_that_contradicts_is_told_where_shifts_need_it(off):
+    """Without control nothing determines the shifts: what contradicts stays, and is told, instead of an open datum."""
+    block = MonteCarlo.of(flight(SHIFT, control=3)).noisy(np.random.default_rng(1))
+    control = np.flatnonzero(block.points.is_control.all(axis=1))
+    xyz = block.points.xyz.copy()
+    xyz[control[0]] += [off, -off, 2 * off]
+    block = replace(block, points=replace(block.points, xyz=xyz))
+    result = adjust(block, AdjustmentOptions(reject="snooping", jobs=1))
+    assert result.datum == "control"
+    told = [n for n in result.notices if n.code in {"control_not_located", "control_rejected", "control_suspect"}]
+    assert told
+    assert block.points.ids[control[0]] in {i for n in told for i in n.ids}
+
+
+def test_an_open_datum_is_named_where_instruments_need_it():
+    block = flight(SHIFT, control=0)
+    free = {c.id: () for c in block.parametrised}
+    free |= {i.id: i.estimate for i in block.instruments}
+    left = open_datum(block, AdjustmentOptions(), free, (None,) * len(block.observations))
+    assert {"position X", "position Y", "position Z"} <= set(left)

@@ -9,7 +9,7 @@ from raybundle.adjustment.options import AdjustmentOptions
 from raybundle.block import Distances
 from tests.adjustment.test_wrong_control import CORNERS, network
 
-OPTIONS = AdjustmentOptions(threads=1)
+OPTIONS = AdjustmentOptions(jobs=1)
 PLACES = (*CORNERS, (0.0, 0.0), (0.0, 1.0))
 
 

@@ -15,7 +15,7 @@ from raybundle.planning.simulate import Survey, simulate
 from raybundle.report.text.words import verdict
 from raybundle.report.view import view_of
 
-OPTIONS = AdjustmentOptions(threads=1)
+OPTIONS = AdjustmentOptions(jobs=1)
 SIGMA = 1e-4
 
 

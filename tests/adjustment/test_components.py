@@ -10,7 +10,7 @@ from raybundle.adjustment.options import AdjustmentOptions
 from raybundle.planning.scenes import TargetField, brown_camera, field_scene
 from raybundle.planning.simulate import Survey, simulate
 
-OPTIONS = AdjustmentOptions(threads=1)
+OPTIONS = AdjustmentOptions(jobs=1)
 CAMERA = brown_camera(estimate=("c",))
 CONTROL = 30
 

@@ -28,7 +28,7 @@ def decided(seed, tilt_deg, rolls_deg, moved=None, **options):
     free = replace(camera, estimate="auto", values=known)
     if moved is not None:
         free = replace(free, values={**known, **moved}, known=known)
-    return decide(replace(block, cameras=(free,)), AdjustmentOptions(threads=1, **options)), camera
+    return decide(replace(block, cameras=(free,)), AdjustmentOptions(jobs=1, **options)), camera
 
 
 @pytest.mark.parametrize("seed", range(4))
@@ -96,3 +96,19 @@ def test_a_length_is_told_in_the_unit_of_the_block_or_in_none(unit, length, told
     assert replace(result.interior[0].parameters["x0"], unit=unit, std=0.16).std_words(length) == told
     assert replace(result, datum_defect=("scale",)).length_unit == ""
     assert replace(result, datum_defect=()).length_unit == result.given.length_unit == "m"
+
+
+def test_a_wrong_scale_bar_does_not_take_the_rays_of_the_others_ends():
+    from raybundle.planning.scenes import TargetField, field_scene
+
+    survey = Survey(
+        image_sigma_px=0.1, scale_bars=4, scale_bar_sigma=1e-5, seed=5, orientation="exact", points="exact",
+        interior="exact",
+    )  # fmt: skip
+    block = simulate(field_scene(TargetField()), survey).observed
+    length = block.distances.length.copy()
+    length[1] += 0.002
+    wrong = block.having(replace(block.distances, length=length))
+    result = decide(wrong, AdjustmentOptions(reject="snooping", jobs=1))
+    assert not any(result.image_observations.rejected)
+    assert any(n.code == "distance_suspect" and n.severity == "fault" for n in result.notices)

@@ -29,7 +29,7 @@ def put(at, number):
 
 OPTIONS = {
     "datum": "x", "reject": "snoping", "estimate": "snoping", "residuals": None, "noise": "grey", "datum_over": 5,
-    "max_iterations": 0, "threads": -1, "tolerance": float("nan"), "significance": 2.0, "datum_points": "p1",
+    "max_iterations": 0, "jobs": -1, "tolerance": float("nan"), "significance": 2.0, "datum_points": "p1",
     "robust_start": "yes", "pixel_shape": "round", "weights": 3,
 }  # fmt: skip
 CONTROL = int(np.flatnonzero(BLOCK.points.is_control.all(axis=1))[0])
@@ -73,7 +73,7 @@ def test_what_is_no_block_is_refused():
 
 
 def test_what_is_right_passes():
-    assert adjust(BLOCK, AdjustmentOptions(max_iterations=np.int64(50), threads=1)).converged
+    assert adjust(BLOCK, AdjustmentOptions(max_iterations=np.int64(50), jobs=1)).converged
 
 
 def test_a_parameter_is_observed_at_its_default_where_the_camera_gives_no_value():

@@ -12,7 +12,7 @@ from raybundle.block import Role, Stations
 from raybundle.planning.scenes import TargetField, brown_camera, field_scene
 from raybundle.planning.simulate import Survey, simulate
 
-OPTIONS = AdjustmentOptions(threads=1)
+OPTIONS = AdjustmentOptions(jobs=1)
 
 
 def observed(seed=1, *, sigma=(0.0, 0.0, 0.0), control=5, bars=0, estimate=()):

@@ -36,7 +36,7 @@ def known(block, sigma=SIGMA, **wrong):
 
 
 def adjusted(block):
-    return decide(block, AdjustmentOptions(threads=1))
+    return decide(block, AdjustmentOptions(jobs=1))
 
 
 def codes(result):

@@ -224,7 +224,7 @@ def test_the_twin_agrees_on_a_rolling_shutter(monkeypatch):
 
 def test_parameters_are_chosen_in_a_mixed_block_and_motion_stays():
     """`auto` chooses among the lens parameters; what the block names of the others stays estimated."""
-    result = decide(observed(mixed()), AdjustmentOptions(estimate="auto", threads=1))
+    result = decide(observed(mixed()), AdjustmentOptions(estimate="auto", jobs=1))
     assert 0.9 < result.sigma0 < 1.1
     push = [i for i in result.interior if i.camera == "pushbroom" and i.image is not None]
     assert all(set(i.free) == set(RATES) for i in push)

@@ -22,7 +22,7 @@ def decided(shape, estimate="auto", options=None, seed=0):
     block = simulate(field_scene(plan), survey).observed
     camera = block.cameras[0]
     camera = replace(camera, estimate=estimate, values={**camera.values, "A": 0.0, "S": 0.0})
-    return decide(replace(block, cameras=(camera,)), options or AdjustmentOptions(threads=1, noise="white"))
+    return decide(replace(block, cameras=(camera,)), options or AdjustmentOptions(jobs=1, noise="white"))
 
 
 def told(result):
@@ -61,7 +61,7 @@ def test_where_it_is_nonsense_nothing_is_told_of_the_camera():
 
 @pytest.mark.parametrize(
     ("estimate", "options"),
-    [(EVERY, None), ("auto", AdjustmentOptions(threads=1, noise="white", pixel_shape="any"))],
+    [(EVERY, None), ("auto", AdjustmentOptions(jobs=1, noise="white", pixel_shape="any"))],
     ids=["named", "any"],
 )
 def test_a_scan_keeps_its_freedom(estimate, options):
@@ -92,7 +92,7 @@ def few(seed, stations, shape=None):
     scene = field_scene(TargetField(camera=camera, rows=3, columns=5, stations=stations))
     block = simulate(scene, Survey(seed=seed, orientation="exact", points="exact", image_sigma_px=0.5)).observed
     camera = replace(block.cameras[0], estimate="auto", values={**block.cameras[0].values, "A": 0.0, "S": 0.0})
-    return decide(replace(block, cameras=(camera,)), AdjustmentOptions(threads=1, noise="white"))
+    return decide(replace(block, cameras=(camera,)), AdjustmentOptions(jobs=1, noise="white"))
 
 
 @pytest.mark.parametrize("runs", [10, pytest.param(120, marks=pytest.mark.long)])
@@ -142,10 +142,10 @@ def turntable(seed):
 
 @pytest.mark.parametrize("seed", range(1, 5))
 def test_an_affinity_that_the_photographs_know_worse_than_a_sensor_is_held(seed):
-    result = decide(turntable(seed), AdjustmentOptions(threads=1, pixel_shape="sensor"))
+    result = decide(turntable(seed), AdjustmentOptions(jobs=1, pixel_shape="sensor"))
     (interior,) = result.interior
     assert "A" not in interior.free
     assert abs(interior.parameters["c"].value - 60.0) < 4 * interior.parameters["c"].std
-    wide = decide(turntable(seed), AdjustmentOptions(threads=1, pixel_shape="any"))
+    wide = decide(turntable(seed), AdjustmentOptions(jobs=1, pixel_shape="any"))
     if "A" in wide.interior[0].free:  # what it would cost
         assert wide.interior[0].parameters["c"].std > 3 * interior.parameters["c"].std

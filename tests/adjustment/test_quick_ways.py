@@ -21,7 +21,7 @@ from raybundle.numerics import native
 from raybundle.planning.scenes import TargetField, field_scene
 from raybundle.planning.simulate import Survey, simulate
 
-OPTIONS = AdjustmentOptions(threads=1, tolerance=1e-9)
+OPTIONS = AdjustmentOptions(jobs=1, tolerance=1e-9)
 
 
 @pytest.fixture(scope="module")

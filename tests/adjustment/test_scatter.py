@@ -27,11 +27,11 @@ def field(share, gross=0.0):
 
 @pytest.mark.parametrize(("share", "gross"), [(0.01, 0.0), (1e-5, 0.05)])
 def test_a_result_is_given(share, gross):
-    result = adjust(field(share, gross), AdjustmentOptions(threads=1))
+    result = adjust(field(share, gross), AdjustmentOptions(jobs=1))
     assert "global_test" in {n.code for n in result.notices}
     assert result.sigma0 > 3
 
 
 def test_what_tells_no_block_is_refused_with_its_figure_and_limit():
     with pytest.raises(NoConvergence, match=r"lie 1\d % of the image's diagonal .* \(limit 5 %\)"):
-        adjust(field(3 * SCATTERED), AdjustmentOptions(threads=1))
+        adjust(field(3 * SCATTERED), AdjustmentOptions(jobs=1))

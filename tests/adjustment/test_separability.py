@@ -10,7 +10,7 @@ from raybundle.block.rejection import RejectionKind
 from raybundle.planning.scenes import AerialStrips, TargetField, aerial_scene, brown_camera, field_scene
 from raybundle.planning.simulate import Survey, simulate
 
-SNOOPING = AdjustmentOptions(threads=1, reject="snooping")
+SNOOPING = AdjustmentOptions(jobs=1, reject="snooping")
 EXACT = Survey(orientation="exact", points="exact", interior="exact", image_sigma_px=0.3)
 
 

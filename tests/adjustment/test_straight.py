@@ -12,7 +12,7 @@ from raybundle.errors import RankDefect
 from raybundle.planning.scenes import TargetField, brown_camera, field_scene
 from raybundle.planning.simulate import Survey, simulate
 
-OPTIONS = AdjustmentOptions(threads=1)
+OPTIONS = AdjustmentOptions(jobs=1)
 
 
 def block_of(beside, seed=1):

@@ -29,7 +29,7 @@ def block():
 
 
 def adjusted(block):
-    return adjust_block(block, AdjustmentOptions(threads=1, tolerance=1e-3))
+    return adjust_block(block, AdjustmentOptions(jobs=1, tolerance=1e-3))
 
 
 def test_independent_errors_show_no_structure(block):
@@ -92,7 +92,7 @@ def test_what_repeats_in_every_photograph_is_noticed_and_taken_up_by_harmonics()
     survey = Survey(orientation="exact", points="exact", interior="exact", image_sigma_px=0.05)
     seen = simulate(replace(scene, camera=fourfold), survey).observed
     plain = replace(seen, cameras=(replace(camera, estimate="auto"),))
-    settings = AdjustmentOptions(threads=1, reject="snooping")
+    settings = AdjustmentOptions(jobs=1, reject="snooping")
     first = decide(plain, settings)
     found = repeated_residuals(first, 0)
     assert found.noticed
@@ -114,13 +114,13 @@ def test_residuals_of_the_right_model_do_not_repeat():
     found = repeated_residuals(first, 0)
     assert found.pairs > 500
     assert abs(found.correlation) < 5 * found.std
-    start, told = choose_models(seen, first, AdjustmentOptions(threads=1))
+    start, told = choose_models(seen, first, AdjustmentOptions(jobs=1))
     assert start.cameras[0].model == "brown"
     assert not told
 
 
-@pytest.mark.parametrize(("name", "noise", "told"), [("t", "auto", True), ("p", "auto", False), ("t", "white", False)])
-def test_a_block_of_found_points_adjusted_with_white_noise_is_told_of_smooth_errors(block, name, noise, told):
+@pytest.mark.parametrize(("name", "noise", "told"), [("t", "auto", True), ("p", "auto", True), ("t", "white", False)])
+def test_a_block_adjusted_with_white_noise_is_told_of_shared_errors(block, name, noise, told):
     o, camera = block.observations, block.cameras[0]
     half = np.array([camera.width_px, camera.height_px]) / 2
     x = (o.xy_px - half) / half[0]
@@ -128,7 +128,7 @@ def test_a_block_of_found_points_adjusted_with_white_noise_is_told_of_smooth_err
     xy = o.xy_px + np.where(wrong[:, None], 3 * x * (x**2).sum(axis=1, keepdims=True), 0.0)
     ids = tuple(f"{name}{k + 1}" for k in range(len(block.points)))
     found = replace(block, observations=replace(o, xy_px=xy), points=replace(block.points, ids=ids))
-    result = adjust(found, AdjustmentOptions(threads=1, tolerance=1e-3, noise=noise))
+    result = adjust(found, AdjustmentOptions(jobs=1, tolerance=1e-3, noise=noise))
     notices = [n.message for n in result.notices if n.code == "residual_structure"]
     assert bool(notices) is told
     assert not told or 'noise="fields"' in notices[0]

@@ -12,7 +12,7 @@ from raybundle.block.select import with_rows
 from raybundle.planning.scenes import TargetField, brown_camera, field_scene
 from raybundle.planning.simulate import Survey, simulate
 
-OPTIONS = AdjustmentOptions(threads=1)
+OPTIONS = AdjustmentOptions(jobs=1)
 
 
 def observed(*, estimate=("c", "x0", "y0"), **survey):

@@ -70,7 +70,7 @@ def test_a_shift_is_determined_however_badly():
 
 @pytest.mark.parametrize(("bend", "told"), [(0.0, True), (0.5, False)])
 def test_what_projection_centres_leave_open_is_a_caution_as_for_control(bend, told):
-    result = adjust(straight_flight(bend), AdjustmentOptions(threads=1))
+    result = adjust(straight_flight(bend), AdjustmentOptions(jobs=1))
     said = [n for n in result.notices if n.code == "control_leaves_open"]
     assert bool(said) == told
     for notice in said:
@@ -82,7 +82,7 @@ def test_what_projection_centres_leave_open_is_a_caution_as_for_control(bend, to
 
 @pytest.mark.parametrize(("bend", "open_"), [(0.0, 1), (0.5, 0)])
 def test_an_adjusted_block_is_adjusted_to_the_same(bend, open_):
-    first = adjust(straight_flight(bend), AdjustmentOptions(threads=1))
+    first = adjust(straight_flight(bend), AdjustmentOptions(jobs=1))
     assert first.constraints == open_
     again = adjust(replace(first.given, images=first.adjusted.images, points=first.adjusted.points))
     assert again.constraints == first.constraints
@@ -102,7 +102,7 @@ def test_rounding_is_no_fault_of_the_redundancy_numbers(name):
 
 
 def test_a_wrong_redundancy_number_is_a_fault():
-    result = adjust(straight_flight(0.5), AdjustmentOptions(threads=1))
+    result = adjust(straight_flight(0.5), AdjustmentOptions(jobs=1))
     numbers = result.image_observations.redundancy.copy()
     numbers[0] += 1e-3
     wrong = replace(result.image_observations, redundancy=numbers)

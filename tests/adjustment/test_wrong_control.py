@@ -14,7 +14,7 @@ from raybundle.block import Role
 from raybundle.planning.scenes import AerialStrips, aerial_scene
 from raybundle.planning.simulate import Survey, simulate
 
-OPTIONS = AdjustmentOptions(threads=1, reject="snooping")
+OPTIONS = AdjustmentOptions(jobs=1, reject="snooping")
 CORNERS = ((-1.0, -1.0), (1.0, -1.0), (1.0, 1.0), (-1.0, 1.0))
 
 
@@ -117,7 +117,7 @@ def precision_of(block, name):
     k = block.points.ids.index(name)
     role, sigma = block.points.role.copy(), block.points.sigma.copy()
     role[k], sigma[k] = Role.TIE, np.nan
-    free = adjust(replace(block, points=replace(block.points, role=role, sigma=sigma)), AdjustmentOptions(threads=1))
+    free = adjust(replace(block, points=replace(block.points, role=role, sigma=sigma)), AdjustmentOptions(jobs=1))
     return free.precision.object_point_std[k]
 
 
@@ -155,7 +155,7 @@ def test_three_wrong_ones_of_ten_are_named_the_worst_first(seed):
     d *= np.array([[20], [35], [50]]) * sigma / np.linalg.norm(d, axis=1, keepdims=True)
     shifts = dict(zip(chosen.tolist(), d, strict=True))
     block, names = network(TEN, sigma=sigma, seed=seed, wrong=shifts, strips=3)
-    result = adjust(block, AdjustmentOptions(threads=1))
+    result = adjust(block, AdjustmentOptions(jobs=1))
     assert accused(result) == {names[k] for k in chosen}
     assert not told(result, "group_less_precise")
     (notice,) = told(result, "control_suspect")

@@ -48,7 +48,7 @@ def test_two_flights_adjusted_as_one_block_are_the_whole_block(flights):
     assert merged.images.ids == block.images.ids
     assert len(merged.observations) == len(block.observations)
     assert {n: len(t) for n, t in merged.tables.items()} == {n: len(t) for n, t in block.tables.items()}
-    options = AdjustmentOptions(threads=1, tolerance=1e-10)
+    options = AdjustmentOptions(jobs=1, tolerance=1e-10)
     one, two = adjust_block(block, options), adjust_block(merged, options)
     assert two.sigma0 == pytest.approx(one.sigma0, rel=1e-9)
     assert two.redundancy == one.redundancy

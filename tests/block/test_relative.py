@@ -83,7 +83,7 @@ def test_stated_sigmas_are_true(truth, drift):
     runs, square_sum, redundancy, stations, theirs = 30, 0.0, 0, 0.0, 0.0
     for _ in range(runs):
         block = noisy(truth, rng, shift=0.5, drift=0.1 if drift else 0.0, turn=np.radians(0.3))
-        result = adjust_block(relative_control(block, LINES, drift=drift), AdjustmentOptions(threads=1))
+        result = adjust_block(relative_control(block, LINES, drift=drift), AdjustmentOptions(jobs=1))
         square_sum += result.sigma0**2 * result.redundancy
         redundancy += result.redundancy
         (group,) = [g for g in result.groups if g.kind == "station"]

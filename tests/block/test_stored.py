@@ -29,7 +29,7 @@ def calibrated():
     survey = Survey(seed=3, orientation="exact", points="exact", interior="exact", image_sigma_px=0.3)
     seen = simulate(flat_field_scene(plan), survey).observed
     free = replace(seen, cameras=(replace(seen.cameras[0], estimate=FREE),))
-    result = adjust_block(free, AdjustmentOptions(threads=1))
+    result = adjust_block(free, AdjustmentOptions(jobs=1))
     return seen.cameras[0], result.precision.interior[seen.cameras[0].id] / result.sigma0**2
 
 
@@ -79,7 +79,7 @@ def test_what_files_said_before_means_the_same(calibrated, free, tmp_path):
     (again,) = read_cameras(path)
     assert not again.relations
     np.testing.assert_allclose(again.calibrated.covariance, C, rtol=1e-6, atol=1e-30)
-    options = AdjustmentOptions(threads=1)
+    options = AdjustmentOptions(jobs=1)
     found = [adjust_block(replace(seen, cameras=(c,)), options) for c in (known, again, older)]
     assert {g.kind for g in found[1].groups} == {"control", "parameter"}
     assert {g.kind for g in found[2].groups} == {"control", "relation"}
@@ -141,7 +141,7 @@ def test_object_points_carry_the_uncertainty_of_the_calibration(calibrated):
         drawn = replace(camera, estimate=(), values={**camera.values, **dict(zip(FREE, values, strict=True))})
         for name, used in (("held", drawn), ("observed", observed_jointly(drawn, FREE, C))):
             block = replace(simulated.observed, cameras=(used,))
-            result = adjust_block(block, AdjustmentOptions(threads=1))
+            result = adjust_block(block, AdjustmentOptions(jobs=1))
             k = int(np.flatnonzero(simulated.truth.points.role == 0)[run % 20])
             error = result.adjusted.points.xyz[k] - simulated.truth.points.xyz[k]
             covariance = result.precision.object_points[k] / result.sigma0**2

@@ -30,7 +30,7 @@ WAYS = {
         scale=1.7, rotation=rotation_from_angles(np.array([0.3, -0.5, 2.0])), translation=SHIFT
     ),
 }
-OPTIONS = AdjustmentOptions(threads=1, tolerance=1e-12)
+OPTIONS = AdjustmentOptions(jobs=1, tolerance=1e-12)
 BLOCKS = [name for name in EXAMPLES if name != "mixed"]  # has satellite scenes
 
 

@@ -57,7 +57,7 @@ def test_an_adjustment_with_ellipse_centres_is_right_after_the_correction():
     radius, normal = np.full(len(block.points), 0.008), np.tile([0.0, 0.0, 1.0], (len(block.points), 1))
     o = block.observations
     measured = replace(block, observations=replace(o, xy_px=o.xy_px + eccentricity_px(block, radius, normal)))
-    options = AdjustmentOptions(threads=1)
+    options = AdjustmentOptions(jobs=1)
     c = block.cameras[0].values["c"]
     biased = adjust_block(measured, options)
     assert biased.sigma0 > 100  # in units of the 1e-6 px of the simulation
@@ -82,7 +82,7 @@ def dotted(radius, used, sigma_px):
     true = eccentricity_px(seen, np.full(count, radius), normal)
     o = seen.observations
     block = replace(seen, observations=replace(o, xy_px=o.xy_px + true - offset))
-    return adjust_block(block, AdjustmentOptions(threads=1)), offset
+    return adjust_block(block, AdjustmentOptions(jobs=1)), offset
 
 
 def test_large_dots_tell_their_radius():

@@ -35,12 +35,12 @@ def codes(result):
 
 
 def test_a_calibration_that_holds_is_not_mentioned(block):
-    result = adjust(given(block, 0.005), AdjustmentOptions(threads=1))
+    result = adjust(given(block, 0.005), AdjustmentOptions(jobs=1))
     assert not codes(result)
 
 
 def test_a_calibration_of_another_focus_is_contradicted(block):
-    result = adjust(given(block, 0.005, off=0.1), AdjustmentOptions(threads=1))
+    result = adjust(given(block, 0.005, off=0.1), AdjustmentOptions(jobs=1))
     assert codes(result) == ["calibration_contradicted"]
     (notice,) = calibration_notices(result)
     assert "chi-square" in notice.message
@@ -51,7 +51,7 @@ def test_a_calibration_of_another_focus_is_contradicted(block):
 
 
 def test_a_parameter_less_precise_than_it_was_given_is_told_with_both(block):
-    result = adjust(given(block, 0.0005), AdjustmentOptions(threads=1))
+    result = adjust(given(block, 0.0005), AdjustmentOptions(jobs=1))
     wide = {s: replace(p, std=0.002) if s == "x0" else p for s, p in result.interior[0].parameters.items()}
     wider = replace(result, interior=(replace(result.interior[0], parameters=wide), *result.interior[1:]))
     (notice,) = calibration_notices(wider)
@@ -68,7 +68,7 @@ def test_smooth_errors_do_not_contradict_a_calibration_once_they_are_known():
         plain = simulate(field_scene(TargetField(camera=brown_camera(estimate=FREE))), survey).observed
         smooth = given(with_fields(plain, 0.5, seed), 0.001, off=np.random.default_rng(seed).normal(0, 0.001))
         for noise in contradicted:
-            told = codes(adjust(smooth, AdjustmentOptions(threads=1, noise=noise)))
+            told = codes(adjust(smooth, AdjustmentOptions(jobs=1, noise=noise)))
             contradicted[noise] += "calibration_contradicted" in told
             assert ("calibration_outweighed" in told) == (noise == "fields")
     assert contradicted["white"] >= 2
@@ -78,14 +78,14 @@ def test_smooth_errors_do_not_contradict_a_calibration_once_they_are_known():
 @pytest.mark.parametrize("noise", ["white", "fields"])
 def test_another_focus_is_found_under_either_noise(block, noise):
     smooth = given(with_fields(block, 0.3), 0.005, off=0.1)
-    result = adjust(smooth, AdjustmentOptions(threads=1, noise=noise))
+    result = adjust(smooth, AdjustmentOptions(jobs=1, noise=noise))
     (notice,) = [n for n in result.notices if n.code == "calibration_contradicted"]
     assert notice.ids == ("1", "c")
 
 
 def test_what_few_residuals_make_of_a_standard_deviation_is_no_loss(block):
     """Of a mean square of 20 residuals the root is up to 1.5 times its truth, in all but one of a thousand."""
-    result = adjust(given(block, 0.0005), AdjustmentOptions(threads=1))
+    result = adjust(given(block, 0.0005), AdjustmentOptions(jobs=1))
     std = result.interior[0].parameters["c"].std
     wide = {s: replace(p, std=0.0007) if s == "x0" else p for s, p in result.interior[0].parameters.items()}
     wider = replace(result, interior=(replace(result.interior[0], parameters=wide), *result.interior[1:]))
@@ -114,7 +114,7 @@ def test_a_held_calibration_that_is_right_is_not_mentioned(noise):
         simulated = simulate(field_scene(TargetField(camera=brown_camera(estimate=FREE))), survey).observed
         if noise == "fields":
             simulated = with_fields(simulated, 0.3, seed)
-        result = adjust(held(simulated), AdjustmentOptions(threads=1, noise=noise))
+        result = adjust(held(simulated), AdjustmentOptions(jobs=1, noise=noise))
         told += len(held_notices(result, ["1"]))
     assert told == 0
 
@@ -122,7 +122,7 @@ def test_a_held_calibration_that_is_right_is_not_mentioned(noise):
 @pytest.mark.parametrize("noise", ["white", "fields"])
 @pytest.mark.parametrize(("symbol", "off"), [("c", 0.1), ("x0", 0.05), ("K1", 2e-5)])
 def test_a_held_value_that_the_photographs_contradict_is_a_fault(block, noise, symbol, off):
-    result = adjust(held(with_fields(block, 0.05), **{symbol: off}), AdjustmentOptions(threads=1, noise=noise))
+    result = adjust(held(with_fields(block, 0.05), **{symbol: off}), AdjustmentOptions(jobs=1, noise=noise))
     (notice,) = held_notices(result, ["1"])
     assert notice.severity == "fault"
     assert notice.code == "calibration_contradicted"
@@ -134,14 +134,14 @@ def test_a_difference_that_moves_nothing_in_the_image_is_not_mentioned(block):
     """Significant, and a tenth of what an image coordinate is good for."""
     camera = block.cameras[0]
     sigma = float(np.sqrt(np.median(block.observations.cov_px2[:, 0]))) * camera.pixel_mm[0]
-    result = adjust(held(block, x0=0.1 * sigma), AdjustmentOptions(threads=1))
+    result = adjust(held(block, x0=0.1 * sigma), AdjustmentOptions(jobs=1))
     assert not held_notices(result, ["1"])
 
 
 @pytest.mark.parametrize("noise", ["white", "fields"])
 def test_a_held_calibration_is_tested_when_a_block_is_adjusted(block, noise):
     camera = block.cameras[0]
-    options = AdjustmentOptions(threads=1, noise=noise)
+    options = AdjustmentOptions(jobs=1, noise=noise)
     right = replace(block, cameras=(replace(camera, estimate=()),))
     assert not codes(adjust(right, options))
     values = {**camera.values, "c": 1.02 * camera.values["c"]}

@@ -19,7 +19,7 @@ RUNS = 300
 def calibrated(seed):
     scene = field_scene(TargetField(rows=6, columns=8, stations=8, frontal=2))
     survey = Survey(seed=seed, orientation="exact", points="exact", interior="exact", image_sigma_px=0.1)
-    return adjust_block(simulate(scene, survey).observed, AdjustmentOptions(threads=1, tolerance=1e-3))
+    return adjust_block(simulate(scene, survey).observed, AdjustmentOptions(jobs=1, tolerance=1e-3))
 
 
 @pytest.mark.long

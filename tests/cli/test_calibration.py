@@ -98,7 +98,7 @@ def test_compare_prints_the_map(ours, tmp_path, capsys):
     rows = [[float(v) for v in line.split()] for line in printed.splitlines()[-3:]]
     assert np.shape(rows) == (3, 3)
     assert rows[0][0] > rows[1][1] > 0
-    run("compare", ours, tmp_path / "b.toml", "--distance", "5")
+    run("compare", ours, tmp_path / "b.toml", "--object-distance", "5")
     assert "at the distance 5" in capsys.readouterr().out
     (tmp_path / "half.toml").write_text(
         TEXT.replace("600", "300").replace("400", "200").replace("[0.04, 0.04]", "[0.08, 0.08]")
@@ -174,7 +174,20 @@ def test_add_by_words_and_its_refusals(ours, tmp_path, capsys):
     library = tmp_path / "library"
     with pytest.raises(InputError, match="model= and focal="):
         run("add", ours, "--library", library)
-    run("add", ours, "--make", "Maker", "--model", "One", "--focal", 28, "--date", "2026-05-01", "--library", library)
+    run(
+        "add",
+        ours,
+        "--camera-make",
+        "Maker",
+        "--camera-model",
+        "One",
+        "--focal",
+        28,
+        "--date",
+        "2026-05-01",
+        "--library",
+        library,
+    )
     run("list", "--json", "--library", library)
     table = json.loads(capsys.readouterr().out.split("\n", 1)[1])
     assert (table[0]["model"], table[0]["date"], table[0]["source"]) == ("One", "2026-05-01", "ours.toml")
@@ -211,7 +224,7 @@ def result_with(grade, folder):
 
 def test_the_verdict_goes_into_the_library_or_keeps_out_of_it(tmp_path, capsys):
     library = tmp_path / "library"
-    key = ("--make", "Maker", "--model", "One", "--focal", 28, "--library", library)
+    key = ("--camera-make", "Maker", "--camera-model", "One", "--focal", 28, "--library", library)
     run("add", result_with("weak", tmp_path / "weak"), *key)
     (entry,) = read_library(library).entries
     assert (entry.grade, entry.photographs) == ("weak", 3)

@@ -51,14 +51,14 @@ def test_adjust_writes_a_result_and_says_so(field, tmp_path, capsys):
 def test_options_reach_the_adjustment(field, tmp_path):
     status = run(
         *("adjust", field, "--out", tmp_path / "r", "--no-report", "--datum", "inner", "--datum-points", "1, 6,25,29"),
-        *("--estimate", "auto", "--reject", "snooping", "--residuals", "measured", "--robust-start", "--threads", 1),
+        *("--estimate", "auto", "--reject", "snooping", "--residuals", "measured", "--robust-start", "--jobs", 1),
     )
     assert status == 0
     options = json.loads((tmp_path / "r" / "result.json").read_text())["options"]
     assert options["datum"] == "inner"
     assert options["datum_points"] == ["1", "6", "25", "29"]
     assert (options["estimate"], options["reject"]) == ("auto", "snooping")
-    assert (options["residuals"], options["robust_start"], options["threads"]) == ("measured", True, 1)
+    assert (options["residuals"], options["robust_start"], options["jobs"]) == ("measured", True, 1)
 
 
 def test_bad_input_is_2_and_names_the_place(field, tmp_path, capsys):
@@ -274,7 +274,7 @@ def test_simulate_writes_block_truth_and_gross_errors(tmp_path, capsys):
 
 @pytest.mark.parametrize("scene", ["testfield", "aerial", "ring", "single"])
 def test_every_scene_simulates(scene, tmp_path):
-    assert run("simulate", scene, "--out", tmp_path / "s", "--control", 4, "--orientation", "absent") == 0
+    assert run("simulate", scene, "--out", tmp_path / "s", "--control-points", 4, "--orientation", "absent") == 0
     block = read_block(tmp_path / "s" / "block")
     assert not block.images.oriented.any()
     assert block.points.is_control.any(axis=1).sum() == 4

@@ -8,7 +8,7 @@ from tests.cli.walk import commands
 from raybundle.cli.main import COMMANDS, main
 from raybundle.cli.numbers import LARGEST, SMALLEST, Number
 
-PLAN = ["plan", "flight", "--lines", "2", "--photos", "3", "--points", "8"]
+PLAN = ["plan", "flight", "--lines", "2", "--photographs-per-line", "3", "--tie-points", "8"]
 
 
 def types_of(option):
@@ -83,7 +83,7 @@ def test_what_does_not_is_refused_with_its_limit(kind, text, words):
     "more",
     [
         ["--ground", "1000000"], ["--base", "1000000"], ["--height", "1e-9"], ["--jitter", "1000000", "0"],
-        ["--noise", "1e5"], ["--rtk", "1e6", "1e6", "1e6"], ["--rtk", "1e-12", "1e-12", "1e-12"],
+        ["--image-sigma", "1e5"], ["--rtk", "1e6", "1e6", "1e6"], ["--rtk", "1e-12", "1e-12", "1e-12"],
     ],
 )  # fmt: skip
 def test_a_flight_at_the_limits_is_told_in_words(more, capsys):

@@ -233,7 +233,7 @@ def test_a_read_only_place_is_named(orient, photos, tmp_path):
         ["--calibration", "nowhere.toml"],
         ["--control", "nowhere.csv"],
         ["--features", "unknown"],
-        ["--from", "nothing"],
+        ["--from-stage", "nothing"],
         ["--scale-bar", "A", "B", "long", "0.1"],
         ["--feature-count", "3"],
     ],

@@ -41,7 +41,7 @@ def test_a_place_where_nothing_can_be_written_is_found_first(words, option, case
         "too long": tmp_path / ("n" * 300),
         "long within": tmp_path / ("n" * 300) / "x",
         "of the system": "/proc/raybundle/x",
-        "other kind": tmp_path / ("folder" if kind.wanted == "file" else "file"),
+        "other kind": tmp_path / ("folder" if kind.wanted in {"file", "page"} else "file"),
         "device": "/dev/full",
     }[case]
     if case == "other kind" and kind.wanted == "either":

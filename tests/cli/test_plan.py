@@ -12,7 +12,7 @@ from raybundle.io.block.folder import read_block
 from raybundle.planning.flight import forecast, plan_flight
 from raybundle.planning.uav_networks import Flight, flight_block
 
-PUBLISHED = ("--base", "16", "--spacing", "48", "--ground", "120", "--points", "9")
+PUBLISHED = ("--base", "16", "--line-spacing", "48", "--ground", "120", "--tie-points", "9")
 
 
 @pytest.mark.long
@@ -44,7 +44,7 @@ def test_what_is_lost_is_no_figure(capsys):
 
 @pytest.mark.long
 def test_a_sound_plan_and_a_held_camera(capsys):
-    assert main(["plan", "flight", *PUBLISHED, "--cross", "30", "--control", "1"]) == 0
+    assert main(["plan", "flight", *PUBLISHED, "--cross", "30", "--control-points", "1"]) == 0
     assert "everything is determined by design" in capsys.readouterr().out
     assert main(["plan", "flight", *PUBLISHED, "--hold-camera"]) == 0
     assert "everything is determined by design" in capsys.readouterr().out
@@ -60,10 +60,10 @@ def test_gaps_are_said(capsys):
                 "--overlap",
                 "0.4",
                 "0.3",
-                "--points",
+                "--tie-points",
                 "9",
                 "--hold-camera",
-                "--control",
+                "--control-points",
                 "5",
                 "--cross",
                 "20",
@@ -73,7 +73,21 @@ def test_gaps_are_said(capsys):
     )
     assert "below 50 % along" in capsys.readouterr().out
     assert (
-        main(["plan", "flight", "--base", "16", "--spacing", "130", "--points", "14", "--hold-camera", "--cross", "20"])
+        main(
+            [
+                "plan",
+                "flight",
+                "--base",
+                "16",
+                "--line-spacing",
+                "130",
+                "--tie-points",
+                "14",
+                "--hold-camera",
+                "--cross",
+                "20",
+            ]
+        )
         == 0
     )
     assert "the lines leave gaps" in capsys.readouterr().out
@@ -107,7 +121,10 @@ def test_control_of_a_simulated_flight():
 
 
 def test_a_flight_is_surveyed_again_with_new_positions(tmp_path, capsys):
-    assert main(["plan", "flight", "--alternate", "--points", "9", "--lever-arm", "--out", str(tmp_path / "f")]) == 0
+    assert (
+        main(["plan", "flight", "--alternate", "--tie-points", "9", "--free-lever-arm", "--out", str(tmp_path / "f")])
+        == 0
+    )
     for seed in ("3", "4"):
         assert main(["simulate", str(tmp_path / "f"), "--seed", seed, "--out", str(tmp_path / seed)]) == 0
     three, four, truth = (read_block(tmp_path / name) for name in ("3/block", "4/block", "3/truth"))
@@ -119,19 +136,22 @@ def test_a_flight_is_surveyed_again_with_new_positions(tmp_path, capsys):
 
 
 def test_flights_that_are_too_large_are_refused_at_once(capsys):
-    assert main(["plan", "flight", "--lines", "40", "--photos", "80"]) == 2
+    assert main(["plan", "flight", "--lines", "40", "--photographs-per-line", "80"]) == 2
     assert "40 lines of 80 photographs are 3200; forecasts are made for up to 1000" in capsys.readouterr().err
 
 
 def test_tie_points_are_as_dense_as_photographs_need_them():
-    large = FlightSettings(lines=30, photos=30).flight()
+    large = FlightSettings(lines=30, photographs_per_line=30).flight()
     assert large.size / large.points < min(large.footprint) / 2
     assert FlightSettings().flight().points == 30
 
 
 def test_control_that_has_no_layout_is_refused(capsys):
-    assert main(["plan", "flight", *PUBLISHED, "--control", "7"]) == 2
-    assert "7 control points: where they lie is known for 1, 2, 3, 4, 5, 9, 13 (--control)" in capsys.readouterr().err
+    assert main(["plan", "flight", *PUBLISHED, "--control-points", "7"]) == 2
+    assert (
+        "7 control points: where they lie is known for 1, 2, 3, 4, 5, 9, 13 (--control-points)"
+        in capsys.readouterr().err
+    )
 
 
 def test_control_by_number_and_place_is_told(capsys):

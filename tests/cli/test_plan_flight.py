@@ -16,7 +16,7 @@ from raybundle.missions.mission import exposures
 from raybundle.planning.flight import FlightPlan, forecast
 from raybundle.planning.uav_networks import Flight
 
-FAST = ("--points", "8", "--hold-camera")
+FAST = ("--tie-points", "8", "--hold-camera")
 
 
 def run(capsys, *words):
@@ -26,7 +26,7 @@ def run(capsys, *words):
 
 
 def test_area_and_pixel_give_height_lines_and_photographs(capsys):
-    status, told, _ = run(capsys, "--area", 100, 150, "--gsd", 0.02, "--points", 10, "--hold-camera")
+    status, told, _ = run(capsys, "--area", 100, 150, "--gsd", 0.02, "--tie-points", 10, "--hold-camera")
     assert status == 0
     # 0.02 m of 3650 px: 73 m; 3648 and 5472 px of it: 73.0 and 109.4 m; a fifth and three tenths of them
     assert " 5 lines of 14 photographs, 73 m above ground; base 14.6 m, lines 32.8 m apart; a pixel is 20 mm" in told
@@ -49,7 +49,7 @@ def test_lines_cover_the_area_with_the_overlap_asked_for_and_no_line_too_many(ar
 
 def test_lines_and_photographs_are_those_of_a_mission_over_the_same_area():
     sides = (200.0, 300.0)
-    settings = FlightSettings(area=sides, gsd=0.02, camera=(CAMERA.width_px, CAMERA.height_px, CAMERA.c_px))
+    settings = FlightSettings(area=sides, gsd=0.02, camera=f"{CAMERA.width_px}x{CAMERA.height_px},{CAMERA.c_px}")
     flight = settings.flight()
     ring = np.array([[0.0, 0], [sides[0], 0], sides, [0, sides[1]]])
     m = mission("nadir", outline=ring, more={"direction": 0.0}, take_off=(0.0, 0.0))
@@ -75,7 +75,7 @@ def test_an_area_without_a_pixel_and_a_pixel_without_an_area():
     assert (usual.lines, usual.photographs, usual.length) == (4, 8, None)
     assert (fine.lines, fine.photographs) == (4, 8)
     assert fine.height == pytest.approx(36.5)
-    given = FlightSettings(area=(100.0, 100.0), base=10.0, spacing=25.0).flight()
+    given = FlightSettings(area=(100.0, 100.0), base=10.0, line_spacing=25.0).flight()
     assert (given.lines, given.photographs) == (5, 14)
 
 
@@ -83,7 +83,10 @@ def test_an_area_without_a_pixel_and_a_pixel_without_an_area():
     ("words", "told"),
     [
         (("--area", 100, 100, "--lines", 4), "give --area or --lines, not both: --lines would follow from --area"),
-        (("--area", 100, 100, "--lines", 4, "--photos", 8), "give --area or --lines and --photos, not both"),
+        (
+            ("--area", 100, 100, "--lines", 4, "--photographs-per-line", 8),
+            "give --area or --lines and --photographs-per-line, not both",
+        ),
         (("--area", 100, 100, "--ground", 90), "give --area or --ground, not both"),
         (("--gsd", 0.02, "--height", 80), "give --gsd or --height, not both: --height would follow from --gsd"),
         (("--area", 2000, 300), "2000 x 300 m ask for 57 lines of 23 photographs, base 16 m, lines 36 m apart"),
@@ -101,7 +104,7 @@ def test_contradictions_are_told_in_python_as_python_writes_them():
 
 
 def test_rows_are_called_what_they_are(capsys):
-    _, arm, _ = run(capsys, "--lever-arm", "--cross", 30, "--points", 8)
+    _, arm, _ = run(capsys, "--free-lever-arm", "--cross", 30, "--tie-points", 8)
     assert " the same without RTK, lever arm held " in arm
     _, poor, _ = run(capsys, "--rtk", 5, 5, 10, *FAST)
     assert " positions of 5, 5, 10 m (no RTK)" in poor
@@ -109,7 +112,7 @@ def test_rows_are_called_what_they_are(capsys):
 
 
 def test_what_mends_is_told_for_each_that_hangs(capsys):
-    _, told, _ = run(capsys, "--no-rtk", "--alternate", "--points", 12)
+    _, told, _ = run(capsys, "--no-rtk", "--alternate", "--tie-points", 12)
     verdict = told.splitlines()[-1]
     found = re.search(
         r"caution: c.* hangs? on .*; what mends it: lines across tilted 30 deg, five control points; "
@@ -144,7 +147,7 @@ def test_metres_from_one_metre_on(capsys):
 def test_a_mission_tells_metres_and_its_positions(capsys, tmp_path):
     area = "7.1 50.1, 7.102 50.1005, 7.1018 50.102, 7.0998 50.1015"
     words = ["plan", "mission", area, "--vehicle", "mavic-3e", "--predict"]
-    assert main([*words, "--lever-arm", "--out", str(tmp_path / "a")]) == 0
+    assert main([*words, "--free-lever-arm", "--out", str(tmp_path / "a")]) == 0
     told = capsys.readouterr().out
     assert "no RTK (5, 5, 10 m), lever arm held: plan 1." in told
     assert "e+0" not in told

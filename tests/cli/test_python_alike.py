@@ -53,21 +53,21 @@ def test_targets_in_photographs(tmp_path):
     files = {"out": tmp_path / "a.csv", "observations": tmp_path / "ao.csv", "overlay": tmp_path / "af"}
     found = rb.detect_targets(tmp_path / "photos", "aicon12", dots=True, **files)
     words = ["--out", tmp_path / "b.csv", "--observations", tmp_path / "bo.csv", "--overlay", tmp_path / "bf"]
-    assert main(["targets", "detect", str(tmp_path / "photos"), "--family", "aicon12", "--dots", *map(str, words)]) == 0
+    assert main(["targets", "detect", str(tmp_path / "photos"), "--target", "aicon12", "--dots", *map(str, words)]) == 0
     assert sorted(found) == ["a.png", "b.png"]
     assert (tmp_path / "a.csv").read_bytes() == (tmp_path / "b.csv").read_bytes()
     assert (tmp_path / "ao.csv").read_bytes() == (tmp_path / "bo.csv").read_bytes()
     same_files(tmp_path / "af", tmp_path / "bf")
-    with pytest.raises(InputError, match="table= goes with bits= and without family="):
+    with pytest.raises(InputError, match="table= goes with bits= and without target="):
         rb.detect_targets(tmp_path / "photos", table=tmp_path / "codes.csv")
 
 
 def test_the_camera_library(tmp_path):
     block = simulate(field_scene(TargetField(stations=4)), Survey(points="exact", scale_bars=1)).observed
     write_result(rb.adjust(block), tmp_path / "result", report="none")
-    about = {"make": "Nikon", "model": "D850", "focal": 24.0, "date": "2026-01-02"}
+    about = {"camera_make": "Nikon", "camera_model": "D850", "focal": 24.0, "date": "2026-01-02"}
     kept = rb.keep_calibration(tmp_path / "result", library=tmp_path / "a", **about)
-    words = [f"--{n}={v}" for n, v in about.items()]
+    words = [f"--{n.replace('_', '-')}={v}" for n, v in about.items()]
     assert main(["calibration", "add", str(tmp_path / "result"), *words, "--library", str(tmp_path / "b")]) == 0
     same_files(tmp_path / "a", tmp_path / "b")
     (entry,) = rb.kept_calibrations(library=tmp_path / "a").entries
@@ -84,7 +84,7 @@ def test_the_camera_library(tmp_path):
 
 def test_sheets(tmp_path):
     rb.write_target_sheet("agisoft12", tmp_path / "a.svg", codes="1-4", paper="A2", tile="A4", dot_radius=10.0)
-    words = ["--family", "agisoft12", "--codes", "1-4", "--paper", "A2", "--tile", "A4", "--dot-radius", "1cm"]
+    words = ["--target", "agisoft12", "--codes", "1-4", "--paper", "A2", "--tile", "A4", "--dot-radius", "1cm"]
     (tmp_path / "b").mkdir()
     assert main(["targets", "sheet", *words, "--out", str(tmp_path / "b/a.svg")]) == 0
     assert (tmp_path / "a.svg").read_bytes() == (tmp_path / "b/a.svg").read_bytes()

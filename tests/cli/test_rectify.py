@@ -18,7 +18,7 @@ from raybundle.numerics.planes import plane_of_most
 from raybundle.planning.scenes import TargetField, brown_camera, field_scene
 from raybundle.planning.simulate import Survey, simulate
 from raybundle.report.write import write_result
-from raybundle.workflows.rectify import plane_of
+from raybundle.workflows.object_plane import plane_of
 
 WALL = (-2.0, -1.5, 2.0, 1.5)
 """left, bottom, right, top of the painted part"""
@@ -69,7 +69,7 @@ def test_a_wall_of_all_photographs(wall, tmp_path, capsys):
     out = tmp_path / "wall.tif"
     status = main([
         "rectify", str(folder / "result"), "--photos", str(folder / "photos"), "--out", str(out), "--pixel", "0.01",
-        "--area", "-0.6", "-0.4", "0.6", "0.4", "--progress", "none",
+        "--extent", "-0.6", "-0.4", "0.6", "0.4", "--progress", "none",
     ])  # fmt: skip
     told = capsys.readouterr().out
     assert status == 0, told
@@ -134,7 +134,7 @@ def test_a_wall_of_one_photograph(wall, tmp_path, capsys):
     folder, block, origin, axes = wall
     marks(tmp_path, block, origin, axes)
     common = ["rectify", str(folder / "photos" / "0.png"), "--control", str(tmp_path / "c.csv"), "--pixel", "0.01",
-              "--area", "-0.4", "-0.3", "0.4", "0.3", "--mark-sigma", "0.05"]  # fmt: skip
+              "--extent", "-0.4", "-0.3", "0.4", "0.3", "--mark-sigma", "0.05"]  # fmt: skip
     calibration = lens(folder, tmp_path)
     assert main([*common, "--out", str(tmp_path / "one.png"), "--calibration", str(calibration)]) == 0
     told = capsys.readouterr().out
@@ -156,15 +156,17 @@ def test_python_makes_the_same_pictures(wall, tmp_path):
     (tmp_path / "line").mkdir()
     (tmp_path / "python").mkdir()
     area = (-0.4, -0.3, 0.4, 0.3)
-    part = ["--pixel", "0.02", "--area", *map(str, area), "--progress", "none"]
+    part = ["--pixel", "0.02", "--extent", *map(str, area), "--progress", "none"]
     all_of_it = [str(folder / "result"), "--photos", str(folder / "photos"), "--out", str(tmp_path / "line" / "a.tif")]
     assert main(["rectify", *all_of_it, *part]) == 0
-    done = rb.rectify(folder / "result", tmp_path / "python" / "a.tif", photos=folder / "photos", pixel=0.02, area=area)
+    done = rb.rectify(
+        folder / "result", tmp_path / "python" / "a.tif", photos=folder / "photos", pixel=0.02, extent=area
+    )
     assert (done.grid.width, done.grid.height, done.unit) == (40, 30, "m")
     one = [folder / "photos" / "0.png", "--control", tmp_path / "c.csv", "--out", tmp_path / "line" / "b.png"]
     assert main(["rectify", *map(str, one), *part]) == 0
     done = rb.rectify(
-        folder / "photos" / "0.png", tmp_path / "python" / "b.png", control=tmp_path / "c.csv", pixel=0.02, area=area
+        folder / "photos" / "0.png", tmp_path / "python" / "b.png", control=tmp_path / "c.csv", pixel=0.02, extent=area
     )
     assert done.picture.seen.any()
     names = {p.name for p in (tmp_path / "line").iterdir()}
@@ -213,7 +215,10 @@ def test_a_wrong_mark_is_named(wall, tmp_path, capsys):
         (["{r}", "--out", "{o}/a.png"], "--photos FOLDER"),
         (["{r}", "--out", "{o}/a.png", "--photos", "{p}", "--plane", "nobody,1,2"], "nobody"),
         (["{r}", "--out", "{o}/a.png", "--photos", "{p}", "--pixel", "1e-6"], "take --pixel"),
-        (["{r}", "--out", "{o}/a.png", "--photos", "{p}", "--area", "50", "50", "51", "51"], "choose another --area"),
+        (
+            ["{r}", "--out", "{o}/a.png", "--photos", "{p}", "--extent", "50", "50", "51", "51"],
+            "choose another --extent",
+        ),
         (["{r}", "--out", "{o}/a.png", "--photos", "{p}", "--only", "x.png"], "x.png is not in the result"),
         (["{p}/0.png", "--out", "{o}/a.png"], "--control FILE"),
         (["{p}/none.png", "--out", "{o}/a.png"], "no such file"),
@@ -280,7 +285,7 @@ def test_a_plane_of_few_points_is_a_caution(wall, tmp_path, capsys):
     assert "caution: 32 % of the points lie in this plane" in told
 
 
-@pytest.mark.parametrize("given", [{"model": "affine"}, {"mark_sigma": 1.0}, {"control": "marks.csv"}])
+@pytest.mark.parametrize("given", [{"transformation": "affine"}, {"mark_sigma": 1.0}, {"control": "marks.csv"}])
 def test_what_belongs_to_a_photograph_is_refused_with_a_result(wall, tmp_path, given):
     (name,) = given
     with pytest.raises(InputError, match=f"{name}= belongs to a single PHOTO"):

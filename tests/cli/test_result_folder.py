@@ -66,26 +66,49 @@ def test_result_json_holds_what_the_format_promises(folder, adjustment):
     result = json.loads((folder / "result.json").read_text(), parse_constant=pytest.fail)
     promised = {"sigma0", "redundancy", "observations", "unknowns", "constraints", "datum", "converged"}
     assert promised | {"iterations", "seconds", "cameras", "correlations", "warnings"} <= result.keys()
-    assert result["sigma0"] == adjustment.sigma0
+    assert result["sigma0"] == pytest.approx(adjustment.sigma0, rel=1e-7)
     c = result["cameras"]["1"]["c"]
-    assert c["value"] == adjustment.adjusted.cameras[0].values["c"]
+    assert abs(c["value"] - adjustment.adjusted.cameras[0].values["c"]) <= 1e-3 * c["std"]
     assert c["std"] > 0
     assert result["cameras"]["1"]["A"]["std"] is None
     assert result["correlations"]["1"]["c"]["c"] == pytest.approx(1)
     assert result["correlations"]["1"]["c"]["K1"] == result["correlations"]["1"]["K1"]["c"]
 
 
-def test_tables_read_back_equal(folder, adjustment):
+def test_tables_read_back_to_a_thousandth_of_their_standard_deviations(folder, adjustment):
     read = read_result(folder)
     adjusted, statistics = adjustment.adjusted, adjustment.image_observations
-    np.testing.assert_array_equal(read.points.numbers("X", "Y", "Z"), adjusted.points.xyz)
-    np.testing.assert_array_equal(read.points.numbers("sX", "sY", "sZ"), adjustment.precision.object_point_std)
-    np.testing.assert_array_equal(read.observations.numbers("vx_px", "vy_px"), statistics.residuals_px)
-    np.testing.assert_array_equal(read.observations.numbers("rx", "ry"), statistics.redundancy)
-    np.testing.assert_array_equal(read.observations.numbers("wx", "wy"), statistics.w)
-    np.testing.assert_array_equal(read.images.numbers("X", "Y", "Z"), adjusted.images.centre)
+    xyz, std = read.points.numbers("X", "Y", "Z"), adjustment.precision.object_point_std
+    assert (np.abs(xyz - adjusted.points.xyz) <= 1e-3 * std).all()
+    e, C = xyz - adjusted.points.xyz, adjustment.precision.object_points
+    jointly = [
+        v[f] @ np.linalg.solve(c[np.ix_(f, f)], v[f]) for v, c in zip(e, C, strict=True) if (f := np.diag(c) > 0).any()
+    ]
+    assert max(jointly) <= 1e-6
+    np.testing.assert_allclose(read.points.numbers("sX", "sY", "sZ"), std, rtol=1e-4)
+    o = read.observations
+    w = o.numbers("wx", "wy")
+    np.testing.assert_allclose(w, statistics.w, atol=0.5e-3)
+    std_v = np.abs(statistics.residuals_px / statistics.w)
+    assert (np.abs(o.numbers("vx_px", "vy_px") - statistics.residuals_px) <= 1.0001e-3 * std_v).all()
+    np.testing.assert_allclose(o.numbers("rx", "ry"), statistics.redundancy, atol=1e-5)
+    np.testing.assert_allclose(o.numbers("x_px", "y_px"), adjustment.given.observations.xy_px, atol=1e-5)
+    assert (
+        np.abs(read.images.numbers("X", "Y", "Z") - adjusted.images.centre)
+        <= 1e-3 * adjustment.precision.image_std[:, :3]
+    ).all()
     assert read.points.text["point"] == adjusted.points.ids
     assert read.points.number["rays"].sum() == len(adjusted.observations)
+
+
+def test_no_number_of_a_result_has_more_digits_than_it_deserves(folder):
+    """Seventeen digits stand in the block; what was given stands in control.csv as it was given."""
+    lengths = {}
+    for name in ("points", "images", "observations"):
+        rows = [line.split(",") for line in (folder / f"{name}.csv").read_text().splitlines()]
+        lengths |= {c: max(len(r[k].lstrip("-").replace(".", "")) for r in rows[1:]) for k, c in enumerate(rows[0])}
+    assert max(n for c, n in lengths.items() if c[0] in "srwtvm" and c != "role") <= 10
+    assert (folder / "block/observations.csv").stat().st_size > 0.4 * (folder / "observations.csv").stat().st_size
 
 
 def test_control_and_stations_are_told_apart_by_coordinate(folder, adjustment):
@@ -98,16 +121,18 @@ def test_control_and_stations_are_told_apart_by_coordinate(folder, adjustment):
         for i, key in enumerate(zip(group.ids, group.component, strict=True))
         if key == (control.text["point"][2], "Y")
     ]
-    assert control.number["vY"][2] == group.residual[k[0]]
+    assert control.number["vY"][2] == pytest.approx(group.residual[k[0]], abs=1e-3 * group.sigma[k[0]])
     adjusted = adjustment.adjusted.points.xyz[adjustment.adjusted.points.ids.index(control.text["point"][2])]
-    assert control.number["vY"][2] == pytest.approx(adjusted[1] - control.number["Y"][2], abs=1e-12)
+    assert control.number["vY"][2] == pytest.approx(adjusted[1] - control.number["Y"][2], abs=1e-3 * group.sigma[k[0]])
     np.testing.assert_allclose(
         stations.numbers("vX", "vY", "vZ"),
         stations.numbers("X_adjusted", "Y_adjusted", "Z_adjusted") - stations.numbers("X", "Y", "Z"),
-        atol=1e-12,
+        atol=2e-3 * 0.01,
     )
     np.testing.assert_allclose(
-        read.distances.number["v"], read.distances.number["adjusted"] - read.distances.number["length"], atol=1e-12
+        read.distances.number["v"],
+        read.distances.number["adjusted"] - read.distances.number["length"],
+        atol=2e-3 * float(read.distances.number["sigma"].max()),
     )
 
 
@@ -116,9 +141,9 @@ def test_check_points_get_the_sigma_of_the_difference(folder, adjustment):
     assert check.rows == 3
     at = [adjustment.given.points.ids.index(p) for p in check.text["point"]]
     given, adjusted = adjustment.given.points.xyz[at], adjustment.adjusted.points.xyz[at]
-    np.testing.assert_array_equal(check.numbers("dX", "dY", "dZ"), adjusted - given)
     expected = np.hypot(adjustment.precision.object_point_std[at], 1e-4)
-    np.testing.assert_array_equal(check.numbers("sX", "sY", "sZ"), expected)
+    np.testing.assert_allclose(check.numbers("sX", "sY", "sZ"), expected, rtol=1e-4)
+    assert (np.abs(check.numbers("dX", "dY", "dZ") - (adjusted - given)) <= 1.001e-3 * expected).all()
     assert (np.abs(check.numbers("dX", "dY", "dZ")) < 6 * expected).all()
 
 

@@ -15,11 +15,13 @@ from raybundle.adjustment.options import AdjustmentOptions
 from raybundle.cli.adjust import command as adjust_command
 from raybundle.cli.calibrate import command as calibrate_command
 from raybundle.cli.calibration import command as calibration_command
+from raybundle.cli.command import shared_options
 from raybundle.cli.compare import command as compare_command
 from raybundle.cli.convert import command as convert_command
 from raybundle.cli.empirical import command as empirical_command
 from raybundle.cli.film import command as film_command
 from raybundle.cli.frames import command as frames_command
+from raybundle.cli.numbers import Length
 from raybundle.cli.orient import command as orient_command
 from raybundle.cli.photos import command as photos_command
 from raybundle.cli.plan.flight import command as flight_command
@@ -49,7 +51,10 @@ from raybundle.commands.photos import FramesSettings, PhotosSettings
 from raybundle.commands.planning.flight import FlightSettings
 from raybundle.commands.planning.next import NextSettings
 from raybundle.commands.rectify import RectifySettings
-from raybundle.commands.rpc import RpcCorrectSettings, RpcFitSettings, RpcProjectSettings
+from raybundle.commands.rpc import RpcFitSettings, RpcProjectSettings
+from raybundle.commands.scenes.batch import RpcBatchSettings
+from raybundle.commands.scenes.correct import RpcCorrectSettings
+from raybundle.commands.scenes.ortho import RpcOrthoSettings
 from raybundle.commands.simulate import SimulateSettings
 from raybundle.commands.target_settings import ChooseSettings, DetectSettings, SheetSettings
 from raybundle.errors import InputError
@@ -74,6 +79,8 @@ COMMANDS = [
     (FramesSettings, frames_command, {"video": Path("a")}),
     (RpcProjectSettings, rpc_command.commands["project"], {"scene": Path("a"), "points": Path("b")}),
     (RpcCorrectSettings, rpc_command.commands["correct"], {"scene": Path("a"), "points": Path("b")}),
+    (RpcOrthoSettings, rpc_command.commands["ortho"], {"scene": Path("a")}),
+    (RpcBatchSettings, rpc_command.commands["batch"], {"scenes": (Path("a"),)}),
     (RpcFitSettings, rpc_command.commands["fit"], {"scene": Path("a")}),
     (SheetSettings, targets_command.commands["sheet"], {}),
     (ChooseSettings, targets_command.commands["choose"], {}),
@@ -85,9 +92,14 @@ COMMANDS = [
     (CalibrationFindSettings, calibration_command.commands["find"], {"photo": Path("a")}),
     (ZoomSettings, calibration_command.commands["zoom"], {"results": (Path("a"),)}),
 ]
-EXPLAINED_BY_THEIR_WORDS = {(FilmSettings, "model"), (SheetSettings, "paper"), (ChooseSettings, "count")}
+SHARED = {o.name for o in shared_options(files=True)}
+"""Options of all commands."""
+EXPLAINED_BY_THEIR_WORDS = {(FilmSettings, "transformation"), (SheetSettings, "paper"), (ChooseSettings, "count")}
 """Settings without a help text."""
-TYPES = {SheetSettings: {"spacing": ON_SHEET, "dot_radius": ON_SHEET}}
+TYPES = {
+    SheetSettings: {"spacing": ON_SHEET, "dot_radius": ON_SHEET},
+    CalibrateSettings: {"spacing": Length(0, above=True)},
+}
 """How options are typed, where not as their fields."""
 PYTHON_ALONE = {
     AdjustSettings: {
@@ -111,7 +123,7 @@ def test_every_setting_is_an_option_with_help_and_every_option_a_setting(kind, c
             assert (options[s.name].help or "") == s.help
         assert len(s.help) > 6 or (kind, s.name) in EXPLAINED_BY_THEIR_WORDS
     named = {s.name for s in settings_of(kind)}
-    assert options.keys() - named <= {"out", "progress", "traceback", "as_json"}
+    assert options.keys() - named <= {"out", "progress", "as_json", *SHARED}
     assert {f.name for f in dataclasses.fields(kind)} == named | asked.keys() | PYTHON_ALONE.get(kind, set())
 
 
@@ -144,14 +156,14 @@ def test_the_command_line_and_python_ask_for_the_same():
 
     words = (
         "--control g.csv --control h.csv --control-sigma 0.01 0.02 --scale-bar A B 1.2 0.0001 --no-gps --quick "
-        "--lever-arm 0.1 -0.2 0 0.01 --relative drift --feature-count 500 --camera left_* --no-library --no-report"
+        "--lever-arm 0.1 -0.2 0 0.01 --relative drift --feature-count 500 --own-camera left_* --no-library --no-report"
     )
     assert CliRunner().invoke(probe, words.split()).exit_code == 0
     by_words = made(OrientSettings, {**PHOTOS, **seen})
     by_names = made(OrientSettings, {
         **PHOTOS, "control": ["g.csv", Path("h.csv")], "control_sigma": [0.01, 0.02],
         "scale_bar": [("A", "B", 1.2, 1e-4)], "gps": False, "precise": False, "lever_arm": (0.1, -0.2, 0, 0.01),
-        "relative": "drift", "feature_count": 500, "separate": "left_*", "library": False, "report": False,
+        "relative": "drift", "feature_count": 500, "own_camera": "left_*", "library": False, "report": False,
     })  # fmt: skip
     assert by_words == by_names
     read = tomllib.loads("\n".join(toml_lines("orient", by_names)))["orient"]
@@ -160,7 +172,7 @@ def test_the_command_line_and_python_ask_for_the_same():
     assert read["gps"] is False
     assert set(other_than_usual(by_names)) == {
         "control", "control_sigma", "scale_bar", "gps", "precise", "lever_arm", "relative", "feature_count",
-        "separate", "library", "report",
+        "own_camera", "library", "report",
     }  # fmt: skip
 
 
@@ -198,16 +210,16 @@ def test_an_adjustment_is_asked_for_alike():
     asked = {"block": Path("a"), "out": Path("b")}
     assert CliRunner().invoke(probe, []).exit_code == 0
     assert made(AdjustSettings, {**asked, **seen}).options() == AdjustmentOptions()
-    words = "--datum inner --datum-points a,b --residuals corrected --robust-start --threads 2 --no-report"
+    words = "--datum inner --datum-points a,b --residuals corrected --robust-start --jobs 2 --no-report"
     assert CliRunner().invoke(probe, words.split()).exit_code == 0
     by_words = made(AdjustSettings, {**asked, **seen})
     by_names = made(AdjustSettings, {
         **asked, "datum": "inner", "datum_points": ["a", "b"], "residuals": "corrected", "robust_start": True,
-        "threads": 2, "report": False,
+        "jobs": 2, "report": False,
     })  # fmt: skip
     assert by_words == by_names
     assert by_words.options() == AdjustmentOptions(
-        datum="inner", datum_points=("a", "b"), residuals="corrected", robust_start=True, threads=2
+        datum="inner", datum_points=("a", "b"), residuals="corrected", robust_start=True, jobs=2
     )
     assert CliRunner().invoke(probe, ["--residuals", "as_block"]).exit_code == 2
 

@@ -85,6 +85,7 @@ def test_focal_lengths_that_are_not_rounded_leave_nothing_open(settings, tmp_pat
 def test_what_cannot_be_combined(settings, tmp_path, capsys):
     assert main(["calibration", "zoom", *settings[:2], "--out", str(tmp_path / "lens")]) == 2
     assert "3 are needed" in capsys.readouterr().err
+    (tmp_path / "other.txt").write_text("mine")
     assert main(["calibration", "zoom", *settings, "--out", str(tmp_path)]) == 2
     assert "not overwritten" in capsys.readouterr().err
     assert main(["calibration", "zoom", *settings, "--focal", "30", "--focal", "30", "--out", str(tmp_path / "l")]) == 2

@@ -1,89 +1,186 @@
 """Every example of the documentation runs: python blocks and command lines of a page in one session.
 
-A command line may begin with environment variables; a line `# prints: TEXT` after it says what its output holds.
+A command line may begin with environment variables; a line `# prints: TEXT` after it says what its output holds,
+`# exits: N` the exit status, where it is not 0.  `raybundle studio` is begun, shows its page and is ended.  A line
+`# not run: REASON` stands on the page below a command that only who has what it needs can run; such commands are few,
+and counted.  Blocks within an HTML comment are run, too: they hold the figures of pages whose readers want no Python.
+What a page takes for granted is made by `samples`.
 """
 
 import itertools
+import json
 import os
 import re
 import shlex
 import subprocess
 import sys
+import tomllib
 from pathlib import Path
 
 import click
 import pytest
 
 from raybundle.cli.main import cli
+from tests.docs.samples import lay_out
 
 DOCS = Path(__file__).resolve().parents[2] / "docs"
+README = DOCS.parent / "README.md"
 FENCE = re.compile(r"^```(python|console)\n(.*?)^```", re.MULTILINE | re.DOTALL)
+SAMPLE = re.compile(r"^<!-- tried with: (.*) -->$", re.MULTILINE)
+NOT_RUN = "# not run: "
 RUN = """
-import os, subprocess, sys
+import os, re, subprocess, sys, urllib.request
 
 
-def run(words, variables):
+def run(words, variables, exits):
     done = subprocess.run(
         [sys.executable, "-m", *words], env={**os.environ, **variables}, capture_output=True, text=True, check=False
     )
-    assert done.returncode == 0, (words, done.stderr)
+    assert done.returncode == exits, (words, done.stdout, done.stderr)
+    return done.stdout + done.stderr
+
+
+def serve(words, variables, exits):
+    # what runs until its reader ends it: it shows its page, and is ended
+    begun = subprocess.Popen(
+        [sys.executable, "-u", "-m", *words, "--no-browser"], env={**os.environ, **variables}, text=True,
+        stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
+    )
+    printed = ""
+    try:
+        while not (address := re.search("http://\\\\S+", printed)):
+            line = begun.stdout.readline()
+            assert line, printed
+            printed += line
+        opener = urllib.request.build_opener(urllib.request.HTTPCookieProcessor())
+        with opener.open(address[0]) as answer:
+            assert b"studio.js" in answer.read()
+    finally:
+        begun.terminate()
+        begun.communicate()
+    return printed
+
+
+def shell(command):
+    done = subprocess.run(["bash", "-euc", command], capture_output=True, text=True, check=False)
+    assert done.returncode == 0, (command, done.stdout, done.stderr)
     return done.stdout + done.stderr
 """
 PAGES = [
     p
-    for p in sorted(DOCS.rglob("*.md"))
-    if FENCE.search(p.read_text()) and "reference" not in p.relative_to(DOCS).parts
+    for p in [*sorted(DOCS.rglob("*.md")), README]
+    if FENCE.search(p.read_text()) and "reference" not in p.relative_to(DOCS.parent).parts
 ]
 
 
 LONG = {
-    "calibrate", "exchange", "line-scanner", "measure-by-hand", "next-photograph", "own-observation-kind",
-    "photograph-lists", "plan-a-facade", "plan-a-flight", "plan-photographs", "rectify",
-    "results-in-python", "satellite-pair", "satellite-rpc", "targets", "video", "without-a-compiler",
+    "README", "a-camera-for-vision", "a-facade", "a-flight", "a-satellite-scene", "calibrate", "drawing-sheet",
+    "exchange", "facade", "first-photographs", "gnss-ins", "install", "line-scanner", "masks", "measure-a-part",
+    "measure-by-hand",
+    "measure-targets", "next-photograph", "orthorectify", "own-observation-kind", "photograph-lists", "plan-a-facade",
+    "plan-a-flight", "plan-photographs", "recording-sheet", "rectify", "results-in-python", "satellite-pair",
+    "satellite-rpc", "studio", "targets", "uav", "video", "without-a-compiler",
 }  # fmt: skip
 """Pages whose examples take more than five seconds"""
 RUN_PAGES = [pytest.param(p, marks=pytest.mark.long if p.stem in LONG else (), id=p.stem) for p in PAGES]
 
 
+def lines_of(text):
+    """Lines of a console block with what follows each: a command, and what is said of it."""
+    return list(itertools.pairwise([*text.strip().splitlines(), ""]))
+
+
+def commands_of(text):
+    """Each command of a console block, and why it is not run; None where it is."""
+    return [
+        (line, after.removeprefix(NOT_RUN) if after.startswith(NOT_RUN) else None)
+        for line, after in lines_of(text)
+        if line and not line.startswith("# ")
+    ]
+
+
+def steps(text):
+    """The Python that runs a console block."""
+    for line, after in lines_of(text):
+        if line.startswith("# prints: "):
+            yield f"assert {line.removeprefix('# prints: ')!r} in printed, printed"
+        if not line or line.startswith("# ") or after.startswith(NOT_RUN):
+            continue
+        exits = int(after.removeprefix("# exits: ")) if after.startswith("# exits: ") else 0
+        words = shlex.split(line)
+        begin = next((k for k, w in enumerate(words) if not re.fullmatch(r"[A-Z_]+=\S*", w)), 0)
+        if words[begin] != "raybundle" or {"|", ">"} & set(words):
+            yield f"printed = shell({line!r})"
+            continue
+        variables = dict(w.split("=", 1) for w in words[:begin])
+        how = "serve" if words[begin + 1 : begin + 2] == ["studio"] else "run"
+        yield f"printed = {how}({words[begin:]!r}, {variables!r}, {exits})"
+
+
+@pytest.fixture(scope="session")
+def shared(tmp_path_factory):
+    """A folder that the processes of one run of the tests have in common."""
+    base = tmp_path_factory.getbasetemp()
+    return base.parent if "PYTEST_XDIST_WORKER" in os.environ else base
+
+
 @pytest.mark.parametrize("page", RUN_PAGES)
-def test_page(page, tmp_path):
+def test_page(page, tmp_path, shared):
+    text = page.read_text()
+    for name in (n.strip() for found in SAMPLE.findall(text) for n in found.split(",")):
+        lay_out(name, shared, tmp_path)
     script = [RUN]
-    for kind, text in FENCE.findall(page.read_text()):
-        if kind == "python":
-            script.append(text)
-        else:
-            for line in text.strip().splitlines():
-                if line.startswith("# prints: "):
-                    script.append(f"assert {line.removeprefix('# prints: ')!r} in printed, printed")
-                    continue
-                words = shlex.split(line)
-                program = words.index("raybundle")
-                assert all(re.fullmatch(r"[A-Z_]+=\S*", w) for w in words[:program]), line
-                variables = dict(w.split("=", 1) for w in words[:program])
-                script.append(f"printed = run({words[program:]!r}, {variables!r})")
+    for kind, block in FENCE.findall(text):
+        script += [block] if kind == "python" else steps(block)
+    (tmp_path / "demo_data").symlink_to(DOCS.parent / "demo_data")
     file = tmp_path / "page.py"
     file.write_text("\n".join(script))
+    # programs of this environment come first, as in one that is activated
+    path = os.pathsep.join([str(Path(sys.executable).parent), os.environ["PATH"]])
     done = subprocess.run(
         [sys.executable, "-W", "error", str(file)], cwd=tmp_path, capture_output=True, text=True, check=False,
-        env=os.environ,
+        env={**os.environ, "PATH": path},
     )  # fmt: skip
     assert done.returncode == 0, done.stdout[-2000:] + done.stderr[-3000:]
 
 
-COMMAND = re.compile(r"^(?:    |\\$ )(raybundle [a-z].*)$", re.MULTILINE)
 SHOWN = [
-    (page.stem, line)
-    for page in sorted(DOCS.rglob("*.md"))
-    if "reference" not in page.relative_to(DOCS).parts
-    for line in COMMAND.findall(page.read_text())
+    (page.stem, line, why)
+    for page in PAGES
+    for kind, block in FENCE.findall(page.read_text())
+    if kind == "console"
+    for line, why in commands_of(block)
 ]
+UNTRIED = 6
+"""Commands of the pages that no test runs.  It may fall."""
 
 
-@pytest.mark.parametrize(("page", "line"), SHOWN, ids=[f"{p}-{k}" for k, (p, _) in enumerate(SHOWN)])
-def test_commands_that_are_shown_have_their_options(page, line):
-    """Lines that are not run, for want of photographs, are at least understood: no option that there is not."""
-    words = shlex.split(line.split(" #")[0].replace("...", ""))[1:]
-    words = list(itertools.takewhile(lambda w: w not in {"|", ">", "&&"}, words))
+def test_commands_that_no_test_runs_are_few_and_say_why():
+    untried = [(page, line, why) for page, line, why in SHOWN if why is not None]
+    assert all(len(why) > 10 for _, _, why in untried)
+    assert len(untried) <= UNTRIED, untried
+    assert len([line for _, line, _ in SHOWN if line.startswith("raybundle ")]) > 190
+
+
+@pytest.mark.parametrize("page", [*sorted(DOCS.rglob("*.md")), README], ids=lambda p: p.stem)
+def test_a_command_stands_in_a_block_that_is_run(page):
+    """In no indented paragraph and in no block of another kind, where nothing would run it."""
+    if "reference" in page.parts:
+        return  # made from the help, whose examples are those of the command
+    text = re.sub(r"^```(?:python|console)\n.*?^```", "", page.read_text(), flags=re.MULTILINE | re.DOTALL)
+    assert re.findall(r"^(?: {4}|\$ )?(?:\.venv/bin/)?raybundle [a-z]+ .*$", text, re.MULTILINE) == []
+
+
+@pytest.mark.parametrize(
+    ("page", "line"),
+    [(page, line) for page, line, why in SHOWN if why is not None],
+    ids=[f"{p}-{k}" for k, (p, _, why) in enumerate(SHOWN) if why is not None],
+)
+def test_commands_that_are_not_run_have_their_options(page, line):
+    """At least understood: no option that there is not."""
+    if not line.startswith("raybundle "):
+        return
+    words = shlex.split(line.split(" #")[0])[1:]
     group, context = cli, click.Context(cli, info_name="raybundle")
     while isinstance(group, click.Group):
         name = words.pop(0)
@@ -109,7 +206,7 @@ def options_of_commands(command, context, name=""):
     return found
 
 
-FOREIGN = {"--no-deps"}
+FOREIGN = {"--no-deps", "--no-compile", "--dest", "--no-index", "--find-links"}
 """Options of other programs, as of pip."""
 
 
@@ -135,7 +232,7 @@ def test_every_page_is_in_the_navigation():
 
 def test_every_page_of_the_navigation_is_reached_from_the_index():
     """By links alone, as who reads in a folder or on a page of a forge has no navigation."""
-    nav = re.findall(r": (\S+\.md)$", (DOCS.parent / "mkdocs.yml").read_text(), re.MULTILINE)
+    nav = re.findall(r": (\S+\.(?:md|ipynb))$", (DOCS.parent / "mkdocs.yml").read_text(), re.MULTILINE)
     assert len(nav) > 80
     reached, further = set(), ["index.md"]
     while further:
@@ -154,6 +251,45 @@ def test_every_page_of_the_navigation_is_reached_from_the_index():
     assert sorted(set(told) - set(linked)) == []
 
 
+def test_the_index_shows_every_command_and_links_a_page_beside_it():
+    text = (DOCS / "index.md").read_text()
+    rows = [row for row in text.splitlines() if row.startswith("| `raybundle ")]
+    named = {name for row in rows for name in re.findall(r"`raybundle (\w+)`", row)}
+    assert named == set(cli.list_commands(click.Context(cli)))
+    assert [row for row in rows if "](" not in row] == []
+    plans = next(row for row in rows if "`raybundle plan`" in row)
+    group = cli.get_command(click.Context(cli), "plan")
+    assert all(f"`{name}`" in plans for name in group.list_commands(click.Context(group)))
+
+
+@pytest.mark.long
+def test_the_site_can_be_searched_and_needs_no_other_server(tmp_path):
+    """Index and program of the search lie beside the pages; each page is in the index; no page loads from elsewhere."""
+    words = [sys.executable, "-m", "mkdocs", "build", "--strict", "--quiet", "--site-dir", str(tmp_path / "site")]
+    pytest.importorskip("mkdocs")
+    subprocess.run(words, cwd=DOCS.parent, check=True)
+    site = tmp_path / "site"
+    found = json.loads((site / "search/search_index.json").read_text())["docs"]
+    pages = {row["location"].partition("#")[0] for row in found}
+    nav = re.findall(r": (\S+\.(?:md|ipynb))$", (DOCS.parent / "mkdocs.yml").read_text(), re.MULTILINE)
+    assert len(pages) == len(nav)
+    assert any("completion" in row["text"] for row in found if row["location"].startswith("how-to/install"))
+    assert (site / "search/lunr.js").is_file()
+    page = (site / "how-to/install/index.html").read_text()
+    assert 'role="search"' in page
+    for html in site.rglob("*.html"):
+        loaded = re.findall(r"<(?:script|img|iframe)[^>]+src=[\"'](https?:)?//", html.read_text())
+        styles = re.findall(r"<link[^>]+stylesheet[^>]+href=[\"'](?:https?:)?//", html.read_text())
+        assert loaded + styles == [], html
+
+
+def test_the_page_of_installing_names_every_extra_and_its_size():
+    text = (DOCS / "how-to/install.md").read_text()
+    extras = tomllib.loads((DOCS.parent / "pyproject.toml").read_text())["project"]["optional-dependencies"]
+    rows = dict(re.findall(r"^\| `(\w+)` \|.*\| ([\d ]+)[^|]*\|$", text, re.MULTILINE))
+    assert set(rows) == set(extras)
+
+
 def test_the_readme_shows_the_two_commands():
     readme = (DOCS.parent / "README.md").read_text()
     assert "make demo" in readme
@@ -170,7 +306,7 @@ def test_every_command_shows_an_example():
     """Also those of groups; `datasets` and the like are examples themselves."""
     page = (DOCS / "reference/command-line.md").read_text()
     groups = {
-        "rpc": ("fit", "correct", "project", "info"),
+        "rpc": ("fit", "correct", "batch", "ortho", "project", "info"),
         "targets": ("sheet", "choose", "detect"),
         "calibration": ("add", "convert", "compare", "find", "list"),
     }

@@ -195,7 +195,7 @@ def test_files_are_replaced_together_or_not_at_all(tmp_path):
     "command",
     [
         ("adjust", "BLOCK", "--no-report", "--out"), ("compare", "R", "R", "--out"), ("simulate", "--out"),
-        ("convert", "BLOCK", "--to", "ply", "--out"), ("targets", "sheet", "--family", "aicon14", "--out"),
+        ("convert", "BLOCK", "--to", "ply", "--out"), ("targets", "sheet", "--target", "aicon14", "--out"),
         ("orient", "BLOCK", "--out"),
     ],
     ids=lambda c: c[0],

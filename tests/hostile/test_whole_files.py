@@ -11,7 +11,7 @@ import pytest
 from raybundle.adjustment.engine import adjust_block
 from raybundle.errors import InputError
 from raybundle.io.calibrations.base import write_whole
-from raybundle.io.scenes.rpc_text import write_rpc
+from raybundle.io.scenes.writing import write_rpc
 from raybundle.planning.scenes import TargetField, field_scene
 from raybundle.planning.simulate import Survey, simulate
 from raybundle.report.document import write_report
@@ -58,6 +58,7 @@ def result():
 WRITERS = {
     "a_RPC.TXT": lambda path, _: write_rpc(rpc(), path),
     "a.RPB": lambda path, _: write_rpc(rpc(), path),
+    "a.geom": lambda path, _: write_rpc(rpc(), path),
     "report.html": lambda path, result: write_report(result, path),
     "network.html": lambda path, result: write_network_page(result, path),
     "camera.toml": lambda path, _: write_whole(path, "new"),
@@ -69,14 +70,18 @@ WRITERS = {
 def test_the_old_file_stays_whole_where_writing_breaks_off(name, how, result, tmp_path, monkeypatch):
     path = tmp_path / name
     path.write_text("old")
-    write = Path.write_text
+    text_, bytes_ = Path.write_text, Path.write_bytes
 
-    def half(self, text, *words, **more):
-        write(self, text[: len(text) // 2], *words, **more)
-        raise how
+    def half(write):
+        def written(self, what, *words, **more):
+            write(self, what[: len(what) // 2], *words, **more)
+            raise how
+
+        return written
 
     with monkeypatch.context() as patched:
-        patched.setattr(Path, "write_text", half)
+        patched.setattr(Path, "write_text", half(text_))
+        patched.setattr(Path, "write_bytes", half(bytes_))
         with pytest.raises(InputError if isinstance(how, OSError) else KeyboardInterrupt):
             WRITERS[name](path, result)
     assert path.read_text() == "old"

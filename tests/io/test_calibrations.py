@@ -13,6 +13,15 @@ from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
 from raybundle.block import Camera
+from raybundle.cameras.conversions import camera_rays, forward_fit, grid_px
+from raybundle.cameras.forward_camera import (
+    TERMS,
+    ForwardCamera,
+    distorted,
+    first_limit,
+    forward_pixels,
+    forward_rays,
+)
 from raybundle.errors import InputError
 from raybundle.io.calibrations import (
     Calibration,
@@ -23,15 +32,6 @@ from raybundle.io.calibrations import (
     write_calibrations,
 )
 from raybundle.io.calibrations.validity import validity
-from raybundle.io.cameras.conversions import camera_rays, forward_fit, grid_px
-from raybundle.io.cameras.forward_camera import (
-    TERMS,
-    ForwardCamera,
-    distorted,
-    first_limit,
-    forward_pixels,
-    forward_rays,
-)
 
 BROWN = {
     "c": 28.1, "x0": 0.11, "y0": -0.07, "K1": 7e-5, "K2": -9e-8, "K3": 2e-11, "P1": 5e-6, "P2": -8e-6, "A": 3e-4,
@@ -267,7 +267,7 @@ distortion_coefficients: {rows: 1, cols: 5, data: [-0.3, .1, 1e-3, -1e-3, 0]}
     assert (found.camera.cx, found.camera.k2, found.camera.p2) == (320.0, 0.1, -1e-3)
     plain = {"mtx": [[530.5, 0, 319.5], [0, 531.5, 239.5], [0, 0, 1]], "dist": [[-0.3, 0.1, 1e-3, -1e-3, 0]]}
     (tmp_path / "c.json").write_text(json.dumps(plain))
-    with pytest.raises(InputError, match="size=.WIDTH, HEIGHT"):
+    with pytest.raises(InputError, match="format=.WIDTH, HEIGHT"):
         read_calibrations(tmp_path / "c.json")
     (same,) = read_calibrations(tmp_path / "c.json", size_px=(640, 480))
     assert same.camera == found.camera

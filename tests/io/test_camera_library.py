@@ -139,7 +139,7 @@ def test_camera_groups_take_what_is_found(tmp_path):
     groups = with_library(photos, camera_groups(photos), tmp_path)
     assert [g.stored is not None for g in groups] == [True, False, True]
     assert [g.c_px for g in groups if g.stored] == pytest.approx([35.2 / 0.006, 35.2 / 0.012])
-    assert "of the camera library, of" in groups[0].remarks[-1]
+    assert "of the camera library, kept on 2026-05-01" in groups[0].remarks[-1]
     assert [g.stored for g in with_library(photos, groups[1:2], tmp_path / "nowhere")] == [None]
     given = camera_groups(photos[:2], [replace(CAMERA, id="mine", values={**CAMERA.values, "c": 36.0})])
     assert with_library(photos, given, tmp_path) == given

@@ -1,5 +1,7 @@
 """Control files: gcp_list.txt, CSV and block folders; what is wrong is named by file, line and column."""
 
+import re
+
 import numpy as np
 import pytest
 from PIL import Image
@@ -9,6 +11,8 @@ from raybundle.block import Role
 from raybundle.errors import InputError
 from raybundle.io.block.folder import write_block
 from raybundle.io.geo.control_files import ControlDefaults, named_apart, read_control
+from raybundle.io.geo.control_systems import in_one_system, sigma_in_metres
+from raybundle.io.geo.coordinate_systems import local_frame
 from raybundle.placing.marks import Given, ScaleBar
 from raybundle.planning.scenes import TargetField, field_scene
 from raybundle.planning.simulate import Survey, simulate
@@ -112,12 +116,27 @@ def test_one_name_with_two_positions(tmp_path):
 
 def test_bytes_that_are_no_text(tmp_path):
     path = tmp_path / "gcp_list.txt"
-    path.write_bytes(b"EPSG:32611\n\xff\xfe")
+    path.write_bytes(b"EPSG:32611\n\xff\xfe")  # UTF-16
     with pytest.raises(InputError, match="not UTF-8") as caught:
         read_control(path)
     assert caught.value.line == 2
     with pytest.raises(InputError, match="cannot be read"):
         read_control(tmp_path / "nothing.txt")
+
+
+def test_a_list_with_decimal_commas(tmp_path):
+    plain = read_control(write(tmp_path, GCP))
+    path = tmp_path / "gcp_list.txt"
+    path.write_bytes(re.sub(r"(?<=[0-9])\.(?=[0-9])", ",", GCP.replace("IMG 37", "Süd 37")).encode("cp1252"))
+    commas = read_control(path)
+    np.testing.assert_array_equal(commas.xyz, plain.xyz)
+    np.testing.assert_array_equal(commas.measurements.xy_px, plain.measurements.xy_px)
+    assert commas.measurements.image[0] == "Süd 37.jpg"
+
+
+def test_a_table_saved_as_text_is_one(tmp_path):
+    path = write(tmp_path, CSV.replace(",", "\t"), "control.txt")
+    np.testing.assert_array_equal(read_control(path).xyz, read_control(write(tmp_path, CSV, "control.csv")).xyz)
 
 
 def test_csv_with_measurements_beside(tmp_path):
@@ -259,3 +278,80 @@ def test_an_error_of_a_control_file_comes_before_anything_is_computed(tmp_path, 
     }  # fmt: skip
     with pytest.raises(InputError, match=told[wrong]):
         workflow.orient([photos], tmp_path / "project", given=Given(control=(control,), scale_bars=bars))
+
+
+def test_marks_alone_are_points_of_which_nothing_is_given(tmp_path):
+    (tmp_path / "marks.csv").write_text("image,point,x_px,y_px\n1.jpg,A,10.5,20\n2.jpg,A,11,21\n1.jpg,B,30,40\n")
+    control = read_control(tmp_path / "marks.csv")
+    assert control.ids == ("A", "B")
+    assert (control.role == Role.TIE).all()
+    assert np.isnan(control.xyz).all()
+    assert control.measurements.image == ("1.jpg", "2.jpg", "1.jpg")
+    (tmp_path / "marks.csv").write_text("image,point,x_px,y_px\n1.jpg,A,10.5,20\n1.jpg,A,11,21\n")
+    with pytest.raises(InputError, match="line 3"):
+        read_control(tmp_path / "marks.csv")
+
+
+@pytest.mark.parametrize(("east", "told"), [(500_010.0, False), (310.0, True)])
+def test_a_file_without_a_system_stands_in_that_of_the_others(tmp_path, east, told):
+    (tmp_path / "list.txt").write_text(
+        "EPSG:32633\n500000 5300000 300 1 1 1.jpg A\n500100 5300000 301 2 2 1.jpg B\n500000 5300080 300 3 3 1.jpg C\n"
+    )
+    (tmp_path / "checks.csv").write_text(f"point,X,Y,Z\nK,{east},5300010,300\n")
+    first, second = in_one_system([read_control(tmp_path / n) for n in ("list.txt", "checks.csv")])
+    assert first.crs == second.crs == "EPSG:32633"
+    assert any("names no coordinate system" in r for r in second.remarks) == told
+    (alone,) = in_one_system([read_control(tmp_path / "checks.csv")])
+    assert alone.crs is None
+
+
+def test_the_system_that_the_user_names_is_that_of_a_file_that_names_none(tmp_path):
+    foot = 1200 / 3937
+    (tmp_path / "c.csv").write_text(
+        "point,X,Y,Z,sX,sY,sZ\nA,985000,195000,100,0.03,0.03,0.06\nB,985300,195000,101,,,\nC,985000,195400,104,0,0,0\n"
+    )
+    given = ControlDefaults(plan=0.01, height=0.02, unit="m")
+    (taken,) = in_one_system([read_control(tmp_path / "c.csv", defaults=given)], "EPSG:2263")
+    assert taken.crs == "EPSG:2263"
+    assert any("c.csv: taken in EPSG:2263, which crs= names; the file names none" in r for r in taken.remarks)
+    assert any("get 0.01 m in plan and 0.02 m in height" in r for r in taken.remarks)
+    sigma = sigma_in_metres(taken)
+    np.testing.assert_allclose(sigma[0], np.array([0.03, 0.03, 0.06]) * foot)  # stated in feet
+    np.testing.assert_allclose(sigma[1], [0.01, 0.01, 0.02])  # assumed, in metres
+    np.testing.assert_array_equal(sigma[2], 0)
+    (bare,) = in_one_system([read_control(tmp_path / "c.csv")])
+    assert bare.crs is None
+    assert any(
+        "look like one of a map: they are taken for Cartesian metres; name their system" in r for r in bare.remarks
+    )
+
+
+def test_standard_deviations_of_degrees_are_metres(tmp_path):
+    (tmp_path / "c.csv").write_text("point,X,Y,Z,sX,sY,sZ\nA,15.0,48.0,300,0.02,0.02,0.03\n")
+    (taken,) = in_one_system([read_control(tmp_path / "c.csv")], "EPSG:4979")
+    np.testing.assert_allclose(sigma_in_metres(taken)[0], [0.02, 0.02, 0.03])
+
+
+@pytest.mark.parametrize(
+    ("crs", "place"), [("EPSG:2263", "12.0,20.0"), ("EPSG:32633", "12.0,20.0"), ("EPSG:32633", "985000,195000")]
+)
+def test_coordinates_outside_the_area_of_the_named_system_are_refused(tmp_path, crs, place):
+    (tmp_path / "c.csv").write_text(f"point,X,Y,Z\nA,{place},3\n")
+    with pytest.raises(InputError, match=f"are no coordinates of {crs}, which crs= names"):
+        in_one_system([read_control(tmp_path / "c.csv")], crs)
+
+
+def test_a_grid_is_taken_a_little_beyond_its_zone(tmp_path):
+    east = local_frame("EPSG:32632", (700_000.0, 5_400_000.0, 0.0)).wgs84_from_local(np.zeros((1, 3)))[0]
+    assert east[0] > 11.7
+    (tmp_path / "c.csv").write_text("point,X,Y,Z\nA,250000,5400000,3\n")  # 11.6 degrees, of zone 32, in zone 33
+    (taken,) = in_one_system([read_control(tmp_path / "c.csv")], "EPSG:32633")
+    assert taken.crs == "EPSG:32633"
+
+
+def test_the_named_system_tells_the_heights_of_files_in_the_same_plan(tmp_path):
+    (tmp_path / "list.txt").write_text("EPSG:32633\n500000 5300000 300 1 1 1.jpg A\n")
+    (tmp_path / "checks.csv").write_text("point,X,Y,Z\nK,500010,5300010,300\n")
+    files = [read_control(tmp_path / n) for n in ("list.txt", "checks.csv")]
+    assert {c.crs for c in in_one_system(files, "EPSG:32633+ellipsoid")} == {"EPSG:32633+ellipsoid"}
+    assert {c.crs for c in in_one_system(files, "EPSG:32632+ellipsoid")} == {"EPSG:32633"}

@@ -1,12 +1,16 @@
 """Coordinate systems: known geocentric points, round trips, scale of the grid, heights said plainly."""
 
+import struct
+
 import numpy as np
 import pytest
 from pyproj import Transformer
 
 from raybundle.errors import InputError
 from raybundle.io.geo import coordinate_systems
-from raybundle.io.geo.coordinate_systems import LocalFrame, _vertical, frame_from_mapping, local_frame, parse_crs
+from raybundle.io.geo.coordinate_systems import LocalFrame, _vertical, frame_from_mapping, local_frame
+from raybundle.io.geo.parsed_systems import parse_crs, system_name
+from raybundle.io.geo.told_systems import told_system
 
 BONN = (7.0, 50.7, 100.0)
 SYSTEMS = {
@@ -146,13 +150,17 @@ def test_plan_without_heights():
 @pytest.mark.parametrize(
     ("crs", "words"),
     [
-        ("EPSG:25832", "says nothing about heights"),
+        (
+            "EPSG:25832",
+            "if they are, name the system as EPSG:25832+ellipsoid, if they are above the sea name theirs too",
+        ),
+        ("EPSG:25832+ellipsoid", None),
         ("EPSG:4979", None),
         ("EPSG:4978", None),
     ],
 )
 def test_heights_are_said_plainly(crs, words):
-    remarks = " ".join(local_frame(crs, SYSTEMS[crs][0]).remarks)
+    remarks = " ".join(local_frame(crs, SYSTEMS[crs.removesuffix("+ellipsoid")][0]).remarks)
     if words is None:
         assert not remarks
     else:
@@ -223,7 +231,9 @@ def no_geoid():
 
 @pytest.mark.usefixtures("no_geoid")
 def test_heights_above_a_missing_geoid_are_refused():
-    with pytest.raises(InputError, match=r"DHHN2016 height.*\.tif.*pyproj sync --file .*without heights: EPSG:25832$"):
+    with pytest.raises(
+        InputError, match=r"DHHN2016 height.*\.tif.*pyproj sync --file .*say so: EPSG:25832\+ellipsoid$"
+    ):
         local_frame(GEOID, RHINE)
     with pytest.raises(InputError, match="a geoid that is not installed"):
         LocalFrame(crs=GEOID, origin=RHINE).local_from_crs(np.array([RHINE]))
@@ -260,3 +270,67 @@ def test_heights_go_through_the_geoid_where_it_is(monkeypatch):
     assert frame.wgs84_from_local(np.zeros((1, 3)))[0, 2] == pytest.approx(160.0, abs=1e-6)
     np.testing.assert_allclose(frame.crs_from_local(np.zeros((1, 3)))[0], RHINE, atol=1e-6)
     coordinate_systems._place.cache_clear()
+
+
+def test_heights_above_the_ellipsoid_are_those_of_the_plan_system():
+    origin = SYSTEMS["EPSG:25832"][0]
+    plain, told = local_frame("EPSG:25832", origin), local_frame("EPSG:25832+ellipsoid", origin)
+    xyz = np.array([[30.0, -40.0, 5.0]])
+    np.testing.assert_allclose(told.crs_from_local(xyz), plain.crs_from_local(xyz), atol=1e-9)
+    assert told.units_m == plain.units_m
+    assert told_system(told.crs).to_epsg() == 25832
+    feet = local_frame("EPSG:2263+ellipsoid", (985000.0, 195000.0, 100.0))
+    assert feet.units_m == pytest.approx((1200 / 3937,) * 2)
+    for wrong in ("EPSG:25832+7837+ellipsoid", "EPSG:4979+ellipsoid"):
+        with pytest.raises(InputError, match="says already what its heights count from"):
+            parse_crs(wrong)
+
+
+def geoid_file(path, undulation):
+    """A grid of one undulation around Hamburg, in the format gtx."""
+    head = struct.pack(">ddddii", 52.0, 8.0, 0.05, 0.05, 61, 61)
+    path.write_bytes(head + np.full((61, 61), undulation).astype(">f4").tobytes())
+    return path
+
+
+def test_a_proj_string_names_its_own_geoid(tmp_path):
+    grid = geoid_file(tmp_path / "own.gtx", 40.0)
+    crs = f"+proj=utm +zone=32 +ellps=GRS80 +units=m +geoidgrids={grid} +vunits=m +no_defs +type=crs"
+    frame = local_frame(crs, (565_000.0, 5_933_000.0, 31.5))
+    plain = local_frame("EPSG:25832+ellipsoid", (565_000.0, 5_933_000.0, 71.5))
+    xyz = np.array([[30.0, -40.0, 5.0]])
+    np.testing.assert_allclose(plain.crs_from_local(xyz) - frame.crs_from_local(xyz), [[0, 0, 40.0]], atol=1e-6)
+    assert not frame.remarks
+    assert system_name(crs) == "UTM zone 32N (PROJ string, heights by own.gtx)"
+    (tmp_path / "own.gtx").unlink()
+    lost = crs.replace("own", "lost")
+    with pytest.raises(InputError, match=r"pyproj cannot read its grid .*lost\.gtx: correct the path"):
+        local_frame(lost, (565_000.0, 5_933_000.0, 31.5))
+
+
+@pytest.mark.parametrize(
+    ("crs", "name"),
+    [
+        ("+proj=utm +zone=11 +datum=WGS84 +units=m +no_defs", "EPSG:32611"),
+        ("+proj=tmerc +lat_0=0 +lon_0=9.3 +k=1 +x_0=5e5 +ellps=bessel +units=m", "Transverse Mercator (PROJ string)"),
+        ("EPSG:25832+7837", "EPSG:25832+7837"),
+    ],
+)
+def test_a_proj_string_has_a_readable_name(crs, name):
+    assert system_name(crs) == name
+
+
+@pytest.mark.parametrize(("crs", "at"), [("EPSG:31256", (16.37, 48.2)), ("EPSG:27700", (-2.0, 52.6))])
+def test_the_height_of_a_geoid_counts_from_the_earth_s_ellipsoid(crs, at):
+    """Of an older datum, too, whose own ellipsoid lies tens of metres off it; there and back."""
+    pyproj = pytest.importorskip("pyproj")
+    x, y = pyproj.Transformer.from_crs("EPSG:4326", crs, always_xy=True).transform(*at)
+    frame = local_frame(crs, (x, y, 100.0), undulation_m=45.0)
+    lon, lat, h = frame.wgs84_from_local(np.zeros((1, 3)))[0]
+    assert (lon, lat) == pytest.approx(at, abs=1e-6)
+    assert h == pytest.approx(145.0, abs=1e-3)
+    there = frame.local_from_crs(np.array([[x + 500.0, y - 300.0, 180.0]]))
+    np.testing.assert_allclose(frame.crs_from_local(there), [[x + 500.0, y - 300.0, 180.0]], atol=1e-3)
+    assert any("(WGS 84)" in r for r in frame.remarks)
+    with pytest.raises(InputError, match="counts heights from the ellipsoid; leave undulation"):
+        local_frame(crs + "+ellipsoid", (x, y, 100.0), undulation_m=45.0)

@@ -217,7 +217,15 @@ def files(tmp_path):
 
 
 def run(files, *more):
-    words = ["marks.csv", "--calibrated", "certificate.csv", "--camera", "camera.toml", "--points", "points.csv"]
+    words = [
+        "marks.csv",
+        "--calibrated",
+        "certificate.csv",
+        "--calibration",
+        "camera.toml",
+        "--image-points",
+        "points.csv",
+    ]
     given = [str(files / w) if "." in w else w for w in words]
     return CliRunner().invoke(command, [*given, "--out", str(files / "film"), *more])
 

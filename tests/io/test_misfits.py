@@ -6,6 +6,15 @@ import numpy as np
 import pytest
 
 from raybundle.block import Block, Camera, Images, Observations, Points, Role
+from raybundle.cameras.conversions import (
+    LIMIT_PX,
+    camera_from_forward,
+    exact_forward,
+    grid_px,
+    parameter_vector,
+    rays_of,
+)
+from raybundle.cameras.forward_camera import ForwardCamera, forward_pixels
 from raybundle.errors import InputError
 from raybundle.io.calibrations import (
     Calibration,
@@ -14,15 +23,6 @@ from raybundle.io.calibrations import (
     read_calibrations,
     write_calibrations,
 )
-from raybundle.io.cameras.conversions import (
-    LIMIT_PX,
-    camera_from_forward,
-    exact_forward,
-    grid_px,
-    parameter_vector,
-    rays_of,
-)
-from raybundle.io.cameras.forward_camera import ForwardCamera, forward_pixels
 from raybundle.io.formats import Export, formats, read_format, write_format
 from raybundle.io.formats.base import EXACT_PX
 from raybundle.sensors import sensor_models

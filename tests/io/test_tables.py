@@ -7,6 +7,7 @@ import pytest
 
 from raybundle.errors import InputError
 from raybundle.io import tables
+from raybundle.io.digits import COUNT, EVERY, STD, by_sigma
 from raybundle.io.tables import Column, read_table, write_table
 
 ROWS = [(f"p{k}", k / 7, math.nan if k % 3 else -k / 3) for k in range(40)]
@@ -122,7 +123,7 @@ def test_a_folder_or_nothing_in_place_of_a_table(tmp_path):
 )
 def test_numbers_are_written_shortest_and_read_back_equal(tmp_path, numbers):
     path = tmp_path / "t.csv"
-    write_table(path, {"id": [str(k) for k in range(len(numbers))], "v": np.array(numbers)})
+    write_table(path, {"id": [str(k) for k in range(len(numbers))], "v": np.array(numbers)}, EVERY)
     table = read_table(path, (Column(name="id", kind="id"), Column(name="v", kind="number", empty=True)))
     np.testing.assert_array_equal(table.number["v"], numbers)
     cells = [line.split(",")[1] for line in path.read_text().splitlines()[1:]]
@@ -134,7 +135,7 @@ def test_numbers_are_written_shortest_and_read_back_equal(tmp_path, numbers):
 def test_texts_are_quoted_where_they_must_be(tmp_path):
     path = tmp_path / "t.csv"
     texts = ["plain", "a,b", 'say "x"', "", "ü"]
-    write_table(path, {"id": [str(k) for k in range(5)], "t": texts})
+    write_table(path, {"id": [str(k) for k in range(5)], "t": texts}, {})
     assert path.read_text(encoding="utf-8").splitlines()[1:4] == ["0,plain", '1,"a,b"', '2,"say ""x"""']
     table = read_table(path, (Column(name="id", kind="id"), Column(name="t", kind="text", empty=True)))
     assert list(table.text["t"]) == texts
@@ -142,7 +143,7 @@ def test_texts_are_quoted_where_they_must_be(tmp_path):
 
 def test_a_table_without_rows_may_be_allowed(tmp_path):
     path = tmp_path / "t.csv"
-    write_table(path, {"point": [], "to": [], "x": np.zeros(0), "y": np.zeros(0)})
+    write_table(path, {"point": [], "to": [], "x": np.zeros(0), "y": np.zeros(0)}, EVERY)
     table = read_table(path, columns(), least_rows=0)
     assert table.rows == 0
     assert table.numbers("x", "y").shape == (0, 2)
@@ -156,15 +157,16 @@ def test_rows_written_by_parts_are_the_same_bytes(tmp_path, monkeypatch):
     text = ["a,b" if k == 13 else 'x"y' if k == 40 else f"p{k}" for k in range(101)]
     numbers = np.where(rng.random(101) < 0.2, np.nan, rng.normal(0, 1e6, 101))
     table = {"id": text, "value": numbers, "whole": np.arange(101.0)}
-    write_table(tmp_path / "whole.csv", table)
+    digits = {"value": by_sigma(rng.uniform(1, 9, 101)), "whole": COUNT}
+    write_table(tmp_path / "whole.csv", table, digits)
     for rows in (1, 7, 100, 101):
         monkeypatch.setattr("raybundle.io.tables.WRITTEN_ROWS", rows)
-        write_table(tmp_path / "parts.csv", table)
+        write_table(tmp_path / "parts.csv", table, digits)
         assert (tmp_path / "parts.csv").read_bytes() == (tmp_path / "whole.csv").read_bytes()
-    write_table(tmp_path / "none.csv", {k: v[:0] for k, v in table.items()})
+    write_table(tmp_path / "none.csv", {k: v[:0] for k, v in table.items()}, EVERY)
     assert (tmp_path / "none.csv").read_bytes() == b"id,value,whole\n"
     with pytest.raises(ValueError, match="columns of .100, 101. rows"):
-        write_table(tmp_path / "bad.csv", {"a": text, "b": numbers[:-1]})
+        write_table(tmp_path / "bad.csv", {"a": text, "b": numbers[:-1]}, EVERY)
 
 
 def test_cells_are_not_made_all_at_once(tmp_path):
@@ -173,7 +175,7 @@ def test_cells_are_not_made_all_at_once(tmp_path):
 
     table = {f"n{k}": np.random.default_rng(k).normal(size=200_000) for k in range(10)}
     tracemalloc.start()
-    write_table(tmp_path / "a.csv", table)
+    write_table(tmp_path / "a.csv", table, STD)
     peak = tracemalloc.get_traced_memory()[1]
     tracemalloc.stop()
     assert peak < 200_000 * 10 * 70 / 5

@@ -40,7 +40,7 @@ def run(*words):
 def test_a_result_folder_says_the_same_as_the_adjustment(adjusted, folder):
     a, b = figures_of(adjusted), figures_of_result(read_result(folder))
     for name, values in a.values.items():
-        assert np.array_equal(values, b.values[name], equal_nan=True), name
+        np.testing.assert_allclose(values, b.values[name], rtol=1e-4, atol=0.51e-3 if name == "w" else 1e-5)
     assert (a.images, a.points) == (b.images, b.points)
     assert np.array_equal(a.image, b.image)
     assert np.array_equal(a.tie, b.tie)
@@ -134,12 +134,12 @@ def test_what_is_named_goes_before_the_journal():
 
 def test_options_as_they_are_typed():
     options = AdjustmentOptions(
-        hold=(("a b", "K1"), ("a", "K2")), datum_points=("1", "2"), robust_start=True, threads=3, datum="inner"
+        hold=(("a b", "K1"), ("a", "K2")), datum_points=("1", "2"), robust_start=True, jobs=3, datum="inner"
     )
     assert as_typed(AdjustmentOptions()) == []
     assert as_typed(options) == [
         "--datum", "inner", "--datum-points", "1,2", "--hold", "a b", "K1", "--hold", "a", "K2", "--robust-start",
-        "--threads", "3",
+        "--jobs", "3",
     ]  # fmt: skip
 
 

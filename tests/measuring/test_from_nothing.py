@@ -81,7 +81,7 @@ def test_four_photographs_end_in_a_block_with_its_report(tmp_path):
     assert sorted(p.name for p in photos.iterdir()) == scene.images
 
 
-@pytest.mark.long
+@pytest.mark.bench
 def test_stated_sigmas_of_distances_are_true(tmp_path):
     """Over twelve scenes the normalised errors of distances have a mean square near 1; with a tenth less it is not."""
     squares = []
@@ -211,7 +211,7 @@ def test_adjusting_names_a_mistaken_mark_in_place_of_the_camera(tmp_path):
     assert "leaves such marks out" in done.output
 
 
-@pytest.mark.long
+@pytest.mark.bench
 @pytest.mark.parametrize(("size", "least", "most"), [(0, 0, 0), (25, 10, 12), (80, 10, 12)])
 def test_mistaken_marks_are_named_and_right_ones_are_not(tmp_path, size, least, most):
     """Of twelve scenes of four photographs each."""
@@ -348,7 +348,7 @@ def test_sceaux_castle_in_under_sixty_clicks(tmp_path):
     assert np.abs(t).max() < 5
 
 
-@pytest.mark.long
+@pytest.mark.bench
 def test_photographs_that_orient_could_not_join_are_measured_in_its_project(tmp_path):
     scene = Scene(stations=2)
     photos = photographs(tmp_path / "archive", scene.images)

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from raybundle.commands.measure_settings import QuerySettings
+from raybundle.commands.marks_settings import QuerySettings
 from raybundle.errors import InputError
 from raybundle.measuring.quantities import QUANTITIES, expected_extent
 from raybundle.settings import settings_of

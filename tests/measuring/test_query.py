@@ -201,9 +201,9 @@ def test_measuring_on_the_command_line(folder, capsys):
     p = int(np.flatnonzero(block.ray_count >= 4)[0])
     rows = [(block.images.file[i], *xy) for i, q, xy in zip(o.image, o.point, o.xy_px, strict=True) if q == p]
     for image, x, y in rows:
-        assert run(capsys, "mark", "put", folder, image, "gate", x, y, "--sigma", 0.3)[0] == 0
+        assert run(capsys, "mark", "put", folder, image, "gate", x, y, "--mark-sigma", 0.3)[0] == 0
     image, x, y = rows[0]
-    assert run(capsys, "mark", "move", folder, image, "gate", x, y, "--sigma", 0.2)[0] == 0
+    assert run(capsys, "mark", "move", folder, image, "gate", x, y, "--mark-sigma", 0.2)[0] == 0
     other = block.points.ids[int(np.flatnonzero(block.ray_count >= 4)[5])]
     assert run(capsys, "mark", "bar", folder, "gate", other, 1.5, 0.5)[0] == 0
     assert run(capsys, "mark", "point", folder, "gate", "--role", "check", "--coordinates", 1, 2, "-")[0] == 0

@@ -34,7 +34,7 @@ class Epochs:
         ]
 
 
-@pytest.mark.long
+@pytest.mark.bench
 def test_three_of_sixty_points_are_found_and_others_left_alone():
     epochs, rng = Epochs(), np.random.default_rng(7)
     runs, all_found, false = 300, 0, 0
@@ -50,7 +50,7 @@ def test_three_of_sixty_points_are_found_and_others_left_alone():
     assert 0.02 <= false / runs <= 0.08
 
 
-@pytest.mark.long
+@pytest.mark.bench
 def test_where_nothing_moved_a_false_alarm_is_as_seldom_as_promised():
     epochs, rng = Epochs(20), np.random.default_rng(3)
     runs = [congruence(epochs.draw(rng, {})) for _ in range(400)]

@@ -8,6 +8,7 @@ from tests.metrology.measured_sets import TURN, drawn, free_covariance, places, 
 
 from raybundle.errors import InputError
 from raybundle.metrology.lengths import KnownLength, length_test
+from raybundle.metrology.point_set import PointSet
 
 XYZ = places(8)
 C = free_covariance(XYZ, np.random.default_rng(0))
@@ -36,6 +37,31 @@ def test_errors_of_lengths_scatter_as_their_standard_deviations_say():
     assert np.mean([t.within for t in tests]) == pytest.approx(0.954, abs=0.02)
     assert np.mean([t.significant.any() for t in tests]) < 0.08
     assert np.mean([t.whole[1] < 0.05 for t in tests]) == pytest.approx(0.05, abs=0.03)
+
+
+def test_certificates_of_points_on_one_bar_do_not_contradict_by_their_last_digit():
+    rng = np.random.default_rng(8)
+    line = np.array([[0, 0, 0], [0.1, 0.0002, 0], [0.25, -0.0003, 0], [0.4, 0.0001, 0], [0, 0.3, 0.1], [0.3, 0.4, 0.0]])
+    C = 25e-12 * np.eye(18)
+    names = tuple("ABCDEF")
+    listed = [
+        KnownLength(start=names[a], end=names[b], length=round(float(np.linalg.norm(line[a] - line[b])), 7))
+        for a, b in combinations(range(4), 2)
+    ]
+    sets = [PointSet(name="m", ids=names, xyz=line + rng.normal(0, 5e-6, (6, 3)), covariance=C) for _ in range(300)]
+    tests = [length_test(m, listed) for m in sets]
+    assert np.mean([t.whole[0] for t in tests]) == pytest.approx(1, abs=0.12)
+    assert np.mean([t.contradicts for t in tests]) < 0.12
+
+
+def test_lengths_that_were_bars_are_left_out_of_the_figures():
+    m, lengths = measured(np.random.default_rng(2)), known(count=6)
+    whole = length_test(m, lengths)
+    done = length_test(m, lengths, bars={frozenset((lengths[0].end, lengths[0].start))})
+    np.testing.assert_array_equal(done.served, [True] + [False] * 5)
+    assert done.independent == 5
+    assert done.rms == pytest.approx(np.sqrt(np.mean(whole.error[1:] ** 2)))
+    np.testing.assert_allclose(done.error, whole.error)
 
 
 def test_a_table_equals_an_own_computation():

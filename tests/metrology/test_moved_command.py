@@ -2,6 +2,7 @@
 
 import csv
 import json
+import shutil
 from dataclasses import replace
 
 import numpy as np
@@ -9,6 +10,8 @@ import pytest
 
 import raybundle as rb
 from raybundle.cli.main import main
+from raybundle.metrology.notices import p_words
+from raybundle.numerics.natural import natural
 from raybundle.planning.scenes import TargetField, field_scene
 from raybundle.planning.simulate import Survey, simulate
 from raybundle.report.write import write_result
@@ -28,7 +31,7 @@ def epochs(tmp_path_factory):
                 xyz[int(point) - 1] += by
         survey = Survey(seed=3 + k, image_sigma_px=0.3, scale_bars=1, scale_bar_sigma=1e-5)
         block = simulate(replace(scene, xyz=xyz), survey).observed
-        write_result(rb.adjust(block, rb.AdjustmentOptions(threads=1)), folder / name, report="none")
+        write_result(rb.adjust(block, rb.AdjustmentOptions(jobs=1)), folder / name, report="none")
     return folder / "spring", folder / "autumn"
 
 
@@ -50,9 +53,17 @@ def test_what_moved_is_told_and_written(epochs, tmp_path, capsys):
         sigma = np.array([float(table[point][f"sd{a}_mm"]) for a in "XYZ"])
         assert np.linalg.norm(found) == pytest.approx(1000 * np.linalg.norm(by), abs=4 * sigma.max())
     told = json.loads((tmp_path / "m/moved.json").read_text())
-    assert told["moved"] == sorted(MOVED, key=list(table).index)
+    assert sorted(told["moved"]) == sorted(MOVED)
     assert told["all_points"]["p"] < 0.01 < told["points_that_stayed"]["p"]
     assert not told["scale_free"]
+    page = (tmp_path / "m/report.html").read_text(encoding="utf-8")
+    assert "5, 17 moved: 2 of" in page or "17, 5 moved: 2 of" in page
+
+
+def test_a_report_for_print(epochs, tmp_path):
+    rb.moved_points(epochs, tmp_path / "m", report=False, pdf=True)
+    assert (tmp_path / "m/report.pdf").read_bytes()[:5] == b"%PDF-"
+    assert not (tmp_path / "m/report.html").exists()
 
 
 def test_in_python_alike(epochs, tmp_path):
@@ -63,10 +74,10 @@ def test_in_python_alike(epochs, tmp_path):
 
 
 def test_points_of_the_datum_may_be_told(epochs, tmp_path, capsys):
-    words = ["--datum", "1", "2", "3", "4", "6", "7", "8", "--out", str(tmp_path / "m")]
+    words = ["--datum-points", "1", "2", "3", "4", "6", "7", "8", "--out", str(tmp_path / "m")]
     assert main(["moved", *map(str, epochs), *words]) == 0
     assert {r["point"] for r in rows(tmp_path / "m/points.csv") if r["moved"]} >= set(MOVED)
-    assert main(["moved", *map(str, epochs), "--datum", "1", "99x", "--out", str(tmp_path / "n")]) == 2
+    assert main(["moved", *map(str, epochs), "--datum-points", "1", "99x", "--out", str(tmp_path / "n")]) == 2
     assert "not common to all epochs: 99x" in capsys.readouterr().err
 
 
@@ -76,3 +87,81 @@ def test_what_cannot_be_tested_is_told(epochs, tmp_path, capsys):
     assert main(["moved", *map(str, epochs), "--points", "1", "2", "3", "--out", str(tmp_path / "m")]) == 2
     assert "have 3 points in common" in capsys.readouterr().err
     assert not (tmp_path / "m").exists()
+
+
+def nominal(tmp_path, turn, shift, names, off=()):
+    """A file of nominal coordinates in mm: the field turned and shifted; some points made otherwise."""
+    scene = field_scene(TargetField())
+    lines = ["point,X,Y,Z,tolerance"]
+    for k, xyz in enumerate(scene.xyz):
+        if str(k + 1) in names:
+            at = turn @ xyz + shift + (1.0 if str(k + 1) in off else 0.0)
+            lines.append(f"{k + 1},{','.join(repr(1000 * float(v)) for v in at)},0.1")
+    path = tmp_path / "nominal.csv"
+    path.write_text("\n".join(lines) + "\n")
+    return path
+
+
+def test_displacements_in_the_axes_of_a_drawing(epochs, tmp_path, capsys):
+    turn = np.array([[0.0, 0.0, 1.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]])
+    names = [str(k) for k in range(1, 60)]
+    file = nominal(tmp_path, turn, np.array([1.0, 2.0, 3.0]), names, off=set(MOVED))
+    words = ["moved", *map(str, epochs), "--axes", str(file), "--unit", "0.001", "--progress", "none"]
+    assert main([*words, "--out", str(tmp_path / "m")]) == 0
+    assert "X, Y, Z are those of nominal.csv, fitted by points that stayed" in capsys.readouterr().out
+    table = {r["point"]: r for r in rows(tmp_path / "m/points.csv")}
+    assert list(table) == sorted(table, key=natural)
+    scene = field_scene(TargetField())
+    for point, by in MOVED.items():
+        found = np.array([float(table[point][f"d{a}_mm"]) for a in "XYZ"])
+        sigma = np.array([float(table[point][f"sd{a}_mm"]) for a in "XYZ"])
+        np.testing.assert_allclose(found, 1000 * turn @ by, atol=4 * sigma.max())
+        at = np.array([float(table[point][f"{a}_m"]) for a in "XYZ"])
+        np.testing.assert_allclose(at, turn @ scene.xyz[int(point) - 1] + [1, 2, 3], atol=2e-3)
+    plain = rb.moved_points(epochs, tmp_path / "n", report=False)
+    turned = rb.moved_points(epochs, tmp_path / "o", report=False, axes=file, unit=0.001, by=("1", "2", "20", "40"))
+    np.testing.assert_allclose(
+        np.linalg.norm(turned.displacement, axis=2), np.linalg.norm(plain.displacement, axis=2), rtol=1e-9
+    )
+    np.testing.assert_array_equal(turned.p_value, plain.p_value)
+    told = json.loads((tmp_path / "m/moved.json").read_text())
+    assert told["axes"]["of"] == "nominal.csv"
+    assert not set(MOVED) & set(told["axes"]["fitted_by"])
+    here = turned.transforms[0].points(np.zeros((1, 3)))  # of the second epoch into the axes of the drawing
+    assert np.isfinite(here).all()
+    assert main(["moved", *map(str, epochs), "--by", "1", "2", "3", "--out", str(tmp_path / "p")]) == 2
+    assert "--by goes with --axes" in capsys.readouterr().err
+
+
+def test_a_report_says_whose_it_is_and_which_way_is_seen(epochs, tmp_path):
+    words = ["--title", "Part 7 under load", "--client", "Works", "--operator", "R. B."]
+    assert main(["moved", *map(str, epochs), *words, "--out", str(tmp_path / "m"), "--progress", "none"]) == 0
+    page = (tmp_path / "m/report.html").read_text(encoding="utf-8")
+    assert "<h1>Part 7 under load</h1>" in page
+    assert "Works" in page
+    assert "R. B." in page
+    assert "Displacements in the plane that fits the points best, seen square to it" in page
+    assert "square to the plane that fits" not in page
+    told = json.loads((tmp_path / "m/moved.json").read_text())
+    assert told["record"] == {"title": "Part 7 under load", "client": "Works", "operator": "R. B."}
+
+
+def test_measurements_that_are_not_to_be_used_yet_are_told(epochs, tmp_path, capsys):
+    spoilt = tmp_path / "spoilt"
+    shutil.copytree(epochs[1], spoilt)
+    told = json.loads((spoilt / "result.json").read_text())
+    told["warnings"].append({"code": "bars_contradict", "severity": "fault", "message": "bars contradict", "ids": []})
+    (spoilt / "result.json").write_text(json.dumps(told))
+    words = ["moved", str(epochs[0]), str(spoilt), "--out", str(tmp_path / "m"), "--progress", "none"]
+    assert main(words) == 0
+    assert "fault: spoilt is not to be used yet, by its own report: bars contradict" in capsys.readouterr().out
+    page = (tmp_path / "m/report.html").read_text(encoding="utf-8")
+    assert "But spoilt: not to be used yet" in page
+    assert 'class="verdict attention"' in page
+    assert "spoilt: bars contradict" in page
+    assert json.loads((tmp_path / "m/moved.json").read_text())["not_to_be_used_yet"] == {"spoilt": ["bars contradict"]}
+
+
+def test_a_probability_of_nothing_is_a_bound():
+    assert p_words(0.0) == "p < 1e-16"
+    assert p_words(0.031) == "p 0.031"

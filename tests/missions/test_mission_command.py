@@ -47,7 +47,7 @@ def run(capsys, *words):
 def test_a_field_from_end_to_end(field, tmp_path, capsys):
     out = tmp_path / "plan"
     every = ",".join(mission_formats)
-    status, told, _ = run(capsys, field, "--vehicle", "mavic-3e", "--gsd", 0.02, "--format", every, "--out", out)
+    status, told, _ = run(capsys, field, "--vehicle", "mavic-3e", "--gsd", 0.02, "--to", every, "--out", out)
     assert status == 0
     assert "a pixel is 20 mm (20 asked for); 75.0 m above the ground" in told
     assert "overlap 80 % along, 70 % across" in told
@@ -69,8 +69,8 @@ def test_a_field_from_end_to_end(field, tmp_path, capsys):
 
 
 def test_python_does_the_same(field, tmp_path):
-    done = rb.plan_mission(field, tmp_path / "a", vehicle="mavic-3e", gsd=0.02, format="wpml,kml")
-    assert main(["plan", "mission", str(field), "--vehicle", "mavic-3e", "--gsd", "0.02", "--format", "wpml,kml",
+    done = rb.plan_mission(field, tmp_path / "a", vehicle="mavic-3e", gsd=0.02, to="wpml,kml")
+    assert main(["plan", "mission", str(field), "--vehicle", "mavic-3e", "--gsd", "0.02", "--to", "wpml,kml",
                  "--out", str(tmp_path / "b")]) == 0  # fmt: skip
     for name in ("mission.toml", "mission.kmz", "mission.kml", "mission.svg"):
         assert (tmp_path / "a" / name).read_bytes() == (tmp_path / "b" / name).read_bytes()
@@ -97,7 +97,7 @@ def test_a_ridge_is_followed_and_batteries_are_told(tmp_path, capsys):
         [[[-84.26, 36.60], [-84.248, 36.60], [-84.248, 36.608], [-84.26, 36.608], [-84.26, 36.60]]],
     )  # fmt: skip
     status, told, _ = run(
-        capsys, hill, "--vehicle", "mavic-3e", "--height", 100, "--dsm", SRTM, "--speed", 10, "--format",
+        capsys, hill, "--vehicle", "mavic-3e", "--height", 100, "--dem", SRTM, "--speed", 10, "--to",
         "wpml,litchi,kml", "--out", tmp_path / "plan", "--take-off", -84.254, 36.604, "--battery", 30,
     )  # fmt: skip
     assert status == 0
@@ -176,12 +176,12 @@ BAD = [
     (("--vehicle", "kite"), "vehicle 'kite' is not known; known: phantom-4-rtk"),
     (("--camera", "nothing.jpg"), "camera 'nothing.jpg' is no file and no camera that is known"),
     (("--vehicle", "mavic-3e", "--gsd", 0.02, "--height", 80), "give the size of a pixel or the height, not both"),
-    (("--vehicle", "mavic-3e", "--format", "wpml,gpx"), "format 'gpx' is not known; known:"),
+    (("--vehicle", "mavic-3e", "--to", "wpml,gpx"), "format 'gpx' is not known; known:"),
     (("--vehicle", "mavic-3e", "--pattern", "corridor"), "corridor is flown over a line;"),
     (("--vehicle", "mavic-3e", "--speed", 14, "--overlap", 0.9, 0.7), "asks for a photograph every"),
     (("--vehicle", "mavic-3e", "--battery", 1), "cannot be flown with one battery"),
     (("--vehicle", "mavic-3e", "--pattern", "double-grid", "--tilt", 80), "reaches the horizon; give a tilt below"),
-    (("--vehicle", "mavic-3e", "--dsm", SRTM), "and not the area at"),
+    (("--vehicle", "mavic-3e", "--dem", SRTM), "and not the area at"),
     (("--vehicle", "mavic-3e", "--no-go", "FIELD"), "no-go zones cover everything that was to be photographed"),
     (("--vehicle", "mavic-3e", "--name", "../plan"), "'../plan' is no name for files"),
     (("--vehicle", "mavic-3e", "--gsd", 1e-6), "lines would be needed, 20000 are the most"),
@@ -267,7 +267,7 @@ def test_holes_of_the_ground_are_named(field, tmp_path, capsys):
         transform=rasterio.Affine(10, 0, west, 0, -10, north),
     ) as f:  # fmt: skip
         f.write(table, 1)
-    status, told, err = run(capsys, field, "--vehicle", "mavic-3e", "--dsm", path, "--out", tmp_path / "plan")
+    status, told, err = run(capsys, field, "--vehicle", "mavic-3e", "--dem", path, "--out", tmp_path / "plan")
     if status == 0:
         assert "1 hole in the heights of the ground, " in told
     else:

@@ -8,13 +8,13 @@ from raybundle.missions.polygons import (
     along,
     checked_ring,
     distance_to,
-    hull,
     inside,
     longest_direction,
     signed_area,
     widened,
     within,
 )
+from raybundle.numerics.planes import hull
 
 NOTCHED = np.array([[0.0, 0], [10, 0], [10, 10], [5, 3], [0, 10]])
 

@@ -12,7 +12,7 @@ import pytest
 from tests.missions.cases import VEHICLE, mission
 
 from raybundle.errors import InputError
-from raybundle.io.geo import rasters
+from raybundle.io import raster_library
 from raybundle.io.geo.rasters import read_heights
 from raybundle.io.missions.areas import in_crs
 from raybundle.missions.mission import exposures
@@ -196,14 +196,14 @@ def test_feet_become_metres_and_are_asked_for_where_nobody_says(tmp_path):
     g = read_heights(path, "EPSG:32632", HERE)
     assert np.nanmax(g.heights) == pytest.approx(328 * 0.3048)
     assert "heights in feet were turned into metres" in g.remarks[0]
-    with pytest.raises(InputError, match='states heights in ft, dsm_unit="m" says m; one of the two is wrong'):
+    with pytest.raises(InputError, match='states heights in ft, dem_unit="m" says m; one of the two is wrong'):
         read_heights(path, "EPSG:32632", HERE, unit="m")
     rasterio = pytest.importorskip("rasterio")
     xy = in_crs(np.array([[-84.0, 36.0]]), "EPSG:4326", "EPSG:2274")[0]  # Tennessee, US survey feet
     t = rasterio.Affine(30, 0, xy[0] - 1000, 0, -30, xy[1] + 1000)
     path = raster(tmp_path / "state.tif", np.full((80, 80), 328.0, np.float32), crs="EPSG:2274", transform=t)
     middle = in_crs(xy[None], "EPSG:2274", CRS)[0]
-    with pytest.raises(InputError, match=r"coordinates in US survey foot and does not say .* dsm_unit=\"m\""):
+    with pytest.raises(InputError, match=r"coordinates in US survey foot and does not say .* dem_unit=\"m\""):
         read_heights(path, CRS, np.array([middle - 100, middle + 100]))
     g = read_heights(path, CRS, np.array([middle - 100, middle + 100]), unit="us-ft")
     assert g.at(middle[None]) == pytest.approx(328 * 1200 / 3937, abs=1e-4)
@@ -237,6 +237,6 @@ def test_a_missing_library_is_told(monkeypatch):
     def without(name):
         raise ImportError(name)
 
-    monkeypatch.setattr(rasters, "import_module", without)
+    monkeypatch.setattr(raster_library, "import_module", without)
     with pytest.raises(InputError, match=r"not installed: pip install 'raybundle\[geo\]'"):
         read_heights(SRTM, CRS, BOX)

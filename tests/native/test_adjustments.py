@@ -60,7 +60,7 @@ def test_a_robust_start_ends_in_the_same_least_squares(monkeypatch):
 
 def test_the_same_numbers_on_one_and_three_threads():
     block = block_of(scale_bars=1)
-    same(*(adjust_block(block, replace(TIGHT, threads=t)) for t in (1, 3)))
+    same(*(adjust_block(block, replace(TIGHT, jobs=t)) for t in (1, 3)))
 
 
 @pytest.fixture

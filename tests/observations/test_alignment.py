@@ -71,7 +71,7 @@ def test_standard_deviations_hold(kind):
     total, count, groups = 0.0, 0, []
     for seed in range(12):
         truth, block = observed(kind, seed)
-        result = adjust(block, AdjustmentOptions(threads=1))
+        result = adjust(block, AdjustmentOptions(jobs=1))
         assert result.sigma0 == pytest.approx(1.0, abs=0.15)
         r = np.nansum(result.image_observations.redundancy) + sum(g.redundancy.sum() for g in result.groups)
         assert r == pytest.approx(result.redundancy, abs=1e-5)
@@ -90,7 +90,7 @@ def test_standard_deviations_hold(kind):
 @pytest.mark.parametrize("kind", FIGURES)
 def test_a_scatter_beyond_the_stated_is_told(kind):
     _, block = observed(kind, 3, spread=30 * SIGMA)
-    result = adjust(block, AdjustmentOptions(threads=1))
+    result = adjust(block, AdjustmentOptions(jobs=1))
     component = next(v for v in result.variance_components if v.kind == FIGURES[kind][0].name.replace("_", " ")
                      or v.kind.endswith(FIGURES[kind][0].name.replace("_", " ")))  # fmt: skip
     assert component.significant
@@ -106,7 +106,7 @@ def test_what_is_upright_levels_the_datum(kind):
         images=replace(block.images, centre=block.images.centre @ R.T, rotation=block.images.rotation @ R.T),
         points=replace(block.points, xyz=block.points.xyz @ R.T),
     )
-    result = adjust(tilted, AdjustmentOptions(threads=1))
+    result = adjust(tilted, AdjustmentOptions(jobs=1))
     assert not any("rotation X" in d or "rotation Y" in d for d in result.datum_defect)
     assert adjust(block.having(FIGURES[kind][0].empty())).datum_defect != result.datum_defect
     rows = FIGURES[kind][1]["a"]
@@ -132,7 +132,7 @@ def test_they_are_read_and_written_and_stand_in_the_result(tmp_path):
     write_result(result, tmp_path / "out")
     lines = read_result(tmp_path / "out").others["lines"]
     (g,) = [g for g in result.groups if g.kind == "line"]
-    np.testing.assert_allclose(lines.numbers("v1", "v2").ravel(), g.residual, rtol=1e-6)
+    assert (abs(lines.numbers("v1", "v2").ravel() - g.residual) <= 1.001e-3 * abs(g.residual / g.w)).all()
     assert "Points on straight lines" in (tmp_path / "out/report.html").read_text()
 
 
@@ -172,11 +172,11 @@ def test_control_and_a_plane_together():
 def test_deviations_from_plumb_lines_tell_no_turn_about_the_vertical(spread):
     """However far points are off: a turn changes no sum of squares; standard deviations are those of a free network."""
     _, block = observed("plumb_line", 5, spread=spread * SIGMA)
-    result = adjust(block, AdjustmentOptions(threads=1, reject="none"))
+    result = adjust(block, AdjustmentOptions(jobs=1, reject="none"))
     assert result.datum_defect == ("position X", "position Y", "position Z", "rotation Z")
     std = result.precision.object_point_std / result.sigma0
     _, exact = observed("plumb_line", 5, spread=0.0)
-    expected = adjust(exact, AdjustmentOptions(threads=1, reject="none"))
+    expected = adjust(exact, AdjustmentOptions(jobs=1, reject="none"))
     np.testing.assert_allclose(
         np.median(std, axis=0), np.median(expected.precision.object_point_std / expected.sigma0, axis=0), rtol=0.1
     )

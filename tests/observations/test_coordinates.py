@@ -20,7 +20,7 @@ from raybundle.results.folder import read_result
 SCENE = field_scene(TargetField(rows=5, columns=6, depth=0.4, size=(0.8, 0.6), stations=6, frontal=1))
 KNOWN = np.array([0, 5, 8, 14, 21, 24, 29], np.int32)
 OWN, COMMON = 3e-4, 2e-3
-ONE = AdjustmentOptions(threads=1)
+ONE = AdjustmentOptions(jobs=1)
 
 
 def covariance():
@@ -179,7 +179,7 @@ def test_it_stands_in_folders(tmp_path):
     shown = read_result(tmp_path / "out").others["coordinates"]
     (g,) = result.groups
     own = np.array(shown.text["point"]) == np.array(shown.text["other"])
-    np.testing.assert_allclose(shown.numbers("vX", "vY", "vZ")[own].ravel(), g.residual, rtol=1e-6)
+    assert (abs(shown.numbers("vX", "vY", "vZ")[own].ravel() - g.residual) <= 1.001e-3 * abs(g.residual / g.w)).all()
     assert "Coordinates of networks" in (tmp_path / "out/report.html").read_text()
 
 

@@ -24,8 +24,8 @@ from raybundle.planning.scenes import TargetField, field_scene
 from raybundle.planning.simulate import Survey, simulate
 from raybundle.platforms.imu import told
 
-ONE = AdjustmentOptions(threads=1)
-EXACT = AdjustmentOptions(threads=1, tolerance=1e-13)
+ONE = AdjustmentOptions(jobs=1)
+EXACT = AdjustmentOptions(jobs=1, tolerance=1e-13)
 TILTED = SimilarityTransform(
     scale=1.7, rotation=rotation_from_angles(np.array([0.3, -0.5, 2.0])), translation=np.array([300.0, -20.0, 5.0])
 )

@@ -21,7 +21,7 @@ def test_wrong_rays_leave_whatever_the_weights(stated):
     o = block.observations
     block = replace(block, observations=replace(o, cov_px2=o.cov_px2 * stated**2))
     free = {c.id: free_parameters(c) for c in block.parametrised}
-    found = clean(block, AdjustmentOptions(threads=1), free)
+    found = clean(block, AdjustmentOptions(jobs=1), free)
     assert found.rejected[simulation.gross].mean() > 0.98
     assert found.rejected[~simulation.gross].mean() < 0.02
     assert found.scale * stated == pytest.approx(1.0, abs=0.15)

@@ -11,7 +11,7 @@ from raybundle.orientation.cleaning import _rejected, _without_single_rays, clea
 from raybundle.planning.scenes import TargetField, brown_camera, field_scene
 from raybundle.planning.simulate import Survey, simulate
 
-OPTIONS = AdjustmentOptions(threads=1)
+OPTIONS = AdjustmentOptions(jobs=1)
 CAMERA = brown_camera(estimate=("c", "K1"))
 FREE = {"1": ("c", "K1")}
 

@@ -16,7 +16,7 @@ from raybundle.planning.scenes import TargetField, field_scene
 from raybundle.planning.simulate import Survey, simulate
 from raybundle.workflows.final import _decided
 
-SNOOPING = AdjustmentOptions(threads=1, reject="snooping")
+SNOOPING = AdjustmentOptions(jobs=1, reject="snooping")
 
 
 def network(seed, share=0.0, metres=0.0, orientation=(0.02, 0.02)):

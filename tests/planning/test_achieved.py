@@ -13,7 +13,7 @@ DATA = Path(os.environ.get("RAYBUNDLE_DATA", Path(__file__).resolve().parents[3]
 FOUNTAIN, CERN = DATA / "photos/fountain-p11", DATA / "photos/cern-targets"
 
 
-@pytest.mark.long
+@pytest.mark.bench
 @pytest.mark.skipif(not FOUNTAIN.is_dir(), reason=f"no photographs of fountain-p11 at {FOUNTAIN}")
 def test_natural_points_of_fountain(tmp_path):
     orient([FOUNTAIN / "images"], tmp_path / "p", calibration=FOUNTAIN / "calibration.toml", report=False)
@@ -24,7 +24,7 @@ def test_natural_points_of_fountain(tmp_path):
     assert told["rays"][0] == pytest.approx(told["rays"][1], rel=0.15)
 
 
-@pytest.mark.long
+@pytest.mark.bench
 @pytest.mark.skipif(not CERN.is_dir(), reason=f"no photographs of cern-targets at {CERN}")
 def test_retro_reflective_targets_of_cern(tmp_path):
     calibrate([CERN / "images"], tmp_path / "p", target="aicon14")

@@ -78,7 +78,7 @@ def test_what_is_predicted_is_what_an_adjustment_of_noisy_photographs_states(cha
     """One sample of noise and its linearisation: some per cent."""
     plan = Flight(points=12, alternating=True, **change)
     predicted = precision(flight_aerial(plan)).sigma_m
-    result = adjust_block(flight_block(plan), AdjustmentOptions(threads=1))
+    result = adjust_block(flight_block(plan), AdjustmentOptions(jobs=1))
     stated = np.sqrt(np.nanmean((result.precision.object_point_std / result.sigma0) ** 2, axis=0))
     np.testing.assert_allclose(stated, predicted, rtol=0.1)
 

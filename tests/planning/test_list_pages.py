@@ -121,9 +121,9 @@ def drawn_text(printed, monkeypatch):
 
 
 def test_every_target_of_a_photograph_is_listed(tmp_path, monkeypatch):
-    words = ["plan", "network", "facade:12,8", "--photographs", "4", "--rays", "2", "--points", "40"]
+    words = ["plan", "network", "facade:12,8", "--photographs", "4", "--rays", "2", "--object-points", "40"]
     assert main([*words, "--effort", "quick", "--progress", "none", "--out", str(tmp_path / "plan")]) == 0
-    shots = shots_of("targets", "facade:12,8", stations=tmp_path / "plan/stations.csv", targets=60)
+    shots = shots_of("targets", "facade:12,8", stations=tmp_path / "plan/stations.csv", count=60)
     for leaf in shots.leaves:
         count, names = int(leaf.see.split()[0]), leaf.see.partition(": ")[2].split(", ")
         assert len(names) == count > 16
@@ -181,7 +181,7 @@ def test_where_no_aperture_makes_it_sharp_another_sheet_does():
 @pytest.mark.parametrize(("noise", "grade"), [(0.005, "Good"), (0.1, "Usable"), (2.0, "Weak")])
 def test_a_promised_calibration_is_judged(noise, grade, tmp_path):
     settings = ListSettings(
-        kind="calibration", object="sheet:0.42,0.297", out=tmp_path / "list", f_number=16.0, noise=noise
+        kind="calibration", object="sheet:0.42,0.297", out=tmp_path / "list", f_number=16.0, image_sigma=noise
     )
     plan = run_plan_list(settings)
     facts = json.loads((tmp_path / "list/list.json").read_text(encoding="utf-8"))["facts"]

@@ -27,7 +27,7 @@ OBJECTS = {k: a.example for k, a in assistants.items()}
 def listed(tmp_path, kind, *words, name="list"):
     if kind == "targets" and "--stations" not in words:
         if not (tmp_path / "plan").exists():
-            plan = ["plan", "network", OBJECTS[kind], "--photographs", "10", "--rays", "2", "--points", "40"]
+            plan = ["plan", "network", OBJECTS[kind], "--photographs", "10", "--rays", "2", "--object-points", "40"]
             assert main([*plan, "--effort", "quick", "--progress", "none", "--out", str(tmp_path / "plan")]) == 0
         words = (*words, "--stations", str(tmp_path / "plan/stations.csv"))
     return main(["plan", "list", kind, OBJECTS[kind], *words, "--out", str(tmp_path / name)])
@@ -49,7 +49,7 @@ def test_every_list_is_written_and_keeps_its_promise(tmp_path, kind, capsys):
     pdf = (folder / "list.pdf").read_bytes()
     assert pdf.startswith(b"%PDF")
     assert pdf.rstrip().endswith(b"%%EOF")
-    result = rb.adjust(block, rb.AdjustmentOptions(datum="inner", datum_points=block.points.ids, threads=1))
+    result = rb.adjust(block, rb.AdjustmentOptions(datum="inner", datum_points=block.points.ids, jobs=1))
     known = {r["point"]: [float(r[f"s{a}_mm"]) for a in "XYZ"] for r in rows(folder / "points.csv")}
     promised = np.array([known[p] for p in block.points.ids]) / 1000
     stated = result.precision.object_point_std / result.sigma0
@@ -173,7 +173,7 @@ def test_photographs_are_ticked_off_by_what_they_show(tmp_path, capsys):
             shutil.copy(photo, tmp_path / name)
     rb.orient([tmp_path / "first"], tmp_path / "project", precise=False, report=False)
     project = str(tmp_path / "project")
-    words = ["plan", "list", "targets", project, "--stations", project, "--targets", "12", "--across", "3"]
+    words = ["plan", "list", "targets", project, "--stations", project, "--count", "12", "--across", "3"]
     assert main([*words, "--out", str(tmp_path / "list")]) == 0
     capsys.readouterr()
     assert main(["plan", "check", str(tmp_path / "list"), str(tmp_path / "again"), "--progress", "none"]) == 4
@@ -204,7 +204,7 @@ def test_a_ring_goes_round_any_footprint(tmp_path, capsys):
         ("cipa", ("--focus", "2"), "is photographed from"),
         ("calibration", ("--focus", "1", "--f-number", "4"), "the lens is sharp from"),
         ("turntable", ("--steps", "5"), "at least 8 overlap"),
-        ("targets", ("--across", "200", "--targets", "400"), "take fewer targets"),
+        ("targets", ("--across", "200", "--count", "400"), "take fewer targets"),
         ("targets", ("--stations", "none.csv"), "none.csv"),
     ],
 )  # fmt: skip
@@ -229,7 +229,7 @@ def test_folders_that_hold_something_are_left_alone(tmp_path, capsys):
         "8",
         "--rays",
         "2",
-        "--points",
+        "--object-points",
         "40",
         "--effort",
         "quick",

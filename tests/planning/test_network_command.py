@@ -14,7 +14,7 @@ from raybundle.io.block.folder import read_block
 from raybundle.objects.kinds import object_kinds
 
 EVERYWHERE = ("-99", "-99", "-99", "99", "99", "99")
-SMALL = ("--points", "30", "--effort", "quick", "--progress", "none")
+SMALL = ("--object-points", "30", "--effort", "quick", "--progress", "none")
 
 
 def plan(tmp_path, *words, name="plan"):
@@ -34,7 +34,7 @@ def test_the_block_of_a_plan_is_adjusted_to_what_was_promised(tmp_path, capsys):
     told = json.loads((folder / "plan.json").read_text())
     block = read_block(folder / "block")
     assert len(block.images) == told["photographs"] == 8
-    result = rb.adjust(block, rb.AdjustmentOptions(datum="inner", datum_points=block.points.ids, threads=1))
+    result = rb.adjust(block, rb.AdjustmentOptions(datum="inner", datum_points=block.points.ids, jobs=1))
     stated = result.precision.object_point_std / result.sigma0
     promised = np.array([[float(r[f"s{a}_mm"]) for a in "XYZ"] for r in rows(folder / "points.csv")]) / 1000
     assert np.abs(stated / promised - 1).max() < 0.01  # the first is taken at the adjusted values
@@ -122,7 +122,7 @@ def test_what_cannot_be_seen_is_told(tmp_path, capsys):
 
 
 def test_in_python_alike(tmp_path):
-    done = rb.plan_network("facade:6,4", tmp_path / "p", photographs=6, points=30, rays=2, effort="quick")
+    done = rb.plan_network("facade:6,4", tmp_path / "p", photographs=6, object_points=30, rays=2, effort="quick")
     assert len(done.design.stations) == 6
     assert (tmp_path / "p/network.html").exists()
 
@@ -172,7 +172,7 @@ def test_results_are_objects_and_their_stations_are_judged(tmp_path, capsys):
     truth, block = rb.read_block(tmp_path / "measured/truth"), rb.read_block(tmp_path / "measured/block")
     pixels = (block.observations.xy_px - truth.observations.xy_px) / 0.05
     assert np.mean(pixels**2) == pytest.approx(1, abs=0.15)
-    same = (str(tmp_path / "done"), "--stations", str(tmp_path / "done"), "--rays", "2", "--control", "4")
+    same = (str(tmp_path / "done"), "--stations", str(tmp_path / "done"), "--rays", "2", "--control-points", "4")
     assert plan(tmp_path, *same, name="again") == 0
     told = json.loads((tmp_path / "again/plan.json").read_text())
     assert told["photographs"] == 10
@@ -185,7 +185,7 @@ def test_results_are_objects_and_their_stations_are_judged(tmp_path, capsys):
     assert "station 1 shows 0 of" in capsys.readouterr().err
     assert plan(tmp_path, *same[:-1], "2", name="x") == 2
     assert "2 control points do not give a frame" in capsys.readouterr().err
-    assert main(["simulate", str(first), "--control", "3", "--out", str(tmp_path / "y")]) == 2
+    assert main(["simulate", str(first), "--control-points", "3", "--out", str(tmp_path / "y")]) == 2
     assert "has its own control and scale bars" in capsys.readouterr().err
 
 

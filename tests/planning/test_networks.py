@@ -66,7 +66,7 @@ def test_expected_covariances_are_those_of_the_adjustment(estimate, datum):
     assert isinstance(e, Expected)
     block = planned_block(site, ring(), control_sigma=control, seed=None)
     names = block.points.ids if datum == "inner" else ()
-    result = adjust_block(block, AdjustmentOptions(datum=datum, datum_points=names, threads=1))
+    result = adjust_block(block, AdjustmentOptions(datum=datum, datum_points=names, jobs=1))
     stated = result.precision.object_points / result.sigma0**2
     assert np.abs(stated - e.points).max() < 2e-6 * np.abs(e.points).max()
     if estimate:
@@ -88,7 +88,7 @@ def test_with_scale_bars_alike(estimate, datum):
     e = networks.expected(parts)
     block = planned_block(site, ring(), control_sigma=control, bars=bars, seed=None)
     names = block.points.ids if datum == "inner" else ()
-    result = adjust_block(block, AdjustmentOptions(datum=datum, datum_points=names, threads=1))
+    result = adjust_block(block, AdjustmentOptions(datum=datum, datum_points=names, jobs=1))
     stated = result.precision.object_points / result.sigma0**2
     assert np.abs(stated - e.points).max() < 2e-6 * np.abs(e.points).max()
     some = SurfacePoints(xyz=site.points.xyz[5:9], normal=site.points.normal[5:9])
@@ -208,7 +208,7 @@ def test_redundancy_numbers_are_those_of_the_adjustment(estimate):
     networks, parts = parts_of(site, ring())
     r = redundancies(parts, networks.expected(parts))
     block = planned_block(site, ring(), seed=None)
-    result = adjust_block(block, AdjustmentOptions(datum="inner", datum_points=block.points.ids, threads=1))
+    result = adjust_block(block, AdjustmentOptions(datum="inner", datum_points=block.points.ids, jobs=1))
     assert np.abs(r - result.image_observations.redundancy).max() < 1e-5
     unknowns = 6 * 10 + 3 * len(site.points) + len(estimate) - 7
     assert r.sum() == pytest.approx(r.size - unknowns, abs=1e-6)
@@ -272,7 +272,9 @@ def seldom(cosine):
     return measured_kinds["natural"].found(cosine)
 
 
-@pytest.mark.parametrize("known", [Wanted(), Wanted(control=4, control_sigma=0.002), Wanted(bars=2)], ids=repr)
+@pytest.mark.parametrize(
+    "known", [Wanted(), Wanted(control=4, control_sigma=(0.002, 0.002, 0.002)), Wanted(bars=2)], ids=repr
+)
 def test_promises_of_points_that_are_not_always_found_are_kept(known):
     site = box_site(estimate=(), found=seldom, points=spread(box_site().surface, 80))
     plan = plan_network(site, start=ring(16), as_given=True, least_rays=2, known=known)
@@ -281,8 +283,8 @@ def test_promises_of_points_that_are_not_always_found_are_kept(known):
     worst, mean, ratio = [], [], []
     for seed in range(100, 124):
         block = planned_block(plan.site, ring(16), control_sigma=control, bars=bars, seed=seed)
-        inner = AdjustmentOptions(datum="inner", datum_points=block.points.ids, threads=1)
-        result = adjust_block(block, inner if control is None else AdjustmentOptions(threads=1))
+        inner = AdjustmentOptions(datum="inner", datum_points=block.points.ids, jobs=1)
+        result = adjust_block(block, inner if control is None else AdjustmentOptions(jobs=1))
         sigma = np.sqrt(np.mean((result.precision.object_point_std / result.sigma0) ** 2, axis=1))
         rows = np.array([int(name[1:]) - 1 for name in block.points.ids])
         taking_part = np.isfinite(sigma)  # control that was not found takes no part
@@ -311,7 +313,7 @@ def test_points_that_are_found_from_one_place_alone_are_in_no_block():
         assert len(block.points) <= 40
 
 
-@pytest.mark.long
+@pytest.mark.bench
 def test_what_is_wanted_is_promised_of_natural_points():
     site = box_site(estimate=(), found=seldom, sigma_px=0.24, points=spread(box_site().surface, 60))
     plan = plan_network(site, wanted=0.0008, least_rays=2, search=QUICK)
@@ -344,7 +346,7 @@ def test_what_is_promised_hangs_on_no_order_and_redundancy_numbers_are_some():
 
 @pytest.mark.parametrize(("size", "count"), [("2,2,2", 30), ("4,3,2.5", 24)])
 def test_more_photographs_than_are_needed_are_planned(size, count):
-    site = site_of(NetworkSettings(object=f"box:{size}", out=Path("x"), points=60))
+    site = site_of(NetworkSettings(object=f"box:{size}", out=Path("x"), object_points=60))
     plan = plan_network(site, stations=count, least_rays=2, search=QUICK)
     shown = np.bincount(site.seen(plan.design.stations.centre, plan.design.stations.rotation)[0], minlength=count)
     assert (shown >= 4).all()

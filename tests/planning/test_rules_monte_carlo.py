@@ -43,7 +43,7 @@ def ratios(name):
     """Of all object coordinates, of each axis, and of every free parameter that is determinable."""
     network = NETWORKS[name]
     block, expected = network.block(), network.predicted()
-    options = AdjustmentOptions(datum="inner", datum_points=block.points.ids, threads=1, noise="white")
+    options = AdjustmentOptions(datum="inner", datum_points=block.points.ids, jobs=1, noise="white")
     rng = np.random.default_rng(7)
     shape = block.observations.xy_px.shape
     free = [symbol for owner, symbol in expected.std if (owner, symbol) not in expected.lost]
@@ -64,7 +64,7 @@ def ratios(name):
     }
 
 
-@pytest.mark.long
+@pytest.mark.bench
 @pytest.mark.parametrize("name", NETWORKS)
 def test_predicted_standard_deviations_are_those_of_errors(name):
     found = ratios(name)
@@ -72,7 +72,7 @@ def test_predicted_standard_deviations_are_those_of_errors(name):
     assert {k: r for k, r in found.items() if abs(r - 1) > CHANCE} == {}
 
 
-@pytest.mark.long
+@pytest.mark.bench
 @pytest.mark.parametrize("name", NETWORKS)
 def test_ten_percent_too_much_would_be_noticed(name):
     assert not BAND[0] < 1.1 * ratios(name)["points"] < BAND[1]

@@ -11,18 +11,26 @@ from raybundle.report.view import view_of
 from tests.report.conftest import free
 
 ORDER = (
-    "calibration", "result", "summary", "photographs", "accuracy", "precision", "noise", "control", "trajectories",
-    "strips", "scenes", "panoramas", "interior orientation", "residuals", "reliability", "network", "tables",
-    "settings",
+    "front", "calibration", "result", "deviations", "length errors", "summary", "photographs", "accuracy", "precision",
+    "noise", "control",
+    "trajectories", "strips", "scenes", "panoramas", "interior orientation", "residuals", "reliability", "network",
+    "record", "tables", "settings", "processing",
 )  # fmt: skip
+LOOKED_UP = {"record", "tables", "settings", "processing"}
 
 
 def test_chapters_are_read_in_this_order():
     assert tuple(c.name for c in chapters()) == ORDER
 
 
+def test_each_chapter_has_its_readers():
+    assert {c.name for c in chapters() if c.part == "appendix"} == LOOKED_UP
+    assert {c.part for c in chapters()} <= {"client", "specialist", "appendix"}
+
+
 @pytest.fixture
 def more(monkeypatch):
+    chapters()  # those of the package register themselves once, and not in a copy
     monkeypatch.setattr(rooms, "_chapters", dict(rooms._chapters))
 
 
@@ -51,5 +59,6 @@ def test_what_says_nothing_is_left_out():
     view = view_of(free())
     occasion = Occasion(view=view, told=verdict(view))
     assert {c.name for c in chapters() if not c.make(occasion)} == {
-        "calibration", "photographs", "noise", "trajectories", "strips", "scenes", "panoramas",
+        "calibration", "deviations", "length errors", "photographs", "noise", "trajectories", "strips", "scenes",
+        "panoramas", "processing", "record",
     }  # fmt: skip

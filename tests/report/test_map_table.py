@@ -9,7 +9,7 @@ from raybundle.results.map_table import map_table
 
 def test_coordinates_go_there_and_back_and_sigmas_are_scaled(free_case):
     frame = local_frame("EPSG:32632", (500_000.0, 5_300_000.0, 400.0))
-    table = map_table(free_case, frame)
+    table, _ = map_table(free_case, frame)
     there = np.stack([table[k] for k in "XYZ"], axis=1)
     images = np.array([k == "image" for k in table["kind"]])
     taken = free_case.adjusted.images.oriented
@@ -27,7 +27,7 @@ def test_the_result_folder_holds_it(free_case, tmp_path):
     write_result(free_case, tmp_path / "r", report="none", frame=frame)
     lines = (tmp_path / "r/map.csv").read_text().splitlines()
     assert lines[0] == "kind,id,X,Y,Z,sX,sY,sZ"
-    assert len(lines) == 1 + len(map_table(free_case, frame)["id"])
+    assert len(lines) == 1 + len(map_table(free_case, frame)[0]["id"])
     # written over without complaint
     write_result(free_case, tmp_path / "r", report="none")
     assert not (tmp_path / "r/map.csv").exists()

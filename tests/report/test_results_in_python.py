@@ -2,8 +2,10 @@
 
 import copy
 import pickle
+import sys
 import xml.etree.ElementTree as ET
 from dataclasses import fields, is_dataclass, replace
+from types import ModuleType
 
 import numpy as np
 import pytest
@@ -15,7 +17,11 @@ from raybundle.commands.show import show
 from raybundle.errors import InputError
 from raybundle.planning.scenes import TargetField, field_scene
 from raybundle.planning.simulate import Survey, simulate
+from raybundle.report.alone import svg_of
+from raybundle.report.parts import Figures
+from raybundle.report.sections.network import network_section
 from raybundle.report.tables import table, table_names
+from raybundle.report.view import view_of
 from raybundle.results.tables import result_tables
 
 
@@ -81,9 +87,6 @@ def test_tables_are_those_of_the_result_folder(result, tmp_path):
 
 @pytest.mark.parametrize("library", ["pandas", "polars"])
 def test_data_frames_where_a_library_is_there(result, library, monkeypatch):
-    import sys
-    from types import ModuleType
-
     stand_in = ModuleType(library)
     stand_in.DataFrame = dict
     monkeypatch.setitem(sys.modules, library, stand_in)
@@ -94,26 +97,16 @@ def test_data_frames_where_a_library_is_there(result, library, monkeypatch):
         table(result, "points", to=library)
 
 
-@pytest.mark.parametrize("name", ["network", "residuals", "interior", "reliability", "control"])
-def test_pictures_are_drawings_of_their_own(result, name, tmp_path):
-    pictures = getattr(rb, f"plot_{name}")(result)
-    assert len(pictures) > 0 or name == "control"
-    for k, picture in enumerate(pictures):
-        root = ET.fromstring(picture.svg)  # noqa: S314
-        assert root.tag == "{http://www.w3.org/2000/svg}svg"
-        assert picture.caption
-        picture.save(tmp_path / f"{k}.svg")
-        assert (tmp_path / f"{k}.svg").read_text(encoding="utf-8") == picture.svg
-        with pytest.raises(InputError, match=r"written as \.svg"):
-            picture.save(tmp_path / f"{k}.png")
-    assert pictures._repr_html_().count("<figure>") == len(pictures)
-    # the first sentence of each, whose numbers have full stops, too
-    for picture in pictures:
-        assert picture.caption.split(". ")[0].removesuffix(".") in repr(pictures)
+def test_a_figure_of_the_report_stands_alone(result):
+    found = [f for part in network_section(view_of(result)).parts if isinstance(part, Figures) for f in part.figures]
+    assert len(found) > 3
+    for figure in found:
+        assert ET.fromstring(svg_of(figure)).tag == "{http://www.w3.org/2000/svg}svg"  # noqa: S314
 
 
 def test_a_page_is_written_and_opened(result, tmp_path, monkeypatch):
     opened = []
+    monkeypatch.delitem(sys.modules, "ipykernel", raising=False)  # of the tests of notebooks
     monkeypatch.setattr("webbrowser.open", opened.append)
     page = show(result, tmp_path / "report.html")
     assert opened == [(tmp_path / "report.html").resolve().as_uri()]
@@ -121,9 +114,6 @@ def test_a_page_is_written_and_opened(result, tmp_path, monkeypatch):
     network = show(result, what="network")
     assert network.path.name == "network.html"
     assert "Network of testfield" in network.path.read_text(encoding="utf-8")
-    import sys
-    from types import ModuleType
-
     monkeypatch.setitem(sys.modules, "ipykernel", ModuleType("ipykernel"))
     show(result, tmp_path / "again.html")
     assert len(opened) == 2  # a notebook shows it within itself
@@ -133,5 +123,4 @@ def test_an_adjustment_without_statistics_shows_itself_too(result):
     plain = rb.adjust(result.given, rb.AdjustmentOptions(statistics=False))
     assert "sigma0" in repr(plain)
     assert plain._repr_html_()
-    assert rb.plot_network(plain)
     assert np.isnan(table(plain, "points")["sX"]).all()

@@ -89,7 +89,7 @@ def test_far_points_do_not_widen_the_first_view():
 @pytest.fixture(scope="module")
 def planned(tmp_path_factory):
     folder = tmp_path_factory.mktemp("plan")
-    words = ["plan", "network", "facade:12,8", "--sigma", "0.16", "--effort", "quick", "--points", "40"]
+    words = ["plan", "network", "facade:12,8", "--sigma", "0.16", "--effort", "quick", "--object-points", "40"]
     assert main([*words, "--progress", "none", "--out", str(folder / "plan")]) == 0
     return folder / "plan"
 

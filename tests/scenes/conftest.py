@@ -77,3 +77,36 @@ def sensors():
     if not SENSORS.is_dir():
         pytest.skip("no public data: set RAYBUNDLE_DATA to the folder that holds sensors/")
     return SENSORS
+
+
+@pytest.fixture
+def geoid_grid(tmp_path):
+    """EGM96 installed for PROJ with heights of our own: a function of longitude, latitude (n, 2 or more)."""
+    import pyproj.datadir
+    import rasterio
+
+    from raybundle.io.geo import coordinate_systems
+
+    folder = tmp_path / "proj"
+    folder.mkdir()
+    lon = np.arange(-180, 180.1, 1.0)
+    values = np.tile(20.0 + 0.25 * (lon - 30), (181, 1)).astype("float32")
+    with rasterio.open(
+        folder / "us_nga_egm96_15.tif", "w", driver="GTiff", width=361, height=181, count=1, dtype="float32",
+        crs="EPSG:4979", transform=rasterio.Affine(1, 0, -180.5, 0, -1, 90.5),
+    ) as grid:  # fmt: skip
+        grid.write(values, 1)
+        grid.update_tags(
+            AREA_OR_POINT="Point", TYPE="VERTICAL_OFFSET_GEOGRAPHIC_TO_VERTICAL", target_crs_epsg_code="5773"
+        )
+        grid.set_band_description(1, "geoid_undulation")
+        grid.update_tags(1, UNITTYPE="metre")
+    before = pyproj.datadir.get_data_dir()
+    caches = [f for f in vars(coordinate_systems).values() if hasattr(f, "cache_clear")]
+    pyproj.datadir.append_data_dir(str(folder))
+    for cached in caches:
+        cached.cache_clear()
+    yield lambda ground: 20.0 + 0.25 * (np.asarray(ground)[:, 0] - 30)
+    pyproj.datadir.set_data_dir(before)
+    for cached in caches:
+        cached.cache_clear()

@@ -11,6 +11,7 @@ from raybundle.adjustment.engine import adjust_block
 from raybundle.adjustment.predict import image_points
 from raybundle.errors import InputError, RankDefect
 from raybundle.io.block.folder import read_block, write_block
+from raybundle.io.digits import EVERY
 from raybundle.io.scenes import read_scene
 from raybundle.io.scenes.airborne import companions
 from raybundle.io.tables import write_table
@@ -86,7 +87,7 @@ def write_strip(folder, name, heading, *, late=0.0, boresight=(0.0, 0.0, 0.0), u
     columns |= {n: angles[:, k] for k, n in enumerate(("omega_deg", "phi_deg", "kappa_deg"))}
     columns |= {n: np.full(len(t), 0.05) for n in ("sX", "sY", "sZ")}
     columns |= {n: np.full(len(t), 0.003) for n in ("somega_deg", "sphi_deg", "skappa_deg")}
-    write_table(folder / f"{name}.csv", columns)
+    write_table(folder / f"{name}.csv", columns, EVERY)
     head = HEAD.format(name=name, lines=LINES, interval=INTERVAL, first=INTERVAL / 2, lever=LEVER, y0=y0)
     (folder / f"{name}.toml").write_text(head)
     return folder / f"{name}.toml"
@@ -267,7 +268,7 @@ def with_own_attitudes(folder, name, every=3, shift=0.004):
     P = geographic_from_geocentric(given.position(t)[0])
     angles = np.degrees(opk_from_rotation(R @ np.swapaxes(enu_from_geocentric(P), 1, 2)))
     names = ("omega_deg", "phi_deg", "kappa_deg")
-    write_table(folder / "ins.csv", {"time_s": t} | {n: angles[:, k] for k, n in enumerate(names)})
+    write_table(folder / "ins.csv", {"time_s": t} | {n: angles[:, k] for k, n in enumerate(names)}, EVERY)
     toml = folder / f"{name}.toml"
     toml.write_text(toml.read_text().replace(f'file = "{name}.csv"', f'file = "{name}.csv"\nattitudes = "ins.csv"'))
     return toml
@@ -442,7 +443,7 @@ def test_a_grid_and_true_north_are_told_apart(tmp_path):
     rpy = np.degrees(rpy_from_rotation(R, NADIR_FROM_BODY))
     columns = {"time_s": t} | {n: xyz[:, k] for k, n in enumerate("XYZ")}
     columns |= {n: rpy[:, k] for k, n in enumerate(("roll_deg", "pitch_deg", "yaw_deg"))}
-    write_table(tmp_path / "one.csv", columns)
+    write_table(tmp_path / "one.csv", columns, EVERY)
     file = tmp_path / "one.toml"
     file.write_text(file.read_text() + 'crs = "EPSG:32633"\n')
     two = read_scene(file).line

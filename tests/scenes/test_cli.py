@@ -52,7 +52,12 @@ def test_correct(file, rpc, place, scene, tmp_path, capsys, bias):
     rows = [",".join([f"P{k}", *(repr(v) for v in (*g, *p))]) for k, (g, p) in enumerate(pairs)]
     points, out = tmp_path / "control.csv", tmp_path / "new_RPC.TXT"
     points.write_text("\n".join(["point,lon_deg,lat_deg,h_m,x_px,y_px", *rows]) + "\n")
-    assert main(["rpc", "correct", str(file), str(points), "--sigma", "0.2", "--bias", bias, "--out", str(out)]) == 0
+    assert (
+        main(
+            ["rpc", "correct", str(file), str(points), "--image-sigma", "0.2", "--scene-bias", bias, "--out", str(out)]
+        )
+        == 0
+    )
     said = capsys.readouterr().out
     assert "advised: shift" in said
     corrected = read_scene(out).rpc
@@ -134,7 +139,7 @@ def control(rpc, path, wrong=None, sigma=0.2):
 
 def test_correct_names_a_wrong_point_and_leaves_it_out(file, rpc, tmp_path, capsys):
     points, out = control(rpc, tmp_path / "c.csv", wrong=3), tmp_path / "new_RPC.TXT"
-    assert main(["rpc", "correct", str(file), points, "--sigma", "0.2", "--out", str(out)]) == 0
+    assert main(["rpc", "correct", str(file), points, "--image-sigma", "0.2", "--out", str(out)]) == 0
     said = capsys.readouterr().out
     assert re.search(r"caution: 1 point of 8 contradicts .*: P3 \(\+60\.\d\d, [+-]0\.\d\d px\)", said)
     assert read_scene(out).rpc.image_offset - rpc.image_offset == pytest.approx([12, -7], abs=0.4)
@@ -142,7 +147,7 @@ def test_correct_names_a_wrong_point_and_leaves_it_out(file, rpc, tmp_path, caps
 
 def test_correct_writes_nothing_where_nothing_fits(file, rpc, tmp_path, capsys):
     points, out = control(rpc, tmp_path / "c.csv", sigma=30.0), tmp_path / "new_RPC.TXT"
-    assert main(["rpc", "correct", str(file), points, "--sigma", "0.2", "--out", str(out)]) == 3
+    assert main(["rpc", "correct", str(file), points, "--image-sigma", "0.2", "--out", str(out)]) == 3
     said = capsys.readouterr()
     assert "agrees with the points" not in said.out
     assert "do not fit the RPC" in said.err
@@ -183,5 +188,5 @@ def test_the_ending_says_what_is_written(rpc, file, tmp_path, capsys):
     assert "BEGIN_GROUP = IMAGE" in out.read_text()
     capsys.readouterr()
     assert main(["rpc", "correct", str(file), str(tmp_path / "control.csv"), "--out", str(tmp_path / "corr.xml")]) == 2
-    assert "NAME_RPC.TXT or NAME.RPB" in capsys.readouterr().err
+    assert "NAME_RPC.TXT, NAME.RPB" in capsys.readouterr().err
     assert not (tmp_path / "corr.xml").exists()

@@ -106,7 +106,7 @@ def test_the_command(tmp_path, capsys):
     xyz, xy = noisy("dlt-brown", 80)
     roles = ["check" if k % 8 == 0 else "control" for k in range(80)]
     file = table(tmp_path / "points.csv", xyz, xy, roles)
-    assert main(["empirical", file, "--sigma", "0.3", "--out", str(tmp_path / "out")]) == 0
+    assert main(["empirical", file, "--image-sigma", "0.3", "--out", str(tmp_path / "out")]) == 0
     told = capsys.readouterr().out
     assert "advised: dlt-brown is adequate with 16 parameters" in told
     assert "10 check points: rms" in told
@@ -119,11 +119,11 @@ def test_the_command(tmp_path, capsys):
         "point,role,x_px,y_px,v_x_px,v_y_px,r_x,r_y,w_x,w_y,mdb_x_px,mdb_y_px,left_out_x_px,left_out_y_px"
     )
     assert len(head) == 81
-    assert main(["empirical", file, "--sigma", "0.3", "--out", str(tmp_path / "out")]) == 2
+    assert main(["empirical", file, "--image-sigma", "0.3", "--out", str(tmp_path / "out")]) == 2
     assert "stands there already" in capsys.readouterr().err
-    assert main(["empirical", file, "--model", "affine", "--sigma", "0.3"]) == 3
+    assert main(["empirical", file, "--model", "affine", "--image-sigma", "0.3"]) == 3
     assert "affine is not adequate" in capsys.readouterr().out
-    assert main(["empirical", file, "--model", "dlt-brown", "--without", "K3", "--sigma", "0.3"]) in {0, 3}
+    assert main(["empirical", file, "--model", "dlt-brown", "--without", "K3", "--image-sigma", "0.3"]) in {0, 3}
     assert "held" in capsys.readouterr().out
 
 
@@ -147,5 +147,5 @@ def test_geographic_points_are_taken_to_a_cartesian_frame(tmp_path, capsys):
     text = table(tmp_path / "g.csv", ground, xy)
     file = tmp_path / "g.csv"
     file.write_text(file.read_text().replace("X,Y,Z", "lon_deg,lat_deg,h_m"))
-    assert main(["empirical", text, "--sigma", "0.3", "--model", "dlt"]) == 0
+    assert main(["empirical", text, "--image-sigma", "0.3", "--model", "dlt"]) == 0
     assert "agree with a sigma of 0.3 px" in capsys.readouterr().out

@@ -324,6 +324,9 @@ def test_unknown_and_absent_files(tmp_path):
         "nitf",
         "enmap",
         "rpc-json",
+        "gdal-xml",
+        "gdal-json",
+        "orthority",
     }
 
 

@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 
 from tests.studio.browser import Hand
-from tests.studio.test_browser import SIZES, address, browser, context, page  # noqa: F401  (fixtures)
+from tests.studio.test_browser import SIZES, address, context, page  # noqa: F401  (fixtures)
 
 pytest.importorskip("playwright.sync_api", reason="playwright is not installed: the page is not tested here")
 pytestmark = pytest.mark.long

@@ -8,26 +8,13 @@ import pytest
 
 from raybundle.io.block.folder import read_block
 from raybundle.measuring.journal import entries_of, journal_path
-from tests.studio.browser import ARGUMENTS, Hand, chromium, served, targets
-
-sync_api = pytest.importorskip("playwright.sync_api", reason="playwright is not installed: the page is not tested here")
+from tests.studio.browser import Hand, served, targets
 
 pytestmark = pytest.mark.long
 EVIL = "<img src=x onerror=alert(1)><b>'\"&"
 SIZES = [(1366, 768), (3840, 2160)]
 CONTROLS = "#top button:visible, .bar:visible label, .bar:visible > button, #left > :visible"
 IMAGES = ("portal_02.jpg", "portal_03.jpg", "portal_04.jpg")
-
-
-@pytest.fixture(scope="module")
-def browser():
-    path = chromium()
-    if path is None:
-        pytest.skip("no Chromium is here (RAYBUNDLE_CHROMIUM may name one): the page is not tested here")
-    with sync_api.sync_playwright() as playwright:
-        found = playwright.chromium.launch(executable_path=path, args=list(ARGUMENTS))
-        yield found
-        found.close()
 
 
 @pytest.fixture

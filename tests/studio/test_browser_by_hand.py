@@ -4,7 +4,7 @@ import pytest
 
 from raybundle.measuring.journal import entries_of, journal_path
 from tests.studio.browser import Hand
-from tests.studio.test_browser import address, browser, context, hand, page  # noqa: F401  (fixtures)
+from tests.studio.test_browser import address, context, hand, page  # noqa: F401  (fixtures)
 
 pytest.importorskip("playwright.sync_api", reason="playwright is not installed: the page is not tested here")
 pytestmark = pytest.mark.long
@@ -31,7 +31,7 @@ def test_line_datum_table_and_mask(page, hand, project):  # noqa: F811
     page.keyboard.press("Enter")
     page.keyboard.press("Enter")
     hand.wait("plumb line edge")
-    page.locator("#command", has_text="mark line --sigma 0.01 --kind plumb").wait_for()
+    page.locator("#command", has_text="mark line --sigma 0.01 --figure plumb").wait_for()
     for field, name in zip(("origin", "axis", "plane"), names, strict=True):
         page.fill(f"#datum-{field}", name)
     page.keyboard.press("Enter")

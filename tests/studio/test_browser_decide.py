@@ -4,9 +4,9 @@ import pytest
 
 from raybundle.measuring.journal import entries_of, journal_path, state_of
 from tests.studio.browser import Hand
-from tests.studio.test_browser import SIZES, address, browser, context, hand, overlapping, page, undone, verbs
+from tests.studio.test_browser import SIZES, address, context, hand, overlapping, page, undone, verbs
 
-__all__ = ["address", "browser", "context", "hand", "page"]  # fixtures
+__all__ = ["address", "context", "hand", "page"]  # fixtures
 pytestmark = pytest.mark.long
 PARTS = ("run", "options", "parameters", "select", "compare", "calibration", "targets", "report")
 CONTROLS = "#decide input, #decide select, #decide button"
@@ -123,9 +123,9 @@ def test_a_refusal_says_what_is_wrong(decide, hand, context):
     hand.wait("Options of the next")
     page.click("#options-adjust")
     page.locator("#message.bad", has_text="nowhere").wait_for()
-    page.fill("#option-threads", "-1")
+    page.fill("#option-jobs", "-1")
     page.keyboard.press("Tab")
-    page.locator("#message.bad", has_text="threads = -1 must be at least 0").wait_for()
+    page.locator("#message.bad", has_text="jobs = -1 must be at least 0").wait_for()
     context.wrong[:] = [w for w in context.wrong if "409" not in w]
 
 

@@ -3,7 +3,7 @@
 import pytest
 
 from tests.studio.browser import Hand, served
-from tests.studio.test_browser import browser, context
+from tests.studio.test_browser import context
 from tests.studio.test_targets import COLUMNS, ROWS, board
 
 AT_ONCE = """() => {
@@ -17,7 +17,7 @@ AT_ONCE = """() => {
 }"""
 """Stop pressed as soon as it can be: where everything is kept, a fast machine has run all stages in a second."""
 
-__all__ = ["board", "browser", "context"]  # fixtures
+__all__ = ["board", "context"]  # fixtures
 pytestmark = pytest.mark.long
 
 

@@ -38,17 +38,17 @@ def test_the_form_is_the_data_class(client, project):
         assert field["help"] == known[name].help
         assert field["choices"] == list(known[name].choices)
         assert field["value"] in (known[name].default, "")
-    assert (fields["threads"]["low"], fields["threads"]["whole"]) == (0, True)
+    assert (fields["jobs"]["low"], fields["jobs"]["whole"]) == (0, True)
     assert found["command"] == f"raybundle mark adjust -- {project}"
 
 
 def test_options_are_kept_for_every_button_and_shown_as_a_command(client, studio, project):
-    values = {"reject": "snooping", "robust_start": True, "datum_points": "t1,t 2", "threads": 2}
+    values = {"reject": "snooping", "robust_start": True, "datum_points": "t1,t 2", "jobs": 2}
     found = client.post("/api/options", json={"values": values}).json()
-    command = f"raybundle mark adjust --datum-points 't1,t 2' --reject snooping --robust-start --threads 2 -- {project}"
+    command = f"raybundle mark adjust --datum-points 't1,t 2' --reject snooping --robust-start --jobs 2 -- {project}"
     assert found["command"] == command
     assert studio.work.options == AdjustmentOptions(
-        reject="snooping", robust_start=True, datum_points=("t1", "t 2"), threads=2
+        reject="snooping", robust_start=True, datum_points=("t1", "t 2"), jobs=2
     )
     assert client.get("/api/options").json() == found
 
@@ -57,8 +57,8 @@ def test_options_are_kept_for_every_button_and_shown_as_a_command(client, studio
     ("values", "words"),
     [
         ({"reject": "all"}, "reject = 'all' is not one of 'none', 'snooping'"),
-        ({"threads": -1}, "threads = -1 must be at least 0"),
-        ({"threads": 1.5}, "no whole number"),
+        ({"jobs": -1}, "jobs = -1 must be at least 0"),
+        ({"jobs": 1.5}, "no whole number"),
         ({"robust_start": "yes"}, "neither true nor false"),
         ({"hold": [["a", "b"]]}, "hold is no option of the form"),
         ({"datum_points": ["a"]}, "no single value"),

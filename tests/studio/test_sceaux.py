@@ -22,7 +22,7 @@ PHOTOS = DATA / "photos/sceaux-castle/images"
 SIZE = 2832, 2128
 POINTS, RAYS = 3, 3
 pytestmark = [
-    pytest.mark.data, pytest.mark.long, pytest.mark.skipif(not PHOTOS.is_dir(), reason=f"{PHOTOS} is absent"),
+    pytest.mark.data, pytest.mark.bench, pytest.mark.skipif(not PHOTOS.is_dir(), reason=f"{PHOTOS} is absent"),
 ]  # fmt: skip
 
 

@@ -1,5 +1,6 @@
 """The studio from Python: a process beside the program, of a folder or of an adjustment in memory."""
 
+import sys
 import urllib.request
 
 import pytest
@@ -13,6 +14,7 @@ from raybundle.planning.simulate import Survey, simulate
 @pytest.fixture
 def quiet(monkeypatch):
     opened = []
+    monkeypatch.delitem(sys.modules, "ipykernel", raising=False)  # of the tests of notebooks
     monkeypatch.setattr("webbrowser.open", opened.append)
     return opened
 

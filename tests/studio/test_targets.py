@@ -168,10 +168,10 @@ def test_stopped_between_two_photographs(client, studio):
 
 def test_a_sheet_is_made_to_be_printed(client):
     form = client.get("/api/sheet").json()
-    assert form["command"].startswith("raybundle targets sheet --family aicon14 --codes 1-50 --paper A3")
+    assert form["command"].startswith("raybundle targets sheet --target aicon14 --codes 1-50 --paper A3")
     assert client.get("/sheet/sheet.pdf").status_code == 404
     answer = client.post(
-        "/api/sheet", json={"values": {"family": "aicon14", "codes": "1-4", "count": "", "paper": "A4"}}
+        "/api/sheet", json={"values": {"target": "aicon14", "codes": "1-4", "count": "", "paper": "A4"}}
     )
     assert answer.status_code == 200, answer.text
     assert sorted(answer.json()["files"]) == ["sheet.pdf", "sheet.toml"]
@@ -184,8 +184,8 @@ def test_a_sheet_is_made_to_be_printed(client):
 @pytest.mark.parametrize(
     ("values", "words"),
     [
-        ({"family": "aicon14"}, "give either"),
-        ({"family": "none"}, "unknown target family"),
+        ({"target": "aicon14"}, "give either"),
+        ({"target": "none"}, "unknown target family"),
         ({"out": "/x"}, "no option"),
     ],
 )

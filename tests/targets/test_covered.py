@@ -29,12 +29,12 @@ def check(rows):
     return square[fine & (part > 0)]
 
 
-@pytest.mark.long
+@pytest.mark.bench
 def test_stated_covariance_of_what_is_free_is_true():
     check(measured(measure_dots, 160, 1))
 
 
-@pytest.mark.long
+@pytest.mark.bench
 def test_stated_covariance_of_what_is_free_is_true_of_many():
     square = check(measured(measure_dots, 560, 2))
     far = chi2(2).sf(SIGMAS**2)
@@ -50,7 +50,7 @@ def test_a_fit_to_the_whole_would_be_noticed():
     assert np.nanmean(square[part > 0]) / 2 > 50
 
 
-@pytest.mark.long
+@pytest.mark.bench
 def test_whole_dots_keep_their_fit():
     changed, count, kept = 0, 0, []
     rng = np.random.default_rng(3)
@@ -112,7 +112,7 @@ def test_rings_around_covered_dots_are_read():
     assert np.max(squares) < chi2(2).isf(1e-5)
 
 
-@pytest.mark.long
+@pytest.mark.bench
 def test_covered_dots_are_found():
     rng = np.random.default_rng(8)
     found = wrong = 0

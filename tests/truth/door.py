@@ -22,8 +22,8 @@ from raybundle.observations import in_order
 from tests.truth.bands import assert_own_blocks, joint_cofactor, whitener
 from tests.truth.door_blocks import Case
 
-OPTIONS = AdjustmentOptions(estimate="auto", reject="snooping", noise="auto", threads=1)
-PLAIN = AdjustmentOptions(threads=1)
+OPTIONS = AdjustmentOptions(estimate="auto", reject="snooping", noise="auto", jobs=1)
+PLAIN = AdjustmentOptions(jobs=1)
 """Nothing is decided."""
 ROUNDS = 3
 

@@ -30,7 +30,7 @@ from raybundle.scenes.trajectory import CorrectionModel
 from raybundle.sensors import sensor_models
 from tests.truth.bands import JointErrors
 
-OPTIONS = AdjustmentOptions(threads=1, tolerance=1e-5)
+OPTIONS = AdjustmentOptions(jobs=1, tolerance=1e-5)
 NONE = Observations(
     image=np.zeros(0, np.int32), point=np.zeros(0, np.int32), xy_px=np.zeros((0, 2)), cov_px2=np.zeros((0, 3))
 )

@@ -24,7 +24,7 @@ from raybundle.planning.scenes import SinglePhoto, TargetField, field_scene, sin
 from raybundle.planning.simulate import Survey, simulate
 
 SMALL = TargetField(rows=5, columns=6, stations=5, frontal=1)
-OPTIONS = AdjustmentOptions(threads=1, tolerance=1e-5)
+OPTIONS = AdjustmentOptions(jobs=1, tolerance=1e-5)
 
 
 @dataclass

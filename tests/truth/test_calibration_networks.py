@@ -12,7 +12,7 @@ from raybundle.planning.calibration_networks import ROLLS, FlatField, flat_field
 from raybundle.planning.simulate import Survey, simulate
 from tests.truth.bands import assert_true_to_ten_percent, whitener
 
-OPTIONS = AdjustmentOptions(threads=1)
+OPTIONS = AdjustmentOptions(jobs=1)
 
 
 def calibrated(plan, seed=1, options=OPTIONS):
@@ -59,7 +59,7 @@ RUNS = 80
 def interior_errors(tilt):
     """Errors (runs, k) of the interior orientation in so many calibrations, and the covariance before sigma0."""
     plan = FlatField(tilt_deg=tilt, rolls_deg=ROLLS)
-    quick = AdjustmentOptions(threads=1, statistics=False, tolerance=1e-3)
+    quick = AdjustmentOptions(jobs=1, statistics=False, tolerance=1e-3)
     first = calibrated(plan)
     free, true = first.interior[0].free, plan.camera.values
     found = [calibrated(plan, seed, quick).adjusted.cameras[0].values for seed in range(RUNS)]

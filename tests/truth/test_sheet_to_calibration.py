@@ -49,7 +49,7 @@ def photographs(tmp_path_factory):
     folder = tmp_path_factory.mktemp("sheet")
     sheet = folder / "sheet.svg"
     assert (
-        main(["targets", "sheet", "--family", "aicon14", "--codes", "1-35", "--paper", "A3", "--out", str(sheet)]) == 0
+        main(["targets", "sheet", "--target", "aicon14", "--codes", "1-35", "--paper", "A3", "--out", str(sheet)]) == 0
     )
     print_ = raster(sheet)
     printed = read_sidecar(folder / "sheet.toml")

@@ -8,7 +8,7 @@ from raybundle.adjustment.options import AdjustmentOptions
 from raybundle.planning.uav_networks import Flight, flight_block
 from tests.truth.bands import assert_true_to_ten_percent, points_together
 
-OPTIONS = AdjustmentOptions(threads=1)
+OPTIONS = AdjustmentOptions(jobs=1)
 SEEDS = 3
 
 

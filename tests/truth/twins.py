@@ -15,7 +15,7 @@ from raybundle.numerics import native
 
 def assert_the_twin_agrees(block: Block, monkeypatch: pytest.MonkeyPatch) -> None:
     """Cost and step at the block's values, and sigma0, standard deviations and redundancy numbers of its adjustment."""
-    options = AdjustmentOptions(threads=1)
+    options = AdjustmentOptions(jobs=1)
     system = assemble(
         block, options, np.zeros(len(block.observations), bool), {c.id: free_parameters(c) for c in block.parametrised}
     )

@@ -87,7 +87,7 @@ def judged(seed: int, draw: Callable[[int], tuple[TargetField, float]] = network
     seen = simulate(field_scene(plan), Survey(seed=seed, image_sigma_px=sigma, points="approximate"))
     block = replace(seen.observed, cameras=tuple(replace(c, estimate="auto") for c in seen.observed.cameras))
     try:
-        result = decide(block, AdjustmentOptions(reject="snooping", robust_start=True, threads=1))
+        result = decide(block, AdjustmentOptions(reject="snooping", robust_start=True, jobs=1))
         (quality,) = calibration_qualities(result)
     except RaybundleError:
         return Judged(seed=seed, verdict="weak", truth="weak", worst_px=np.inf, quality=None)

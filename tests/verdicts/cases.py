@@ -20,9 +20,9 @@ from raybundle.planning.uav_networks import Flight, flight_block
 from tests.truth.mixed_blocks import room
 
 EXACT = Survey(seed=1, orientation="exact", points="exact", interior="exact", image_sigma_px=0.05)
-GIVEN = AdjustmentOptions(threads=1)
-AUTO = AdjustmentOptions(threads=1, estimate="auto")
-SNOOPING = AdjustmentOptions(threads=1, estimate="auto", reject="snooping")
+GIVEN = AdjustmentOptions(jobs=1)
+AUTO = AdjustmentOptions(jobs=1, estimate="auto")
+SNOOPING = AdjustmentOptions(jobs=1, estimate="auto", reject="snooping")
 
 
 def _flat(plan: FlatField) -> Block:

@@ -98,7 +98,7 @@ def test_a_stopped_run_continues(photos, done, tmp_path, monkeypatch, capsys, me
 
 def test_other_options_take_what_was_measured(photos, done, tmp_path, measured, capsys):
     out = Path(shutil.copytree(done, tmp_path / "again"))
-    assert main(command(photos, out, "--estimate", "c,x0,y0,K1")) == 0
+    assert main(command(photos, out, "--parameters", "c,x0,y0,K1")) == 0
     assert not measured
     assert numbers(out) != numbers(done)
     assert main(command(photos, out)) == 0

@@ -32,7 +32,7 @@ def unsteady():
     xy = np.where(moved, middle + 1.002 * (o.xy_px - middle), o.xy_px)
     camera = replace(block.cameras[0], estimate="auto")
     start = replace(block, observations=replace(o, xy_px=xy), cameras=(camera,))
-    settings = AdjustmentOptions(threads=1, noise="white")
+    settings = AdjustmentOptions(jobs=1, noise="white")
     first = decide(start, settings, silent)
     start = reweighted(with_values(start, first.adjusted), first.sigma0)
     _, after, told = cameras_apart(start, first, settings, silent)
@@ -41,7 +41,7 @@ def unsteady():
 
 def test_the_groups_are_named_in_full_as_an_option(unsteady):
     (notice,) = [n for n in unsteady.notices if n.code == "unstable_camera"]
-    (pattern,) = [json.loads(found) for found in re.findall(r'separate=("[^"]*[|][^"]*")', notice.reason)]
+    (pattern,) = [json.loads(found) for found in re.findall(r'own_camera=("[^"]*[|][^"]*")', notice.reason)]
     ids = unsteady.given.images.ids
     named = {i for i, name in enumerate(ids) if any(fnmatchcase(name, p) for p in pattern.split("|"))}
     assert named in (set(MOVED), set(range(len(ids))) - set(MOVED))

@@ -123,7 +123,7 @@ def test_control_in_both_parts_joins_them(flight):
     assert np.linalg.norm(placed.block.images.centre - flight.truth.images.centre, axis=1).max() < 2.0
     assert placed.marked.sum() == len(given.control[0].ids)
     assert len(set(placed.block.points.ids)) == len(placed.block.points)
-    result = decide(placed.block, AdjustmentOptions(threads=1, reject="snooping"))
+    result = decide(placed.block, AdjustmentOptions(jobs=1, reject="snooping"))
     assert result.sigma0 == pytest.approx(1.0, abs=0.1)
     error = result.adjusted.images.centre - flight.truth.images.centre
     std = np.sqrt(np.diagonal(result.precision.images[:, :3, :3], axis1=1, axis2=2))
@@ -145,7 +145,7 @@ def test_a_part_without_control_stays_apart_and_is_told(flight):
     )
     assert told.message.endswith("or mark three control points in each part")
     assert set(told.ids) == set(flight.truth.images.ids[5:])
-    decide(apart[0].block, AdjustmentOptions(threads=1))
+    decide(apart[0].block, AdjustmentOptions(jobs=1))
 
 
 def test_what_is_apart_is_called_by_its_name(flight):

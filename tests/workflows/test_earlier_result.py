@@ -14,7 +14,7 @@ from raybundle.workflows.earlier_result import less_fixed
 
 def adjusted(control):
     survey = Survey(control=control, control_sigma=(1e-4, 1e-4, 1e-4))
-    return adjust(simulate(field_scene(TargetField(stations=6)), survey).observed, AdjustmentOptions(threads=1))
+    return adjust(simulate(field_scene(TargetField(stations=6)), survey).observed, AdjustmentOptions(jobs=1))
 
 
 @pytest.fixture(scope="module")

@@ -1,11 +1,13 @@
 """Onto control, robustly: blunders are named, heights that are not known are said."""
 
+import re
 from dataclasses import replace
+from itertools import permutations
 
 import numpy as np
 import pytest
 
-from raybundle.adjustment.accuracy import accuracy
+from raybundle.adjustment.accuracy import Accuracy
 from raybundle.adjustment.check_points import check_differences
 from raybundle.adjustment.engine import adjust_block
 from raybundle.adjustment.options import AdjustmentOptions
@@ -94,6 +96,25 @@ def test_a_wrong_mark_is_named_with_the_point_that_stands_there(flight):
     if len(others):
         assert NAMES[marks.point[others[0]]] in notice.message
     assert error(flight, placed) < 0.5
+
+
+def test_a_mark_under_another_name_is_told_with_the_point_that_is_there(flight):
+    """The only mark of a board in a photograph bears the name of another board, which is seen elsewhere."""
+    marks, image = flight.marks, np.array(flight.marks.image)
+    here = next(
+        (a, b)
+        for name in dict.fromkeys(image)
+        for a, b in permutations(np.flatnonzero(image == name), 2)
+        if (marks.point == marks.point[b]).sum() > 2 and (marks.point == marks.point[a]).sum() > 3
+    )
+    a, b = here  # b's place is given for a, and b is not marked there at all
+    xy = marks.xy_px.copy()
+    xy[a] = xy[b]
+    wrong = replace(marks, xy_px=xy).rows(np.delete(np.arange(len(image)), b))
+    placed = georeference(flight.free, flight.photos, Given(control=(control(flight, marks=wrong),)))
+    (notice,) = [n for n in placed.notices if n.code == "mark_rejected"]
+    assert notice.ids == (NAMES[marks.point[a]], image[a])
+    assert re.search(rf"it lies [0-9.]+ px from where point {NAMES[marks.point[b]]} is", notice.message)
 
 
 def test_plan_control_levels_by_the_view(flight):
@@ -282,12 +303,12 @@ def test_heights_that_nobody_measured_are_neither_compared_nor_called_given(flig
     role = file.role.copy()
     role[4:] = Role.CHECK
     placed = georeference(flight.free, flight.photos, Given(control=(replace(file, role=role),)))
-    done = replace(adjust_block(placed.block, AdjustmentOptions(threads=1)), notices=placed.notices)
+    done = replace(adjust_block(placed.block, AdjustmentOptions(jobs=1)), notices=placed.notices)
     rows, difference = check_differences(done)
     assert len(rows) == 2
     assert np.isfinite(difference[:, :2]).all()
     assert not np.isfinite(difference[:, 2]).any()
-    assert "rmse_v" not in accuracy(done)["asprs"] or accuracy(done)["asprs"]["rmse_v"] is None
+    assert Accuracy(done).as_mapping()["asprs"]["rmse_v"] is None
     write_result(done, tmp_path / "r")
     given = (tmp_path / "r/control.csv").read_text().splitlines()
     column = given[0].split(",").index("Z")
@@ -302,14 +323,14 @@ def test_the_report_has_leave_one_out_and_asprs_figures(flight, tmp_path):
     role = file.role.copy()
     role[4:] = Role.CHECK
     placed = georeference(flight.free, flight.photos, Given(control=(replace(file, role=role),), sigma_given=True))
-    done = replace(adjust_block(placed.block, AdjustmentOptions(threads=1)), notices=placed.notices)
+    done = replace(adjust_block(placed.block, AdjustmentOptions(jobs=1)), notices=placed.notices)
     write_result(done, tmp_path / "r", report="html")
     page = (tmp_path / "r/report.html").read_text()
-    assert "Accuracy in the sense of ASPRS (2023)" in page
+    assert "Accuracy in the sense of ASPRS (2024)" in page
     assert "RMSE_H" in page
     assert "At least 30 are asked for there" in page
     assert "Control left out, one coordinate at a time" in page
-    left = accuracy(done)["leave_one_out"]
+    left = Accuracy(done).as_mapping()["leave_one_out"]
     assert {t["coordinate"] for t in left} == {"X", "Y", "Z"}
     # to first order that is what the adjustment without that coordinate says
     one = left[0]
@@ -317,7 +338,7 @@ def test_the_report_has_leave_one_out_and_asprs_figures(flight, tmp_path):
     sigma = placed.block.points.sigma.copy()
     sigma[k, "XYZ".index(one["coordinate"])] = np.nan
     without = adjust_block(
-        replace(placed.block, points=replace(placed.block.points, sigma=sigma)), AdjustmentOptions(threads=1)
+        replace(placed.block, points=replace(placed.block.points, sigma=sigma)), AdjustmentOptions(jobs=1)
     )
     axis = "XYZ".index(one["coordinate"])
     d = without.adjusted.points.xyz[k, axis] - placed.block.points.xyz[k, axis]

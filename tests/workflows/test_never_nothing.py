@@ -14,6 +14,7 @@ from raybundle.errors import NotSolvable, Undetermined
 from raybundle.matching.refine import LEVELS, CandidateMatches, Refined, choose_references
 from raybundle.numerics.progress import silent
 from raybundle.placing.georeference import Georeferenced
+from raybundle.placing.marks import Given
 from raybundle.planning.scenes import TargetField, brown_camera, field_scene
 from raybundle.planning.simulate import Survey, simulate
 from raybundle.ties import precise
@@ -174,7 +175,7 @@ def test_a_part_that_nothing_determines_costs_its_photographs_alone():
     whole, _ = features()
     o = whole.observations
     few = with_rows(whole, np.isin(o.image, [0, 1]) & (np.arange(len(o)) % 60 == 0))
-    asked = SimpleNamespace(groups=(), photos=(), remarks=(), options=OrientOptions(precise=False))
+    asked = SimpleNamespace(groups=(), photos=(), remarks=(), options=OrientOptions(precise=False), given=Given())
     means = SimpleNamespace(jobs=1, progress=silent)
     done = _adjusted(asked, placed(whole), [placed(few), placed(whole)], means)
     adjustment, parts = done.adjustment, done.other_components

@@ -142,7 +142,7 @@ def test_a_second_run_is_taken_from_the_cache(project, pair):
 
 
 def test_a_stage_can_be_done_again(project, pair):
-    assert main(command(pair[0], project, "--control", str(pair[1]), "--from", "precision")) == 0
+    assert main(command(pair[0], project, "--control", str(pair[1]), "--from-stage", "precision")) == 0
     cached = [s["name"] for s in told(project)["stages"] if s["from_cache"]]
     assert cached == ["features", "matching", "start"]
     shifts_are_found(project)
@@ -315,7 +315,7 @@ def test_heights_above_a_geoid_whose_grid_is_missing(pair, project, capsys, monk
     assert status == 2
     assert "counts heights above a geoid that is not installed" in said
     assert "pyproj sync --file some_geoid.tif" in said
-    assert "by the system without heights: EPSG:4326" in said
+    assert "say so: EPSG:4326+ellipsoid" in said
 
 
 @pytest.mark.long
@@ -442,7 +442,17 @@ def test_corrected_rpcs_and_points_can_be_taken_elsewhere(done, pair, tmp_path, 
         shift = [cameras[f"{name}.tif"][s]["value"] for s in ("A0", "B0")]
         ground = given.localise(np.array([[300.0, 400.0]]), 320.0)
         np.testing.assert_allclose(rpc.project(ground), given.project(ground) + shift, atol=1e-6)
+        # ERR_BIAS is what the adjustment says of the shift, on the ground
+        std = [cameras[f"{name}.tif"][s]["std"] for s in ("A0", "B0")]
+        gsd = np.linalg.norm(given.pixel_on_ground(), axis=1)
+        assert rpc.err_bias_m == pytest.approx(np.sqrt(np.mean((std * gsd) ** 2)), rel=0.05)
+        assert rpc.err_rand_m == given.err_rand_m
     assert main(["convert", str(done / "result"), "--to", "ply", "--out", str(tmp_path / "points.ply")]) == 0
+    pyogrio = pytest.importorskip("pyogrio")
+    assert main(["convert", str(done / "result"), "--to", "gpkg", "--out", str(tmp_path / "points.gpkg")]) == 0
+    assert pyogrio.read_info(tmp_path / "points.gpkg", layer="points")["features"] > 0
+    assert pyogrio.read_info(tmp_path / "points.gpkg", layer="stations")["features"] == 0  # 600 km up
+    assert "footprints" not in [name for name, _ in pyogrio.list_layers(tmp_path / "points.gpkg")]
     assert main(["convert", str(done / "result"), "--to", "block", "--out", str(tmp_path / "block")]) == 0
     assert [c.values["A0"] for c in read_block(tmp_path / "block").cameras] == [0, 0]  # what was observed
     capsys.readouterr()

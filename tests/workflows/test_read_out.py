@@ -65,7 +65,7 @@ def photographs(when):
 
 
 def adjusted(block):
-    return decide(block, AdjustmentOptions(threads=1))
+    return decide(block, AdjustmentOptions(jobs=1))
 
 
 def placed(block, sigma=0.02):

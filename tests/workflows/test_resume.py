@@ -249,7 +249,7 @@ def test_a_new_run_clears_away_what_a_killed_one_had_begun(tmp_path):
 @pytest.mark.parametrize(("word", "first"), [("match", "matching"), ("report", "report"), ("A", "adjustment")])
 def test_from_a_stage_by_the_beginning_of_its_name(done, photos, tmp_path, capsys, word, first):
     project = Path(shutil.copytree(done[0], tmp_path / done[0].name))
-    assert main(command(photos, project, "--from", word)) == 0
+    assert main(command(photos, project, "--from-stage", word)) == 0
     assert result_of(project) == result_of(done[0])
     capsys.readouterr()
     assert main(["status", str(project)]) == 0
@@ -264,6 +264,6 @@ def test_from_a_stage_by_the_beginning_of_its_name(done, photos, tmp_path, capsy
 
 @pytest.mark.parametrize("word", ["p", "nothing", ""])
 def test_a_beginning_that_says_too_little_is_refused(photos, tmp_path, capsys, word):
-    assert main(command(photos, tmp_path / "project", "--from", word)) == 2
+    assert main(command(photos, tmp_path / "project", "--from-stage", word)) == 2
     assert "photographs" in capsys.readouterr().err
     assert not (tmp_path / "project").exists()

@@ -20,7 +20,7 @@ from raybundle.planning.simulate import Survey, simulate
 from raybundle.workflows.same_camera import against_gimbal, shared_sensors
 
 BODY = Metadata(make="Canon", model="Canon EOS 5D Mark II", focal_mm=20.0, serial="1")
-OPTIONS = AdjustmentOptions(threads=1)
+OPTIONS = AdjustmentOptions(jobs=1)
 
 
 def network(turned, ratio=1, other=None, seed=1):

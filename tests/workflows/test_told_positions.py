@@ -7,6 +7,7 @@ import pytest
 
 from raybundle.adjustment.engine import adjust_block
 from raybundle.adjustment.network import classed
+from raybundle.block import Role
 from raybundle.io.photos.cameras import camera_groups
 from raybundle.io.photos.metadata import Metadata
 from raybundle.io.photos.photo import Photo
@@ -38,6 +39,17 @@ def test_relative_precision_and_a_common_shift_are_told_apart():
     assert height == pytest.approx(0.27, rel=0.5)
     assert "where 5 m are stated" in message
     assert "shift that all positions have in common" in message
+
+
+def test_control_that_is_there_is_not_asked_for():
+    block = flight(0.27, 5.0)
+    assert told(block).endswith("Control points would tell it")
+    xyz, role, sigma = block.points.xyz, np.array(block.points.role), np.array(block.points.sigma)
+    corners = [int(f(xyz[:, 0] + a * xyz[:, 1])) for a in (-1, 1) for f in (np.argmin, np.argmax)]
+    role[corners], sigma[corners] = Role.CONTROL, 50.0
+    placed = replace(block, points=replace(block.points, role=role, sigma=sigma))
+    assert "would tell" not in told(placed)
+    assert told(placed).endswith("which the control tells")
 
 
 @pytest.mark.parametrize("sigma", [0.05, 1.0])

@@ -19,7 +19,7 @@ from raybundle.ties.match_weights import FEWEST, Weights, estimate_weights
 from raybundle.ties.precise import candidates
 from raybundle.ties.start import start
 
-OPTIONS = AdjustmentOptions(threads=1)
+OPTIONS = AdjustmentOptions(jobs=1)
 CAMERA = brown_camera(estimate=("c", "K1"))
 EXACT = Survey(orientation="exact", points="exact", interior="exact", image_sigma_px=1e-6)
 

@@ -57,13 +57,10 @@ def wrong_bar(result: Adjustment, limit: float) -> WrongBar | None:
     with_bars = square + float(bars.square[doubted].sum()), r + float(np.nansum(bars.redundancy[doubted]))
     if not len(doubted) or not _worse(*with_bars, W):
         return None
-    system, state, e = work.system, work.state, work.normals.extra(work.state)
-    nodes = np.zeros((int(system.offsets[-1]), len(doubted)))
-    for k, row in enumerate(doubted):
-        mine = e.row == part.start + row
-        np.add.at(nodes[:, k], e.unknown[mine], e.value[mine])
+    system, state = work.system, work.state
+    residual, nodes = work.normals.rows_of(state, part.start + doubted)
     x, y = work.normals.solve(state, nodes, np.zeros((*state.xyz.shape, len(doubted))))
-    v, meet = np.asarray(e.residual, float)[part.start + doubted], nodes.T @ x
+    v, meet = residual, nodes.T @ x
     points = np.flatnonzero((system.prior & system.points_used[:, None]).any(axis=1))
     step = y[points]
     retained = system.point_node[points] >= 0

@@ -181,8 +181,12 @@ def systematic_notices(result: Adjustment) -> list[Notice]:
     if not told:
         return []
     white = result.noise.kind == "white"
-    contains = "standard deviations of independent errors do not contain (in few photographs smooth errors of single "
-    contains = f"{contains}ones look alike)" if white else "standard deviations do not contain: it is in all images"
+    contains = (
+        "standard deviations of independent errors do not contain (in few photographs smooth errors of single "
+        "ones look alike)"
+        if white
+        else "standard deviations do not contain: it is in all images"
+    )
     return [
         Notice(
             code="systematic_residuals",

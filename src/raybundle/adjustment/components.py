@@ -155,7 +155,7 @@ def settled_components(
                 return found  # observations without errors, or a group that nothing holds
             if all(abs(c - 1) < SETTLED for key, c in change.items() if key in told):
                 break
-            now = variance_components(adjusted(_weighted(block, factors)))
+            now = variance_components(adjusted(weighted(block, factors)))
             steps = {(c.kind, c.group): c for c in now if (c.kind, c.group) in factors}
     except NotSolvable:
         return found
@@ -180,8 +180,8 @@ def _of_images(steps: Mapping[tuple[str, str], VarianceComponent]) -> float:
     return max(own, key=lambda c: c.redundancy).ratio
 
 
-def _weighted(block: Block, factors: Mapping[tuple[str, str], float]) -> Block:
-    """The block with the standard deviations of the groups multiplied."""
+def weighted(block: Block, factors: Mapping[tuple[str, str], float]) -> Block:
+    """The block with the standard deviations of the groups multiplied; keys are kind and group of a component."""
 
     def of(kind: str) -> float:
         return factors.get((kind, "all"), 1.0)
@@ -190,7 +190,7 @@ def _weighted(block: Block, factors: Mapping[tuple[str, str], float]) -> Block:
     o = block.observations
     rows = image[block.images.camera[o.image]]
 
-    weighted = replace(block, observations=replace(o, cov_px2=o.cov_px2 * (rows**2)[:, None]))
+    done = replace(block, observations=replace(o, cov_px2=o.cov_px2 * (rows**2)[:, None]))
     for kind in in_order():
-        weighted = kind.weighted(weighted, of(kind.group))
-    return weighted
+        done = kind.weighted(done, of(kind.group))
+    return done

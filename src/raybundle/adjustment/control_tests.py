@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from itertools import pairwise
@@ -173,6 +173,15 @@ class ControlTests:
                 p = self.tail(T, k)
                 found.append(ControlTest(point=s.point, square=T, directions=k, probability=p, shift=shift[0]))
         return tuple(sorted(found, key=lambda t: (t.probability, -t.square)))
+
+    def left_out(self) -> Iterator[tuple[int, Array]]:
+        """Each tested point and adjusted minus given (3,) had it, whole, taken no part.
+
+        0 where it has no control, NaN of a point without which one of its directions is open.
+        """
+        for i, s in enumerate(self._seen):
+            _, k, shift = self.let_go([i])
+            yield s.point, shift[0] if k == len(s.axes) else np.full(3, np.nan)
 
     def name(self, i: int) -> str:
         """Name of a tested point."""

@@ -110,6 +110,8 @@ def node_generators(system: System, state: State, datum: Datum) -> Array:
     at = system.offsets[system.point_node[points]][:, None] + np.arange(3)
     G[at] = point_generators(state.xyz[points], datum.centre, datum.extent) * ~system.control_held[points][:, :, None]
     for r, row in enumerate(system.interior):
+        if row.node < 0:  # an instrument of which nothing is observed
+            continue
         for k, position in enumerate(row.free):
             if row.model.parameters[position].is_length:
                 G[system.offsets[row.node] + row.start + k, 6] = state.interior[r, position]
@@ -145,7 +147,9 @@ def analyse(system: System, state: State, options: AdjustmentOptions) -> Datum:
         kind = "control"
     elif left_open := _left_open(system, basis):
         names = open_names(basis)
-        raise DatumDefect(f"{', '.join(names)} {'is' if len(names) == 1 else 'are'} left open: {left_open}")
+        raise DatumDefect(
+            f"{', '.join(names)} {'is' if len(names) == 1 else 'are'} left open: {left_open}", open_names=names
+        )
     elif options.datum == "control":
         names = open_names(basis)
         raise DatumDefect(

@@ -18,8 +18,8 @@ from raybundle.adjustment.known_before import against_known
 from raybundle.adjustment.options import AdjustmentOptions
 from raybundle.adjustment.pixel_shape import beyond_sensor, shape_limit, under_its_noise, untold_shape
 from raybundle.adjustment.result import Adjustment, InteriorResult, Notice, printed_unit
-from raybundle.adjustment.separability import unlocatable
 from raybundle.adjustment.severity import Severity
+from raybundle.adjustment.snooping import apart, bent_by_distances, innocent, is_blunder, with_rejected, without_reasons
 from raybundle.adjustment.wrong_control import (
     WrongControl,
     judged,
@@ -29,10 +29,9 @@ from raybundle.adjustment.wrong_control import (
     suspected,
 )
 from raybundle.block import Block, Camera
-from raybundle.block.rejection import Rejection, RejectionKind, Rejections, given_rejections
+from raybundle.block.rejection import Rejections, given_rejections
 from raybundle.block.stored import is_observed_jointly
-from raybundle.errors import NoConvergence, NotSolvable, RankDefect
-from raybundle.numerics.arrays import Array
+from raybundle.errors import DatumDefect, NoConvergence, NotSolvable, RankDefect
 from raybundle.numerics.progress import Progress, silent
 from raybundle.numerics.statistics import fisher_tail
 from raybundle.sensors import sensor_models
@@ -121,16 +120,28 @@ def _snoop(
     """Reject blunders in rounds, each round those that do not touch one another; then let rejected ones return.
 
     Test: tau = v / (sigma0 s sqrt r), largest of the two coordinates of an image point, against the family-wise
-    critical value (Pope 1976).  A rejected observation returns once if its residual is below that limit.
+    critical value (Pope 1976).  A rejected observation returns once if its residual is below that limit.  Where
+    rejections would leave position, orientation or scale open, it is the control that contradicts: its image
+    observations return and stay, and the contradiction is told.
     """
     returned: set[int] = set()
+    guarded = np.zeros(len(block.observations), bool)
     for _ in range(ROUNDS):
-        result = _quiet(block, options, choices, progress, extent="tests", start=start)
+        try:
+            result = _quiet(block, options, choices, progress, extent="tests", start=start)
+        except DatumDefect:
+            guarded = np.asarray(block.points.is_control.any(axis=1))[block.observations.point]
+            back = [i for i, r in enumerate(choices.reasons) if is_blunder(r) and guarded[i]]
+            if not back:
+                raise
+            returned.update(back)
+            choices.reasons = without_reasons(choices.reasons, back)
+            continue
         start = "adjusted"
         block = as_start(block, result.adjusted)
         choices.reasons = result.image_observations.rejected
         size = np.nan_to_num(np.abs(result.image_observations.t).max(axis=1))
-        suspects = np.flatnonzero(size > result.critical_tau)
+        suspects = np.flatnonzero((size > result.critical_tau) & ~guarded)
         wrong = _wrong_control(result, choices, float(size.max(initial=0.0)))
         if wrong is not None and wrong.may_go:
             block, choices.reasons = left_out(block, wrong.name, choices.reasons)
@@ -139,20 +150,18 @@ def _snoop(
         if wrong is not None:  # it is the points that are wrong, not their image observations
             taken = [block.points.ids.index(name) for name in (wrong.name, *wrong.others)]
             suspects = suspects[~np.isin(block.observations.point[suspects], taken)]
-        chosen = _apart(block, size, suspects)
+        suspects = suspects[~bent_by_distances(result, suspects, size)]
+        chosen = apart(block, size, suspects)
         if not chosen:
-            back = [i for i in _innocent(result) if i not in returned]
+            back = [i for i in innocent(result) if i not in returned]
             if not back:
                 choices.notices = [n for n in choices.notices if n.code != "control_not_located"]
                 choices.notices += [] if wrong is None else [kept_notice(wrong)]
                 return block
             returned.update(back)
-            reasons = list(choices.reasons)
-            for i in back:
-                reasons[i] = None
-            choices.reasons = tuple(reasons)
+            choices.reasons = without_reasons(choices.reasons, back)
             continue
-        choices.reasons = _with_rejected(result, choices.reasons, np.array(chosen), size)
+        choices.reasons = with_rejected(result, choices.reasons, np.array(chosen), size)
     choices.notices.append(
         Notice(code="snooping_unfinished", message=f"data snooping stopped after {ROUNDS} rounds; suspects are left")
     )
@@ -168,59 +177,6 @@ def _wrong_control(result: Adjustment, choices: Decisions, largest: float) -> Wr
     if worst is None or worst.square <= (largest * result.sigma0) ** 2:
         return None
     return judged(result, worst, choices.free, choices.reasons)
-
-
-def _with_rejected(result: Adjustment, reasons: Rejections, chosen: Array, size: Array) -> Rejections:
-    """The reasons with those of these suspects, or of all rays of a point whose wrong one cannot be told."""
-    new = list(reasons)
-    point = result.given.observations.point
-    whole: dict[int, Rejection] = {}
-    for i, lost in zip(chosen, unlocatable(result, chosen), strict=True):
-        axis = int(np.nanargmax(np.abs(result.image_observations.t[i])))
-        kind = RejectionKind.BLUNDER_NOT_LOCATED if lost else RejectionKind.BLUNDER
-        why = Rejection(kind=kind, tau=float(size[i]), limit=result.critical_tau, axis="xy"[axis])
-        if lost:
-            whole[int(point[i])] = why
-        else:
-            new[i] = why
-    for k in np.flatnonzero(np.isin(point, list(whole))):
-        new[k] = new[k] or whole[int(point[k])]
-    return tuple(new)
-
-
-def _apart(block: Block, size: Array, suspects: Array) -> list[int]:
-    """Suspects in order of size, one for each object point and few for each image: one blunder's smear is spared."""
-    points: set[int] = set()
-    images: dict[int, int] = {}
-    chosen: list[int] = []
-    counts = np.bincount(block.observations.image, minlength=len(block.images))
-    for i in suspects[np.argsort(-size[suspects], kind="stable")]:
-        image, point = int(block.observations.image[i]), int(block.observations.point[i])
-        if point in points or images.get(image, 0) >= max(1, counts[image] // 100):
-            continue
-        points.add(point)
-        images[image] = images.get(image, 0) + 1
-        chosen.append(int(i))
-    return chosen
-
-
-def is_blunder(reason: Rejection | None) -> bool:
-    """Whether an image observation was rejected as a blunder of its own."""
-    return reason is not None and reason.kind is RejectionKind.BLUNDER
-
-
-def _innocent(result: Adjustment) -> list[int]:
-    """Rejected blunders whose residual against the present result is below the critical value."""
-    from raybundle.adjustment.predict import residuals_px  # noqa: PLC0415
-
-    block = result.adjusted
-    rows = np.array([i for i, r in enumerate(result.image_observations.rejected) if is_blunder(r)], int)
-    if not len(rows):
-        return []
-    v = residuals_px(block, rows)
-    sigma = np.sqrt(block.observations.cov_px2[rows, :2])
-    size = np.abs(v / sigma).max(axis=1) / (result.sigma0 or 1.0)
-    return [int(i) for i, s in zip(rows, size, strict=True) if s < result.critical_tau]
 
 
 def _choose(

@@ -44,6 +44,7 @@ from raybundle.adjustment.result import (
     ObservationGroup,
     ObservationStatistics,
     Precision,
+    variance_factor,
 )
 from raybundle.adjustment.solve import CAUTIOUS, FLOOR, HUBER, solve
 from raybundle.adjustment.steady import steadied, told_by_network, without_priors
@@ -53,7 +54,7 @@ from raybundle.adjustment.under_noise import under_noise
 from raybundle.adjustment.work import Work
 from raybundle.block import Block, Camera, Instrument
 from raybundle.block.rejection import Rejection, RejectionKind, Rejections
-from raybundle.errors import NoConvergence, RankDefect, TooFewObservations
+from raybundle.errors import DatumDefect, NoConvergence, RankDefect, TooFewObservations
 from raybundle.numerics.arrays import Mask
 from raybundle.numerics.progress import Progress, silent
 from raybundle.numerics.statistics import family_wise_normal, family_wise_tau, global_test
@@ -138,10 +139,7 @@ def _with_settled_components(
     """The result with variance components that are iterated where one step is not enough."""
 
     def adjusted(weighted: Block) -> Found:
-        near = as_start(weighted, result.adjusted)
-        cameras = tuple(replace(w, values=n.values) for w, n in zip(weighted.cameras, near.cameras, strict=True))
-        points = replace(weighted.points, xyz=near.points.xyz)
-        start = replace(weighted, cameras=cameras, images=near.images, points=points)
+        start = started(weighted, result.adjusted)
         brief = replace(
             options, tolerance=max(options.tolerance, 1e-3), robust_start=False,
             max_iterations=min(options.max_iterations, NEARBY),
@@ -150,7 +148,7 @@ def _with_settled_components(
         state = work.state
         whitened, _ = work.normals.residuals(state)
         statistics = image_statistics(work.system, whitened, work.found, 1.0, now)
-        return work.system, whitened, statistics, observation_groups(work.normals, state, work.found, 1.0)
+        return work.system, whitened, statistics, observation_groups(work.normals, state, work.found, 1.0, 1.0)
 
     components = settled_components(block, result.variance_components, adjusted)
     if components is result.variance_components:
@@ -227,7 +225,7 @@ def estimate_only(
     returns  the block, and the rows (m,) whose point ended behind the camera or has no projection
     """
     system = assemble(block, options, mask, free)
-    normals = Normals.of(system, options.threads)
+    normals = Normals.of(system, options.jobs)
     state = system.initial_state()
     if options.robust_start:
         found = solve(normals, state, options, huber=HUBER, tolerance=1e-1, approximate=True)
@@ -244,7 +242,10 @@ def open_datum(
 ) -> tuple[str, ...]:
     """Names of what control, distances and projection centres leave open of the datum, at the values of the block."""
     system = assemble(block, options, np.array([bool(r) for r in reasons], bool), free)
-    return open_names(analyse(system, system.initial_state(), replace(options, datum="auto")).basis)
+    try:
+        return open_names(analyse(system, system.initial_state(), replace(options, datum="auto")).basis)
+    except DatumDefect as error:  # instruments that need it tell what would be open
+        return error.open_names
 
 
 def reject_single_rays(block: Block, reasons: Rejections, mask: Mask) -> tuple[Rejections, Mask]:
@@ -276,7 +277,7 @@ def _estimate(
         return open_names(analyse(part, part.initial_state(), replace(options, datum="auto")).basis)
 
     parts = defects.check_components(block, mask, open_of) if datum.defect == 0 or _may_fall_apart(block, mask) else 1
-    normals = Normals.of(system, options.threads)
+    normals = Normals.of(system, options.jobs)
     if options.robust_start:
         state = solve(normals, state, options, huber=HUBER, tolerance=1e-2, approximate=True, progress=progress).state
     damping = FLOOR if start == "adjusted" else CAUTIOUS
@@ -325,13 +326,14 @@ def result_of(
     square_sum = 2 * solution.cost
     sigma0 = float(np.sqrt(square_sum / redundancy)) if redundancy > 0 else float("nan")
     whitened, _ = normals.residuals(solution.state)
-    covariances = _covariances(work, sigma0**2 if redundancy > 0 else 1.0, extent)
+    variance = variance_factor(options, sigma0, redundancy)
+    covariances = _covariances(work, variance, extent)
     progress("statistics", 1.0)
     observations = image_statistics(system, whitened, found, sigma0, reasons)
-    groups = observation_groups(normals, state, found, sigma0)
-    interior = () if extent == "tests" else interior_results(normals, state, covariances, sigma0, redundancy)
+    groups = observation_groups(normals, state, found, sigma0, variance)
+    interior = () if extent == "tests" else interior_results(normals, state, covariances, variance, redundancy)
     if added:
-        interior = tuple(told_by_network(i, added, sigma0) for i in interior)
+        interior = tuple(told_by_network(i, added, variance) for i in interior)
     tests = 2 * len(system.rows) + sum(int((g.sigma > 0).sum()) for g in groups)
     limit = family_wise_tau(options.significance, tests, redundancy)
     told = found is not None and not brief
@@ -458,6 +460,15 @@ def as_start(given: Block, adjusted: Block) -> Block:
     images = replace(adjusted.images, interior=interior)
     points = replace(adjusted.points, xyz=xyz)
     return replace(adjusted, cameras=cameras, instruments=instruments, images=images, points=points)
+
+
+def started(block: Block, adjusted: Block) -> Block:
+    """The block with adjusted values as approximate ones: of other weights, otherwise the same."""
+    near = as_start(block, adjusted)
+    cameras = tuple(replace(c, values=n.values) for c, n in zip(block.cameras, near.cameras, strict=True))
+    instruments = tuple(replace(i, values=n.values) for i, n in zip(block.instruments, near.instruments, strict=True))
+    points = replace(block.points, xyz=near.points.xyz)
+    return replace(block, cameras=cameras, instruments=instruments, images=near.images, points=points)
 
 
 def _observed_own(given: Block, image: int, values: Mapping[str, float]) -> dict[str, float]:

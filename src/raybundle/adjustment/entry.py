@@ -39,7 +39,7 @@ def _check_options(options: AdjustmentOptions) -> None:
         if typing.get_origin(kind) is tuple and not _is_names(value, pairs=pairs):
             raise InputError(f"options: {name} is {value!r}; it is a tuple of {'pairs of ' if pairs else ''}names")
     numbers: tuple[tuple[str, float, float, bool], ...] = (
-        ("max_iterations", 1, 1e6, True), ("threads", 0, 4096, True), ("tolerance", 1e-15, 1.0, False),
+        ("max_iterations", 1, 1e6, True), ("jobs", 0, 4096, True), ("tolerance", 1e-15, 1.0, False),
         ("significance", 1e-15, 0.5, False),
     )  # fmt: skip
     for name, low, high, whole in numbers:

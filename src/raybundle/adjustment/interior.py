@@ -74,6 +74,9 @@ def plausible_std(owner: Camera | Instrument, values: Array, position: int, effe
     if isinstance(owner, Instrument):
         # what is observed is known as well as stated; sigma0 may make a little more of it
         stated = 1.5 * owner.sigma.get(parameter.symbol, 0.0)
+        # of a shift in object space nothing is known beforehand: another datum may be anywhere
+        if parameter.unit == "length" and any(parameter.symbol in group for group in owner.sensor.in_object):
+            return np.inf
         return max(PLAUSIBLE_CARRIED.get(parameter.unit, np.inf), stated)
     if parameter.kind == "scale":
         return PLAUSIBLE["scale"] * abs(float(values[position]))
@@ -84,7 +87,7 @@ def plausible_std(owner: Camera | Instrument, values: Array, position: int, effe
 
 
 def interior_results(
-    normals: Normals, state: State, precision: Precision | None, sigma0: float, redundancy: int
+    normals: Normals, state: State, precision: Precision | None, variance: float, redundancy: int
 ) -> tuple[InteriorResult, ...]:
     """Parameters, correlations and tests of every interior orientation that takes part."""
     system = normals.system
@@ -94,7 +97,7 @@ def interior_results(
             continue
         lengths = row.camera >= 0 and any(p.unit.startswith("length") for p in row.model.parameters)
         distance = _distance(system, state, system.images_of(r)) if lengths else 1.0
-        results.append(_one(normals, row, state.interior[r], precision, sigma0, redundancy, distance))
+        results.append(_one(normals, row, state.interior[r], precision, variance, redundancy, distance))
     return tuple(results)
 
 
@@ -108,14 +111,14 @@ def _distance(system: System, state: State, images: Index) -> float:
 
 
 def _one(
-    normals: Normals, row: InteriorRow, values: Array, precision: Precision | None, sigma0: float, redundancy: int,
+    normals: Normals, row: InteriorRow, values: Array, precision: Precision | None, variance: float, redundancy: int,
     distance: float,
 ) -> InteriorResult:  # fmt: skip
     system: System = normals.system
     owner = row.owner(system.block)
     C = None if precision is None or row.node < 0 else precision.interior[row.key(system.block)]
     diagonal = normals.diagonal[interior_unknowns(system, row)] if row.node >= 0 else np.zeros(0)
-    variance = sigma0**2 if np.isfinite(sigma0) and sigma0 > 0 else 1.0
+    variance = variance if variance > 0 else 1.0
     parameters: dict[str, ParameterResult] = {}
     known = known_before(owner)
 

@@ -75,7 +75,7 @@ class Factored:
         system = assemble(block, options, mask, free)
         state = system.initial_state()
         datum = analyse(system, state, options)
-        normals = Normals.of(system, options.threads)
+        normals = Normals.of(system, options.jobs)
         if like is not None and like.datum.defect == datum.defect:
             datum = replace(like.datum, centre=like.datum.centre + like.system.shift - system.shift)
             system.held = like.system.held.copy()

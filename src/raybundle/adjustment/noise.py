@@ -482,7 +482,8 @@ def _without_priors(own: Array, system: System) -> None:
 
 def _inverse(N: Array) -> Array:
     """The inverse of normal equations; of what they do not determine, nothing."""
-    scale = 1 / np.sqrt(np.maximum(np.diagonal(N), 1e-300))
+    size = np.diagonal(N)
+    scale = np.where(size > 0, 1 / np.sqrt(np.where(size > 0, size, 1.0)), 0.0)
     values, vectors = np.linalg.eigh(N * np.outer(scale, scale))
     known = values > SINGULAR
     whole = vectors[:, known] / np.sqrt(values[known])

@@ -113,9 +113,13 @@ class Normals:
     def _node(self, unknown: Array) -> Array:
         return np.searchsorted(self.system.offsets, unknown, side="right") - 1
 
-    def standardised(self, state: State) -> Linearised:
-        """Extra observations at a state, in units of their standard deviations: residual adjusted - observed."""
+    def standardised(self, state: State, held: Mask | None = None) -> Linearised:
+        """Extra observations at a state, in units of their standard deviations: residual adjusted - observed.
+
+        held  (p, 3) coordinates that are no unknowns; None: with those that the datum holds
+        """
         system, extra = self.system, self.system.extra
+        held = system.held if held is None else held
         if not len(extra):
             return _NOTHING
         residual = np.zeros(len(extra))
@@ -128,7 +132,7 @@ class Normals:
                 free = columns >= 0
                 value = partials.value
                 if partials.of == "point":  # of what the datum holds the structure stays
-                    value = value * ~system.held[partials.item, partials.component]
+                    value = value * ~held[partials.item, partials.component]
                 rows.append(partials.row[free] + part.start)
                 unknowns.append(columns[free])
                 values.append(value[free])
@@ -148,6 +152,15 @@ class Normals:
         e = self.standardised(state)
         correlated = self.system.extra.correlated
         return _mixed(e, correlated) if correlated else e
+
+    def rows_of(self, state: State, rows: Index) -> tuple[Array, Array]:
+        """Whitened residuals (k,) of extra observations, and their rows of the design matrix by the nodes (N, k)."""
+        e = self.extra(state)
+        nodes = np.zeros((int(self.system.offsets[-1]), len(rows)))
+        for k, row in enumerate(rows):
+            mine = e.row == row
+            np.add.at(nodes[:, k], e.unknown[mine], e.value[mine])
+        return np.asarray(e.residual, float)[rows], nodes
 
     def refresh_external(self, state: State) -> None:
         """Evaluate models that are not compiled at a state and hand them to the native solver."""

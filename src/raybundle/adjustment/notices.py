@@ -18,6 +18,7 @@ from raybundle.adjustment.network import weak_images
 from raybundle.adjustment.reliability import UNCONTROLLED, RedundancySum
 from raybundle.adjustment.result import Adjustment, Notice, ObservationGroup, VarianceComponent
 from raybundle.adjustment.severity import NEARLY, POOR_FIT, Severity
+from raybundle.adjustment.suspects import suspect_notices
 from raybundle.adjustment.wrong_images import wrong_image_notices
 from raybundle.block import Role
 from raybundle.block.frames import stored_ways
@@ -25,7 +26,6 @@ from raybundle.block.points import automatic
 from raybundle.block.rejection import WORDS, RejectionKind, counts
 from raybundle.numerics.counting import counted, counted_are
 from raybundle.numerics.statistics import global_test
-from raybundle.observations import observation_kinds
 
 UNCHECKED = 0.01
 """Redundancy number below which an observation is not checked by the others (Förstner 1987): an error of forty
@@ -276,26 +276,8 @@ def _control(result: Adjustment) -> list[Notice]:
         if g.kind == "control":
             found += control_notices(result, against)
             continue
-        factor, unit = _shown(result, g)
-        found += [
-            Notice(
-                code=f"{g.kind}_suspect",
-                message=f"{g.kind} {g.ids[k]}, {g.component[k]}: adjusted minus given "
-                f"{factor * g.residual[k]:.4g}{unit} at a sigma of {factor * g.sigma[k]:.3g}{unit}, "
-                f"|w| {abs(g.w[k]):.1f} against {limit * own:.1f}. Check this value",
-                ids=(g.ids[k],),
-            )
-            for k in np.flatnonzero(np.abs(np.nan_to_num(g.w)) > limit * own)
-        ]
+        found += suspect_notices(result, g, limit * own)
     return found + _unchecked(result)
-
-
-def _shown(result: Adjustment, g: ObservationGroup) -> tuple[float, str]:
-    """By what residuals of a group are multiplied to be shown, and their unit, with the space before it."""
-    kind = observation_kinds[g.kind].unit
-    if kind == "angle":
-        return float(np.degrees(1.0)), " degrees"
-    return 1.0, f" {result.length_unit}".rstrip() if kind == "length" else ""
 
 
 def _unchecked(result: Adjustment) -> list[Notice]:

@@ -37,7 +37,7 @@ class AdjustmentOptions:
         "measured scale.",
     )  # fmt: skip
     datum_points: tuple[str, ...] = setting(
-        (), "Points that carry the datum; all if not given.", metavar="ID,ID,...", joined=True
+        (), "Points that carry the datum; all if not given.", metavar="A,B,C,...", joined=True
     )
     datum_over: Literal["", "all", "good"] = ""
     """Without `datum_points`: all object points; good: those that rays determine to twice the median standard
@@ -60,6 +60,10 @@ class AdjustmentOptions:
     weights: Literal["given", "residuals"] = "given"
     """Where the standard deviations of the image points come from.  residuals: an earlier adjustment of the same image
     points chose them, so that sigma0 near 1 and a passed global test say nothing; no number hangs on it."""
+    variance_groups: bool = setting(
+        False, "Groups of observations (image points of each camera, control, distances ...) have variance factors of "
+        "their own, as far as the residuals tell them; what has no redundancy keeps its standard deviation as given.",
+    )  # fmt: skip
     reject: Literal["none", "snooping"] = setting(
         "none", "snooping: image observations with significant blunders are left out, one at a time."
     )
@@ -75,6 +79,6 @@ class AdjustmentOptions:
     """The last step's length, in standard deviations of the unknowns (root of dx' N dx / u)."""
     significance: float = 0.05
     """Family-wise significance level of the tests on additional parameters and of data snooping."""
-    threads: int = setting(0, "0: all processors.", limits=NOT_NEGATIVE)
+    jobs: int = setting(0, "How many processors; 0: all.", limits=NOT_NEGATIVE)
     noise: NoiseModel = setting("auto", NOISE_HELP)
     """fields widens the standard deviations; the estimates stay."""

@@ -116,7 +116,7 @@ def exact_tables(block: Block) -> tuple[Table, ...]:
     own, as a total station's orientation, start where that kind starts them.
     """
     none = {owner.id: () for owner in block.parametrised}
-    system = assemble(block, AdjustmentOptions(threads=1), np.zeros(len(block.observations), bool), none)
+    system = assemble(block, AdjustmentOptions(jobs=1), np.zeros(len(block.observations), bool), none)
     state = system.initial_state()
     found = list[Table]()
     for part in system.extra.parts:

@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from contextlib import suppress
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from functools import partial
 from typing import TYPE_CHECKING
 
@@ -120,7 +121,7 @@ def _work(result: Adjustment) -> tuple[Work, State]:
 
 
 def _variance(result: Adjustment) -> float:
-    return result.sigma0**2 if result.redundancy > 0 else 1.0
+    return result.variance_factor
 
 
 def _selection(system: System, state: State, name: str) -> tuple[list[tuple[str, int, int]], Array]:
@@ -258,3 +259,45 @@ def design_row(system: System, state: State, row: int, axis: int) -> tuple[Array
         columns.append(D[3:][list(parent.free)])
     at = np.concatenate(unknowns) if unknowns else np.zeros(0, int)
     return at, np.concatenate(columns) if columns else np.zeros(0), point, np.where(system.held[point], 0.0, by_point)
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class NamedCovariance:
+    """A covariance matrix and what its rows are."""
+
+    names: tuple[str, ...]
+    """(k,) "point:7:X", "image:DSC01:kappa", "camera:1:c" """
+    matrix: Array
+    """(k, k) a-posteriori, in the result's datum; rad, units of the block and of the parameters"""
+
+    @property
+    def std(self) -> dict[str, float]:
+        """Standard deviations by name."""
+        return dict(zip(self.names, np.sqrt(np.maximum(np.diag(self.matrix), 0)).tolist(), strict=True))
+
+
+def covariance(result: Adjustment, names: Sequence[str]) -> NamedCovariance:
+    """The joint covariance of several objects of an adjustment, with the names of its rows.
+
+    names   "point:7", "image:DSC01", "camera:1", as `covariance_between` takes them
+    raises  InputError for names that took no part
+    """
+    blocks = [[covariance_between(result, a, b) for b in names[k:]] for k, a in enumerate(names)]
+    full = [[blocks[i][j - i] if j >= i else blocks[j][i - j].T for j in range(len(names))] for i in range(len(names))]
+    matrix = np.block(full) if names else np.zeros((0, 0))
+    rows = [f"{name}:{c}" for k, name in enumerate(names) for c in _components(result, name, len(blocks[k][0]))]
+    return NamedCovariance(names=tuple(rows), matrix=matrix)
+
+
+def _components(result: Adjustment, name: str, count: int) -> Sequence[str]:
+    """What the components of a named object are called."""
+    kind, _, identity = name.partition(":")
+    if kind == "point":
+        return "XYZ"
+    if kind == "image":
+        return ("X0", "Y0", "Z0", "omega", "phi", "kappa")
+    if kind == "camera":
+        work, _ = _work(result)
+        row = next(r for r in work.system.interior if r.key(work.system.block) == identity)
+        return [row.model.parameters[k].symbol for k in row.free]
+    return [str(k) for k in range(count)]

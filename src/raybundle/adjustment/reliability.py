@@ -107,7 +107,7 @@ class _Tests:
 
 def _group(
     kind: str, ids: Sequence[str], component: Sequence[str], given: Array, sigma: Array, adjusted: Array,
-    cofactor: Array, sigma0: float, least: Callable[[], float], item: Index, quantity: Index,
+    cofactor: Array, sigma0: float, variance: float, least: Callable[[], float], item: Index, quantity: Index,
     origin: tuple[str, ...] = (), tests: _Tests | None = None,
 ) -> ObservationGroup:  # fmt: skip
     """Statistics of observations of single quantities with these cofactors; uncorrelated where `tests` is None.
@@ -127,21 +127,22 @@ def _group(
     controlled = test > UNCONTROLLED * tests.weight
     root = np.sqrt(np.where(controlled, test, 1.0))
     w = np.where(controlled, tests.weighted / root, np.nan)
-    scale = sigma0 if np.isfinite(sigma0) else 1.0
     return ObservationGroup(
         kind=kind, ids=tuple(ids), component=tuple(component), origin=origin,
         item=np.asarray(item, np.int32), quantity=np.asarray(quantity, np.int32), given=given, sigma=sigma,
         adjusted=adjusted,
-        adjusted_std=scale * np.sqrt(np.maximum(cofactor, 0)), residual=residual, redundancy=redundancy,
+        adjusted_std=np.sqrt(variance * np.maximum(cofactor, 0)), residual=residual, redundancy=redundancy,
         w=w, t=w / sigma0, mdb=np.where(controlled, DELTA0 * safe / root, np.nan),
         square=np.where(weighted, residual / safe * tests.weighted, 0.0),
     )  # fmt: skip
 
 
 def observation_groups(
-    normals: Normals, state: State, found: Cofactors | None, sigma0: float
+    normals: Normals, state: State, found: Cofactors | None, sigma0: float, variance: float
 ) -> tuple[ObservationGroup, ...]:
     """Control coordinates, distances, projection centres and observed parameters.
+
+    variance  what covariances are cofactors times
 
     Redundancy numbers that are `rounding` are 0: their residual, rounding too, by their root would be any test value.
     """
@@ -162,7 +163,7 @@ def observation_groups(
             _group(
                 "control", [block.points.ids[p] for p in point], ["XYZ"[a] for a in axis],
                 block.points.xyz[point, axis], sigma, state.xyz[point, axis] + shift[axis],
-                np.where(sigma == 0, 0.0, cofactor), sigma0, least, point, axis,
+                np.where(sigma == 0, 0.0, cofactor), sigma0, variance, least, point, axis,
             )
         )  # fmt: skip
     extra = system.extra
@@ -177,7 +178,7 @@ def observation_groups(
         groups.append(
             _group(
                 part.kind.name, named.ids, named.component, rows.value + rows.offset, rows.sigma,
-                residual[i] + rows.value + rows.offset, hat[i] * rows.sigma**2, sigma0, least, rows.item,
+                residual[i] + rows.value + rows.offset, hat[i] * rows.sigma**2, sigma0, variance, least, rows.item,
                 rows.component, named.origin, tests.of(i) if rows.joint else None,
             )
         )  # fmt: skip

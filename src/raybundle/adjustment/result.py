@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field, replace
+from typing import TYPE_CHECKING
 
 from raybundle.adjustment.fields import WHITE, Noise
 from raybundle.adjustment.handle import EMPTY, Handle
@@ -18,6 +19,9 @@ from raybundle.adjustment.shown import html_of, line_of
 from raybundle.block import Block
 from raybundle.block.rejection import Rejections
 from raybundle.numerics.arrays import Array, Index, Mask
+
+if TYPE_CHECKING:
+    from raybundle.cameras.opencv import OpenCVCamera
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -257,6 +261,21 @@ class VarianceComponent:
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
+class GroupFactor:
+    """By how much the standard deviations of a group of observations were multiplied."""
+
+    kind: str
+    """As `VarianceComponent.kind`."""
+    group: str
+    count: int
+    redundancy: float
+    factor: float
+    """sigma taken / sigma given; 1: as given."""
+    estimated: bool
+    """Whether the residuals told it; otherwise the given standard deviation stands."""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
 class NetworkFigures:
     """Geometry of the network."""
 
@@ -341,6 +360,8 @@ class Adjustment:
     notices: tuple[Notice, ...]
     condition: float
     """Condition number of the scaled reduced normal matrix (estimate)."""
+    group_factors: tuple[GroupFactor, ...] = ()
+    """With `options.variance_groups`: what given standard deviations were multiplied by; `given` has the product."""
     noise: Noise = WHITE
     """What standard deviations rest on; tests and smallest detectable blunders rest on white noise in any case."""
     handle: Handle = field(default=EMPTY, compare=False)
@@ -351,6 +372,25 @@ class Adjustment:
         """Unit of lengths in object space; empty where nothing fixes the scale."""
         return "" if "scale" in self.datum_defect else self.given.length_unit
 
+    @property
+    def variance_factor(self) -> float:
+        """What covariances are cofactors times: sigma0^2, or 1 without redundancy and with factors of groups."""
+        return variance_factor(self.options, self.sigma0, self.redundancy)
+
+    def opencv(
+        self, camera: str | None = None, *, image: str | None = None, coefficients: int | None = None
+    ) -> OpenCVCamera:
+        """A calibrated camera as OpenCV has it: K, distortion, and the covariance of both.
+
+        camera        its id; None: the only one
+        image         where each image has an interior orientation of its own
+        coefficients  4, 5, 8, 12 or 14; None: the fewest that are exact, or within 0.01 px
+        raises        InputError for an unknown camera, and where OpenCV has none within 0.1 px (`opencv_camera`)
+        """
+        from raybundle.adjustment.hand_over import opencv_of  # noqa: PLC0415  (what computes is loaded where it is used)
+
+        return opencv_of(self, camera, image, coefficients)
+
     def __repr__(self) -> str:
         """One line."""
         return line_of(self)
@@ -358,3 +398,12 @@ class Adjustment:
     def _repr_html_(self) -> str:
         """For notebooks: what was adjusted, interior orientations, the gravest notices."""
         return html_of(self)
+
+
+def variance_factor(options: AdjustmentOptions, sigma0: float, redundancy: int) -> float:
+    """What covariances are cofactors times.
+
+    sigma0^2, one factor for all observations; 1 where nothing tells it, and where each group of observations has a
+    factor of its own, which its standard deviations contain.
+    """
+    return sigma0**2 if redundancy > 0 and not options.variance_groups else 1.0

@@ -89,9 +89,14 @@ def without_priors(result: Adjustment, given: Block, added: Mapping[tuple[str, s
     )
 
 
-def told_by_network(interior: InteriorResult, added: Mapping[tuple[str, str], float], sigma0: float) -> InteriorResult:
-    """A parameter that its added observation tells rather than the network, sigma0 apart, is not determinable."""
-    scale = sigma0 if np.isfinite(sigma0) and sigma0 > 0 else 1.0
+def told_by_network(
+    interior: InteriorResult, added: Mapping[tuple[str, str], float], variance: float
+) -> InteriorResult:
+    """A parameter that its added observation tells rather than the network is not determinable.
+
+    variance  what covariances are cofactors times
+    """
+    scale = np.sqrt(variance) if variance > 0 else 1.0
 
     def status(symbol: str, p: ParameterResult) -> str:
         prior = added.get((interior.camera, symbol))

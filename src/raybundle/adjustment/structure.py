@@ -8,8 +8,10 @@ from dataclasses import dataclass
 import numpy as np
 
 from raybundle.adjustment.options import FEWEST_IMAGES
-from raybundle.adjustment.result import Adjustment, Notice
+from raybundle.adjustment.result import Adjustment, Noise, Notice
+from raybundle.adjustment.severity import NEARLY
 from raybundle.numerics.arrays import Array
+from raybundle.numerics.statistics import fisher_tail
 
 NEAR, FAR = 0.01, 0.03
 """Distances between neighbours, in diagonals of the format: beyond what one matching window covers, within a cell."""
@@ -179,4 +181,31 @@ def structure_notice(result: Adjustment) -> Notice | None:
         f"images (stabilised lens, refocusing, zoom). Standard deviations are too small, by a factor of "
         f"{found.factor:.1f} at least{larger}; look at the residuals in the report, and fix lens and focus next time",
         ids=tuple(worst),
+    )
+
+
+BY_CHANCE = 0.01
+"""Probability below which what the residuals show of shared errors is no accident of white noise."""
+
+
+def shared_errors_notice(result: Adjustment, noise: Noise) -> Notice | None:
+    """What errors that image points share make of standard deviations which rest on white noise; None: no more.
+
+    noise  what the residuals of the same adjustment tell (`raybundle.adjustment.under_noise`)
+    The mean square of the residuals in the directions of smooth fields is held against that of all (F test).
+    """
+    wider = {"interior orientation": noise.ratio_interior, "object points": noise.ratio_points}
+    told = {what: ratio for what, ratio in wider.items() if math.isfinite(ratio)}
+    if noise.kind == "white" or max(told.values(), default=1.0) <= NEARLY:
+        return None
+    if fisher_tail(noise.chi_square, noise.directions, max(result.redundancy, 1)) > BY_CHANCE:
+        return None
+    parts = [f"smooth ones of {noise.tau_px:.2g} px that differ from image to image"] if noise.tau_px > 0 else []
+    parts += [f"a focus that wanders by {noise.focus_px:.2g} px"] if noise.focus_px > 0 else []
+    parts += [f"what neighbours share, {noise.phi:.2g} times the variance"] if noise.phi > 1 else []
+    times = ", ".join(f"{ratio:.2g} for {what}" for what, ratio in told.items())
+    return Notice(
+        code="residual_structure",
+        message=f"image points share errors that are not in the model ({', '.join(parts)}): standard deviations are "
+        f"too small, as the residuals tell it by these factors (medians): {times}",
     )

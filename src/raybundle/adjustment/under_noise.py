@@ -40,7 +40,7 @@ def under_noise(result: Adjustment) -> Adjustment:
         return replace(result, noise=replace(WHITE, reason="the adjustment was made without statistics"))
     if result.redundancy <= 0:
         return replace(result, noise=replace(WHITE, reason="without redundancy the residuals tell nothing"))
-    variance = result.sigma0**2
+    variance = result.variance_factor
     noise, found, spread = noise_of(work.normals, work.state, work.found, work.datum, variance)
     if spread is None:
         return replace(result, noise=noise)
@@ -113,7 +113,7 @@ def _parameter(p: ParameterResult, std: float) -> ParameterResult:
 
 def _groups(result: Adjustment, work: Work, found: Cofactors) -> tuple[ObservationGroup, ...]:
     """The observations outside the images; only the standard deviations of what is adjusted change."""
-    groups = observation_groups(work.normals, work.state, found, result.sigma0)
+    groups = observation_groups(work.normals, work.state, found, result.sigma0, result.variance_factor)
     std = {
         (g.kind, *key): s for g in groups for *key, s in zip(g.ids, g.component, g.adjusted_std.tolist(), strict=True)
     }

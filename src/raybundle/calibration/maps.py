@@ -14,12 +14,15 @@ import numpy as np
 from raybundle.adjustment.predict import projected
 from raybundle.adjustment.result import Adjustment
 from raybundle.block import Camera
+from raybundle.cameras.fixed_rays import derivatives, in_pixels
 from raybundle.errors import InputError
 from raybundle.numerics.arrays import Array, Mask
 from raybundle.numerics.rotation import cross_matrix, rotation_from_vector, vector_from_rotation
 from raybundle.sensors import sensor_models
 
 STEPS = 8
+COLUMNS, ROWS = 60, 40
+"""Places over a format"""
 DRAWS = 1000
 """Draws behind the distribution of the largest error: its 99th percentile is good to some 5 %."""
 
@@ -52,8 +55,8 @@ def projection_uncertainty(
     covariance: Array,
     *,
     distance: float | None = None,
-    columns: int = 60,
-    rows: int = 40,
+    columns: int = COLUMNS,
+    rows: int = ROWS,
 ) -> UncertaintyMap:
     """Covariance of the image of a fixed ray by the errors of an interior orientation.
 
@@ -100,27 +103,51 @@ class ProjectionShifts:
 
 
 def projection_shifts(
-    camera: Camera, free: tuple[str, ...], *, distance: float | None = None, columns: int = 60, rows: int = 40
+    camera: Camera, free: tuple[str, ...], *, distance: float | None = None, columns: int = COLUMNS, rows: int = ROWS
 ) -> ProjectionShifts:
     """The motions behind `projection_uncertainty`, see there; they serve for any number of covariances.
 
     The image of a ray moves by -B^-1 (dg/dp dp); the rotation that fits this field best over the whole format is taken
     out.
     """
-    model, values = sensor_models[camera.model], camera.parameters
     xy, image = _grid(camera, columns, rows)
-    points = model.ray(image, values) * (distance or 1.0)
-    B, by_point, by_parameter = _derivatives(camera, image, points, values)
-    seen: Mask = np.asarray(np.isfinite(B).all(axis=(1, 2)) & np.isfinite(points).all(axis=0))
-    position = [model.symbols.index(s) for s in free]
-    shift = _in_pixels(camera, B[seen], by_parameter[seen][:, :, position])
-    motion = _in_pixels(camera, B[seen], by_point[seen] @ _motions(points[:, seen].T, distance))
-    taken_up = np.linalg.qr(motion.reshape(-1, motion.shape[2]))[0]
-    flat = shift.reshape(-1, len(free))
-    left = (flat - taken_up @ (taken_up.T @ flat)).reshape(shift.shape)
-    full = np.full((len(seen), 2, len(free)), np.nan)
-    full[seen] = left
-    return ProjectionShifts(xy_px=xy, by_parameter=full.reshape(rows, columns, 2, len(free)), distance=distance)
+    by = _without_motion(camera, free, image, image, distance)
+    return ProjectionShifts(xy_px=xy, by_parameter=by.reshape(rows, columns, 2, len(free)), distance=distance)
+
+
+def shifts_at(camera: Camera, free: tuple[str, ...], pixels: Array, *, distance: float | None = None) -> Array:
+    """Motions (n, 2, u) [px] of fixed rays per unit of each parameter at pixels (n, 2), as in `projection_shifts`.
+
+    The rotation that is taken out is that of the whole format, whatever the pixels.
+    """
+    _, format_ = _grid(camera, COLUMNS, ROWS)
+    return _without_motion(camera, free, camera.image_from_pixel(pixels).T, format_, distance)
+
+
+def _without_motion(
+    camera: Camera, free: tuple[str, ...], image: Array, format_: Array, distance: float | None
+) -> Array:
+    """Shifts (n, 2, u) of image points (2, n) by the parameters, less the motion of the camera that fits `format_`."""
+    shift, motion = _moved(camera, free, format_, distance)
+    seen: Mask = np.asarray(np.isfinite(shift).all(axis=(1, 2)))
+    taken_up = np.linalg.lstsq(
+        motion[seen].reshape(-1, motion.shape[2]), shift[seen].reshape(-1, len(free)), rcond=None
+    )[0]
+    if image is not format_:
+        shift, motion = _moved(camera, free, image, distance)
+    return shift - motion @ taken_up
+
+
+def _moved(camera: Camera, free: tuple[str, ...], image: Array, distance: float | None) -> tuple[Array, Array]:
+    """By the parameters (n, 2, u) and by a small motion of the camera (n, 2, k) [px]; NaN where nothing is seen."""
+    points = camera.sensor.ray(image, camera.parameters) * (distance or 1.0)
+    B, by_point, by_parameter = derivatives(camera, image, points)
+    seen = np.flatnonzero(np.isfinite(B).all(axis=(1, 2)) & np.isfinite(points).all(axis=0))
+    position = [camera.sensor.symbols.index(s) for s in free]
+    by = np.concatenate([by_parameter[seen][:, :, position], by_point[seen] @ _motions(points[:, seen].T, distance)], 2)
+    found = np.full((image.shape[1], 2, by.shape[2]), np.nan)
+    found[seen] = in_pixels(camera, B[seen], by)
+    return found[:, :, : len(free)], found[:, :, len(free) :]
 
 
 def uncertainty_of(result: Adjustment, camera: str, *, distance: float | None = None) -> UncertaintyMap:
@@ -157,7 +184,7 @@ class CalibrationDifference:
 
 
 def calibration_difference(
-    first: Camera, second: Camera, *, distance: float | None = None, columns: int = 60, rows: int = 40
+    first: Camera, second: Camera, *, distance: float | None = None, columns: int = COLUMNS, rows: int = ROWS
 ) -> CalibrationDifference:
     """Compare two calibrations, of any two models, in pixels of the first over its format.
 
@@ -180,8 +207,8 @@ def calibration_difference(
         shift = np.where(seen[:, None], second.pixel_from_image(there.T) - xy.reshape(-1, 2), np.nan)
         if seen.sum() < 6:
             break
-        B, by_point, _ = _derivatives(second, there[:, seen], P[seen].T, values)
-        motion = _in_pixels(second, B, by_point @ _motions(P[seen], distance))
+        B, by_point, _ = derivatives(second, there[:, seen], P[seen].T)
+        motion = in_pixels(second, B, by_point @ _motions(P[seen], distance))
         step, *_ = np.linalg.lstsq(motion.reshape(-1, motion.shape[2]), -shift[seen].ravel(), rcond=None)
         small = rotation_from_vector(step[:3])
         turn, moved = small @ turn, small @ moved
@@ -200,20 +227,6 @@ def _grid(camera: Camera, columns: int, rows: int) -> tuple[Array, Array]:
     y = (np.arange(rows) + 0.5) / rows * camera.height_px
     xy = np.stack(np.meshgrid(x, y), axis=2)
     return xy, camera.image_from_pixel(xy.reshape(-1, 2)).T
-
-
-def _derivatives(camera: Camera, image: Array, points: Array, values: Array) -> tuple[Array, Array, Array]:
-    """dg/d(x, y) (n, 2, 2), dg/d(X, Y, Z) (n, 2, 3) and dg/dp (n, 2, u) at image (2, n) and points (3, n)."""
-    model = sensor_models[camera.model]
-    spread = np.repeat(values[:, None], image.shape[1], axis=1)
-    _, J = model.condition_and_jacobian(*image, *points, *spread)
-    J = np.moveaxis(J, 2, 0)
-    return J[:, :, :2], J[:, :, 2:5], J[:, :, 5:]
-
-
-def _in_pixels(camera: Camera, B: Array, by: Array) -> Array:
-    """(n, 2, k) motion of image points in the pixel frame, by dg/d(x, y) (n, 2, 2) and dg/d... (n, 2, k)."""
-    return -np.linalg.solve(B, by) / (np.array(camera.pixel_mm) * [1, -1])[:, None]
 
 
 def _motions(points: Array, distance: float | None) -> Array:

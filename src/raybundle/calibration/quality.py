@@ -235,9 +235,8 @@ def _couplings(result: Adjustment, interior: InteriorResult) -> tuple[tuple[str,
         for j, b in enumerate(free):
             if kind[a] == "principal point" and kind[b] == "decentring" and len(R):
                 found.append((a, b, float(R[i, j])))
-    # each coordinate of the principal point has its own decentring term; the crosses are told where they matter
-    points = [s for s in free if kind[s] == "principal point"]
-    own = dict(zip(points, [s for s in free if kind[s] == "decentring"], strict=False))
+    # of each coordinate of the principal point the decentring term that is most like it; others where they matter
+    own = {a: b for a, b, _ in sorted(found, key=lambda f: abs(f[2]))}
     scale = [i for i, a in enumerate(free) if kind[a] == "scale"]
     precision = result.precision
     cross = None if precision is None else precision.interior_exterior.get(interior.camera)

@@ -7,20 +7,21 @@ from typing import Any
 
 import click
 
-from raybundle.cli.common import COMMAND_SETTINGS, FOLDER, NEW_FOLDER, common_options
+from raybundle.cli.common import FOLDER, NEW_FOLDER, Command, common_options, told_outcome
 from raybundle.cli.settings import options_of, values_of
-from raybundle.commands.adjust import AdjustSettings, run_adjust
+from raybundle.commands.adjust import AdjustSettings, accuracy_outcome, run_adjust
+from raybundle.commands.pages import pages_told
 from raybundle.settings import made
 
 
-@click.command("adjust", context_settings=COMMAND_SETTINGS)
+@click.command("adjust", cls=Command)
 @click.argument("block", type=FOLDER)
 @click.option(
     "--out", type=NEW_FOLDER, required=True, metavar="RESULT", help="Result folder; an older result is replaced."
 )
 @options_of(AdjustSettings)
 @common_options
-def command(block: Path, out: Path, progress: str, **given: Any) -> None:
+def command(block: Path, out: Path, progress: str, **given: Any) -> int:
     """Adjust a block folder and write a result folder with its report.
 
     By default nothing is rejected, and the parameters named in block.toml are estimated, no more and no less.
@@ -28,7 +29,7 @@ def command(block: Path, out: Path, progress: str, **given: Any) -> None:
     \b
     Exit status: 0 a result is written, and its faults are printed (one of them says where the iteration did not
     come to an end); 2 bad input, named by file, line and column; 3 not solvable as given, the message names what is
-    not determined.
+    not determined; 4 the accuracy of --accuracy-class is not kept.
 
     \b
     Example:
@@ -42,5 +43,5 @@ def command(block: Path, out: Path, progress: str, **given: Any) -> None:
     with reporting(progress) as tell:
         adjustment = run_adjust(settings, tell)
     click.echo("\n".join(summary_lines(adjustment)))
-    pages = f", report: {out / 'report.html'}, in 3D: {out / 'network.html'}" if settings.report else ""
-    click.echo(f" result: {out}{pages}")
+    click.echo(f" result: {out}{pages_told(out, settings)}")
+    return told_outcome(accuracy_outcome(settings, adjustment))

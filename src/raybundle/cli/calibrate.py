@@ -8,9 +8,11 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from raybundle.cli.common import COMMAND_SETTINGS, FOLDER, NEW_FOLDER, common_options, counted
+from raybundle.cli.common import FOLDER, NEW_FOLDER, Command, common_options, counted
+from raybundle.cli.numbers import Length
 from raybundle.cli.settings import options_of, values_of
 from raybundle.commands.calibrate import CalibrateSettings, run_calibrate
+from raybundle.commands.pages import pages_told
 from raybundle.settings import made
 
 if TYPE_CHECKING:
@@ -22,12 +24,12 @@ MOST_PARAMETERS = 16
 """Parameters and warnings that are printed."""
 
 
-@click.command("calibrate", context_settings=COMMAND_SETTINGS)
+@click.command("calibrate", cls=Command)
 @click.argument("photos", type=FOLDER, nargs=-1, required=True)
 @click.option(
     "--out", type=NEW_FOLDER, required=True, metavar="RESULT", help="Result folder; an older one is replaced."
 )
-@options_of(CalibrateSettings)
+@options_of(CalibrateSettings, spacing=Length(0, above=True))
 @common_options
 def command(photos: tuple[Path, ...], out: Path, progress: str, **given: Any) -> int:
     """Calibrate cameras from photographs of coded targets or a board: photographs in, a calibration with a verdict out.
@@ -41,7 +43,7 @@ def command(photos: tuple[Path, ...], out: Path, progress: str, **given: Any) ->
 
     \b
     Example:
-      raybundle targets sheet --family aicon14 --codes 1-50 --paper A3 --out sheet.pdf
+      raybundle targets sheet --target aicon14 --codes 1-50 --paper A3 --out sheet.pdf
       raybundle calibrate photos/ --target aicon14 --out calibration
       raybundle calibrate board/ --target chessboard-9x6 --out calibration --keep
       raybundle calibrate photos/ --sheet sheet.toml --out calibration
@@ -58,8 +60,8 @@ def command(photos: tuple[Path, ...], out: Path, progress: str, **given: Any) ->
     told = [f" {line}" for line in lines(done)]
     told += [f" {words}" for words in done.kept]
     told.append(" seconds: " + ", ".join(f"{stage} {s:.2f}" for stage, s in done.seconds.items()))
-    report = f", report: {out / 'report.html'}" if settings.report else ""
-    told.append(f" result: {out}, calibration: {out / 'calibration.toml'}{report}")
+    pages = pages_told(out, settings, network="")
+    told.append(f" result: {out}, calibration: {out / 'calibration.toml'}{pages}")
     click.echo("\n".join(told))
     return 0
 

@@ -8,10 +8,10 @@ from raybundle.cli.calibrations.compare import compare
 from raybundle.cli.calibrations.convert import convert
 from raybundle.cli.calibrations.library import add, find, list_
 from raybundle.cli.calibrations.zoom import zoom
-from raybundle.cli.common import COMMAND_SETTINGS
+from raybundle.cli.common import Group
 
 
-@click.group("calibration", context_settings=COMMAND_SETTINGS)
+@click.group("calibration", cls=Group)
 def command() -> None:
     """Calibrations of other programs: convert, compare; the camera library: add, list, find.
 

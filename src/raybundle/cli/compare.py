@@ -7,16 +7,16 @@ from typing import Any
 
 import click
 
-from raybundle.cli.common import COMMAND_SETTINGS, FOLDER, NEW_FILE, common_options
+from raybundle.cli.common import FOLDER, NEW_PAGE, Command, common_options, facts
 from raybundle.cli.settings import options_of, values_of
 from raybundle.commands.compare import CompareSettings, run_compare
 from raybundle.settings import made
 
 
-@click.command("compare", context_settings=COMMAND_SETTINGS)
+@click.command("compare", cls=Command)
 @click.argument("first", type=FOLDER, metavar="RESULT")
 @click.argument("second", type=FOLDER, metavar="RESULT")
-@options_of(CompareSettings, out=NEW_FILE)
+@options_of(CompareSettings, out=NEW_PAGE)
 @common_options
 def command(first: Path, second: Path, progress: str, **given: Any) -> None:
     """Put two result folders side by side: statistics, interior orientations, points after a similarity.
@@ -36,6 +36,7 @@ def command(first: Path, second: Path, progress: str, **given: Any) -> None:
     for label, result in zip(("first", "second"), done.results, strict=True):
         sigma0 = result.result["sigma0"]
         text = "none" if sigma0 is None else f"{sigma0:.6g}"
+        facts(**{label: {"result": result.path, "sigma0": sigma0, "redundancy": result.result["redundancy"]}})
         click.echo(f" {label}: {result.path}, sigma0 {text}, redundancy {result.result['redundancy']}")
     for caution in done.cautions:
         click.echo(f" caution: {caution}")

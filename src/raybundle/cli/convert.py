@@ -7,7 +7,7 @@ from typing import Any
 
 import click
 
-from raybundle.cli.common import COMMAND_SETTINGS, FOLDER, NEW_FILE_OR_FOLDER, common_options, counted
+from raybundle.cli.common import FOLDER, NEW_FILE_OR_FOLDER, Command, common_options, counted, facts
 from raybundle.cli.settings import options_of, values_of
 from raybundle.commands.convert import ConvertSettings, run_convert
 from raybundle.io.formats import formats
@@ -38,6 +38,7 @@ Example:
   raybundle convert model --to block --out camcal21-again
   raybundle convert pair-project/result --to rpc --out corrected
   raybundle convert flight-result --to kml --out flight.kml --crs EPSG:32611
+  raybundle convert flight-project --to gpkg,dxf,las --out flight
   raybundle convert facade-result --to colmap --out dense/sparse --photos photos --undistort inside
 """
 
@@ -46,7 +47,9 @@ class _Target(click.Choice[str]):
     """The formats to write, and where to look for what is none of them."""
 
     def convert(self, value: str, param: click.Parameter | None, ctx: click.Context | None) -> str:
-        """As a choice; tables are none."""
+        """As a choice, of several with commas between each; tables are none."""
+        if "," in value:
+            return ",".join(self.convert(v.strip(), param, ctx) for v in value.split(","))
         if value.lower() == "csv":
             self.fail(
                 "there is no format 'csv': a block folder (--to block) and a result folder consist of CSV tables "
@@ -57,7 +60,7 @@ class _Target(click.Choice[str]):
         return super().convert(value, param, ctx)
 
 
-@click.command("convert", context_settings=COMMAND_SETTINGS, help=HELP)
+@click.command("convert", cls=Command, help=HELP)
 @click.argument("source", type=FOLDER, metavar="INPUT")
 @options_of(ConvertSettings, read_as=click.Choice(READABLE), to=_Target(WRITABLE), out=NEW_FILE_OR_FOLDER)
 @common_options
@@ -68,11 +71,18 @@ def command(source: Path, progress: str, **given: Any) -> None:
     settings = made(ConvertSettings, {"source": source, **values_of(ConvertSettings, given)})
     with reporting(progress) as tell:
         done = run_convert(settings, tell)
-    b, out, more = done.block, settings.out, done.files - 1
+    b = done.block
+    facts(images=int(b.images.oriented.sum()), points=len(b.points), observations=len(b.observations))
+    facts(files=dict(done.written), cameras_px=done.deviation_px)
     click.echo(f" {counted(int(b.images.oriented.sum()), 'oriented image')}, {counted(len(b.points), 'point')}, "
                f"{counted(len(b.observations), 'image observation')}")  # fmt: skip
+    if done.state:
+        click.echo(f" fault: {done.state}")
     for remark in done.remarks:
         click.echo(f" remark: {remark}")
     if done.deviation_px > 0:
         click.echo(f" cameras: largest deviation {done.deviation_px:.3g} px")
-    click.echo(f" {settings.to}: {out}" + (f" and {counted(more, 'more file')}" if more > 0 and out.is_file() else ""))
+    more = done.files - len(done.written)
+    files = ", ".join(f"{to}: {place}" for to, place in done.written)
+    beside = more > 0 and all(place.is_file() for _, place in done.written)
+    click.echo(f" {files}" + (f" and {counted(more, 'more file')}" if beside else ""))

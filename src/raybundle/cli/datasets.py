@@ -6,14 +6,14 @@ from pathlib import Path
 
 import click
 
-from raybundle.cli.common import COMMAND_SETTINGS, FOLDER, NEW_FOLDER, common_options, counted
+from raybundle.cli.common import FOLDER, NEW_FOLDER, Group, common_options, counted, facts
 
 listing_option = click.option(
     "--listing", type=FOLDER, metavar="FILE", help="Sets that a TOML file lists, in place of those known here."
 )
 
 
-@click.group("datasets", context_settings=COMMAND_SETTINGS)
+@click.group("datasets", cls=Group)
 def command() -> None:
     """Fetch public sets of photographs, checked file by file.
 
@@ -25,21 +25,20 @@ def command() -> None:
     """  # noqa: D301
 
 
-@command.command("list", context_settings=COMMAND_SETTINGS)
+@command.command("list")
 @listing_option
-@click.option(
-    "--traceback", is_flag=True, expose_value=False, help="After an error, show where in the program it arose."
-)
 def list_command(listing: Path | None) -> None:
     """Show the sets: name, size, content, licence."""
     from raybundle.io.datasets import known_datasets  # noqa: PLC0415
 
-    for one in known_datasets(listing).values():
+    sets = known_datasets(listing)
+    facts(sets=[{"name": s.name, "bytes": s.size, "about": s.about, "licence": s.licence} for s in sets.values()])
+    for one in sets.values():
         click.echo(f" {one.name:14s} {one.size / 1e6:6.0f} MB  {one.about}")
         click.echo(f" {'':14s} {'':6s}     licence: {one.licence}")
 
 
-@command.command("get", context_settings=COMMAND_SETTINGS)
+@command.command("get")
 @click.argument("name")
 @click.option("--out", type=NEW_FOLDER, metavar="FOLDER", help="Where to; by default a folder of the set's name.")
 @listing_option
@@ -63,5 +62,6 @@ def get_command(name: str, out: Path | None, listing: Path | None, progress: str
     click.echo(f" licence: {wanted.licence}" + (f"; cite: {wanted.cite}" if wanted.cite else ""))
     with reporting(progress) as tell:
         done = fetch(wanted, folder, progress=tell)
+    facts(folder=folder, fetched=done.fetched, there=done.there, source=wanted.source, licence=wanted.licence)
     before = f", {done.there} were there already" if done.there else ""
     click.echo(f" {counted(done.fetched, 'file')} fetched and checked{before}: {folder}")

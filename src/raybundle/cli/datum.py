@@ -7,19 +7,16 @@ from typing import Any
 
 import click
 
-from raybundle.cli.common import COMMAND_SETTINGS, FOLDER, NEW_FOLDER
+from raybundle.cli.common import FOLDER, NEW_FOLDER, Command
 from raybundle.cli.settings import options_of, values_of
-from raybundle.commands.measure_settings import DatumSettings
+from raybundle.commands.marks_settings import DatumSettings
 
 
-@click.command("datum", context_settings=COMMAND_SETTINGS)
+@click.command("datum", cls=Command)
 @click.argument("result", type=FOLDER)
 @options_of(DatumSettings)
 @click.option(
     "--out", type=NEW_FOLDER, required=True, metavar="FOLDER", help="Gets points.csv and transformation.json."
-)
-@click.option(
-    "--traceback", is_flag=True, expose_value=False, help="After an error, show where in the program it arose."
 )
 def command(result: Path, out: Path, **given: Any) -> None:
     """The points of a result in a coordinate system by some of them: origin, X axis, XY plane or a level.
@@ -32,7 +29,7 @@ def command(result: Path, out: Path, **given: Any) -> None:
       raybundle datum facade-project --origin A --axis B --plane C --out facade-axes
       raybundle datum pond-project --origin A --axis B --level W1 --level W2 --level W3 --out pond-axes
     """  # noqa: D301
-    from raybundle.commands.measure import transform_to_points  # noqa: PLC0415
+    from raybundle.commands.marks import transform_to_points  # noqa: PLC0415
 
     transform_to_points(result, out, **values_of(DatumSettings, given))
     click.echo(f" points: {out / 'points.csv'}, transformation: {out / 'transformation.json'}")

@@ -10,7 +10,8 @@ from typing import TYPE_CHECKING
 
 import click
 
-from raybundle.cli.common import COMMAND_SETTINGS, FOLDER, NEW_FOLDER, common_options, counted, significant
+from raybundle.cli.common import NEW_FOLDER, Command, common_options, counted, facts, significant
+from raybundle.commands.demonstrations import make_set, set_names
 
 if TYPE_CHECKING:
     from raybundle.adjustment.result import Adjustment
@@ -18,20 +19,20 @@ if TYPE_CHECKING:
     from raybundle.planning.simulate import Simulation
 
 
-@click.command("demo", context_settings=COMMAND_SETTINGS)
+@click.command("demo", cls=Command)
 @click.option(
     "--out", type=NEW_FOLDER, default=Path("demo"), show_default=True, metavar="FOLDER", help="Where it writes."
 )
 @click.option(
     "--set",
     "photographs",
-    type=FOLDER,
-    metavar="FOLDER",
-    help="Orient the photographs of a set with known truth instead: photos/, measured.csv, truth/.",
+    metavar="NAME|FOLDER",
+    help=f"Make photographs and what belongs to them instead, for a tutorial: {', '.join(set_names())}. Or orient "
+    "those of a FOLDER with known truth: photos/, measured.csv, truth/.",
 )
 @click.option("--seed", type=click.IntRange(0), default=1, show_default=True, help="Of the random errors.")
 @common_options
-def command(out: Path, photographs: Path | None, seed: int, progress: str) -> None:
+def command(out: Path, photographs: str | None, seed: int, progress: str) -> None:
     """Simulate a calibration field, calibrate the camera, and print truth beside estimate and sigma.
 
     Given are image coordinates and one scale bar, and nothing else: no orientations, no object coordinates, a camera
@@ -40,14 +41,21 @@ def command(out: Path, photographs: Path | None, seed: int, progress: str) -> No
     \b
     Example:
       raybundle demo --out demo
+      raybundle demo --set flight --out flight
       raybundle demo --set demo_data/portal --out portal
     """  # noqa: D301
+    from raybundle.cli.progress import reporting  # noqa: PLC0415
+
+    if photographs in set_names():
+        with reporting(progress) as tell:
+            told = make_set(photographs, out, tell)
+        click.echo("\n".join([f" {line}" for line in told] + [f" all in {out}"]))
+        return
     if photographs is not None:
         from raybundle.cli.demo_set import run  # noqa: PLC0415
 
-        run(photographs, out, progress)
+        run(Path(photographs), out, progress)
         return
-    from raybundle.cli.progress import reporting  # noqa: PLC0415
     from raybundle.planning.scenes import TargetField, field_scene  # noqa: PLC0415
     from raybundle.planning.simulate import Survey, simulate  # noqa: PLC0415  (what computes is loaded after the help)
     from raybundle.report.text.summary import summary_lines  # noqa: PLC0415
@@ -66,6 +74,7 @@ def command(out: Path, photographs: Path | None, seed: int, progress: str) -> No
         write_result(adjustment, result, progress=tell)
     click.echo("\n".join(["", *_interior(simulation, adjustment), "", *_points(simulation, adjustment), ""]))
     click.echo("\n".join(summary_lines(adjustment)))
+    facts(block=out / "block", truth=out / "truth", result=result)
     click.echo(f" block: {out / 'block'}, truth: {out / 'truth'}")
     click.echo(f" result: {result}, report: {result / 'report.html'}")
 

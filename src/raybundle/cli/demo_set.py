@@ -8,8 +8,9 @@ from typing import TYPE_CHECKING
 
 import click
 
-from raybundle.cli.common import counted, significant
+from raybundle.cli.common import counted, facts, significant
 from raybundle.cli.demo import rigid_difference, together
+from raybundle.commands.demonstrations import set_names
 
 if TYPE_CHECKING:
     from raybundle.adjustment.result import Adjustment
@@ -31,6 +32,8 @@ def run(folder: Path, out: Path, progress: str) -> None:
     from raybundle.results.folder import check_target  # noqa: PLC0415
     from raybundle.workflows.orient import orient  # noqa: PLC0415
 
+    if not folder.is_dir():
+        raise InputError(f"is no folder, and no set of that name is made; {', '.join(set_names())} are", file=folder)
     for name in ("photos", "measured.csv", "truth"):
         if not (folder / name).exists():
             raise InputError(f"{name} is missing; a set holds photos/, measured.csv and truth/", file=folder)
@@ -48,6 +51,7 @@ def run(folder: Path, out: Path, progress: str) -> None:
     click.echo(f" {done.oriented} of {counted(len(done.photos), 'photograph')} oriented")
     click.echo("\n".join(summary_lines(a)))
     click.echo(f" image points: sigma {done.sigma_px:.3f} px (rms of a coordinate, from the residuals)")
+    facts(oriented=done.oriented, photographs=len(done.photos), result=result)
     click.echo(f" result: {result}, report: {result / 'report.html'}")
 
 

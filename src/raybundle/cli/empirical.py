@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from raybundle.cli.common import COMMAND_SETTINGS, FOLDER, NEW_FOLDER, TRACEBACK, counted, significant
+from raybundle.cli.common import FOLDER, NEW_FOLDER, Command, counted, facts, significant
 from raybundle.cli.settings import options_of, values_of
 from raybundle.commands.empirical import EmpiricalSettings, run_empirical
 from raybundle.settings import made
@@ -20,10 +20,9 @@ if TYPE_CHECKING:
 CORRELATED = 0.95
 
 
-@click.command("empirical", context_settings=COMMAND_SETTINGS)
+@click.command("empirical", cls=Command)
 @click.argument("points", type=FOLDER)
 @options_of(EmpiricalSettings, out=NEW_FOLDER)
-@TRACEBACK
 def command(points: Path, **given: Any) -> int:
     """Fit an image of an unknown sensor to known points: affine, projective and DLT models, and say what is adequate.
 
@@ -36,10 +35,14 @@ def command(points: Path, **given: Any) -> int:
     \b
     Example:
       raybundle empirical control.csv
-      raybundle empirical control.csv --model dlt-brown --without K3 --sigma 0.3 --out camera
+      raybundle empirical control.csv --model dlt-brown --without K3 --image-sigma 0.3 --out camera
     """  # noqa: D301
     settings = made(EmpiricalSettings, {"points": points, **values_of(EmpiricalSettings, given)})
     done = run_empirical(settings)
+    facts(
+        fitted=done.fit.model.name, adequate=done.fit.adequate, redundancy=done.fit.redundancy, sigma0=done.fit.sigma0
+    )
+    facts(parameters=done.statistics.parameters, check_rms_px=done.check_rms_px)
     if done.advice is not None:
         _tell_advice(done.advice)
     _tell_fit(done.fit, done.statistics, done.used)

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from raybundle.cli.common import COMMAND_SETTINGS, FOLDER, NEW_FOLDER, common_options, counted
+from raybundle.cli.common import FOLDER, NEW_FOLDER, Command, common_options, counted, facts
 from raybundle.cli.settings import options_of, values_of
 from raybundle.commands.film import FilmSettings, run_film
 from raybundle.settings import made
@@ -19,7 +19,7 @@ if TYPE_CHECKING:
 LARGE_SHRINKAGE = 0.01
 
 
-@click.command("film", context_settings=COMMAND_SETTINGS)
+@click.command("film", cls=Command)
 @click.argument("marks", type=FOLDER)
 @options_of(FilmSettings, out=NEW_FOLDER)
 @common_options
@@ -27,16 +27,23 @@ def command(marks: Path, progress: str, **given: Any) -> None:
     """Bring image points of scanned film into the camera's frame by its fiducial marks or reseau.
 
     MARKS is a CSV image,mark,x_px,y_px[,sx_px,sy_px] of the marks measured in the scans. Written are film.csv
-    (shrinkage and fit of each scan), residuals.csv, cameras.toml and, with --points, observations.csv for a block
+    (shrinkage and fit of each scan), residuals.csv, cameras.toml and, with --image-points, observations.csv for a block
     folder, in the pixel frame of the ideal camera.
 
     \b
     Example:
-      raybundle film fiducials.csv --calibrated certificate.csv --camera rmk.toml --points points.csv --out film
+      raybundle film marks.csv --calibrated certificate.csv --calibration rmk.toml --image-points points.csv --out film
     """  # noqa: D301  (\b is click's mark for a paragraph that keeps its lines)
     del progress
     settings = made(FilmSettings, {"marks": marks, **values_of(FilmSettings, given)})
     done = run_film(settings)
+    facts(scans=[
+        {
+            "image": f.image, "marks": len(f.marks), "sigma0": f.sigma0, "redundancy": f.redundancy,
+            "shrinkage": f.shrinkage,
+        }
+        for f in done.films.values()
+    ])  # fmt: skip
     _print(done.films, done.points)
     click.echo(f" film: {settings.out}")
 

@@ -7,13 +7,13 @@ from typing import Any
 
 import click
 
-from raybundle.cli.common import COMMAND_SETTINGS, FOLDER, NEW_FOLDER, common_options, counted
+from raybundle.cli.common import FOLDER, NEW_FOLDER, Command, common_options, counted, facts
 from raybundle.cli.settings import options_of, values_of
 from raybundle.commands.photos import FramesSettings, run_frames
 from raybundle.settings import made
 
 
-@click.command("frames", context_settings=COMMAND_SETTINGS)
+@click.command("frames", cls=Command)
 @click.argument("video", type=FOLDER)
 @options_of(FramesSettings, out=NEW_FOLDER)
 @common_options
@@ -34,6 +34,7 @@ def command(video: Path, progress: str, **given: Any) -> None:
         frames = run_frames(settings, tell)
     a = frames.analysis
     seconds = f"{a.time_s[-1]:.1f} s, {a.width_px} x {a.height_px} px"
+    facts(frames=len(a.time_s), width_px=a.width_px, height_px=a.height_px, photographs=frames.files)
     click.echo(f" {counted(len(a.time_s), 'frame')}, {seconds}; {counted(len(frames.files), 'photograph')} chosen")
     for remark in frames.remarks:
         click.echo(f" remark: {remark}")

@@ -7,8 +7,10 @@ from importlib import import_module
 
 import click
 
+from raybundle.cli.command import Group
 
-class LazyGroup(click.Group):
+
+class LazyGroup(Group):
     """A group whose subcommand NAME is the object `command` of the module NAME in `home`."""
 
     home: str = ""

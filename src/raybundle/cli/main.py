@@ -6,6 +6,8 @@ Exit status: 0 done; 1 internal error; 2 bad input or usage; 3 not solvable as g
 from __future__ import annotations
 
 import contextlib
+import io
+import json
 import os
 import sys
 import traceback
@@ -14,8 +16,9 @@ from typing import TextIO
 
 import click
 
+from raybundle.cli.command import command_words
+from raybundle.cli.failures import silence, told_failure
 from raybundle.cli.lazy import LazyGroup
-from raybundle.errors import RaybundleError, printable
 from raybundle.settings import on_the_command_line
 
 COMMANDS = {
@@ -32,8 +35,11 @@ COMMANDS = {
     "datum": "The points of a result in a coordinate system by some of them.",
     "compare": "Put two results side by side.",
     "moved": "What has moved between measurements of the same points.",
+    "merge": "Merge projects of one object into one block over their common points.",
     "convert": "Convert to and from the formats of other programs.",
     "studio": "Look, measure and adjust in the browser.",
+    "record": "The recording sheet of a project: object, place, client, operator, rights.",
+    "sheet": "A drawing sheet true to scale: pictures, points and lines, as PDF.",
     "rectify": "A picture to scale of a plane object: facade, floor, wall painting.",
     "calibration": "Convert and compare calibrations; keep them in the camera library.",
     "datasets": "Fetch public sets of photographs, checked file by file.",
@@ -55,7 +61,7 @@ def _print_version(ctx: click.Context, _: click.Parameter, value: bool) -> None:
         ctx.exit()
 
 
-@click.group(cls=LazyGroup, context_settings={"help_option_names": ["-h", "--help"], "max_content_width": 110})
+@click.group(cls=LazyGroup)
 @click.option(
     "--version", is_flag=True, expose_value=False, is_eager=True, callback=_print_version, help="The version."
 )
@@ -71,6 +77,7 @@ def cli() -> None:
     """  # noqa: D301  (\b is click's mark for a paragraph that keeps its lines)
 
 
+INTERRUPTED = "interrupted; nothing was written"
 cli.home, cli.told = "raybundle.cli", COMMANDS
 
 
@@ -81,6 +88,7 @@ def main(argv: Sequence[str] | None = None) -> int:
         # closed from outside: what is shown goes nowhere (click before 8.1.4 would fail)
         if getattr(sys, name) is None:
             setattr(sys, name, os.fdopen(os.open(os.devnull, os.O_WRONLY), "w", encoding="utf-8"))
+        _printable(getattr(sys, name))
     try:
         with on_the_command_line():
             status = cli.main(arguments, prog_name="raybundle", standalone_mode=False)
@@ -89,62 +97,39 @@ def main(argv: Sequence[str] | None = None) -> int:
     except click.ClickException as error:
         with contextlib.suppress(OSError, ValueError):
             error.show()
+        _as_json(arguments, error.format_message(), error.exit_code)
         return error.exit_code
     except (KeyboardInterrupt, click.Abort):
-        _say("interrupted; nothing was written")
+        _say(INTERRUPTED)
+        _as_json(arguments, INTERRUPTED, 130)
         return 130
     except BrokenPipeError:
-        _silence(sys.stdout)  # the reader of our output went away: what stands in the buffer has nowhere to go
+        silence(sys.stdout)  # the reader of our output went away: what stands in the buffer has nowhere to go
         return 1
     except Exception as error:  # noqa: BLE001  (the last resort; the message says how to see the rest)
         if "--traceback" in arguments:
             with contextlib.suppress(OSError, ValueError):
                 traceback.print_exc()
-        text, status = _told(error)
+        text, status = told_failure(error)
         _say(text)
+        _as_json(arguments, text, status)
         return status
     return status if isinstance(status, int) else 0
 
 
-def _told(error: Exception) -> tuple[str, int]:
-    """What is said of an error, and the exit status."""
-    if isinstance(error, RaybundleError):
-        return f"{type(error).__name__}: {error}", error.exit_status
-    if isinstance(error, MemoryError):
-        return "MemoryError: there is not enough memory; give fewer or smaller inputs, or fewer --threads or --jobs", 2
-    if isinstance(error, OSError) and error.filename is None and (_in_output(error) or _is_closed(sys.stdout)):
-        _silence(sys.stdout)
-        reason = error.strerror or str(error)
-        return f"the output could not be shown ({reason}); what was to be written is written", 2
-    if isinstance(error, OSError):
-        from raybundle.io.reading.words import quoted  # noqa: PLC0415  (NumPy is loaded with it)
-
-        names = " -> ".join(quoted(os.fsdecode(n)) for n in (error.filename, error.filename2) if n is not None)
-        return f"{type(error).__name__}: {names or 'a file'} cannot be used: {error.strerror or error}", 2
-    first = printable(str(error).partition("\n")[0])[:1000]
-    return f"internal error {type(error).__name__}: {first}; please report; --traceback shows it", 1
+def _printable(stream: TextIO) -> None:
+    """Let signs that a stream cannot encode (a pipe on Windows has a code page) be question marks, and no error."""
+    if isinstance(stream, io.TextIOWrapper) and stream.errors == "strict":
+        stream.reconfigure(errors="replace")
 
 
-def _in_output(error: Exception) -> bool:
-    """Whether an error was raised where the command shows something."""
-    return any(f.f_globals.get("__name__") == "click.utils" for f, _ in traceback.walk_tb(error.__traceback__))
-
-
-def _is_closed(stream: TextIO | None) -> bool:
-    """Whether nothing more can be written to a stream."""
-    try:
-        if stream is not None:
-            stream.flush()
-    except (OSError, ValueError):
-        return True
-    return stream is None
-
-
-def _silence(stream: TextIO | None) -> None:
-    """Let what is left in a stream's buffer go nowhere, so that the end of the process has nothing to complain of."""
-    with contextlib.suppress(OSError, ValueError):
-        if stream is not None:
-            os.dup2(os.open(os.devnull, os.O_WRONLY), stream.fileno())
+def _as_json(arguments: Sequence[str], text: str, status: int) -> None:
+    """An error as an object on stdout, where JSON was asked for."""
+    if "--json" in arguments:
+        words = " ".join(command_words(cli, arguments))
+        told = json.dumps({"command": words, "exit_status": status, "error": text}, ensure_ascii=False)
+        with contextlib.suppress(OSError, ValueError):
+            click.echo(told)
 
 
 def _say(text: str) -> None:
@@ -152,4 +137,4 @@ def _say(text: str) -> None:
     try:
         click.echo(text, err=True)
     except (OSError, ValueError):
-        _silence(sys.stderr)
+        silence(sys.stderr)

@@ -10,15 +10,18 @@ from typing import Any
 import click
 
 from raybundle.adjustment.options import AdjustmentOptions
-from raybundle.cli.common import COMMAND_SETTINGS, FOLDER, NEW_FILE_OR_FOLDER, NEW_FOLDER, common_options
+from raybundle.cli.common import FOLDER, NEW_FILE_OR_FOLDER, NEW_FOLDER, common_options, facts
 from raybundle.cli.marking import command, do, subcommand, words
 from raybundle.cli.marking_areas import control, mask, unmask
 from raybundle.cli.marks_shown import shown
 from raybundle.cli.numbers import NUMBER, PIXELS, POSITIVE, Number
 from raybundle.cli.settings import options_of, values_of
 from raybundle.commands.begin_settings import BeginSettings
-from raybundle.commands.measure_settings import RejectSettings
+from raybundle.commands.marks_settings import RejectSettings
+from raybundle.commands.pages import LANGUAGE_HELP
 from raybundle.errors import InputError
+from raybundle.report.languages import checked_language
+from raybundle.report.paper.needed import check_typesetter
 
 __all__ = ["command", "control", "mask", "unmask"]
 NO_NUMBER = "-"
@@ -46,18 +49,24 @@ def _place(folder: Path, verb: str, author: str, sigma: float, covariance: Covar
 
 
 def _precision(usual: float) -> Callable[[Callable[..., Any]], Callable[..., Any]]:
-    """Add --sigma, with its default, and --covariance."""
+    """Add --mark-sigma, with its default, and --covariance."""
     whole = click.option(
         "--covariance", type=(POSITIVE, POSITIVE, NUMBER), metavar="XX YY XY",
-        help="Variances of x and y and their covariance [px^2], in place of --sigma.",
+        help="Variances of x and y and their covariance [px^2], in place of --mark-sigma.",
     )  # fmt: skip
     sigma = click.option(
-        "--sigma", type=PIXELS, default=usual, show_default=True, metavar="PX", help="Standard deviation of the mark."
+        "--mark-sigma",
+        "sigma",
+        type=PIXELS,
+        default=usual,
+        show_default=True,
+        metavar="PX",
+        help="Standard deviation of the mark.",
     )
     return lambda function: sigma(whole(function))
 
 
-@command.command("begin", context_settings=COMMAND_SETTINGS)
+@command.command("begin")
 @click.argument("photos", type=FOLDER, nargs=-1, required=True)
 @click.option(
     "--out", type=NEW_FOLDER, metavar="PROJECT", help="Project folder; begun, or continued.  [default: PHOTOS-project]"
@@ -70,7 +79,7 @@ def begin_(photos: tuple[Path, ...], out: Path | None, progress: str, **given: A
     \b
     Example:
       raybundle mark begin archive/ --out archive-project
-      raybundle mark begin archive/ --camera "1938_*" --calibration cameras.toml
+      raybundle mark begin archive/ --own-camera "1938_*" --calibration cameras.toml
     """  # noqa: D301
     from raybundle.cli.progress import reporting  # noqa: PLC0415
     from raybundle.commands.begin import begin  # noqa: PLC0415
@@ -79,6 +88,7 @@ def begin_(photos: tuple[Path, ...], out: Path | None, progress: str, **given: A
         project = begin(
             photos, out, told=lambda line: click.echo(f"   {line}"), progress=tell, **values_of(BeginSettings, given)
         )
+    facts(project=project)
     click.echo(f" project: {project}")
 
 
@@ -115,7 +125,7 @@ def move(
 
     \b
     Example:
-      raybundle mark move facade-project IMG_3.jpg gate 1204.6 880.0 --sigma 0.2
+      raybundle mark move facade-project IMG_3.jpg gate 1204.6 880.0 --mark-sigma 0.2
     """  # noqa: D301
     _place(folder, "move", author, sigma, covariance, image=image, point=point, x_px=x_px, y_px=y_px)
 
@@ -210,8 +220,8 @@ def unbar(folder: Path, start: str, end: str, author: str) -> None:
 @click.argument("line")
 @click.argument("points", nargs=-1, metavar="POINT...")
 @click.option(
-    "--kind", type=click.Choice(["straight", "plumb", "level", "plane"]), default="straight", show_default=True,
-    help="A straight line, a plumb line, points at one height, points on one plane.",
+    "--figure", "kind", type=click.Choice(["straight", "plumb", "level", "plane"]), default="straight",
+    show_default=True, help="A straight line, a plumb line, points at one height, points on one plane.",
 )  # fmt: skip
 @click.option("--sigma", type=POSITIVE, default=0.01, show_default=True, help="Of a point's distance from the figure.")
 def line_(folder: Path, line: str, points: tuple[str, ...], kind: str, sigma: float, author: str) -> None:
@@ -221,8 +231,8 @@ def line_(folder: Path, line: str, points: tuple[str, ...], kind: str, sigma: fl
 
     \b
     Example:
-      raybundle mark line facade-project edge gate sill-1 sill-2 --kind plumb
-      raybundle mark line pond-project water W1 W2 W3 --kind level --sigma 0.002
+      raybundle mark line facade-project edge gate sill-1 sill-2 --figure plumb
+      raybundle mark line pond-project water W1 W2 W3 --figure level --sigma 0.002
     """  # noqa: D301
     do(folder, "line", author, line=line, points=points, kind=kind, sigma=sigma)
 
@@ -338,7 +348,7 @@ def redo(folder: Path, author: str) -> None:
     do(folder, "redo", author)
 
 
-@command.command("list", context_settings=COMMAND_SETTINGS)
+@command.command("list")
 @click.argument("folder", type=FOLDER)
 @click.option("--history", "with_history", is_flag=True, help="All actions, those taken back included.")
 @click.option("--json", "as_json", is_flag=True, help="As JSON.")
@@ -350,7 +360,7 @@ def list_(folder: Path, with_history: bool, as_json: bool) -> None:  # noqa: FBT
       raybundle mark list facade-project --history
     """  # noqa: D301
     from raybundle.commands.begin import standing_folder  # noqa: PLC0415
-    from raybundle.commands.measure import as_plain, history, marks  # noqa: PLC0415
+    from raybundle.commands.marks import as_plain, history, marks  # noqa: PLC0415
     from raybundle.measuring.session import block_folder  # noqa: PLC0415
     from raybundle.measuring.state import in_force  # noqa: PLC0415
 
@@ -370,12 +380,11 @@ def list_(folder: Path, with_history: bool, as_json: bool) -> None:  # noqa: FBT
     click.echo(json.dumps(as_plain(state), ensure_ascii=False) if as_json else "\n".join(shown(state)))
 
 
-@command.command("export", context_settings=COMMAND_SETTINGS)
+@command.command("export")
 @click.argument("folder", type=FOLDER)
 @click.argument("out", type=NEW_FILE_OR_FOLDER)
 @click.option(
-    "--masks",
-    "as_masks",
+    "--as-masks",
     is_flag=True,
     help="OUT is a folder of masks, one picture a photograph, as `orient --masks` reads it.",
 )
@@ -388,17 +397,18 @@ def export(folder: Path, out: Path, as_masks: bool, crs: str) -> None:  # noqa: 
       raybundle mark export facade-project marks.csv
       raybundle mark export facade-project gcp_list.txt --crs EPSG:32633
       raybundle mark export facade-project facade-measured
-      raybundle mark export facade-project masks --masks
+      raybundle mark export facade-project masks --as-masks
     """  # noqa: D301
-    from raybundle.commands.measure import export_marks, export_masks  # noqa: PLC0415
+    from raybundle.commands.marks import export_marks, export_masks  # noqa: PLC0415
 
     done = export_masks(folder, out) if as_masks else export_marks(folder, out, crs=crs)
+    facts(files=done.files)
     for remark in done.remarks:
         click.echo(f" remark: {remark}")
     click.echo(f" {', '.join(str(p) for p in done.files)}")
 
 
-@command.command("adjust", context_settings=COMMAND_SETTINGS)
+@command.command("adjust")
 @click.argument("folder", type=FOLDER)
 @click.option(
     "--out", type=NEW_FOLDER, metavar="RESULT",
@@ -407,8 +417,12 @@ def export(folder: Path, out: Path, as_masks: bool, crs: str) -> None:  # noqa: 
 )  # fmt: skip
 @options_of(AdjustmentOptions)
 @click.option("--no-report", is_flag=True, help="Leave out report.html and network.html.")
+@click.option("--pdf", is_flag=True, help="Write the report as report.pdf, too.")
+@click.option("--language", default="en", metavar="CODE", help=f"{LANGUAGE_HELP}  [default: en]")
 @common_options
-def adjust_(folder: Path, out: Path | None, no_report: bool, progress: str, **given: Any) -> None:  # noqa: FBT001
+def adjust_(
+    folder: Path, out: Path | None, no_report: bool, pdf: bool, language: str, progress: str, **given: Any  # noqa: FBT001
+) -> None:  # fmt: skip
     """Adjust the block with what was measured by hand, and write a result folder.
 
     Photographs without orientation are oriented from their marks, as far as these allow; what the others lack is said.
@@ -423,7 +437,7 @@ def adjust_(folder: Path, out: Path | None, no_report: bool, progress: str, **gi
     """  # noqa: D301
     from raybundle.cli.progress import reporting  # noqa: PLC0415
     from raybundle.commands.begin import standing_folder  # noqa: PLC0415
-    from raybundle.commands.measure import adjust_marks  # noqa: PLC0415
+    from raybundle.commands.marks import adjust_marks  # noqa: PLC0415
     from raybundle.measuring.journal import measured_result  # noqa: PLC0415
     from raybundle.report.text.summary import summary_lines  # noqa: PLC0415
     from raybundle.report.write import write_result  # noqa: PLC0415
@@ -432,9 +446,15 @@ def adjust_(folder: Path, out: Path | None, no_report: bool, progress: str, **gi
     folder = standing_folder(folder) or folder
     target = out or measured_result(folder)
     check_target(target)
+    checked_language(language)
+    if pdf:
+        check_typesetter()
     with reporting(progress) as tell:
         adjustment, left_out = adjust_marks(folder, tell, **values_of(AdjustmentOptions, given))
-        write_result(adjustment, target, report="none" if no_report else "html", progress=tell)
+        write_result(
+            adjustment, target, report="none" if no_report else "html", pdf=pdf, language=language, progress=tell
+        )
+    facts(out=target)
     click.echo("\n".join(summary_lines(adjustment)))
     for name, why in left_out.items():
         click.echo(f" left out: {name}: {why}")

@@ -8,10 +8,10 @@ from typing import Any
 
 import click
 
-from raybundle.cli.common import COMMAND_SETTINGS, FOLDER
+from raybundle.cli.common import FOLDER, Group, facts
 
 
-@click.group("mark", context_settings=COMMAND_SETTINGS)
+@click.group("mark", cls=Group)
 def command() -> None:
     """Measure points by hand in the images of a project, result or block folder, or in photographs alone.
 
@@ -22,17 +22,16 @@ def command() -> None:
 
     \b
     Example:
-      raybundle mark put facade-project IMG_3.jpg gate 1204.3 880.1 --sigma 0.3
+      raybundle mark put facade-project IMG_3.jpg gate 1204.3 880.1 --mark-sigma 0.3
       raybundle mark bar facade-project A B 1.0003 0.0001
       raybundle mark adjust facade-project
     """  # noqa: D301
 
 
 def _author(function: Callable[..., Any]) -> Callable[..., Any]:
-    function = click.option(
-        "--traceback", is_flag=True, expose_value=False, help="After an error, show where in the program it arose."
-    )(function)
-    return click.option("--author", default="", metavar="TEXT", help="Who does it, for the journal.")(function)
+    return click.option("--operator", "author", default="", metavar="TEXT", help="Who does it, for the journal.")(
+        function
+    )
 
 
 def subcommand(name: str) -> Callable[[Callable[..., Any]], click.Command]:
@@ -40,7 +39,7 @@ def subcommand(name: str) -> Callable[[Callable[..., Any]], click.Command]:
 
     def made(function: Callable[..., Any]) -> click.Command:
         with_options = click.argument("folder", type=FOLDER)(_author(function))
-        return command.command(name, context_settings=COMMAND_SETTINGS)(with_options)
+        return command.command(name)(with_options)
 
     return made
 
@@ -48,18 +47,19 @@ def subcommand(name: str) -> Callable[[Callable[..., Any]], click.Command]:
 def do(folder: Path, verb: str, author: str, /, **arguments: Any) -> None:
     """Do an action of a verb, and say its number; a folder of photographs has its project begun."""
     from raybundle.commands.begin import measuring_folder, standing_folder  # noqa: PLC0415  (loaded after the help)
-    from raybundle.commands.measure import mark  # noqa: PLC0415
+    from raybundle.commands.marks import mark  # noqa: PLC0415
 
     if standing_folder(folder) is None:
         click.echo(f" project: {measuring_folder(folder, told=lambda line: click.echo(f'   {line}'))}")
-    seq = mark(folder, verb, author=author, **arguments)
+    seq = mark(folder, verb, operator=author, **arguments)
+    facts(action=seq, verb=verb)
     told = _moved(folder, seq) if verb in {"undo", "redo"} else ""
     click.echo(f" action {seq}: {verb}{told}")
 
 
 def _moved(folder: Path, seq: int) -> str:
     """What an undo took back, or a redo did again."""
-    from raybundle.commands.measure import history  # noqa: PLC0415
+    from raybundle.commands.marks import history  # noqa: PLC0415
     from raybundle.measuring.state import in_force  # noqa: PLC0415
 
     entries = [e for e in history(folder) if e.seq <= seq]

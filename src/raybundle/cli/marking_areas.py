@@ -31,16 +31,18 @@ def control(folder: Path, file: str, author: str) -> None:
     "--polygon", required=True, metavar="'X,Y X,Y X,Y'",
     help="Corners in pixels of the file, x and y with a comma, with a blank between corners.",
 )  # fmt: skip
-@click.option("--camera", is_flag=True, help="At the same place in every photograph of the image's camera.")
+@click.option(
+    "--all-images", "camera", is_flag=True, help="At the same place in every photograph of the image's camera."
+)
 def mask(folder: Path, mask: str, image: str, polygon: str, camera: bool, author: str) -> None:  # noqa: FBT001
     """Leave an area of a photograph out of all measuring; one of that name is replaced.
 
-    `orient` heeds it when it runs again in the project; `raybundle mark export --masks` writes pictures of all masks.
+    `orient` heeds it when it runs again in the project; `raybundle mark export --as-masks` writes them as pictures.
 
     \b
     Example:
       raybundle mark mask facade-project tree IMG_3.jpg --polygon "0,0 800,0 760,1200 0,1300"
-      raybundle mark mask car-project bonnet IMG_3.jpg --polygon "0,1700 4000,1700 4000,2000 0,2000" --camera
+      raybundle mark mask car-project bonnet IMG_3.jpg --polygon "0,1700 4000,1700 4000,2000 0,2000" --all-images
     """  # noqa: D301
     do(folder, "mask", author, mask=mask, image=image, polygon=_corners(polygon), camera=camera)
 

@@ -8,34 +8,35 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from raybundle.cli.common import (
-    COMMAND_SETTINGS,
     FOLDER,
     NEW_FOLDER,
+    NOT_KEPT,
     SeveralNames,
     common_options,
     counted,
     significant,
 )
 from raybundle.cli.settings import options_of, values_of
-from raybundle.commands.measured import LENGTHS, LIST, NOMINAL, MeasureSettings, run_measure
+from raybundle.commands.measure import LENGTHS, LIST, NOMINAL, MeasureSettings, run_measure
 from raybundle.settings import made
 
 if TYPE_CHECKING:
-    from raybundle.commands.measured import Measured
+    from raybundle.commands.measure import Measured
     from raybundle.metrology.best_fit import BestFit
     from raybundle.metrology.lengths import LengthTest
 
 SHOWN = 10
 
 
-@click.command("measure", cls=SeveralNames, context_settings=COMMAND_SETTINGS)
+@click.command("measure", cls=SeveralNames)
 @click.argument("photos", type=FOLDER, nargs=-1, required=True, metavar="PHOTOS...|RESULT")
 @options_of(MeasureSettings, out=NEW_FOLDER)
 @common_options
 def command(photos: tuple[Path, ...], progress: str, **given: Any) -> int:
     """Measure targets: photographs in, coordinates out, held against nominal ones and known lengths.
 
-    Coded targets are found, the camera is calibrated with them or held, and the free network is scaled by scale bars.
+    Coded targets are found, the camera is calibrated with them or held, and the free network is scaled by scale bars,
+    or brought to control.
     RESULT gets, beside what `adjust` writes, coordinate_list.csv (in natural order, with standard deviations and
     correlations), nominal.csv (deviations, their significance, tolerances) and lengths.csv (errors of lengths).
 
@@ -56,8 +57,9 @@ def command(photos: tuple[Path, ...], progress: str, **given: Any) -> int:
         done = run_measure(settings, tell)
     click.echo("\n".join(f" {line}" for line in lines(done)))
     files = [LIST, *([NOMINAL] if done.fit else []), *([LENGTHS] if done.lengths else [])]
-    click.echo(f" {settings.out}: {', '.join(files)}" + (", report.html" if settings.report else ""))
-    return 0 if kept(done) else 4
+    files += [name for name, wanted in (("report.html", settings.report), ("report.pdf", settings.pdf)) if wanted]
+    click.echo(f" {settings.out}: {', '.join(files)}")
+    return 0 if kept(done) else NOT_KEPT
 
 
 def kept(done: Measured) -> bool:
@@ -70,12 +72,16 @@ def lines(done: Measured) -> list[str]:
     """What is told of a measurement."""
     import numpy as np  # noqa: PLC0415
 
+    from raybundle.adjustment.result import as_told  # noqa: PLC0415  (what computes is loaded after the help)
+    from raybundle.adjustment.severity import Severity  # noqa: PLC0415
+
     a, s = done.adjustment, 1000 * done.points.sigma
     images = len(np.unique(a.given.observations.image))
+    of = "" if images == done.given else f" of {done.given}"
     unit = "of a scale that nothing measured" if done.points.free_scale else "mm"
     rms, worst = significant(float(np.sqrt(np.mean(s**2))), 2), significant(float(s.max()), 2)
     weakest = done.points.ids[int(s.max(axis=1).argmax())]
-    where = f"{counted(len(done.points.ids), 'point')} in {counted(images, 'photograph')}"
+    where = f"{counted(len(done.points.ids), 'point')} in {images}{of} photograph{'s' * (done.given != 1)}"
     text = [
         f"{where}, sigma0 {a.sigma0:.3g}, redundancy {a.redundancy}",
         f"standard deviation of a coordinate: {rms} {unit} in the mean, {worst} at worst (point {weakest})",
@@ -84,11 +90,15 @@ def lines(done: Measured) -> list[str]:
         text += _fit_lines(done.fit)
     if done.lengths is not None:
         text += _length_lines(done.lengths)
-    return text + [f"caution: {r}" for r in done.remarks]
+    grave = [n for n in as_told(a.notices) if n.severity in {Severity.FAULT, Severity.CAUTION}]
+    text += [f"{n.severity.value}: {n.message}" for n in grave[:SHOWN]]
+    return text + ["more stands in the report, and in result.json"] * (len(grave) > SHOWN)
 
 
 def _fit_lines(f: BestFit) -> list[str]:
     import numpy as np  # noqa: PLC0415
+
+    from raybundle.report.text.metrology_words import tolerances_told  # noqa: PLC0415
 
     scale = "" if not f.scale_sigma else f", scale {f.transform.scale:.7f} ± {f.scale_sigma:.1g}"
     rms, largest = significant(1000 * f.rms, 2), significant(1000 * float(f.length.max()), 2)
@@ -101,27 +111,28 @@ def _fit_lines(f: BestFit) -> list[str]:
         d = ", ".join(f"{a} {1000 * v:+.3g}" for a, v in zip("XYZ", f.deviation[k], strict=True))
         text.append(f"{f.ids[k]}: {1000 * f.length[k]:.3g} ± {1000 * f.length_sigma[k]:.2g} mm ({d})")
     if np.isfinite(f.tolerance).any():
-        words = {v: f.verdict.count(v) for v in ("within", "beyond", "undecided")}
-        text.append(
-            f"tolerances: {words['within']} within, {words['beyond']} beyond, {words['undecided']} undecided by the "
-            "uncertainty (ISO 14253-1, two standard deviations)"
-        )
-    if f.missing:
-        text.append(f"caution: {len(f.missing)} nominal points were not measured: {', '.join(f.missing[:SHOWN])}")
+        text.append(f"tolerances: {tolerances_told(f)} by the uncertainty (ISO 14253-1, two standard deviations)")
     return text
 
 
 def _length_lines(t: LengthTest) -> list[str]:
     import numpy as np  # noqa: PLC0415
 
-    k = int(np.abs(t.error).argmax())
+    from raybundle.metrology.notices import p_words  # noqa: PLC0415
+
+    k = t.largest_at
     largest, rms = significant(1000 * t.largest, 2), significant(1000 * t.rms, 2)
     error = f"largest error {largest} mm ({t.known[k].start} - {t.known[k].end}), rms {rms} mm"
     share = f"{100 * t.within:.0f} % within two standard deviations"
-    text = [f"{counted(len(t.known), 'length')}: {error}; {share}, together F {t.whole[0]:.2f} (p {t.whole[1]:.2g})"]
+    what = counted(int(t.compared.sum()), "length")
+    if t.served.any():
+        others = int(t.served.sum())
+        what += f" that took no part (beside {others} that served as scale bars)" if t.independent else (
+            ", all of which served as scale bars: no test"
+        )  # fmt: skip
+    text = [f"{what}: {error}; {share}, together F {t.whole[0]:.2f} ({p_words(t.whole[1])})"]
     if t.kept is not None:
         over = int((np.abs(t.error) > t.allowed).sum())
-        text.append("all errors are within what is allowed" if t.kept else f"{over} errors are beyond what is allowed")
-    if t.significant.any():
-        text.append(f"caution: {int(t.significant.sum())} errors are more than standard deviations explain")
+        verb = "error is" if over == 1 else "errors are"
+        text.append("all errors are within what is allowed" if t.kept else f"{over} {verb} beyond what is allowed")
     return text

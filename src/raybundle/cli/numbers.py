@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+import re
 from typing import Any
 
 import click
@@ -16,6 +17,8 @@ What an adjustment sums are squares of ratios of what is given here, a length ov
 (1e12 / 1e-12)^2 = 1e48 each.  Their products in a factor of a matrix, and the squares of those, stay below 1e192, far
 from the 1.8e308 at which a double overflows.  No length of surveying comes near either limit in metres or millimetres.
 """
+LENGTH = re.compile(r"([0-9]+(?:\.[0-9]*)?|\.[0-9]+)\s*(mm|cm|m|in)?")
+UNITS = {None: 1.0, "mm": 1.0, "cm": 10.0, "m": 1000.0, "in": 25.4}
 
 
 class Number(click.FloatRange):
@@ -39,6 +42,23 @@ class Number(click.FloatRange):
                 f"{found:g} is out of range: numbers are 0 or from {SMALLEST:g} to {LARGEST:g} in size", param, ctx
             )
         return found
+
+
+class Length(Number):
+    """A length in millimetres, written with or without its unit."""
+
+    name = "LENGTH"
+
+    def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> float:
+        """5mm, 0.5cm, 5."""
+        from raybundle.io.reading.words import number_of  # noqa: PLC0415  (NumPy is loaded with it)
+
+        if isinstance(value, float):
+            return value
+        match = LENGTH.fullmatch(str(value).strip())
+        if match is None:
+            self.fail(f"{value!r} is not a length such as 5mm, 0.5cm or 0.2in", param, ctx)
+        return super().convert((number_of(match[1]) or 0.0) * UNITS[match[2]], param, ctx)
 
 
 NUMBER = Number()

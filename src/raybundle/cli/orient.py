@@ -7,9 +7,10 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from raybundle.cli.common import COMMAND_SETTINGS, FOLDER, NEW_FOLDER, common_options, counted
+from raybundle.cli.common import FOLDER, NEW_FOLDER, Command, common_options, counted, told_outcome
 from raybundle.cli.settings import options_of, values_of
-from raybundle.commands.orient import OrientSettings, run_orient
+from raybundle.commands.orient import OrientSettings, accuracy_outcome, run_orient
+from raybundle.commands.pages import pages_told
 from raybundle.settings import made
 
 if TYPE_CHECKING:
@@ -32,7 +33,7 @@ class StageName(click.ParamType):
         return begun[0]
 
 
-@click.command("orient", context_settings=COMMAND_SETTINGS)
+@click.command("orient", cls=Command)
 @click.argument("photos", type=FOLDER, nargs=-1, required=True)
 @click.option("--out", type=NEW_FOLDER, required=True, metavar="PROJECT", help="Project folder; begun, or continued.")
 @options_of(OrientSettings, redo_from=StageName())
@@ -47,13 +48,15 @@ def command(photos: tuple[Path, ...], out: Path, progress: str, **given: Any) ->
     later are matched with the others, and only they.
 
     \b
-    Exit status: 0 oriented (photographs that could not be are named); 2 bad input; 3 no two photographs fit.
+    Exit status: 0 oriented (photographs that could not be are named); 2 bad input; 3 no two photographs fit; 4 the
+    accuracy of --accuracy-class is not kept.
 
     \b
     Example:
       raybundle orient facade/ --out facade-project
-      raybundle orient facade/ --out facade-project --from precision
+      raybundle orient facade/ --out facade-project --from-stage precision
       raybundle orient flight/ --out flight-project --control gcp_list.txt
+      raybundle orient flight/ --out flight-project --control gcp_list.txt --check checks.csv --accuracy-class 0.03,0.05
       raybundle orient facade/ --out scaled --control marks.csv --scale-bar A B 1.2319 0.0001
       raybundle orient pair/ --out pair-project --control gcp.csv --crs EPSG:32633
     """  # noqa: D301
@@ -67,7 +70,8 @@ def command(photos: tuple[Path, ...], out: Path, progress: str, **given: Any) ->
         click.echo(f"interrupted; what is finished is kept in {out}, the same command continues there", err=True)
         return 130
     click.echo("\n".join(_lines(done, settings)))
-    return 0
+    outcome = accuracy_outcome(settings, done)
+    return told_outcome(outcome)
 
 
 def _lines(done: Orientation, settings: OrientSettings) -> list[str]:
@@ -87,8 +91,7 @@ def _lines(done: Orientation, settings: OrientSettings) -> list[str]:
         told.append(f"   {n} in a part of its own: {settings.out / component_folder(k)}")
     told += summary_lines(done.adjustment)
     told.append(f" image points: sigma {done.sigma_px:.3f} px (rms of a coordinate, from the residuals)")
-    pages = f", report: {result / 'report.html'}, in 3D: {result / 'network.html'}" if settings.report else ""
-    return [*told, f" result: {result}{pages}"]
+    return [*told, f" result: {result}{pages_told(result, settings)}"]
 
 
 def _oriented(done: Orientation) -> str:

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from raybundle.cli.common import COMMAND_SETTINGS, FOLDER, common_options, counted
+from raybundle.cli.common import FOLDER, Command, common_options, counted
 from raybundle.cli.settings import options_of, values_of
 from raybundle.commands.photos import PhotosSettings, run_photos
 from raybundle.settings import made
@@ -23,7 +23,7 @@ SHOWN = 100
 """Photographs that the table lists."""
 
 
-@click.command("photos", context_settings=COMMAND_SETTINGS)
+@click.command("photos", cls=Command)
 @click.argument("photos", type=FOLDER, nargs=-1, required=True, metavar="PHOTOS...")
 @options_of(PhotosSettings)
 @click.option("--json", "as_json", is_flag=True, help="Everything as JSON.")

@@ -8,21 +8,19 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from raybundle.cli.common import COMMAND_SETTINGS, FOLDER, SeveralNames
+from raybundle.cli.common import FOLDER, SeveralNames
 from raybundle.cli.settings import options_of, values_of
-from raybundle.commands.measure_settings import QuerySettings
+from raybundle.commands.marks_settings import QuerySettings
+from raybundle.numerics.counting import decimals_for
 
 if TYPE_CHECKING:
     from raybundle.measuring.query import Answer
 
 
-@click.command("query", cls=SeveralNames, context_settings=COMMAND_SETTINGS)
+@click.command("query", cls=SeveralNames)
 @click.argument("result", type=FOLDER)
 @options_of(QuerySettings)
 @click.option("--json", "as_json", is_flag=True, help="One JSON object a line, with covariances.")
-@click.option(
-    "--traceback", is_flag=True, expose_value=False, help="After an error, show where in the program it arose."
-)
 def command(result: Path, as_json: bool, **given: Any) -> None:  # noqa: FBT001  (a flag of the command line)
     """Coordinates, distances, angles, areas, planes and lines of a result, each with its standard deviation.
 
@@ -35,7 +33,7 @@ def command(result: Path, as_json: bool, **given: Any) -> None:  # noqa: FBT001 
       raybundle query camcal21-result --angle 1 2 3 --area 1 2 3 4 --json
       raybundle query facade-project --plane A B C D E --to-line P A B
     """  # noqa: D301
-    from raybundle.commands.measure import query  # noqa: PLC0415
+    from raybundle.commands.marks import query  # noqa: PLC0415
 
     answers = query(result, **values_of(QuerySettings, given))
     if as_json:
@@ -61,7 +59,5 @@ def _plain(a: Answer) -> dict[str, Any]:
 
 def _figures(value: float, sigma: float) -> str:
     """A value to two figures of its standard deviation."""
-    from math import floor, log10  # noqa: PLC0415
-
-    places = max(0, 1 - floor(log10(sigma))) if sigma > 0 else 6
+    places = decimals_for(sigma) if sigma > 0 else 6
     return f"{value:.{places}f} +- {sigma:.{places}f}"

@@ -7,20 +7,21 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from raybundle.cli.common import COMMAND_SETTINGS, FOLDER, NEW_FILE, common_options, counted, significant
+from raybundle.cli.common import FOLDER, NEW_FILE, Command, common_options, counted, facts, significant
 from raybundle.cli.settings import options_of, values_of
 from raybundle.commands.rectify import RectifySettings, run_rectify
 from raybundle.settings import made
 
 if TYPE_CHECKING:
     from raybundle.commands.rectify import Rectification
-    from raybundle.workflows.rectify import Plane, SinglePhoto
+    from raybundle.workflows.object_plane import Plane
+    from raybundle.workflows.rectify import SinglePhoto
 
 ROUNDING = 1e-9
 """Share of the extent of the points below which a difference is that of rounding."""
 
 
-@click.command("rectify", context_settings=COMMAND_SETTINGS)
+@click.command("rectify", cls=Command)
 @click.argument("source", type=FOLDER, metavar="RESULT|PHOTO")
 @options_of(RectifySettings, out=NEW_FILE)
 @common_options
@@ -29,24 +30,28 @@ def command(source: Path, progress: str, **given: Any) -> None:
 
     RESULT is a result folder or the project of `orient`: every pixel comes from the photograph that shows it best,
     through the calibrated lens. PHOTO is one photograph with four points or more of the plane marked in it.
-    Beside the picture stand a world file, which maps and drawings read, and NAME.toml with the plane.
+    Beside the picture stand a world file, which maps and drawings read, and NAME.toml with the plane. Level ground
+    (--horizontal) of a result with a coordinate system becomes a GeoTIFF in its map.
 
     \b
     Example:
       raybundle rectify facade-project --out facade.tif --pixel 0.002
       raybundle rectify wall.jpg --control marks.csv --out wall.tif
+      raybundle rectify flight-project --horizontal --out ground.tif
     """  # noqa: D301  (\b is click's mark for a paragraph that keeps its lines)
     from raybundle.cli.progress import reporting  # noqa: PLC0415  (what computes is loaded after the help)
 
     settings = made(RectifySettings, {"source": source, **values_of(RectifySettings, given)})
     with reporting(progress) as tell:
         done = run_rectify(settings, tell)
+    facts(width=done.grid.width, height=done.grid.height, pixel=done.grid.pixel, unit=done.unit)
+    facts(covered=float(done.picture.seen.mean()), photographs=len(done.picture.shares))
     click.echo("\n".join(f" {line}" for line in _lines(done, settings)))
 
 
 def _lines(done: Rectification, settings: RectifySettings) -> list[str]:
     """What the command prints."""
-    from raybundle.workflows.rectify import Plane  # noqa: PLC0415
+    from raybundle.workflows.object_plane import Plane  # noqa: PLC0415
 
     source, grid = done.source, done.grid
     told = _of_plane(source, done) if isinstance(source, Plane) else _of_photo(source, settings.mark_sigma)
@@ -55,24 +60,40 @@ def _lines(done: Rectification, settings: RectifySettings) -> list[str]:
         *told,
         f"{settings.out}: {grid.width} x {grid.height} px of {grid.pixel:g} {done.unit}".rstrip()
         + f", {covered:.0f} % covered from {counted(len(done.picture.shares), 'photograph')}",
+        *([f"fault: {done.state}"] if done.state else []),
         *(f"remark: {r}" for r in done.remarks),
     ]
 
 
 def _of_plane(plane: Plane, done: Rectification) -> list[str]:
+    from raybundle.workflows.object_plane import MapLevel  # noqa: PLC0415
     from raybundle.workflows.rectify import FEW  # noqa: PLC0415
 
     of = f" of {plane.of}" if plane.of > plane.points else ""
     off = f"{significant(plane.rms)} {done.unit or 'units'}"
-    told = [f"plane of {plane.points}{of} points, which lie {off} off it (rms)"]
+    exact = plane.kind == "vertical" and plane.of == 2
+    told = [f"plane of {plane.points}{of} points" + (", plumb" if exact else f", which lie {off} off it (rms)")]
     if plane.points < FEW * plane.of:
         told.append(
             f"caution: {100 * plane.points / plane.of:.0f} % of the points lie in this plane, so that most of what the "
             "picture shows is displaced; --plane A,B,C takes the wall that you mean"
         )
+    told += [f"caution: {words}" for words in plane.cautions]
+    if plane.lean is not None and plane.plumb is not None and not plane.cautions:
+        told.append(f"its points lean {plane.lean.words} (vertical: {plane.plumb.words})")
     slope, largest = done.picture.slope
     shown = f"{slope:.2f} of its distance from it (rms; {largest:.1f} at most)"
-    return [*told, f"what lies in front of or behind it is displaced by {shown}"]
+    told.append(f"what lies in front of or behind it is displaced by {shown}")
+    if isinstance(plane, MapLevel):
+        told.append(f"the level is at height {plane.height:.2f}")
+    if exact or not slope * plane.rms > done.grid.pixel:
+        return told
+    off, pixels = significant(slope * plane.rms, 2), significant(slope * plane.rms / done.grid.pixel, 2)
+    told.append(
+        f"caution: its points, as far off it as they are, are displaced by {off} {done.unit} in the picture (rms, "
+        f"{pixels} px); what must be truer is measured in the photographs"
+    )
+    return told
 
 
 def _of_photo(single: SinglePhoto, sigma_px: float) -> list[str]:

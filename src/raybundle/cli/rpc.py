@@ -8,25 +8,19 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from raybundle.cli.common import COMMAND_SETTINGS, FOLDER, NEW_FILE, TRACEBACK, counted, significant
+from raybundle.cli.common import FOLDER, NEW_FILE, Group, counted, facts, significant
+from raybundle.cli.rpc_batch import batch
+from raybundle.cli.rpc_correct import correct
+from raybundle.cli.rpc_ortho import ortho
 from raybundle.cli.settings import options_of, values_of
-from raybundle.commands.rpc import (
-    RpcCorrectSettings,
-    RpcFitSettings,
-    RpcProjectSettings,
-    correction_of,
-    run_fit,
-    run_project,
-    size_of,
-    write_correction,
-)
+from raybundle.commands.rpc import RpcFitSettings, RpcProjectSettings, run_fit, run_project
+from raybundle.commands.scenes.common import size_of
 from raybundle.errors import NotSolvable
 from raybundle.settings import made
 
 if TYPE_CHECKING:
     from raybundle.io.scenes import Scene
     from raybundle.numerics.arrays import Array
-    from raybundle.scenes.bias_choice import BiasAdvice, BiasFit
     from raybundle.scenes.linescan import LineScene
     from raybundle.scenes.rpc import Rpc
 
@@ -35,24 +29,29 @@ SHOWN = 6
 CORNERS = ((0.0, 0.0), (1.0, 0.0), (1.0, 1.0), (0.0, 1.0))
 
 
-@click.group("rpc", context_settings=COMMAND_SETTINGS)
+@click.group("rpc", cls=Group)
 def command() -> None:
-    """Rational polynomials (RPC) of satellite scenes: show, project, correct on control points, make.
+    """Rational polynomials (RPC) of satellite scenes: show, project, correct, make, orthorectify.
 
-    Reads _RPC.TXT, .RPB, .geom, GeoTIFF and NITF with RPC, DIMAP XML, Maxar ISD XML, and line-scan ISD JSON.
+    Reads _RPC.TXT, .RPB, .geom, GeoTIFF and NITF with RPC, RPC of GDAL (VRT, .aux.xml, gdalinfo -json), of rpcm
+    (JSON) and orthority (YAML), DIMAP XML, Maxar ISD XML, and line-scan ISD JSON.
     Pixels count from the outer corner of the first one, whose centre is 0.5, 0.5; files that count otherwise
     are converted on reading and writing.  Heights are above the ellipsoid.
 
     \b
     Example:
       raybundle rpc info 13MAY08000330.XML
-      raybundle rpc correct 13MAY08000330.XML control.csv --out 13MAY08000330_RPC.TXT
+      raybundle rpc correct 13MAY08000330.TIF control.csv --out corrected.tif
     """  # noqa: D301  (\b is click's mark for a paragraph that keeps its lines)
+
+
+command.add_command(correct)
+command.add_command(batch)
+command.add_command(ortho)
 
 
 @command.command("info")
 @click.argument("scene", type=FOLDER)
-@TRACEBACK
 def info(scene: Path) -> None:
     """Show what a scene file tells, and how far its RPC is from its rigorous model.
 
@@ -60,9 +59,10 @@ def info(scene: Path) -> None:
     Example:
       raybundle rpc info 13MAY08000330.XML
     """  # noqa: D301
-    from raybundle.io.scenes import read_scene  # noqa: PLC0415  (what computes is loaded after the help)
+    from raybundle.commands.scenes.inputs import scene_input  # noqa: PLC0415  (what computes is loaded after the help)
 
-    s = read_scene(scene)
+    s = scene_input(scene).scene
+    facts(format=s.format, sensor=s.sensor, time=s.time, width_px=s.width_px, height_px=s.height_px, rpc=s.rpc)
     size = f", {s.width_px} x {s.height_px} px" if s.width_px and s.height_px else ""
     click.echo(f" {s.format}{f', {s.sensor}' if s.sensor else ''}{f', {s.time}' if s.time else ''}{size}")
     if s.rpc is not None:
@@ -77,7 +77,6 @@ def info(scene: Path) -> None:
 @click.argument("scene", type=FOLDER)
 @click.argument("points", type=FOLDER)
 @options_of(RpcProjectSettings, out=NEW_FILE)
-@TRACEBACK
 def project(scene: Path, points: Path, **given: Any) -> None:
     """Image points of POINTS (point,lon_deg,lat_deg,h_m), or the other way.
 
@@ -91,6 +90,7 @@ def project(scene: Path, points: Path, **given: Any) -> None:
     asked = {"scene": scene, "points": points, **values_of(RpcProjectSettings, given)}
     settings = made(RpcProjectSettings, asked)
     done = run_project(settings)
+    facts(points=len(done.ids), beyond=[done.ids[k] for k in done.beyond], lost=[done.ids[k] for k in done.lost])
     if done.beyond:
         told = f"{counted(len(done.beyond), 'point')} outside the range for which the RPC was made"
         click.echo(f" remark: {told}: {_named(done.ids, done.notes, done.beyond)}")
@@ -101,39 +101,9 @@ def project(scene: Path, points: Path, **given: Any) -> None:
     click.echo(f" {counted(len(done.ids), 'point')}: {settings.out}")
 
 
-@command.command("correct")
-@click.argument("scene", type=FOLDER)
-@click.argument("points", type=FOLDER)
-@options_of(RpcCorrectSettings, out=NEW_FILE)
-@TRACEBACK
-def correct(scene: Path, points: Path, **given: Any) -> None:
-    """Correct an RPC on control points (point,lon_deg,lat_deg,h_m,x_px,y_px[,sE_m,sN_m,sU_m]).
-
-    \b
-    Example:
-      raybundle rpc correct 13MAY08000330.XML control.csv
-      raybundle rpc correct 13MAY08000330.XML control.csv --bias shift --out corrected_RPC.TXT
-    """  # noqa: D301
-    asked = {"scene": scene, "points": points, **values_of(RpcCorrectSettings, given)}
-    settings = made(RpcCorrectSettings, asked)
-    found = correction_of(settings)
-    for k, note in found.beyond.items():
-        click.echo(f" caution: {found.ids[k]}: {note}")
-    _tell_advice(found.advice, found.ids)
-    if found.fit is not None:
-        _tell_fit(found.advice, found.fit, found.rpc)
-    done = write_correction(settings, found)
-    if done.refitted is not None:
-        largest = float(done.refitted.largest_px.max())
-        click.echo(f" refitted: at most {significant(largest)} px from the corrected RPC")
-    if settings.out is not None and done.fit is not None:
-        click.echo(f" RPC with {done.fit.kind} built in: {settings.out}")
-
-
 @command.command("fit")
 @click.argument("scene", type=FOLDER)
 @options_of(RpcFitSettings, out=NEW_FILE)
-@TRACEBACK
 def fit(scene: Path, **given: Any) -> None:
     """Make an RPC that stands for the rigorous model of a scene.
 
@@ -145,6 +115,7 @@ def fit(scene: Path, **given: Any) -> None:
     result, remarks = run_fit(settings)
     for remark in remarks:
         click.echo(f" remark: {remark}")
+    facts(heights_m=result.height_range, rms_px=result.rms_px, largest_px=result.largest_px, points=result.points)
     low, high = result.height_range
     x, y = result.rms_px
     click.echo(f" heights {low:g} to {high:g} m; restraint {result.strength:g}")
@@ -202,47 +173,6 @@ def _grid(s: Scene, rpc: Rpc) -> tuple[Array, Array]:
     h = rpc.ground_offset[2] + rpc.ground_scale[2] * np.array([-0.8, 0.0, 0.8])
     x, y, z = (a.ravel() for a in np.meshgrid(steps * size[0], steps * size[1], h, indexing="ij"))
     return np.stack([x, y], axis=1), z
-
-
-def _tell_advice(advice: BiasAdvice, ids: tuple[str, ...]) -> None:
-    click.echo(f" {'bias':8}{'parameters':>12}{'rms x, y [px]':>20}{'left out x, y [px]':>22}")
-    for f in advice.fits:
-        rms, out = (", ".join(f"{v:.3f}" for v in pair) for pair in (f.rms, f.left_out_rms))
-        click.echo(f" {f.kind:8}{len(f.values):12d}{rms:>20}{out:>22}")
-    if advice.set_aside:
-        away = ", ".join(
-            f"{ids[k]} ({x:+.2f}, {y:+.2f} px)"
-            for k, (x, y) in zip(advice.set_aside, advice.set_aside_px.tolist(), strict=True)
-        )
-        verb = "contradicts" if len(advice.set_aside) == 1 else "contradict"
-        click.echo(
-            f" caution: {counted(len(advice.set_aside), 'point')} of {len(ids)} {verb} the others and took no part; "
-            f"look at coordinates, height and measurement: {away}"
-        )
-    click.echo(f" advised: {advice.reason}")
-    if advice.prior_ratio is not None:
-        click.echo(f" that shift is {advice.prior_ratio:.2g} times the bias that the vendor states")
-
-
-def _tell_fit(advice: BiasAdvice, fit: BiasFit, rpc: Rpc) -> None:
-    """The correction that is advised, or was asked for: every term that is built in."""
-    from raybundle.scenes.bias import BIAS_PARAMETERS  # noqa: PLC0415
-
-    if fit.kind != "none":
-        named = zip(BIAS_PARAMETERS[fit.kind], fit.values, fit.sigma, strict=True)
-        values = ", ".join(f"{symbol} {v:+.3f} +- {s:.3f}" for symbol, v, s in named)
-        click.echo(f" {fit.kind}, to be added to the RPC's image points: {values} px")
-        if fit.kind != "shift":
-            (x0, y0), (u, v) = rpc.image_offset, rpc.image_scale
-            scaled = f"u = (x - {x0:g}) / {u:g}, v = (y - {y0:g}) / {v:g}"
-            click.echo(f"   x: A0 + A1 u + A2 v, y: B0 + B1 u + B2 v, {scaled}")
-    if fit.redundancy == 0:
-        click.echo(" remark: no redundancy: a wrong point would not be noticed; measure one more")
-    if fit.misfit > 1:
-        click.echo(
-            f" caution: residuals are {fit.misfit:.3g} times the stated sigma of {advice.sigma_px:g} px; standard "
-            "deviations are enlarged by it"
-        )
 
 
 def _named(ids: tuple[str, ...], notes: Sequence[str], rows: Sequence[int]) -> str:

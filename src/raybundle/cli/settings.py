@@ -31,19 +31,20 @@ def options_of(kind: type, *names: str, **types: click.ParamType) -> Callable[[C
 
 def _option(s: Setting, own: click.ParamType | None) -> Callable[[Callable[..., Any]], Callable[..., Any]]:
     flag = f"--{s.flag}"
+    names = flag, *(f"--{n}" for n in s.about.also), s.name
     with on_the_command_line():
         words = s.help
     if s.kind is bool:
         # a flag says the opposite of the default
-        return click.option(flag, s.name, is_flag=True, flag_value=not s.default, default=s.default, help=words)
+        return click.option(*names, is_flag=True, flag_value=not s.default, default=s.default, help=words)
     more: dict[str, Any] = {"metavar": s.about.metavar} if s.about.metavar else {}
     if s.default is MISSING:
         more["required"] = True
     else:
         shown = not s.about.unsaid and s.default not in {None, "", ()}
-        more |= {"default": (s.about.typed or s.default) if shown else None, "show_default": shown}
-    many = s.many and not s.about.joined
-    return click.option(flag, s.name, type=own or _type(s), multiple=many, help=words or None, **more)
+        typed = "" if s.many else s.about.typed
+        more |= {"default": (typed or s.default) if shown else None, "show_default": (s.about.typed or shown)}
+    return click.option(*names, type=own or _type(s), multiple=s.many, help=words or None, **more)
 
 
 def _type(s: Setting) -> Any:
@@ -69,5 +70,12 @@ def _number(kind: Any, limits: Part) -> Any:
 
 def values_of(kind: type, given: dict[str, Any]) -> dict[str, Any]:
     """What click found, without what nobody asked for."""
-    names = {s.name for s in settings_of(kind)}
-    return {n: v for n, v in given.items() if n in names and v is not None and v != ()}
+    known = {s.name: s for s in settings_of(kind)}
+    return {
+        n: _parts(v) if known[n].about.joined else v for n, v in given.items() if n in known and v not in (None, ())
+    }
+
+
+def _parts(value: Any) -> tuple[str, ...]:
+    """The texts of one option that is given several times, or with commas between."""
+    return tuple(part.strip() for word in value for part in word.split(",") if part.strip())

@@ -7,13 +7,13 @@ from typing import Any
 
 import click
 
-from raybundle.cli.common import COMMAND_SETTINGS, NEW_FOLDER, common_options, counted
+from raybundle.cli.common import NEW_FOLDER, Command, common_options, counted, facts
 from raybundle.cli.settings import options_of, values_of
 from raybundle.commands.simulate import SimulateSettings, run_simulate
 from raybundle.settings import made
 
 
-@click.command("simulate", context_settings=COMMAND_SETTINGS)
+@click.command("simulate", cls=Command)
 @click.argument("scene", metavar="SCENE|FOLDER")
 @click.option(
     "--out", type=NEW_FOLDER, required=True, metavar="FOLDER", help="New folder for block/, truth/ and gross.csv."
@@ -37,6 +37,8 @@ def command(scene: str, out: Path, progress: str, **given: Any) -> None:
     del progress
     done = run_simulate(made(SimulateSettings, {"scene": scene, "out": out, **values_of(SimulateSettings, given)}))
     block = done.observed
+    facts(images=len(block.images), points=len(block.points), observations=len(block.observations))
+    facts(gross_errors=int(done.gross.sum()), block=out / "block", truth=out / "truth")
     click.echo(
         f" {counted(len(block.images), 'image')}, {counted(len(block.points), 'object point')}, "
         f"{counted(len(block.observations), 'image observation')}, "

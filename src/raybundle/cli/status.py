@@ -6,14 +6,11 @@ from pathlib import Path
 
 import click
 
-from raybundle.cli.common import COMMAND_SETTINGS, FOLDER
+from raybundle.cli.common import FOLDER, Command, facts
 
 
-@click.command("status", context_settings=COMMAND_SETTINGS)
+@click.command("status", cls=Command)
 @click.argument("project", type=FOLDER)
-@click.option(
-    "--traceback", is_flag=True, expose_value=False, help="After an error, show where in the program it arose."
-)
 def command(project: Path) -> None:
     """Show the stages of a project folder or of a calibration: what the last run made, what came from the cache.
 
@@ -30,6 +27,7 @@ def command(project: Path) -> None:
         records = {r.name: r for r in opened.stages()}
     finally:
         opened.close()
+    facts(stages={n: records.get(n) for n in _stages(of_calibration=of_calibration)})
     click.echo(f" {'stage':12s} {'seconds':>8s} {'CPU s':>8s} {'memory':>8s}  finished")
     for name in _stages(of_calibration=of_calibration):
         r = records.get(name)

@@ -3,14 +3,15 @@
 from __future__ import annotations
 
 import contextlib
+import json
 from pathlib import Path
 
 import click
 
-from raybundle.cli.common import COMMAND_SETTINGS, FOLDER, NEW_FOLDER
+from raybundle.cli.common import FOLDER, NEW_FOLDER, Command
 
 
-@click.command("studio", context_settings=COMMAND_SETTINGS)
+@click.command("studio", cls=Command)
 @click.argument("source", type=FOLDER, metavar="PROJECT|RESULT|BLOCK|PHOTOS")
 @click.option("--out", type=NEW_FOLDER, metavar="PROJECT",
     help="Project folder of PHOTOS; begun, or continued.  [default: PHOTOS-project]",
@@ -19,11 +20,11 @@ from raybundle.cli.common import COMMAND_SETTINGS, FOLDER, NEW_FOLDER
     help="Where the photographs are.  [default: as the project knows]",
 )  # fmt: skip
 @click.option("--port", type=click.IntRange(0, 65535), default=0, show_default=True, help="0: a free one.")
+@click.option("--json", "as_json", is_flag=True, help="The address as a JSON object.")
 @click.option("--no-browser", is_flag=True, help="Print the address and do not open it.")
-@click.option("--traceback", is_flag=True, expose_value=False,
-    help="After an error, show where in the program it arose.",
-)  # fmt: skip
-def command(source: Path, out: Path | None, photos: tuple[Path, ...], port: int, no_browser: bool) -> None:  # noqa: FBT001
+def command(
+    source: Path, out: Path | None, photos: tuple[Path, ...], *, port: int, no_browser: bool, as_json: bool
+) -> None:
     """Look, measure and adjust in the browser.
 
     The server listens on this computer alone. The address that is printed lets in once, the browser that opens it
@@ -43,7 +44,8 @@ def command(source: Path, out: Path | None, photos: tuple[Path, ...], port: int,
     project = measuring_folder(source, out, lambda line: click.echo(f"   {line}"))
 
     def told(address: str) -> None:
-        click.echo(f" studio of {project}: {address}\n Ctrl-C ends it; what was measured is kept")
+        words = f" studio of {project}: {address}\n Ctrl-C ends it; what was measured is kept"
+        click.echo(json.dumps({"project": str(project), "address": address}) if as_json else words)
 
     with contextlib.suppress(KeyboardInterrupt):  # the way in which it ends
         serve(project, photos, port=port, browser=not no_browser, told=told)

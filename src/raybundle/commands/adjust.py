@@ -2,16 +2,19 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, fields
+from dataclasses import dataclass, fields, replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 from raybundle.adjustment.options import AdjustmentOptions
+from raybundle.commands.pages import COORDINATES_HELP, LANGUAGE_HELP, NO_REPORT_HELP, PDF_HELP, check_pages
+from raybundle.commands.record_settings import ACCURACY_CLASS, CLIENT, OPERATOR, TITLE, record_of
 from raybundle.numerics.progress import Progress, silent
 from raybundle.settings import setting
 
 if TYPE_CHECKING:
     from raybundle.adjustment.result import Adjustment
+    from raybundle.report.outcome import Outcome
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -22,7 +25,14 @@ class AdjustSettings(AdjustmentOptions):
     """block folder"""
     out: Path
     """result folder; an older result is replaced"""
-    report: bool = setting(True, "Leave out report.html and network.html.", flag="no-report")
+    accuracy_class: str = setting("", ACCURACY_CLASS, metavar="WANTED")
+    title: str = setting("", TITLE, metavar="TEXT")
+    client: str = setting("", CLIENT, metavar="TEXT")
+    operator: str = setting("", OPERATOR, metavar="TEXT")
+    report: bool = setting(True, NO_REPORT_HELP, flag="no-report")
+    pdf: bool = setting(False, PDF_HELP)
+    all_coordinates: bool = setting(False, COORDINATES_HELP)
+    language: str = setting("en", LANGUAGE_HELP, metavar="CODE")
 
     def options(self) -> AdjustmentOptions:
         """The options alone, as a result keeps them."""
@@ -31,12 +41,39 @@ class AdjustSettings(AdjustmentOptions):
 
 def run_adjust(settings: AdjustSettings, progress: Progress = silent) -> Adjustment:
     """Read, adjust and write; raises InputError, NotSolvable."""
+    from raybundle.adjustment.accuracy_class import accuracy_class  # noqa: PLC0415  (what computes is loaded later)
+    from raybundle.adjustment.result import Notice  # noqa: PLC0415
+    from raybundle.adjustment.severity import Severity  # noqa: PLC0415
     from raybundle.io.block.folder import read_block  # noqa: PLC0415  (what computes is loaded after the help)
     from raybundle.report.write import write_result  # noqa: PLC0415
     from raybundle.results.folder import check_target  # noqa: PLC0415
     from raybundle.workflows.adjust import adjust  # noqa: PLC0415
+    from raybundle.workflows.block_frame import in_block_frame  # noqa: PLC0415
 
     check_target(settings.out)
-    done = adjust(read_block(settings.block, progress=progress), settings.options(), progress)
-    write_result(done, settings.out, report="html" if settings.report else "none", progress=progress)
+    check_pages(settings)
+    wanted = accuracy_class(settings.accuracy_class)
+    block, frame, remarks = in_block_frame(read_block(settings.block, progress=progress))
+    done = adjust(block, settings.options(), progress)
+    assumed = () if frame is None else frame.remarks
+    notices = (
+        Notice(code="coordinate_system", message=r, measured=None if r in assumed else Severity.REMARK) for r in remarks
+    )
+    done = replace(done, notices=(*done.notices, *notices))
+    write_result(
+        done, settings.out, report="html" if settings.report else "none", pdf=settings.pdf,
+        all_coordinates=settings.all_coordinates, language=settings.language, wanted=wanted, frame=frame,
+        additions=None if frame is None else {"frame": frame.as_mapping()}, record=record_of(settings),
+        progress=progress,
+    )  # fmt: skip
     return done
+
+
+def accuracy_outcome(settings: AdjustSettings, done: Adjustment) -> Outcome | None:
+    """What became of the accuracy that was asked for; None where none was."""
+    from raybundle.adjustment.accuracy_class import accuracy_class  # noqa: PLC0415
+    from raybundle.report.delivery import wanted_outcome  # noqa: PLC0415
+    from raybundle.workflows.block_frame import in_block_frame  # noqa: PLC0415
+
+    _, frame, _ = in_block_frame(done.given)
+    return wanted_outcome(done, accuracy_class(settings.accuracy_class), frame)

@@ -33,7 +33,7 @@ def begin(
     photos    folders and files
     out       project folder; None: PHOTOS-project beside the folder of photographs
     told      gets a line of each file that is no usable photograph
-    settings  calibration, separate, library: as of `orient`; film, pixel_mm, film_model: scans of film
+    settings  calibration, own_camera, library: as of `orient`; film, pixel_mm, film_transformation: scans of film
     raises    InputError where there is no photograph, or something else stands at `out`
 
     The photographs have their cameras, as `orient` finds them, and no orientation: marks orient them (`rb.mark`).  A
@@ -50,7 +50,7 @@ def begin(
             photos=tuple(p.resolve() for p in s.photos),
             out=s.out,
             calibration=s.calibration,
-            separate=s.separate,
+            own_camera=s.own_camera,
             library=s.library,
         )
     )
@@ -105,10 +105,11 @@ def _as_asked(project: Path) -> BeginSettings:
     """What a run of `orient` without a result was asked for."""
     tree = read_toml(project / "project.toml").tree().get("orient")
     known = tree.get("calibration").text() if tree.has("calibration") else None
+    apart = next((n for n in ("own_camera", "separate") if tree.has(n)), "")  # the second: of earlier versions
     return BeginSettings(
         photos=tuple(Path(p.text()) for p in tree.get("photos").items()), out=project,
         calibration=None if known is None else Path(known),
-        separate=tuple(p.text() for p in tree.get("separate").items()) if tree.has("separate") else (),
+        own_camera=tuple(p.text() for p in tree.get(apart).items()) if apart else (),
         library=not tree.has("library") or bool(tree.get("library").value),
     )  # fmt: skip
 
@@ -126,7 +127,13 @@ def _block(s: BeginSettings, told: Told, progress: Progress) -> Block:
     library = library_folder() if s.library else None
     if scans is None:
         block = bare_block(
-            s.photos, s.out.name, calibration=known, separate=s.separate, library=library, told=told, progress=progress
+            s.photos,
+            s.out.name,
+            calibration=known,
+            separate=s.own_camera,
+            library=library,
+            told=told,
+            progress=progress,
         )
     else:
         known = known or (before.cameras if before is not None else ())
@@ -156,7 +163,7 @@ def _scans(s: BeginSettings) -> Scans | None:
     if len(cameras) != 1:
         raise InputError(f"{len(cameras)} cameras stand here; give one, that of the film", file=s.calibration)
     pixel = s.pixel_mm or cameras[0].pixel_mm[0]
-    return Scans(calibrated=read_calibrated(s.film), pixel_mm=pixel, model=s.film_model)
+    return Scans(calibrated=read_calibrated(s.film), pixel_mm=pixel, model=s.film_transformation)
 
 
 def _write(block: Block, project: Path) -> None:

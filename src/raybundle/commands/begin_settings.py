@@ -19,7 +19,7 @@ class BeginSettings:
     out: Path
     """project folder; begun, or continued"""
     calibration: Path | None = setting(None, KNOWN, metavar="CAMERAS.toml")
-    separate: tuple[str, ...] = setting((), APART, flag="camera", metavar="PATTERN")
+    own_camera: tuple[str, ...] = setting((), APART, metavar="PATTERN")
     library: bool = setting(True, LIBRARY, flag="no-library")
     film: Path | None = setting(
         None, "The photographs are scans of film: calibrated positions of its fiducial marks, mark,x_mm,y_mm; their "
@@ -28,4 +28,6 @@ class BeginSettings:
     pixel_mm: float | None = setting(
         None, "Pixel of the scanner.  [default: that of the camera]", metavar="MM", limits=POSITIVE
     )
-    film_model: Literal["similarity", "affine"] = setting("affine", "Transformation from a scan to the camera's frame.")
+    film_transformation: Literal["similarity", "affine"] = setting(
+        "affine", "Transformation from a scan to the camera's frame."
+    )

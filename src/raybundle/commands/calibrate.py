@@ -10,6 +10,8 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from raybundle.adjustment.options import NOISE_HELP, NoiseModel
+from raybundle.commands.pages import COORDINATES_HELP, LANGUAGE_HELP, NO_REPORT_HELP, PDF_HELP, check_pages
+from raybundle.commands.record_settings import CLIENT, OPERATOR, TITLE, record_of
 from raybundle.errors import InputError, NotSolvable
 from raybundle.numerics.progress import Progress, silent
 from raybundle.settings import NOT_NEGATIVE, POSITIVE, Range, asked, option, setting
@@ -30,7 +32,7 @@ class CalibrateSettings:
     """result folder; an older one is replaced"""
     target: tuple[str, ...] = setting(
         (), "What was photographed, as aicon14 or chessboard-9x6; how-to Coded targets lists them.  [default: found "
-        "out; natural points where there is nothing]", metavar="FAMILY",
+        "out; natural points where there is nothing]", metavar="FAMILY", also=("family",),
     )  # fmt: skip
     table: Path | None = setting(None, "Rings of one's own: a table id,code; with {bits}.", metavar="FILE")
     bits: int | None = setting(None, "Sectors of the rings of {table}.", limits=Range(low=3, high=24))
@@ -39,28 +41,36 @@ class CalibrateSettings:
         None, "Masks of the photographs for natural points, where there are no targets; named as for `raybundle "
         "orient`.", metavar="DIR",
     )  # fmt: skip
-    separate: tuple[str, ...] = setting(
+    own_camera: tuple[str, ...] = setting(
         (), "Photographs whose names match, as 'left_*' or 'a.jpg|b.jpg', are a camera apart; for those without "
-        "metadata.", flag="camera", metavar="PATTERN",
+        "metadata.", metavar="PATTERN",
     )  # fmt: skip
     model: str = setting(
-        "auto", "Distortion model: aicon, brown, brown_harmonic, fisheye, radial, rational, spline; auto: brown, or "
+        "auto", "Distortion model: aicon, brown, brown_harmonic, fisheye, kannala_brandt, radial, rational, spline, "
+        "thin_prism; auto: brown, or "
         "what fits a wide lens or what repeats in all residuals better.", metavar="NAME",
     )  # fmt: skip
-    estimate: str = setting(
+    parameters: str = setting(
         "", "Parameters to be estimated, as c,x0,y0,K1,K2,P1,P2.  [default: what is significant and determinable]",
         metavar="SYMBOLS",
     )  # fmt: skip
     spacing: float = setting(
-        1.0, "Distance of neighbouring points of a board; the calibration does not depend on it.", metavar="MM",
+        1.0, "Distance of neighbouring points of a board, as 25mm; the calibration does not depend on it.",
         limits=POSITIVE,
+        typed="1mm",
     )  # fmt: skip
     dots: bool = setting(False, "Use dots without a code among the targets, too.")
     shear: bool = setting(False, "Believe any shear and affinity of the pixels: for scanned pictures.")
     keep: bool = setting(False, "Keep a good calibration in the camera library, where orient finds it.")
-    jobs: int = setting(0, "0: all processors.", limits=NOT_NEGATIVE)
+    jobs: int = setting(0, "How many processors; 0: all.", limits=NOT_NEGATIVE)
     noise: NoiseModel = setting("auto", NOISE_HELP)
-    report: bool = setting(True, "Leave out report.html and network.html.", flag="no-report")
+    title: str = setting("", TITLE, metavar="TEXT")
+    client: str = setting("", CLIENT, metavar="TEXT")
+    operator: str = setting("", OPERATOR, metavar="TEXT")
+    report: bool = setting(True, NO_REPORT_HELP, flag="no-report")
+    pdf: bool = setting(False, PDF_HELP)
+    all_coordinates: bool = setting(False, COORDINATES_HELP)
+    language: str = setting("en", LANGUAGE_HELP, metavar="CODE")
 
     def options(self) -> CalibrateOptions:
         """What the workflow is asked for; raises InputError."""
@@ -69,10 +79,10 @@ class CalibrateSettings:
 
         return CalibrateOptions(
             targets=wanted_targets(self.target, self.table, self.bits, self.sheet),
-            sheet=None if self.sheet is None else read_sidecar(self.sheet), separate=self.separate, masks=self.masks,
-            model=self.model, spacing=self.spacing,
-            estimate=tuple(t.strip() for t in self.estimate.split(",") if t.strip()), dots=self.dots, shear=self.shear,
-            jobs=self.jobs, noise=self.noise,
+            sheet=None if self.sheet is None else read_sidecar(self.sheet), separate=self.own_camera,
+            masks=self.masks, model=self.model, spacing=self.spacing,
+            estimate=tuple(t.strip() for t in self.parameters.split(",") if t.strip()), dots=self.dots,
+            shear=self.shear, jobs=self.jobs, noise=self.noise,
         )  # fmt: skip
 
 
@@ -101,6 +111,7 @@ def run_calibrate(settings: CalibrateSettings, progress: Progress = silent) -> C
 
     out, options = settings.out, settings.options()
     check_target(out)
+    check_pages(settings)
     try:
         done = calibrated(settings.photos, options, progress, folder=out / PROJECT)
     except (InputError, NotSolvable):
@@ -110,8 +121,10 @@ def run_calibrate(settings: CalibrateSettings, progress: Progress = silent) -> C
         raise
     began = time.perf_counter()
     write_result(
-        done.adjustment, out, report="html" if settings.report else "none", additions=additions(done),
-        qualities=done.quality, progress=progress,
+        done.adjustment, out, report="html" if settings.report else "none", pdf=settings.pdf,
+        all_coordinates=settings.all_coordinates, language=settings.language, additions=additions(done),
+        qualities=done.quality,
+        record=record_of(settings), progress=progress,
     )  # fmt: skip
     last = "report" if settings.report else "result"
     seconds = {**done.seconds, last: time.perf_counter() - began}
@@ -137,6 +150,8 @@ def wanted_targets(
 
 def additions(done: Calibration) -> dict[str, object]:
     """What result.json says beside the adjustment."""
+    from raybundle.io.digits import told  # noqa: PLC0415
+
     lost = [{"file": f, "reason": r} for f, r in (*done.refused, *done.not_used)]
     return {
         "images": {"given": len(done.photos) + len(done.refused), "oriented": done.used, "not_oriented": lost},
@@ -148,7 +163,7 @@ def additions(done: Calibration) -> dict[str, object]:
             "largest_eccentricity_px": done.largest_eccentricity_px,
             "radius_scale": None if done.radius is None else {"value": done.radius.value, "std": done.radius.std},
         },
-        "calibration": {q.camera: {**quality_table(q), "exif": _exif(done, q.camera)} for q in done.quality},
+        "calibration": {q.camera: {**told(quality_table(q)), "exif": _exif(done, q.camera)} for q in done.quality},
     }
 
 

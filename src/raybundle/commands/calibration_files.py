@@ -8,6 +8,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from raybundle.errors import InputError
+from raybundle.io.folders import check_free
 from raybundle.numerics.counting import counted
 from raybundle.settings import option
 
@@ -136,6 +137,5 @@ def with_names(
     files = [(out, [c for c in conversions if c.calibration.id not in of_files])]
     files += [(out.with_stem(f"{out.stem}-{c.calibration.id}"), [c]) for c in beside]
     for path, _ in files:
-        if path.exists():
-            raise InputError("stands there already and is not overwritten; choose another name", file=path)
+        check_free(path)
     return files

@@ -20,6 +20,7 @@ from raybundle.commands.calibration_files import (
 )
 from raybundle.commands.convert import APPROXIMATE_HELP
 from raybundle.errors import InputError
+from raybundle.io.folders import check_free
 from raybundle.settings import NOT_NEGATIVE, POSITIVE, Range, made, option, path_of, setting
 
 if TYPE_CHECKING:
@@ -50,7 +51,7 @@ class CalibrationConvertSettings:
     pixel_mm: float | None = setting(
         None, "Size of a pixel, where INPUT does not tell it.", metavar="MM", limits=POSITIVE
     )
-    size: tuple[int, int] | None = setting(None, SIZE_HELP, metavar="WIDTH HEIGHT", limits=(PIXEL, PIXEL))
+    format: tuple[int, int] | None = setting(None, SIZE_HELP, metavar="WIDTH HEIGHT", limits=(PIXEL, PIXEL))
     camera: str | None = setting(None, CAMERA_HELP, metavar="ID")
     approximate: bool = setting(False, APPROXIMATE_HELP)
 
@@ -62,8 +63,8 @@ class CalibrationCompareSettings:
     first: Path
     """file of any format, or a result folder"""
     second: Path
-    distance: float | None = setting(None, "Of the object; else infinity.", metavar="D", limits=POSITIVE)
-    size: tuple[int, int] | None = setting(None, SIZE_HELP, metavar="WIDTH HEIGHT", limits=(PIXEL, PIXEL))
+    object_distance: float | None = setting(None, "Of the object; else infinity.", metavar="D", limits=POSITIVE)
+    format: tuple[int, int] | None = setting(None, SIZE_HELP, metavar="WIDTH HEIGHT", limits=(PIXEL, PIXEL))
     camera: str | None = setting(None, CAMERA_HELP, metavar="ID")
 
 
@@ -75,16 +76,16 @@ class CalibrationAddSettings:
     """file of any format, or a result folder"""
     read_as: str | None = setting(None, FROM_HELP, flag="from", metavar="FORMAT")
     photo: Path | None = setting(None, "A photograph of the set: make, model, serial, lens, focal length, focus.")
-    make: str | None = setting(None, "Instead, or in place of what the photograph says.")
-    model: str | None = setting(None, "As {make}.")
-    serial: str | None = setting(None, "As {make}.")
-    lens: str | None = setting(None, "As {make}.")
-    focal: float | None = setting(None, "EXIF focal length; as {make}.", metavar="MM", limits=POSITIVE)
+    camera_make: str | None = setting(None, "Instead, or in place of what the photograph says.")
+    camera_model: str | None = setting(None, "As {camera_make}.")
+    serial: str | None = setting(None, "As {camera_make}.")
+    lens: str | None = setting(None, "As {camera_make}.")
+    focal: float | None = setting(None, "EXIF focal length; as {camera_make}.", metavar="MM", limits=POSITIVE)
     focus: float | None = setting(
-        None, "Distance to which the lens was focused; as {make}.", metavar="M", limits=POSITIVE
+        None, "Distance to which the lens was focused; as {camera_make}.", metavar="M", limits=POSITIVE
     )
     date: str | None = setting(None, "Of the calibration.  [default: today]")
-    size: tuple[int, int] | None = setting(None, SIZE_HELP, metavar="WIDTH HEIGHT", limits=(PIXEL, PIXEL))
+    format: tuple[int, int] | None = setting(None, SIZE_HELP, metavar="WIDTH HEIGHT", limits=(PIXEL, PIXEL))
     camera: str | None = setting(None, CAMERA_HELP, metavar="ID")
     library: Path | None = setting(None, LIBRARY_HELP, metavar="FOLDER")
 
@@ -260,7 +261,7 @@ def converted(settings: CalibrationConvertSettings) -> ConvertedCalibrations:
     from raybundle.io.calibrations import convert_calibration as as_format  # noqa: PLC0415
 
     s = settings
-    found = calibrations_of(s.source, s.read_as, s.size)
+    found = calibrations_of(s.source, s.read_as, s.format)
     of_a_result = s.read_as is None and (s.source / "result.json").is_file()
     turned, cautions = calibrations_of_files(s.source) if of_a_result else ((), ())
     chosen = chosen_of((*found, *turned), s.camera, s.source)
@@ -288,12 +289,12 @@ def run_compare(settings: CalibrationCompareSettings) -> ComparedCalibrations:
 
     from raybundle.calibration.maps import calibration_difference, projection_uncertainty, scaled  # noqa: PLC0415
 
-    distance = settings.distance
+    distance = settings.object_distance
     cameras: list[Camera] = []
     notes: list[str] = []
     expected: float | None = 0.0
     for path in (settings.first, settings.second):
-        one = one_of(path, None, settings.size, settings.camera)
+        one = one_of(path, None, settings.format, settings.camera)
         own, words = our_camera(one)
         notes += [f"{path}: {words}"] if words else []
         if cameras and (own.width_px, own.height_px) != (cameras[0].width_px, cameras[0].height_px):
@@ -320,7 +321,7 @@ def run_add(settings: CalibrationAddSettings) -> KeptCalibration:
     from raybundle.io.cameras.library import LibraryEntry, add_entry  # noqa: PLC0415
 
     s = settings
-    calibration = one_of(s.source, s.read_as, s.size, s.camera)
+    calibration = one_of(s.source, s.read_as, s.format, s.camera)
     facts: dict[str, Any] = {"source": str(s.source.name)}
     if s.read_as is None and (s.source / "result.json").is_file():
         facts = next(f for c, f in of_result(s.source) if c.id == calibration.id)
@@ -352,7 +353,8 @@ def _key(s: CalibrationAddSettings, calibration: Calibration) -> CameraKey:
                 file=s.photo,
             )
     told = {
-        "make": s.make, "model": s.model, "serial": s.serial, "lens": s.lens, "focal_mm": s.focal, "focus_m": s.focus,
+        "make": s.camera_make, "model": s.camera_model, "serial": s.serial, "lens": s.lens, "focal_mm": s.focal,
+        "focus_m": s.focus,
     }  # fmt: skip
     return replace(key, **{k: v for k, v in told.items() if v is not None})
 
@@ -380,8 +382,7 @@ def write_best(settings: CalibrationFindSettings, found: FoundCalibrations) -> N
 
     if settings.out is None or found.best is None:
         return
-    if settings.out.exists():
-        raise InputError("stands there already and is not overwritten; choose another name", file=settings.out)
+    check_free(settings.out)
     write_whole(settings.out, cameras_text([found.best]))
 
 
@@ -395,8 +396,7 @@ def run_zoom(settings: ZoomSettings) -> ZoomLens:
     found, keys = _zoom_settings(s.results, s.focal)
     ordered = tuple(sorted(found, key=lambda z: z.focal_mm))
     lens = combined(ordered, resolution_mm=s.resolution)
-    if s.out.exists():
-        raise InputError("stands there already and is not overwritten; choose another name", file=s.out)
+    check_free(s.out)
     with new_folder(s.out) as folder:
         write_zoom(lens, folder)
     return ZoomLens(lens=lens, settings=ordered, keys=tuple(keys))

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any, Literal
 
 from raybundle.errors import InputError
 from raybundle.numerics.progress import Progress, silent
+from raybundle.results.record import STATE
 from raybundle.settings import ANY, made, option, path_of, setting
 
 if TYPE_CHECKING:
@@ -25,17 +26,20 @@ class ConvertSettings:
     source: Path
     """block folder, result folder, project of `orient`, or file or folder of another program"""
     read_as: str | None = setting(None, "Format of INPUT.  [default: recognised]", flag="from")
-    to: str = setting(MISSING, "Format to write.")
+    to: str = setting(
+        MISSING, "Format to write. Several with commas between, as gpkg,dxf,las: {out} NAME is then the beginning of "
+        "their names, NAME.gpkg and so on.",
+    )  # fmt: skip
     out: Path = setting(MISSING, "New file or folder; nothing is overwritten.", metavar="PATH")
     crs: str | None = setting(
         None, "Coordinate system: EPSG:25832, EPSG:25832+7837 or a PROJ string.", metavar="SYSTEM"
     )
-    origin: tuple[float, float, float] | None = setting(
+    frame_origin: tuple[float, float, float] | None = setting(
         None, "The block stands in the local east-north-up frame at this point of {crs}; without it, in {crs} itself, "
         "and is brought to a local frame in its middle.", metavar="E N H", limits=(ANY, ANY, ANY),
     )  # fmt: skip
     undulation: float | None = setting(
-        None, "Height of the geoid above the ellipsoid, for {crs}.", metavar="M", limits=ANY
+        None, "Height of the geoid above the ellipsoid of WGS 84 or GRS 80, for {crs}.", metavar="M", limits=ANY
     )
     photos: Path | None = setting(
         None, "The photographs: colours of points, and {undistort}. An oriented project's colours are found without "
@@ -44,6 +48,10 @@ class ConvertSettings:
     undistort: Literal["inside", "all"] | None = setting(
         None, "Write the photographs without distortion into images/ beside {out}, and pinhole cameras. inside: no "
         "empty pixels; all: nothing is cut.",
+    )  # fmt: skip
+    within: Path | None = setting(
+        None, "A drawing (dxf, gpkg) in the axes of this plane, X right, Y up, Z out of it: the NAME.toml that rectify "
+        "writes beside a picture, so that they lie on each other.", flag="in", metavar="NAME.toml",
     )  # fmt: skip
     approximate: bool = setting(False, APPROXIMATE_HELP)
     free_scale: bool = setting(False, FREE_SCALE_HELP)
@@ -56,10 +64,14 @@ class Converted:
     block: Block
     """as it was written"""
     files: int
+    written: tuple[tuple[str, Path], ...]
+    """each format with its file or folder"""
     remarks: tuple[str, ...]
     """what was left out, approximated or assumed"""
     deviation_px: float
     """largest deviation of a camera from the given one, over the whole format"""
+    state: str = ""
+    """why the result is not to be used yet; empty: nothing says so"""
 
 
 def convert(source: str | Path, out: str | Path, *, to: str, progress: Progress = silent, **settings: Any) -> Converted:
@@ -67,7 +79,7 @@ def convert(source: str | Path, out: str | Path, *, to: str, progress: Progress 
 
     source    of a result folder, or a project of `orient`, the adjusted values, without rejected observations
     out       new file or folder; nothing is overwritten
-    to        "colmap", "opf", "ply" ..., "block", "rpc"
+    to        "colmap", "opf", "ply" ..., "block", "rpc"; "gpkg,dxf" for files that begin with the name `out`
     settings  as of the command line, by the names of `ConvertSettings`: crs="EPSG:25832", undistort="inside"
     raises    InputError for what cannot be read or written, and where a camera would deviate by more than 0.1 px
 
@@ -78,29 +90,69 @@ def convert(source: str | Path, out: str | Path, *, to: str, progress: Progress 
 
 
 def run_convert(settings: ConvertSettings, progress: Progress = silent) -> Converted:
+    """Read, bring to the frame asked for, and write: one format after the other."""
+    each = tuple(dict.fromkeys(name.strip() for name in settings.to.split(",")))
+    if len(each) == 1:
+        return _to_one(settings, progress)
+    places = _places(settings.out, each)
+    done = [_to_one(replace(settings, to=to, out=place), progress) for to, place in places]
+    return replace(
+        done[-1],
+        files=sum(d.files for d in done),
+        written=places,
+        remarks=tuple(dict.fromkeys(r for d in done for r in d.remarks)),
+        deviation_px=max(d.deviation_px for d in done),
+    )
+
+
+def _places(out: Path, each: tuple[str, ...]) -> tuple[tuple[str, Path], ...]:
+    """Where each of several formats goes; raises InputError before anything is written."""
+    from raybundle.io.formats import formats  # noqa: PLC0415
+    from raybundle.workflows.convert import check_new  # noqa: PLC0415
+
+    folders = [to for to in each if to not in formats or formats[to].kind != "file"]
+    if folders:
+        raise InputError(
+            f"several formats are written as files that begin alike; {', '.join(folders)} is not one file: convert to "
+            "it alone"
+        )
+    places = tuple((to, out.with_name(f"{out.name}{formats[to].suffix}")) for to in each)
+    if len({place for _, place in places}) < len(places):
+        raise InputError(f"of {', '.join(each)} two are files of one name; convert to one of them alone")
+    for to, place in places:
+        check_new(place, to)
+    return places
+
+
+def _to_one(settings: ConvertSettings, progress: Progress) -> Converted:
     """Read, bring to the frame asked for, and write."""
     from raybundle.block.frames import in_file_frames  # noqa: PLC0415  (what computes is loaded after the help)
     from raybundle.io.cameras.one_instant import at_one_instant  # noqa: PLC0415
     from raybundle.io.formats import formats  # noqa: PLC0415
+    from raybundle.io.pictures.plane_file import axes_in  # noqa: PLC0415
     from raybundle.io.pictures.undistort import point_colours  # noqa: PLC0415
     from raybundle.pipeline.project import photographs_of  # noqa: PLC0415
     from raybundle.workflows.convert import BLOCK, RPC, check_new, placed, straightened, written  # noqa: PLC0415
     from raybundle.workflows.sources import read_source, result_within, with_adjusted_cameras  # noqa: PLC0415
 
     s, to = settings, settings.to
-    if (s.origin is not None or s.undulation is not None) and s.crs is None:
+    if (s.frame_origin is not None or s.undulation is not None) and s.crs is None:
         raise InputError(
-            f"{option('origin')} and {option('undulation')} belong to a coordinate system; give {option('crs')} too"
+            f"{option('frame_origin')} and {option('undulation')} belong to a coordinate system; give {option('crs')} "
+            "too"
         )
     if s.undistort and s.photos is None:
         raise InputError(
             f"{option('undistort')} needs the photographs; give their folder: {option('photos', 'FOLDER')}"
         )
+    if s.within is not None and (to in {BLOCK, RPC} or not formats[to].in_plane):
+        known = ", ".join(sorted(name for name, f in formats.items() if f.in_plane))
+        raise InputError(f"{option('within', flag='in')} belongs to drawings ({known}), and {to} is none")
     check_new(s.out, to)
     source = result_within(s.source) if s.read_as in {None, BLOCK} else s.source
     export, remarks = read_source(source, s.read_as, approximate=s.approximate)
     if s.crs is not None:
-        export, more = placed(export, s.crs, s.origin, s.undulation)
+        export, more = placed(export, s.crs, s.frame_origin, s.undulation)
         remarks += more
     if to != BLOCK:
         export = replace(export, block=with_adjusted_cameras(export.block, source))
@@ -110,6 +162,9 @@ def run_convert(settings: ConvertSettings, progress: Progress = silent) -> Conve
         remarks += more
     if to != BLOCK or s.undistort:
         export = replace(export, block=in_file_frames(export.block))
+    if s.within is not None:
+        axes, frame = axes_in(s.within, export), export.frame
+        export = replace(export, within=axes, frame=frame if axes is None else None)
     coloured = to not in {BLOCK, RPC} and formats[to].colours
     if folders := (s.photos,) if s.photos is not None else photographs_of(source) if coloured else ():
         colours, more = point_colours(export.block, folders, progress=progress)
@@ -124,4 +179,5 @@ def run_convert(settings: ConvertSettings, progress: Progress = silent) -> Conve
         files, more, deviation = written(export, to, s.out, approximate=s.approximate, free_scale=s.free_scale)
     progress("writing", 1.0)
     every = tuple(dict.fromkeys((*remarks, *more)))
-    return Converted(block=export.block, files=files, remarks=every, deviation_px=deviation)
+    return Converted(block=export.block, files=files, written=((to, s.out),), remarks=every, deviation_px=deviation,
+                     state=export.record.get(STATE, ""))  # fmt: skip

@@ -7,6 +7,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any, Literal
 
 from raybundle.errors import InputError
+from raybundle.io.folders import check_free
 from raybundle.settings import PIXELS, made, option, path_of, setting
 
 if TYPE_CHECKING:
@@ -26,7 +27,9 @@ class EmpiricalSettings:
     points: Path
     """table point,X,Y,Z,x_px,y_px or point,lon_deg,lat_deg,h_m,x_px,y_px, with a column role where some are compared"""
     model: Model = setting("auto", "auto: the adequate one with the fewest parameters.")
-    sigma: float = setting(0.5, "Of a measured image coordinate [px]; it decides what is adequate.", limits=PIXELS)
+    image_sigma: float = setting(
+        0.5, "Of a measured image coordinate [px]; it decides what is adequate.", limits=PIXELS
+    )
     without: tuple[str, ...] = setting(
         (), "Additional parameters of dlt-brown to leave out.", metavar="K3,P1,...", joined=True
     )
@@ -83,8 +86,8 @@ def run_empirical(settings: EmpiricalSettings) -> Empirical:
     from raybundle.scenes.empirical_statistics import empirical_statistics  # noqa: PLC0415
 
     s = settings
-    if s.out is not None and s.out.exists() and (not s.out.is_dir() or any(s.out.iterdir())):
-        raise InputError("stands there already and is not overwritten; choose another folder or delete it", file=s.out)
+    if s.out is not None:
+        check_free(s.out)
     points = read_points(s.points)
     if s.model == "auto" and s.without:
         raise InputError(f"{option('without')} belongs to one model; give {option('model', 'dlt-brown')}")
@@ -111,8 +114,8 @@ def _fitted(s: EmpiricalSettings, points: ControlPoints) -> tuple[EmpiricalFit, 
     try:
         if s.model != "auto":
             given = points.xyz[use], points.xy_px[use]
-            return fit_empirical(s.model, *given, sigma_px=s.sigma, without=s.without), None
-        advice = choose_empirical(points.xyz[use], points.xy_px[use], sigma_px=s.sigma)
+            return fit_empirical(s.model, *given, sigma_px=s.image_sigma, without=s.without), None
+        advice = choose_empirical(points.xyz[use], points.xy_px[use], sigma_px=s.image_sigma)
     except InputError as error:
         raise InputError(str(error), file=s.points) from None
     chosen = advice.advised.fit if advice.advised is not None else None
@@ -151,7 +154,9 @@ def read_points(path: Path) -> ControlPoints:
     roles = table.text.get("role", ("",) * table.rows)
     for k, role in enumerate(roles):
         if role not in {"", "control", "check"}:
-            raise InputError(f"{role!r} is neither control nor check", file=path, line=k + 2, column="role")
+            raise InputError(
+                f"{role!r} is neither control nor check", file=path, line=k + table.first_line, column="role"
+            )
     check = np.array([r == "check" for r in roles], bool)
     return ControlPoints(ids=table.text["point"], xyz=xyz, xy_px=table.numbers("x_px", "y_px"), check=check)
 
@@ -161,6 +166,7 @@ def _write(out: Path, found: Empirical) -> None:
 
     import numpy as np  # noqa: PLC0415
 
+    from raybundle.io.digits import STD, Within, jointly  # noqa: PLC0415
     from raybundle.io.folders import new_folder  # noqa: PLC0415
     from raybundle.io.tables import write_table  # noqa: PLC0415
 
@@ -173,22 +179,27 @@ def _write(out: Path, found: Empirical) -> None:
         "parameters": {p.symbol: {"value": p.value, "std": p.std, "unit": p.unit, "t": p.t} for p in s.parameters},
         "covariance": s.covariance.tolist(), "correlation": s.correlation.tolist(),
     }  # fmt: skip
+    alone = [rule.limit for rule in jointly(s.covariance[None])]
+    values = Within(np.concatenate([np.zeros(0), *alone]))
     with new_folder(out) as folder:
         text = json.dumps(model, indent=1, allow_nan=False, default=float)
         (folder / "model.json").write_text(text + "\n", encoding="utf-8")
-        write_table(folder / "points.csv", _columns(found))
+        write_table(folder / "points.csv", *_columns(found))
         write_table(
             folder / "parameters.csv",
             {
                 "symbol": [p.symbol for p in s.parameters], "value": np.array([p.value for p in s.parameters]),
                 "std": np.array([p.std for p in s.parameters]), "unit": [p.unit for p in s.parameters],
             },
+            {"value": values, "std": STD},
         )  # fmt: skip
 
 
-def _columns(found: Empirical) -> dict[str, Any]:
+def _columns(found: Empirical) -> tuple[dict[str, Any], dict[str, Any]]:
     """points.csv: residuals of all points, redundancy, w and smallest detectable blunders of those that took part."""
     import numpy as np  # noqa: PLC0415
+
+    from raybundle.io.digits import EVERY, REDUNDANCY, STD, TEST, by_sigma  # noqa: PLC0415
 
     s, points = found.statistics, found.points
 
@@ -205,7 +216,11 @@ def _columns(found: Empirical) -> dict[str, Any]:
         "v": found.fit.project(points.xyz) - points.xy_px, "r": spread(s.redundancy), "w": spread(s.w),
         "mdb": spread(s.mdb_px), "left_out": spread(s.left_out_px),
     }  # fmt: skip
+    sigma = by_sigma(np.full(len(points.ids), found.fit.sigma_px))
+    rules = {"v": sigma, "r": REDUNDANCY, "w": TEST, "mdb": STD, "left_out": sigma}
+    digits: dict[str, Any] = {"x_px": EVERY, "y_px": EVERY}
     for name, values in tables.items():
         unit = "" if name in {"r", "w"} else "_px"
         columns |= {f"{name}_{a}{unit}": values[:, k] for k, a in enumerate("xy")}
-    return columns
+        digits |= {f"{name}_{a}{unit}": rules[name] for a in "xy"}
+    return columns, digits

@@ -8,6 +8,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any, Literal
 
 from raybundle.errors import InputError
+from raybundle.io.folders import check_free
 from raybundle.settings import POSITIVE, made, path_of, setting
 
 if TYPE_CHECKING:
@@ -23,14 +24,14 @@ class FilmSettings:
     marks: Path
     """CSV image,mark,x_px,y_px[,sx_px,sy_px]"""
     calibrated: Path = setting(MISSING, "CSV: mark,x_mm,y_mm[,sx_mm,sy_mm].", metavar="FILE")
-    camera: Path = setting(
+    calibration: Path = setting(
         MISSING, "TOML with one [cameras.ID]: format, c_mm, x0_mm, y0_mm of the certificate.", metavar="FILE"
     )
-    points: Path | None = setting(None, "CSV: image,point,x_px,y_px[,sx_px,sy_px].", metavar="FILE")
+    image_points: Path | None = setting(None, "CSV: image,point,x_px,y_px[,sx_px,sy_px].", metavar="FILE")
     pixel_mm: float | None = setting(
         None, "Pixel of the scanner.  [default: that of the camera]", metavar="MM", limits=POSITIVE
     )
-    model: Literal["similarity", "affine", "projective"] = setting("affine", "")
+    transformation: Literal["similarity", "affine", "projective"] = setting("affine", "")
     reseau: Literal["none", "bilinear", "affine"] = setting("none", "Local correction between the crosses of a reseau.")
     out: Path = setting(MISSING, "New folder; nothing is overwritten.", metavar="FOLDER")
 
@@ -63,12 +64,11 @@ def run_film(settings: FilmSettings) -> StraightFilm:
     from raybundle.io.film.fiducials import read_calibrated, read_marks, straight_points  # noqa: PLC0415
 
     s = settings
-    if s.out.exists() and (not s.out.is_dir() or any(s.out.iterdir())):
-        raise InputError("stands there already and is not overwritten; choose another name", file=s.out)
+    check_free(s.out)
     certificate = read_calibrated(s.calibrated)
-    camera = _camera(s.camera)
+    camera = _camera(s.calibration)
     marks = read_marks(s.marks, "mark", certificate)
-    points = None if s.points is None else read_marks(s.points, "point")
+    points = None if s.image_points is None else read_marks(s.image_points, "point")
     films = _films(s, marks, certificate, s.pixel_mm or camera.pixel_mm[0])
     _write(s.out, films, camera, None if points is None else straight_points(points, films, camera))
     return StraightFilm(films=films, points=points)
@@ -85,8 +85,8 @@ def _films(s: FilmSettings, marks: Marks, certificate: Calibrated, pixel_mm: flo
         names = [marks.name[k] for k in rows.tolist()]
         try:
             films[image] = film_of(
-                image, names, marks.xy_px[rows], marks.sigma_px[rows], certificate, pixel_mm=pixel_mm, model=s.model,
-                reseau=s.reseau,
+                image, names, marks.xy_px[rows], marks.sigma_px[rows], certificate, pixel_mm=pixel_mm,
+                model=s.transformation, reseau=s.reseau,
             )  # fmt: skip
         except InputError as error:
             failed.append(str(error))
@@ -108,28 +108,32 @@ def _write(out: Path, films: Mapping[str, Film], camera: Camera, straight: tuple
     import numpy as np  # noqa: PLC0415
 
     from raybundle.io.calibrations.ours import cameras_text  # noqa: PLC0415
+    from raybundle.io.digits import EVERY, TEST, of_residual  # noqa: PLC0415
     from raybundle.io.folders import new_folder  # noqa: PLC0415
     from raybundle.io.tables import write_table  # noqa: PLC0415
 
     every = list(films.values())
     with new_folder(out) as folder:
         (folder / "cameras.toml").write_text(cameras_text([camera]), encoding="utf-8")
-        write_table(folder / "film.csv", _columns(every))
+        write_table(folder / "film.csv", *_columns(every))
         rows = {"image": [f.image for f in every for _ in f.marks], "mark": [m for f in every for m in f.marks]}
         residuals, w = np.vstack([f.residuals_mm for f in every]) * 1000, np.vstack([f.w for f in every])
         numbers = {"vx_um": residuals[:, 0], "vy_um": residuals[:, 1], "wx": w[:, 0], "wy": w[:, 1]}
-        write_table(folder / "residuals.csv", {**rows, **numbers})
+        digits = {f"v{x}_um": of_residual(residuals[:, k], w[:, k]) for k, x in enumerate("xy")}
+        write_table(folder / "residuals.csv", {**rows, **numbers}, {**digits, "wx": TEST, "wy": TEST})
         if straight is not None:
             points, cov = straight
             write_table(folder / "observations.csv", {
                 "image": points.image, "point": points.name, "x_px": points.xy_px[:, 0], "y_px": points.xy_px[:, 1],
                 "sx_px": points.sigma_px[:, 0], "sy_px": points.sigma_px[:, 1], "sxy_px2": cov[:, 2],
-            })  # fmt: skip
+            }, EVERY)  # fmt: skip
 
 
-def _columns(films: list[Film]) -> dict[str, Any]:
-    """film.csv: fit and shrinkage of each scan."""
+def _columns(films: list[Film]) -> tuple[dict[str, Any], dict[str, Any]]:
+    """film.csv: fit and shrinkage of each scan; and the digits of its numbers."""
     import numpy as np  # noqa: PLC0415
+
+    from raybundle.io.digits import COUNT, SHARE, STD, by_sigma  # noqa: PLC0415
 
     shrinkage = [f.shrinkage for f in films]
     values, std = (np.array([getattr(s, n) for s in shrinkage]) for n in ("values", "std"))
@@ -141,6 +145,8 @@ def _columns(films: list[Film]) -> dict[str, Any]:
         "rms_um": np.array([np.sqrt(np.mean(f.residuals_mm**2)) * 1000 for f in films]),
         "mirrored": ["yes" if f.mirrored else "no" for f in films],
     }  # fmt: skip
+    digits: dict[str, Any] = {"marks": COUNT, "redundancy": COUNT, "sigma0": SHARE, "rms_um": STD}
     for k, (name, factor) in enumerate(unit.items()):
         columns |= {name: values[:, k] * factor, f"s{name}": std[:, k] * factor}
-    return columns
+        digits |= {name: by_sigma(std[:, k] * factor), f"s{name}": STD}
+    return columns, digits

@@ -1,291 +1,297 @@
-"""Measuring by hand, and questions to results, as command line and Python ask for them."""
+"""`raybundle measure`: targets to coordinates, held against nominal ones and against known lengths."""
 
 from __future__ import annotations
 
-import json
-from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from collections.abc import Sequence
+from dataclasses import MISSING, dataclass, replace
 from pathlib import Path
-from typing import Any, cast
+from typing import TYPE_CHECKING, Any, Literal
 
-import numpy as np
-
-from raybundle.adjustment.options import AdjustmentOptions
-from raybundle.adjustment.result import Adjustment
-from raybundle.block import Block, Role
-from raybundle.commands.begin import measuring_folder, standing_folder
-from raybundle.commands.measure_settings import DatumSettings, QuerySettings
+from raybundle.adjustment.options import NOISE_HELP, NoiseModel
+from raybundle.commands.measure_files import LENGTHS, LIST, NOMINAL, known_lengths, nominal_points, write_tables
+from raybundle.commands.measure_scale import bars_of, controlled, scaled, with_bars_compared
+from raybundle.commands.pages import COORDINATES_HELP, LANGUAGE_HELP, NO_REPORT_HELP, PDF_HELP, check_pages
+from raybundle.commands.record_settings import CLIENT, OPERATOR, TITLE, record_of
 from raybundle.errors import InputError
-from raybundle.io.block.folder import read_block
-from raybundle.io.folders import new_folder
-from raybundle.io.reading.words import quoted
-from raybundle.io.tables import write_table
-from raybundle.measuring.control import control_of
-from raybundle.measuring.decisions import with_decisions
-from raybundle.measuring.export import (
-    lost_in_csv,
-    lost_in_gcp_list,
-    write_csv,
-    write_gcp_list,
-    write_merged_block,
-)
-from raybundle.measuring.film import read_scans
-from raybundle.measuring.journal import Entry, Journal, entries_of, journal_path, measured_result, state_of
-from raybundle.measuring.known import Known
-from raybundle.measuring.masks import drawn_by_file, photographs_in, write_masks
-from raybundle.measuring.merge import Merged, merge
-from raybundle.measuring.quantities import QUANTITIES, Quantity
-from raybundle.measuring.query import Answer, ask, in_axes
-from raybundle.measuring.selection import latest_figures, quantity_of, selected
-from raybundle.measuring.session import adjusted_again, block_folder, readjusted
-from raybundle.measuring.start import adjusted
-from raybundle.measuring.state import State
-from raybundle.numerics.counting import counted
 from raybundle.numerics.progress import Progress, silent
-from raybundle.pipeline.project import masks_given, photographs_of
-from raybundle.results.asked import made_as
-from raybundle.results.folder import ResultFolder
-from raybundle.settings import made, option
-from raybundle.workflows.adjust import adjust
+from raybundle.settings import NOT_NEGATIVE, POSITIVE, Range, asked, option, setting
 
-LISTS: tuple[Quantity, ...] = tuple(q for q in QUANTITIES if q not in {"coordinates", "distance", "angle"})
-"""Quantities of one list of points each"""
+if TYPE_CHECKING:
+    from raybundle.adjustment.result import Adjustment, Notice
+    from raybundle.block import Block
+    from raybundle.metrology.best_fit import BestFit, Nominal
+    from raybundle.metrology.lengths import KnownLength, LengthTest
+    from raybundle.metrology.point_set import PointSet
+    from raybundle.workflows.calibrate import Calibration
 
+__all__ = ["LENGTHS", "LIST", "NOMINAL", "MeasureSettings", "Measured", "measure", "run_measure"]
 
-def query(result: Adjustment | ResultFolder | str | Path, **given: Any) -> list[Answer]:
-    """Coordinates, distances, angles, areas, lengths, planes and lines with sigmas from the full covariance.
-
-    result       an adjustment, or a result, project or block folder, whose block is adjusted again under the options
-                 of the result (at once, since it holds adjusted values)
-    coordinates  names of points; distance (A, B) or several; angle (A, B, C) at B or several; area, length, plane,
-                 line: points in order; to_plane, to_line: a point, then those of the plane or line
-    raises       InputError for points that are not there, and where nothing is asked
-    """
-    pairs = {"distance": 2, "angle": 3}
-    for name in pairs.keys() & given.keys():
-        one = given[name]
-        if one and isinstance(one[0], str):
-            given[name] = (tuple(one),)
-    s = made(QuerySettings, given)
-    questions: list[tuple[Quantity, Sequence[str]]] = [
-        *(("coordinates", (p,)) for p in s.coordinates),
-        *((name, points) for name in ("distance", "angle") for points in getattr(s, name)),
-        *((name, points) for name in LISTS if (points := getattr(s, name))),
-    ]
-    if not questions:
-        raise InputError(f"nothing is asked; give one of {', '.join(QUANTITIES)}")
-    if isinstance(result, Adjustment):
-        return [ask(result, quantity, points) for quantity, points in questions]
-    folder = result.path if isinstance(result, ResultFolder) else Path(result)
-    inner = block_folder(folder)
-    block = read_block(inner)
-    _check_named(folder, block, [p for _, points in questions for p in points])
-    block, options = made_as(inner, block)
-    adjustment = readjusted(block, options=options)
-    return [ask(adjustment, quantity, points) for quantity, points in questions]
-
-
-def _check_named(folder: Path, block: Block, points: Sequence[str]) -> None:
-    """Raise InputError for a point that is marked by hand and not adjusted with the block yet, or elsewhere."""
-    there = set(block.points.ids)
-    waiting = [p for p in points if p not in there and p in marks(folder).points]
-    if waiting:
-        made, result = measured_result(folder), "it stands in the result of what was measured"
-        raise InputError(
-            f"point {quoted(waiting[0])} is marked by hand, and not of this result; "
-            + (f"{result}: ask {made}" if made.is_dir() else "adjust it with the block first: raybundle mark adjust")
-        )
-
-
-def transform_to_points(result: Adjustment | str | Path, out: str | Path, **given: Any) -> Path:
-    """Write the points of a result in a coordinate system by points: OUT/points.csv and transformation.json.
-
-    `transform_to_points("facade-project", "facade-axes", origin="A", axis="B", plane="C")`, or `level=("P", "Q", "R")`.
-
-    points.csv           point, role, X, Y, Z, sX, sY, sZ, and the covariances cXY, cXZ, cYZ
-    transformation.json  rotation and translation: X_new = rotation X + translation
-    """
-    s = made(DatumSettings, given)
-    for name in ("origin", "axis"):
-        if not getattr(s, name):
-            raise InputError(f"no {name} point is given; a coordinate system needs origin, axis, and a plane or level")
-    if bool(s.plane) == bool(s.level):
-        which = "both are" if s.plane else "none is"
-        raise InputError(f"a coordinate system needs a plane point or the points of a level, and {which} given")
-    out = Path(out)
-    if out.exists() and (not out.is_dir() or {p.name for p in out.iterdir()} - {"points.csv", "transformation.json"}):
-        raise InputError("stands there already and is not overwritten; choose another name", file=out)
-    adjustment = result if isinstance(result, Adjustment) else adjusted_again(result)
-    moved = in_axes(adjustment, s.origin, s.axis, s.plane, level=s.level)
-    C, std = moved.covariance, np.sqrt(np.maximum(np.diagonal(moved.covariance, axis1=1, axis2=2), 0))
-    role = dict(zip(adjustment.adjusted.points.ids, np.asarray(adjustment.adjusted.points.role).tolist(), strict=True))
-    with new_folder(out) as folder:
-        write_table(folder / "points.csv", {
-            "point": moved.ids, "role": [Role(role[p]).word for p in moved.ids],
-            **{c: moved.xyz[:, k] for k, c in enumerate("XYZ")},
-            **{f"s{c}": std[:, k] for k, c in enumerate("XYZ")},
-            "cXY": C[:, 0, 1], "cXZ": C[:, 0, 2], "cYZ": C[:, 1, 2],
-        })  # fmt: skip
-        told = {
-            "origin": s.origin, "axis": s.axis, **({"level": s.level} if s.level else {"plane": s.plane}),
-            "length_unit": adjustment.adjusted.length_unit,
-            "rotation": moved.rotation.tolist(), "translation": moved.translation.tolist(),
-        }  # fmt: skip
-        text = json.dumps(told, indent=1, ensure_ascii=False, allow_nan=False)
-        (folder / "transformation.json").write_text(text + "\n", encoding="utf-8")
-    return out
-
-
-def open_journal(folder: str | Path) -> Journal:
-    """The journal of a project, result or block folder, with its block to check actions against.
-
-    folder  a folder of photographs, too: its project is begun where there is none (`measuring_folder`)
-    """
-    folder = measuring_folder(folder)
-    scans = read_scans(folder)
-    fiducials = () if scans is None else scans.calibrated.names
-    return Journal.open(journal_path(folder), Known.of(read_block(block_folder(folder)), fiducials))
-
-
-def mark(folder: str | Path, verb: str, *, id: str = "", author: str = "", **arguments: Any) -> int:  # noqa: A002
-    """Do an action of measuring, and return its number: `mark("facade", "put", image=..., point=..., x_px=...)`.
-
-    verb    put, move, remove, point, rename, forget, bar, unbar, line, datum, reject, accept, reject_beyond (quantity:
-            w, sigma, rays or redundancy, and limit, of the last adjustment), parameter, fiducial, control (file: a
-            table), mask, unmask, undo, redo
-    raises  InputError where it cannot be done
-    """
-    with open_journal(folder) as journal:
-        if verb == "reject_beyond" and "rows" not in arguments:
-            arguments["rows"] = _beyond(_standing(folder), journal.state, **arguments)
-        if verb == "control" and "points" not in arguments:
-            return journal.append(control_of(str(arguments.get("file", "")))[0], id=id, author=author)
-        return journal.append_verb(verb, arguments, id=id, author=author)
-
-
-def _beyond(folder: Path, state: State, quantity: str = "", limit: float = float("nan")) -> list[tuple[str, str]]:
-    """The image observations beyond a limit in the last adjustment of a folder."""
-    return [*selected(latest_figures(folder), state, quantity_of(quantity), limit).rows]
-
-
-def find_fiducials(folder: str | Path, image: str, *, author: str = "") -> Mapping[str, str]:
-    """Measure the fiducial marks of a scan that are not measured yet, and say of those not found why.
-
-    image   id or file of a scan in which three marks, not in one line, are measured (`mark(folder, "fiducial", ...)`)
-    raises  InputError where these are too few, or its photograph is not there
-    Each mark that is found is an action, brought to what the picture shows at the place that the others give.
-    """
-    from raybundle.io.photos.photo import read_grey, read_photo  # noqa: PLC0415
-    from raybundle.measuring.fiducials import find_fiducials as found_in  # noqa: PLC0415
-
-    project = _standing(folder)
-    scans = read_scans(project)
-    with open_journal(project) as journal:
-        name = journal.known.image(image)
-        if scans is None:
-            raise InputError("these photographs are no scans of film; there are no fiducial marks to be found")
-        path = next((f / name for f in photographs_of(project) if (f / name).is_file()), None)
-        if path is None:
-            raise InputError(f"image {quoted(name)}: its photograph is not where the project says", file=project)
-        grey = read_grey(read_photo(path))
-        size = journal.known.size_px[name]
-        found = found_in(journal.state, name, scans, size, lambda x, y: (grey, (0, 0)))  # noqa: ARG005
-        for action in found.actions:
-            journal.append(action, author=author)
-    return found.left
-
-
-def marks(folder: str | Path) -> State:
-    """What was measured by hand in a project, result or block folder."""
-    return state_of(journal_path(_standing(folder)))
-
-
-def history(folder: str | Path) -> list[Entry]:
-    """All actions, those taken back included."""
-    return entries_of(journal_path(_standing(folder)))
-
-
-def merged(folder: str | Path) -> Merged:
-    """The block of a folder with what was measured by hand."""
-    project = _standing(folder)
-    return merge(read_block(block_folder(project)), marks(folder), read_scans(project))
-
-
-def _standing(folder: str | Path) -> Path:
-    """The project of a folder of photographs, where it stands; else the folder."""
-    return standing_folder(folder) or Path(folder)
-
-
-def adjust_marks(folder: str | Path, progress: Progress = silent, **given: Any) -> tuple[Adjustment, Mapping[str, str]]:
-    """Adjust the block of a folder with what was measured and decided by hand; also what was left out, and why.
-
-    given   settings of AdjustmentOptions; parameters that `free` and `hold` name go before those of the journal
-    raises  NoOrientation that says what the photographs lack where none is oriented
-    Photographs without orientation are oriented from their marks, as far as these allow.
-    """
-    options = with_decisions(made(AdjustmentOptions, given), marks(folder))
-    found = merged(folder)
-    lacking = {k.image: k.words for k in found.lacking if k.kind != "marks"}
-    return adjusted(found, lambda block: adjust(block, options, progress)), {**found.left_out, **lacking}
+OTHER_UNIT = 2.0
+"""Ratio of sizes from which on nominal points are in another unit: an inch in centimetres has 2.54"""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class Exported:
-    """What was written of what was measured by hand."""
+class MeasureSettings:
+    """Photographs of targets, or a result of them, and what its points are held against."""
 
-    files: tuple[Path, ...]
-    remarks: tuple[str, ...] = ()
-    """what the files cannot hold"""
+    photos: tuple[Path, ...]
+    """photographs of targets (folders and files), or one result"""
+    out: Path = setting(MISSING, "Result folder; an older one is replaced.", metavar="RESULT")
+    target: tuple[str, ...] = setting(
+        (),
+        "What was photographed, as aicon14; how-to Coded targets lists them.  [default: found out]",
+        metavar="FAMILY",
+        also=("family",),
+    )
+    dots: bool = setting(False, "Use dots without a code among the targets, too.")
+    calibration: Path | None = setting(
+        None, "Hold this calibration.  [default: the camera is calibrated with the object]", metavar="CAMERA.toml"
+    )
+    scale_bar: tuple[tuple[str, str, float, float], ...] = setting(
+        (), "A known distance between two targets and its standard deviation [m]; may be repeated.",
+        metavar="A B LENGTH SIGMA", limits=("text", "text", POSITIVE, POSITIVE),
+    )  # fmt: skip
+    control: Path | None = setting(
+        None, "Targets whose coordinates are known, and give the datum: point,X,Y,Z and sX,sY,sZ (0: held; as they fit "
+        "where there is none), role control or check; in units of {unit}.", metavar="FILE",
+    )  # fmt: skip
+    nominal: Path | None = setting(
+        None, "Coordinates that points are to have: point,X,Y,Z, and sX,sY,sZ and tolerance where known; in units of "
+        "{unit}.",
+        metavar="FILE",
+    )  # fmt: skip
+    by: tuple[str, ...] = setting(
+        (), "Points by which axes are fitted.  [default: all nominal ones]", metavar="A,B,C,...", joined=True
+    )
+    fit_scale: bool = setting(False, "Fit the scale to {nominal}, too; always where nothing measured it.")
+    weighting: Literal["covariance", "equal"] = setting(
+        "covariance", "Of the fit: the joint covariance, or all coordinates alike as other programs do."
+    )
+    check_length: tuple[tuple[str, str, float], ...] = setting(
+        (), "A known distance between two targets that takes no part [m]; may be repeated.", metavar="A B LENGTH",
+        limits=("text", "text", POSITIVE),
+    )  # fmt: skip
+    lengths: Path | None = setting(
+        None, "A table of such distances: from,to,length, and sigma where known; in units of {unit}.", metavar="FILE"
+    )
+    allowed: tuple[float, float] | None = setting(
+        None, "Largest error of a length that is allowed: A + K L, in mm and mm per metre.", metavar="A K",
+        limits=(NOT_NEGATIVE, NOT_NEGATIVE),
+    )  # fmt: skip
+    unit: float = setting(1.0, "Metres of one unit of the files.", limits=Range(low=1e-9, high=1e6))
+    significance: float = setting(
+        0.05, "Probability that any deviation or length is called significant by errors of measurement alone.",
+        limits=Range(low=1e-6, high=0.5),
+    )  # fmt: skip
+    jobs: int = setting(0, "How many processors; 0: all.", limits=NOT_NEGATIVE)
+    noise: NoiseModel = setting("auto", NOISE_HELP)
+    title: str = setting("", TITLE, metavar="TEXT")
+    client: str = setting("", CLIENT, metavar="TEXT")
+    operator: str = setting("", OPERATOR, metavar="TEXT")
+    report: bool = setting(True, NO_REPORT_HELP, flag="no-report")
+    pdf: bool = setting(False, PDF_HELP)
+    all_coordinates: bool = setting(False, COORDINATES_HELP)
+    language: str = setting("en", LANGUAGE_HELP, metavar="CODE")
 
 
-def export_marks(folder: str | Path, out: str | Path, *, crs: str = "") -> Exported:
-    """Write what was measured: NAME.csv as orient reads it, NAME.txt as gcp_list (with `crs`), else a block."""
-    out, state = Path(out), marks(folder)
-    block = read_block(block_folder(_standing(folder)))
-    if out.suffix.lower() == ".csv":
-        return Exported(files=write_csv(state, out, Known.of(block)), remarks=lost_in_csv(state))
-    if out.suffix.lower() == ".txt":
-        if not crs:
-            raise InputError(
-                "a gcp_list.txt names the coordinate system of its points: give it as EPSG:32633, a PROJ string or "
-                f"WGS84 UTM 33N ({option('crs')})",
-                file=out,
-            )
-        file = write_gcp_list(state, out, Known.of(block), crs)
-        return Exported(files=(file,), remarks=lost_in_gcp_list(state))
-    return Exported(files=(write_merged_block(state, out, block, read_scans(_standing(folder))),))
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Measured:
+    """What came of a measurement."""
+
+    adjustment: Adjustment
+    points: PointSet
+    """The points that have a name of their own, with their joint covariance [m]"""
+    fit: BestFit | None
+    lengths: LengthTest | None
+    remarks: tuple[str, ...]
+    """What is told of bars, control, lengths, nominal points and photographs, beside what the adjustment tells"""
+    given: int
+    """Photographs and files that were given"""
+    left_out: tuple[tuple[str, str], ...] = ()
+    """Those that take no part, and why"""
 
 
-def export_masks(folder: str | Path, out: str | Path) -> Exported:
-    """Write the masks of a project as pictures that `orient` reads: those drawn, together with those it was given.
+def measure(
+    photos: str | Path | Sequence[str | Path], out: str | Path, *, progress: Progress = silent, **settings: Any
+) -> Measured:
+    """Measure targets in photographs, or take a result of them, and hold the points against what is known.
 
-    out     a folder that is not there, or empty
-    raises  InputError where there is no mask, a photograph is not where the project says, or something stands at `out`
+    photos    folders and files of photographs, or one result folder
+    out       result folder with coordinate_list.csv, nominal.csv and lengths.csv; an older one is replaced
+    settings  as of the command line, by the names of `MeasureSettings`
+    raises    InputError for points that were not measured; NotSolvable where the photographs cannot be oriented
+    What it does not tell: a length test looks at no arrangement of lines, as guidelines ask of an acceptance test.
     """
-    folder, out = _standing(folder), Path(out)
-    if out.exists() and (not out.is_dir() or any(out.iterdir())):
-        raise InputError("stands there already and is not overwritten; choose another name", file=out)
-    block = read_block(block_folder(folder))
-    photos = photographs_in(block, photographs_of(folder))
-    written = write_masks(out, photos, drawn_by_file(block, marks(folder)), masks_given(folder))
-    lost = len(block.images) - len(photos)
-    remark = f"{counted(lost, 'photograph')} not found where the project says: without masks"
-    return Exported(files=(out,), remarks=(f"{counted(written, 'mask')} written", *((remark,) if lost else ())))
+    return run_measure(asked(MeasureSettings, photos, out, settings), progress)
 
 
-def as_plain(state: State) -> dict[str, Any]:
-    """A state as JSON says it: lists of objects in place of pairs of names as keys."""
-    from dataclasses import asdict  # noqa: PLC0415
+def run_measure(s: MeasureSettings, progress: Progress = silent) -> Measured:
+    """Measure what the settings ask for, and write it."""
+    from raybundle.measuring.point_sets import point_set  # noqa: PLC0415  (what computes is loaded after the help)
+    from raybundle.metrology.best_fit import best_fit  # noqa: PLC0415
+    from raybundle.metrology.notices import length_notices, nominal_notices, of_a_tool  # noqa: PLC0415
+    from raybundle.results.folder import check_target  # noqa: PLC0415
 
-    return {
-        "marks": [{"image": i, "point": p, **asdict(m)} for (i, p), m in state.marks.items()],
-        "points": [{"point": p, **asdict(v)} for p, v in state.points.items()],
-        "bars": [{"start": a, "end": b, **asdict(v)} for (a, b), v in state.bars.items()],
-        "lines": [{"line": n, **asdict(v)} for n, v in state.lines.items()],
-        "datum": None if state.datum is None else cast("Any", asdict(state.datum)),
-        "fiducials": [{"image": i, "name": n, **asdict(m)} for (i, n), m in state.fiducials.items()],
-        "rejected": [{"image": i, "point": p} for i, p in sorted(state.rejected)],
-        "parameters": [{"camera": c, "symbol": s, "choice": v} for (c, s), v in state.parameters.items()],
-        "masks": [{"mask": n, **asdict(m)} for n, m in state.masks.items()],
-        "renamed": dict(state.renamed), "can_undo": state.can_undo, "can_redo": state.can_redo,
-    }  # fmt: skip
+    check_target(s.out)
+    check_pages(s)
+    nominal = None if s.nominal is None else nominal_points(s.nominal, s.unit)
+    known = [*_check_lengths(s), *(known_lengths(s.lengths, s.unit) if s.lengths is not None else ())]
+    source = _source(s, progress)
+    result, notices = _adjusted(s, source.block, progress)
+    points = point_set(result, "the measurement")
+    fit = None
+    if nominal is not None:
+        _check_unit(points, nominal, s)
+        fit = best_fit(points, nominal, by=s.by, scale=s.fit_scale, weighting=s.weighting, significance=s.significance)
+    tested = _length_test(s, points, known, result) if known else None
+    own = (*source.notices, *notices, *length_notices(tested), *nominal_notices(fit))
+    result = of_a_tool(result, tested)
+    done = Measured(
+        adjustment=replace(result, notices=(*result.notices, *own)), points=points, fit=fit, lengths=tested,
+        remarks=tuple(n.message for n in own), given=source.given, left_out=source.left_out,
+    )  # fmt: skip
+    _write(s, done, source, progress)
+    return done
+
+
+def _write(s: MeasureSettings, done: Measured, source: _Source, progress: Progress) -> None:
+    from raybundle.commands.calibrate import additions  # noqa: PLC0415
+    from raybundle.report.text.metrology_words import outcomes  # noqa: PLC0415
+    from raybundle.report.write import write_result  # noqa: PLC0415
+
+    known = {} if source.calibration is None else additions(source.calibration)
+    write_result(
+        done.adjustment, s.out, report="html" if s.report else "none", pdf=s.pdf, all_coordinates=s.all_coordinates,
+        language=s.language, progress=progress, record=record_of(s),
+        additions={name: known[name] for name in ("images", "targets") if name in known},
+        outcomes=outcomes(done.fit, done.lengths),
+        findings=tuple(f for f in (done.fit, done.lengths) if f is not None),
+        more=lambda folder: write_tables(folder, done.points, done.fit, done.lengths),
+    )  # fmt: skip
+
+
+def _length_test(s: MeasureSettings, points: PointSet, known: Sequence[KnownLength], result: Adjustment) -> LengthTest:
+    from raybundle.metrology.lengths import length_test  # noqa: PLC0415
+
+    allowed = None if s.allowed is None else (s.allowed[0] / 1000, s.allowed[1] / 1000)
+    return length_test(points, known, allowed=allowed, significance=s.significance, bars=bars_of(result.given))
+
+
+def _check_unit(points: PointSet, nominal: Nominal, s: MeasureSettings) -> None:
+    """Raise InputError where nominal points lie so far apart against the measured ones that their unit is another."""
+    import numpy as np  # noqa: PLC0415
+
+    at = {name: k for k, name in enumerate(points.ids)}
+    both = [(at[name], k) for k, name in enumerate(nominal.ids) if name in at]
+    if len(both) < 2 or points.free_scale or s.fit_scale:
+        return
+    measured, wanted = (
+        xyz[[*rows]] for xyz, rows in zip((points.xyz, nominal.xyz), zip(*both, strict=True), strict=True)
+    )
+    sizes = [float(np.linalg.norm(xyz - xyz.mean(axis=0))) for xyz in (wanted, measured)]
+    if not sizes[1] / OTHER_UNIT < sizes[0] < OTHER_UNIT * sizes[1]:
+        raise InputError(
+            f"nominal points lie {sizes[0] / sizes[1]:.4g} times as far apart as the measured ones: are they, or the "
+            f"scale bars, in another unit? Scale bars are in metres; {option('unit', '0.001')} reads files in "
+            "millimetres",
+            file=s.nominal,
+        )
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class _Source:
+    """What is measured: photographs, or a result of them."""
+
+    block: Block
+    notices: tuple[Notice, ...]
+    given: int
+    left_out: tuple[tuple[str, str], ...] = ()
+    calibration: Calibration | None = None
+
+
+def _source(s: MeasureSettings, progress: Progress) -> _Source:
+    from raybundle.commands.planning.objects import adjusted_block_in  # noqa: PLC0415
+    from raybundle.measuring.session import holds_block  # noqa: PLC0415
+    from raybundle.metrology.notices import photographs_lost, rests_on  # noqa: PLC0415
+    from raybundle.results.state import faults_of  # noqa: PLC0415
+
+    if len(s.photos) == 1 and holds_block(s.photos[0]):
+        if s.target or s.dots:
+            raise InputError(f"{option('target')}, {option('dots')} belong to photographs; {s.photos[0]} is a result")
+        block, _ = adjusted_block_in(s.photos[0], s.jobs)
+        notices = rests_on(s.photos[0].name, len(faults_of(s.photos[0])))
+        return _Source(block=block, notices=notices, given=len(block.images))
+    done = _of_photographs(s, progress)
+    lost = (*done.refused, *done.not_used)
+    return _Source(
+        block=done.adjustment.adjusted, notices=photographs_lost(lost), given=len(done.photos) + len(done.refused),
+        left_out=lost, calibration=done,
+    )  # fmt: skip
+
+
+def _adjusted(s: MeasureSettings, block: Block, progress: Progress) -> tuple[Adjustment, tuple[Notice, ...]]:
+    """The adjustment, and what is to be told beside it."""
+    import numpy as np  # noqa: PLC0415
+
+    from raybundle.adjustment.decide import decide  # noqa: PLC0415
+    from raybundle.adjustment.engine import started  # noqa: PLC0415
+    from raybundle.adjustment.options import AdjustmentOptions, noise_of_photographs  # noqa: PLC0415
+    from raybundle.adjustment.variance_groups import by_groups  # noqa: PLC0415
+    from raybundle.metrology.notices import bar_notices  # noqa: PLC0415
+
+    if s.calibration is not None:
+        block = _with_calibration(block, s.calibration)
+    images = len(np.unique(block.observations.image))
+    options = AdjustmentOptions(
+        datum="auto", reject="snooping", variance_groups=True, noise=noise_of_photographs(s.noise, images),
+        weights="residuals", jobs=s.jobs,
+    )  # fmt: skip
+    alone = replace(options, datum="inner", variance_groups=False)
+    block, bars = with_bars_compared(scaled(block, s.scale_bar), lambda free: decide(free, alone, progress))
+    notices = bar_notices(bars)
+    if s.control is not None:
+        # what control is held against is the network as measured, not the coordinates that it begins with
+        shape = decide(block, replace(alone, datum="auto", reject="none", statistics=False), progress).adjusted
+        block, more = controlled(started(block, shape), s.control, s.unit)
+        notices += more
+    return by_groups(block, options, lambda b, o: decide(b, o, progress)), notices
+
+
+def _of_photographs(s: MeasureSettings, progress: Progress) -> Calibration:
+    from raybundle.pipeline.project import discard_empty  # noqa: PLC0415
+    from raybundle.results.folder import PROJECT  # noqa: PLC0415
+    from raybundle.workflows.calibrate import CalibrateOptions, calibrate  # noqa: PLC0415
+
+    options = CalibrateOptions(targets=s.target, dots=s.dots, jobs=s.jobs, noise=s.noise)
+    try:
+        return calibrate(s.photos, options, progress, folder=s.out / PROJECT)
+    except BaseException:
+        discard_empty(s.out / PROJECT)
+        if s.out.is_dir() and not any(s.out.iterdir()):
+            s.out.rmdir()
+        raise
+
+
+def _with_calibration(block: Block, path: Path) -> Block:
+    """The block with a held camera; raises InputError where the calibration is of another format."""
+    from raybundle.io.block.toml import read_cameras  # noqa: PLC0415
+
+    cameras = read_cameras(path)
+    if len(cameras) != 1 or len(block.cameras) != 1:
+        raise InputError(
+            f"holds {len(cameras)} cameras, and the photographs are of {len(block.cameras)}; one is held for one",
+            file=path,
+        )
+    (camera,), (own,) = cameras, block.cameras
+    if (camera.width_px, camera.height_px) != (own.width_px, own.height_px):
+        raise InputError(
+            f"is of {camera.width_px} x {camera.height_px} px, the photographs of {own.width_px} x {own.height_px}",
+            file=path,
+        )
+    return replace(block, cameras=(replace(camera, id=own.id, estimate=(), sigma={}, calibrated=None),))
+
+
+def _check_lengths(s: MeasureSettings) -> list[KnownLength]:
+    from raybundle.metrology.lengths import KnownLength  # noqa: PLC0415
+
+    return [KnownLength(start=a, end=b, length=d) for a, b, d in s.check_length]

@@ -3,18 +3,25 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import MISSING, dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+from raybundle.commands.measure_files import nominal_points
+from raybundle.commands.pages import LANGUAGE_HELP, PDF_HELP, check_pages
+from raybundle.commands.record_settings import CLIENT, OPERATOR, TITLE, record_of
 from raybundle.errors import InputError
+from raybundle.numerics.natural import natural_order
 from raybundle.numerics.progress import Progress, silent
-from raybundle.settings import Range, made, setting
+from raybundle.settings import Range, made, option, setting
 
 if TYPE_CHECKING:
     from raybundle.adjustment.result import Adjustment
+    from raybundle.io.digits import Digits
+    from raybundle.metrology.best_fit import BestFit
     from raybundle.metrology.congruence import Congruence
+    from raybundle.metrology.point_set import PointSet
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -23,17 +30,34 @@ class MovedSettings:
 
     epochs: tuple[Path, ...]
     """results, projects or blocks, in the order of time"""
-    out: Path = setting(MISSING, "New folder: points.csv, moved.json.", metavar="FOLDER")
-    datum: tuple[str, ...] = setting(
-        (), "Points that are known to have stayed; all after this word.  [default: found by the test]", metavar="POINT"
+    out: Path = setting(MISSING, "New folder: report.html, points.csv, moved.json.", metavar="FOLDER")
+    datum_points: tuple[str, ...] = setting(
+        (), "Points that are known to have stayed.  [default: found by the test]", metavar="A,B,C,...", joined=True
     )
     points: tuple[str, ...] = setting(
-        (), "Take these points alone.  [default: all that have a name of their own]", metavar="POINT"
+        (), "Take these points alone.  [default: all that have a name of their own]", metavar="A,B,C,...", joined=True
     )
     significance: float = setting(
         0.05, "Probability that any point is called moved where none did.", limits=Range(low=1e-6, high=0.5)
     )
+    axes: Path | None = setting(
+        None, "Nominal coordinates in whose axes the result is told: point,X,Y,Z; fitted by the points that stayed, as "
+        "the first measurement has them.  [default: the axes of the first measurement]", metavar="FILE",
+    )  # fmt: skip
+    by: tuple[str, ...] = setting(
+        (),
+        "Points by which {axes} are fitted.  [default: all of the file that stayed]",
+        metavar="A,B,C,...",
+        joined=True,
+    )
+    unit: float = setting(1.0, "Metres of one unit of {axes}.", limits=Range(low=1e-9, high=1e6))
     free_scale: bool = setting(False, "Epochs may differ in scale, though bars or control measured it.")
+    title: str = setting("", TITLE, metavar="TEXT")
+    client: str = setting("", CLIENT, metavar="TEXT")
+    operator: str = setting("", OPERATOR, metavar="TEXT")
+    report: bool = setting(True, "Leave out report.html.", flag="no-report")
+    pdf: bool = setting(False, PDF_HELP)
+    language: str = setting("en", LANGUAGE_HELP, metavar="CODE")
 
 
 def moved_points(
@@ -42,7 +66,7 @@ def moved_points(
     """Test which points moved between results of the same points, and write what came of it.
 
     epochs    two or more results (folders, or adjustments), in the order of time; points are the same by their names
-    out       new folder: points.csv (displacements with standard deviations), moved.json
+    out       new folder: report.html, points.csv (displacements with standard deviations), moved.json
     settings  as of the command line, by the names of `MovedSettings`
     raises    InputError for fewer than four common points, or points that are held without error
     What it does not tell: a motion that all points share.
@@ -60,42 +84,89 @@ def run_moved(settings: MovedSettings, progress: Progress = silent) -> Congruenc
 def _moved(s: MovedSettings, epochs: Sequence[Adjustment | str | Path], progress: Progress) -> Congruence:
     from raybundle.adjustment.again import block_again  # noqa: PLC0415
     from raybundle.adjustment.result import Adjustment  # noqa: PLC0415  (what computes is loaded after the help)
-    from raybundle.io.folders import check_new_folder  # noqa: PLC0415
+    from raybundle.io.folders import check_new_folder, short_names  # noqa: PLC0415
     from raybundle.measuring.point_sets import point_set  # noqa: PLC0415
     from raybundle.measuring.session import adjusted_as_free  # noqa: PLC0415
+    from raybundle.metrology.best_fit import best_fit  # noqa: PLC0415
     from raybundle.metrology.congruence import congruence  # noqa: PLC0415
 
     if len(epochs) < 2:
         raise InputError("two or more measurements are held against each other; one is given")
     check_new_folder(s.out)
-    sets = []
-    for k, (name, epoch) in enumerate(zip(_names(s.epochs), epochs, strict=True)):
+    check_pages(s)
+    if s.axes is None and s.by:
+        raise InputError(f"{option('by')} goes with {option('axes')}")
+    nominal = None if s.axes is None else nominal_points(s.axes, s.unit)
+    sets: list[PointSet] = []
+    faults: dict[str, tuple[str, ...]] = {}
+    for k, (name, epoch) in enumerate(zip(short_names(s.epochs), epochs, strict=True)):
         progress("reading measurements", k / len(epochs))
         found = adjusted_as_free(block_again(epoch) if isinstance(epoch, Adjustment) else epoch)
         sets.append(point_set(found, name, s.points))
+        if told := _faults(epoch):
+            faults[name] = told
     if s.free_scale:
         sets = [replace(e, free_scale=True) for e in sets]
     progress("testing", 0.9)
-    done = congruence(sets, significance=s.significance, datum=s.datum)
-    _write(s.out, done)
+    done = congruence(sets, significance=s.significance, datum=s.datum_points)
+    fit = None
+    if nominal is not None:
+        by = s.by or tuple(i for i, m in zip(done.ids, done.moved, strict=True) if not m and i in set(nominal.ids))
+        fit = best_fit(sets[0], nominal, by=by)
+        done = done.in_axes(fit.transform)
+    _write(s, done, fit, faults)
     return done
 
 
-def _names(paths: Sequence[Path]) -> list[str]:
-    """Short names of the epochs that differ."""
-    short = [p.name or str(p) for p in paths]
-    return short if len(set(short)) == len(short) else [str(p) for p in paths]
+def faults_in(epochs: Sequence[Path]) -> dict[str, tuple[str, ...]]:
+    """Of each measurement whose own result is not to be used yet, by its short name: the faults that it states."""
+    from raybundle.io.folders import short_names  # noqa: PLC0415
+    from raybundle.results.state import faults_of  # noqa: PLC0415
+
+    told = {name: faults_of(epoch) for name, epoch in zip(short_names(epochs), epochs, strict=True)}
+    return {name: messages for name, messages in told.items() if messages}
 
 
-def _write(out: Path, done: Congruence) -> None:
+def _faults(epoch: Adjustment | str | Path) -> tuple[str, ...]:
+    from raybundle.adjustment.severity import Severity  # noqa: PLC0415
+
+    if isinstance(epoch, str | Path):
+        from raybundle.results.state import faults_of  # noqa: PLC0415
+
+        return faults_of(Path(epoch))
+    return tuple(n.message for n in epoch.notices if n.severity is Severity.FAULT)
+
+
+def _digits(columns: Mapping[str, Any]) -> dict[str, Digits]:
+    """The digits of points.csv: displacements by their standard deviations, coordinates by those of the first."""
+    from raybundle.io.digits import PROBABILITY, STD, TEST, by_sigma  # noqa: PLC0415
+
+    rules: dict[str, Digits] = {"F": TEST, "p": PROBABILITY, "detectable_mm": STD}
+    for tag in sorted({n[3:-3] for n in columns if n.startswith("sdX")}):
+        std = {a: columns[f"sd{a}{tag}_mm"] for a in "XYZ"}
+        rules |= {f"sd{a}{tag}_mm": STD for a in "XYZ"} | {f"d{a}{tag}_mm": by_sigma(std[a]) for a in "XYZ"}
+        rules[f"length{tag}_mm"] = by_sigma(sum(std[a] ** 2 for a in "XYZ") ** 0.5)
+        rules = {f"{a}_m": by_sigma(std[a] / 1000) for a in "XYZ"} | rules
+    return rules
+
+
+def _write(
+    s: MovedSettings, done: Congruence, fit: BestFit | None, faults: Mapping[str, tuple[str, ...]]
+) -> None:  # fmt: skip
     import numpy as np  # noqa: PLC0415
 
+    from raybundle.io.digits import SHORT  # noqa: PLC0415
+    from raybundle.io.digits import told as in_digits  # noqa: PLC0415
     from raybundle.io.folders import new_folder  # noqa: PLC0415
     from raybundle.io.tables import write_table  # noqa: PLC0415
     from raybundle.results.contents import clean  # noqa: PLC0415
 
+    order = np.array(natural_order(done.ids), np.int64)
     std = np.sqrt(np.maximum(np.diagonal(done.covariance, axis1=2, axis2=3), 0))
-    columns: dict[str, Any] = {"point": done.ids, "moved": ["yes" if m else "" for m in done.moved]}
+    columns: dict[str, Any] = {
+        "point": [done.ids[k] for k in order], "moved": ["yes" if done.moved[k] else "" for k in order],
+        **{f"{a}_m": done.xyz[:, k] for k, a in enumerate("XYZ")},
+    }  # fmt: skip
     for j in range(len(done.displacement)):
         tag = "" if len(done.displacement) == 1 else f"_{j + 2}"
         columns |= {f"d{a}{tag}_mm": 1000 * done.displacement[j, :, k] for k, a in enumerate("XYZ")}
@@ -106,6 +177,12 @@ def _write(out: Path, done: Congruence) -> None:
         "epochs": done.epochs, "points": len(done.ids), "moved": [done.ids[k] for k in np.flatnonzero(done.moved)],
         "significance": done.significance, "limit_of_one_point": done.limit, "degrees_of_freedom": done.freedom,
         "scale_free": done.scale,
+        "axes": None if fit is None or s.axes is None else {
+            "of": s.axes.name, "fitted_by": [i for i, f in zip(fit.ids, fit.fitted, strict=True) if f],
+            "rms_m": fit.rms,
+        },
+        "record": record_of(s).as_mapping(),
+        "not_to_be_used_yet": {name: list(messages) for name, messages in faults.items()},
         "all_points": {"F": done.before[0], "p": done.before[1]},
         "points_that_stayed": {"F": done.after[0], "p": done.after[1]},
         "to_the_first": [
@@ -113,6 +190,14 @@ def _write(out: Path, done: Congruence) -> None:
             for t in done.transforms
         ],
     }  # fmt: skip
-    with new_folder(out) as folder:
-        write_table(folder / "points.csv", columns)
-        (folder / "moved.json").write_text(json.dumps(clean(told), indent=1) + "\n", encoding="utf-8")
+    with new_folder(s.out) as folder:
+        ordered = {n: v if isinstance(v, list) else v[order] for n, v in columns.items()}
+        write_table(folder / "points.csv", ordered, _digits(ordered))
+        (folder / "moved.json").write_text(json.dumps(clean(in_digits(told, SHORT)), indent=1) + "\n", encoding="utf-8")
+        pages = [folder / name for name, asked in (("report.html", s.report), ("report.pdf", s.pdf)) if asked]
+        if pages:
+            from raybundle.report.moved import MovedFacts, axes_told, write_moved_report  # noqa: PLC0415  (Jinja2 only where it is used)
+
+            axes = "" if fit is None or s.axes is None else axes_told(s.axes.name, fit)
+            about = MovedFacts(record=record_of(s), faults=faults, axes=axes)
+            write_moved_report(done, pages, s.language, about)

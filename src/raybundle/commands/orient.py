@@ -10,8 +10,11 @@ from typing import TYPE_CHECKING, Any, Literal
 
 from raybundle.adjustment.options import NOISE_HELP, NoiseModel
 from raybundle.commands.camera_settings import APART, KNOWN, LIBRARY
+from raybundle.commands.pages import COORDINATES_HELP, LANGUAGE_HELP, NO_REPORT_HELP, PDF_HELP, check_pages
+from raybundle.commands.record_settings import ACCURACY_CLASS, CLIENT, OPERATOR, TITLE, record_in, record_of
 from raybundle.errors import InputError
 from raybundle.numerics.progress import Progress, silent
+from raybundle.report.languages import ENGLISH
 from raybundle.settings import (
     ANY,
     NOT_NEGATIVE,
@@ -26,9 +29,12 @@ from raybundle.settings import (
 )
 
 if TYPE_CHECKING:
+    from raybundle.adjustment.accuracy_class import AccuracyClass
     from raybundle.pipeline.project import StageRecord
     from raybundle.placing.marks import Given
     from raybundle.report.facts import PhotographFacts
+    from raybundle.report.outcome import Outcome
+    from raybundle.results.record import Record
     from raybundle.workflows.orient import Orientation
     from raybundle.workflows.orient_options import OrientOptions
 
@@ -42,26 +48,33 @@ class OrientSettings:
     out: Path
     """project folder; begun, or continued"""
     calibration: Path | None = setting(None, KNOWN, metavar="CAMERAS.toml")
-    separate: tuple[str, ...] = setting((), APART, flag="camera", metavar="PATTERN")
+    own_camera: tuple[str, ...] = setting((), APART, metavar="PATTERN")
     masks: Path | None = setting(
         None, "Masks of the photographs, named photo.jpg.png as by COLMAP, or photo_mask.png or photo.png as by "
         "Metashape: nothing is measured where they are 0.", metavar="DIR",
     )  # fmt: skip
     library: bool = setting(True, LIBRARY, flag="no-library")
     control: tuple[Path, ...] = setting(
-        (), "Control points with their places in the photographs: gcp_list.txt, CSV or a block folder.", metavar="FILE"
-    )
+        (), "Control points with their places in the photographs: gcp_list.txt, CSV or a block folder; or the places "
+        "in the photographs alone, as of the ends of a scale bar: image,point,x_px,y_px.", metavar="FILE",
+    )  # fmt: skip
     check: tuple[Path, ...] = setting((), "Check points, in the same formats.", metavar="FILE")
     control_sigma: tuple[float, float] | None = setting(
-        None, "Standard deviation of control whose file states none.", metavar="PLAN HEIGHT",
+        None, "Standard deviation of control whose file states none, in metres, whatever the unit of the file.  "
+        "[default: 0.01 0.02]", metavar="PLAN HEIGHT",
         limits=(NOT_NEGATIVE, NOT_NEGATIVE),
     )  # fmt: skip
     mark_sigma: float = setting(
         0.5, "Standard deviation of a point marked in a photograph.", metavar="PX", limits=Range(low=0.001, high=1e5)
     )
+    target: tuple[str, ...] = setting(
+        (), "Coded targets in the photographs, as aicon14 or apriltag-36h11: points with the names of their codes, or "
+        "those of {control} by these names; of several families FAMILY:CODE.", metavar="FAMILY", also=("family",),
+    )  # fmt: skip
     scale_bar: tuple[tuple[str, str, float, float], ...] = setting(
-        (), "A known distance between two points that {control} measures, and its standard deviation, both in metres; "
-        "may be repeated.", metavar="A B LENGTH SIGMA", limits=("text", "text", POSITIVE, NOT_NEGATIVE),
+        (), "A known distance between two points that {control} measures, or two targets, and its standard deviation, "
+        "both in metres; may be repeated.", metavar="A B LENGTH SIGMA",
+        limits=("text", "text", POSITIVE, NOT_NEGATIVE),
     )  # fmt: skip
     positions: Path | None = setting(
         None, "Positions of the photographs, as an MRK file or CSV, in place of those that they state.", metavar="FILE"
@@ -93,7 +106,8 @@ class OrientSettings:
         "shift", "What is estimated of a satellite scene's RPC."
     )
     crs: str | None = setting(
-        None, "As EPSG:32633, of {positions} in a grid and, with satellite scenes, of control files that name none.",
+        None, "As EPSG:32633, of what names no coordinate system itself: control and check files, {positions} in a "
+        "grid. With heights, as EPSG:32633+5773 or EPSG:32633+ellipsoid, also of files that name its plan alone.",
         metavar="SYSTEM",
     )  # fmt: skip
     gps: bool = setting(True, "Leave positions out that the photographs state.", flag="no-gps")
@@ -110,20 +124,30 @@ class OrientSettings:
         "is narrow.",
     )  # fmt: skip
     precise: bool = setting(True, "Leave out least-squares matching: several times less precise.", flag="quick")
-    jobs: int = setting(0, "0: all processors.", limits=NOT_NEGATIVE)
+    jobs: int = setting(0, "How many processors; 0: all.", limits=NOT_NEGATIVE)
     memory: float = setting(
         4.0, "Memory that the pixels of photographs may take while points are measured.", metavar="GB",
         limits=Range(low=0.1, high=1e6),
     )  # fmt: skip
     redo_from: str = setting(
-        "", "Do this stage, as `raybundle status` lists them, and all after it again.", flag="from", metavar="STAGE"
+        "",
+        "Do this stage, as `raybundle status` lists them, and all after it again.",
+        flag="from-stage",
+        metavar="STAGE",
     )
     read_out: float | None = setting(
         None, "Time in which a rolling shutter reads a frame, where it is known; 0: there is none. Not given, "
         "photographs that state their times are asked for it.", metavar="MS", limits=Range(low=0, high=1000),
     )  # fmt: skip
     noise: NoiseModel = setting("auto", NOISE_HELP)
-    report: bool = setting(True, "Leave out report.html and network.html.", flag="no-report")
+    accuracy_class: str = setting("", ACCURACY_CLASS, metavar="WANTED")
+    title: str = setting("", TITLE, metavar="TEXT")
+    client: str = setting("", CLIENT, metavar="TEXT")
+    operator: str = setting("", OPERATOR, metavar="TEXT")
+    report: bool = setting(True, NO_REPORT_HELP, flag="no-report")
+    pdf: bool = setting(False, PDF_HELP)
+    all_coordinates: bool = setting(False, COORDINATES_HELP)
+    language: str = setting("en", LANGUAGE_HELP, metavar="CODE")
 
     def options(self) -> OrientOptions:
         """What the workflow is asked for."""
@@ -132,10 +156,10 @@ class OrientSettings:
 
         return OrientOptions(
             features=self.features, feature_count=self.feature_count, start=self.start, precise=self.precise,
-            jobs=self.jobs, memory_gb=self.memory, separate=self.separate, masks=self.masks,
+            jobs=self.jobs, memory_gb=self.memory, separate=self.own_camera, masks=self.masks,
             library=library_folder() if self.library else None, redo_from=self.redo_from, scene_bias=self.scene_bias,
             crs=self.crs, attitudes=self.attitudes, attitude_sigma_deg=self.attitude_sigma, relative=self.relative,
-            noise=self.noise, read_out_s=None if self.read_out is None else self.read_out / 1000,
+            targets=self.target, noise=self.noise, read_out_s=None if self.read_out is None else self.read_out / 1000,
         )  # fmt: skip
 
     def given(self) -> Given:
@@ -146,15 +170,16 @@ class OrientSettings:
             named_apart,
             read_control,
         )
+        from raybundle.io.geo.control_systems import in_one_system  # noqa: PLC0415
         from raybundle.placing.marks import Given, ScaleBar  # noqa: PLC0415
 
         plan, height = self.control_sigma or (DEFAULTS.plan, DEFAULTS.height)
-        usual = ControlDefaults(plan=plan, height=height)
+        usual = ControlDefaults(plan=plan, height=height, unit="m")
         return Given(
-            control=named_apart((
+            control=in_one_system(named_apart((
                 *(read_control(f, defaults=usual) for f in self.control),
                 *(read_control(f, defaults=replace(usual, role="check")) for f in self.check),
-            )),
+            )), self.crs),
             scale_bars=tuple(ScaleBar(start=a, end=b, length=d, sigma=e) for a, b, d, e in self.scale_bar),
             gps=self.gps, shift=self.shift, misalignment=self.misalignment,
             lever_arm=None if self.lever_arm is None else (self.lever_arm[:3], self.lever_arm[3]),
@@ -180,6 +205,7 @@ def orient(
 
 def run_orient(settings: OrientSettings, progress: Progress = silent) -> Orientation:
     """Orient what the settings ask for, and write the result."""
+    from raybundle.adjustment.accuracy_class import accuracy_class  # noqa: PLC0415
     from raybundle.commands.drawn_masks import masks_of_run  # noqa: PLC0415
     from raybundle.commands.earlier_run import earlier_run  # noqa: PLC0415
     from raybundle.io.block.toml import read_cameras  # noqa: PLC0415
@@ -193,6 +219,8 @@ def run_orient(settings: OrientSettings, progress: Progress = silent) -> Orienta
     out, result = settings.out, settings.out / "result"
     cameras = () if settings.calibration is None else read_cameras(settings.calibration)
     options, given = settings.options(), settings.given()
+    wanted, record = accuracy_class(settings.accuracy_class), record_of(settings).over(record_in(out))
+    check_pages(settings)
     if shown(out) != out:
         raise InputError(
             f"this name is no UTF-8, which the result is written in; choose another {option('out')}", file=shown(out)
@@ -213,13 +241,23 @@ def run_orient(settings: OrientSettings, progress: Progress = silent) -> Orienta
         with report_stage(out, done.stages):
             asked = {name: str(value) for name, value in other_than_usual(settings).items()}
             write_orientation(
-                done, result, report="html" if settings.report else "none", progress=progress, settings=asked
-            )
+                done, result, report="html" if settings.report else "none", progress=progress, settings=asked,
+                wanted=wanted, record=record, pdf=settings.pdf, all_coordinates=settings.all_coordinates,
+                language=settings.language,
+            )  # fmt: skip
     except InputError:
         if begins and out.is_dir():
             discard_empty(out)
         raise
     return done
+
+
+def accuracy_outcome(settings: OrientSettings, done: Orientation) -> Outcome | None:
+    """What became of the accuracy that was asked for; None where none was."""
+    from raybundle.adjustment.accuracy_class import accuracy_class  # noqa: PLC0415
+    from raybundle.report.delivery import wanted_outcome  # noqa: PLC0415
+
+    return wanted_outcome(done.adjustment, accuracy_class(settings.accuracy_class), done.frame)
 
 
 def settings_asked(project: Path) -> OrientSettings:
@@ -239,14 +277,15 @@ def settings_asked(project: Path) -> OrientSettings:
 
 
 def keep_settings(settings: OrientSettings) -> None:
-    """Write the settings, as given or by default, into project.toml."""
+    """Write the settings, as given or by default, into project.toml; its other tables, as [record], stay."""
     from raybundle.pipeline.project import Project  # noqa: PLC0415
+    from raybundle.pipeline.settings_file import with_table  # noqa: PLC0415
 
     lines = ["# what the last run was asked for; `raybundle status` shows what it did", *toml_lines("orient", settings)]
-    text = ("\n".join(lines) + "\n").encode("utf-8", "replace").decode()
+    text = "\n".join(lines).encode("utf-8", "replace").decode()
     project = Project.open(settings.out)
     try:
-        project.write_settings(text)
+        project.write_settings(with_table(settings.out / "project.toml", "orient", text))
     finally:
         project.close()
 
@@ -268,22 +307,29 @@ def report_stage(out: Path, before: Sequence[StageRecord]) -> Generator[None]:
 
 def write_orientation(
     done: Orientation, result: Path, *, report: Literal["html", "none"], progress: Progress,
-    settings: dict[str, str] | None = None,
+    settings: dict[str, str] | None = None, wanted: AccuracyClass | None = None, record: Record | None = None,
+    pdf: bool = False, all_coordinates: bool = False, language: str = ENGLISH,
 ) -> None:  # fmt: skip
     """Write the result folder of oriented photographs.
 
     settings  what was asked for beside the defaults, for the report
+    wanted    accuracy that is asked for at check points
+    record    title, client and operator
     """
     from raybundle.report.write import write_result  # noqa: PLC0415
     from raybundle.workflows.orient import component_folder  # noqa: PLC0415
 
     facts = replace(facts_of(done), settings=tuple((settings or {}).items()))
     write_result(
-        done.adjustment, result, report=report, additions=done.additions(), photographs=facts, frame=done.frame,
+        done.adjustment, result, report=report, pdf=pdf, all_coordinates=all_coordinates, language=language,
+        additions=done.additions(), photographs=facts, frame=done.frame, wanted=wanted, record=record,
         progress=progress,
     )  # fmt: skip
     for k, part in enumerate(done.other_components):
-        write_result(part.adjustment, result.parent / component_folder(k), report=report, progress=progress)
+        write_result(
+            part.adjustment, result.parent / component_folder(k), report=report, pdf=pdf,
+            all_coordinates=all_coordinates, language=language, record=record, progress=progress,
+        )  # fmt: skip
     _remove_older(result.parent, len(done.other_components))
 
 

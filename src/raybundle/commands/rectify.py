@@ -3,13 +3,15 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import MISSING, dataclass
+from dataclasses import MISSING, dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Literal
 
 from raybundle.commands.convert import FREE_SCALE_HELP
+from raybundle.commands.plane_settings import OF_PLANE, PlaneSettings, plane_in
 from raybundle.errors import InputError
 from raybundle.numerics.progress import Progress, silent
+from raybundle.results.record import STATE
 from raybundle.settings import ANY, POSITIVE, Range, made, option, other_than_usual, path_of, setting
 
 if TYPE_CHECKING:
@@ -17,15 +19,16 @@ if TYPE_CHECKING:
     from raybundle.io.photos.photo import Photo
     from raybundle.io.pictures.rectified import Rectified
     from raybundle.numerics.arrays import Array
-    from raybundle.workflows.rectify import Grid, Plane, SinglePhoto
+    from raybundle.workflows.object_plane import Plane
+    from raybundle.workflows.rectify import Grid, SinglePhoto
 
 
-OF_PHOTO = ("control", "calibration", "model", "mark_sigma")
-OF_RESULT = ("plane", "horizontal", "photos", "only", "free_scale")
+OF_PHOTO = ("control", "calibration", "transformation", "mark_sigma")
+OF_RESULT = (*OF_PLANE, "photos", "only", "free_scale")
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class RectifySettings:
+class RectifySettings(PlaneSettings):
     """What is brought to scale, and how."""
 
     source: Path
@@ -35,14 +38,10 @@ class RectifySettings:
         None, "Size of a pixel in the object's unit.  [default: that of the photographs]", metavar="SIZE",
         limits=POSITIVE,
     )  # fmt: skip
-    area: tuple[float, float, float, float] | None = setting(
-        None, "Part of the plane, in its coordinates.  [default: where the points lie]",
+    extent: tuple[float, float, float, float] | None = setting(
+        None, "Part of the plane, in its coordinates; of a map, east and north.  [default: where the points lie]",
         metavar="LEFT BOTTOM RIGHT TOP", limits=(ANY, ANY, ANY, ANY),
     )  # fmt: skip
-    plane: tuple[str, ...] = setting(
-        (), "Object points of the plane.  [default: that of most points]", metavar="A,B,C,...", joined=True
-    )
-    horizontal: bool = setting(False, "A level plane at the points' median height: floors, flat ground.")
     photos: tuple[Path, ...] = setting(
         (), "Where the photographs are.  [default: as the project knows]", metavar="FOLDER"
     )
@@ -50,7 +49,7 @@ class RectifySettings:
     control: Path | None = setting(
         None, "For a PHOTO: points of the plane and their places in it, as for orient.", metavar="FILE"
     )
-    model: Literal["projective", "affine"] = setting(
+    transformation: Literal["projective", "affine"] = setting(
         "projective", "For a PHOTO; affine: taken from far away, or copied flat."
     )
     calibration: Path | None = setting(
@@ -73,6 +72,8 @@ class Rectification:
     """the plane of a result's points, or what was fitted to the points of one photograph"""
     unit: str = ""
     """empty: not known, or none"""
+    state: str = ""
+    """why the result that it was made of is not to be used yet; empty: nothing says so"""
     remarks: tuple[str, ...] = ()
 
 
@@ -92,7 +93,10 @@ def rectify(source: str | Path, out: str | Path, *, progress: Progress = silent,
 
 def run_rectify(settings: RectifySettings, progress: Progress = silent) -> Rectification:
     """Rectify what the settings ask for, and write the picture."""
+    from raybundle.commands.record import known_record  # noqa: PLC0415
     from raybundle.io.pictures.rectified import check_picture  # noqa: PLC0415  (what computes is loaded after the help)
+    from raybundle.workflows.object_plane import MapLevel  # noqa: PLC0415
+    from raybundle.workflows.sources import result_within  # noqa: PLC0415
 
     s = settings
     check_picture(s.out)
@@ -101,6 +105,8 @@ def run_rectify(settings: RectifySettings, progress: Progress = silent) -> Recti
     if s.source.is_dir():
         _check_without(s, OF_PHOTO, "a single PHOTO; a result has lens and places already")
         done, about = _of_result(s, progress)
+        record = known_record(result_within(s.source)).as_mapping()
+        record = {**record, **({STATE: done.state} if done.state else {})}
     else:
         _check_without(s, OF_RESULT, f"a result; a PHOTO has {option('control')}")
         if s.control is None:
@@ -108,13 +114,15 @@ def run_rectify(settings: RectifySettings, progress: Progress = silent) -> Recti
                 f"a single photograph needs points of the plane: {option('control', 'FILE')}", file=s.source
             )
         done, about = _of_photo(s, s.control)
+        record = {}
     picture, grid = done.picture, done.grid
     head = {
         "left": grid.left, "top": grid.top, "pixel": grid.pixel, "width_px": grid.width, "height_px": grid.height,
     }  # fmt: skip
     told = {**head, **about, "photographs": picture.shares}
-    picture.write(s.out, left=grid.left, top=grid.top, pixel=grid.pixel, about=told)
-    return done
+    wkt = done.source.system.to_wkt() if isinstance(done.source, MapLevel) else ""
+    more = picture.write(s.out, left=grid.left, top=grid.top, pixel=grid.pixel, about=told, wkt=wkt, record=record)
+    return replace(done, remarks=(*done.remarks, *more))
 
 
 def _check_without(s: RectifySettings, names: tuple[str, ...], whose: str) -> None:
@@ -130,8 +138,16 @@ def _of_result(s: RectifySettings, progress: Progress) -> tuple[Rectification, M
 
     from raybundle.block.frames import in_file_frames  # noqa: PLC0415
     from raybundle.io.formats.base import FREE_SCALE, GIVE_SCALE  # noqa: PLC0415
+    from raybundle.io.pictures.plane_file import stations_of  # noqa: PLC0415
     from raybundle.pipeline.project import photographs_of  # noqa: PLC0415
-    from raybundle.workflows.rectify import grid_over, plane_of, rectify_block, usual_pixel  # noqa: PLC0415
+    from raybundle.workflows.object_plane import MapLevel  # noqa: PLC0415
+    from raybundle.workflows.rectify import (  # noqa: PLC0415
+        check_area,
+        grid_over,
+        rectify_block,
+        usual_pixel,
+        whole_pixels,
+    )  # fmt: skip
     from raybundle.workflows.sources import read_source, result_within  # noqa: PLC0415
 
     result = result_within(s.source)
@@ -149,21 +165,34 @@ def _of_result(s: RectifySettings, progress: Progress) -> tuple[Rectification, M
         raise InputError(
             f"where its photographs are is not known; say so with {option('photos', 'FOLDER')}", file=s.source
         )
-    plane = plane_of(block, s.plane, horizontal=s.horizontal, sigma=export.sigma)
-    grid = grid_over(plane.extent if s.area is None else np.array(s.area), s.pixel or usual_pixel(block, plane))
+    plane, told = plane_in(result, replace(export, block=block), s, progress)
+    pixel = s.pixel or usual_pixel(block, plane)
+    area = plane.extent if s.extent is None else np.array(s.extent)
+    if isinstance(plane, MapLevel):
+        if s.extent is None:
+            area = whole_pixels(area, pixel)
+        else:
+            check_area(plane, area)
+    grid = grid_over(area, pixel)
     picture, remarks = rectify_block(block, folders, plane, grid, only=s.only, progress=progress)
-    unit = "" if block.free_scale else block.length_unit
-    about: dict[str, Any] = {
-        "unit": unit,
-        "origin": plane.origin.tolist(), "right": plane.axes[0].tolist(), "up": plane.axes[1].tolist(),
-        "normal": plane.axes[2].tolist(), "points": plane.points, "points_of": plane.of, "points_rms": plane.rms,
-        "slope_rms": picture.slope[0], "slope_largest": picture.slope[1],
-    }  # fmt: skip
+    unit = "" if block.free_scale else plane.unit if isinstance(plane, MapLevel) else block.length_unit
+    state = export.record.get(STATE, "")
+    about = {"block": block.name, "unit": unit, **({STATE: state} if state else {}), **_about(plane, picture)}
     if block.free_scale:
         about["scale"] = "free"
     if export.frame is not None:
         about["frame"] = export.frame.as_mapping()
-    return Rectification(picture=picture, grid=grid, source=plane, unit=unit, remarks=remarks), about
+    about["stations"] = stations_of(export, tuple(picture.shares))
+    done = Rectification(picture=picture, grid=grid, source=plane, unit=unit, state=state, remarks=(*told, *remarks))
+    return done, about
+
+
+def _about(plane: Plane, picture: Rectified) -> dict[str, Any]:
+    """What NAME.toml says of the plane."""
+    slope, largest = picture.slope
+    return {
+        **plane.as_mapping(), "slope_rms": slope, "slope_largest": largest, "displacement_rms": slope * plane.rms,
+    }  # fmt: skip
 
 
 def _of_photo(s: RectifySettings, control: Path) -> tuple[Rectification, Mapping[str, Any]]:
@@ -176,8 +205,8 @@ def _of_photo(s: RectifySettings, control: Path) -> tuple[Rectification, Mapping
     photo = read_photo(s.source)
     camera = None if s.calibration is None else _camera_of(s.calibration, photo)
     names, xyz, xy = _marks(control, s.source)
-    single = fit_photo(names, xyz, xy, model=s.model, sigma_px=s.mark_sigma, camera=camera)
-    grid = grid_over(single.extent if s.area is None else np.array(s.area), s.pixel or single.usual_pixel)
+    single = fit_photo(names, xyz, xy, model=s.transformation, sigma_px=s.mark_sigma, camera=camera)
+    grid = grid_over(single.extent if s.extent is None else np.array(s.extent), s.pixel or single.usual_pixel)
     picture = rectify_photo(s.source, single, grid, (photo.width_px, photo.height_px))
     fit = single.fit
     about = {

@@ -1,25 +1,23 @@
-"""`raybundle rpc`: rational polynomials of satellite scenes, shown elsewhere, here used, corrected and made."""
+"""`raybundle rpc`: rational polynomials of satellite scenes, here used and made."""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping
-from dataclasses import MISSING, dataclass, replace
+from collections.abc import Callable
+from dataclasses import MISSING, dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Literal
 
-from raybundle.errors import InputError, NotSolvable, RaybundleError
-from raybundle.numerics.counting import counted
-from raybundle.settings import ANY, PIXELS, made, option, path_of, setting
+from raybundle.commands.scenes.common import HEIGHTS_HELP, beyond, check_near, check_new, heights_of, size_of
+from raybundle.commands.scenes.inputs import scene_input
+from raybundle.errors import InputError, RaybundleError
+from raybundle.settings import ANY, made, option, path_of, setting
 
 if TYPE_CHECKING:
     from raybundle.io.scenes import Scene
     from raybundle.numerics.arrays import Array
-    from raybundle.scenes.bias_choice import BiasAdvice, BiasFit
     from raybundle.scenes.linescan import LineScene
     from raybundle.scenes.rpc import Rpc
     from raybundle.scenes.rpc_fit import RpcFit
-
-HEIGHTS_HELP = "Ellipsoidal heights [m] between which the RPC shall hold.  [default: those of the file's RPC]"
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -38,30 +36,12 @@ class RpcProjectSettings:
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class RpcCorrectSettings:
-    """Which RPC is corrected on which points, and how."""
-
-    scene: Path
-    """scene file with an RPC"""
-    points: Path
-    """table point,lon_deg,lat_deg,h_m,x_px,y_px[,sE_m,sN_m,sU_m]"""
-    out: Path | None = setting(
-        None, "RPC to write, with the correction built in: NAME_RPC.TXT or NAME.RPB.", metavar="FILE"
-    )
-    bias: Literal["auto", "none", "shift", "drift", "affine"] = setting(
-        "auto", "auto: by significance and by points left out."
-    )
-    sigma: float = setting(0.5, "Of a measured image coordinate [px].", limits=PIXELS)
-    heights: tuple[float, float] | None = setting(None, HEIGHTS_HELP, metavar="LOW HIGH", limits=(ANY, ANY))
-
-
-@dataclass(frozen=True, slots=True, kw_only=True)
 class RpcFitSettings:
     """Of which scene an RPC is made."""
 
     scene: Path
     """scene file with a rigorous model"""
-    out: Path = setting(MISSING, "RPC to write: NAME_RPC.TXT or NAME.RPB.", metavar="FILE")
+    out: Path = setting(MISSING, "RPC to write: NAME_RPC.TXT, NAME.RPB or NAME.geom.", metavar="FILE")
     heights: tuple[float, float] | None = setting(None, HEIGHTS_HELP, metavar="LOW HIGH", limits=(ANY, ANY))
 
 
@@ -82,26 +62,6 @@ class Projected:
     """points without coordinates"""
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
-class Correction:
-    """What control points say of an RPC, and the correction that is advised, or was asked for."""
-
-    rpc: Rpc
-    """as the scene has it"""
-    ids: tuple[str, ...]
-    advice: BiasAdvice
-    fit: BiasFit | None
-    """None: the points do not determine the one that was asked for"""
-    beyond: Mapping[int, str]
-    """points whose heights the RPC was not made for"""
-    size_px: tuple[int, int]
-    scene: Scene
-    corrected: Rpc | None = None
-    """with the correction built in; None where it was not asked for"""
-    refitted: RpcFit | None = None
-    """drift and affine: the new fit that stands for the corrected RPC"""
-
-
 def rpc_project(scene: str | Path, points: str | Path, out: str | Path, **settings: Any) -> Projected:
     """Image points of ground points by the model of a scene, or the other way, as a table.
 
@@ -115,19 +75,6 @@ def rpc_project(scene: str | Path, points: str | Path, out: str | Path, **settin
     """
     given = {"scene": path_of("scene", scene), "points": path_of("points", points), "out": path_of("out", out)}
     return run_project(made(RpcProjectSettings, {**given, **settings}))
-
-
-def rpc_correct(scene: str | Path, points: str | Path, **settings: Any) -> Correction:
-    """Correct an RPC on control points; with `out` it is written with the correction built in.
-
-    scene     scene file with an RPC
-    points    table point,lon_deg,lat_deg,h_m,x_px,y_px[,sE_m,sN_m,sU_m]
-    settings  as of the command line, by the names of `RpcCorrectSettings`: bias="shift", out="corrected_RPC.TXT"
-    raises    InputError for what cannot be read; NotSolvable where the points contradict the correction
-    """
-    given = {"scene": path_of("scene", scene), "points": path_of("points", points)}
-    asked = made(RpcCorrectSettings, {**given, **settings})
-    return write_correction(asked, correction_of(asked))
 
 
 def rpc_fit(scene: str | Path, out: str | Path, **settings: Any) -> RpcFit:
@@ -146,13 +93,13 @@ def rpc_fit(scene: str | Path, out: str | Path, **settings: Any) -> RpcFit:
 
 def run_project(settings: RpcProjectSettings) -> Projected:
     """Project what the settings ask for, and write the table; every point keeps its row."""
-    from raybundle.io.folders import new_files  # noqa: PLC0415  (what computes is loaded after the help)
-    from raybundle.io.scenes import read_scene  # noqa: PLC0415
+    from raybundle.io.digits import EVERY  # noqa: PLC0415  (what computes is loaded after the help)
+    from raybundle.io.folders import new_files  # noqa: PLC0415
     from raybundle.io.tables import write_table  # noqa: PLC0415
 
     s = settings
     check_new(s.out)
-    scene = read_scene(s.scene)
+    scene = scene_input(s.scene).scene
     model = _model(scene, s.model)
     columns = ("x_px", "y_px", "h_m") if s.to_ground else ("lon_deg", "lat_deg", "h_m")
     ids, rows = _table(s.points, columns)
@@ -161,7 +108,7 @@ def run_project(settings: RpcProjectSettings) -> Projected:
     if s.to_ground:
         both["h_m"] = rows[:, 2]
     with new_files(s.out) as (file,):
-        write_table(file, {"point": ids, **both, **({"note": done.notes} if any(done.notes) else {})})
+        write_table(file, {"point": ids, **both, **({"note": done.notes} if any(done.notes) else {})}, EVERY)
     return done
 
 
@@ -172,13 +119,13 @@ def _projected(
     from raybundle.scenes.rpc import NO_PLACE  # noqa: PLC0415
 
     if scene.rpc is not None and not s.to_ground and not (scene.rpc.ranges_away(rows) < NO_PLACE).any():
-        _check_near(scene, scene.rpc, rows, ids)  # none of them: its message says more than a table without coordinates
+        check_near(scene, scene.rpc, rows, ids)  # none of them: its message says more than a table without coordinates
     found, why = _each(lambda part: _placed(scene, model, part, to_ground=s.to_ground), ids, rows, s.scene)
     ground, image = (found, rows[:, :2]) if s.to_ground else (rows, found)
     notes = ["" if e is None else str(e) for e in why]
     if scene.rpc is not None and model is scene.rpc:
         there = [k for k in range(len(ids)) if why[k] is None]
-        for k, note in _beyond(scene.rpc, ground, there).items():
+        for k, note in beyond(scene.rpc, ground, there).items():
             notes[k] = note
     return Projected(
         ids=ids, image=image, ground=ground, notes=tuple(notes),
@@ -187,56 +134,10 @@ def _projected(
     )  # fmt: skip
 
 
-def correction_of(settings: RpcCorrectSettings) -> Correction:
-    """What the points say of the RPC; nothing is written."""
-    from raybundle.io.scenes import read_scene  # noqa: PLC0415
-    from raybundle.io.scenes.rpc_text import check_rpc_name  # noqa: PLC0415
-    from raybundle.scenes.bias_choice import choose_bias  # noqa: PLC0415
-
-    s = settings
-    if s.out is not None:
-        check_new(s.out)
-        check_rpc_name(s.out)
-    scene = read_scene(s.scene)
-    if scene.rpc is None:
-        raise InputError("it holds no RPC to be corrected; make one with `raybundle rpc fit`", file=s.scene)
-    sigmas = ("sE_m", "sN_m", "sU_m")
-    ids, rows = _table(s.points, ("lon_deg", "lat_deg", "h_m", "x_px", "y_px"), sigmas)
-    stated = rows[:, 5:] if rows.shape[1] == 8 else None
-    _check_near(scene, scene.rpc, rows, ids)
-    advice = choose_bias(scene.rpc, rows[:, :3], rows[:, 3:5], sigma_px=s.sigma, sigma_ground_m=stated)
-    fit = advice.advised if s.bias == "auto" else next((f for f in advice.fits if f.kind == s.bias), None)
-    return Correction(
-        rpc=scene.rpc, ids=ids, advice=advice, fit=fit, scene=scene, size_px=size_of(scene),
-        beyond=_beyond(scene.rpc, rows[:, :3], range(len(ids)), only_heights=True),
-    )  # fmt: skip
-
-
-def write_correction(settings: RpcCorrectSettings, found: Correction) -> Correction:
-    """Build the correction in, and write it, where that is asked for; raises NotSolvable where it must not be used."""
-    from raybundle.io.scenes.rpc_text import write_rpc  # noqa: PLC0415
-    from raybundle.scenes.bias_choice import check_fit  # noqa: PLC0415
-    from raybundle.scenes.rpc_fit import corrected_rpc  # noqa: PLC0415
-
-    s, fit = settings, found.fit
-    if fit is None:
-        raise InputError(f"{counted(len(found.ids), 'point')} do not determine the bias model {s.bias}", file=s.points)
-    try:
-        check_fit(found.advice, fit)
-    except NotSolvable as error:
-        raise NotSolvable(f"{s.points}: {error}{'; nothing is written' if s.out else ''}") from None
-    if s.out is None:
-        return found
-    heights = _heights(found.scene, s.heights)
-    rpc, refitted = corrected_rpc(found.rpc, fit.kind, fit.values, found.size_px, heights)
-    write_rpc(rpc, s.out)
-    return replace(found, corrected=rpc, refitted=refitted)
-
-
 def run_fit(settings: RpcFitSettings) -> tuple[RpcFit, tuple[str, ...]]:
     """Fit and write the RPC; also remarks."""
     from raybundle.io.scenes import read_scene  # noqa: PLC0415
-    from raybundle.io.scenes.rpc_text import check_rpc_name, write_rpc  # noqa: PLC0415
+    from raybundle.io.scenes.writing import check_rpc_name, write_rpc  # noqa: PLC0415
     from raybundle.numerics.geodesy import WGS84  # noqa: PLC0415
     from raybundle.scenes.rpc_fit import fit_rpc  # noqa: PLC0415
 
@@ -249,7 +150,7 @@ def run_fit(settings: RpcFitSettings) -> tuple[RpcFit, tuple[str, ...]]:
     remarks = ()
     if scene.line.ellipsoid != WGS84:
         remarks = ("the body is not the earth; other programs will take the RPC for one of WGS 84",)
-    result = fit_rpc(scene.line.localise, size_of(scene), _heights(scene, s.heights))
+    result = fit_rpc(scene.line.localise, size_of(scene), heights_of(scene, s.heights))
     write_rpc(result.rpc, s.out)
     return result, remarks
 
@@ -277,41 +178,6 @@ def _table(path: Path, columns: tuple[str, ...], optional: tuple[str, ...] = ())
     )
     rows = table.numbers(*columns, *optional)
     return table.text["point"], rows if np.isfinite(rows).all() else rows[:, : len(columns)]
-
-
-def size_of(s: Scene) -> tuple[int, int]:
-    """Of the image; of what the RPC covers where the file does not tell."""
-    if s.width_px and s.height_px:
-        return s.width_px, s.height_px
-    assert s.rpc is not None
-    x, y = s.rpc.image_offset + s.rpc.image_scale
-    return max(2, round(float(x))), max(2, round(float(y)))
-
-
-def _heights(s: Scene, heights: tuple[float, float] | None) -> tuple[float, float]:
-    if heights:
-        return heights
-    if s.rpc is None:
-        raise InputError(
-            f"it holds no RPC with a range of heights; give {option('heights', 'LOW', 'HIGH')}", file=s.file
-        )
-    middle, half = float(s.rpc.ground_offset[2]), float(s.rpc.ground_scale[2])
-    return middle - half, middle + half
-
-
-def check_new(out: Path) -> None:
-    """Raise InputError where no new file can be written."""
-    if out.exists():
-        raise InputError("stands there already and is not overwritten; choose another name", file=out)
-    if not out.absolute().parent.is_dir():
-        raise InputError("its folder does not exist; create it first", file=out)
-
-
-def _check_near(s: Scene, rpc: Rpc, rows: Array, ids: tuple[str, ...]) -> None:
-    try:
-        rpc.check_near(rows[:, :3], ids)
-    except InputError as error:
-        raise InputError(str(error), file=s.file) from None
 
 
 def _placed(s: Scene, model: Rpc | LineScene, rows: Array, *, to_ground: bool) -> Array:
@@ -355,15 +221,3 @@ def _each(
     for start, part in found.items():
         values[start : start + len(part)] = part
     return values, why
-
-
-def _beyond(rpc: Rpc, ground: Array, rows: Iterable[int], *, only_heights: bool = False) -> dict[int, str]:
-    """What lies outside the range of an RPC, by row."""
-    high, out = rpc.heights_outside(ground), rpc.outside(ground)
-    notes: dict[int, str] = {}
-    for k in rows:
-        if high[k]:
-            notes[k] = f"height {ground[k, 2]:g} m, the RPC holds for {rpc.height_range_words()}"
-        elif out[k] and not only_heights:
-            notes[k] = "beside the area of the RPC"
-    return notes

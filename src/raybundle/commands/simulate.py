@@ -15,11 +15,12 @@ if TYPE_CHECKING:
     from raybundle.planning.scenes import Scene
     from raybundle.planning.simulate import Simulation, Survey
 
+SIGMA = Range(low=0, high=1e6)
 SceneName = Literal["testfield", "flat", "aerial", "ring", "single"]
 OF_SCENES = {
-    "control": 0,
-    "control_sigma": 0.0,
-    "check": 0,
+    "control_points": 0,
+    "control_sigma": (0.0, 0.0),
+    "check_points": 0,
     "scale_bars": 0,
     "scale_bar_sigma": 1e-4,
     "station_sigma": None,
@@ -36,13 +37,15 @@ class SimulateSettings:
     out: Path
     """new folder"""
     seed: int = setting(1, "Of all random numbers.", limits=NOT_NEGATIVE)
-    noise: float | None = setting(
+    image_sigma: float | None = setting(
         None, "Sigma of an image coordinate [px].  [default: 0.1, of a plan as planned]", limits=PIXELS
     )
-    control: int = setting(0, "Number of control points.", limits=NOT_NEGATIVE)
-    control_sigma: float = setting(0.0, "Their sigma [m]; 0: held.", limits=Range(low=0, high=1e6))
-    check: int = setting(0, "Number of check points.", limits=NOT_NEGATIVE)
-    scale_bars: int = setting(0, "Number of scale bars.", limits=NOT_NEGATIVE)
+    control_points: int = setting(0, "How many.", limits=NOT_NEGATIVE)
+    control_sigma: tuple[float, float] = setting(
+        (0.0, 0.0), "Their standard deviations [m]; 0: held.", metavar="PLAN HEIGHT", limits=(SIGMA, SIGMA)
+    )
+    check_points: int = setting(0, "How many.", limits=NOT_NEGATIVE)
+    scale_bars: int = setting(0, "How many.", limits=NOT_NEGATIVE)
     scale_bar_sigma: float = setting(1e-4, "Their sigma [m].", limits=METRES)
     station_sigma: float | None = setting(None, "Observe projection centres so well [m].", limits=METRES)
     orientation: Literal["exact", "approximate", "absent"] = setting(
@@ -57,10 +60,10 @@ class SimulateSettings:
 
         return Survey(
             seed=self.seed,
-            image_sigma_px=0.1 if self.noise is None else self.noise,
-            control=10 if self.scene == "single" and self.control == 0 else self.control,
-            control_sigma=(self.control_sigma, self.control_sigma, self.control_sigma),
-            check=self.check,
+            image_sigma_px=0.1 if self.image_sigma is None else self.image_sigma,
+            control=10 if self.scene == "single" and self.control_points == 0 else self.control_points,
+            control_sigma=(self.control_sigma[0], *self.control_sigma),
+            check=self.check_points,
             scale_bars=self.scale_bars,
             scale_bar_sigma=self.scale_bar_sigma,
             station_sigma=self.station_sigma,
@@ -101,7 +104,7 @@ def _of_plan(settings: SimulateSettings) -> Simulation:
     block = block_in(folder)
     if (folder / VISIBLE).is_file():
         block = _found_again(folder, block, settings.seed)
-    return simulate_again(block, settings.survey(), settings.noise)
+    return simulate_again(block, settings.survey(), settings.image_sigma)
 
 
 def _found_again(plan: Path, block: Block, seed: int) -> Block:
@@ -115,7 +118,9 @@ def _found_again(plan: Path, block: Block, seed: int) -> Block:
     numbers = [*"XYZ", *(f"s{a}_mm" for a in "XYZ"), "rays", "often"]
     columns = [Column(name="point", kind="id"), *(Column(name=n, kind="number", empty=n not in "XYZ") for n in numbers)]
     columns.append(Column(name="unlucky_mm", kind="number", optional=True, empty=True))
-    points = read_table(plan / "points.csv", [*columns, Column(name="known", kind="text", optional=True, empty=True)])
+    points = read_table(
+        plan / "points.csv", [*columns, Column(name="known", kind="text", optional=True, empty=True)], own=True
+    )
     ids = points.text["point"]
     missing = [i for i in block.points.ids if i not in set(ids)]
     if missing:
@@ -129,6 +134,7 @@ def _found_again(plan: Path, block: Block, seed: int) -> Block:
             Column(name="point", kind="reference", known={i: k for k, i in enumerate(ids)}, where="points.csv"),
             Column(name="found", kind="number", limit="> 0"),
         ],
+        own=True,
     )
     sigma = float(np.sqrt(block.observations.cov_px2[:, 0].min()))
     visible = seen.index["image"], seen.index["point"], seen.number["found"]
@@ -167,4 +173,5 @@ def write_simulation(simulation: Simulation, out: Path) -> None:
                 "image": named(simulation.truth.images.ids, o.image[simulation.gross]),
                 "point": named(simulation.truth.points.ids, o.point[simulation.gross]),
             },
+            {},
         )

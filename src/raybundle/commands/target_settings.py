@@ -30,7 +30,7 @@ FAMILY_HELP = (
 class FamilySettings:
     """Which targets."""
 
-    family: str | None = setting(None, FAMILY_HELP, metavar="FAMILY")
+    target: str | None = setting(None, FAMILY_HELP, metavar="FAMILY", also=("family",))
     table: Path | None = setting(None, "Targets of one's own: a table id,code; with {bits}.", metavar="FILE")
     bits: int | None = setting(None, "Sectors of the rings of {table}.", limits=Range(low=3, high=24))
 
@@ -40,21 +40,21 @@ class FamilySettings:
         from raybundle.targets.families import families, family_named  # noqa: PLC0415
 
         if self.table is not None:
-            if self.family is not None or self.bits is None:
-                raise InputError(f"{option('table')} goes with {option('bits')} and without {option('family')}")
+            if self.target is not None or self.bits is None:
+                raise InputError(f"{option('table')} goes with {option('bits')} and without {option('target')}")
             return read_table(self.table, self.bits)
-        if self.family is None:
+        if self.target is None:
             raise _unnamed(" | ".join(sorted(families)) + ",")
-        return family_named(self.family)
+        return family_named(self.target)
 
-    def target(self, *, dots: bool = False) -> Target:
+    def wanted(self, *, dots: bool = False) -> Target:
         """The target that is named, with dots beside its rings where that is asked for; raises InputError."""
         from raybundle.targets.kinds.rings import Rings  # noqa: PLC0415
         from raybundle.targets.marks import forms, target  # noqa: PLC0415
 
-        if self.family is None and self.table is None:
+        if self.target is None and self.table is None:
             raise _unnamed("; ".join(forms()) + ";")
-        by_name = self.family if self.table is None else None
+        by_name = self.target if self.table is None else None
         found = Rings(rings=self.rings()) if by_name is None else target(by_name)
         return Rings(rings=found.rings, dots=True) if dots and isinstance(found, Rings) else found
 
@@ -63,7 +63,7 @@ def _unnamed(known: str) -> InputError:
     own = f"{option('table', 'FILE')} {option('bits', 'N')}"
     return InputError(
         "the family of the targets must be named, since families share rings under different numbers: "
-        f"{option('family')} {known} or {own}"
+        f"{option('target')} {known} or {own}"
     )
 
 
@@ -113,27 +113,27 @@ class DetectSettings(FamilySettings):
     observations: Path | None = setting(None, "Points with a name as observations.csv of a block.", metavar="FILE")
     dots: bool = setting(False, "With rings: dots without a ring, too.")
     overlay: Path | None = setting(None, "Write the photographs with what was found drawn on them.", metavar="DIR")
-    threads: int = setting(0, "0: all processors.", limits=NOT_NEGATIVE)
+    jobs: int = setting(0, "How many processors; 0: all.", limits=NOT_NEGATIVE)
 
 
-def write_target_sheet(family: str | None, out: str | Path, **settings: Any) -> Sheet:
+def write_target_sheet(target: str | None, out: str | Path, **settings: Any) -> Sheet:
     """Write targets at true size, with a scale bar to verify the printer, and FILE.toml with ids, radii, positions.
 
-    family    as "aicon14", "chessboard-9x6", "apriltag-36h11"; None with `table` and `bits`
+    target    family as "aicon14", "chessboard-9x6", "apriltag-36h11"; None with `table` and `bits`
     out       new FILE.pdf or FILE.svg
     settings  as of the command line, by the names of `SheetSettings`: codes="1-50", or count=20; lengths in millimetres
     raises    InputError for what does not go together or does not fit on the paper
     """
-    return run_sheet(made(SheetSettings, {"family": family, "out": path_of("out", out), **settings}))[0]
+    return run_sheet(made(SheetSettings, {"target": target, "out": path_of("out", out), **settings}))[0]
 
 
-def choose_targets(family: str | None = None, *, count: int, **settings: Any) -> Choice:
+def choose_targets(target: str | None = None, *, count: int, **settings: Any) -> Choice:
     """Choose targets that stay distinct when an arc of their ring is hidden.
 
-    family    of rings, as "aicon14"; None with `table` and `bits`
+    target    family of rings, as "aicon14"; None with `table` and `bits`
     raises    InputError for a family of other targets, and for more than there are
     """
-    s = made(ChooseSettings, {"family": family, "count": count, **settings})
+    s = made(ChooseSettings, {"target": target, "count": count, **settings})
     return run_choose(s)[0]
 
 
@@ -150,7 +150,7 @@ def run_sheet(settings: SheetSettings) -> tuple[Sheet, Sequence[Path]]:
     from raybundle.targets.sheets import write_sheet  # noqa: PLC0415
 
     s = settings
-    sheet = designed_sheet(s.target(), s.count, s.codes, s.spacing, s.options())
+    sheet = designed_sheet(s.wanted(), s.count, s.codes, s.spacing, s.options())
     return sheet, write_sheet(sheet, s.out)
 
 

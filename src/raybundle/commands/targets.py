@@ -13,7 +13,8 @@ import numpy as np
 
 from raybundle.commands.target_settings import DetectSettings
 from raybundle.errors import InputError
-from raybundle.io.folders import new_files
+from raybundle.io.digits import EVERY
+from raybundle.io.folders import check_free, check_new_file, new_files
 from raybundle.io.photos.photo import Photo, find_photos, read_grey
 from raybundle.io.tables import write_table
 from raybundle.numerics.arrays import Array
@@ -51,7 +52,7 @@ def detect_targets(
     inputs = [Path(p) for p in ((photos,) if isinstance(photos, str | Path) else photos)]
     named = "aicon14" if target is None and "table" not in settings else target
     own = named if named is not None and not isinstance(named, str) else None
-    s = made(DetectSettings, {"photos": tuple(inputs), "family": None if own is not None else named, **settings})
+    s = made(DetectSettings, {"photos": tuple(inputs), "target": None if own is not None else named, **settings})
     done = find_all(s, own, progress)
     for path, reason in done.refused:
         raise InputError(reason.removeprefix(f"{path}: "), file=path)
@@ -68,9 +69,12 @@ def run_detect(settings: DetectSettings, progress: Progress = silent) -> Detecte
 
 def find_all(s: DetectSettings, own: Target | None, progress: Progress) -> Detected:
     """What the photographs show; `own`: in place of the family that the settings name."""
-    wanted = s.target(dots=s.dots) if own is None else own
+    for file in (s.out, s.observations):
+        if file is not None:
+            check_new_file(file)
+    wanted = s.wanted(dots=s.dots) if own is None else own
     options = MarkOptions(polarity=s.polarity)
-    found, refused = detect_all(s.photos, wanted, options, s.overlay, s.threads, progress)
+    found, refused = detect_all(s.photos, wanted, options, s.overlay, s.jobs, progress)
     return Detected(target=wanted, found=found, refused=refused)
 
 
@@ -94,6 +98,7 @@ def detect_all(
     photos = find_photos(inputs, progress=tell)
     refused = list(photos.refused)
     if pictures is not None:
+        check_free(pictures)
         pictures.mkdir(parents=True, exist_ok=True)
 
     def one(photo: Photo) -> Marks | str:
@@ -133,7 +138,7 @@ def write_targets(path: Path, found: Sequence[tuple[str, Marks]]) -> None:
         "gate": every["gate"],
     }
     with new_files(path) as (file,):
-        write_table(file, table)
+        write_table(file, table, EVERY)
 
 
 def write_observations(path: Path, found: Sequence[tuple[str, Marks]]) -> None:
@@ -142,7 +147,7 @@ def write_observations(path: Path, found: Sequence[tuple[str, Marks]]) -> None:
     names = [name for name, m in kept for _ in range(len(m))]
     points = [n for _, m in kept for n in m.name]
     with new_files(path) as (file,):
-        write_table(file, {"image": names, "point": points, **_measured(_joined(kept))})
+        write_table(file, {"image": names, "point": points, **_measured(_joined(kept))}, EVERY)
 
 
 def _joined(found: Sequence[tuple[str, Marks]]) -> dict[str, Array]:

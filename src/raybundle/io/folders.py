@@ -9,13 +9,16 @@ import os
 import re
 import shutil
 import uuid
-from collections.abc import Generator, Iterator
+from collections.abc import Generator, Iterator, Sequence
 from contextlib import contextmanager
+from contextvars import ContextVar
 from pathlib import Path
 from typing import Literal
 
 from raybundle.errors import InputError
+from raybundle.settings import option, with_flags
 
+_overwriting: ContextVar[bool] = ContextVar("overwriting", default=False)
 AT_FDCWD, RENAME_EXCHANGE = -100, 2  # linux/fcntl.h, linux/fs.h
 NAME_BYTES = 200
 """Of a name that is kept in that of its temporary sibling; file systems allow 255."""
@@ -79,6 +82,36 @@ def check_place(path: Path, wanted: Literal["file", "folder", "either"] = "eithe
         probe = parent / f".{uuid.uuid4().hex[:8]}.partial"
         probe.mkdir()
         probe.rmdir()
+
+
+@contextmanager
+def overwriting() -> Generator[None]:
+    """Within it files that stand at a name are replaced; folders are not."""
+    before = _overwriting.set(True)
+    try:
+        yield
+    finally:
+        _overwriting.reset(before)
+
+
+def check_new_file(path: Path) -> None:
+    """Raise InputError where a file stands under a name, unless files are being overwritten."""
+    if path.exists() and not _overwriting.get():
+        how = option("overwrite") if with_flags() else "write within raybundle.overwriting()"
+        raise InputError(f"stands there already and is not overwritten; choose another name, or {how}", file=path)
+
+
+def check_free(path: Path) -> None:
+    """Raise InputError where something stands under a name that would be lost: a file, a folder that holds something.
+
+    The one rule of all writers: what stands there is not overwritten.  A file is, where that is asked for
+    (`overwriting`); a result folder or a page that this program made itself is replaced by a newer one of its kind,
+    since it can be computed again; a project is continued; any other folder is left to whoever filled it.
+    """
+    if path.is_dir():
+        check_new_folder(path)
+    else:
+        check_new_file(path)
 
 
 def check_new_folder(path: Path) -> None:
@@ -209,3 +242,9 @@ def exchange(a: Path, b: Path) -> bool:
     except (AttributeError, OSError, TypeError):
         return False
     return renameat2(AT_FDCWD, os.fsencode(a), AT_FDCWD, os.fsencode(b), RENAME_EXCHANGE) == 0
+
+
+def short_names(folders: Sequence[Path]) -> list[str]:
+    """Names of folders that differ, as short as may be: of result/ and block/ that of the folder around."""
+    short = [p.parent.name if p.name in {"result", "block"} and p.parent.name else p.name or str(p) for p in folders]
+    return short if len(set(short)) == len(short) else [str(p) for p in folders]

@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+import re
 from pathlib import Path
 
 import numpy as np
 
 from raybundle.errors import InputError
 from raybundle.io.missions.areas import in_crs, plane_crs, read_shapes
+from raybundle.io.reading.dialects import with_points
 from raybundle.io.reading.files import read_lines
 from raybundle.io.reading.words import number_of
 from raybundle.numerics.arrays import Array
@@ -18,8 +20,8 @@ TEXT = (".csv", ".txt")
 def read_outline(path: Path, crs: str = "") -> Array:
     """(k, 2) places of the line or area in a file [m].
 
-    CSV has a pair of coordinates a line, with or without a header; other files hold one line or area, in degrees or in
-    `crs`, which is brought into a plane system in metres.
+    CSV has a pair of coordinates a line, with or without a header, with decimal commas too where none separates; other
+    files hold one line or area, in degrees or in `crs`, which is brought into a plane system in metres.
     raises  InputError with file and line where that is not so
     """
     if path.suffix.lower() in TEXT:
@@ -34,6 +36,8 @@ def _pairs(path: Path) -> Array:
     found = list[tuple[float, float]]()
     for line, text in read_lines(path):
         words = text.replace(";", ",").replace(",", " ").split()
+        if len(words) > 2 and len(apart := re.split(r"[;\s]+", text.strip())) == 2:
+            words = with_points(apart)  # decimal commas
         if not words:
             continue
         values = [number_of(w) for w in words]

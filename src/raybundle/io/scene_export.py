@@ -11,9 +11,12 @@ import numpy as np
 
 from raybundle.block import Block, Camera
 from raybundle.errors import InputError
+from raybundle.io.formats.base import Export
 from raybundle.io.scenes.rpc_text import write_rpc_text
 from raybundle.numerics.arrays import Mask
+from raybundle.scenes.bias import BIAS_PARAMETERS
 from raybundle.scenes.rpc import Rpc
+from raybundle.scenes.rpc_errors import errors_of_covariance
 from raybundle.scenes.rpc_fit import corrected_rpc, fit_rpc
 from raybundle.scenes.sensor import LineSensor, RpcSensor, SceneSensor
 from raybundle.sensors import sensor_models
@@ -27,12 +30,14 @@ def scene_images(block: Block) -> Mask:
     return np.array([c.is_scene for c in block.cameras], bool)[block.images.camera]
 
 
-def write_rpcs(block: Block, folder: Path) -> tuple[tuple[Path, ...], tuple[str, ...]]:
+def write_rpcs(export: Export, folder: Path) -> tuple[tuple[Path, ...], tuple[str, ...]]:
     """NAME_RPC.TXT of every scene with its estimated bias built in; the files, and how well new RPCs fit.
 
     A shift goes into the offsets, exactly; drift, affine and rigorous models need a new fit, whose misfit is told.
+    ERR_BIAS and ERR_RAND are those of the adjusted bias, where a result tells its covariance.
     raises  InputError where the block has no scene
     """
+    block = export.block
     scenes = np.flatnonzero(scene_images(block))
     if not len(scenes):
         raise InputError(f"block {block.name} has no satellite scene; RPCs are written of scenes only")
@@ -48,6 +53,7 @@ def write_rpcs(block: Block, folder: Path) -> tuple[tuple[Path, ...], tuple[str,
         if isinstance(sensor, RpcSensor):
             heights = _heights(sensor.rpc)
             rpc, fit = corrected_rpc(sensor.rpc, sensor.bias, values, sensor.size_px, heights)
+            rpc = _with_errors(rpc, sensor, export, camera.id)
         else:
             line = cast("LineSensor", sensor)
             heights = _heights_of_points(block, line)
@@ -65,6 +71,21 @@ def write_rpcs(block: Block, folder: Path) -> tuple[tuple[Path, ...], tuple[str,
         write_rpc_text(rpc, path)
         files.append(path)
     return tuple(files), tuple(remarks)
+
+
+def _with_errors(rpc: Rpc, sensor: RpcSensor, export: Export, camera: str) -> Rpc:
+    """The RPC with the errors of its adjusted bias; the vendor's where its covariance is not known.
+
+    ERR_RAND is the vendor's, with what the terms that change over the image are uncertain by.
+    """
+    symbols, covariance = export.interior.get(camera, ((), np.zeros((0, 0))))
+    wanted = BIAS_PARAMETERS[sensor.bias]
+    if not wanted or set(symbols) != set(wanted):
+        return replace(rpc, err_bias_m=sensor.rpc.err_bias_m, err_rand_m=sensor.rpc.err_rand_m)
+    order = [symbols.index(s) for s in wanted]
+    bias, changing = errors_of_covariance(sensor.rpc, sensor.bias, covariance[np.ix_(order, order)])
+    rand = float(np.hypot(sensor.rpc.err_rand_m or 0.0, changing))
+    return replace(rpc, err_bias_m=bias, err_rand_m=rand or None)
 
 
 def _heights(rpc: Rpc) -> tuple[float, float]:

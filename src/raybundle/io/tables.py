@@ -7,18 +7,21 @@ error, so that a file of rubbish costs seconds and little memory however long it
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, field
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass, replace
 from itertools import chain
 from pathlib import Path
-from typing import Any, Literal, NoReturn
+from typing import Any
 
 import numpy as np
 
 from raybundle.errors import InputError
+from raybundle.io.cells import SHOWN, Column, Problem, converted, fail, numbers_good
+from raybundle.io.digits import EVERY, Digits, rounded
 from raybundle.io.reading import words
+from raybundle.io.reading.dialects import NAMES, PLAIN, Dialect, TwoSigns, decimal_sign, dialect_of_file, table_text
 from raybundle.io.reading.files import decoded, opened
-from raybundle.io.reading.rows import BadRow, cells_of
+from raybundle.io.reading.rows import BadRow
 from raybundle.io.reading.words import quoted
 from raybundle.io.rows import rows_of
 from raybundle.numerics import native
@@ -26,37 +29,14 @@ from raybundle.numerics.arrays import Array, Index
 
 PIECE_BYTES = 1 << 22
 LINE_BYTES = 1 << 20
-SHOWN = 5
-"""Errors that one message lists."""
-
-Kind = Literal["id", "text", "number", "reference", "new_reference"]
-Limit = Literal["", "> 0", ">= 0"]
-
-
-@dataclass(frozen=True, slots=True, kw_only=True)
-class Column:
-    """What a column of a table must hold."""
-
-    name: str
-    kind: Kind
-    """id: unique text; reference: the id of a row of another table; new_reference: the same, where an id not
-    yet known adds one to `known`."""
-    optional: bool = False
-    """Whether the header may lack it."""
-    empty: bool = False
-    """Whether a cell may be empty: "not known"."""
-    limit: Limit = ""
-    known: dict[str, int] = field(default_factory=dict[str, int])
-    """Ids of the other table and their positions."""
-    where: str = ""
-    """Name of the other table."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Table:
-    """The columns of a table; row k stands in line k + 2 of its file."""
+    """The columns of a table; row k stands in line k + first_line of its file."""
 
     rows: int
+    first_line: int = 2
     text: Mapping[str, tuple[str, ...]]
     number: Mapping[str, Array]
     """(rows,) each; NaN where the cell is empty."""
@@ -69,43 +49,30 @@ class Table:
         return np.stack([self.number.get(name, lacking) for name in names], axis=1)
 
 
-@dataclass(frozen=True, slots=True)
-class Problem:
-    """One error in a file."""
-
-    line: int
-    column: str | None
-    message: str
-
-
-def fail(path: Path, problems: Sequence[Problem]) -> NoReturn:
-    """Raise the InputError of the first problem, which also lists the next few."""
-    ordered = sorted(problems, key=lambda p: p.line)
-    first, others = ordered[0], ordered[1:SHOWN]
-    message = first.message
-    for p in others:
-        message += f"\n  also line {p.line}{f', column {p.column}' if p.column else ''}: {p.message}"
-    if len(ordered) > SHOWN:
-        message += "\n  and more; the rest of the file was not looked at"
-    raise InputError(message, file=path, line=first.line, column=first.column)
-
-
 def read_table(
     path: Path, columns: Sequence[Column], *, unique: tuple[str, ...] = (), least_rows: int = 1,
-    without: str = "delete the file if the block has none of these",
+    without: str = "delete the file if the block has none of these", own: bool = False,
 ) -> Table:  # fmt: skip
-    """The table in a CSV file.
+    """The table in a CSV file, as raybundle or a spreadsheet of any country writes it.
 
+    The header tells what separates the cells: commas, semicolons or tabs.  With the latter two the decimal sign may be
+    a comma (`raybundle.io.reading.dialects`), and a file that is not UTF-8 is Windows-1252.
+
+    own     as raybundle writes it and no other way: cells separated by commas, decimal points, UTF-8
     unique  two reference columns whose pairs of values must differ from row to row
     without  what to do in place of filling a table that has too few rows
     raises  InputError with file, line, column, the offending text and what to do
     """
-    table = _read_plain(path, columns, unique) or _read_cells(path, columns, unique)
+    dialect = PLAIN if own else dialect_of_file(path)
+    if dialect.plain:
+        table = _read_plain(path, columns, unique) or _read_cells(path, columns, unique)
+    else:
+        table = _read_dialect(path, columns, unique, dialect)
     if table.rows < least_rows:
         raise InputError(
             f"the table has a header but {'no' if not table.rows else 'too few'} rows; fill it, or {without}",
             file=path,
-            line=1,
+            line=table.first_line - 1,
         )
     return table
 
@@ -140,7 +107,7 @@ def _of_plain(present: Sequence[Column], reader: Any) -> Table | None:
     for k, column in enumerate(present):
         if column.kind == "number":
             values = words.bounded(reader.number(k))
-            if values is None or not _numbers_good(column, values):
+            if values is None or not numbers_good(column, values):
                 return None
             numbers[column.name] = values
             continue
@@ -193,7 +160,7 @@ def _read_cells(path: Path, columns: Sequence[Column], unique: tuple[str, ...]) 
         cells = _cells(path, piece, len(present), first_line)
         problems: list[Problem] = []
         for column, values, part, ids in zip(present, cells, parts, seen, strict=True):
-            part.append(_convert(column, values, first_line, ids, problems))
+            part.append(converted(column, values, first_line, ids, problems))
         if problems:
             fail(path, problems)
         if unique:
@@ -203,6 +170,31 @@ def _read_cells(path: Path, columns: Sequence[Column], unique: tuple[str, ...]) 
     table = _join(present, parts, rows)
     if unique:
         _check_pairs(path, [table.index[name] for name in unique], unique, 0)
+    return table
+
+
+def _read_dialect(path: Path, columns: Sequence[Column], unique: tuple[str, ...], dialect: Dialect) -> Table:
+    """The table of a spreadsheet, all of it at once: its decimal sign is one."""
+    lines = table_text(path).split("\n")
+    header, lines = "".join(lines[dialect.above : dialect.above + 1]), lines[dialect.above + 1 :]
+    first_line = dialect.above + 2
+    present = _check_header(path, header, columns, dialect)
+    cells = _cells_one_by_one(path, lines, len(present), first_line, dialect) if lines else [[] for _ in present]
+    numbers = [(c.name, values) for c, values in zip(present, cells, strict=True) if c.kind == "number"]
+    try:
+        sign = "." if dialect.separator == "," else decimal_sign(numbers)
+    except TwoSigns as two:
+        at = first_line + two.later.row
+        fail(path, [Problem(at, two.later.column, two.words(first_line + two.first.row))])
+    problems: list[Problem] = []
+    parts: list[list[object]] = []
+    for c, values in zip(present, cells, strict=True):
+        parts.append([converted(c, values, first_line, {}, problems, sign)])
+    if problems:
+        fail(path, problems)
+    table = replace(_join(present, parts, len(cells[0]) if cells else 0), first_line=first_line)
+    if unique:
+        _check_pairs(path, [table.index[name] for name in unique], unique, dialect.above)
     return table
 
 
@@ -252,24 +244,25 @@ def _header_and_rest(path: Path, pieces: Iterator[str]) -> tuple[str, tuple[str,
     return header, (rest,) if end else ()
 
 
-def _check_header(path: Path, line: str, columns: Sequence[Column]) -> list[Column]:
+def _check_header(path: Path, line: str, columns: Sequence[Column], dialect: Dialect = PLAIN) -> list[Column]:
     """The columns in the order of the file."""
+    at = dialect.above + 1
     by_name = {c.name: c for c in columns}
     needed = ",".join(c.name for c in columns if not c.optional)
     optional = [c.name for c in columns if c.optional]
     should = f"the header is {needed}" + (f", optional {', '.join(optional)}" if optional else "")
     try:
-        names = next(cells_of([line]), [])
+        names = next(dialect.cells([line]), [])
     except BadRow as error:
-        raise InputError(f"the header cannot be read ({error}); {should}", file=path, line=1) from None
+        raise InputError(f"the header cannot be read ({error}); {should}", file=path, line=at) from None
     for position, name in enumerate(names):
         if name not in by_name:
-            raise InputError(f"unknown column {quoted(name)}; {should}", file=path, line=1, column=name[:40])
+            raise InputError(f"unknown column {quoted(name)}; {should}", file=path, line=at, column=name[:40])
         if name in names[:position]:
-            raise InputError(f"column {name!r} stands twice; {should}", file=path, line=1, column=name)
+            raise InputError(f"column {name!r} stands twice; {should}", file=path, line=at, column=name)
     missing = [c.name for c in columns if not c.optional and c.name not in names]
     if missing:
-        raise InputError(f"column {missing[0]!r} is missing; {should}", file=path, line=1, column=missing[0])
+        raise InputError(f"column {missing[0]!r} is missing; {should}", file=path, line=at, column=missing[0])
     return [by_name[name] for name in names]
 
 
@@ -282,17 +275,18 @@ def _cells(path: Path, piece: str, width: int, first_line: int) -> list[list[str
         if len(breaks) == rows * width - 1 and (breaks[width - 1 :: width] == ord("\n")).all():
             flat = piece.replace("\n", ",").split(",")
             return [flat[k::width] for k in range(width)]
-    return _cells_one_by_one(path, piece, width, first_line)
+    return _cells_one_by_one(path, piece.split("\n"), width, first_line)
 
 
-def _cells_one_by_one(path: Path, piece: str, width: int, first_line: int) -> list[list[str]]:
-    lines = piece.split("\n")
+def _cells_one_by_one(
+    path: Path, lines: Sequence[str], width: int, first_line: int, dialect: Dialect = PLAIN
+) -> list[list[str]]:
     rows: list[list[str]] = []
     problems: list[Problem] = []
     try:
-        for row in cells_of(lines):
+        for row in dialect.cells(lines):
             if len(row) != width:
-                problems.append(Problem(first_line + len(rows), None, _wrong_width(row, width)))
+                problems.append(Problem(first_line + len(rows), None, _wrong_width(row, width, dialect)))
                 if len(problems) > SHOWN:
                     break
             rows.append(row)
@@ -303,130 +297,17 @@ def _cells_one_by_one(path: Path, piece: str, width: int, first_line: int) -> li
     return [list(column) for column in zip(*rows, strict=True)]
 
 
-def _wrong_width(row: Sequence[str], width: int) -> str:
+def _wrong_width(row: Sequence[str], width: int, dialect: Dialect) -> str:
     if not any(row):
         return "empty line; delete it"
     hint = ""
-    if len(row) > width:
+    if not dialect.plain:
+        hint = f" (they are separated by {NAMES[dialect.separator]}, as the header is)"
+    elif len(row) > width:
         hint = " (the decimal sign is a point, not a comma)"
     elif any(";" in cell for cell in row):
         hint = " (cells are separated by commas, not by semicolons)"
-    return f"{len(row)} cells, the header has {width}{hint}: {quoted(','.join(row))}"
-
-
-def _convert(
-    column: Column, cells: list[str], first_line: int, seen: dict[str, int], problems: list[Problem]
-) -> object:
-    """The values of one column; what is wrong is added to `problems`."""
-    if column.kind == "number":
-        values = words.column_of(cells)
-        if values is not None and _numbers_good(column, values):
-            return values
-        problems.extend(_bad_numbers(column, cells, first_line))
-        return np.zeros(0)
-    if column.kind == "text":
-        if not column.empty and "" in cells:
-            problems.append(Problem(first_line + cells.index(""), column.name, "the cell is empty; fill it"))
-        return tuple(cells)
-    if not "".join(cells).isprintable():
-        problems.extend(_bad_text(column, cells, first_line))
-        return np.zeros(0, np.int32)
-    if column.kind == "id":
-        return _new_ids(column, cells, first_line, seen, problems)
-    return _references(column, cells, first_line, problems)
-
-
-def _numbers_good(column: Column, values: Array) -> bool:
-    """Whether numbers, NaN for an empty cell, are what a column allows."""
-    finite = np.isfinite(values)
-    if not (column.empty or finite.all()):
-        return False
-    known = values[finite]
-    return not ((column.limit == "> 0" and (known <= 0).any()) or (column.limit == ">= 0" and (known < 0).any()))
-
-
-def _bad_numbers(column: Column, cells: Iterable[str], first_line: int) -> Iterator[Problem]:
-    found = 0
-    for k, cell in enumerate(cells):
-        message = _why_not_a_number(column, cell)
-        if message:
-            yield Problem(first_line + k, column.name, message)
-            found += 1
-            if found > SHOWN:
-                return
-
-
-def _why_not_a_number(column: Column, cell: str) -> str:
-    if not cell:
-        return "" if column.empty else "the cell is empty; a number is needed here"
-    value = words.number_of(cell)
-    if value is None:
-        if words.NOT_FINITE.fullmatch(cell):
-            empty = ", or leave the cell empty where it is not known" if column.empty else ""
-            return f"{words.no_number(cell)}; give one that is{empty}"
-        return f"{quoted(cell)} is not a number; the decimal sign is a point, an unknown value an empty cell"
-    if column.limit == "> 0" and value <= 0:
-        tiny = f" is nearer to 0 than {words.SMALLEST:g} and counts as 0; it" if words.vanishes(cell) else ""
-        return f"{quoted(cell)}{tiny} must be greater than 0"
-    if column.limit == ">= 0" and value < 0:
-        return f"{quoted(cell)} is negative; a standard deviation is 0 (held) or greater"
-    return ""
-
-
-def _bad_text(column: Column, cells: Iterable[str], first_line: int) -> Iterator[Problem]:
-    bad = [(k, cell) for k, cell in enumerate(cells) if not cell.isprintable()]
-    for k, cell in bad[: SHOWN + 1]:
-        yield Problem(
-            first_line + k, column.name, f"{quoted(cell)} holds characters that cannot be printed; delete them"
-        )
-
-
-def _new_ids(
-    column: Column, cells: list[str], first_line: int, seen: dict[str, int], problems: list[Problem]
-) -> tuple[str, ...]:
-    before = len(seen)
-    fresh = dict(zip(cells, range(before, before + len(cells)), strict=True))
-    edges = "" in fresh or any(c != c.strip() for c in fresh)
-    if len(fresh) == len(cells) and not edges and seen.keys().isdisjoint(fresh):
-        seen.update(fresh)
-        return tuple(cells)
-    for k, cell in enumerate(cells):
-        line = first_line + k
-        if not cell or cell != cell.strip():
-            problems.append(
-                Problem(line, column.name, f"{quoted(cell)} is no id: it is empty or has blanks at its ends")
-            )
-        elif cell in seen:
-            problems.append(Problem(line, column.name, f"id {quoted(cell)} stands already in line {seen[cell] + 2}"))
-        else:
-            seen[cell] = line - 2
-        if len(problems) > SHOWN:
-            break
-    return ()
-
-
-def _references(column: Column, cells: list[str], first_line: int, problems: list[Problem]) -> Index:
-    known = column.known
-    if column.kind == "new_reference":
-        for cell in dict.fromkeys(cells):
-            if cell not in known:
-                if not cell or cell != cell.strip():
-                    message = f"{quoted(cell)} is no id: it is empty or has blanks at its ends"
-                    problems.append(Problem(first_line + cells.index(cell), column.name, message))
-                known[cell] = len(known)
-    try:
-        return np.fromiter(map(known.__getitem__, cells), np.int32, len(cells))
-    except KeyError:
-        pass
-    found = 0
-    for k, cell in enumerate(cells):
-        if cell not in known:
-            message = f"{quoted(cell)} stands nowhere in {column.where}; correct it or add it there"
-            problems.append(Problem(first_line + k, column.name, message))
-            found += 1
-            if found > SHOWN:
-                break
-    return np.zeros(0, np.int32)
+    return f"{len(row)} cells, the header has {width}{hint}: {quoted(dialect.separator.join(row))}"
 
 
 def _pairs_again(pair: Sequence[object]) -> tuple[Index, Index]:
@@ -466,19 +347,26 @@ def _join(columns: Sequence[Column], parts: Sequence[Sequence[object]], rows: in
     return Table(rows=rows, text=text, number=number, index=index)
 
 
-def write_table(path: Path, columns: Mapping[str, Sequence[str] | Array]) -> None:
-    """Write a CSV file: text as it is, numbers shortest so that they read back equal, NaN as an empty cell.
+def write_table(
+    path: Path, columns: Mapping[str, Sequence[str] | Array], digits: Digits | Mapping[str, Digits]
+) -> None:
+    """Write a CSV file: text as it is, numbers with their digits, NaN as an empty cell.
+
+    digits  of each column of numbers, by its name; one rule for all: `EVERY` where the numbers must read back equal
 
     Cells are made for some rows at a time: as text they take ten times the memory of the numbers.
     """
     rows = {len(c) for c in columns.values()}
     if len(rows) > 1:
         raise ValueError(f"columns of {sorted(rows)} rows in {path.name}")
+    rules = digits if isinstance(digits, Mapping) else dict.fromkeys(columns, digits)
+    if without := [name for name, c in columns.items() if isinstance(c, np.ndarray) and name not in rules]:
+        raise ValueError(f"nothing says with how many digits {', '.join(without)} of {path.name} are written")
     with path.open("w", encoding="utf-8", newline="\n") as file:
         file.write(",".join(columns) + "\n")
         for start in range(0, max(rows, default=0), WRITTEN_ROWS):
-            parts = [c[start : start + WRITTEN_ROWS] for c in columns.values()]
-            file.write(rows_of(parts))
+            piece = slice(start, start + WRITTEN_ROWS)
+            file.write(rows_of([rounded(c, rules.get(name, EVERY), piece) for name, c in columns.items()]))
 
 
 WRITTEN_ROWS = 1 << 13
@@ -492,7 +380,7 @@ def times_in_order(table: Table, file: Path) -> Array:
     if len(late):
         k = int(late[0])
         raise InputError(
-            f"time {time[k + 1]:.10g} s does not follow {time[k]:.10g} s; sort the table", file=file, line=k + 3,
-            column="time_s",
+            f"time {time[k + 1]:.10g} s does not follow {time[k]:.10g} s; sort the table", file=file,
+            line=table.first_line + k + 1, column="time_s",
         )  # fmt: skip
     return time

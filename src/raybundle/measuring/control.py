@@ -13,7 +13,7 @@ import numpy as np
 from raybundle.block import Role
 from raybundle.errors import InputError
 from raybundle.io.geo.control_files import read_control
-from raybundle.io.reading.files import read_text
+from raybundle.io.reading.dialects import table_text
 from raybundle.io.reading.words import quoted
 from raybundle.measuring.action import Action
 from raybundle.measuring.checks import check_given, check_name
@@ -62,7 +62,7 @@ class GiveControl(Action):
 
 def control_of(path: str | Path) -> tuple[GiveControl, tuple[str, ...]]:
     """The action that a table point,X,Y,Z[,sX,sY,sZ][,role] makes, and what was assumed; see `control_of_text`."""
-    return control_of_text(read_text(Path(path)), str(path))
+    return control_of_text(table_text(Path(path)), str(path))
 
 
 def control_of_text(text: str, file: str) -> tuple[GiveControl, tuple[str, ...]]:

@@ -10,9 +10,10 @@ import numpy as np
 from raybundle.block import Block
 from raybundle.errors import InputError
 from raybundle.io.block.folder import write_block
-from raybundle.io.folders import new_files
+from raybundle.io.digits import EVERY, exact
+from raybundle.io.folders import check_new_file, new_files
 from raybundle.io.geo.control_files import MEASUREMENTS
-from raybundle.io.geo.coordinate_systems import parse_crs
+from raybundle.io.geo.parsed_systems import parse_crs
 from raybundle.io.reading.words import quoted
 from raybundle.io.tables import write_table
 from raybundle.measuring.film import Scans
@@ -42,19 +43,21 @@ def write_csv(state: State, path: str | Path, known: Known) -> tuple[Path, Path]
     files = _files(known)
     named = {n for n, _ in points}
     marks = [(files[i], p, m) for (i, p), m in state.marks.items() if p in named]
+    for file in (path, beside):
+        check_new_file(file)
     with new_files(path, beside) as (one, other):
         write_table(one, {
             "point": [n for n, _ in points],
             **{c: xyz[:, k] for k, c in enumerate("XYZ")},
             **{f"s{c}": sigma[:, k] for k, c in enumerate("XYZ")},
             "role": [v.role for _, v in points],
-        })  # fmt: skip
+        }, EVERY)  # fmt: skip
         write_table(other, {
             "image": [i for i, _, _ in marks],
             "point": [p for _, p, _ in marks],
             "x_px": np.array([m.x_px for _, _, m in marks], float),
             "y_px": np.array([m.y_px for _, _, m in marks], float),
-        })  # fmt: skip
+        }, EVERY)  # fmt: skip
     return path, beside
 
 
@@ -77,10 +80,11 @@ def write_gcp_list(state: State, path: str | Path, known: Known, crs: str) -> Pa
         for what, text in (("image", files[image]), ("point", name)):
             if "\t" in text or text.startswith("#"):
                 raise InputError(f"{what} {quoted(text)} cannot stand in a gcp_list.txt; export a CSV", file=path)
-        numbers = [repr(float(value)) for value in (X, Y, Z, m.x_px, m.y_px)]
+        numbers = [exact(value) for value in (X, Y, Z, m.x_px, m.y_px)]
         lines.append("\t".join([*numbers, files[image], name]))
     if len(lines) == 1:
         raise InputError("no control or check point with X, Y, Z is marked; there is nothing to export", file=path)
+    check_new_file(path)
     with new_files(path) as (file,):
         file.write_text("\n".join(lines) + "\n", encoding="utf-8", newline="\n")
     return path

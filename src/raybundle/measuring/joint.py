@@ -48,7 +48,7 @@ class Joint:
                 "the adjustment has no covariances: it was made without statistics, or is a copy; adjust again with "
                 "statistics"
             )
-        variance = adjustment.sigma0**2 if adjustment.redundancy > 0 else 1.0
+        variance = adjustment.variance_factor
         return cls(adjustment.handle.work, variance)
 
     def of_image(self, image: int) -> OfImage:

@@ -108,7 +108,7 @@ class Session:
     def variance(self) -> float:
         """Factor between a-priori covariances of image points and those that the residuals tell."""
         a = self.adjustment
-        return a.sigma0**2 if a is not None and a.redundancy > 0 else 1.0
+        return 1.0 if a is None else a.variance_factor
 
     def camera(self, image: int) -> Camera:
         """The camera of an image with the parameters of that image."""

@@ -8,7 +8,7 @@ global test alone overlooks a point that moved among many that stayed.  Limits a
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -37,6 +37,8 @@ class Congruence:
     epochs: tuple[str, ...]
     ids: tuple[str, ...]
     """Common points"""
+    xyz: Array
+    """(n, 3) in the first epoch [m]"""
     moved: Mask
     """(n,)"""
     displacement: Array
@@ -68,6 +70,17 @@ class Congruence:
     def stayed(self) -> Mask:
         """(n,) the points that carry the datum."""
         return ~self.moved
+
+    def in_axes(self, by: SimilarityTransform) -> Congruence:
+        """The same in other axes, into which `by` leads those of the first epoch; it counts as free of error.
+
+        Tests do not change.  What it does not tell: how well the axes are known; a turn of them turns displacements.
+        """
+        A = by.scale * by.rotation
+        return replace(
+            self, xyz=by.points(self.xyz), displacement=self.displacement @ A.T, covariance=A @ self.covariance @ A.T,
+            detectable=by.scale * self.detectable, transforms=tuple(_after(by, t) for t in self.transforms),
+        )  # fmt: skip
 
 
 def congruence(
@@ -104,11 +117,18 @@ def congruence(
     F, p = model.tests(moved)
     d, C = model.displacements(moved)
     return Congruence(
-        epochs=tuple(e.name for e in epochs), ids=ids, moved=moved, displacement=d, covariance=C, statistic=F,
-        p_value=p, limit=alpha, detectable=model.detectable(moved, alpha), before=model.whole(np.zeros(n, bool)),
-        after=model.whole(moved),
+        epochs=tuple(e.name for e in epochs), ids=ids, xyz=first.xyz, moved=moved, displacement=d, covariance=C,
+        statistic=F, p_value=p, limit=alpha, detectable=model.detectable(moved, alpha),
+        before=model.whole(np.zeros(n, bool)), after=model.whole(moved),
         freedom=model.freedom, significance=significance, scale=free_scale,
         transforms=tuple(_axes(s, first, ~moved, scale=free_scale) for s in sets[1:]),
+    )  # fmt: skip
+
+
+def _after(second: SimilarityTransform, first: SimilarityTransform) -> SimilarityTransform:
+    return SimilarityTransform(
+        scale=second.scale * first.scale, rotation=second.rotation @ first.rotation,
+        translation=second.points(first.translation[None])[0],
     )  # fmt: skip
 
 

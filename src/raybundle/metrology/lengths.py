@@ -6,7 +6,7 @@ asks of the arrangement (seven lines through the volume, five lengths in each) i
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -17,6 +17,11 @@ from raybundle.numerics.arrays import Array, Mask
 from raybundle.numerics.statistics import joint_test
 
 COVERAGE = 2.0
+BOUND = 0.1
+"""Share of the usual change of lengths by their points below which a combination of them is bound by geometry.
+
+A certificate whose error nobody states is taken as free of error, which it may be called if it is ten times as good as
+what it tests; in a combination that points change ten times less than others it is not."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -49,10 +54,50 @@ class LengthTest:
     limit: float
     """Probability below which an error is significant: family-wise over the lengths"""
     whole: tuple[float, float]
-    """All together, with their correlations: F of the errors, and its probability"""
+    """All that took no part together, with their correlations: F of the errors, and its probability"""
     freedom: float
     allowed: Array
     """(k,) largest error that is allowed [m]; NaN where none is stated"""
+    served: Mask
+    """(k,) lengths that were scale bars as well: they took part, and are no test"""
+    significance: float
+    """Probability that any is called significant by errors of measurement alone"""
+    worst: int
+    """The length whose error is the largest part of its standard deviation, among those that took no part"""
+    without_worst: tuple[float, float]
+    """F of the others and its probability; NaN where there are none"""
+    scale: tuple[float, float]
+    """By how much the lengths that took no part are measured too long, as a share, and its standard deviation"""
+
+    @property
+    def independent(self) -> int:
+        """Number of lengths that took no part."""
+        return int((~self.served).sum())
+
+    @property
+    def compared(self) -> Mask:
+        """(k,) the lengths that figures are taken over: those that took no part, all where each was a bar."""
+        return ~self.served if self.independent else np.ones(len(self.known), bool)
+
+    @property
+    def factor(self) -> float:
+        """How many times larger errors are than standard deviations say."""
+        return float(np.sqrt(self.whole[0]))
+
+    @property
+    def contradicts(self) -> bool:
+        """Whether lengths that took no part differ, together or one of them, by more than standard deviations say."""
+        return self.independent > 0 and bool(self.whole[1] < self.significance or self.strange.any())
+
+    @property
+    def strange(self) -> Mask:
+        """(k,) lengths that took no part whose errors are significant."""
+        return np.asarray(self.significant & ~self.served, bool)
+
+    @property
+    def largest_at(self) -> int:
+        """The length with the largest absolute error."""
+        return int(np.where(self.compared, np.abs(self.error), -1.0).argmax())
 
     @property
     def significant(self) -> Mask:
@@ -62,17 +107,18 @@ class LengthTest:
     @property
     def largest(self) -> float:
         """Largest absolute error [m]."""
-        return float(np.abs(self.error).max())
+        return float(np.abs(self.error[self.largest_at]))
 
     @property
     def rms(self) -> float:
         """[m]."""
-        return float(np.sqrt(np.mean(self.error**2)))
+        return float(np.sqrt(np.mean(self.error[self.compared] ** 2)))
 
     @property
     def within(self) -> float:
         """Share of the errors that are below two of their standard deviations: 0.95 is to be expected."""
-        return float(np.mean(np.abs(self.error) <= COVERAGE * self.error_sigma))
+        some = self.compared
+        return float(np.mean(np.abs(self.error[some]) <= COVERAGE * self.error_sigma[some]))
 
     @property
     def kept(self) -> bool | None:
@@ -84,14 +130,15 @@ class LengthTest:
 
 def length_test(
     measured: PointSet, known: Sequence[KnownLength], *, allowed: tuple[float, float] | None = None,
-    significance: float = 0.05,
+    significance: float = 0.05, bars: Collection[frozenset[str]] = (),
 ) -> LengthTest:  # fmt: skip
     """Hold lengths between measured points against known ones.
 
     allowed  A [m] and K: errors up to A + K L are allowed
+    bars     pairs of ends between which a distance took part in the adjustment
     raises   InputError for points that were not measured, lengths that are none, a scale that nothing measured
-    Known lengths are taken as independent.  What it does not tell: lengths that took part in the adjustment as scale
-    bars are no test.
+    Known lengths are taken as independent.  What it does not tell: whether points or certificates are wrong where they
+    contradict each other.
     """
     if not known:
         raise InputError("a length test needs a known length")
@@ -121,12 +168,50 @@ def length_test(
         k = known[int(np.argmin(sigma))]
         raise InputError(f"length {k.start} to {k.end} has no error: both ends are held; it is no test")
     A, K = allowed or (float("nan"), float("nan"))
+    served = np.array([frozenset((k.start, k.end)) in bars for k in known], bool)
+    some = ~served if not served.all() else np.ones(len(known), bool)
+    worst = int(np.where(some, np.abs(error) / sigma, -1.0).argmax())
+    certified = bool((wanted_sigma > 0).all())
+
+    def ways(which: Mask) -> Array:
+        return _ways(J, which, free=certified)
+
+    others = some & (np.arange(len(known)) != worst)
     return LengthTest(
         known=tuple(known), measured=length, sigma=np.sqrt(np.diagonal(C)), error=error, error_sigma=sigma,
         p_value=np.array([_tail(e / s, measured.freedom) for e, s in zip(error, sigma, strict=True)]),
-        limit=significance / len(known), whole=joint_test(error, D, measured.freedom), freedom=measured.freedom,
-        allowed=A + K * wanted,
+        limit=significance / len(known), whole=_joint(error, D, ways(some), measured.freedom), freedom=measured.freedom,
+        allowed=A + K * wanted, served=served, significance=significance, worst=worst,
+        without_worst=_joint(error, D, ways(others), measured.freedom),
+        scale=_scale(error, length, D, ways(some)),
     )  # fmt: skip
+
+
+def _ways(J: Array, some: Mask, *, free: bool) -> Array:
+    """(k, r) combinations of some lengths that points can change; of others certificates alone decide.
+
+    J     (k, 3 n) partial derivatives of the lengths by the coordinates
+    free  whether every certificate states its error: then all of them
+    The lengths between points on one bar depend on each other: what is left of them is what certificates contradict
+    each other by, their last digits, and no standard deviation of the measurement is tested by that.
+    """
+    U = np.zeros((len(J), int(some.sum())))
+    U[np.flatnonzero(some), np.arange(int(some.sum()))] = 1.0
+    if free or not some.any():
+        return U
+    left, size, _ = np.linalg.svd(J[some], full_matrices=False)
+    return U @ left[:, size > BOUND * size[0]]
+
+
+def _joint(error: Array, D: Array, U: Array, freedom: float) -> tuple[float, float]:
+    return joint_test(U.T @ error, U.T @ D @ U, freedom) if U.shape[1] else (float("nan"), float("nan"))
+
+
+def _scale(error: Array, length: Array, D: Array, U: Array) -> tuple[float, float]:
+    """Common share of the errors in the lengths by least squares, and its standard deviation."""
+    W = U @ np.linalg.pinv(U.T @ D @ U, rcond=1e-9, hermitian=True) @ U.T
+    weight = float(length @ W @ length)
+    return float(length @ W @ error) / weight, 1 / float(np.sqrt(weight))
 
 
 def _tail(ratio: float, freedom: float) -> float:

@@ -8,6 +8,7 @@ import numpy as np
 
 from raybundle.errors import InputError
 from raybundle.numerics.arrays import Array, Mask
+from raybundle.numerics.planes import hull
 
 Interval = tuple[float, float]
 NEAR = 1e-9
@@ -185,26 +186,6 @@ def widened(ring: Array, by: float) -> Array:
     turns = np.arange(12) * np.pi / 6
     circle = by / np.cos(np.pi / 12) * np.stack([np.cos(turns), np.sin(turns)], axis=1)
     return hull((corners[:, None] + circle[None]).reshape(-1, 2))
-
-
-def hull(xy: Array) -> Array:
-    """The convex hull (k, 2) of points (n, 2), counter-clockwise (Andrew 1979)."""
-    points = np.unique(np.asarray(xy, float), axis=0)
-    if len(points) < 3:
-        return points
-
-    def half(rows: Array) -> list[Array]:
-        chain: list[Array] = []
-        for p in rows:
-            while len(chain) > 1:
-                u, v = chain[-1] - chain[-2], p - chain[-1]
-                if u[0] * v[1] - u[1] * v[0] > 0:
-                    break
-                chain.pop()
-            chain.append(p)
-        return chain
-
-    return np.array(half(points)[:-1] + half(points[::-1])[:-1])
 
 
 def longest_direction(ring: Array) -> float:

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import math
+
 
 def grouped(number: int) -> str:
     """A whole number in groups of three digits: 18 803."""
@@ -24,3 +26,11 @@ def significant(value: float, digits: int = 3) -> str:
         return f"{value:.{digits - 1}e}"
     text = f"{value:#.{digits}g}"
     return f"{float(text):.0f}" if "e" in text else text.rstrip(".")
+
+
+def decimals_for(sigma: float, most: int | None = None) -> int:
+    """Decimals that show two digits of a standard deviation, `most` at most; 3 where there is none."""
+    if not math.isfinite(sigma) or sigma <= 0:
+        return 3
+    found = max(0, 1 - math.floor(math.log10(sigma)))
+    return found if most is None else min(found, most)

@@ -136,8 +136,11 @@ def _np(text: str) -> str:
     return text
 
 
-def cxx_source(name: str, derived: Derived) -> str:
-    """C++ text of `struct <name>`: all partial derivatives for a chunk of V observations, in lanes."""
+def cxx_source(name: str, derived: Derived, *, all_round: bool = False) -> str:
+    """C++ text of `struct <name>`: all partial derivatives for a chunk of V observations, in lanes.
+
+    all_round  whether points beside the sensor and behind it have an image, too
+    """
     show = _Cxx({"user_functions": {"AngleRatio": "angle_ratio", "AngleRatioSlope": "angle_ratio_slope"}}).doprint
     k = len(derived.names)
     outputs = list(enumerate(derived.outputs))
@@ -154,6 +157,7 @@ def cxx_source(name: str, derived: Derived) -> str:
         f'  static constexpr const char* label = "{name}";\n'
         f"  static constexpr int parameters = {k - 5};\n"
         f"  static constexpr bool explicit_image = {'true' if explicit else 'false'};\n"
+        f"  static constexpr bool all_round = {'true' if all_round else 'false'};\n"
         "  static RB_INLINE void evaluate(const double (*in)[V], const double (*own)[V], double (*out)[V]) {\n"
         f"{full}  }}\n"
         "  static RB_INLINE void by_image(const double (*in)[V], const double (*own)[V], double (*out)[V]) {\n"

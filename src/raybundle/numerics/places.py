@@ -58,6 +58,12 @@ class Local:
     origin: tuple[float, float, float]
     """Longitude, latitude [deg], height [m]."""
     ellipsoid: Ellipsoid = WGS84
+    crs: str = ""
+    """The coordinate system in which the block is told, "EPSG:25832+7837"; empty: none was named."""
+    crs_origin: tuple[float, float, float] = (0.0, 0.0, 0.0)
+    """The origin in that system: east, north, height."""
+    undulation_m: float | None = None
+    """Height of the geoid above the ellipsoid there; None: by the geoid's grid."""
 
     @property
     def place(self) -> LocalPlace:

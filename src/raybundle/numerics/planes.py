@@ -16,6 +16,8 @@ and ln 0.01 / ln (1 - 1e-3) trials miss it once in a hundred."""
 SAMPLE = 2000
 """Points by which the trials are compared; a tenth of them is counted to 7 %."""
 ROUNDS = 20
+STEEP = 0.26
+"""Vertical part of the normal up to which a plane is a wall: 15 degrees, which no building that stands leans"""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -30,11 +32,12 @@ class FoundPlane:
     """(n,)"""
 
 
-def plane_of_most(points: Array, sigma: Array, least: float) -> FoundPlane:
+def plane_of_most(points: Array, sigma: Array, least: float, *, steep: Array | None = None) -> FoundPlane:
     """The plane in which most of the points (n, 3) lie, fitted to these by weight.
 
     sigma  (n, 3) standard deviations of the coordinates [as these]; NaN: not known, `least` alone counts
     least  distance below which a point lies in the plane whatever its sigma [as the points], > 0
+    steep  (3,) the vertical, of which the plane is to be within 15 degrees: a wall; None: any plane
 
     Three points at a time, chosen by chance with a fixed seed, make planes to be tried; the one of least truncated
     squares is taken (MSAC: Torr, Zisserman 2000), each distance against `LIMIT` times the point's own standard
@@ -55,11 +58,18 @@ def plane_of_most(points: Array, sigma: Array, least: float) -> FoundPlane:
         if length < 1e-12:
             continue
         normal = normal / length
+        if steep is not None and abs(float(normal @ steep)) > STEEP:
+            continue
         ratio = ((few - a) @ normal) ** 2 / _square_limits(few_variance, normal, least)
         cost = float(np.minimum(ratio, 1.0).sum())
         if cost < best:
             best, found = cost, (a, normal)
     return _fitted(points, variance, least, *found)
+
+
+def in_plane(points: Array, variance: Array, least: float, origin: Array, normal: Array) -> Mask:
+    """(n,) which points lie in a plane, each within what its variances (n, 3) allow or within `least`."""
+    return ((points - origin) @ normal) ** 2 <= _square_limits(variance, normal, least)
 
 
 def _fitted(points: Array, variance: Array, least: float, origin: Array, normal: Array) -> FoundPlane:
@@ -81,3 +91,23 @@ def _fitted(points: Array, variance: Array, least: float, origin: Array, normal:
 def _square_limits(variance: Array, normal: Array, least: float) -> Array:
     """(n,) squared distances within which points lie in a plane of this normal."""
     return np.maximum(LIMIT**2 * (variance @ normal**2), least**2)
+
+
+def hull(xy: Array) -> Array:
+    """The convex hull (k, 2) of points (n, 2), counter-clockwise (Andrew 1979)."""
+    points = np.unique(np.asarray(xy, float), axis=0)
+    if len(points) < 3:
+        return points
+
+    def half(rows: Array) -> list[Array]:
+        chain: list[Array] = []
+        for p in rows:
+            while len(chain) > 1:
+                u, v = chain[-1] - chain[-2], p - chain[-1]
+                if u[0] * v[1] - u[1] * v[0] > 0:
+                    break
+                chain.pop()
+            chain.append(p)
+        return chain
+
+    return np.array(half(points)[:-1] + half(points[::-1])[:-1])

@@ -22,6 +22,7 @@ import os
 import re
 import shutil
 import sqlite3
+import sys
 import time
 import uuid
 from collections.abc import Callable, Generator, Mapping, Sequence
@@ -427,7 +428,8 @@ def _peak_memory_mb() -> float:
         import resource  # noqa: PLC0415  (not on Windows)
     except ImportError:
         return 0.0
-    return resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / 1024
+    unit = 1024**2 if sys.platform == "darwin" else 1024  # macOS counts bytes, Linux kilobytes
+    return resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / unit
 
 
 def photographs_of(result: Path) -> tuple[Path, ...]:

@@ -147,7 +147,7 @@ def frame_of(photos: Sequence[Photo], given: Given) -> LocalFrame | None:
         height = float(np.nanmean(xyz[:, 2])) if np.isfinite(xyz[:, 2]).any() else np.nan
         return local_frame(crs, (float(np.nanmean(xyz[:, 0])), float(np.nanmean(xyz[:, 1])), height))
     mean = mean_place(photos)
-    if given.control or not given.gps or mean is None:
+    if any(np.isfinite(c.xyz).any() for c in given.control) or not given.gps or mean is None:
         return None
     return local_frame(WGS84, mean)
 

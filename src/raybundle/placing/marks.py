@@ -15,6 +15,7 @@ from raybundle.block import Block, Distances, Observations, Points, Role
 from raybundle.block.select import selected
 from raybundle.errors import InputError
 from raybundle.io.geo.control_files import DEFAULTS, ControlDefaults, ControlFile
+from raybundle.io.geo.control_systems import sigma_in_metres
 from raybundle.io.geo.coordinate_systems import LocalFrame
 from raybundle.io.photos.photo import Photo
 from raybundle.io.trajectories import PhotoAttitudes
@@ -132,7 +133,7 @@ def check_marks(photos: Sequence[Photo], given: Given) -> None:
             if name not in known:
                 raise InputError(
                     f"scale bar {bar.start} - {bar.end}: point {name} is not measured in any photograph; "
-                    f"give its image measurements with {option('control')}"
+                    f"give its image measurements with {option('control')}, or have targets read: {option('target')}"
                 )
 
 
@@ -180,10 +181,7 @@ def under_kept_names(control: Sequence[ControlFile], copies: Mapping[str, str]) 
         image = [copies.get(n, copies.get(Path(n).name, n)) for n in m.image]
         first = {key: k for k, key in reversed([*enumerate(zip(image, m.point.tolist(), strict=True))])}
         rows = np.array(sorted(first.values()), np.int64)  # a point marked in both counts once
-        kept = replace(
-            m, image=tuple(image[k] for k in rows), point=m.point[rows], xy_px=m.xy_px[rows], line=m.line[rows]
-        )
-        return replace(c, measurements=kept)
+        return replace(c, measurements=replace(m, image=tuple(image)).rows(rows))
 
     return tuple(named(c) if copies else c for c in control)
 
@@ -198,18 +196,21 @@ def add_points(state: Placing, photos: Sequence[Photo], given: Given, frame: Loc
     images = {p.name: i for i, p in enumerate(photos)}
     block = state.block
     ids, xyz, sigma, role = list[str](), list[Array](), list[Array](), list[int]()
-    image, point, xy = list[int](), list[int](), list[Array]()
+    image, point, xy, cov = list[int](), list[int](), list[Array](), list[Array]()
+    by_hand = np.array([given.mark_px**2, given.mark_px**2, 0.0])
     for c in given.control:
         local = c.xyz if frame is None or not c.crs else frame.local_from_crs(c.xyz)
+        deviations = c.sigma if frame is None else sigma_in_metres(c)
         for k, name in enumerate(c.ids):
             tie = int(c.role[k]) == Role.TIE
             place = np.full(3, np.nan) if tie else local[k]
             ids.append(name)
             xyz.append(place)
-            sigma.append(np.where(np.isfinite(place), c.sigma[k], np.nan))
+            sigma.append(np.where(np.isfinite(place), deviations[k], np.nan))
             role.append(int(Role.CONTROL if tie else c.role[k]))
         unknown: dict[str, int] = {}
-        for name, k, at in zip(c.measurements.image, c.measurements.point, c.measurements.xy_px, strict=True):
+        m = c.measurements
+        for name, k, at, own in zip(m.image, m.point, m.xy_px, m.covariances, strict=True):
             i = _photo(images, name)
             if i is None:
                 unknown[name] = unknown.get(name, 0) + 1
@@ -219,6 +220,7 @@ def add_points(state: Placing, photos: Sequence[Photo], given: Given, frame: Loc
             image.append(i)
             point.append(ids.index(c.ids[int(k)]))
             xy.append(at)
+            cov.append(own if np.isfinite(own).all() else by_hand)
         if unknown:
             names = ", ".join(sorted(unknown)[:5])
             state.tell(
@@ -227,13 +229,12 @@ def add_points(state: Placing, photos: Sequence[Photo], given: Given, frame: Loc
             )
     if not ids:
         return
-    variance = given.mark_px**2
     state.block = replace(
         block,
         observations=block.observations.append(
             Observations(
                 image=np.array(image, np.int32), point=len(block.points) + np.array(point, np.int32),
-                xy_px=np.array(xy).reshape(-1, 2), cov_px2=np.tile([variance, variance, 0.0], (len(image), 1)),
+                xy_px=np.array(xy).reshape(-1, 2), cov_px2=np.array(cov).reshape(-1, 3),
             )
         ),
         points=block.points.append(
@@ -289,13 +290,16 @@ def drop_gross_marks(state: Placing, free: Array) -> None:
     xyz = np.where(np.isfinite(free), free, block.points.xyz)
     v = residuals_px(replace(block, points=replace(block.points, xyz=xyz)), rows)
     far = np.linalg.norm(v, axis=1)
-    limits = GROSS * np.sqrt(o.cov_px2[rows, :2].max(axis=1))
+    # a target is measured more precisely than the free block tells its place
+    limits = GROSS * np.maximum(np.sqrt(o.cov_px2[rows, :2].max(axis=1)), MARK_PX)
     wrong = rows[~(far <= limits)]
     for k in wrong:
         limit = float(limits[rows == k][0])
         name, file = block.points.ids[o.point[k]], block.images.ids[o.image[k]]
         beside = rows_near(block, int(k), special, limit)
         hint = f"; point {beside} is marked at the same place" if beside else ""
+        if not beside and (there := point_there(block, int(k), special, xyz, limit)) is not None:
+            hint = f"; it lies {there[1]:.2g} px from where point {there[0]} is"
         state.tell(
             "mark_rejected",
             f"the measurement of point {name} in {file} lies {far[rows == k][0]:.0f} px from where its other "
@@ -316,6 +320,27 @@ def rows_near(block: Block, row: int, special: Mask, limit: float) -> str:
         return ""
     apart = np.linalg.norm(o.xy_px[others] - o.xy_px[row], axis=1)
     return block.points.ids[o.point[others[apart.argmin()]]] if apart.min() < limit else ""
+
+
+def point_there(block: Block, row: int, special: Mask, xyz: Array, limit: float) -> tuple[str, float] | None:
+    """The other control or check point that is nearest to a mark by its other marks, and how far [px].
+
+    xyz     (p, 3) where points are by their marks; NaN: not known
+    returns None where none is within the limit
+    """
+    o = block.observations
+    others = np.flatnonzero(special & np.isfinite(xyz).all(axis=1))
+    others = others[others != o.point[row]]
+    if not len(others):
+        return None
+    taken = o.rows(np.full(len(others), row))
+    tried = replace(block, observations=replace(taken, point=others.astype(np.int32)))
+    tried = replace(tried, points=replace(block.points, xyz=xyz))
+    apart = np.linalg.norm(residuals_px(tried, np.arange(len(others))), axis=1)
+    ahead = (xyz[others] - block.images.centre[o.image[row]]) @ block.images.rotation[o.image[row]][2] < 0
+    apart = np.where(ahead & np.isfinite(apart), apart, np.inf)
+    k = int(apart.argmin())
+    return (block.points.ids[others[k]], float(apart[k])) if apart[k] < limit else None
 
 
 def _photo(images: Mapping[str, int], name: str) -> int | None:

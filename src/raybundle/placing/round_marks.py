@@ -25,6 +25,8 @@ def take_eccentricity_off(state: Placing, control: Sequence[ControlFile]) -> Non
     """
     block = state.block
     radius, stated = _as_given(block, control)
+    seen = _as_seen(block, control)
+    radius = np.where(np.isfinite(radius), radius, seen)
     o = block.observations
     rows = np.flatnonzero((radius[o.point] > 0) & block.images.oriented[o.image])
     if not len(rows):
@@ -53,6 +55,31 @@ def take_eccentricity_off(state: Placing, control: Sequence[ControlFile]) -> Non
             f"nZ, or four targets of one plane): {', '.join(unknown[:5])}",
             *unknown,
         )
+
+
+def _as_seen(block: Block, control: Sequence[ControlFile]) -> Array:
+    """Radii (p,) of targets from the sizes of their images: r_px Z / c, of a target that turns a diameter to the view.
+
+    NaN without a place or a size.  An ellipse's mean radius is r sqrt(cos t) c / Z at the angle t of its normal to the
+    ray; the largest of a target's images comes near r c / Z.
+    """
+    index = {name: k for k, name in enumerate(block.points.ids)}
+    image = {name: k for k, name in enumerate(block.images.ids)}
+    radius = np.full(len(index), np.nan)
+    for file in control:
+        m = file.measurements
+        for name, k, size in zip(m.image, m.point, m.radii_px, strict=True):
+            i, p = image.get(name), index.get(file.ids[int(k)])
+            if i is None or p is None or not np.isfinite(size) or not block.images.oriented[i]:
+                continue
+            camera = block.cameras[int(block.images.camera[i])]
+            symbol = camera.sensor.scale_symbol
+            if not symbol or not np.isfinite(block.points.xyz[p]).all():
+                continue
+            depth = abs(float((block.images.rotation[i] @ (block.points.xyz[p] - block.images.centre[i]))[2]))
+            r = float(size) * depth * float(np.mean(camera.pixel_mm)) / camera.values[symbol]
+            radius[p] = np.fmax(radius[p], r)
+    return radius
 
 
 def _as_given(block: Block, control: Sequence[ControlFile]) -> tuple[Array, Array]:

@@ -39,11 +39,13 @@ def with_relative_precision(result: Adjustment) -> Adjustment:
         told.append(f"{stated * np.sqrt(square / r):.2g} m {where}, where {stated:.2g} m are stated or assumed")
     if not told:
         return result
-    message = (
-        f"the precision of the positions relative to each other is {' and '.join(told)}. The standard deviations "
-        "stated hold for the shift that all positions have in common: residuals do not show it, and coordinates carry "
-        "it. Control points would tell it"
+    shift = (
+        "The standard deviations stated hold for the shift that all positions have in common: residuals do not show "
+        "it, and coordinates carry it. Control points would tell it"
     )
+    if result.given.points.is_control.any():
+        shift = "The standard deviations stated hold for the shift that all have in common, which the control tells"
+    message = f"the precision of the positions relative to each other is {' and '.join(told)}. {shift}"
     return replace(result, notices=(*result.notices, Notice(code="relative_positions", message=message)))
 
 

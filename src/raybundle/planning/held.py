@@ -29,8 +29,8 @@ class Wanted:
 
     control: int = 0
     """Control points"""
-    control_sigma: float = 0.002
-    """Of each of their coordinates [m]"""
+    control_sigma: tuple[float, float, float] = (0.002, 0.002, 0.002)
+    """Of their coordinates [m]"""
     bars: int = 0
     """Scale bars"""
     bar_sigma: float = 0.00005

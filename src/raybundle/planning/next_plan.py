@@ -113,7 +113,7 @@ class NextPlan:
         """
         assert after.precision is not None
         wide = wider_than_white(self.result, np.arange(len(self.block.points)))
-        scale = self.outlook.variance / (after.sigma0**2 if after.redundancy > 0 else 1.0)
+        scale = self.outlook.variance / after.variance_factor
         return scale * after.precision.object_points * wide[:, :, None] * wide[:, None]
 
 

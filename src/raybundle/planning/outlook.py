@@ -50,7 +50,7 @@ class Outlook:
         freed   camera whose parameters that were held for want of determinability are free
         """
         block = replace(result.adjusted, observations=result.given.observations)
-        factored, variance = Factored.of(result), result.sigma0**2 if result.redundancy > 0 else 1.0
+        factored, variance = Factored.of(result), result.variance_factor
         points = points_of(result, factored) if points is None else points
         free = {c.id: () for c in result.given.parametrised} | {i.camera: i.free for i in result.interior}
         wider = wider_than_white(result, points)
@@ -87,7 +87,7 @@ def wider_than_white(result: Adjustment, points: Index) -> Array:
     """(t, 3) how much wider standard deviations of points are stated than for white noise."""
     if result.precision is None or result.noise.kind != "fields":
         return np.ones((len(points), 3))
-    variance = result.sigma0**2 if result.redundancy > 0 else 1.0
+    variance = result.variance_factor
     stated = _diagonals(result.precision.object_points[points])
     white = variance * _diagonals(Factored.of(result).found.points[points])
     with np.errstate(all="ignore"):

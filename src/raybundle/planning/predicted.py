@@ -68,7 +68,7 @@ def predicted(block: Block, options: AdjustmentOptions | None = None) -> Predict
     What it does not tell: errors that no observation of the block knows of, as a wrong antenna height or geoid.
     """
     with np.errstate(over="ignore", invalid="ignore"):  # test values of no residual, which nobody asks for
-        result = adjust_block(block, options or AdjustmentOptions(threads=1, noise="white"))
+        result = adjust_block(block, options or AdjustmentOptions(jobs=1, noise="white"))
     assert result.precision is not None
     variance = result.sigma0**2 if result.redundancy > 0 and result.sigma0 > 0 else 1.0
     std, lost = dict[Owned, float](), list[Owned]()

@@ -181,7 +181,9 @@ def flight_aerial(plan: Flight) -> Aerial:
     scene = flight_scene(plan)
     if plan.control and plan.control not in PLACES:
         known = ", ".join(map(str, PLACES))
-        raise InputError(f"{plan.control} control points: where they lie is known for {known} ({option('control')})")
+        raise InputError(
+            f"{plan.control} control points: where they lie is known for {known} ({option('control_points')})"
+        )
     heading = scene.rotation[:, 1] * [1.0, 1.0, 0.0]  # upwards in the image is ahead
     speed = plan.speed / np.linalg.norm(heading, axis=1, keepdims=True)
     whole = Aerial(
@@ -202,7 +204,7 @@ def flight_aerial(plan: Flight) -> Aerial:
             f"flight: {len(keep)} of {len(count)} photographs show {plan.least_points} tie points or more, two are "
             f"needed. A photograph covers {across} m, tie points lie {dense:.3g} m apart over {wide:.3g} x {long:.3g} "
             f"m, photographs {plan.base:.3g} m and lines {plan.spacing:.3g} m: bring "
-            f"these figures together ({option('height')}, {option('base')}, {option('spacing')}, {option('ground')}, "
-            f"{option('points')}, {option('jitter')})"
+            f"these figures together ({option('height')}, {option('base')}, {option('line_spacing')}, "
+            f"{option('ground')}, {option('tie_points')}, {option('jitter')})"
         )
     return whole if len(keep) == len(count) else whole.part(keep)

@@ -3,16 +3,19 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from importlib import import_module
 from pkgutil import iter_modules
 from typing import TYPE_CHECKING, TypeVar
 
+from raybundle.report.arrangement import PartName
+from raybundle.report.languages.language import Language
 from raybundle.report.parts import Section
 from raybundle.report.view import View
 
 if TYPE_CHECKING:
     from raybundle.calibration.quality import CalibrationQuality
+    from raybundle.report.delivery import Delivery
     from raybundle.report.facts import PhotographFacts
     from raybundle.report.text.words import Verdict
 
@@ -25,10 +28,16 @@ class Occasion:
 
     view: View
     told: Verdict
+    all_coordinates: bool = False
+    """Whether the appendix holds every object point, and not the first of many alone"""
     photographs: PhotographFacts | None = None
     """what is known of the photographs; None: the adjustment does not come from any"""
     qualities: tuple[CalibrationQuality, ...] = ()
     """verdicts on calibrated cameras"""
+    delivery: Delivery | None = None
+    """who it is for, in which system, and whether it is as good as was asked for; None: nobody said"""
+    language: Language = field(default_factory=Language)
+    """in which the report will be set: chapters are made in English, but for what is cut to its length"""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -39,24 +48,30 @@ class Chapter:
     after: str
     """the chapter that it follows; empty: it begins the report"""
     make: Callable[[Occasion], tuple[Section, ...]]
+    part: PartName = "specialist"
+    """who reads it"""
 
 
 _chapters: dict[str, Chapter] = {}
 
 
 def chapter(
-    name: str, *, after: str
+    name: str, *, after: str, part: PartName = "specialist"
 ) -> Callable[[Callable[[Occasion], tuple[Section, ...]]], Callable[[Occasion], tuple[Section, ...]]]:
-    """Register a function as the chapter of this name."""
+    """Register a function as the chapter of this name.
+
+    part  client: what stands first, on a page of its own in print, without numbers; specialist: numbered sections,
+          of which long tables and what is folded go to the appendix; appendix: what is looked up, behind all others
+    """
 
     def add(make: Callable[[Occasion], tuple[Section, ...]]) -> Callable[[Occasion], tuple[Section, ...]]:
-        _chapters[name] = Chapter(name=name, after=after, make=make)
+        _chapters[name] = Chapter(name=name, after=after, make=make, part=part)
         return make
 
     return add
 
 
-def section(name: str, *, after: str) -> Callable[[OfView], OfView]:
+def section(name: str, *, after: str, part: PartName = "specialist") -> Callable[[OfView], OfView]:
     """Register a function of a view as a chapter of one section; None: nothing is to be said."""
 
     def add(make: OfView) -> OfView:
@@ -64,7 +79,7 @@ def section(name: str, *, after: str) -> Callable[[OfView], OfView]:
             made = make(o.view)
             return () if made is None else (made,)
 
-        _chapters[name] = Chapter(name=name, after=after, make=chapter_of)
+        _chapters[name] = Chapter(name=name, after=after, make=chapter_of, part=part)
         return make
 
     return add

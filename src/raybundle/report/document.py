@@ -1,11 +1,12 @@
-"""The report: one HTML file with everything in it, written from an adjustment."""
+"""The report: one HTML file with everything in it, and one PDF, written from an adjustment."""
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+from dataclasses import dataclass, field
 from datetime import UTC, datetime
 from functools import cache
 from pathlib import Path
-from typing import Any
 
 from jinja2 import Environment, PackageLoader, StrictUndefined
 
@@ -13,12 +14,23 @@ from raybundle.adjustment.result import Adjustment
 from raybundle.calibration.quality import CalibrationQuality
 from raybundle.io.folders import new_files
 from raybundle.numerics.progress import Progress, silent
+from raybundle.report.arrangement import Division, Measure, PartName, arranged, undivided
 from raybundle.report.chapters import Occasion, chapters
+from raybundle.report.delivery import Delivery, delivery_of
 from raybundle.report.facts import PhotographFacts
+from raybundle.report.languages import ENGLISH
+from raybundle.report.languages.language import Language, language_of
+from raybundle.report.languages.names import names_of
+from raybundle.report.languages.setting import section_in
 from raybundle.report.parts import Section
-from raybundle.report.sections.calibration import graver, headline, worst
+from raybundle.report.sections.calibration import headline
+from raybundle.report.text.front_words import grade_of, not_kept, title_of
+from raybundle.report.text.metrology_words import length_of
+from raybundle.report.text.widths import least_width
 from raybundle.report.text.words import unsettled, verdict
 from raybundle.report.view import view_of
+
+PDF = ".pdf"
 
 
 @cache
@@ -33,17 +45,67 @@ def environment() -> Environment:
     )
 
 
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Document:
+    """A report before it is set: what pages and paper have in common."""
+
+    title: str
+    subtitle: str
+    headline: str
+    grade: str
+    made: tuple[tuple[PartName, Section], ...]
+    """the sections in the order of their chapters, and who reads each"""
+    divided: bool = True
+    """whether it has the three parts of a report"""
+    language: Language = field(default_factory=Language)
+    """in which its texts are"""
+    written: datetime = field(default_factory=lambda: datetime.now(UTC).astimezone())
+
+    def divisions(self, measure: Measure | None = None) -> tuple[Division, ...]:
+        """Its parts; `measure`: how much of the specialist's stands in the appendix."""
+        if not self.divided:
+            return undivided(s for _, s in self.made)
+        return arranged(self.made, measure, self.language.text)
+
+    @property
+    def when(self) -> str:
+        """When it was written, in words."""
+        return self.language.moment(self.written)
+
+
 def page(*, title: str, subtitle: str, headline: str, grade: str, sections: tuple[Section, ...]) -> str:
-    """A whole HTML page with a table of contents."""
-    context: dict[str, Any] = {
-        "title": title,
-        "subtitle": subtitle,
-        "headline": headline,
-        "grade": grade,
-        "sections": sections,
-        "written": datetime.now(UTC).astimezone().strftime("%Y-%m-%d %H:%M"),
-    }
-    return environment().get_template("page.html.j2").render(context)
+    """A whole HTML page of one part, with a table of contents."""
+    made: tuple[tuple[PartName, Section], ...] = tuple(("specialist", s) for s in sections)
+    return html(Document(title=title, subtitle=subtitle, headline=headline, grade=grade, made=made, divided=False))
+
+
+def html(document: Document) -> str:
+    """A document as one HTML page that needs no other file."""
+    return (
+        environment()
+        .get_template("page.html.j2")
+        .render(document=document, divisions=document.divisions(), least_width=least_width)
+    )
+
+
+def document_of(occasion: Occasion, progress: Progress = silent) -> Document:
+    """The report of an adjustment: every chapter that has something to say, in its part."""
+    say = occasion.language
+    made: list[tuple[PartName, Section]] = []
+    every = chapters()
+    for k, chapter in enumerate(every):
+        progress(f"report: {chapter.name}", k / len(every))
+        made.extend((chapter.part, section_in(section, say)) for section in chapter.make(occasion))
+    block, told, qualities = occasion.view.adjustment.given, occasion.told, occasion.qualities
+    head = headline(qualities) + unsettled(occasion.view) if qualities else told.headline
+    return Document(
+        title=say.text(title_of(occasion)),
+        subtitle=block.about or block.source,
+        headline=say.text(head + not_kept(occasion)),
+        grade=grade_of(occasion),
+        made=tuple(made),
+        language=say,
+    )
 
 
 def write_report(
@@ -52,32 +114,58 @@ def write_report(
     progress: Progress = silent,
     photographs: PhotographFacts | None = None,
     qualities: tuple[CalibrationQuality, ...] = (),
+    delivery: Delivery | None = None,
+    *,
+    all_coordinates: bool = False,
+    language: str = ENGLISH,
 ) -> None:
-    """Write report.html: one file that needs no other, no network and no font.
+    """Write the report of an adjustment: report.html for the screen, report.pdf for print and archive.
 
-    adjustment   any result: without statistics, control or redundancy the parts that need them say so
-    path         the file; its folder exists; an older file is overwritten
-    photographs  what is known of the photographs that the adjustment comes from; None: those sections are left out
-    qualities    verdicts on calibrated cameras; they come first then
+    adjustment       any result: without statistics, control or redundancy the parts that need them say so
+    path             the file, a PDF where its name ends in .pdf; it needs no other, no network and no font.  Its
+                     folder exists; an older file is overwritten
+    photographs      what is known of the photographs that the adjustment comes from; None: those sections are left out
+    qualities        verdicts on calibrated cameras; they come first then
+    delivery         who it is for, in which system, whether it is as good as was asked for; None: nobody said
+    all_coordinates  whether the appendix holds every object point, and not the first of many alone
+    language         of the report, as "de"; InputError for one that there is not
 
     Long tables and dense figures are thinned evenly and say so; the result folder's tables hold every row.
     """
-    view = view_of(adjustment)
-    told = verdict(view)
-    occasion = Occasion(view=view, told=told, photographs=photographs, qualities=qualities)
-    sections: list[Section] = []
-    every = chapters()
-    for k, chapter in enumerate(every):
-        progress(f"report: {chapter.name}", k / len(every))
-        sections += chapter.make(occasion)
-    block = adjustment.given
-    html = page(
-        title=f"Adjustment of {block.name}" if not qualities else "Calibration",
-        subtitle=block.about or block.source,
-        headline=told.headline if not qualities else headline(qualities) + unsettled(view),
-        grade=told.grade if not qualities else graver(told.grade if unsettled(view) else "good", worst(qualities)),
-        sections=tuple(sections),
+    write_reports(
+        adjustment, (Path(path),), progress, photographs=photographs, qualities=qualities, delivery=delivery,
+        all_coordinates=all_coordinates, language=language,
+    )  # fmt: skip
+
+
+def write_reports(
+    adjustment: Adjustment, files: Sequence[Path], progress: Progress = silent, *,
+    photographs: PhotographFacts | None = None, qualities: tuple[CalibrationQuality, ...] = (),
+    delivery: Delivery | None = None, all_coordinates: bool = False, language: str = ENGLISH,
+) -> None:  # fmt: skip
+    """Write one report, as `write_report` does, into several files of one folder."""
+    delivery = delivery or delivery_of(adjustment)
+    view = view_of(adjustment, delivery.accuracy, length_of(delivery.findings))
+    occasion = Occasion(
+        view=view,
+        told=verdict(view),
+        all_coordinates=all_coordinates,
+        photographs=photographs,
+        qualities=qualities,
+        delivery=delivery,
+        language=language_of(language, names_of(adjustment, photographs, delivery)),
     )
-    with new_files(Path(path)) as (file,):
-        file.write_text(html, encoding="utf-8")
+    document = document_of(occasion, progress)
+    with new_files(*files) as new:
+        for file in new:
+            file.write_bytes(_set(document, file, progress))
     progress("report", 1.0)
+
+
+def _set(document: Document, target: Path, progress: Progress) -> bytes:
+    if target.suffix.lower() != PDF:
+        return html(document).encode("utf-8")
+    from raybundle.report.paper.press import pdf_of  # noqa: PLC0415  (the typesetter only where it is used)
+
+    progress("report: printed pages", 1.0)
+    return pdf_of(document)

@@ -18,8 +18,8 @@ from raybundle.block import Block, Role
 from raybundle.io.folders import new_files
 from raybundle.numerics.arrays import Array, Index
 from raybundle.report.document import environment
-from raybundle.report.figures.network import frusta
 from raybundle.report.figures.svg import spread_rows
+from raybundle.report.network_shape import frusta
 from raybundle.report.sigma_classes import sigma_classes
 from raybundle.report.text.numbers import counted, grouped, plain
 from raybundle.report.text.words import datum_words

@@ -36,6 +36,8 @@ class Table:
     note: str = ""
     marked: frozenset[int] = frozenset()
     """Rows that stand out."""
+    stays: bool = False
+    """Whether it stands where it is however long it is, as warnings do; other long tables go to the appendix."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -70,6 +72,8 @@ class Figures:
     kind: ClassVar[str] = "figures"
     figures: tuple[Figure, ...]
     small: bool = False
+    first: bool = False
+    """Whether a specialist wants them before others where there is no room for all"""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -99,19 +103,30 @@ class Statements:
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Folded:
-    """Parts that are shown on demand."""
+    """Parts that are shown on demand; of a section that specialists read they stand in the appendix."""
 
     kind: ClassVar[str] = "folded"
     summary: str
     parts: tuple[Part, ...]
 
 
-Part = Table | Paragraph | Heading | Figures | Facts | Statements | Folded
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Pointer:
+    """Where in the appendix to read on."""
+
+    kind: ClassVar[str] = "pointer"
+    anchor: str
+    number: str
+    items: tuple[str, ...]
+    """What stands there."""
+
+
+Part = Table | Paragraph | Heading | Figures | Facts | Statements | Folded | Pointer
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Section:
-    """A numbered section of the report."""
+    """A section of the report; it is numbered where it is put in its place."""
 
     anchor: str
     title: str
@@ -142,6 +157,7 @@ def table(
     rest: str = "",
     most: int = MOST_ROWS,
     marked: Iterable[int] = (),
+    stays: bool = False,
 ) -> Table:
     """A table from its columns' cells, cut after `most` rows; `rest` says where the others are."""
     by_column = [list(v) for v in values]
@@ -150,7 +166,7 @@ def table(
         cut = f"{grouped(most)} of {grouped(count)} rows are shown" + (f"; all are in {rest}." if rest else ".")
         note = f"{note} {cut}".strip()
     rows = list(zip(*(c[:most] for c in by_column), strict=True))
-    return Table(columns=tuple(columns), rows=rows, caption=caption, note=note, marked=frozenset(marked))
+    return Table(columns=tuple(columns), rows=rows, caption=caption, note=note, marked=frozenset(marked), stays=stays)
 
 
 def pick(rows: Iterable[int], values: Sequence[str]) -> list[str]:

@@ -11,12 +11,55 @@ import numpy as np
 from raybundle.adjustment.cell_means import normalised_residuals
 from raybundle.block import Camera
 from raybundle.numerics.arrays import Array, Index, Mask
+from raybundle.report.figures.svg import spread_rows
 from raybundle.report.view import View, rms
 
 
 def normalised(view: View) -> Array:
     """Residuals over their standard deviation (m, 2), a-posteriori; NaN where untested or rejected."""
     return normalised_residuals(view.adjustment)
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Distribution:
+    """Normalised residuals counted in columns, beside what a normal distribution lets expect."""
+
+    edges: Array
+    """(k + 1,) of the columns, within +-5; what lies beyond counts in the outermost ones"""
+    counts: Array
+    """(k,)"""
+    at: Array
+    expected: Array
+    """counts in a column of this width at the values `at`"""
+
+
+def distribution(tests: Array) -> Distribution:
+    """Columns of the finite normalised residuals, and the normal curve of as many."""
+    t = tests[np.isfinite(tests)]
+    width = 0.25 if len(t) >= 1000 else 0.5
+    edges = np.arange(-5.0, 5.0 + width / 2, width)
+    x = np.linspace(-5, 5, 101)
+    return Distribution(
+        edges=edges, counts=np.histogram(np.clip(t, -5, 5 - 1e-9), edges)[0].astype(float), at=x,
+        expected=len(t) * width * np.exp(-x * x / 2) / math.sqrt(2 * math.pi),
+    )  # fmt: skip
+
+
+def normalised_symbol(view: View) -> str:
+    """What normalised residuals are, in symbols."""
+    return "w / σ₀" if view.adjustment.precision is not None else "v / (s σ₀)"
+
+
+def spread_vectors(tests: Array, most: int) -> Index:
+    """Positions of the residuals that are drawn of many: the largest by |w| and others, evenly spread.
+
+    tests  (m, 2) normalised residuals
+    """
+    if len(tests) <= most:
+        return np.arange(len(tests))
+    size = np.nan_to_num(np.abs(tests).max(axis=1))
+    large = np.argsort(-size, kind="stable")[:20]
+    return np.unique(np.concatenate([large, spread_rows(len(tests), most - 20)]))
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -4,15 +4,20 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from importlib import import_module
-from typing import Any, Literal
+from typing import Any, Literal, overload
 
 import numpy as np
+from numpy.typing import NDArray
 
 from raybundle.adjustment.result import Adjustment
 from raybundle.errors import InputError
 from raybundle.results.tables import result_tables
 
 
+@overload
+def table(result: Adjustment, name: str, to: Literal["numpy"] = "numpy") -> NDArray[np.void]: ...
+@overload
+def table(result: Adjustment, name: str, to: Literal["pandas", "polars"]) -> Any: ...
 def table(result: Adjustment, name: str, to: Literal["numpy", "pandas", "polars"] = "numpy") -> Any:
     """One table of a result, with the columns and units of NAME.csv in a result folder.
 

@@ -7,9 +7,11 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
+from raybundle.adjustment.accuracy import Accuracy
 from raybundle.adjustment.check_points import check_differences, used_rays
 from raybundle.adjustment.result import Adjustment, InteriorResult
 from raybundle.block import Block
+from raybundle.metrology.lengths import LengthTest
 from raybundle.numerics.arrays import Array, Index, Mask
 from raybundle.report.figures.distortion import Interior, interior_of
 
@@ -30,7 +32,7 @@ class View:
     rejected: Index
     """(k,) rows that did not"""
     scale: float
-    """sigma0 a posteriori; 1 where there is none"""
+    """Root of the variance factor: sigma0 a posteriori; 1 where there is none, and with factors of groups"""
     factor: float
     """From the block's length unit to that of standard deviations in print"""
     unit: str
@@ -44,6 +46,15 @@ class View:
     check_rows: Index
     check_difference: Array
     """(k, 3) adjusted minus given [length unit]"""
+    accuracy: Accuracy
+    """At check points and of control left out, along the axes of the client"""
+    lengths: LengthTest | None = None
+    """Known lengths that took no part in the adjustment; None: there are none"""
+
+    @property
+    def compared(self) -> bool:
+        """Whether anything independent was compared: check points, or lengths that took no part."""
+        return self.lengths is not None or bool(np.isfinite(self.check_difference).any())
 
     @property
     def given(self) -> Block:
@@ -72,8 +83,12 @@ class View:
         return [(c, mask) for c, mask in found if mask.any()]
 
 
-def view_of(adjustment: Adjustment) -> View:
-    """The view of an adjustment."""
+def view_of(adjustment: Adjustment, accuracy: Accuracy | None = None, lengths: LengthTest | None = None) -> View:
+    """The view of an adjustment.
+
+    accuracy  of it along the axes of the client; None: along those of object space
+    lengths   that took no part
+    """
     used = adjustment.image_observations.used
     std = _object_point_std(adjustment)
     factor, unit = printed_lengths(adjustment)
@@ -82,7 +97,7 @@ def view_of(adjustment: Adjustment) -> View:
         adjustment=adjustment,
         used=used,
         rejected=np.flatnonzero(~used).astype(np.int32),
-        scale=adjustment.sigma0 if math.isfinite(adjustment.sigma0) and adjustment.sigma0 > 0 else 1.0,
+        scale=math.sqrt(adjustment.variance_factor) or 1.0,
         factor=factor,
         unit=unit,
         length_unit=length_unit(adjustment),
@@ -90,6 +105,8 @@ def view_of(adjustment: Adjustment) -> View:
         rays=used_rays(adjustment),
         check_rows=rows,
         check_difference=difference,
+        accuracy=accuracy or Accuracy(adjustment),
+        lengths=lengths,
     )
 
 

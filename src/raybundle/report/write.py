@@ -3,18 +3,25 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
+from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Literal
 
 from raybundle.adjustment.result import Adjustment
 from raybundle.io.tables import write_table
 from raybundle.numerics.progress import Progress, silent
-from raybundle.results.folder import written_folder
+from raybundle.report.languages import ENGLISH, checked_language
+from raybundle.report.paper.needed import check_typesetter
+from raybundle.results.folder import MAP, MAP_CONTROL, written_folder
+from raybundle.results.record import RECORD_FILE, Record
+from raybundle.results.recorded import known_by_photographs, recorded_text
 
 if TYPE_CHECKING:
+    from raybundle.adjustment.accuracy_class import AccuracyClass
     from raybundle.calibration.quality import CalibrationQuality
     from raybundle.io.geo.coordinate_systems import LocalFrame
     from raybundle.report.facts import PhotographFacts
+    from raybundle.report.outcome import Outcome
 
 
 def write_result(
@@ -22,38 +29,93 @@ def write_result(
     path: str | Path,
     *,
     report: Literal["html", "none"] = "html",
+    pdf: bool = False,
+    all_coordinates: bool = False,
+    language: str = ENGLISH,
     additions: Mapping[str, object] | None = None,
     photographs: PhotographFacts | None = None,
     frame: LocalFrame | None = None,
     qualities: tuple[CalibrationQuality, ...] = (),
+    wanted: AccuracyClass | None = None,
+    record: Record | None = None,
+    outcomes: tuple[Outcome, ...] = (),
+    findings: tuple[object, ...] = (),
     more: Callable[[Path], None] | None = None,
     progress: Progress = silent,
 ) -> None:
     """Write a result folder, whole or not at all; an older result there is replaced when the new one is complete.
 
     report       "html": report.html and network.html, the network in three dimensions
+    pdf          whether report.pdf is written, beside report.html or without it
+    all_coordinates  whether the report holds every object point, and not the first of many alone
+    language     of the report: "de"; tables and result.json are English in any
     additions    further keys of result.json
     photographs  what is known of the photographs that the adjustment comes from
     frame        the coordinate system in which the local frame of the adjustment stands; map.csv is in that system
     qualities    verdicts on calibrated cameras; calibration.toml, as orient takes it, is written beside them
+    wanted       accuracy that is asked for at check points
+    record       title, client and the like
+    outcomes     what became of what else was asked for
+    findings     what else was found with the points, for the report: a best fit, a length test
     more         writes further files of the result into the folder
-    raises       InputError where something else stands at `path`
+    raises       InputError where something else stands at `path`, or reports are not written in the language
     """
-    with written_folder(adjustment, path, additions, progress) as folder:
-        if frame is not None:
-            from raybundle.results.map_table import map_table  # noqa: PLC0415  (pyproj only where it is used)
+    from raybundle.report.delivery import delivery_of  # noqa: PLC0415  (what computes is loaded where it is used)
 
-            write_table(folder / "map.csv", map_table(adjustment, frame))
+    checked_language(language)
+    if pdf:
+        check_typesetter()
+    delivery = delivery_of(adjustment, frame=frame, wanted=wanted, record=record, outcomes=outcomes, findings=findings)
+    added = {**(additions or {}), **delivery.as_mapping()}
+    with written_folder(adjustment, path, added, progress) as folder:
+        if frame is not None:
+            from raybundle.results.map_table import (  # noqa: PLC0415  (pyproj only where it is used)
+                map_control_table,
+                map_table,
+            )
+
+            write_table(folder / MAP, *map_table(adjustment, frame))
+            compared = [("control", delivery.accuracy.control), ("check", delivery.accuracy.check)]
+            if any(len(c.rows) for _, c in compared):
+                write_table(folder / MAP_CONTROL, *map_control_table(adjustment, frame, compared))
         if qualities:
             from raybundle.results.calibrated import calibration_text  # noqa: PLC0415
 
             text = calibration_text(adjustment, qualities)
             (folder / "calibration.toml").write_text(text, encoding="utf-8", newline="\n")
+        if photographs is not None or delivery.record.as_mapping():
+            (folder / RECORD_FILE).write_text(_recorded(adjustment, delivery.record, photographs), encoding="utf-8")
         if more is not None:
             more(folder)
+        pages = [folder / name for name, wanted in (("report.html", report == "html"), ("report.pdf", pdf)) if wanted]
+        if pages:
+            from raybundle.report.document import write_reports  # noqa: PLC0415  (Jinja2 only where it is used)
+
+            names = [*(entry.name for entry in folder.iterdir() if not _empty(entry)), *(p.name for p in pages)]
+            names += ["network.html"] * (report == "html")
+            write_reports(
+                adjustment, pages, progress, photographs=photographs, qualities=qualities,
+                delivery=replace(delivery, files=tuple(sorted(names))), all_coordinates=all_coordinates,
+                language=language,
+            )  # fmt: skip
         if report == "html":
-            from raybundle.report.document import write_report  # noqa: PLC0415  (Jinja2 only where it is used)
             from raybundle.report.network_page import write_network_page  # noqa: PLC0415
 
-            write_report(adjustment, folder / "report.html", progress, photographs, qualities)
             write_network_page(adjustment, folder / "network.html")
+
+
+def _recorded(adjustment: Adjustment, record: Record, facts: PhotographFacts | None) -> str:
+    """The recording sheet with what the photographs know."""
+    known = None
+    if facts is not None:
+        devices = {p.camera: p.device for p in facts.photographs if p.device}
+        known = known_by_photographs(adjustment, devices, tuple(p.taken for p in facts.photographs))
+    return recorded_text(record, known)
+
+
+def _empty(entry: Path) -> bool:
+    """Whether a file is a table without rows, which nobody needs."""
+    if entry.suffix != ".csv":
+        return False
+    with entry.open("rb") as file:
+        return not (file.readline() and file.readline())

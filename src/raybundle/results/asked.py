@@ -53,7 +53,7 @@ def made_as(block: Path, given: Block) -> tuple[Block, AdjustmentOptions]:
 
 def _as_told(block: Block, points: Path, *, moved: bool) -> Block:
     """The block with its control points in the roles that a result's table gives them, and `moved` to their places."""
-    table = read_table(points, columns_of_table("points"), least_rows=0)
+    table = read_table(points, columns_of_table("points"), least_rows=0, own=True)
     if not table.rows:
         return block
     at = {name: k for k, name in enumerate(table.text["point"])}

@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
-from dataclasses import asdict
+from collections.abc import Mapping, Sequence
+from dataclasses import asdict, fields, is_dataclass
 from typing import Any, cast
 
 import numpy as np
@@ -12,6 +12,15 @@ import numpy as np
 from raybundle.adjustment.counts import counts
 from raybundle.adjustment.result import Adjustment, InteriorResult, gravest_first
 from raybundle.block.rejection import counts as rejections
+from raybundle.io.digits import (
+    SHARE,
+    STD,
+    TEST,
+    Digits,
+    Places,
+    one,
+    told,
+)
 
 
 def result_json(adjustment: Adjustment) -> dict[str, Any]:
@@ -24,9 +33,9 @@ def result_json(adjustment: Adjustment) -> dict[str, Any]:
         "raybundle": _version(),
         "length_unit": a.given.length_unit,
         "scale": "free" if "scale" in a.datum_defect else "fixed",
-        "sigma0": a.sigma0,
+        "sigma0": one(a.sigma0, SHARE),
         "sigma0_apriori": a.given.sigma0_apriori,
-        "weighted_square_sum": a.weighted_square_sum,
+        "weighted_square_sum": one(a.weighted_square_sum, SHARE),
         "redundancy": a.redundancy,
         "observations": a.observations,
         "unknowns": a.unknowns,
@@ -35,8 +44,8 @@ def result_json(adjustment: Adjustment) -> dict[str, Any]:
         "datum_defect": list(a.datum_defect),
         "converged": a.converged,
         "iterations": a.iterations,
-        "seconds": a.seconds,
-        "global_test": {"lower": lower, "statistic": statistic, "upper": upper},
+        "seconds": one(a.seconds, Places(3)),
+        "global_test": told({"lower": lower, "statistic": statistic, "upper": upper}),
         "images_count": n.images_given,
         "images_used": n.images_used,
         "points_count": n.points_given,
@@ -45,17 +54,18 @@ def result_json(adjustment: Adjustment) -> dict[str, Any]:
         "image_points_used": n.image_observations_used,
         "rejected": n.rejected,
         "rejections": rejections(a.image_observations.rejected),
-        "relative_precision": math.nan if a.network is None else a.network.relative_precision,
-        "extent": math.nan if a.network is None else a.network.extent,
-        "mean_std": math.nan if a.network is None else a.network.mean_std,
-        "critical_w": a.critical_w,
-        "critical_tau": a.critical_tau,
+        "relative_precision": math.nan if a.network is None else one(a.network.relative_precision, SHARE),
+        "extent": math.nan if a.network is None else one(a.network.extent, SHARE),
+        "mean_std": math.nan if a.network is None else one(a.network.mean_std, STD),
+        "critical_w": one(a.critical_w, SHARE),
+        "critical_tau": one(a.critical_tau, SHARE),
         "not_determinable": list(a.not_determinable),
         "not_significant": list(a.not_significant),
         "cameras": {_key(i): _parameters(i) for i in a.interior},
         "correlations": {_key(i): _correlations(i) for i in a.interior if len(i.free)},
-        "noise": asdict(a.noise),
-        "variance_components": [asdict(v) for v in a.variance_components],
+        "noise": told(asdict(a.noise)),
+        "variance_components": [told(asdict(v)) for v in a.variance_components],
+        **({"group_factors": [told(asdict(g)) for g in a.group_factors]} if a.options.variance_groups else {}),
         "options": asdict(a.options),
         "warnings": [
             {"code": n.code, "severity": n.severity.value, "message": n.message, "ids": list(n.ids)}
@@ -83,29 +93,36 @@ def _parameters(interior: InteriorResult) -> dict[str, dict[str, Any]]:
             "value": p.value,
             "std": p.std,
             "std_white": p.std if p.std_white is None else p.std_white,
-            "t": p.t,
+            "t": _one(p.t, TEST),
             "unit": p.unit,
             "status": p.status,
-            "determinability": p.determinability,
-            "effect_px": p.effect_px,
+            "determinability": _one(p.determinability, STD),
+            "effect_px": _one(p.effect_px, STD),
         }
         for symbol, p in interior.parameters.items()
     }
 
 
+def _one(value: float | None, digits: Digits) -> float | None:
+    return None if value is None else one(value, digits)
+
+
 def _correlations(interior: InteriorResult) -> dict[str, dict[str, float]]:
-    table = np.asarray(interior.correlations).tolist()
-    return {s: dict(zip(interior.free, row, strict=True)) for s, row in zip(interior.free, table, strict=True)}
+    """With all digits, as the values and standard deviations: other adjustments observe the camera with them."""
+    R = np.asarray(interior.correlations, float)
+    return {s: dict(zip(interior.free, row, strict=True)) for s, row in zip(interior.free, R.tolist(), strict=True)}
 
 
 def clean(value: Any) -> Any:
-    """The value with plain numbers, and None in place of NaN and infinity."""
-    if isinstance(value, dict):
-        return {str(k): clean(v) for k, v in cast("dict[Any, Any]", value).items()}
+    """The value with plain numbers, arrays and data classes as lists and objects, and None for NaN and infinity."""
+    if is_dataclass(value) and not isinstance(value, type):
+        return {f.name: clean(getattr(value, f.name)) for f in fields(value)}
+    if isinstance(value, Mapping):
+        return {str(k): clean(v) for k, v in cast("Mapping[Any, Any]", value).items()}
     if isinstance(value, list | tuple):
         return [clean(v) for v in cast("Sequence[Any]", value)]
-    if isinstance(value, np.generic):
-        return clean(value.item())
+    if isinstance(value, np.generic | np.ndarray):
+        return clean(cast("Any", value).tolist())
     if isinstance(value, float) and not math.isfinite(value):
         return None
     return value

@@ -14,29 +14,38 @@ from raybundle.adjustment.result import Adjustment
 from raybundle.block import Block
 from raybundle.errors import InputError
 from raybundle.io.block.folder import block_files, read_block, write_block_files
+from raybundle.io.digits import told
 from raybundle.io.folders import check_place, new_folder
 from raybundle.io.reading.trees import read_json
 from raybundle.io.reading.words import quoted
 from raybundle.io.tables import Column, Table, read_table, write_table
 from raybundle.numerics.progress import Progress, silent
 from raybundle.results.contents import clean, result_json
+from raybundle.results.digits import result_digits
 from raybundle.results.tables import ALWAYS, TABLES, result_table
 from raybundle.settings import option
 
 PROJECT = "project"
 """Folder in a result folder where `raybundle calibrate` keeps what is finished"""
+MAP, MAP_CONTROL = "map.csv", "map_control.csv"
+"""The tables of adjusted coordinates in the system of the control, and of its control and check points"""
 ENTRIES = {
     "block",
     "result.json",
     "report.html",
+    "report.pdf",
     "network.html",
-    "map.csv",
+    MAP,
+    MAP_CONTROL,
     "calibration.toml",
+    "record.toml",
     "coordinate_list.csv",
     "nominal.csv",
     "lengths.csv",
 }
 """Of a result folder beside its tables"""
+EXACT = {"frame", "calibration"}
+"""Keys of result.json beside those of the adjustment that later commands compute with"""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -116,8 +125,10 @@ def written_folder(
         write_block_files(block_again(adjustment), folder / "block")
         progress("writing tables", 0.2)
         for name in TABLES:  # one after the other: those of the image observations are large
-            write_table(folder / f"{name}.csv", result_table(adjustment, name))
-        contents = {**result_json(adjustment), **(additions or {})}
+            columns = result_table(adjustment, name)
+            write_table(folder / f"{name}.csv", columns, result_digits(adjustment, name, columns))
+        added = {k: v if k in EXACT else told(v) for k, v in (additions or {}).items()}
+        contents = {**result_json(adjustment), **added}
         text = json.dumps(clean(contents), indent=1, ensure_ascii=False, allow_nan=False)
         (folder / "result.json").write_text(text + "\n", encoding="utf-8")
         progress("writing tables", 1.0)
@@ -152,7 +163,7 @@ def read_result(path: str | Path) -> ResultFolder:
     for name in TABLES:
         if (name == "attitudes" or name not in ALWAYS) and not (folder / f"{name}.csv").is_file():
             continue
-        tables[name] = read_table(folder / f"{name}.csv", columns_of_table(name), least_rows=0)
+        tables[name] = read_table(folder / f"{name}.csv", columns_of_table(name), least_rows=0, own=True)
         for column, ids in known.items():
             _check_ids(folder / f"{name}.csv", column, tables[name].text.get(column, ()), ids)
     return ResultFolder(

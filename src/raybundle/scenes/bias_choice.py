@@ -31,6 +31,8 @@ class BiasFit:
     """(k,) to be added to what the RPC projects, in the order of `BIAS_PARAMETERS`."""
     covariance: Array
     """(k, k) from the stated sigma of the points."""
+    height_covariance: Array
+    """(k, k) the part of it that comes from the stated sigma of their heights."""
     residuals: Array
     """(n, 2) measured - corrected projection."""
     rms: Array
@@ -92,14 +94,18 @@ def choose_bias(
         raise InputError(f"sigma of the image points {sigma_px:g} px must be positive")
     projected, by_ground = rpc.project_with_partials(geographic)
     covariance = np.broadcast_to(np.eye(2) * sigma_px**2, (len(xy_px), 2, 2))
+    heights = np.zeros_like(covariance)
     if sigma_ground_m is not None:
         J = by_ground / metres_per_geographic(geographic)[:, None, :]
+        heights = np.einsum("ni,nj,n->nij", J[:, :, 2], J[:, :, 2], np.asarray(sigma_ground_m)[:, 2] ** 2)
         covariance = covariance + J @ (np.asarray(sigma_ground_m)[:, :, None] ** 2 * np.eye(3)) @ np.swapaxes(J, 1, 2)
     uv = (projected - rpc.image_offset) / rpc.image_scale
     difference = xy_px - projected
     kept = agreeing(uv, difference, covariance)
     fits = tuple(
-        f for kind in BIAS_PARAMETERS if (f := _fit(kind, uv[kept], difference[kept], covariance[kept])) is not None
+        f
+        for kind in BIAS_PARAMETERS
+        if (f := _fit(kind, uv[kept], difference[kept], covariance[kept], heights[kept])) is not None
     )
     advised, reason = _advised(fits, sigma_px)
     if aside := int((~kept).sum()):
@@ -135,7 +141,7 @@ def check_fit(advice: BiasAdvice, fit: BiasFit) -> None:
         )
 
 
-def _fit(kind: BiasKind, uv: Array, difference: Array, covariance: Array) -> BiasFit | None:
+def _fit(kind: BiasKind, uv: Array, difference: Array, covariance: Array, heights: Array) -> BiasFit | None:
     """Weighted least squares; None where the points do not determine the model."""
     solved = solve_bias(kind, uv, difference, covariance)
     if solved is None:
@@ -152,12 +158,19 @@ def _fit(kind: BiasKind, uv: Array, difference: Array, covariance: Array) -> Bia
         kind=kind,
         values=values,
         covariance=Q,
+        height_covariance=_part(Q, bias_design(kind, uv), covariance, heights),
         residuals=residuals,
         rms=np.sqrt(np.mean(residuals**2, axis=0)),
         left_out_rms=np.sqrt(np.mean(left_out**2, axis=0)),
         square_sum=square_sum,
         redundancy=2 * len(uv) - len(values),
     )
+
+
+def _part(Q: Array, design: Array, covariance: Array, part: Array) -> Array:
+    """(k, k) what a part (n, 2, 2) of the covariance of the points makes of that of the parameters."""
+    K = np.einsum("ab,nib,nij->naj", Q, design, np.linalg.inv(covariance))
+    return np.einsum("nai,nij,nbj->ab", K, part, K)
 
 
 def _advised(fits: tuple[BiasFit, ...], sigma_px: float) -> tuple[BiasFit, str]:
@@ -173,7 +186,9 @@ def _advised(fits: tuple[BiasFit, ...], sigma_px: float) -> tuple[BiasFit, str]:
         else:
             value, limit, test = gain, float(chi2.isf(SIGNIFICANCE, more)), "chi-square"
         before, after = (float(np.hypot(*fit.left_out_rms)) for fit in (chosen, larger))
-        if value > limit and not after >= before:
+        # a shift alone may be taken on a single point, of which none can be left out
+        predicts = after < before or (larger.kind == "shift" and not np.isfinite(after))
+        if value > limit and predicts:
             chosen = larger
             reason = f"{larger.kind}: {test} {value:.3g} exceeds {limit:.3g}"
             if np.isfinite(after):

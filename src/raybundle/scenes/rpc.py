@@ -14,6 +14,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
+from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -173,6 +174,12 @@ class Rpc:
         if not self.err_bias_m:
             return None
         return self.err_bias_m / np.linalg.norm(self.pixel_on_ground(), axis=1)
+
+    def to_rasterio(self) -> Any:
+        """The same as `rasterio.rpc.RPC`; raises InputError where rasterio is not installed."""
+        from raybundle.scenes.rasterio_rpc import rasterio_from_rpc  # noqa: PLC0415  (it makes RPC of this module)
+
+        return rasterio_from_rpc(self)
 
     def shifted(self, shift_px: Array) -> Rpc:
         """The RPC with an image shift (2,) in its offsets: exact, and understood by every program."""

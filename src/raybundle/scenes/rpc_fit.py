@@ -142,8 +142,9 @@ class _Frame:
     def of(ground: Array, size: Array) -> _Frame:
         low, high = ground.min(axis=0), ground.max(axis=0)
         return _Frame(
-            ground_offset=(low + high) / 2, ground_scale=(high - low) / 2, image_offset=size / 2, image_scale=size / 2
-        )
+            ground_offset=_short((low + high) / 2), ground_scale=_short((high - low) / 2), image_offset=size / 2,
+            image_scale=size / 2,
+        )  # fmt: skip
 
     def rpc(self, ground: Array, xy: Array, strength: float) -> Rpc:
         """Fitted coefficients, by linear least squares whose weights follow the denominators."""
@@ -158,6 +159,11 @@ class _Frame:
             image_offset=self.image_offset,
             image_scale=self.image_scale,
         )
+
+
+def _short(values: Array) -> Array:
+    """Numbers of 12 digits: programs that keep 15 of a file (GDAL) lose nothing of them."""
+    return np.array([float(f"{v:.12g}") for v in values])
 
 
 def _ratio(T: Array, value: Array, strength: float) -> Array:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from raybundle.numerics.arrays import Array, Mask
+from raybundle.numerics.arrays import Array
 from raybundle.numerics.maths import Scalar, angle_ratio
 from raybundle.sensors.model import Parameter, SensorModel
 
@@ -17,6 +17,7 @@ class Fisheye(SensorModel):
     """
 
     name = "fisheye"
+    all_round = True
     parameters = (
         Parameter("c", "mm", "camera constant", 10.0, kind="scale"),
         Parameter("x0", "mm", "principal point", typical=0.03, kind="principal point"),
@@ -47,8 +48,3 @@ class Fisheye(SensorModel):
         radius = np.hypot(points[0], points[1])
         scale = values[0] * np.arctan2(radius, -points[2]) / np.maximum(radius, 1e-300)
         return np.stack([values[1] + scale * points[0], values[2] + scale * points[1]])
-
-    def in_front(self, points: Array, image: Array | None = None, values: Array | None = None) -> Mask:
-        """Everywhere but at the projection centre."""
-        del image, values
-        return np.any(points != 0, axis=0)

@@ -84,6 +84,8 @@ class SensorModel:
     """Whether all of an image is seen from one place in one orientation, so that platforms can carry the sensor"""
     one_exposure: ClassVar[bool] = True
     """Whether an image is taken at one instant from one place on a plane sensor: targets calibrate it."""
+    all_round: ClassVar[bool] = False
+    """Whether points beside the sensor and behind it have an image as well: all but the projection centre"""
     local_width: ClassVar[int] = 0
     """Parameters that one image point touches, where they are few of many (see `local`); 0: it may touch all."""
 
@@ -177,7 +179,7 @@ class SensorModel:
     def in_front(self, points: Array, image: Array | None = None, values: Array | None = None) -> Mask:
         """(n,) whether sensor-frame points (3, n) lie on the side that the sensor sees (measured at `image`)."""
         del image, values
-        return points[2] < 0
+        return np.any(points != 0, axis=0) if self.all_round else points[2] < 0
 
     def objection(self, values: Mapping[str, float], width_mm: float, free: Sequence[str]) -> str:
         """Why observations would say nothing of these values, or something else, and what to do; "" for nothing.

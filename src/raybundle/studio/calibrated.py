@@ -16,9 +16,9 @@ from raybundle.commands.calibrate import quality_table
 from raybundle.errors import InputError
 from raybundle.io.reading.trees import read_json
 from raybundle.planning.next_photographs import advised
+from raybundle.report.alone import svg_of
 from raybundle.report.figures.interior import coverage_map
 from raybundle.report.parts import Figure, Figures, Folded, Heading, Part
-from raybundle.report.pictures import picture_of
 from raybundle.report.sections.interior import MOST_DRAWN, interior_section
 from raybundle.report.view import View, view_of
 from raybundle.studio.answers import finite
@@ -91,7 +91,7 @@ def _drawn(a: Adjustment, stored: Mapping[str, Any]) -> Drawn:
         for figure in (*_coverage(view, interior), *(figures[k] if k < len(figures) else ())):
             numbers.append({"number": len(found.figures), "caption": figure.caption,
                             "width": figure.drawing.width})  # fmt: skip
-            found.figures.append(picture_of(figure).svg)
+            found.figures.append(svg_of(figure))
         verdict = stored.get(interior.camera)
         how = STORED if verdict is not None else COMPUTED
         if verdict is None:
@@ -162,4 +162,6 @@ def _by_camera(view: View) -> list[list[Figure]]:
 
 
 def _figures(part: Part) -> list[Figure]:
+    if isinstance(part, Folded) and not any(isinstance(p, Heading) for p in part.parts):
+        return [f for p in part.parts for f in _figures(p)]
     return [*part.figures] if isinstance(part, Figures) else []

@@ -22,7 +22,7 @@ from raybundle.studio.detecting import Detecting
 from raybundle.studio.forms import fields_of, settings_of_form, table_of
 from raybundle.studio.shelf import own_result
 
-SHEET = SheetSettings(family="aicon14", codes="1-50", paper="A3", out=Path("sheet.pdf"))
+SHEET = SheetSettings(target="aicon14", codes="1-50", paper="A3", out=Path("sheet.pdf"))
 """What the form begins with: the sheet of the how-to on calibration."""
 APART = ("table", "bits", "out")
 KINDS = {".pdf": "application/pdf", ".toml": "application/toml"}

@@ -42,7 +42,7 @@ def _point(folder: str, a: Mapping[str, Any]) -> list[str]:
 
 
 def _line(folder: str, a: Mapping[str, Any]) -> list[str]:
-    kind = [] if a["kind"] == "straight" else ["--kind", str(a["kind"])]
+    kind = [] if a["kind"] == "straight" else ["--figure", str(a["kind"])]
     options = ["--sigma", repr(float(a["sigma"])), *kind]
     return _given(folder, options, a["line"], *a["points"])
 
@@ -58,7 +58,7 @@ def _short(value: float) -> str:
 
 def _mask(folder: str, a: Mapping[str, Any]) -> list[str]:
     corners = " ".join(f"{_short(x)},{_short(y)}" for x, y in a["polygon"])
-    return _given(folder, ["--polygon", corners, *(["--camera"] if a["camera"] else [])], a["mask"], a["image"])
+    return _given(folder, ["--polygon", corners, *(["--all-images"] if a["camera"] else [])], a["mask"], a["image"])
 
 
 def _words(*names: str) -> Callable[[str, Mapping[str, Any]], list[str]]:

@@ -6,7 +6,7 @@ from pathlib import Path
 from xml.sax.saxutils import escape
 
 from raybundle.errors import InputError
-from raybundle.io.folders import new_files
+from raybundle.io.folders import check_new_file, new_files
 from raybundle.targets.layout import Disc, Outline, Page, Sheet
 from raybundle.targets.sidecar import sidecar
 
@@ -18,7 +18,7 @@ def write_sheet(sheet: Sheet, path: Path) -> tuple[Path, ...]:
     """Write FILE.pdf, or FILE.svg (FILE-2.svg and so on for further pages), and FILE.toml; returns what was written.
 
     Raises InputError for another ending, where nothing can be written, where reportlab is missing for a PDF, or where
-    FILE.toml describes another sheet; nothing is written then.
+    one of them stands there; nothing is written then.
     """
     kind = path.suffix.lower()
     if kind not in {".pdf", ".svg"}:
@@ -34,12 +34,10 @@ def write_sheet(sheet: Sheet, path: Path) -> tuple[Path, ...]:
             files[name] = svg(page).encode()
     beside = path.with_suffix(".toml")
     files[beside] = sidecar(sheet).encode()
-    if beside.exists() and beside.read_bytes() != files[beside]:
-        raise InputError(
-            "belongs to another sheet and is not overwritten, since who photographs that sheet needs it; choose "
-            f"another name than {path.name} for this one, or remove both files of the other",
-            file=beside,
-        )
+    for name, content in files.items():
+        # of a writing that was stopped, the file beside it may stand there alone
+        if not (name == beside and beside.is_file() and beside.read_bytes() == content):
+            check_new_file(name)
     # the file beside it first: with it alone the same sheet can be written again
     order = (beside, *(name for name in files if name != beside))
     with new_files(*order) as temporary:

@@ -150,7 +150,7 @@ def refine(
     )  # fmt: skip
     _take_features(work, _told_more_by_features(work, tie.block))
     # weights and blunders need no more: the final adjustment converges fully
-    options = AdjustmentOptions(threads=threads, tolerance=1e-2)
+    options = AdjustmentOptions(jobs=threads, tolerance=1e-2)
     _settle(work, options, first=31)
     progress("weights", 1 / 3)
     added = _complete(work, image, threads, progress, visible)

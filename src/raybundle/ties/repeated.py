@@ -198,8 +198,8 @@ def _notices(left: Sequence[VerifiedPair], images: Sequence[str], before: float,
         one = len(left) == 1
         parts += (
             f". {len(left)} pair{'s' * (not one)} of photographs that show{'s' * one} different parts which look alike "
+            f"{'is' if one else 'are'} left out: {shown}"
         )
-        parts += f"{'is' if one else 'are'} left out: {shown}"
     if after > CONTRADICTED:
         return (
             Notice(

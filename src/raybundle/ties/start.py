@@ -191,7 +191,7 @@ def cleaned(
 ) -> tuple[Block, Index, dict[str, str]]:
     """The block without wrong rays, points without depth, and images that lose all of theirs."""
     block, rows, failed = found
-    options = AdjustmentOptions(threads=threads, statistics=False)
+    options = AdjustmentOptions(jobs=threads, statistics=False)
     free = {c.id: free_at_start(c) for c in raw.cameras}
     left = clean(block, options, free, progress=progress)
     keep = ~left.rejected & ~flat_points(left.block)[left.block.observations.point]

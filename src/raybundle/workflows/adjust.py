@@ -12,11 +12,13 @@ from raybundle.adjustment.check_points import with_check_notice
 from raybundle.adjustment.decide import decide
 from raybundle.adjustment.entry import check_entry
 from raybundle.adjustment.identical_control import identical_notices
-from raybundle.adjustment.options import AdjustmentOptions
+from raybundle.adjustment.options import FEWEST_IMAGES, AdjustmentOptions
 from raybundle.adjustment.result import Adjustment, Notice
 from raybundle.adjustment.scene_start import refuse_unoriented, with_scene_points
 from raybundle.adjustment.severity import POOR_FIT, Severity
-from raybundle.adjustment.structure import structure_notice
+from raybundle.adjustment.structure import shared_errors_notice, structure_notice
+from raybundle.adjustment.under_noise import under_noise
+from raybundle.adjustment.variance_groups import by_groups
 from raybundle.block import Block, Role
 from raybundle.block.points import automatic
 from raybundle.block.rejection import known_wrong
@@ -51,7 +53,7 @@ def adjust(block: Block, options: AdjustmentOptions | None = None, progress: Pro
     twins = identical_images(block)
     identical = identical_notices(block)
     try:
-        result = _adjust(block, options, progress)
+        result = _adjusted(block, options, progress)
     except NotSolvable as error:
         why = [_twin_words(twins)] if twins else [n.message for n in identical]
         why = why or (_control_words(block, options) if isinstance(error, NoConvergence) else [])
@@ -79,7 +81,8 @@ def adjust(block: Block, options: AdjustmentOptions | None = None, progress: Pro
     held = () if plain else _held_calibrations(result, options)
     first = (*calibration_notices(result), *held, *_given_rejected(wrong))
     result = replace(result, notices=(*first, *result.notices, *_structure(result, options)))
-    return with_check_notice(replace(result, given=block, seconds=time.perf_counter() - began))
+    given = result.given if options.variance_groups else block
+    return with_check_notice(replace(result, given=given, seconds=time.perf_counter() - began))
 
 
 def _as_before(block: Block, options: AdjustmentOptions) -> AdjustmentOptions:
@@ -108,16 +111,22 @@ def _held_calibrations(result: Adjustment, options: AdjustmentOptions) -> tuple[
 
 
 def _structure(result: Adjustment, options: AdjustmentOptions) -> tuple[Notice, ...]:
-    """Of a block of points that a program found, as `orient` leaves it: whether errors are smooth, not white noise.
+    """Whether image points share errors, which white noise does not know: said wherever nobody asked for white noise.
 
-    What was published stays comparable, so that blocks that are given are adjusted with white noise unless asked.
+    What was published stays comparable, so that blocks that are given are adjusted with white noise unless asked;
+    `orient`, `calibrate` and `measure` carry shared errors into standard deviations.
     """
-    points = result.given.points.ids
-    if options.noise != "auto" or len(result.given.observations) > LOOKED_AT:
+    if options.noise != "auto" or not options.statistics or len(result.given.observations) > LOOKED_AT:
         return ()
-    if 2 * automatic(points).sum() < len(points) or (found := structure_notice(result)) is None:
+    if not result.sigma0 <= POOR_FIT:  # a fault of its own, which bends all residuals
         return ()
     more = f"Adjusted with noise fields ({option('noise', 'fields')}), as by `orient`, standard deviations contain it"
+    if len(np.unique(result.given.observations.image[result.image_observations.used])) >= FEWEST_IMAGES:
+        shared = shared_errors_notice(result, under_noise(result).noise)
+        return () if shared is None else (replace(shared, message=f"{shared.message}. {more}"),)
+    points = result.given.points.ids
+    if 2 * automatic(points).sum() < len(points) or (found := structure_notice(result)) is None:
+        return ()
     return (replace(found, message=f"{found.message}. {more}"),)
 
 
@@ -131,6 +140,13 @@ def _control_words(block: Block, options: AdjustmentOptions) -> list[str]:
         return []
     doubt = doubted_control(block, None, options, _plainly)
     return [] if doubt is None else [words(doubt, float("nan"))]
+
+
+def _adjusted(block: Block, options: AdjustmentOptions, progress: Progress) -> Adjustment:
+    """The adjustment with one variance factor, or with those of groups of observations."""
+    if not options.variance_groups:
+        return _adjust(block, options, progress)
+    return by_groups(block, options, lambda b, o: _adjust(b, o, progress))
 
 
 def _adjust(block: Block, options: AdjustmentOptions, progress: Progress) -> Adjustment:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from raybundle.errors import InputError
-from raybundle.io.geo.coordinate_systems import parse_crs
+from raybundle.io.geo.parsed_systems import parse_crs
 from raybundle.io.photos.photo import Photo
 from raybundle.io.trajectories import Trajectory
 from raybundle.placing.marks import Given
@@ -36,9 +36,11 @@ def check_asked(
         raise InputError(f"relative aerial control is asked for, and {why}; {_missing('relative')}")
     if crs is None or scenes or (positions is not None and positions.crs is None):
         return ()
+    if any(c.crs == crs for c in given.control):
+        return ()
     why = "no positions of a grid are given" if positions is None else f"{positions.path.name} tells its own"
-    remark = f"the coordinate system {crs} has no effect: {why}, and there is no satellite scene. Control files name "
-    return (remark + "theirs themselves",)
+    remark = f"the coordinate system {crs} has no effect: {why}, and no control file lacks one, nor is there a "
+    return (remark + "satellite scene",)
 
 
 def _missing(name: str) -> str:

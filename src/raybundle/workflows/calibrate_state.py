@@ -12,6 +12,7 @@ from raybundle.adjustment.result import Adjustment, Notice
 from raybundle.block import Block
 from raybundle.calibration.eccentricity import RadiusScale
 from raybundle.calibration.quality import CalibrationQuality
+from raybundle.cameras.opencv import OpenCVCamera
 from raybundle.io.photos.cameras import CameraGroup
 from raybundle.io.photos.photo import Found, Photo
 from raybundle.numerics.counting import counted
@@ -58,6 +59,10 @@ class Calibration:
     def _repr_html_(self) -> str:
         """For notebooks: that of its adjustment."""
         return self.adjustment._repr_html_()  # pyright: ignore[reportPrivateUsage]
+
+    def opencv(self, camera: str | None = None, *, coefficients: int | None = None) -> OpenCVCamera:
+        """A camera as OpenCV has it, with its covariance: see `Adjustment.opencv`."""
+        return self.adjustment.opencv(camera, coefficients=coefficients)
 
     @property
     def used(self) -> int:

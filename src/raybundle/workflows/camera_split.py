@@ -69,7 +69,7 @@ def cameras_apart(
                 message=f"camera {camera.id}: {n[0]} photographs ({by}) and {n[1]} others cannot have the same "
                 f"interior orientation (c differs by {dc:+.1f} px, the principal point by {dx:+.1f}, {dy:+.1f} px); "
                 f"they are calibrated apart, the others as {two.id}. Two cameras, or zoom or focus moved: say with "
-                f"{option('separate', 'PATTERN', flag='camera')} which",
+                f"{option('own_camera', 'PATTERN')} which",
                 ids=(camera.id, two.id),
             )
         )
@@ -104,7 +104,7 @@ def _unstable(camera: Camera, share: float, after: Adjustment, split: Split) -> 
         f"the residuals to {share:.2f} of theirs (c differs by {dc:+.1f} px, the principal point by {dx:+.1f}, "
         f"{dy:+.1f} px). This calibration is one camera for both and need not lie between them, and its standard "
         "deviations are too small. Switch autofocus, zoom and stabilisation off and photograph again, or calibrate the "
-        f"groups apart: {option('separate', '|'.join(map(escape, names)), flag='camera')}"
+        f"groups apart: {option('own_camera', '|'.join(map(escape, names)))}"
     )
     return Notice(
         code="unstable_camera", message=f"camera {camera.id}: {reason}", ids=(camera.id, *names), reason=reason

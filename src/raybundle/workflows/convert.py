@@ -13,27 +13,29 @@ import numpy as np
 from raybundle.block import Block
 from raybundle.errors import InputError
 from raybundle.io.block.folder import write_block
-from raybundle.io.folders import new_folder
+from raybundle.io.block.scenes import local_in
+from raybundle.io.folders import check_free, new_folder
 from raybundle.io.formats import Export, format_named, formats, write_format
-from raybundle.io.geo.coordinate_systems import LocalFrame, local_frame
+from raybundle.io.geo.coordinate_systems import LocalFrame, in_other_projection, local_frame
 from raybundle.io.pictures.undistort import undistorted_block, write_undistorted
 from raybundle.io.scene_export import names_of_scenes, scene_images, with_viewpoints, without_scenes, write_rpcs
-from raybundle.numerics.arrays import Array
+from raybundle.numerics.places import Place
 from raybundle.numerics.progress import Progress
 from raybundle.settings import option
+from raybundle.workflows.block_frame import moved_to
 from raybundle.workflows.sources import BLOCK
 
 RPC = "rpc"
 """The word for the RPC of satellite scenes among the formats."""
 WRITABLE = (BLOCK, RPC, *sorted(n for n, f in formats.items() if f.write))
-POINTS, STATIONS = ("las", "ply"), ("geojson", "kml")
-"""Formats that take the points of satellite scenes, and formats of stations on a map, which scenes are not."""
+POINTS, MAPS, STATIONS = ("las", "ply"), ("dxf", "gpkg"), ("geojson", "kml")
+"""Formats that take the points of satellite scenes; those of them that hold photographs, too; and formats of stations
+on a map, which scenes are not."""
 
 
 def check_new(out: Path, target: str) -> None:
     """Raise InputError where a format cannot be written to a path: before all the work, not after it."""
-    if out.exists() and (not out.is_dir() or any(out.iterdir())):
-        raise InputError("stands there already and is not overwritten; choose another name", file=out)
+    check_free(out)
     suffix = "" if target in {BLOCK, RPC} else format_named(target).suffix
     allowed = {suffix, ".laz"} if suffix == ".las" else {suffix}
     if suffix and out.suffix.lower() not in allowed:
@@ -43,49 +45,46 @@ def check_new(out: Path, target: str) -> None:
 def placed(
     export: Export, crs: str, origin: tuple[float, float, float] | None, undulation: float | None
 ) -> tuple[Export, tuple[str, ...]]:
-    """The block in a local frame of a coordinate system, and remarks; without an origin it stands in the system."""
+    """The block in a local frame of a coordinate system, and remarks; without an origin it stands in the system.
+
+    A result that knows its frame is told in another projection of the same datum.
+    """
     if origin is not None:
         frame = local_frame(crs, origin, undulation_m=undulation)
-        return replace(export, frame=frame), frame.remarks
+        block = replace(export.block, place=_place(export.block, frame))
+        return replace(export, block=block, frame=frame, map_sigma=None, map_station_sigma=None), frame.remarks
     block = export.block
+    if export.frame is not None:
+        if undulation is not None:
+            raise InputError(
+                f"block {block.name} says itself what its heights count from; leave {option('undulation')} out"
+            )
+        frame = in_other_projection(export.frame, crs)
+        # the covariances of the result are at hand along the axes of its own system alone
+        return replace(export, frame=frame, map_sigma=None, map_station_sigma=None), frame.remarks
     if block.place is not None:
         raise InputError(
             f"block {block.name} says itself where its frame stands on the earth; leave {option('crs')} out, or give "
-            f"{option('origin')} too"
+            f"{option('frame_origin')} too"
         )
     if block.length_unit != "m":
         raise InputError(
-            f"block {block.name}: a block in {block.length_unit} does not stand in {crs}; give {option('origin')}"
+            f"block {block.name}: a block in {block.length_unit} does not stand in {crs}; give {option('frame_origin')}"
         )
     oriented = block.images.oriented
     middle = block.images.centre[oriented].mean(axis=0) if oriented.any() else np.nanmean(block.points.xyz, axis=0)
     frame = local_frame(crs, middle, undulation_m=undulation)
     place = ", ".join(f"{v:.3f}" for v in middle)
     remark = f"the block was brought from {crs} to the local east-north-up frame at {place}"
-    return replace(in_frame(export, frame), frame=frame), (remark, *frame.remarks)
+    block = replace(moved_to(block, frame), place=_place(block, frame))
+    return replace(export, block=block, frame=frame), (remark, *frame.remarks)
 
 
-def in_frame(export: Export, frame: LocalFrame) -> Export:
-    """A block whose coordinates stand in the system of a frame, brought to that frame; what it observed too."""
-    block = export.block
-    known = block.images.oriented
-    centre, rotation = np.array(block.images.centre), np.array(block.images.rotation)
-    turn = frame.crs_from_local_rotation(centre[known])
-    rotation[known] = rotation[known] @ turn
-    centre[known] = frame.local_from_crs(centre[known])
-    stations = block.stations
-    # velocities would have to be turned; without them they follow from the positions
-    moved = replace(stations, xyz=frame.local_from_crs(stations.xyz), velocity=None)
-    points = replace(block.points, xyz=_known_plan(frame, block.points.xyz))
-    images = replace(block.images, centre=centre, rotation=rotation)
-    return replace(export, block=replace(block, images=images, points=points).having(moved))
-
-
-def _known_plan(frame: LocalFrame, xyz: Array) -> Array:
-    plan = np.isfinite(xyz[:, :2]).all(axis=1)
-    result = np.full(xyz.shape, np.nan)
-    result[plan] = frame.local_from_crs(xyz[plan])
-    return result
+def _place(block: Block, frame: LocalFrame) -> Place | None:
+    """What block.toml tells of a frame; of a block with scenes, or in millimetres, what it was told before."""
+    if block.length_unit != "m" or any(c.is_scene for c in block.cameras):
+        return block.place
+    return local_in(frame.crs, frame.origin, frame.undulation_m)
 
 
 @contextmanager
@@ -96,10 +95,7 @@ def straightened(
 
     The folder takes its name when the body, which writes the model, ends without an error; else nothing is left.
     """
-    if folder.exists():
-        raise InputError(
-            f"stands there already and is not overwritten; give {option('out')} in another folder", file=folder
-        )
+    check_free(folder)
     with new_folder(folder) as temporary:
         remarks = write_undistorted(export.block, photos, temporary, area=area, progress=progress)
         if not any(p.is_file() for p in temporary.rglob("*")):
@@ -114,7 +110,7 @@ def written(
     """Write; the number of files, remarks, and the largest deviation of a camera [px]."""
     if target == RPC:
         with new_folder(out) as folder:
-            files, remarks = write_rpcs(export.block, folder)
+            files, remarks = write_rpcs(export, folder)
         return len(files), remarks, 0.0
     if target != BLOCK:
         export, more = fit_for(export, target)
@@ -131,6 +127,9 @@ def fit_for(export: Export, target: str) -> tuple[Export, tuple[str, ...]]:
     if not any(c.is_scene for c in export.block.cameras):
         return export, ()
     names = names_of_scenes(export.block)
+    if target in MAPS:
+        told = f"of satellite scenes ({names}) the points are written; their stations, 600 km up, are not"
+        return replace(export, block=with_viewpoints(export.block), nominal=scene_images(export.block)), (told,)
     if target in POINTS:
         told = f"satellite scenes ({names}) give points; their stations are nominal viewpoints, 600 km up"
         return replace(export, block=with_viewpoints(export.block)), (told,)
@@ -138,7 +137,7 @@ def fit_for(export: Export, target: str) -> tuple[Export, tuple[str, ...]]:
         return replace(export, block=without_scenes(export.block)), (f"satellite scenes are left out: {names}",)
     raise InputError(
         f"format {target} holds central projections only, and this block has satellite scenes ({names}); "
-        f"{BLOCK} and {RPC} carry them, {' and '.join(POINTS)} their points"
+        f"{BLOCK} and {RPC} carry them, {', '.join(MAPS)} and {' and '.join(POINTS)} their points"
     )
 
 

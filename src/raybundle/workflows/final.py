@@ -57,7 +57,7 @@ def final_adjustment(
     photographs = int(placed.block.images.oriented.sum())
     chosen = noise_of_photographs(noise, photographs)
     options = AdjustmentOptions(
-        threads=jobs, reject="snooping", tolerance=FINAL, datum_over="good", noise=chosen, weights=weights
+        jobs=jobs, reject="snooping", tolerance=FINAL, datum_over="good", noise=chosen, weights=weights
     )
     asked = placed
     block, flat = placed.block, flat_points(placed.block) & ~placed.marked

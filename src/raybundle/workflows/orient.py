@@ -8,7 +8,6 @@ from dataclasses import asdict, dataclass, field
 from pathlib import Path
 from typing import Any
 
-from raybundle.adjustment.accuracy import accuracy
 from raybundle.adjustment.result import Adjustment
 from raybundle.block import Camera
 from raybundle.errors import InputError
@@ -115,7 +114,6 @@ class Orientation:
             **({} if self.frame is None else {"frame": self.frame.as_mapping()}),
             **({} if self.upright is None else {"upright": self.upright.as_mapping()}),
             **({} if self.dropped is None else {"measurements": self.dropped.as_mapping(self.adjustment)}),
-            **accuracy(self.adjustment),
         }  # fmt: skip
 
 

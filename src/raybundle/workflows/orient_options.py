@@ -33,6 +33,8 @@ class OrientOptions:
     """camera library whose calibrations are held where none is given; None: none is used"""
     masks: Path | None = None
     """folder of masks, as COLMAP or Metashape name them: 0 where a photograph is not to be measured in"""
+    targets: tuple[str, ...] = ()
+    """families of coded targets that are measured: named points, or those of the control"""
     scene_bias: BiasKind = "shift"
     """what is estimated of a satellite scene's RPC: none, shift, drift, affine"""
     crs: str | None = None

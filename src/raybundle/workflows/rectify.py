@@ -18,47 +18,23 @@ import numpy as np
 from raybundle.adjustment.predict import predicted_px
 from raybundle.block import Block, Camera
 from raybundle.errors import InputError
+from raybundle.io.geo.parsed_systems import system_name
 from raybundle.io.pictures.rectified import Rectified
 from raybundle.io.pictures.undistort import camera_plane, pixels_of_plane
 from raybundle.numerics.arrays import Array
-from raybundle.numerics.planes import plane_of_most
 from raybundle.numerics.progress import Progress, silent
 from raybundle.scenes.empirical import EmpiricalFit, fit_empirical
 from raybundle.settings import option
+from raybundle.workflows.object_plane import FLAT, MapLevel, Plane, axes_of, pixel_at
 
 STEP = 16
 """The map is computed at every sixteenth pixel and interpolated linearly between."""
 LARGEST_PX = 4e8
 """Pixels that a picture may have."""
-FLAT = 0.9
-"""Vertical part of the normal from which a plane counts as horizontal."""
 STEEPEST = 0.26
 """Cosine of the angle between ray and normal below which a photograph is not used (75 degrees)."""
-BLUNDER = 3.0
-"""Robust standard deviations from which a point does not lie at the median height."""
 FEW = 0.5
 """Share of the points in a plane below which most of what the picture shows is not in it."""
-
-
-@dataclass(frozen=True, slots=True, kw_only=True)
-class Plane:
-    """A plane in object space with axes to the right, upwards, and towards the viewer."""
-
-    origin: Array
-    """(3,)"""
-    axes: Array
-    """(3, 3), rows right, up, normal"""
-    rms: float
-    """Root mean square distance of the points that it was fitted to."""
-    points: int
-    of: int
-    """points that might lie in it: all that were seen twice, or those named"""
-    extent: Array
-    """(4,) left, bottom, right, top of these points in the plane"""
-
-    def coordinates(self, xyz: Array) -> Array:
-        """(n, 3) right, up, and distance in front of the plane of points (n, 3)."""
-        return (xyz - self.origin) @ self.axes.T
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -72,6 +48,11 @@ class Grid:
     width: int
     height: int
 
+    def part(self, column: int, row: int, width: int, height: int) -> Grid:
+        """So many of its pixels from a column and a row on."""
+        left, top = self.left + column * self.pixel, self.top - row * self.pixel
+        return Grid(left=left, top=top, pixel=self.pixel, width=width, height=height)
+
     def coarse(self) -> tuple[Array, tuple[int, int]]:
         """Places (n, 2) in the plane of every sixteenth pixel's centre, and their rows and columns."""
         columns = np.arange(0, self.width + STEP, STEP) + 0.5
@@ -80,96 +61,50 @@ class Grid:
         return np.stack([u.ravel(), v.ravel()], axis=1), u.shape
 
 
-def grid_over(extent: Array, pixel: float) -> Grid:
-    """The pixels that cover left, bottom, right, top; raises InputError where they are too many."""
+def grid_over(extent: Array, pixel: float, *, most: float = LARGEST_PX) -> Grid:
+    """The pixels that cover left, bottom, right, top; raises InputError where they are more than `most`."""
     left, bottom, right, top = (float(v) for v in extent)
     if not (pixel > 0 and right > left and top > bottom):
         raise InputError(f"an area of {right - left:g} by {top - bottom:g} with a pixel of {pixel:g} holds no picture")
     width, height = int(np.ceil((right - left) / pixel - 1e-6)), int(np.ceil((top - bottom) / pixel - 1e-6))
-    if width * height > LARGEST_PX:
-        need = pixel * np.sqrt(width * height / LARGEST_PX)
+    if width * height > most:
+        need = pixel * np.sqrt(width * height / most)
         raise InputError(
-            f"the picture would have {width} x {height} px, {LARGEST_PX:.0e} are the limit; "
-            f"take {option('pixel', float(f'{need:.2g}'))} or a smaller {option('area')}"
+            f"the picture would have {width} x {height} px, {most:.0e} are the limit; "
+            f"take {option('pixel', float(f'{need:.2g}'))} or a smaller {option('extent')}"
         )
     return Grid(left=left, top=top, pixel=pixel, width=width, height=height)
 
 
-def plane_of(block: Block, names: Sequence[str] = (), *, horizontal: bool = False, sigma: Array | None = None) -> Plane:
-    """The plane through these object points, or the one that most points lie in; horizontal: at their median height.
-
-    sigma  (p, 3) standard deviations of the object points; a point lies in a plane within what they allow, or within
-           the size of a photograph's pixel there, which a picture does not show; None: within the latter
-    raises  InputError for unknown points, for fewer than three and where they lie on a line
-    """
-    xyz = block.points.xyz
-    seen = (np.bincount(block.observations.point, minlength=len(xyz)) > 1) & np.isfinite(xyz).all(axis=1)
-    if names:
-        index = {p: k for k, p in enumerate(block.points.ids)}
-        missing = [n for n in names if n not in index or not np.isfinite(xyz[index[n]]).all()]
-        if missing:
-            raise InputError(f"points {', '.join(missing[:5])} are not in the result, or have no coordinates")
-        chosen = np.array([index[n] for n in names])
-    else:
-        chosen = np.flatnonzero(seen)
-    if len(chosen) < 3:
-        raise InputError(f"{len(chosen)} points; a plane needs three that are not on a line")
-    viewer = block.images.centre[block.images.oriented].mean(axis=0)
-    points = xyz[chosen]
-    if horizontal:
-        near = points[:, 2] - np.median(points[:, 2])
-        inliers = np.abs(near) < BLUNDER * 1.4826 * max(float(np.median(np.abs(near))), 1e-12)
-        normal, origin = np.array([0.0, 0.0, 1.0]), np.median(points, axis=0)
-    else:
-        inliers = np.ones(len(points), bool)
-        origin = points.mean(axis=0)
-        normal = np.linalg.svd(points - origin, full_matrices=False)[2][2]
-        if not names:
-            known = np.full((len(points), 3), np.nan) if sigma is None else sigma[chosen]
-            found = plane_of_most(points, known, _pixel_at(block, np.median(points, axis=0)))
-            inliers, origin, normal = found.inliers, found.origin, found.normal
-        spread = np.linalg.svd(points[inliers] - points[inliers].mean(axis=0), compute_uv=False)
-        if inliers.sum() < 3 or spread[1] < 1e-6 * spread[0]:
-            raise InputError("the points of the plane lie on a line; name others")
-    axes = _axes(normal, viewer - origin)
-    at = (points[inliers] - origin) @ axes.T
-    low, high = np.percentile(at[:, :2], [0.5, 99.5], axis=0) if len(at) > 200 else (at.min(axis=0), at.max(axis=0))
-    return Plane(
-        origin=origin, axes=axes, rms=float(np.sqrt((at[:, 2] ** 2).mean())), points=int(inliers.sum()),
-        of=len(points),
-        extent=np.array([low[0], low[1], high[0], high[1]]),
-    )  # fmt: skip
+def check_area(plane: MapLevel, area: Array) -> None:
+    """Raise InputError where an area of the map lies away from the points by more than their own extent."""
+    low, high = plane.extent[:2], plane.extent[2:]
+    room = high - low
+    if (area[:2] > high + room).any() or (area[2:] < low - room).any():
+        named = [f"{a} {l:.10g} to {h:.10g}" for a, l, h in zip(("east", "north"), area[:2], area[2:], strict=True)]
+        mine = [f"{l:.0f} to {h:.0f}" for l, h in zip(low, high, strict=True)]
+        raise InputError(
+            f"{option('extent')} is {', '.join(named)} in {system_name(plane.frame.crs)}, away from the points of the "
+            f"result, {mine[0]} and {mine[1]}; of level ground it is given in the map"
+        )
 
 
-def _axes(normal: Array, towards: Array) -> Array:
-    """Rows right, up, normal: up is the vertical in the plane; in a horizontal plane the object's Y."""
-    normal = normal if normal @ towards >= 0 else -normal
-    reference = np.array([0.0, 1.0, 0.0]) if abs(normal[2]) > FLAT else np.array([0.0, 0.0, 1.0])
-    up = reference - (reference @ normal) * normal
-    up /= np.linalg.norm(up)
-    return np.stack([np.cross(up, normal), up, normal])
+def whole_pixels(extent: Array, pixel: float) -> Array:
+    """Left, bottom, right, top that are whole multiples of a pixel, so that pictures of one map lie on each other."""
+    left, bottom, right, top = (float(v) / pixel for v in extent)
+    return pixel * np.array([np.floor(left), np.floor(bottom), np.ceil(right), np.ceil(top)])
 
 
 def usual_pixel(block: Block, plane: Plane) -> float:
-    """The median size of a photograph's pixel in the plane, in two digits."""
-    return _two_digits(_pixel_at(block, plane.origin))
+    """The median size of a photograph's pixel in the plane, in two digits; of a map, in the unit of its system."""
+    unit = plane.per_unit if isinstance(plane, MapLevel) else 1.0
+    return two_digits(pixel_at(block, plane.origin) * unit)
 
 
-def _two_digits(value: float) -> float:
+def two_digits(value: float) -> float:
     """The next greater number of two digits."""
     digits = 10.0 ** (np.floor(np.log10(value)) - 1)
     return float(np.ceil(value / digits) * digits)
-
-
-def _pixel_at(block: Block, middle: Array) -> float:
-    """The median size of a photograph's pixel at the distance of a place (3,)."""
-    sizes: list[float] = []
-    for i in np.flatnonzero(block.images.oriented).tolist():
-        camera = block.cameras[int(block.images.camera[i])]
-        ray = block.images.centre[i] - middle
-        distance = float(np.linalg.norm(ray))
-        sizes.append(distance * float(np.mean(camera.pixel_mm)) / camera.sensor.camera_constant(camera.parameters))
-    return float(np.median(sizes))
 
 
 def rectify_block(
@@ -189,7 +124,7 @@ def rectify_block(
     names = [f or i for f, i in zip(block.images.file, block.images.ids, strict=True)]
     images = _photographs(block, names, only)
     places, shape = grid.coarse()
-    xyz = plane.origin + places @ plane.axes[:2]
+    xyz = plane.places(places)
     maps, choice = _best_views(block, images, plane, xyz, shape, progress)
     picture = Rectified.empty(grid.height, grid.width)
     remarks: list[str] = []
@@ -212,7 +147,7 @@ def rectify_block(
         raise InputError(
             f"no photograph shows the area, or none was found; say where they are with {option('photos')}, or choose "
             "another "
-            f"{option('area')}",
+            f"{option('extent')}",
             file=folders[0] if folders else None,
         )
     every = np.concatenate(slopes)
@@ -293,7 +228,7 @@ class SinglePhoto:
         left, bottom, right, top = self.extent
         middle = np.array([[(left + right) / 2, (bottom + top) / 2, 0.0]])
         _, J, _ = self.fit.project_with_partials(middle)
-        return _two_digits(1 / float(np.sqrt(abs(np.linalg.det(J[0, :, :2])))))
+        return two_digits(1 / float(np.sqrt(abs(np.linalg.det(J[0, :, :2])))))
 
 
 def fit_photo(
@@ -325,7 +260,7 @@ def _flattened(xyz: Array) -> tuple[Array, float]:
     normal = np.linalg.svd(xyz - origin)[2][2]
     if abs(normal[2]) > FLAT:  # a floor: the plan is the picture
         return xyz[:, :2], float(np.sqrt((((xyz - origin) @ normal) ** 2).mean()))
-    axes = _axes(normal, np.array([0.0, -1.0, 0.0]))
+    axes = axes_of(normal if normal[1] <= 0 else -normal, np.array([0.0, 0.0, 1.0]))
     at = (xyz - origin) @ axes.T
     return at[:, :2], float(np.sqrt((at[:, 2] ** 2).mean()))
 
@@ -336,7 +271,7 @@ def rectify_photo(photo: Path, single: SinglePhoto, grid: Grid, size: tuple[int,
     at = single.pixels(places)
     inside = ((at > 1) & (at < np.array(size) - 1)).all(axis=1)
     if not inside.any():
-        raise InputError(f"the photograph does not show the area; choose another {option('area')}", file=photo)
+        raise InputError(f"the photograph does not show the area; choose another {option('extent')}", file=photo)
     picture = Rectified.empty(grid.height, grid.width)
     pixels = picture.photograph([photo.parent], photo.name, None)
     picture.add(photo.name, pixels, at.astype(np.float32).reshape(*shape, 2), np.reshape(inside, shape), STEP)

@@ -2,23 +2,28 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import replace
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 
-from raybundle.block import Block, Camera, Images
+from raybundle.block import Block, Camera, Images, Role
 from raybundle.errors import InputError
 from raybundle.io.block.folder import read_block
 from raybundle.io.formats import Export, check_deviation, formats, looks_like, read_format
 from raybundle.io.geo.coordinate_systems import frame_from_mapping
 from raybundle.io.reading.trees import Json
-from raybundle.io.tables import Table
+from raybundle.io.tables import Column, Table, read_table
 from raybundle.numerics.arrays import Array
 from raybundle.numerics.counting import counted
-from raybundle.numerics.rotation import rotation_from_angles
-from raybundle.results.folder import read_result
+from raybundle.results.folder import MAP, ResultFolder, read_result
+from raybundle.results.record import STATE
+from raybundle.results.recorded import read_recorded
+from raybundle.results.state import state_words
 from raybundle.settings import option
+from raybundle.workflows.block_frame import in_block_frame
 
 BLOCK = "block"
 """The word for block folders and result folders among the formats."""
@@ -39,7 +44,8 @@ def read_source(source: Path, given: str | None = None, *, approximate: bool = F
         return Export(block=imported.block, colours=imported.colours), imported.remarks
     if (source / "result.json").is_file():
         return _result(source)
-    return Export(block=read_block(source)), ()
+    block, frame, remarks = in_block_frame(read_block(source))
+    return Export(block=block, frame=frame), remarks
 
 
 def result_within(source: Path) -> Path:
@@ -80,10 +86,13 @@ def _result(folder: Path) -> tuple[Export, tuple[str, ...]]:
     position = {p: k for k, p in enumerate(block.points.ids)}
     xyz, sigma = np.array(block.points.xyz), np.full((len(block.points), 3), np.nan)
     rows = np.array([position[p] for p in result.points.text["point"]], int)
+    # the block holds adjusted values with all digits, images too, but of control and check points what was given
     adjusted = result.points.numbers("X", "Y", "Z")
-    xyz[rows] = np.where(np.isfinite(adjusted), adjusted, xyz[rows])
+    told = np.isfinite(adjusted) & (np.asarray(block.points.role)[rows] != Role.TIE)[:, None]
+    xyz[rows] = np.where(told, adjusted, xyz[rows])
     sigma[rows] = result.points.numbers("sX", "sY", "sZ")
-    images, station_sigma = _adjusted_images(block.images, result.images.text["image"], result.images)
+    station_sigma, angle_sigma = _image_sigma(block.images, result.images.text["image"], result.images)
+    given = _given(result, position)
     o = block.observations
     out = {
         (i, p)
@@ -96,18 +105,64 @@ def _result(folder: Path) -> tuple[Export, tuple[str, ...]]:
         block,
         # results of versions that did not write it into the block tell it, too
         free_scale="scale" in result.result.get("datum_defect", ()),
-        images=images,
         points=replace(block.points, xyz=xyz),
         observations=o.rows(kept),
     )
     remarks = (f"{counted(int((~kept).sum()), 'rejected image observation')} left out",) if not kept.all() else ()
-    frame = result.result.get("frame")
-    return Export(
+    frame, state = result.result.get("frame"), state_words(result.result)
+    export = Export(
         block=block,
         sigma=sigma,
         station_sigma=station_sigma,
+        station_angle_sigma=angle_sigma,
         frame=frame_from_mapping(frame) if isinstance(frame, dict) else None,
-    ), remarks
+        given=given,
+        record={**read_recorded(folder)[0].as_mapping(), **({STATE: state} if state else {})},
+        interior=_interior(result.result),
+    )
+    return _with_map_sigma(export, folder / MAP), remarks
+
+
+def _interior(told: Mapping[str, Any]) -> dict[str, tuple[tuple[str, ...], Array]]:
+    """Camera -> symbols of its free parameters and their covariance, of those whose numbers are all there."""
+    found: dict[str, tuple[tuple[str, ...], Array]] = {}
+    for camera, rows in told.get("correlations", {}).items():
+        symbols = tuple(rows)
+        values = told.get("cameras", {}).get(camera, {})
+        std = [values.get(s, {}).get("std") for s in symbols]
+        table = [[rows[s].get(t) for t in symbols] for s in symbols]
+        if symbols and None not in std and not any(None in row for row in table):
+            found[str(camera)] = symbols, np.array(table, float) * np.outer(std, std)
+    return found
+
+
+def _given(result: ResultFolder, position: Mapping[str, int]) -> Array:
+    """(p, 3) coordinates that control and check points were given; NaN where none."""
+    given = np.full((len(position), 3), np.nan)
+    for table in (result.control, result.check):
+        given[np.array([position[p] for p in table.text["point"]], int)] = table.numbers("X", "Y", "Z")
+    return given
+
+
+def _with_map_sigma(export: Export, table: Path) -> Export:
+    """With the standard deviations along the axes of the map, as the result's map.csv tells them, where it is there."""
+    if export.frame is None or not table.is_file():
+        return export
+    columns = [Column(name=n, kind="text") for n in ("kind", "id")]
+    columns += [Column(name=n, kind="number", empty=True) for n in ("X", "Y", "Z", "sX", "sY", "sZ")]
+    read = read_table(table, columns, least_rows=0, own=True)
+    sigma = read.numbers("sX", "sY", "sZ")
+    found: list[Array] = []
+    for ids, images in ((export.block.points.ids, False), (export.block.images.ids, True)):
+        position = {name: k for k, name in enumerate(ids)}
+        own = np.full((len(ids), 3), np.nan)
+        of = zip(read.text["kind"], read.text["id"], strict=True)
+        rows = [(k, position[n]) for k, (kind, n) in enumerate(of) if (kind == "image") == images and n in position]
+        if rows:
+            here, there = np.array(rows).T
+            own[there] = sigma[here]
+        found.append(own)
+    return replace(export, map_sigma=found[0], map_station_sigma=found[1])
 
 
 def with_adjusted_cameras(block: Block, source: Path) -> Block:
@@ -130,14 +185,11 @@ def with_adjusted_cameras(block: Block, source: Path) -> Block:
     return replace(block, cameras=cameras)
 
 
-def _adjusted_images(images: Images, ids: tuple[str, ...], table: Table) -> tuple[Images, Array]:
+def _image_sigma(images: Images, ids: tuple[str, ...], table: Table) -> tuple[Array, Array]:
+    """Standard deviations (n, 3) of the centres of images and of their angles [rad]."""
     position = {i: k for k, i in enumerate(images.ids)}
     rows = np.array([position[i] for i in ids], int)
-    centre, rotation = np.array(images.centre), np.array(images.rotation)
-    sigma = np.full((len(images), 3), np.nan)
-    X0 = table.numbers("X", "Y", "Z")
-    R = rotation_from_angles(np.radians(table.numbers("omega_deg", "phi_deg", "kappa_deg")))
-    known = np.isfinite(X0).all(axis=1) & np.isfinite(R).all(axis=(1, 2))
-    centre[rows[known]], rotation[rows[known]] = X0[known], R[known]
+    sigma, angles = np.full((2, len(images), 3), np.nan)
     sigma[rows] = table.numbers("sX", "sY", "sZ")
-    return replace(images, centre=centre, rotation=rotation), sigma
+    angles[rows] = np.radians(table.numbers("somega_deg", "sphi_deg", "skappa_deg"))
+    return sigma, angles

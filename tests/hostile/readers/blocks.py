@@ -51,7 +51,7 @@ NAMES = {"point", "role", "image", "camera", "file"}
 def adjusted(folder: Path, *, report: bool) -> list[str]:
     out = folder.parent / "result"
     shutil.rmtree(out, ignore_errors=True)
-    status, _ = command("adjust", folder, "--out", out, "--threads", "1", *([] if report else ["--no-report"]))
+    status, _ = command("adjust", folder, "--out", out, "--jobs", "1", *([] if report else ["--no-report"]))
     if status != 0:
         return []
     sigma0 = json.loads((out / "result.json").read_text())["sigma0"]

@@ -113,6 +113,21 @@ def airborne_seeds(top: Path) -> None:
     (folder / "strip1.csv").write_text("\n".join([rows[0], *rows[1::40]]) + "\n")
 
 
+def keys_seeds(top: Path) -> None:
+    from tests.scenes.test_rpc_writing import gdal_json, gdal_xml, orthority
+
+    rpc = small_rpc()
+    (place(top, 0) / "a.vrt").write_text(gdal_xml(rpc))
+    (place(top, 1) / "a.json").write_text(gdal_json(rpc))
+    (place(top, 2) / "a.yaml").write_text(orthority({"a.tif": rpc}))
+
+
+def geom_seeds(top: Path) -> None:
+    from raybundle.io.scenes.rpc_text import write_geom
+
+    write_geom(small_rpc(), place(top) / "a.geom")
+
+
 def read_a_scene(folder: Path) -> list[str]:
     from raybundle.io.scenes import read_scene
 
@@ -132,9 +147,31 @@ def read_a_scene(folder: Path) -> list[str]:
 for _name, _seeds in (
     ("rpc-text", rpc_text_seeds), ("rpb", rpb_seeds), ("tiff", tiff_seeds), ("nitf", nitf_seeds),
     ("dimap", dimap_seeds), ("spot", spot_seeds), ("maxar", maxar_seeds), ("csm", csm_seeds),
-    ("airborne", airborne_seeds),
+    ("airborne", airborne_seeds), ("keys", keys_seeds), ("geom", geom_seeds),
 ):  # fmt: skip
     target(f"scene-{_name}", _seeds, read_a_scene)
+
+
+def control_seeds(top: Path) -> None:
+    from tests.scenes.test_scene_control import geojson
+
+    rng = np.random.default_rng(1)
+    ground, xy = rng.uniform([10, 48, 300], [11, 49, 500], (4, 3)), rng.uniform(0, 1000, (4, 2))
+    texts(
+        {"c.geojson": json.dumps(geojson(ground, xy, image="a.tif", role="control", sX=0.1))},
+        {"c.csv": "point,lon_deg,lat_deg,h_m,x_px,y_px\na,10.5,48.5,400,12.5,13\nb,10.6,48.5,400,112.5,13\n"},
+        {"c.csv": "point,X,Y,Z,x_px,y_px,image,role\na,10.5,48.5,400,12.5,13,s.tif,check\n"},
+    )(top)
+
+
+def read_the_scene_control(folder: Path) -> list[str]:
+    from raybundle.io.scenes.control import read_scene_control
+
+    found = read_scene_control(only(folder))
+    return not_finite(geographic=found.geographic, xy=found.xy_px)
+
+
+target("scene-control", control_seeds, read_the_scene_control)
 
 
 def trajectory_seeds(top: Path) -> None:

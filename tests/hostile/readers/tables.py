@@ -4,7 +4,7 @@ from pathlib import Path
 
 import numpy as np
 
-from tests.hostile.readers.registry import not_finite, only, target, texts
+from tests.hostile.readers.registry import not_finite, only, place, target, texts
 
 
 def control_seeds(top: Path) -> None:
@@ -53,7 +53,8 @@ def crs_seeds(top: Path) -> None:
 
 
 def read_a_crs(folder: Path) -> list[str]:
-    from raybundle.io.geo.coordinate_systems import local_frame, parse_crs
+    from raybundle.io.geo.coordinate_systems import local_frame
+    from raybundle.io.geo.parsed_systems import parse_crs
 
     text = only(folder).read_bytes().decode("utf-8", "surrogateescape")
     parse_crs(text)
@@ -77,6 +78,34 @@ def read_empirical_points(folder: Path) -> list[str]:
     return []
 
 
+def spreadsheet_seeds(top: Path) -> None:
+    """The tables of users as two countries' spreadsheets save them; a folder begins with its reader's name."""
+    from tests.io.spreadsheets import READERS
+    from tests.io.test_spreadsheets import saved
+
+    for k, (name, reader) in enumerate(READERS.items()):
+        folder = place(top, k)
+        separator, encoding, above = (";", "cp1252", "sep=;") if k % 2 else ("\t", "utf-8-sig", "")
+        plain = name in {"codes", "outline"}
+        for file, text in reader.files.items():
+            table = saved(text, separator, "" if plain else above) if file.endswith(".csv") else text
+            (folder / file).write_bytes(table.encode("utf-8" if plain else encoding))
+        (folder / "name").write_text(name)
+
+
+def read_a_spreadsheet(folder: Path) -> list[str]:
+    from tests.io.spreadsheets import READERS
+
+    try:
+        name = (folder / "name").read_text()
+    except (OSError, UnicodeDecodeError):
+        return []
+    if name in READERS:
+        READERS[name].read(folder)
+    return []
+
+
+target("spreadsheets", spreadsheet_seeds, read_a_spreadsheet)
 target("control", control_seeds, read_the_control)
 target("fiducials", fiducial_seeds, read_the_fiducials)
 target("film-marks", mark_seeds, read_the_marks)

@@ -6,9 +6,9 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
+from raybundle.cameras.conversions import camera_from_forward, camera_rays
+from raybundle.cameras.forward_camera import forward_pixels, forward_rays
 from raybundle.errors import InputError
-from raybundle.io.cameras.conversions import camera_from_forward, camera_rays
-from raybundle.io.cameras.forward_camera import forward_pixels, forward_rays
 from raybundle.io.formats import Export, read_format, write_format
 from raybundle.io.formats.colmap import MODELS, forward_of
 from raybundle.planning.scenes import TargetField, brown_camera, field_scene

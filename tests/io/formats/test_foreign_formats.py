@@ -8,8 +8,8 @@ import numpy as np
 import pytest
 from scipy.spatial.transform import Rotation
 
+from raybundle.cameras.conversions import camera_rays, grid_px, interiors
 from raybundle.errors import InputError
-from raybundle.io.cameras.conversions import camera_rays, grid_px, interiors
 from raybundle.io.formats import Export, formats, read_format, write_format
 from raybundle.io.geo.coordinate_systems import local_frame
 from raybundle.io.pictures.undistort import undistorted_block
@@ -47,9 +47,14 @@ def target(tmp_path, name):
     return tmp_path / f"out{formats[name].suffix}"
 
 
+NEEDS = {"las": ("laspy", "las"), "gpkg": ("pyogrio", "geo"), "dxf": ("ezdxf", "geo")}
+"""Libraries of formats, and their extras"""
+
+
 def needs(name):
-    if name == "las":
-        pytest.importorskip("laspy", reason="LAS needs the extra [las]")
+    if name in NEEDS:
+        library, extra = NEEDS[name]
+        pytest.importorskip(library, reason=f"{name} needs the extra [{extra}]")
 
 
 def image_order(block, other):
@@ -154,7 +159,7 @@ def test_an_interior_orientation_for_each_image_gets_its_own_camera(name, block,
         assert ratio == pytest.approx(1.01, abs=1e-5)
 
 
-@pytest.mark.parametrize("name", [n for n in WRITTEN if n not in {"ply", "las", "kml", "geojson"}])
+@pytest.mark.parametrize("name", [n for n in WRITTEN if n not in {"ply", "las", "kml", "geojson", "gpkg", "dxf"}])
 def test_a_camera_without_distortion_is_exact(name, tmp_path):
     exact = make_block(**dict.fromkeys(LENS, 0.0), x0=0.0, y0=0.0)
     assert write_format(name, exported(exact), target(tmp_path, name)).deviation_px < 1e-9

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from raybundle.cli.common import COMMAND_SETTINGS, FOLDER, TRACEBACK, significant
+from raybundle.cli.common import FOLDER, Command, significant
 from raybundle.cli.settings import options_of, values_of
 from raybundle.commands.calibrations import CalibrationCompareSettings, run_compare
 from raybundle.settings import made
@@ -17,22 +17,20 @@ if TYPE_CHECKING:
     from raybundle.commands.calibrations import ComparedCalibrations
 
 
-@click.command("compare", context_settings=COMMAND_SETTINGS)
+@click.command("compare", cls=Command)
 @click.argument("first", type=FOLDER, metavar="A")
 @click.argument("second", type=FOLDER, metavar="B")
-@options_of(CalibrationCompareSettings, "distance")
+@options_of(CalibrationCompareSettings)
 @click.option("--json", "as_json", is_flag=True, help="Everything, the map too, as JSON.")
-@options_of(CalibrationCompareSettings, "size", "camera")
-@TRACEBACK
 def compare(first: Path, second: Path, *, as_json: bool, **given: Any) -> None:
     """Say how far apart two calibrations place the image of the same ray, after the best rotation.
 
-    The rotation is what the exterior orientation of a user takes up; at --distance a translation too.
+    The rotation is what the exterior orientation of a user takes up; at --object-distance a translation too.
 
     \b
     Example:
       raybundle calibration compare may.toml october.toml
-      raybundle calibration compare may.toml october.toml --distance 5
+      raybundle calibration compare may.toml october.toml --object-distance 5
     """  # noqa: D301
     asked = {"first": first, "second": second, **values_of(CalibrationCompareSettings, given)}
     settings = made(CalibrationCompareSettings, asked)
@@ -40,7 +38,7 @@ def compare(first: Path, second: Path, *, as_json: bool, **given: Any) -> None:
     if as_json:
         click.echo(json.dumps(_as_table(found)))
         return
-    for line in _lines(found, settings.distance):
+    for line in _lines(found, settings.object_distance):
         click.echo(f" {line}")
 
 

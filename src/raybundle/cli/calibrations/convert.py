@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from raybundle.cli.common import COMMAND_SETTINGS, FOLDER, NEW_FILE, TRACEBACK, significant
+from raybundle.cli.common import FOLDER, NEW_FILE, Command, facts, significant
 from raybundle.cli.settings import options_of, values_of
 from raybundle.commands.calibrations import CalibrationConvertSettings, converted, write_converted
 from raybundle.settings import made
@@ -16,10 +16,9 @@ if TYPE_CHECKING:
     from raybundle.io.calibrations import Conversion
 
 
-@click.command("convert", context_settings=COMMAND_SETTINGS)
+@click.command("convert", cls=Command)
 @click.argument("source", type=FOLDER, metavar="INPUT")
 @options_of(CalibrationConvertSettings, out=NEW_FILE)
-@TRACEBACK
 def convert(source: Path, **given: Any) -> None:
     """Convert a calibration; INPUT is a file of any format, or a result folder.
 
@@ -41,7 +40,15 @@ def convert(source: Path, **given: Any) -> None:
         click.echo(f" caution: {caution}")
     for conversion in found.conversions:
         _tell(conversion)
-    for path in write_converted(settings, found).files:
+    files = write_converted(settings, found).files
+    facts(files=files, cameras=[
+        {
+            "camera": c.calibration.id, "model": c.variant, "exact": c.exact, "rms_px": c.rms_px,
+            "largest_px": c.largest_px,
+        }
+        for c in found.conversions
+    ])  # fmt: skip
+    for path in files:
         click.echo(f" {settings.to}: {path}")
 
 

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from raybundle.cli.common import COMMAND_SETTINGS, FOLDER, NEW_FILE, TRACEBACK, counted, significant
+from raybundle.cli.common import FOLDER, NEW_FILE, Command, counted, facts, significant
 from raybundle.cli.settings import options_of, values_of
 from raybundle.commands.calibrations import (
     CalibrationAddSettings,
@@ -25,10 +25,9 @@ if TYPE_CHECKING:
     from raybundle.io.cameras.library import LibraryEntry
 
 
-@click.command("add", context_settings=COMMAND_SETTINGS)
+@click.command("add", cls=Command)
 @click.argument("source", type=FOLDER, metavar="FILE")
 @options_of(CalibrationAddSettings)
-@TRACEBACK
 def add(source: Path, **given: Any) -> None:
     """Keep a calibration; FILE is a file of any format, or the result folder of an adjustment (with covariance).
 
@@ -40,6 +39,7 @@ def add(source: Path, **given: Any) -> None:
     kept = run_add(made(CalibrationAddSettings, asked))
     for remark in kept.remarks:
         click.echo(f" remark: {remark}")
+    facts(key=str(kept.key), kept=kept.place)
     click.echo(f" {kept.key}: kept as {kept.place}")
 
 
@@ -52,10 +52,9 @@ def _row(entry: LibraryEntry) -> str:
     return f" {entry.name}\n   {entry.key}; {size}, {c.model}; {entry.date}, {entry.source}{count}{sigma0}{verdict}"
 
 
-@click.command("list", context_settings=COMMAND_SETTINGS)
+@click.command("list", cls=Command)
 @click.option("--json", "as_json", is_flag=True, help="Everything as JSON.")
 @options_of(CalibrationListSettings)
-@TRACEBACK
 def list_(*, as_json: bool, **given: Any) -> None:
     """Show the calibrations of the library.
 
@@ -76,10 +75,9 @@ def list_(*, as_json: bool, **given: Any) -> None:
         click.echo(f" caution: {path.name} cannot be used: {why}")
 
 
-@click.command("find", context_settings=COMMAND_SETTINGS)
+@click.command("find", cls=Command)
 @click.argument("photo", type=FOLDER)
 @options_of(CalibrationFindSettings, out=NEW_FILE)
-@TRACEBACK
 def find(photo: Path, **given: Any) -> int:
     """Say which calibrations of the library serve a photograph, and why the others do not.
 
@@ -93,6 +91,7 @@ def find(photo: Path, **given: Any) -> int:
 
     settings = made(CalibrationFindSettings, {"photo": photo, **values_of(CalibrationFindSettings, given)})
     found = run_find(settings)
+    facts(matches=[{"name": m.entry.name, "fits": m.fits, "reasons": m.reasons} for m in found.matches])
     click.echo(f" {photo.name}: {key_of(found.photo)}; {found.photo.width_px} x {found.photo.height_px} px")
     for m in found.matches:
         click.echo(f" {'fits' if m.fits else 'no  '} {m.entry.name}: {'; '.join(m.reasons)}")

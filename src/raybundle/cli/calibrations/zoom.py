@@ -7,24 +7,23 @@ from typing import Any
 
 import click
 
-from raybundle.cli.common import COMMAND_SETTINGS, FOLDER, NEW_FOLDER, TRACEBACK
+from raybundle.cli.common import FOLDER, NEW_FOLDER, Command, facts
 from raybundle.cli.settings import options_of, values_of
 from raybundle.commands.calibrations import ZoomSettings, keep_zoom, run_zoom
 from raybundle.settings import made
 
 
-@click.command("zoom", context_settings=COMMAND_SETTINGS)
+@click.command("zoom", cls=Command)
 @click.argument("results", type=FOLDER, nargs=-1, required=True, metavar="RESULT...")
 @options_of(ZoomSettings, out=NEW_FOLDER)
-@TRACEBACK
 def zoom(results: tuple[Path, ...], **given: Any) -> None:
     """Combine calibrations of a zoom lens at several settings into one for every focal length in between.
 
-    RESULT are result folders of `raybundle calibrate`, all with the same --model and --estimate.
+    RESULT are result folders of `raybundle calibrate`, all with the same --model and --parameters.
 
     \b
     Example:
-      raybundle calibrate 24mm/ --target aicon14 --estimate c,x0,y0,K1,K2,P1,P2 --out z24
+      raybundle calibrate 24mm/ --target aicon14 --parameters c,x0,y0,K1,K2,P1,P2 --out z24
       raybundle calibration zoom z24 z35 z50 z70 --out lens --keep
     """  # noqa: D301
     from raybundle.calibration.zoom import zoom_residuals  # noqa: PLC0415
@@ -33,6 +32,7 @@ def zoom(results: tuple[Path, ...], **given: Any) -> None:
     done = run_zoom(settings)
     lens = done.lens
     low, high = lens.range_mm
+    facts(focal_mm=lens.range_mm, symbols=lens.symbols, orders=lens.orders, variance_factor=lens.variance_factor)
     rounded = f"rounded to {lens.resolution_mm:g} mm" if lens.resolution_mm else "not rounded"
     click.echo(f" {len(done.settings)} settings from {low:g} to {high:g} mm, focal lengths {rounded}")
     worst = abs(zoom_residuals(lens, done.settings)).max(axis=0)

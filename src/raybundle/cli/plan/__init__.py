@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import click
 
-from raybundle.cli.common import COMMAND_SETTINGS
 from raybundle.cli.lazy import LazyGroup
 
 SUBCOMMANDS = {
@@ -17,13 +16,13 @@ SUBCOMMANDS = {
 }
 
 
-@click.group("plan", cls=LazyGroup, context_settings=COMMAND_SETTINGS)
+@click.group("plan", cls=LazyGroup)
 def command() -> None:
     """Know what photographs will determine, before they are taken.
 
     \b
     Example:
-      raybundle plan flight --lines 4 --photos 8 --height 80 --alternate --cross 30
+      raybundle plan flight --lines 4 --photographs-per-line 8 --height 80 --alternate --cross 30
     """  # noqa: D301
 
 

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from raybundle.cli.common import COMMAND_SETTINGS, FOLDER, NEW_FOLDER, common_options, counted
+from raybundle.cli.common import FOLDER, NEW_FOLDER, Command, common_options, counted, facts
 from raybundle.cli.settings import options_of, values_of
 from raybundle.commands.planning.check import PlanCheckSettings, run_plan_check
 from raybundle.commands.planning.check_list import is_list, run_list_check
@@ -25,7 +25,7 @@ REFLY = 4
 """Exit status where something is to be flown again."""
 
 
-@click.command("check", context_settings=COMMAND_SETTINGS)
+@click.command("check", cls=Command)
 @click.argument("plan", type=FOLDER, metavar="PLAN")
 @click.argument("photos", type=FOLDER, nargs=-1, required=True, metavar="PHOTOS...")
 @options_of(PlanCheckSettings, out=NEW_FOLDER)
@@ -52,10 +52,12 @@ def command(plan: Path, photos: tuple[Path, ...], progress: str, **given: Any) -
     if is_list(plan):
         with reporting(progress) as tell:
             listed = run_list_check(settings, tell)
+        facts(missing=len(listed.ticked.missing))
         click.echo("\n".join(list_lines(listed)))
         return REFLY if len(listed.ticked.missing) else 0
     with reporting(progress) as tell:
         done = run_plan_check(settings, tell)
+    facts(refly=done.check.refly, files=done.files, refused=[{"file": p, "reason": r} for p, r in done.refused])
     click.echo("\n".join(lines(done)))
     return REFLY if done.check.refly else 0
 

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from raybundle.cli.common import COMMAND_SETTINGS, NEW_FOLDER, common_options, counted
+from raybundle.cli.common import NEW_FOLDER, Command, common_options, counted, facts
 from raybundle.cli.plan.precision import cell, control_lines, figure, length, positions
 from raybundle.cli.settings import options_of, values_of
 from raybundle.commands.planning.flight import FlightSettings, run_plan_flight
@@ -19,7 +19,7 @@ if TYPE_CHECKING:
     from raybundle.planning.uav_networks import Flight
 
 
-@click.command("flight", context_settings=COMMAND_SETTINGS)
+@click.command("flight", cls=Command)
 @options_of(FlightSettings, out=NEW_FOLDER)
 @common_options
 def command(progress: str, **given: Any) -> None:
@@ -32,15 +32,17 @@ def command(progress: str, **given: Any) -> None:
     \b
     Example:
       raybundle plan flight --area 200 300 --gsd 0.02 --alternate
-      raybundle plan flight --lines 4 --photos 8 --height 80 --rtk 0.02 0.02 0.03
+      raybundle plan flight --lines 4 --photographs-per-line 8 --height 80 --rtk 0.02 0.02 0.03
       raybundle plan flight --alternate --cross 30 --overlap 0.8 0.7
-      raybundle plan flight --alternate --relief 10 --lever-arm --control-table
+      raybundle plan flight --alternate --relief 10 --free-lever-arm --control-table
     """  # noqa: D301
     from raybundle.cli.progress import reporting  # noqa: PLC0415  (what computes is loaded after the help)
 
     settings = made(FlightSettings, values_of(FlightSettings, given))
     with reporting(progress) as tell:
         plan, done, table = run_plan_flight(settings, tell)
+    shown = {"planned": done.planned, "without_rtk": done.without_rtk}
+    facts(**{n: None if f is None else _fact(f) for n, f in shown.items()}, remedies=[_fact(f) for f in done.remedies])
     click.echo("\n".join(_head(plan)))
     click.echo(
         f" {'sigma [mm], rms; of c [px]':50}{'photos':>7}{'X':>8}{'Y':>8}{'Z':>8}{'c':>7}{'brings':>20}"
@@ -53,6 +55,14 @@ def command(progress: str, **given: Any) -> None:
         click.echo("\n".join(control_lines(table)))
     if settings.out is not None:
         click.echo(f" simulated block: {settings.out}")
+
+
+def _fact(f: Forecast) -> dict[str, Any]:
+    """What a plan would give, for JSON."""
+    return {
+        "name": f.name, "photographs": f.photographs, "sigma_m": f.sigma_m, "height_worst_m": f.height_worst_m,
+        "std": f.std, "std_level": f.std_level, "lost": f.lost, "lost_level": f.lost_level,
+    }  # fmt: skip
 
 
 def _head(plan: Flight) -> list[str]:
@@ -119,7 +129,7 @@ def _held(planned: Forecast) -> str:
     """What is left where no change of the flight mends what hangs: to know it from elsewhere."""
     arm = {"ax", "ay", "az"} & set(planned.hanging)
     known = ["hold the camera as calibrated (--hold-camera)"] if set(planned.hanging) - arm or not arm else []
-    known += ["measure the lever arm and hold it (without --lever-arm)"] if arm else []
+    known += ["measure the lever arm and hold it (without --free-lever-arm)"] if arm else []
     return ", and ".join(known)
 
 

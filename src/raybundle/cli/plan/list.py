@@ -6,14 +6,14 @@ from typing import Any, get_args
 
 import click
 
-from raybundle.cli.common import COMMAND_SETTINGS, NEW_FOLDER, common_options, counted
+from raybundle.cli.common import NEW_FOLDER, Command, common_options, counted
 from raybundle.cli.settings import options_of, values_of
 from raybundle.commands.planning.network_files import free_camera_words
 from raybundle.commands.planning.photograph_list import ListKind, ListSettings, facts_of, run_plan_list
 from raybundle.settings import made
 
 
-@click.command("list", context_settings=COMMAND_SETTINGS)
+@click.command("list", cls=Command)
 @click.argument("kind", type=click.Choice(get_args(ListKind)))
 @click.argument("object", metavar="OBJECT")
 @options_of(ListSettings, out=NEW_FOLDER)
@@ -32,7 +32,7 @@ def command(kind: str, object: str, progress: str, **given: Any) -> None:  # noq
       raybundle plan list cipa box:12,8,6 --c 24 --around 15 --out house
       raybundle plan list cipa box:12,8,6 --c 24 --around 15 --clearance 8 --out house-from-8
       raybundle plan list calibration sheet:0.42,0.297 --c 24 --out calibration-list
-      raybundle plan list targets box:4,3,2.5 --stations plan/stations.csv --targets 50 --out targets-list
+      raybundle plan list targets box:4,3,2.5 --stations plan/stations.csv --count 50 --out targets-list
     """  # noqa: D301
     from raybundle.cli.progress import reporting  # noqa: PLC0415  (what computes is loaded after the help)
 

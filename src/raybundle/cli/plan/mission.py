@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from raybundle.cli.common import COMMAND_SETTINGS, NEW_FOLDER, TRACEBACK, counted
+from raybundle.cli.common import NEW_FOLDER, Command, counted, facts
 from raybundle.cli.plan.precision import forecast_lines
 from raybundle.cli.settings import options_of, values_of
 from raybundle.commands.planning.mission import MissionSettings, run_plan_mission
@@ -18,10 +18,9 @@ if TYPE_CHECKING:
     from raybundle.missions.report import Spread
 
 
-@click.command("mission", context_settings=COMMAND_SETTINGS)
+@click.command("mission", cls=Command)
 @click.argument("area", metavar="AREA")
 @options_of(MissionSettings, out=NEW_FOLDER)
-@TRACEBACK
 def command(area: str, **given: Any) -> None:
     """Plan a flight over AREA and write it for a vehicle: way points, heights, views, photographs.
 
@@ -31,12 +30,13 @@ def command(area: str, **given: Any) -> None:
 
     \b
     Example:
-      raybundle plan mission field.geojson --vehicle mavic-3e --gsd 0.02 --format wpml,kml --out plan
-      raybundle plan mission field.geojson --vehicle mavic-3e --predict --lever-arm --out plan
-      raybundle plan mission hill.kml --camera IMG_1.JPG --dsm dsm.tif --pattern double-grid --tilt 20 --out plan
+      raybundle plan mission field.geojson --vehicle mavic-3e --gsd 0.02 --to wpml,kml --out plan
+      raybundle plan mission field.geojson --vehicle mavic-3e --predict --free-lever-arm --out plan
+      raybundle plan mission hill.kml --camera IMG_1.JPG --dem dsm.tif --pattern double-grid --tilt 20 --out plan
       raybundle plan mission wall.geojson --vehicle mavic-3e --pattern facade --heights 0 18 --gsd 0.003 --out plan
     """  # noqa: D301
     done = run_plan_mission(made(MissionSettings, {"area": area, **values_of(MissionSettings, given)}))
+    facts(figures=done.facts, files=done.files, forecast=done.forecast)
     click.echo("\n".join(lines(done)))
 
 

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from raybundle.cli.common import COMMAND_SETTINGS, NEW_FOLDER, common_options, counted, significant
+from raybundle.cli.common import NEW_FOLDER, Command, common_options, counted, significant
 from raybundle.cli.settings import options_of, values_of
 from raybundle.commands.planning.network import NetworkSettings, run_plan_network
 from raybundle.commands.planning.network_files import free_camera_words, purpose_words, side_words, told
@@ -21,7 +21,7 @@ SHOWN = 12
 """Stations that are told one by one; the others stand in stations.csv"""
 
 
-@click.command("network", context_settings=COMMAND_SETTINGS)
+@click.command("network", cls=Command)
 @click.argument("object", metavar="OBJECT")
 @options_of(NetworkSettings, out=NEW_FOLDER)
 @common_options
@@ -37,9 +37,9 @@ def command(object: str, progress: str, **given: Any) -> None:  # noqa: A002  (t
 
     \b
     Example:
-      raybundle plan network box:4,3,2.5 --sigma 0.15 --c 24 --pixel 6 --out plan
+      raybundle plan network box:4,3,2.5 --sigma 0.15 --c 24 --pixel-mm 0.006 --out plan
       raybundle plan network facade:12,8 --photographs 10 --measured natural --heights 1.2 4 --out facade-plan
-      raybundle plan network box:4,3,2.5 --stations plan/stations.csv --scale-bars 2 --bar-sigma 0.02 --out known
+      raybundle plan network box:4,3,2.5 --stations plan/stations.csv --scale-bars 2 --scale-bar-sigma 2e-5 --out known
     """  # noqa: D301
     from raybundle.cli.progress import reporting  # noqa: PLC0415  (what computes is loaded after the help)
 
@@ -107,7 +107,7 @@ def _lines(plan: NetworkPlan, settings: NetworkSettings) -> list[str]:
     elif o["seen_twice"] < SEEN:
         lines.append(
             f"remark: {100 - 100 * o['seen_twice']:.0f} % of the object lies between the points and is not seen twice; "
-            "with more --points it is less"
+            "with more --object-points it is less"
         )
     return [*lines, f"{settings.out}: network.html, stations.csv, points.csv, block"]
 

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from raybundle.cli.common import COMMAND_SETTINGS, FOLDER, NEW_FOLDER, common_options, counted
+from raybundle.cli.common import FOLDER, NEW_FOLDER, Command, common_options, counted
 from raybundle.cli.settings import options_of, values_of
 from raybundle.commands.planning.next import NextSettings, run_plan_next
 from raybundle.settings import made
@@ -21,7 +21,7 @@ HARDLY = 0.99
 """Share of what is to be lowered, of which a remark is made where it stays"""
 
 
-@click.command("next", context_settings=COMMAND_SETTINGS)
+@click.command("next", cls=Command)
 @click.argument("result", type=FOLDER, metavar="RESULT")
 @options_of(NextSettings, out=NEW_FOLDER)
 @common_options

@@ -31,17 +31,17 @@ class PlanCheckSettings:
         None, "Positions of the photographs, in place of those that they state.", metavar="FILE"
     )
     crs: str = setting("", "Coordinate system of {positions}, where that file names none.", metavar="EPSG:CODE")
-    dsm: Path | None = setting(
+    dem: Path | None = setting(
         None, "Raster of the heights of the ground, where the plan followed one.", metavar="FILE"
     )
     seen: int | None = setting(
         None, "Photographs that are to show each place.  [default: half of what the plan gives it, 3 at least]",
         limits=Range(low=1, high=1000),
     )  # fmt: skip
-    blur: float = setting(
+    blur_tolerance: float = setting(
         1.5, "Blur beyond the others' from which on a photograph does not count [px].", limits=POSITIVE
     )
-    tilt: float = setting(
+    tilt_tolerance: float = setting(
         10.0, "Deviation of the view from which on it does not count [deg].", limits=Range(low=0, high=90)
     )
     sharpness: bool = setting(True, "Do not look at pixels: positions, times and angles alone.", flag="no-sharpness")
@@ -96,7 +96,9 @@ def run_plan_check(settings: PlanCheckSettings, progress: Progress = silent) -> 
     photos, remarks = _placed(s, found.photos)
     ground, told = _ground(s, mission)
     flown, more = flown_of(photos, mission, sharp=s.sharpness, progress=progress)
-    result = check(mission, flown, ground, Limits(blur_px=s.blur, tilt=math.radians(s.tilt), seen=s.seen))
+    result = check(
+        mission, flown, ground, Limits(blur_px=s.blur_tolerance, tilt=math.radians(s.tilt_tolerance), seen=s.seen)
+    )
     files = () if s.out is None else _write(s.out, mission, result)
     return CheckedFlight(
         mission=mission, check=result, remarks=(*remarks, *told, *more), refused=found.refused, files=files
@@ -120,10 +122,10 @@ def _ground(s: PlanCheckSettings, mission: Mission) -> tuple[Ground, tuple[str, 
     from raybundle.missions.mission import exposures  # noqa: PLC0415
     from raybundle.missions.terrain import below_photographs, level_ground  # noqa: PLC0415
 
-    if s.dsm is not None:
+    if s.dem is not None:
         xy = np.concatenate([mission.way_points.xyz[:, :2], mission.outline])
         margin = max(mission.camera.footprint(mission.camera.distance(mission.gsd)))
-        grid = read_heights(s.dsm, mission.crs, np.array([xy.min(axis=0) - margin, xy.max(axis=0) + margin]))
+        grid = read_heights(s.dem, mission.crs, np.array([xy.min(axis=0) - margin, xy.max(axis=0) + margin]))
         return grid.at, grid.remarks
     if not mission.terrain:
         return level_ground(mission.take_off[2]), ()
@@ -136,12 +138,12 @@ def _ground(s: PlanCheckSettings, mission: Mission) -> tuple[Ground, tuple[str, 
 def _write(out: Path, mission: Mission, result: FlightCheck) -> tuple[Path, ...]:
     """photographs.csv, gaps and a picture."""
     from raybundle.io.folders import new_folder  # noqa: PLC0415
-    from raybundle.io.missions.gap_files import table_text, write_gaps  # noqa: PLC0415
+    from raybundle.io.missions.gap_files import write_flown, write_gaps  # noqa: PLC0415
     from raybundle.report.figures.mission import plan_view  # noqa: PLC0415
 
     with new_folder(out) as folder:
         table, picture = folder / "photographs.csv", folder / "check.svg"
-        table.write_text(table_text(result, mission), encoding="utf-8", newline="\n")
+        write_flown(result, mission, table)
         gaps = write_gaps(result, mission, folder)
         view = plan_view(
             mission, result.coverage if mission.closed else None, gaps=[g.outline for g in result.gaps],

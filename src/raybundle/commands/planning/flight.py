@@ -28,11 +28,12 @@ class FlightSettings:
     """A flight over level ground or hills as it is planned: by area or lines, overlap, format and camera constant."""
 
     area: tuple[float, float] | None = setting(
-        None, "To be photographed, across the lines and along them [m]; in place of {lines}, {photos} and {ground}.",
+        None, "To be photographed, across the lines and along them [m]; in place of {lines}, "
+        "{photographs_per_line} and {ground}.",
         metavar="WIDTH LENGTH", limits=(METRES, METRES),
     )  # fmt: skip
     lines: int | None = setting(None, "Flight lines.  [default: 4, or by {area}]", limits=Range(low=1, high=40))
-    photos: int | None = setting(
+    photographs_per_line: int | None = setting(
         None, "Photographs of a line.  [default: 8, or by {area}]", limits=Range(low=2, high=80)
     )
     gsd: float | None = setting(None, "Side of a pixel on the ground [m]; in place of {height}.", limits=METRES)
@@ -41,13 +42,13 @@ class FlightSettings:
         0.0, "Between the lowest and the highest ground, in per cent of {height}.", limits=Range(low=0, high=60)
     )
     base: float | None = setting(None, "Between photographs of a line [m].  [default: by {overlap}]", limits=METRES)
-    spacing: float | None = setting(None, "Between lines [m].  [default: by {overlap}]", limits=METRES)
+    line_spacing: float | None = setting(None, "Between lines [m].  [default: by {overlap}]", limits=METRES)
     overlap: tuple[float, float] = setting(
         OVERLAP, "Of photographs along a line, and of lines.", metavar="ALONG ACROSS", limits=(SHARE, SHARE)
     )
-    camera: tuple[int, int, float] = setting(
-        (5472, 3648, 3650.0), "Format and camera constant [px].", metavar="WIDTH HEIGHT C",
-        limits=(FORMAT, FORMAT, PIXELS),
+    camera: str = setting(
+        "5472x3648,3650", "A photograph that the camera took, its calibration (TOML), the name of a known one, or its "
+        "format and camera constant in px.", metavar="PHOTO|FILE|NAME|WxH,C",
     )  # fmt: skip
     hold_camera: bool = setting(False, "The camera is calibrated and held; else it is calibrated in flight.")
     rtk: tuple[float, float, float] = setting(
@@ -55,7 +56,7 @@ class FlightSettings:
         limits=(METRES, METRES, METRES),
     )  # fmt: skip
     no_rtk: bool = setting(False, "Positions of 5, 5, 10 m in place of {rtk}, as photographs without RTK have them.")
-    lever_arm: bool = setting(False, "The lever arm of the antenna is free; else projection centres are observed.")
+    free_lever_arm: bool = setting(False, "The lever arm of the antenna is free; else projection centres are observed.")
     alternate: bool = setting(False, "Every second line is flown the other way.")
     cross: float | None = setting(
         None, "As many lines across, the camera tilted so far [deg].", metavar="TILT", limits=Range(low=0, high=60)
@@ -66,8 +67,8 @@ class FlightSettings:
     read_out: float = setting(
         0.0, "Read-out time of a rolling shutter, estimated [ms]; 0: none.", limits=Range(low=0, high=1000)
     )
-    speed: float = setting(10.0, "On the lines, for {read-out} [m/s].", limits=Range(low=0, high=100, above=True))
-    control: int = setting(0, "Control points: 1 to 5, 9 or 13.", limits=Range(low=0, high=13))
+    speed: float = setting(10.0, "On the lines, for {read_out} [m/s].", limits=Range(low=0, high=100, above=True))
+    control_points: int = setting(0, "Control points: 1 to 5, 9 or 13.", limits=Range(low=0, high=13))
     control_sigma: tuple[float, float] = setting(
         (0.01, 0.02), "Their standard deviations [m].", metavar="PLAN HEIGHT", limits=(METRES, METRES)
     )
@@ -75,11 +76,13 @@ class FlightSettings:
         (0.5, 1.5), "Unevenness of the flight: standard deviations [m], [deg].", metavar="HEIGHT ANGLE",
         limits=(Range(low=0, high=1e6), Range(low=0, high=180)),
     )  # fmt: skip
-    noise: float = setting(0.3, "Sigma of an image coordinate [px].", limits=PIXELS)
+    image_sigma: float = setting(0.3, "Sigma of an image coordinate [px].", limits=PIXELS)
     ground: float | None = setting(
-        None, "Side of a square of tie points [m].  [default: by {area}, or {lines} and {photos}]", limits=METRES
+        None,
+        "Side of a square of tie points [m].  [default: by {area}, or {lines} and {photographs_per_line}]",
+        limits=METRES,
     )
-    points: int | None = setting(
+    tie_points: int | None = setting(
         None, "Tie points along its longer side.  [default: 30, or so many that each photograph shows some]",
         limits=Range(low=4, high=200),
     )  # fmt: skip
@@ -91,12 +94,14 @@ class FlightSettings:
 
         raises  InputError for settings that contradict each other, and for more photographs than are forecast
         """
+        from raybundle.io.missions.cameras import mission_camera  # noqa: PLC0415  (what computes is loaded later)
         from raybundle.planning.aerial import NO_RTK  # noqa: PLC0415
         from raybundle.planning.flight import points_of  # noqa: PLC0415
         from raybundle.planning.uav_networks import FREE, Flight, uav_camera  # noqa: PLC0415
 
         self._checked()
-        width, height, c = self.camera
+        given = mission_camera(self.camera)
+        width, height, c = given.width_px, given.height_px, given.c_px
         usual = uav_camera()
         camera = replace(
             usual, width_px=width, height_px=height, values={**usual.values, "c": c * usual.pixel_mm[0]},
@@ -105,24 +110,24 @@ class FlightSettings:
         above = (self.height or HEIGHT) if self.gsd is None else self.gsd * c
         along, across = above * height / c, above * width / c
         base = self.base or (1 - self.overlap[0]) * along
-        spacing = self.spacing or (1 - self.overlap[1]) * across
+        spacing = self.line_spacing or (1 - self.overlap[1]) * across
         lines, photos = self._numbers(base, spacing)
         covered = ((photos - 1) * base * max((lines - 1) * spacing, across / 2)) ** 0.5
         size, length = (self.ground or covered, None) if self.area is None else self.area
         made = Flight(
             camera=camera, height=above, lines=lines, photographs=photos, spacing=spacing, base=base,
             size=size, length=length, alternating=self.alternate, cross_tilt_deg=self.cross,
-            height_jitter=self.jitter[0], angle_jitter_deg=self.jitter[1], image_sigma_px=self.noise,
-            station_sigma=NO_RTK if self.no_rtk else self.rtk, control=self.control,
-            relief=self.relief / 100, lever_arm=self.lever_arm, cross_height=self.cross_height,
+            height_jitter=self.jitter[0], angle_jitter_deg=self.jitter[1], image_sigma_px=self.image_sigma,
+            station_sigma=NO_RTK if self.no_rtk else self.rtk, control=self.control_points,
+            relief=self.relief / 100, lever_arm=self.free_lever_arm, cross_height=self.cross_height,
             read_out_s=self.read_out / 1000, speed=self.speed,
             control_sigma=(self.control_sigma[0], *self.control_sigma),
         )  # fmt: skip
-        return replace(made, points=self.points or max(made.points, points_of(made)))
+        return replace(made, points=self.tie_points or max(made.points, points_of(made)))
 
     def _checked(self) -> None:
         """Refuse two settings that say the same."""
-        for given, others in (("area", ("lines", "photos", "ground")), ("gsd", ("height",))):
+        for given, others in (("area", ("lines", "photographs_per_line", "ground")), ("gsd", ("height",))):
             twice = [other for other in others if getattr(self, other) is not None]
             if getattr(self, given) is not None and twice:
                 told = " and ".join(option(other) for other in twice)
@@ -133,8 +138,11 @@ class FlightSettings:
         from raybundle.planning.uav_networks import covering  # noqa: PLC0415
 
         if self.area is None:
-            lines, photos = self.lines or LINES, self.photos or PHOTOS
-            what, mend = f"{lines} lines of {photos} photographs are", f"{option('lines')}, {option('photos')}"
+            lines, photos = self.lines or LINES, self.photographs_per_line or PHOTOS
+            what, mend = (
+                f"{lines} lines of {photos} photographs are",
+                f"{option('lines')}, {option('photographs_per_line')}",
+            )
         else:
             wide, long = self.area
             lines, photos = covering(self.area, spacing, base)

@@ -75,9 +75,9 @@ class MissionSettings:
     rings: int = setting(1, "Of an orbit with {tilt}.", limits=Range(low=1, high=10))
     width: float = setting(0.0, "Of a corridor [m].", limits=HEIGHTS)
     side: Literal["left", "right"] = setting("right", "Of a facade's line on which the vehicle flies, along the line.")
-    dsm: Path | None = setting(None, "Raster of the heights of the ground, to be followed.", metavar="FILE")
-    dsm_unit: Literal["", "m", "ft", "us-ft"] = setting("", "Of its heights, where it does not say.", unsaid=True)
-    dsm_band: int = setting(1, "Its band.", limits=Range(low=1, high=1000))
+    dem: Path | None = setting(None, "Raster of the heights of the ground, to be followed.", metavar="FILE")
+    dem_unit: Literal["", "m", "ft", "us-ft"] = setting("", "Of its heights, where it does not say.", unsaid=True)
+    dem_band: int = setting(1, "Its band.", limits=Range(low=1, high=1000))
     follow: float = setting(1.0, "Heights above ground are kept to so much [m].", limits=METRES)
     crs: str = setting(
         "", "Coordinate system of typed coordinates, or of a file that does not say.  [default: longitude, latitude]",
@@ -110,7 +110,7 @@ class MissionSettings:
     height_limit: float = setting(120.0, "Greatest height above ground [m]; EU 2019/947, open category.", limits=METRES)
     sight: float = setting(500.0, "Distance up to which the vehicle is seen [m].", limits=METRES)
     trigger: Literal["distance", "interval"] = setting("distance", "How the camera is released on a line.")
-    format: tuple[str, ...] = setting(
+    to: tuple[str, ...] = setting(
         ("kml",), "Formats of the plan: qgc, wpl, wpml, litchi, kml.", metavar="A,B,...", joined=True, typed="kml"
     )
     predict: bool = setting(False, "What precision it will have without control, and what it does not determine.")
@@ -118,8 +118,8 @@ class MissionSettings:
         (0.02, 0.02, 0.03), "Standard deviations of positions, for {predict} [m].", metavar="E N U",
         limits=(METRES, METRES, METRES),
     )  # fmt: skip
-    lever_arm: bool = setting(False, "The lever arm of the antenna is free, for {predict}.")
-    noise: float = setting(0.3, "Sigma of an image coordinate, for {predict} [px].", limits=POSITIVE)
+    free_lever_arm: bool = setting(False, "The lever arm of the antenna is free, for {predict}.")
+    image_sigma: float = setting(0.3, "Sigma of an image coordinate, for {predict} [px].", limits=POSITIVE)
     name: str = setting("mission", "Of the mission, and of its files.")
     out: Path = setting(MISSING, "New folder for the plan.", metavar="FOLDER")
 
@@ -142,7 +142,7 @@ def plan_mission(area: str | Path, out: str | Path, **settings: Any) -> PlannedM
 
     area      a file with an area, line or place, or coordinates: "7.1 50.1, 7.2 50.1, 7.2 50.2"
     out       new folder
-    settings  as of the command line, by the names of `MissionSettings`: vehicle="mavic-3e", gsd=0.02, dsm="dsm.tif"
+    settings  as of the command line, by the names of `MissionSettings`: vehicle="mavic-3e", gsd=0.02, dem="dsm.tif"
     raises    InputError for what cannot be flown as asked for
     """
     return run_plan_mission(made(MissionSettings, {"area": str(area), "out": Path(out), **settings}))
@@ -156,11 +156,9 @@ def run_plan_mission(settings: MissionSettings) -> PlannedMission:
     from raybundle.missions.report import mission_facts, warnings  # noqa: PLC0415
 
     s = settings
-    unknown = [f for f in s.format if f not in mission_formats]
+    unknown = [f for f in s.to if f not in mission_formats]
     if unknown:
-        raise InputError(
-            f"format {unknown[0]!r} is not known; known: {', '.join(mission_formats)} ({option('format')})"
-        )
+        raise InputError(f"format {unknown[0]!r} is not known; known: {', '.join(mission_formats)} ({option('to')})")
     if not re.fullmatch(r"[\w][\w .-]{0,60}", s.name):
         raise InputError(
             f"{s.name[:60]!r} is no name for files: letters, digits, blanks, points, - and _ ({option('name')})"
@@ -171,7 +169,7 @@ def run_plan_mission(settings: MissionSettings) -> PlannedMission:
     mission = replace(mission, remarks=(*remarks, *mission.remarks))
     facts = mission_facts(mission, lenient)
     found = warnings(mission, facts, limit_m=s.height_limit, sight_m=s.sight)
-    routes = routes_of(mission, lenient if s.dsm is not None else None)
+    routes = routes_of(mission, lenient if s.dem is not None else None)
     forecast = _forecast(s, mission, lenient) if s.predict else None
     files, told = _write(s, mission, facts, routes, forecast)
     return PlannedMission(
@@ -182,7 +180,7 @@ def run_plan_mission(settings: MissionSettings) -> PlannedMission:
 def _forecast(s: MissionSettings, mission: Mission, ground: Ground) -> MissionForecast:
     from raybundle.planning.mission import Asked, mission_forecast  # noqa: PLC0415
 
-    asked = Asked(station_sigma=s.rtk, lever_arm=s.lever_arm, image_sigma_px=s.noise)
+    asked = Asked(station_sigma=s.rtk, lever_arm=s.free_lever_arm, image_sigma_px=s.image_sigma)
     return mission_forecast(mission, ground, asked)
 
 
@@ -229,11 +227,11 @@ def _task(s: MissionSettings) -> tuple[Any, Ground, tuple[str, ...]]:
     if shape.holes:
         remarks += (f"holes in the area are flown over; give them as no-go zones to spare them ({option('no_go')})",)
     step, terrain = 5.0, ""
-    if s.dsm is not None:
+    if s.dem is not None:
         grid = _heights(s, crs, outline, home, wish)
         ground, lenient = ground_of(grid), grid.at
         remarks += (*grid.remarks, *_holes(grid, outline, shape.kind))
-        step, terrain = max(1.0, min(grid.cell_m, 10.0)), s.dsm.name
+        step, terrain = max(1.0, min(grid.cell_m, 10.0)), s.dem.name
     task = Task(
         name=s.name, pattern=s.pattern, outline=outline, crs=crs, wish=wish, vehicle=vehicle, speed=s.speed,
         blur_px=s.blur, take_off=None if home is None else (float(home[0]), float(home[1])), no_go=zones, ground=ground,
@@ -314,14 +312,14 @@ def _heights(s: MissionSettings, crs: str, outline: Array, home: Array | None, w
     from raybundle.missions.build import checked_outline  # noqa: PLC0415
     from raybundle.missions.patterns import patterns  # noqa: PLC0415
 
-    assert s.dsm is not None
+    assert s.dem is not None
     pattern = patterns[s.pattern]
     lines = pattern.lines(checked_outline(outline, pattern.shape), wish)
     places = [outline, *(line.xy for line in lines)] + ([] if home is None else [home[None]])
     every = np.concatenate(places)
     margin = max(wish.camera.footprint(wish.distance))
     box = np.array([every.min(axis=0) - margin, every.max(axis=0) + margin])
-    return read_heights(s.dsm, crs, box, unit=s.dsm_unit, band=s.dsm_band)
+    return read_heights(s.dem, crs, box, unit=s.dem_unit, band=s.dem_band)
 
 
 def _holes(grid: HeightGrid, outline: Array, kind: str) -> tuple[str, ...]:
@@ -360,7 +358,7 @@ def _write(
             names.append("precision.json")
             text = json.dumps(_figures(forecast), indent=1) + "\n"
             (folder / names[-1]).write_text(text, encoding="utf-8", newline="\n")
-        for chosen in dict.fromkeys(s.format):
+        for chosen in dict.fromkeys(s.to):
             entry = mission_formats[chosen]
             for k, route in enumerate(routes):
                 number = f"-{k + 1}" if len(routes) > 1 else ""

@@ -39,10 +39,10 @@ class PlannedCamera:
         (6000, 4000), "Without {camera}: its format [px].", metavar="WIDTH HEIGHT", limits=(FORMAT, FORMAT)
     )
     c: float = setting(24.0, "Without {camera}: camera constant [mm].", limits=Range(low=0.1, high=1e4))
-    pixel: float = setting(6.0, "Without {camera}: size of a pixel [um].", limits=Range(low=0.1, high=1000))
+    pixel_mm: float = setting(0.006, "Without {camera}: size of a pixel.", metavar="MM", limits=Range(low=1e-4, high=1))
     hold_camera: bool = setting(False, "The camera is calibrated and held; else it is calibrated with the object.")
     f_number: float = setting(8.0, "Aperture, for the depth of field.", limits=Range(low=0.5, high=128))
-    noise: float | None = setting(None, "Sigma of an image coordinate [px].", limits=PIXELS)
+    image_sigma: float | None = setting(None, "Sigma of an image coordinate [px].", limits=PIXELS)
     unit: float = setting(1.0, "Metres of one unit of a mesh.", limits=Range(low=1e-9, high=1e6))
 
 
@@ -64,8 +64,10 @@ class NetworkSettings(PlannedCamera):
     focus: float | None = setting(
         None, "Distance to which the lens is focused [m].  [default: so that most is sharp]", limits=METRES
     )
-    measured: MeasuredName = setting("targets", "What is measured; says how precisely where {noise} does not.")
-    points: int = setting(120, "Points on the object by which the network is judged.", limits=Range(low=8, high=1000))
+    measured: MeasuredName = setting("targets", "What is measured; says how precisely where {image_sigma} does not.")
+    object_points: int = setting(
+        120, "Points on the object by which the network is judged.", limits=Range(low=8, high=1000)
+    )
     rays: int = setting(3, "Photographs that each of them must be in, at least.", limits=Range(low=2, high=20))
     incidence: float = setting(65.0, "Largest angle of a ray to the normal [deg].", limits=Range(low=5, high=89))
     heights: tuple[float, float] | None = setting(
@@ -90,12 +92,14 @@ class NetworkSettings(PlannedCamera):
         None, "Judge these stations, look for none: stations.csv of a plan, a block or a result.", metavar="FILE|FOLDER"
     )
     scale_bars: int = setting(0, "Scale bars to put on the object.", limits=Range(low=0, high=20))
-    bar_sigma: float = setting(0.05, "Standard deviation of their lengths [mm].", limits=POSITIVE)
-    bar_length: float | None = setting(
+    scale_bar_sigma: float = setting(5e-5, "Standard deviation of their lengths [m].", limits=METRES)
+    scale_bar_length: float | None = setting(
         None, "Their length [m].  [default: as long as the object allows]", limits=METRES
     )
-    control: int = setting(0, "Control points to put on the object.", limits=Range(low=0, high=200))
-    control_sigma: float = setting(2.0, "Standard deviation of their coordinates [mm].", limits=POSITIVE)
+    control_points: int = setting(0, "Control points to put on the object.", limits=Range(low=0, high=200))
+    control_sigma: tuple[float, float] = setting(
+        (0.002, 0.002), "Their standard deviations [m].", metavar="PLAN HEIGHT", limits=(METRES, METRES)
+    )
     effort: Literal["quick", "thorough"] = setting(
         "thorough", "quick: seconds, for large networks a minute; thorough: better stations, in minutes."
     )
@@ -132,8 +136,8 @@ def run_plan_network(settings: NetworkSettings, progress: Progress = silent) -> 
         start=None if settings.stations is None else stations_of(settings.stations),
         as_given=settings.stations is not None, everywhere=settings.everywhere, repeat=settings.repeat,
         known=Wanted(
-            control=settings.control, control_sigma=settings.control_sigma / 1000, bars=settings.scale_bars,
-            bar_sigma=settings.bar_sigma / 1000, bar_length=settings.bar_length,
+            control=settings.control_points, control_sigma=(settings.control_sigma[0], *settings.control_sigma),
+            bars=settings.scale_bars, bar_sigma=settings.scale_bar_sigma, bar_length=settings.scale_bar_length,
         ),
     )  # fmt: skip
     write_network_plan(plan, title_of(settings.object), settings.out)
@@ -168,8 +172,8 @@ def site_of(settings: NetworkSettings, *, taken: bool = False) -> Site:
     access = _access(settings, surface, side, depth, fitting)
     kind = measured_kinds[settings.measured]
     return Site(
-        surface=surface, points=spread(surface, settings.points), camera=camera, access=access,
-        sigma_px=settings.noise or kind.sigma_px, depth=depth, incidence_deg=settings.incidence,
+        surface=surface, points=spread(surface, settings.object_points), camera=camera, access=access,
+        sigma_px=settings.image_sigma or kind.sigma_px, depth=depth, incidence_deg=settings.incidence,
         found=kind.found if kind.half_deg < 90 else None,
     )  # fmt: skip
 
@@ -204,7 +208,7 @@ def camera_of(settings: NetworkSettings) -> Camera:
     if settings.camera is None and Path(settings.object).is_dir():
         settings = replace(settings, camera=Path(settings.object))
     if settings.camera is None:
-        pixel = settings.pixel / 1000
+        pixel = settings.pixel_mm
         zero = dict.fromkeys(("x0", "y0", "K1", "K2", "K3", "P1", "P2"), 0.0)
         return brown_camera(values={**zero, "c": settings.c}, size_px=settings.format, pixel_mm=pixel, estimate=free)
     if settings.camera.suffix == ".toml" or settings.camera.is_dir():

@@ -34,6 +34,8 @@ def write_network_plan(
     from raybundle.adjustment.engine import adjust_block  # noqa: PLC0415
     from raybundle.adjustment.options import AdjustmentOptions  # noqa: PLC0415
     from raybundle.io.block.folder import named, write_block_files  # noqa: PLC0415
+    from raybundle.io.digits import COUNT, EVERY, SETTING, SHORT, STD, by_sigma, of_places  # noqa: PLC0415
+    from raybundle.io.digits import told as in_digits  # noqa: PLC0415
     from raybundle.io.folders import new_folder  # noqa: PLC0415
     from raybundle.io.tables import write_table  # noqa: PLC0415
     from raybundle.planning.planned_block import planned_block  # noqa: PLC0415
@@ -46,8 +48,8 @@ def write_network_plan(
     block = planned_block(plan.site, s, control_sigma=control, bars=bars, name=f"plan of {name}")
     exact = planned_block(plan.site, s, control_sigma=control, bars=bars, name=block.name, seed=None)
     names = exact.points.ids
-    inner = AdjustmentOptions(datum="inner", datum_points=names, threads=1)
-    result = adjust_block(exact, inner if control is None else AdjustmentOptions(threads=1))
+    inner = AdjustmentOptions(datum="inner", datum_points=names, jobs=1)
+    result = adjust_block(exact, inner if control is None else AdjustmentOptions(jobs=1))
     seen = plan.promise_known
     std = np.sqrt(np.diagonal(seen.points, axis1=1, axis2=2))
     away = s.at - s.centre
@@ -66,6 +68,10 @@ def write_network_plan(
                 "points": np.bincount(block.observations.image, minlength=len(s)).astype(float),
                 "what_for": what_for,
             },
+            {
+                **dict.fromkeys(("X", "Y", "Z", "at_X", "at_Y", "at_Z"), of_places(s.centre, s.at)),
+                **dict.fromkeys(("azimuth_deg", "elevation_deg", "roll_deg"), SETTING), "points": COUNT,
+            },
         )  # fmt: skip
         write_table(
             folder / "points.csv",
@@ -76,6 +82,10 @@ def write_network_plan(
                 **({} if plan.site.found is None else {"unlucky_mm": 1000 * seen.unlucky_points}),
                 **({} if h is None else {"known": known_words(h, len(names))}),
             },
+            {
+                **dict.fromkeys("XYZ", EVERY), **{f"s{a}_mm": STD for a in "XYZ"}, "rays": COUNT, "often": EVERY,
+                "unlucky_mm": STD,
+            },
         )  # fmt: skip
         if plan.site.found is not None:
             o = exact.observations
@@ -85,6 +95,7 @@ def write_network_plan(
                     "image": named(exact.images.ids, o.image), "point": named(names, o.point),
                     "found": plan.site.sigma_px**2 / o.cov_px2[:, 0],
                 },
+                EVERY,
             )  # fmt: skip
         if bars is not None:
             write_table(
@@ -93,9 +104,11 @@ def write_network_plan(
                     "from": [names[i] for i in bars.pairs[:, 0]], "to": [names[j] for j in bars.pairs[:, 1]],
                     "length_m": bars.length(plan.site.points.xyz), "sigma_mm": 1000 * bars.sigma,
                 },
+                {"length_m": by_sigma(bars.sigma), "sigma_mm": STD},
             )  # fmt: skip
         (folder / "plan.json").write_text(
-            json.dumps(clean({**told(plan), **({"list": kind} if kind else {})}), indent=1) + "\n", encoding="utf-8"
+            json.dumps(clean(in_digits({**told(plan), **({"list": kind} if kind else {})}, SHORT)), indent=1) + "\n",
+            encoding="utf-8",
         )
         planned = Planned(
             corners=plan.corners, sigma=plan.map_sigma, covariance=seen.points,

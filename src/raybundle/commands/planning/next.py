@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+from collections.abc import Mapping
 from dataclasses import MISSING, dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Literal
@@ -13,6 +14,7 @@ from raybundle.settings import NOT_NEGATIVE, POSITIVE, Range, made, option, sett
 
 if TYPE_CHECKING:
     from raybundle.adjustment.result import Adjustment
+    from raybundle.io.digits import Digits
     from raybundle.numerics.arrays import Array
     from raybundle.planning.goals import For
     from raybundle.planning.next_plan import Conditions, NextPlan
@@ -35,7 +37,7 @@ class NextSettings:
         "uncertainty of projection over the format.",
     )  # fmt: skip
     points: tuple[str, ...] = setting(
-        (), "Of {aim} worst: only these points count.", metavar="ID,ID,...", joined=True
+        (), "Of {aim} worst: only these points count.", metavar="A,B,C,...", joined=True
     )  # fmt: skip
     camera: str = setting("", "Camera of the block that takes them.  [default: that of most photographs]")
     around: float | None = setting(
@@ -60,7 +62,7 @@ class NextSettings:
         None, "Aperture, for the depth of field; with {focus}.", limits=Range(low=0.5, high=128)
     )
     focus: float | None = setting(None, "Distance to which the lens is focused.", limits=POSITIVE)
-    object: str | None = setting(
+    hidden_by: str | None = setting(
         None, "What hides what, in the frame of the block: a kind, mesh, raster or result, as of `plan network`.",
         metavar="OBJECT",
     )  # fmt: skip
@@ -165,7 +167,7 @@ def conditions_of(s: NextSettings, result: Adjustment) -> Conditions:
     boxes = np.sort(np.array(s.forbid, float).reshape(-1, 2, 3), axis=1)
     return Conditions(
         camera=result.given.cameras[k].id, depth=depth, incidence=float(np.radians(s.incidence)),
-        surface=None if s.object is None else surface_of(s.object, s.unit)[0],
+        surface=None if s.hidden_by is None else surface_of(s.hidden_by, s.unit)[0],
         reach=Reach(
             step=s.step, around=s.around, heights=s.heights, clearance=s.clearance, forbidden=boxes, most=s.candidates
         ),
@@ -178,6 +180,8 @@ METRES_OF = {"m": 1.0, "mm": 0.001}
 def write_next_plan(plan: NextPlan, settings: NextSettings) -> None:
     """Write FOLDER/next.csv, next.json, block and network.html, whole or not at all."""
     from raybundle.io.block.folder import write_block_files  # noqa: PLC0415
+    from raybundle.io.digits import SHORT  # noqa: PLC0415
+    from raybundle.io.digits import told as in_digits  # noqa: PLC0415
     from raybundle.io.folders import new_folder  # noqa: PLC0415
     from raybundle.io.tables import write_table  # noqa: PLC0415
     from raybundle.planning.next_words import instruction  # noqa: PLC0415
@@ -189,12 +193,12 @@ def write_next_plan(plan: NextPlan, settings: NextSettings) -> None:
     block = plan.extended()
     unit = plan.result.length_unit
     about = f"{block.about}; {len(words)} photographs proposed, their image points are where they would be".lstrip("; ")
-    told = next_told(plan)
+    told, columns = next_told(plan), next_table(plan)
     with new_folder(settings.out) as folder:
         (folder / "block").mkdir()
         write_block_files(replace(block, about=about), folder / "block")
-        write_table(folder / "next.csv", next_table(plan))
-        (folder / "next.json").write_text(json.dumps(clean(told), indent=1) + "\n", encoding="utf-8")
+        write_table(folder / "next.csv", columns, next_digits(columns))
+        (folder / "next.json").write_text(json.dumps(clean(in_digits(told, SHORT)), indent=1) + "\n", encoding="utf-8")
         n = len(block.images) - len(words)
         planned = Planned(
             covariance=plan.promised(after), proposed=tuple(range(n, n + len(words))), length_unit=unit,
@@ -236,6 +240,21 @@ def next_table(plan: NextPlan) -> dict[str, Any]:
         "frees": [" ".join(w.frees) for w in words],
         "shows": [" ".join(block.points.ids[p] for p in shown_points(plan, c)[:20].tolist()) for c in chosen],
         "words": [str(w) for w in words],
+    }  # fmt: skip
+
+
+def next_digits(columns: Mapping[str, Any]) -> dict[str, Digits]:
+    """The digits of `next_table`: a place to a millionth of its distance, an angle as a level shows it."""
+    import numpy as np  # noqa: PLC0415
+
+    from raybundle.io.digits import COUNT, PROBABILITY, SETTING, STD, of_places  # noqa: PLC0415
+
+    centre, at = (np.stack([columns[f"{n}{a}"] for a in "XYZ"], axis=1) for n in ("", "at_"))
+    place = of_places(centre, at)
+    return {
+        **{f"{n}{a}": place for n in ("", "at_") for a in "XYZ"},
+        **{f"{a}_deg": SETTING for a in ("omega", "phi", "kappa")},
+        "points": COUNT, "sigma_before": STD, "sigma_after": STD, "gain": PROBABILITY,
     }  # fmt: skip
 
 

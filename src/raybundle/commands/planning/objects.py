@@ -66,6 +66,20 @@ def block_in(folder: Path) -> Block:
     return read_block(block_folder(folder))
 
 
+def adjusted_block_in(folder: Path, threads: int = 0) -> tuple[Block, bool]:
+    """The same with coordinates of all that was seen, and whether they had to be found for it."""
+    import numpy as np  # noqa: PLC0415
+
+    block = block_in(folder)
+    seen = np.unique(block.observations.point)
+    if np.isfinite(block.points.xyz[seen]).all():
+        return block, False
+    from raybundle.adjustment.options import AdjustmentOptions  # noqa: PLC0415
+    from raybundle.workflows.adjust import adjust  # noqa: PLC0415
+
+    return adjust(block, AdjustmentOptions(datum="inner", statistics=False, jobs=threads)).adjusted, True
+
+
 def example(name: str) -> str:
     """A kind of object as one may type it."""
     from raybundle.objects.kinds import object_kinds  # noqa: PLC0415

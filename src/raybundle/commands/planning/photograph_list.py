@@ -64,7 +64,7 @@ class ListSettings(PlannedCamera):
     stations: Path | None = setting(
         None, "targets: stations.csv of a plan, a block or a result.", metavar="FILE|FOLDER"
     )
-    targets: int = setting(40, "targets: how many.", limits=Range(low=4, high=500))
+    count: int = setting(40, "targets: how many.", limits=Range(low=4, high=500))
     across: float = setting(
         10.0, "targets: diameter of a dot in the farthest photograph [px].", limits=Range(low=3, high=200)
     )
@@ -123,7 +123,7 @@ def task_of(settings: ListSettings) -> Task:
     site = site_of(
         NetworkSettings(
             **{f.name: getattr(s, f.name) for f in fields(PlannedCamera)}, out=s.out, focus=s.focus,
-            measured=s.measured or usual.get(s.kind, "targets"), incidence=75.0, points=POINTS.get(s.kind, 100),
+            measured=s.measured or usual.get(s.kind, "targets"), incidence=75.0, object_points=POINTS.get(s.kind, 100),
         ),
         taken=True,
     )  # fmt: skip
@@ -131,7 +131,7 @@ def task_of(settings: ListSettings) -> Task:
         site = replace(site, depth=_focused(site, s.f_number))
     return Task(
         site=site, reach=s.around, eye=s.eye, overlap=s.overlap, steps=s.steps, elevations_deg=s.elevations,
-        measured_by=None if s.stations is None else stations_of(s.stations), targets=s.targets, across_px=s.across,
+        measured_by=None if s.stations is None else stations_of(s.stations), targets=s.count, across_px=s.across,
         clearance=s.clearance or 0.0,
     )  # fmt: skip
 
@@ -187,6 +187,7 @@ def write_list(folder: Path, printed: PhotographList, listed: Sequence[ListedPho
             "image": [p.number for p in listed], "group": [p.group for p in listed], "see": [p.see for p in listed],
             "how": [p.how for p in listed], "taken": [p.ticked for p in listed],
         },
+        {},
     )  # fmt: skip
     told = {
         "title": printed.title, "facts": printed.facts, "rules": printed.rules, "table": printed.table,

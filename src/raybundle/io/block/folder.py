@@ -21,7 +21,8 @@ from raybundle.io.block.scenes import FOLDER as SCENES
 from raybundle.io.block.scenes import with_views, write_scene_files
 from raybundle.io.block.tables import ANGLES, SIGMA_XYZ, XYZ, columns_of, named, problems_of, require
 from raybundle.io.block.toml import head_text, read_head
-from raybundle.io.folders import new_folder
+from raybundle.io.digits import EVERY
+from raybundle.io.folders import check_free, new_folder
 from raybundle.io.reading.files import stands
 from raybundle.io.reading.words import quoted
 from raybundle.io.tables import SHOWN, Column, Problem, Table, read_table, write_table
@@ -126,7 +127,7 @@ def _image_columns(cameras: tuple[Camera, ...]) -> tuple[Column, ...]:
 
 
 def _read_images(path: Path, cameras: tuple[Camera, ...]) -> tuple[Images, dict[str, int]]:
-    table = read_table(path, _image_columns(cameras), without=NEEDED)
+    table = read_table(path, _image_columns(cameras), without=NEEDED, own=True)
     ids = table.text["image"]
     centre = table.numbers(*XYZ)
     angles = table.numbers(*ANGLES)
@@ -262,6 +263,7 @@ def _read_points(path: Path) -> tuple[Points, dict[str, int]]:
             *(Column(name=n, kind="number", empty=True) for n in XYZ),
             *(Column(name=n, kind="number", empty=True, limit=">= 0") for n in SIGMA_XYZ),
         ),
+        own=True,
     )
     ids, roles = table.text["point"], table.text["role"]
     unknown = np.array([r not in ROLES for r in roles])
@@ -327,6 +329,7 @@ def _read_observations(
         unique=("image", "point"),
         least_rows=least_rows,
         without=NEEDED,
+        own=True,
     )
     sx, sy = table.number["sx_px"], table.number["sy_px"]
     sxy = np.nan_to_num(table.number.get("sxy_px2", np.zeros(table.rows)))
@@ -370,6 +373,7 @@ def _read_interior(
             Column(name="parameter", kind="text"),
             Column(name="value", kind="number"),
         ),
+        own=True,
     )
     result: dict[int, dict[str, float]] = {}
     problems: list[Problem] = []
@@ -405,8 +409,7 @@ def write_block(block: Block, path: str | Path) -> None:
     Numbers are written so that they read back equal; angles of the exterior orientation to 1e-12 degrees.
     """
     folder = Path(path)
-    if folder.exists() and (not folder.is_dir() or any(folder.iterdir())):
-        raise InputError("stands there already and is not overwritten; choose another folder or delete it", file=folder)
+    check_free(folder)
     with new_folder(folder) as temporary:
         write_block_files(block, temporary)
 
@@ -439,12 +442,13 @@ def write_block_files(block: Block, folder: Path) -> None:
         if any(f is not None and f.affine is not None for f in rows):
             blanks = (np.nan,) * len(SCAN)
             columns |= columns_of(SCAN, np.array([blanks if f is None else f.affine or blanks for f in rows], float))
-    write_table(folder / "images.csv", columns)
+    write_table(folder / "images.csv", columns, EVERY)
     _write_observations(folder / "observations.csv", block)
     if len(points):
         write_table(
             folder / "points.csv",
             {**point_columns(points), **columns_of(XYZ, points.xyz), **columns_of(SIGMA_XYZ, points.sigma)},
+            EVERY,
         )
     write_observation_tables(folder, block)
     _write_interior(folder / "interior.csv", block)
@@ -462,7 +466,7 @@ def _write_observations(path: Path, block: Block) -> None:
         columns["sxy_px2"] = o.cov_px2[:, 2]
     if (wrong := known_wrong(block)).any():
         columns["rejected"] = ["1" if w else "" for w in wrong.tolist()]
-    write_table(path, columns)
+    write_table(path, columns, EVERY)
 
 
 def _write_interior(path: Path, block: Block) -> None:
@@ -477,7 +481,7 @@ def _write_interior(path: Path, block: Block) -> None:
                 parameter.append(p.key)
                 value.append(values[p.symbol])
     if image:
-        write_table(path, {"image": image, "parameter": parameter, "value": np.array(value)})
+        write_table(path, {"image": image, "parameter": parameter, "value": np.array(value)}, EVERY)
 
 
 def angles_deg(images: Images) -> Array:

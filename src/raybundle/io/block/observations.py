@@ -12,6 +12,7 @@ import numpy as np
 from raybundle.block import Block, Instrument
 from raybundle.errors import InputError
 from raybundle.io.block.tables import columns_of, named, problems_of, require
+from raybundle.io.digits import EVERY
 from raybundle.io.reading.files import stands
 from raybundle.io.reading.words import quoted
 from raybundle.io.tables import Column, Problem, read_table, write_table
@@ -54,7 +55,7 @@ def _read(path: Path, table: type[Table], known: Mapping[str, dict[str, int]], i
         for _, c in table.cells()
         for name in c.names
     ]
-    read = read_table(path, columns)
+    read = read_table(path, columns, own=True)
     read = replace(read, number={**read.number, **{deg: 0.9 * read.number[name] for deg, name in gon.items()}})
     problems = list[Problem]()
     made = table(**{field: _field(path, c, read, instruments, problems) for field, c in table.cells()})
@@ -104,7 +105,7 @@ def write_observation_tables(folder: Path, block: Block) -> None:
     """Write each table that has rows."""
     for table in block.tables.values():
         if len(table):
-            write_table(folder / f"{table.name}.csv", table_columns(table, block))
+            write_table(folder / f"{table.name}.csv", table_columns(table, block), EVERY)
 
 
 def table_columns(table: Table, block: Block) -> dict[str, Sequence[str] | Array]:

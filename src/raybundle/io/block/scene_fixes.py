@@ -18,6 +18,7 @@ import numpy as np
 
 from raybundle.errors import InputError
 from raybundle.io.block.toml import Section
+from raybundle.io.digits import exact
 from raybundle.io.tables import Column, read_table, times_in_order
 from raybundle.numerics.arrays import Array
 from raybundle.scenes.corrections import Curve, Fixes, FixesAt
@@ -63,7 +64,7 @@ def _of_file(file: Path, part: Part, line: LineScene) -> GivenFixes:
     columns = [Column(name="time_s", kind="number")]
     columns += [Column(name=n, kind="number", optional=True, empty=True) for n in names]
     columns += [Column(name=f"s{n}", kind="number", optional=True, empty=True, limit="> 0") for n in names]
-    table = read_table(file, columns, least_rows=2)
+    table = read_table(file, columns, least_rows=2, own=True)
     times = times_in_order(table, file)
     try:
         curve = line.fixes_at(times)
@@ -92,5 +93,5 @@ def _known(numbers: Mapping[str, Array], part: Part, order: Array, before: str) 
 def fixes_text(curve: Curve, line: LineScene) -> str:
     """The value of the key, for fixes of either kind."""
     if isinstance(curve, FixesAt):
-        return "[" + ", ".join(repr(line.time_of_fix(t)) for t in curve.at) + "]"
+        return "[" + ", ".join(exact(line.time_of_fix(t)) for t in curve.at) + "]"
     return str(curve.coefficients)

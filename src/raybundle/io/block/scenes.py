@@ -16,6 +16,7 @@ import numpy as np
 
 from raybundle.block import Block, Camera
 from raybundle.errors import InputError
+from raybundle.io.digits import exact
 from raybundle.numerics.arrays import Array
 from raybundle.numerics.geodesy import geocentric_from_geographic, geographic_from_geocentric
 from raybundle.numerics.places import Geocentric, Local, Place, Projected
@@ -39,23 +40,40 @@ def read_frame(section: Section) -> Place | None:
     """Where the object frame stands on the earth; None where block.toml does not say."""
     if not section.values:
         return None
-    section.allow(("kind", "origin", "crs"))
+    section.allow(("kind", "origin", "crs", "undulation_m"))
     kind = section.choice("kind", ("local", "geocentric", "projected"), "local")
     if kind == "geocentric":
         section.allow(("kind",))
         return Geocentric()
-    origin = section.values.get("origin")
+    origin, crs = section.values.get("origin"), section.text("crs", "")
     if not isinstance(origin, list) or len(cast("list[Any]", origin)) != 3:
-        what = "[longitude_deg, latitude_deg, height_m]" if kind == "local" else "[east_m, north_m, height_m]"
+        degrees = kind == "local" and not crs
+        what = "[longitude_deg, latitude_deg, height_m]" if degrees else "[east, north, height]"
         section.fail("origin", f"give the origin of the frame: origin = {what}")
     x, y, z = (section.checked("origin", v) for v in cast("list[Any]", origin))
-    if kind == "local":
-        if not (-180 <= x <= 360 and -90 <= y <= 90):
-            section.fail("origin", f"longitude {x:g}, latitude {y:g} are no degrees; the order is longitude, latitude")
-        return Local(origin=(x, y, z))
-    if not (crs := section.text("crs", "")):
-        section.fail("crs", 'a projected frame needs its coordinate system: crs = "EPSG:32633"')
-    return projected(crs, (x, y, z))
+    if kind == "projected" or not crs:
+        section.allow(("kind", "origin", "crs"))
+    if kind == "projected":
+        if not crs:
+            section.fail("crs", 'a projected frame needs its coordinate system: crs = "EPSG:32633"')
+        return projected(crs, (x, y, z))
+    if crs:
+        known = "undulation_m" in section.values
+        return local_in(crs, (x, y, z), section.number("undulation_m", 0.0) if known else None)
+    if not (-180 <= x <= 360 and -90 <= y <= 90):
+        section.fail("origin", f"longitude {x:g}, latitude {y:g} are no degrees; the order is longitude, latitude")
+    return Local(origin=(x, y, z))
+
+
+def local_in(crs: str, origin: tuple[float, float, float], undulation_m: float | None = None) -> Local:
+    """The local east-north-up frame at a point of a coordinate system, which it is told in; raises InputError."""
+    from raybundle.io.geo.coordinate_systems import local_frame  # noqa: PLC0415  (pyproj only where it is used)
+
+    frame = local_frame(crs, origin, undulation_m=undulation_m)
+    longitude, latitude, height = frame.wgs84_from_local(np.zeros((1, 3)))[0].tolist()
+    return Local(
+        origin=(longitude, latitude, height), crs=crs, crs_origin=frame.origin, undulation_m=undulation_m
+    )  # fmt: skip
 
 
 def projected(crs: str, origin: tuple[float, float, float]) -> Projected:
@@ -88,11 +106,16 @@ def frame_lines(place: Place | None) -> list[str]:
             f"crs = {json.dumps(place.name)}",
             f"origin = {_list(place.origin)}",
         ]
-    return ["", "[frame]", 'kind = "local"', f"origin = {_list(cast('Local', place).origin)}"]
+    local = cast("Local", place)
+    lines = ["", "[frame]", 'kind = "local"']
+    if not local.crs:
+        return [*lines, f"origin = {_list(local.origin)}"]
+    lines += [f"crs = {json.dumps(local.crs)}", f"origin = {_list(local.crs_origin)}"]
+    return lines if local.undulation_m is None else [*lines, f"undulation_m = {exact(local.undulation_m)}"]
 
 
 def _list(values: tuple[float, ...]) -> str:
-    return "[" + ", ".join(repr(float(v)) for v in values) + "]"
+    return "[" + ", ".join(exact(v) for v in values) + "]"
 
 
 def read_scene_camera(section: Section, id_: str, place: Place | None) -> Camera:
@@ -250,9 +273,9 @@ def scene_lines(camera: Camera, number: int) -> list[str]:
     else:
         lines += _correction_lines(sensor)
     groups = {} if isinstance(sensor, RpcSensor) else sensor.corrections.groups
-    lines += [f"{s} = {float(camera.values.get(s, 0.0))!r}" for s in sensor.symbols]
+    lines += [f"{s} = {exact(camera.values.get(s, 0.0))}" for s in sensor.symbols]
     lines.append(f"estimate = [{', '.join(json.dumps(s) for s in _short_names(camera.estimate, groups))}]")
-    sigma = ", ".join(f"{s} = {float(v)!r}" for s, v in _short_sigma(camera.sigma, groups).items())
+    sigma = ", ".join(f"{s} = {exact(v)}" for s, v in _short_sigma(camera.sigma, groups).items())
     lines.append("sigma = {" + sigma + "}")
     return lines
 
@@ -277,8 +300,8 @@ def _correction_lines(sensor: LineSensor) -> list[str]:
             )
     lines += [f"{key} = true" for key in ("time_offset", "lever_arm") if getattr(c, key)]
     if sensor.smooth:
-        lines.append("smooth = {" + ", ".join(f"{s} = {float(v)!r}" for s, v in sensor.smooth.items()) + "}")
-    return [*lines, f"height_m = {float(sensor.height_m)!r}"]
+        lines.append("smooth = {" + ", ".join(f"{s} = {exact(v)}" for s, v in sensor.smooth.items()) + "}")
+    return [*lines, f"height_m = {exact(sensor.height_m)}"]
 
 
 def _short_names(names: Sequence[str], groups: Mapping[str, tuple[str, ...]]) -> list[str]:

@@ -18,6 +18,7 @@ from raybundle.block.stored import without_relations_of_calibration
 from raybundle.errors import InputError, UnknownSensorModel
 from raybundle.io.block.scenes import MODELS as SCENE_MODELS
 from raybundle.io.block.scenes import frame_lines, read_frame, read_scene_camera, scene_lines
+from raybundle.io.digits import exact
 from raybundle.io.reading import trees
 from raybundle.io.reading.words import finite, quoted
 from raybundle.numerics.places import Place
@@ -398,7 +399,7 @@ def head_text(block: Block) -> str:
     lines = [f"{key} = {_quoted(getattr(block, key))}" for key in ("name", "about", "source", "licence", "length_unit")]
     if block.free_scale:
         lines.append('scale = "free"')
-    lines.append(f"sigma0_apriori = {block.sigma0_apriori!r}")
+    lines.append(f"sigma0_apriori = {exact(block.sigma0_apriori)}")
     lines.append(f"residuals = {_quoted(block.residuals)}")
     if block.noise:
         lines.append(f"noise = {_quoted(block.noise)}")
@@ -416,10 +417,10 @@ def head_text(block: Block) -> str:
 
 
 def _instrument_lines(instrument: Instrument) -> list[str]:
-    lines = [f"{s} = {float(instrument.values.get(s, 0.0))!r}" for s in instrument.sensor.symbols]
+    lines = [f"{s} = {exact(instrument.values.get(s, 0.0))}" for s in instrument.sensor.symbols]
     lines.append(f"estimate = [{', '.join(_quoted(s) for s in instrument.estimate)}]")
     if instrument.sigma:
-        lines.append("sigma = {" + ", ".join(f"{s} = {float(v)!r}" for s, v in instrument.sigma.items()) + "}")
+        lines.append("sigma = {" + ", ".join(f"{s} = {exact(v)}" for s, v in instrument.sigma.items()) + "}")
     return lines
 
 
@@ -430,15 +431,15 @@ def _camera_lines(camera: Camera) -> list[str]:
         f"model = {_quoted(camera.model)}",
         f"width_px = {camera.width_px}",
         f"height_px = {camera.height_px}",
-        f"pixel_mm = [{width!r}, {height!r}]",
+        f"pixel_mm = [{exact(width)}, {exact(height)}]",
     ]
-    lines += [f"{p.key} = {float(camera.values.get(p.symbol, 0.0))!r}" for p in model.parameters]
+    lines += [f"{p.key} = {exact(camera.values.get(p.symbol, 0.0))}" for p in model.parameters]
     if camera.estimate == "auto":
         lines.append('estimate = "auto"')
     else:
         lines.append(f"estimate = [{', '.join(_quoted(s) for s in camera.estimate)}]")
     if camera.sigma:
-        lines.append("sigma = {" + ", ".join(f"{s} = {float(v)!r}" for s, v in camera.sigma.items()) + "}")
+        lines.append("sigma = {" + ", ".join(f"{s} = {exact(v)}" for s, v in camera.sigma.items()) + "}")
     if camera.calibrated is not None:
         lines += ["calibration = [", *(f"    {text}," for text in _calibration_texts(camera.calibrated)), "]"]
     if camera.relations:
@@ -453,15 +454,15 @@ def _camera_lines(camera: Camera) -> list[str]:
 def _calibration_texts(known: Calibrated) -> list[str]:
     rows = zip(known.symbols, known.values, known.sigma, known.correlations, strict=True)
     return [
-        f"{{parameter = {_quoted(s)}, value = {v!r}, sigma = {std!r}, "
+        f"{{parameter = {_quoted(s)}, value = {exact(v)}, sigma = {exact(std)}, "
         f"correlations = [{', '.join(map(repr, row[:-1]))}]}}"
         for s, v, std, row in rows
     ]
 
 
 def _relation_text(relation: Relation) -> str:
-    terms = ", ".join(f"{s} = {float(f)!r}" for s, f in relation.terms.items())
-    tail = f"observed = {float(relation.observed)!r}, sigma = {float(relation.sigma)!r}"
+    terms = ", ".join(f"{s} = {exact(f)}" for s, f in relation.terms.items())
+    tail = f"observed = {exact(relation.observed)}, sigma = {exact(relation.sigma)}"
     tail += ", logarithm = true" if relation.logarithm else ""
     tail += f", origin = {_quoted(relation.origin)}" if relation.origin else ""
     return f"{{name = {_quoted(relation.name)}, terms = {{{terms}}}, {tail}}}"

@@ -10,20 +10,22 @@ from typing import Literal
 import numpy as np
 
 from raybundle.block import Camera
-from raybundle.errors import InputError
-from raybundle.io.calibrations.validity import Validity, validity
-from raybundle.io.cameras.conversions import (
+from raybundle.cameras.conversions import (
     CLOSE_PX,
+    EXACT,
     LIMIT_PX,
     NOMINAL_SIDE_MM,
     ForwardFit,
     camera_from_forward,
     exact_forward,
+    exact_measured,
     forward_fit,
     measured_fit,
 )
-from raybundle.io.cameras.forward_camera import TERMS, ForwardCamera, Projection
-from raybundle.io.folders import make_parent, new_files
+from raybundle.cameras.forward_camera import TERMS, ForwardCamera, Projection
+from raybundle.errors import InputError
+from raybundle.io.calibrations.validity import Validity, validity
+from raybundle.io.folders import check_free, make_parent, new_files
 from raybundle.io.reading.files import guarded, read_bytes
 from raybundle.numerics.arrays import Array
 from raybundle.sensors import sensor_models
@@ -183,6 +185,8 @@ def convert_calibration(
     format_ = format_named(name)
     if pixel_mm is not None and not 1e-5 < pixel_mm < 1:
         raise InputError(f"a pixel of {pixel_mm:g} mm cannot be; give its size in mm, as 0.0045")
+    if format_.model == "any" and variant is not None:
+        return _to_model(calibration, format_, variant, pixel_mm)
     if format_.model != "forward":
         if variant is not None:
             raise InputError(f"format {name} has one distortion model; leave the model out")
@@ -238,6 +242,31 @@ def _to_measured(calibration: Calibration, format_: CalibrationFormat, pixel_mm:
         largest_px=largest,
         covered=covered,
         validity=validity(new),
+    )
+
+
+def _to_model(calibration: Calibration, format_: CalibrationFormat, model: str, pixel_mm: float | None) -> Conversion:
+    """In one of our models that is asked for: term by term where it has the same, else fitted over the format."""
+    known = [n for n, m in sensor_models.items() if m.one_exposure and m.scale_symbol == "c" and not m.local_width]
+    if model not in known:
+        raise InputError(f"format {format_.name} has no model {model!r}; known: {', '.join(sorted(known))}")
+    source = calibration.camera
+    if isinstance(source, Camera) and source.model == model:
+        return _to_measured(calibration, format_, pixel_mm)
+    forward = source if isinstance(source, ForwardCamera) else exact_forward(source)
+    blank, _ = _blank(calibration, format_, pixel_mm)
+    new = None if forward is None or model not in EXACT else exact_measured(forward, blank, model)
+    rms = largest = 0.0
+    covered = 1.0
+    if new is None:
+        symbols = sensor_models[model].symbols
+        blank = replace(blank, model=model, values={s: blank.values.get(s, 0.0) for s in symbols})
+        fit = measured_fit(source, blank, symbols)
+        new, rms, largest, covered = fit.camera, fit.rms_px, fit.deviation_px, fit.covered
+    lost = _lost(calibration, format_, exact=False)
+    made = Calibration(id=calibration.id, camera=new, pixel_mm=new.pixel_mm, remarks=(*calibration.remarks, *lost))
+    return Conversion(
+        calibration=made, variant=model, rms_px=rms, largest_px=largest, covered=covered, validity=validity(new)
     )
 
 
@@ -313,7 +342,7 @@ def _best(camera: Camera | ForwardCamera, choice: Sequence[Variant]) -> tuple[Va
     """The first variant within 0.01 px, or the one with the smallest largest deviation."""
     fits: list[tuple[Variant, ForwardFit]] = []
     problem: InputError | None = None
-    wide = (camera.projection == "equidistant") if isinstance(camera, ForwardCamera) else camera.model == "fisheye"
+    wide = (camera.projection == "equidistant") if isinstance(camera, ForwardCamera) else camera.sensor.all_round
     for variant in sorted(choice, key=lambda v: (v.projection == "equidistant") != wide):
         try:
             fit = forward_fit(camera, variant.fitted or variant.terms, projection=variant.projection)
@@ -340,8 +369,7 @@ def write_calibrations(
     raises       InputError where something stands at `path`, or a conversion deviates by more
     """
     format_, path = format_named(name), Path(path)
-    if path.exists():
-        raise InputError("stands there already and is not overwritten; choose another name", file=path)
+    check_free(path)
     if path.suffix.lower() not in format_.suffixes:
         raise InputError(
             f"format {name} is a file; give a name that ends in {' or '.join(format_.suffixes)}", file=path

@@ -15,6 +15,7 @@ import numpy as np
 from raybundle.block import Camera
 from raybundle.errors import InputError
 from raybundle.io.calibrations.base import Calibration, CalibrationFormat, Conversion, register
+from raybundle.io.digits import exact
 from raybundle.io.reading.files import read_text
 from raybundle.io.reading.words import fortran_of, quoted, whole_of
 from raybundle.sensors import sensor_models
@@ -123,14 +124,14 @@ def write_australis(conversions: Sequence[Conversion], suffix: str) -> str:
         std = dict(zip(calibration.free, np.sqrt(np.diag(calibration.covariance)).tolist(), strict=True))
     lines = ["Australis Bundle Adjustment Results: Camera Parameters", "", f"Results for Camera 1    {calibration.id}"]
     lines += ["", "Sensor Size        Pixel Size (mm)"]
-    lines += [f"  H   {camera.width_px}   {float(camera.pixel_mm[0])!r}"]
-    lines += [f"  V   {camera.height_px}   {float(camera.pixel_mm[1])!r}", ""]
+    lines += [f"  H   {camera.width_px}   {exact(camera.pixel_mm[0])}"]
+    lines += [f"  V   {camera.height_px}   {exact(camera.pixel_mm[1])}", ""]
     lines += ["  Camera    Initial      Total          Final        Initial         Final"]
     lines += [" Variable    Value     Adjustment       Value       Std. Error     Std. Error", ""]
     for name, symbol in AUSTRALIS.items():
-        value = repr(float(camera.values.get(symbol, 0.0)))
+        value = exact(camera.values.get(symbol, 0.0))
         unit = " (mm)" if name in {"C", "XP", "YP"} else ""
-        lines.append(f"   {name:<3} {value}   0.0   {value}   1.0e+003   {std.get(symbol, 0.0)!r}{unit}")
+        lines.append(f"   {name:<3} {value}   0.0   {value}   1.0e+003   {exact(std.get(symbol, 0.0))}{unit}")
     return "\n".join(lines) + "\n"
 
 
@@ -155,7 +156,7 @@ def read_photomodeler(path: Path, size_px: tuple[int, int] | None) -> tuple[Cali
         raise InputError(f"{', '.join(missing)} missing; is it a complete calibration report?", file=path)
     if size_px is None:
         raise InputError(
-            f"the report does not tell the format in pixels; give it: {option('size', 'WIDTH', 'HEIGHT')}", file=path
+            f"the report does not tell the format in pixels; give it: {option('format', 'WIDTH', 'HEIGHT')}", file=path
         )
     fw, fh = values["width"], values["height"]
     values["x0"] -= fw / 2
@@ -197,9 +198,9 @@ def write_photomodeler(conversions: Sequence[Conversion], suffix: str) -> str:
     lines = [f"Camera: {calibration.id}", f"Image Size: {camera.width_px} x {camera.height_px}"]
     for name, symbol in PHOTOMODELER.items():
         unit = " mm" if symbol in {"c", "x0", "y0", "width", "height"} else ""
-        lines += [f"    {name}", f"        Value: {float(values.get(symbol, 0.0))!r}{unit}"]
+        lines += [f"    {name}", f"        Value: {exact(values.get(symbol, 0.0))}{unit}"]
         if symbol in std:
-            lines.append(f"        Deviation: {std[symbol]!r}{unit}")
+            lines.append(f"        Deviation: {exact(std[symbol])}{unit}")
     return "\n".join(lines) + "\n"
 
 

@@ -6,9 +6,10 @@ import re
 from collections.abc import Sequence
 from pathlib import Path
 
+from raybundle.cameras.forward_camera import ForwardCamera
 from raybundle.errors import InputError
 from raybundle.io.calibrations.base import Calibration, CalibrationFormat, Conversion, Variant, register
-from raybundle.io.cameras.forward_camera import ForwardCamera
+from raybundle.io.digits import exact
 from raybundle.io.formats.colmap import MODELS, NUMBERS, forward_of
 from raybundle.io.reading.files import read_text
 from raybundle.io.reading.words import numbers_of, quoted
@@ -68,7 +69,7 @@ def write(conversions: Sequence[Conversion], suffix: str) -> str:
         camera = conversion.calibration.camera
         assert isinstance(camera, ForwardCamera)
         terms = MODELS[NUMBERS[conversion.variant]][1]
-        values = " ".join(repr(float(getattr(camera, "fx" if t == "f" else t))) for t in terms)
+        values = " ".join(exact(getattr(camera, "fx" if t == "f" else t)) for t in terms)
         lines.append(f"{id_} {conversion.variant} {camera.width_px} {camera.height_px} {values}")
     return "\n".join(lines) + "\n"
 

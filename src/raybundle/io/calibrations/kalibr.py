@@ -6,10 +6,10 @@ import re
 from collections.abc import Sequence
 from pathlib import Path
 
+from raybundle.cameras.forward_camera import ForwardCamera
 from raybundle.io.calibrations.base import Calibration, CalibrationFormat, Conversion, Variant, register
 from raybundle.io.calibrations.opencv import HALF
 from raybundle.io.calibrations.yaml_text import read_yaml
-from raybundle.io.cameras.forward_camera import ForwardCamera
 from raybundle.io.reading.trees import Json
 from raybundle.io.reading.words import quoted
 

@@ -9,8 +9,9 @@ from __future__ import annotations
 from collections.abc import Sequence
 from pathlib import Path
 
+from raybundle.cameras.forward_camera import ForwardCamera, Projection
 from raybundle.io.calibrations.base import Calibration, CalibrationFormat, Conversion, Variant, register
-from raybundle.io.cameras.forward_camera import ForwardCamera, Projection
+from raybundle.io.digits import exact
 from raybundle.io.reading.words import quoted
 from raybundle.io.reading.xml import Element, read_xml
 
@@ -71,7 +72,7 @@ def write(conversions: Sequence[Conversion], suffix: str) -> str:
     }  # fmt: skip
     lines = ['<?xml version="1.0" encoding="UTF-8"?>', "<calibration>", f"  <projection>{kind}</projection>"]
     lines += [f"  <width>{f.width_px}</width>", f"  <height>{f.height_px}</height>"]
-    lines += [f"  <{n}>{float(v)!r}</{n}>" for n, v in values.items()]
+    lines += [f"  <{n}>{exact(v)}</{n}>" for n, v in values.items()]
     return "\n".join([*lines, "</calibration>"]) + "\n"
 
 

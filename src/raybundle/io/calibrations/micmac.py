@@ -12,8 +12,9 @@ from collections.abc import Sequence
 from dataclasses import replace
 from pathlib import Path
 
+from raybundle.cameras.forward_camera import ForwardCamera
 from raybundle.io.calibrations.base import Calibration, CalibrationFormat, Conversion, Variant, register
-from raybundle.io.cameras.forward_camera import ForwardCamera
+from raybundle.io.digits import exact
 from raybundle.io.reading.words import quoted
 from raybundle.io.reading.xml import Element, read_xml
 from raybundle.numerics.arrays import Array
@@ -75,20 +76,20 @@ def write(conversions: Sequence[Conversion], suffix: str) -> str:
     f = conversion.calibration.camera
     assert isinstance(f, ForwardCamera)
     F = f.fx
-    centre = f"<CDist>{f.cx + F * f.ca!r} {f.cy + F * f.cb!r}</CDist>"
+    centre = f"<CDist>{exact(f.cx + F * f.ca)} {exact(f.cy + F * f.cb)}</CDist>"
     used = max((n for n, t in enumerate(RADIAL, 1) if getattr(f, t)), default=0)
     coefficients = [float(getattr(f, t)) / F ** (2 * n) for n, t in enumerate(RADIAL[: max(used, 3)], 1)]
-    radial = [centre, *(f"<CoeffDist>{c!r}</CoeffDist>" for c in coefficients)]
+    radial = [centre, *(f"<CoeffDist>{exact(c)}</CoeffDist>" for c in coefficients)]
     if conversion.variant == "ModPhgrStd":
         others = {"P1": f.p2 / F, "P2": f.p1 / F, "b1": f.e1, "b2": f.e2}
-        radial = ["<RadialePart>", *radial, "</RadialePart>", *(f"<{n}>{float(v)!r}</{n}>" for n, v in others.items())]
+        radial = ["<RadialePart>", *radial, "</RadialePart>", *(f"<{n}>{exact(v)}</{n}>" for n, v in others.items())]
     lines = [
         '<?xml version="1.0" ?>',
         "<ExportAPERO>",
         "<CalibrationInternConique>",
         f"<KnownConv>{CONVENTION}</KnownConv>",
-        f"<PP>{f.cx!r} {f.cy!r}</PP>",
-        f"<F>{F!r}</F>",
+        f"<PP>{exact(f.cx)} {exact(f.cy)}</PP>",
+        f"<F>{exact(F)}</F>",
         f"<SzIm>{f.width_px} {f.height_px}</SzIm>",
         "<CalibDistortion>",
         f"<{conversion.variant}>",

@@ -7,10 +7,10 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import Any, cast
 
+from raybundle.cameras.forward_camera import ForwardCamera
 from raybundle.errors import InputError
 from raybundle.io.calibrations.base import Calibration, CalibrationFormat, Conversion, Variant, register
 from raybundle.io.calibrations.opencv import HALF, ORDER
-from raybundle.io.cameras.forward_camera import ForwardCamera
 from raybundle.io.reading.files import read_text
 from raybundle.io.reading.trees import Json, python_of
 from raybundle.io.reading.words import quoted

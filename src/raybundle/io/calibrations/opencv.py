@@ -14,17 +14,15 @@ from pathlib import Path
 
 import numpy as np
 
+from raybundle.cameras.forward_camera import ForwardCamera
+from raybundle.cameras.opencv import COUNTS, HALF, ORDER
 from raybundle.io.calibrations.base import Calibration, CalibrationFormat, Conversion, Variant, register
 from raybundle.io.calibrations.yaml_text import read_yaml
-from raybundle.io.cameras.forward_camera import ForwardCamera
+from raybundle.io.digits import exact
 from raybundle.io.reading.trees import Json, read_json
 from raybundle.numerics.arrays import Array
 from raybundle.settings import option
 
-HALF = 0.5
-"""Our coordinate of the centre of the first pixel, which is OpenCV's origin."""
-ORDER = ("k1", "k2", "p1", "p2", "k3", "d1", "d2", "d3", "s1", "s2", "s3", "s4", "tau_x", "tau_y")
-COUNTS = (4, 5, 8, 12, 14)
 FISHEYE = ("k1", "k2", "k3", "k4")
 MATRIX = (
     "camera_matrix",
@@ -81,7 +79,7 @@ def _size(top: Json, size_px: tuple[int, int] | None) -> tuple[int, int]:
     if size_px is None:
         top.fail(
             "the size of the image (image_width, image_height) is missing; give it: "
-            f"{option('size', 'WIDTH', 'HEIGHT')}"
+            f"{option('format', 'WIDTH', 'HEIGHT')}"
         )
     return size_px
 
@@ -187,7 +185,7 @@ def write(conversions: Sequence[Conversion], suffix: str) -> str:
 
 def _yaml_number(value: float) -> str:
     """A real number that YAML 1.0 does not take for a whole one or a text."""
-    text = repr(float(value))
+    text = exact(value)
     return text if "." in text else text.replace("e", ".0e")
 
 

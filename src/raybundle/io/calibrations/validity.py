@@ -8,8 +8,8 @@ from typing import Literal
 import numpy as np
 
 from raybundle.block import Camera
-from raybundle.io.cameras.conversions import parameter_vector
-from raybundle.io.cameras.forward_camera import TERMS, ForwardCamera, first_limit
+from raybundle.cameras.conversions import parameter_vector
+from raybundle.cameras.forward_camera import TERMS, ForwardCamera, first_limit
 from raybundle.numerics.arrays import Array
 from raybundle.sensors import sensor_models
 

@@ -1,1 +1,1 @@
-"""Cameras: of computer vision, in the library of the user, of zoom lenses, and their conversions."""
+"""Cameras in files: the library of the user, zoom lenses, blocks at one instant."""

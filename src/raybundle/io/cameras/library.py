@@ -25,6 +25,7 @@ from raybundle.errors import InputError
 from raybundle.io.block.toml import read_cameras
 from raybundle.io.calibrations.ours import cameras_text
 from raybundle.io.cameras.zoom_files import ZOOM, read_zoom, write_zoom
+from raybundle.io.digits import exact, exacts
 from raybundle.io.folders import new_folder
 from raybundle.io.photos.cameras import CameraGroup, with_calibration
 from raybundle.io.photos.photo import Photo
@@ -219,7 +220,7 @@ def _quoted(text: str) -> str:
 
 def _entry_text(entry: LibraryEntry) -> str:
     lines = [f"date = {_quoted(entry.date)}", f"source = {_quoted(entry.source)}"]
-    lines += [f"sigma0 = {float(entry.sigma0)!r}"] if entry.sigma0 is not None else []
+    lines += [f"sigma0 = {exact(entry.sigma0)}"] if entry.sigma0 is not None else []
     lines += [f"photographs = {int(entry.photographs)}"] if entry.photographs is not None else []
     lines += [f"grade = {_quoted(entry.grade)}"] if entry.grade else []
     k = entry.key
@@ -228,10 +229,10 @@ def _entry_text(entry: LibraryEntry) -> str:
         f"{n} = {_quoted(v)}"
         for n, v in zip(("make", "model", "serial", "lens"), (k.make, k.model, k.serial, k.lens), strict=True)
     ]
-    lines += [f"{n} = {float(v)!r}" for n, v in (("focal_mm", k.focal_mm), ("focus_m", k.focus_m)) if v is not None]
+    lines += [f"{n} = {exact(v)}" for n, v in (("focal_mm", k.focal_mm), ("focus_m", k.focus_m)) if v is not None]
     if entry.covariance is not None:
         lines += ["", "[covariance]", f"free = [{', '.join(_quoted(s) for s in entry.free)}]", "rows = ["]
-        lines += [f"  {[float(v) for v in row]!r}," for row in np.asarray(entry.covariance).tolist()]
+        lines += [f"  {exacts(row)}," for row in np.asarray(entry.covariance).tolist()]
         lines.append("]")
     return "\n".join(lines) + "\n"
 
@@ -252,7 +253,7 @@ def add_entry(entry: LibraryEntry, folder: Path | None = None) -> Path:
     if not k.model or not (focal or entry.zoom is not None):
         raise InputError(
             "a calibration is found again by the camera's model and the EXIF focal length; give a photograph of the "
-            f"set ({option('photo')}), or {option('model')} and {option('focal')}"
+            f"set ({option('photo')}), or {option('camera_model')} and {option('focal')}"
         )
     words = (
         k.make,
@@ -407,7 +408,7 @@ def with_library(
             result.append(group)
             continue
         taken = with_calibration(group, best.camera)
-        of = f", of {best.entry.date}" if best.entry.date else ""
+        of = f", kept on {best.entry.date}," if best.entry.date else ""
         how = "is observed with its covariance" if best.camera.calibrated else "is held: its covariance is not known"
         weak = f"; it was called {best.entry.grade}" if best.entry.grade in POOR else ""
         without = option("library", False, flag="no-library")

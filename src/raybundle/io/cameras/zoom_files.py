@@ -13,6 +13,7 @@ from raybundle.block.zoom import VARIABLES, ZoomCalibration
 from raybundle.errors import InputError
 from raybundle.io.block.toml import read_cameras
 from raybundle.io.calibrations.ours import cameras_text
+from raybundle.io.digits import exact, exacts
 from raybundle.io.reading.trees import Json, read_toml
 from raybundle.numerics.arrays import Array
 from raybundle.sensors import sensor_models
@@ -23,21 +24,21 @@ CAMERA, ZOOM = "camera.toml", "zoom.toml"
 def zoom_text(zoom: ZoomCalibration) -> str:
     """The text of zoom.toml; numbers come back equal."""
     lines = [
-        f"range_mm = {[float(v) for v in zoom.range_mm]!r}",
-        f"resolution_mm = {float(zoom.resolution_mm)!r}",
-        f"settings_mm = {[float(v) for v in zoom.settings_mm]!r}",
-        f"square_sum = {float(zoom.square_sum)!r}",
+        f"range_mm = {exacts(zoom.range_mm)}",
+        f"resolution_mm = {exact(zoom.resolution_mm)}",
+        f"settings_mm = {exacts(zoom.settings_mm)}",
+        f"square_sum = {exact(zoom.square_sum)}",
         f"redundancy = {int(zoom.redundancy)}",
     ]
-    lines += [f"focus_m = {float(zoom.focus_m)!r}"] if zoom.focus_m is not None else []
+    lines += [f"focus_m = {exact(zoom.focus_m)}"] if zoom.focus_m is not None else []
     at = 0
     for symbol, variable, order in zip(zoom.symbols, zoom.variables, zoom.orders, strict=True):
         own = [float(v) for v in zoom.coefficients[at : at + order + 1]]
         at += order + 1
         lines += ["", "[[parameters]]", f"symbol = {json.dumps(symbol)}", f"variable = {json.dumps(variable)}"]
-        lines.append(f"coefficients = {own!r}")
+        lines.append(f"coefficients = {exacts(own)}")
     lines += ["", "[covariance]", "rows = ["]
-    lines += [f"  {[float(v) for v in row]!r}," for row in np.asarray(zoom.covariance).tolist()]
+    lines += [f"  {exacts(row)}," for row in np.asarray(zoom.covariance).tolist()]
     return "\n".join([*lines, "]"]) + "\n"
 
 

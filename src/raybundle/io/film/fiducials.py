@@ -162,7 +162,7 @@ def read_calibrated(path: str | Path) -> Calibrated:
     if len(far):
         k = int(far[0])
         message = f"{xy[k, 0]:g}, {xy[k, 1]:g} mm lies in no camera; are these micrometres?"
-        raise InputError(message, file=path, line=k + 2, column="x_mm")
+        raise InputError(message, file=path, line=k + table.first_line, column="x_mm")
     return Calibrated(
         names=table.text["mark"],
         xy_mm=xy,
@@ -188,7 +188,7 @@ def read_marks(path: str | Path, name: Literal["mark", "point"], calibrated: Cal
     seen: dict[tuple[str, str], int] = {}
     problems: list[Problem] = []
     for k, pair in enumerate(zip(images, names, strict=True)):
-        line = k + 2
+        line = k + table.first_line
         if pair in seen:
             problems.append(Problem(line, name, f"stands in this image already, in line {seen[pair]}; delete one"))
         seen.setdefault(pair, line)
@@ -197,7 +197,9 @@ def read_marks(path: str | Path, name: Literal["mark", "point"], calibrated: Cal
             problems.append(Problem(line, name, f"{quoted(pair[1])} has no calibrated position; known are {known}"))
     xy = table.numbers("x_px", "y_px")
     far = np.flatnonzero(np.abs(xy).max(axis=1) > LARGEST_PX)
-    problems += [Problem(int(k) + 2, "x_px", f"{xy[k, 0]:g}, {xy[k, 1]:g} lies in no scan") for k in far[:SHOWN]]
+    problems += [
+        Problem(int(k) + table.first_line, "x_px", f"{xy[k, 0]:g}, {xy[k, 1]:g} lies in no scan") for k in far[:SHOWN]
+    ]
     if problems:
         fail(path, problems)
     sigma = table.numbers("sx_px", "sy_px")

@@ -23,6 +23,7 @@ from raybundle.block.block import Distances, Stations
 from raybundle.errors import InputError
 from raybundle.io.block.toml import read_cameras
 from raybundle.io.calibrations.ours import cameras_text
+from raybundle.io.digits import EVERY
 from raybundle.io.formats.base import Export, Import, Scene, Tracks, block_of
 from raybundle.io.geo.control_files import DEFAULTS
 from raybundle.io.reading.files import read_lines
@@ -159,7 +160,7 @@ def write_own(folder: Path, s: Scene, export: Export, photographs: Sequence[str]
     cameras = [replace(c, interior="shared", per_image=()) for c in s.cameras]
     (folder / CAMERAS).write_text(cameras_text(cameras), encoding="utf-8")
     of_image = [s.cameras[k].id for k in s.camera.tolist()]
-    write_table(folder / IMAGES, {"number": list(photographs), "image": list(s.names), "camera": of_image})
+    write_table(folder / IMAGES, {"number": list(photographs), "image": list(s.names), "camera": of_image}, EVERY)
     kept = s.points.tolist()
     sigma = block.points.sigma[s.points]
     if len(kept) == 0:
@@ -172,6 +173,7 @@ def write_own(folder: Path, s: Scene, export: Export, photographs: Sequence[str]
             "role": [Role(int(block.points.role[k])).word for k in kept],
             **{n: sigma[:, k] for k, n in enumerate(("sX", "sY", "sZ"))},
         },
+        EVERY,
     )
 
 
@@ -213,7 +215,7 @@ def _own(path: Path, columns: tuple[str, ...]) -> dict[str, tuple[str, ...]]:
     if not path.is_file():
         return {}
     names = [Column(name=n, kind="id" if n == columns[0] else "text") for n in columns]
-    table = read_table(path, (Column(name="number", kind="id"), *names))
+    table = read_table(path, (Column(name="number", kind="id"), *names), own=True)
     return dict(zip(table.text["number"], zip(*(table.text[n] for n in columns), strict=True), strict=True))
 
 
@@ -223,11 +225,11 @@ def _own_points(path: Path) -> tuple[dict[str, str], Table | None]:
         return {}, None
     sigmas = (Column(name=n, kind="number", empty=True, limit=">= 0") for n in ("sX", "sY", "sZ"))
     columns = (Column(name="number", kind="id"), Column(name="point", kind="id"), Column(name="role", kind="text"))
-    table = read_table(path, (*columns, *sigmas))
+    table = read_table(path, (*columns, *sigmas), own=True)
     for k, role in enumerate(table.text["role"]):
         if role not in ROLES:
             message = f"{quoted(role)} is not one of {', '.join(ROLES)}"
-            raise InputError(message, file=path, line=k + 2, column="role")
+            raise InputError(message, file=path, line=k + table.first_line, column="role")
     return dict(zip(table.text["number"], table.text["point"], strict=True)), table
 
 

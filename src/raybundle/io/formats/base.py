@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import Literal
@@ -10,9 +10,9 @@ from typing import Literal
 import numpy as np
 
 from raybundle.block import Block, Camera, Images, Observations, Points, Role
+from raybundle.cameras.conversions import LIMIT_PX, CameraFit, interiors, parameter_vector
 from raybundle.errors import InputError
-from raybundle.io.cameras.conversions import LIMIT_PX, CameraFit, interiors, parameter_vector
-from raybundle.io.folders import make_parent, new_files, new_folder
+from raybundle.io.folders import check_free, check_new_file, make_parent, new_files, new_folder
 from raybundle.io.geo.coordinate_systems import LocalFrame
 from raybundle.io.reading.files import guarded, opened
 from raybundle.numerics.arrays import Array, Index, Mask
@@ -27,6 +27,24 @@ SIGMA_PX = 1.0
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
+class PlaneAxes:
+    """Axes of a plane in a block: X to the right in it, Y up in it, Z out of it."""
+
+    origin: Array
+    """(3,)"""
+    axes: Array
+    """(3, 3), rows right, up, normal"""
+
+    def coordinates(self, xyz: Array) -> Array:
+        """(n, 3) on these axes."""
+        return (xyz - self.origin) @ self.axes.T
+
+    def sigma(self, sigma: Array) -> Array:
+        """(n, 3) standard deviations on these axes of coordinates whose correlations are not known."""
+        return np.sqrt(sigma**2 @ (self.axes**2).T)
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
 class Export:
     """What a writer is given."""
 
@@ -38,8 +56,27 @@ class Export:
     """(p, 3) standard deviations of the object points, unit of the block; NaN where not known."""
     station_sigma: Array | None = None
     """(n, 3) standard deviations of the projection centres."""
+    station_angle_sigma: Array | None = None
+    """(n, 3) standard deviations of omega, phi, kappa of the stations [rad]."""
     frame: LocalFrame | None = None
     """Where the block stands on the earth."""
+    map_sigma: Array | None = None
+    """(p, 3) standard deviations of the object points along the axes of the frame's system, in its units, where known
+    better than from `sigma`, which lacks the correlations between the coordinates."""
+    map_station_sigma: Array | None = None
+    """(n, 3) the same of the projection centres."""
+    nominal: Mask | None = None
+    """(n,) images that stand for satellite scenes, whose stations are no places; None: no image."""
+    given: Array | None = None
+    """(p, 3) coordinates that were given of control and check points; NaN where none."""
+    record: Mapping[str, str] = field(default_factory=dict[str, str])
+    """What is said of the delivery: title, client, rights and the like; its state, where it is not to be used yet."""
+    within: PlaneAxes | None = None
+    """Axes of a plane in which it is written; then `frame` is None."""
+    interior: Mapping[str, tuple[tuple[str, ...], Array]] = field(
+        default_factory=dict[str, tuple[tuple[str, ...], "Array"]]
+    )
+    """Camera -> symbols of its free parameters and their covariance, in their units, where a result tells it."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -97,6 +134,8 @@ class Format:
     """Whether its points have colours."""
     metric: bool = False
     """Whether who reads it takes its coordinates for metres, or for places on the earth."""
+    in_plane: bool = False
+    """Whether it can be written in the axes of a plane."""
 
 
 formats: dict[str, Format] = {}
@@ -160,11 +199,10 @@ def write_format(
         raise InputError(
             f"format {name} needs the place on the earth; give the coordinate system of the block: "
             f"{option('crs', 'EPSG:25832')}, "
-            f"and {option('origin', 'E', 'N', 'H')} if the block stands in a local frame",
+            f"and {option('frame_origin', 'E', 'N', 'H')} if the block stands in a local frame",
             file=path,
         )
-    if path.exists() and (not path.is_dir() or any(path.iterdir())):
-        raise InputError("stands there already and is not overwritten; choose another name", file=path)
+    check_free(path)
     if export.block.free_scale and format_.metric and not free_scale:
         raise InputError(
             f"{FREE_SCALE}, and {name} counts in metres; {GIVE_SCALE}, or {option('free_scale', True)}", file=path
@@ -234,11 +272,10 @@ def _write_files(write: Writer, export: Export, path: Path, *, approximate: bool
         check_deviation(draft.deviation_px, draft.remarks, path, approximate=approximate, remedy=straighten())
         made = sorted(temporary.parent.iterdir())
         for file in made:
-            if (path.parent / file.name).exists():
-                raise InputError("stands there already and is not overwritten", file=path.parent / file.name)
+            check_new_file(path.parent / file.name)
         for file in made:
             if file.name != path.name:
-                file.rename(path.parent / file.name)
+                file.replace(path.parent / file.name)
     files = tuple(path.parent / f.name for f in made)
     return Written(files=files, remarks=draft.remarks, deviation_px=draft.deviation_px)
 

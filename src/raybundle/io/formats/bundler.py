@@ -11,8 +11,9 @@ from pathlib import Path
 
 import numpy as np
 
+from raybundle.cameras.conversions import forward_fit
 from raybundle.errors import InputError
-from raybundle.io.cameras.conversions import forward_fit
+from raybundle.io.digits import exact
 from raybundle.io.formats.base import Draft, Export, Format, Scene, deviation_remark, register, scene
 
 
@@ -49,12 +50,12 @@ def _views(s: Scene) -> list[list[str]]:
     first = np.searchsorted(s.image, np.arange(len(s.names)))
     views: list[list[str]] = [[] for _ in range(len(s.xyz))]
     for row, (image, point) in enumerate(zip(s.image.tolist(), s.point.tolist(), strict=True)):
-        views[point].append(f"{image} {row - int(first[image])} {xy[row][0]!r} {xy[row][1]!r}")
+        views[point].append(f"{image} {row - int(first[image])} {exact(xy[row][0])} {exact(xy[row][1])}")
     return views
 
 
 def _row(values: Sequence[float]) -> str:
-    return " ".join(repr(float(v)) for v in values)
+    return " ".join(exact(v) for v in values)
 
 
 register(

@@ -15,9 +15,10 @@ from pathlib import Path
 import numpy as np
 
 from raybundle.block import Camera, Images
+from raybundle.cameras.conversions import camera_from_forward, opencv_fit
+from raybundle.cameras.forward_camera import ForwardCamera
 from raybundle.errors import InputError
-from raybundle.io.cameras.conversions import camera_from_forward, opencv_fit
-from raybundle.io.cameras.forward_camera import ForwardCamera
+from raybundle.io.digits import exact
 from raybundle.io.formats.base import (
     SENSOR_FROM_CV,
     Draft,
@@ -203,18 +204,18 @@ def write_text(export: Export, folder: Path) -> Draft:
             a, b = np.searchsorted(s.image, [k - 1, k]).tolist()
             file.write(f"{k} {_row(q)} {_row(t)} {int(s.camera[k - 1]) + 1} {s.names[k - 1]}\n")
             triples = zip(s.xy_px[a:b].tolist(), s.point[a:b].tolist(), strict=True)
-            file.write(" ".join(f"{x!r} {y!r} {numbers[p]}" for (x, y), p in triples) + "\n")
+            file.write(" ".join(f"{exact(x)} {exact(y)} {numbers[p]}" for (x, y), p in triples) + "\n")
     with (folder / "points3D.txt").open("w", encoding="utf-8", newline="\n") as file:
         file.write("# POINT3D_ID, X, Y, Z, R, G, B, ERROR, TRACK[] as (IMAGE_ID, POINT2D_IDX)\n")
         for p in _points(s, export):
             track = " ".join(f"{i} {r}" for i, r in zip(p.images.tolist(), p.rows.tolist(), strict=True))
             rgb = " ".join(map(str, p.rgb))
-            file.write(f"{p.number} {_row(p.xyz.tolist())} {rgb} {p.error!r} {track}".rstrip() + "\n")
+            file.write(f"{p.number} {_row(p.xyz.tolist())} {rgb} {exact(p.error)} {track}".rstrip() + "\n")
     return draft
 
 
 def _row(values: Sequence[float]) -> str:
-    return " ".join(repr(float(v)) for v in values)
+    return " ".join(exact(v) for v in values)
 
 
 @dataclass(slots=True)

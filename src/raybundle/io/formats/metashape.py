@@ -14,8 +14,9 @@ from pathlib import Path, PurePosixPath
 import numpy as np
 
 from raybundle.block import Block, Camera, Images, Role
-from raybundle.io.cameras.conversions import camera_from_forward, forward_fit, terms_for
-from raybundle.io.cameras.forward_camera import ForwardCamera
+from raybundle.cameras.conversions import camera_from_forward, forward_fit, terms_for
+from raybundle.cameras.forward_camera import ForwardCamera
+from raybundle.io.digits import exact
 from raybundle.io.formats.base import (
     SENSOR_FROM_CV,
     Draft,
@@ -68,7 +69,7 @@ def write(export: Export, path: Path) -> Draft:
 
 
 def _row(values: Array) -> str:
-    return " ".join(repr(v) for v in np.asarray(values, float).tolist())
+    return " ".join(exact(v) for v in np.asarray(values, float).tolist())
 
 
 def _sensors(s: Scene) -> tuple[list[str], list[tuple[str, str, float]]]:
@@ -88,10 +89,10 @@ def _sensors(s: Scene) -> tuple[list[str], list[tuple[str, str, float]]]:
         }  # fmt: skip
         lines += [
             f'<sensor id="{k}" label="{escape(camera.id)}" type="{kind}">{size}',
-            f'<property name="pixel_width" value="{float(camera.pixel_mm[0])!r}"/>',
-            f'<property name="pixel_height" value="{float(camera.pixel_mm[1])!r}"/>',
+            f'<property name="pixel_width" value="{exact(camera.pixel_mm[0])}"/>',
+            f'<property name="pixel_height" value="{exact(camera.pixel_mm[1])}"/>',
             f'<calibration type="{kind}" class="adjusted">{size}',
-            "".join(f"<{n}>{float(v)!r}</{n}>" for n, v in values.items() if v or n == "f"),
+            "".join(f"<{n}>{exact(v)}</{n}>" for n, v in values.items() if v or n == "f"),
             "</calibration></sensor>",
         ]
     return lines, deviations
@@ -105,7 +106,7 @@ def _markers(s: Scene, block: Block) -> list[str]:
     for number, k in enumerate(named):
         p = int(s.points[k])
         x, y, z = s.xyz[k].tolist()
-        given = f'x="{x!r}" y="{y!r}" z="{z!r}"'
+        given = f'x="{exact(x)}" y="{exact(y)}" z="{exact(z)}"'
         enabled = "true" if block.points.role[p] == Role.CONTROL else "false"
         lines.append(f'<marker id="{number}" label="{escape(block.points.ids[p])}">')
         lines.append(f'<reference {given} enabled="{enabled}"/></marker>')
@@ -114,7 +115,7 @@ def _markers(s: Scene, block: Block) -> list[str]:
         lines.append(f'<marker marker_id="{number}">')
         for row in np.flatnonzero(s.point == k).tolist():
             x, y = s.xy_px[row].tolist()
-            lines.append(f'<location camera_id="{int(s.image[row])}" pinned="true" x="{x!r}" y="{y!r}"/>')
+            lines.append(f'<location camera_id="{int(s.image[row])}" pinned="true" x="{exact(x)}" y="{exact(y)}"/>')
         lines.append("</marker>")
     return [*lines, "</markers></frame></frames>"]
 

@@ -13,9 +13,9 @@ from typing import Any
 import numpy as np
 
 from raybundle.block import Block, Camera, Images
+from raybundle.cameras.conversions import FISHEYE, camera_from_forward, forward_fit, pinhole_of, terms_for
+from raybundle.cameras.forward_camera import ForwardCamera
 from raybundle.errors import InputError
-from raybundle.io.cameras.conversions import FISHEYE, camera_from_forward, forward_fit, pinhole_of, terms_for
-from raybundle.io.cameras.forward_camera import ForwardCamera
 from raybundle.io.formats.base import (
     Draft,
     Export,

@@ -16,9 +16,10 @@ from typing import Any
 import numpy as np
 
 from raybundle.block import Camera, Images
+from raybundle.cameras.conversions import FISHEYE, camera_from_forward, forward_fit, terms_for
+from raybundle.cameras.forward_camera import ForwardCamera
 from raybundle.errors import InputError
-from raybundle.io.cameras.conversions import FISHEYE, camera_from_forward, forward_fit, terms_for
-from raybundle.io.cameras.forward_camera import ForwardCamera
+from raybundle.io.digits import exact
 from raybundle.io.formats.base import (
     SENSOR_FROM_CV,
     Draft,
@@ -119,7 +120,7 @@ def _write_tracks(s: Scene, ids: list[str], path: Path) -> None:
         rows = zip(s.image.tolist(), s.point.tolist(), normal, strict=True)
         for k, (image, point, (x, y)) in enumerate(rows):
             rgb = s.colours[point].tolist()
-            writer.writerow([s.names[image], ids[point], k, repr(x), repr(y), SCALE, *rgb, -1, -1])
+            writer.writerow([s.names[image], ids[point], k, exact(x), exact(y), SCALE, *rgb, -1, -1])
 
 
 def read(path: Path) -> Import:

@@ -17,9 +17,9 @@ from urllib.parse import quote, unquote
 import numpy as np
 
 from raybundle.block import Camera, Images
+from raybundle.cameras.conversions import camera_from_forward, forward_fit
+from raybundle.cameras.forward_camera import ForwardCamera
 from raybundle.errors import InputError
-from raybundle.io.cameras.conversions import camera_from_forward, forward_fit
-from raybundle.io.cameras.forward_camera import ForwardCamera
 from raybundle.io.formats.base import (
     Draft,
     Export,

@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 
-from raybundle.io.formats.base import Draft, Export, Format, register, scene
+from raybundle.io.formats.base import Draft, Export, Format, register
+from raybundle.io.formats.surveyed import Surveyed, surveyed
 from raybundle.numerics.arrays import Array
 
 STATION_COLOUR = (220, 40, 40)
@@ -44,18 +46,39 @@ def write_vertices(
 
 
 def write(export: Export, path: Path) -> Draft:
-    """Write the points, and the projection centres to NAME-stations.ply; sigma is NaN where it is not known."""
-    s = scene(export)
+    """Write the points, and the projection centres to NAME-stations.ply; sigma is NaN where it is not known.
+
+    Coordinates are doubles, those of a georeferenced block in its system: CloudCompare and PDAL read them in full.
+    Readers of single precision, as MeshLab is, round east and north of a map to some decimetres.
+    """
+    view = surveyed(export)
+    s = view.scene
+    comments = (*(('scale = "free"',) if export.block.free_scale else ()), *_system(view))
+    if view.degrees:  # degrees and metres make no cloud
+        view = surveyed(replace(export, frame=None))
     rays = np.bincount(s.point, minlength=len(s.xyz)).astype(np.int32)
-    sigma = np.full((len(s.xyz), 3), np.nan) if export.sigma is None else export.sigma[s.points]
     names = ("sigma_x", "sigma_y", "sigma_z")
-    free = ('scale = "free"',) if export.block.free_scale else ()
-    write_vertices(path, s.xyz, s.colours, {**{n: sigma[:, k] for k, n in enumerate(names)}, "rays": rays}, free)
-    red = np.tile(np.array(STATION_COLOUR, np.uint8), (len(s.centre), 1))
-    sigma = np.full((len(s.centre), 3), np.nan) if export.station_sigma is None else export.station_sigma[s.source]
+    xyz = view.placed(s.xyz)
+    sigma = view.sigma_of(s.points, xyz)
+    write_vertices(path, xyz, s.colours, {**{n: sigma[:, k] for k, n in enumerate(names)}, "rays": rays}, comments)
+    centre, sigma = view.stations, view.station_sigma
+    red = np.tile(np.array(STATION_COLOUR, np.uint8), (len(centre), 1))
     stations = path.with_name(f"{path.stem}-stations{path.suffix}")
-    write_vertices(stations, s.centre, red, {n: sigma[:, k] for k, n in enumerate(names)}, free)
-    return Draft(remarks=s.remarks)
+    write_vertices(stations, centre, red, {n: sigma[:, k] for k, n in enumerate(names)}, comments)
+    told = (f"PLY: {c}" for c in comments if c.startswith("crs"))
+    return Draft(remarks=(*s.remarks, *told))
+
+
+def _system(view: Surveyed) -> tuple[str, ...]:
+    """What the head says of the coordinate system, in ASCII."""
+    frame = view.frame
+    if frame is None:
+        return ()
+    name = view.system_name.encode("ascii", "replace").decode("ascii").replace("\n", " ")
+    if not view.degrees:
+        return (f"crs {name}",)
+    origin = " ".join(f"{v:.10g}" for v in frame.origin)
+    return (f"crs local east-north-up frame at {origin} of {name}, which is in degrees",)
 
 
 register(

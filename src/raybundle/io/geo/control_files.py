@@ -8,7 +8,7 @@ CSV             point,X,Y,Z[,sX,sY,sZ][,role][,radius][,nX,nY,nZ], and beside it
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Literal
@@ -18,15 +18,15 @@ import numpy as np
 from raybundle.block import ROLES, Role
 from raybundle.block.frames import in_file_frames
 from raybundle.errors import InputError
-from raybundle.io.geo.coordinate_systems import parse_crs
-from raybundle.io.reading.files import read_lines
-from raybundle.io.reading.words import no_number, number_of, quoted
+from raybundle.io.geo.gcp_rows import GCP_COLUMNS, GcpRow, content_lines, gcp_rows
+from raybundle.io.geo.parsed_systems import parse_crs
+from raybundle.io.reading.dialects import header_of
+from raybundle.io.reading.words import number_of, quoted
 from raybundle.io.tables import SHOWN, Column, Problem, fail, read_table
 from raybundle.numerics.arrays import Array, Index, Mask
 
-FILE_BYTES = 1 << 28
 XYZ, SIGMA, NORMAL = ("X", "Y", "Z"), ("sX", "sY", "sZ"), ("nX", "nY", "nZ")
-GCP_COLUMNS = ("X", "Y", "Z", "x_px", "y_px", "image")
+NO_TOLERANCE = "the column tolerance is for nominal coordinates, and control has none: it is not used"
 CHANCE = 0.01
 """Probability below which heights that agree to the last digit are not taken for measured."""
 MEASUREMENTS = "measurements"
@@ -45,9 +45,39 @@ class Measurements:
     """(m, 2) pixel frame of BLOCK_FORMAT; NaN nowhere."""
     line: Index
     """(m,) line of the file, for messages."""
+    covariance: Array | None = None
+    """(m, 3) variances of x and y and covariance [px^2]; NaN, None: as of all points marked by hand"""
+    radius_px: Array | None = None
+    """(m,) mean radius of the image of a round target; NaN, None: not known"""
 
     def __len__(self) -> int:
         return len(self.image)
+
+    @property
+    def covariances(self) -> Array:
+        """(m, 3), NaN where not known."""
+        return np.full((len(self), 3), np.nan) if self.covariance is None else self.covariance
+
+    @property
+    def radii_px(self) -> Array:
+        """(m,), NaN where not known."""
+        return np.full(len(self), np.nan) if self.radius_px is None else self.radius_px
+
+    def rows(self, rows: Index) -> Measurements:
+        """Some of them."""
+        return Measurements(
+            image=tuple(self.image[k] for k in rows), point=self.point[rows], xy_px=self.xy_px[rows],
+            line=self.line[rows], covariance=self.covariances[rows], radius_px=self.radii_px[rows],
+        )  # fmt: skip
+
+    def and_(self, others: Measurements) -> Measurements:
+        """Both."""
+        return Measurements(
+            image=(*self.image, *others.image), point=np.concatenate([self.point, others.point]),
+            xy_px=np.vstack([self.xy_px, others.xy_px]), line=np.concatenate([self.line, others.line]),
+            covariance=np.vstack([self.covariances, others.covariances]),
+            radius_px=np.concatenate([self.radii_px, others.radii_px]),
+        )  # fmt: skip
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -61,7 +91,7 @@ class ControlFile:
     xyz: Array
     """(n, 3) in that system, x east or longitude; NaN where not known."""
     sigma: Array
-    """(n, 3) 0 = held; NaN where the coordinate is not known."""
+    """(n, 3) 0 = held; NaN where the coordinate is not known; assumed ones in metres, others see `told`."""
     role: Index
     """(n,) `Role`; CONTROL unless the file says otherwise."""
     measurements: Measurements
@@ -73,16 +103,20 @@ class ControlFile:
     """(n, 3) unit vectors square to round targets, in the axes of the coordinates; NaN: not known."""
     stated: Mask | None = None
     """(n,) whose standard deviations in plan stand in the file; None: of no point"""
+    told: Mask | None = None
+    """(n, 3) whose standard deviation stands in the file, in the unit of its coordinates; None: all are in metres"""
     stem: str = ""
     """What names that were made for points without any begin with; empty where they are the file's"""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class ControlDefaults:
-    """Standard deviations where a file tells none, in the unit of its coordinates."""
+    """Standard deviations where a file tells none: of coordinates in a system of the earth, in metres."""
 
     plan: float = 0.01
     height: float = 0.02
+    unit: str = ""
+    """of the two, for remarks; empty: not said"""
     role: Literal["control", "check"] = "control"
 
 
@@ -94,7 +128,8 @@ def read_control(
 ) -> ControlFile:
     """Control and check points of a file.
 
-    path          gcp_list.txt, a CSV file, or a block folder (its points.csv and observations.csv)
+    path          gcp_list.txt, a CSV file, or a block folder (its points.csv and observations.csv); a CSV of image
+                  measurements alone: points of which nothing is given, the ends of a scale bar
     measurements  a CSV of image measurements; None: NAME-measurements.csv beside a CSV, if there is one
     raises        InputError with file, line and column
     What it does not tell: whether the images exist; names are as they stand there.
@@ -102,7 +137,9 @@ def read_control(
     path = Path(path)
     if path.is_dir():
         return _read_block_points(path, defaults)
-    if path.suffix.lower() == ".csv":
+    if _is_table(path):
+        if measurements is None and _are_marks(path):
+            return _marks_alone(path)
         return _read_csv(path, None if measurements is None else Path(measurements), defaults)
     if measurements is not None:
         raise InputError(
@@ -117,25 +154,23 @@ def read_gcp_list(path: str | Path, *, defaults: ControlDefaults = DEFAULTS) -> 
     Heights that are 0 throughout, or all the same, are taken as unknown, and a remark says so.
     """
     path = Path(path)
-    lines = _content(path)
+    lines = content_lines(path)
     first, crs = next(lines, (0, ""))
     if not crs:
         raise InputError(
             "the file is empty; its first line names the coordinate system, each other one X Y Z x y image",
-            file=path,
-            line=1,
-        )
+            file=path, line=1,
+        )  # fmt: skip
     if len(crs.split()) >= len(GCP_COLUMNS) and number_of(crs.split()[0]) is not None:
         raise InputError(
             "the first line must name the coordinate system: EPSG:32611, WGS84 UTM 11N or a PROJ string",
-            file=path,
-            line=first,
-        )
+            file=path, line=first,
+        )  # fmt: skip
     try:
         parse_crs(crs)
     except InputError as error:
         raise InputError(str(error), file=path, line=first) from None
-    rows, problems = _gcp_rows(lines)
+    rows, problems = gcp_rows(lines)
     if problems:
         fail(path, problems)
     if not rows:
@@ -144,63 +179,14 @@ def read_gcp_list(path: str | Path, *, defaults: ControlDefaults = DEFAULTS) -> 
     return _with_unknown_heights(result, np.zeros(len(result.ids), bool))
 
 
-@dataclass(frozen=True, slots=True)
-class _Row:
-    line: int
-    xyz: tuple[float, float, float]
-    xy: tuple[float, float]
-    image: str
-    name: str
-
-
-def _content(path: Path) -> Iterator[tuple[int, str]]:
-    """Lines that are neither empty nor comments, with their numbers."""
-    for number, line in read_lines(path, FILE_BYTES):
-        content = line.strip()
-        if content and not content.startswith("#"):
-            yield number, content
-
-
-def _gcp_rows(lines: Iterator[tuple[int, str]]) -> tuple[list[_Row], list[Problem]]:
-    rows: list[_Row] = []
-    problems: list[Problem] = []
-    for line, text in lines:
-        if len(problems) > SHOWN:
-            break
-        # with tabs a name of an image may hold blanks
-        words = [w.strip() for w in text.split("\t")] if text.count("\t") >= 5 else text.split()
-        if len(words) < len(GCP_COLUMNS):
-            message = f"{len(words)} columns, {', '.join(GCP_COLUMNS)} and perhaps a name are needed: {quoted(text)}"
-            problems.append(Problem(line, None, message))
-            continue
-        bad = [
-            (c, w) for c, w in zip(GCP_COLUMNS[:5], words, strict=False) if number_of(w) is None and not _unknown(c, w)
-        ]
-        if bad:
-            hint = " (the decimal sign is a point)" if "," in bad[0][1] else ""
-            problems.append(Problem(line, bad[0][0], f"{no_number(bad[0][1])}{hint}"))
-            continue
-        if not words[5] or not "".join(words[5:7]).isprintable():
-            problems.append(Problem(line, "image", f"{quoted(words[5])} is no name of an image"))
-            continue
-        X, Y, Z, x, y = (float(w) for w in words[:5])
-        rows.append(_Row(line, (X, Y, Z), (x, y), words[5], words[6] if len(words) > 6 else ""))
-    return rows, problems
-
-
-def _unknown(column: str, word: str) -> bool:
-    """A height may be given as NaN."""
-    return column == "Z" and word.lower() == "nan"
-
-
-def _grouped(path: Path, crs: str, rows: Sequence[_Row], defaults: ControlDefaults) -> ControlFile:
+def _grouped(path: Path, crs: str, rows: Sequence[GcpRow], defaults: ControlDefaults) -> ControlFile:
     named = [bool(r.name) for r in rows]
     if any(named) and not all(named):
         row = rows[named.index(False)]
         message = "this line has no name of a point, others have; give all of them one, or none"
         raise InputError(message, file=path, line=row.line, column="name")
     points: dict[object, int] = {}
-    first: list[_Row] = []
+    first: list[GcpRow] = []
     index: list[int] = []
     problems: list[Problem] = []
     seen: dict[tuple[int, str], int] = {}
@@ -263,6 +249,12 @@ def named_apart(files: Sequence[ControlFile]) -> tuple[ControlFile, ...]:
     return tuple(found)
 
 
+def assumed_words(defaults: ControlDefaults) -> str:
+    """What is said of coordinates whose file states no standard deviation."""
+    unit = f" {defaults.unit}" if defaults.unit else ""
+    return f"coordinates without a sigma get {defaults.plan:g}{unit} in plan and {defaults.height:g}{unit} in height"
+
+
 def _default_sigma(xyz: Array, defaults: ControlDefaults) -> Array:
     sigma = np.tile([defaults.plan, defaults.plan, defaults.height], (len(xyz), 1))
     return np.where(np.isfinite(xyz), sigma, np.nan)
@@ -312,31 +304,42 @@ def _read_csv(path: Path, measurements: Path | None, defaults: ControlDefaults) 
             Column(name="role", kind="text", optional=True, empty=True),
             Column(name="radius", kind="number", empty=True, optional=True, limit="> 0"),
             *(Column(name=n, kind="number", empty=True, optional=True) for n in NORMAL),
+            Column(name="tolerance", kind="text", empty=True, optional=True),
         ),
     )
     ids, xyz, sigma = table.text["point"], table.numbers(*XYZ), table.numbers(*SIGMA)
     roles = table.text.get("role", ("",) * len(ids))
     known = {"": ROLES[defaults.role], **ROLES}
     problems = [
-        Problem(k + 2, "role", f"{quoted(r)} is not one of control, check, tie")
+        Problem(k + table.first_line, "role", f"{quoted(r)} is not one of control, check, tie")
         for k, r in enumerate(roles)
         if r not in known
     ]
     bare = np.isfinite(sigma) & ~np.isfinite(xyz)
     problems += [
-        Problem(int(k) + 2, SIGMA[a], f"point {quoted(ids[k])} has {SIGMA[a]} but no {XYZ[a]}; give the coordinate too")
+        Problem(
+            int(k) + table.first_line,
+            SIGMA[a],
+            f"point {quoted(ids[k])} has {SIGMA[a]} but no {XYZ[a]}; give the coordinate too",
+        )
         for k, a in np.argwhere(bare)
     ]
     empty = np.flatnonzero(~np.isfinite(xyz).any(axis=1))
     problems += [
-        Problem(int(k) + 2, "X", f"point {quoted(ids[k])} has no coordinate; give one, or delete the line")
+        Problem(
+            int(k) + table.first_line, "X", f"point {quoted(ids[k])} has no coordinate; give one, or delete the line"
+        )
         for k in empty
         if known.get(roles[k]) != Role.TIE
     ]
     normal = table.numbers(*NORMAL)
     length = np.linalg.norm(normal, axis=1)
     problems += [
-        Problem(int(k) + 2, NORMAL[0], f"point {quoted(ids[k])}: nX, nY, nZ are one vector; give all three, not all 0")
+        Problem(
+            int(k) + table.first_line,
+            NORMAL[0],
+            f"point {quoted(ids[k])}: nX, nY, nZ are one vector; give all three, not all 0",
+        )
         for k in np.flatnonzero(np.isfinite(normal).any(axis=1) & ~(length > 0))
     ]
     if problems:
@@ -344,7 +347,9 @@ def _read_csv(path: Path, measurements: Path | None, defaults: ControlDefaults) 
     given = np.isfinite(sigma)
     remarks: tuple[str, ...] = ()
     if (np.isfinite(xyz) & ~given).any():
-        remarks = (f"coordinates without a sigma get {defaults.plan:g} in plan and {defaults.height:g} in height",)
+        remarks = (assumed_words(defaults),)
+    if any(table.text.get("tolerance", ())):  # people have one file for both
+        remarks = (*remarks, NO_TOLERANCE)
     beside = path.with_name(f"{path.stem}-{MEASUREMENTS}.csv")
     file = measurements or (beside if beside.is_file() else None)
     control = ControlFile(
@@ -359,8 +364,40 @@ def _read_csv(path: Path, measurements: Path | None, defaults: ControlDefaults) 
         radius=table.numbers("radius")[:, 0],
         normal=normal / np.where(length > 0, length, np.nan)[:, None],
         stated=np.asarray(given[:, :2].any(axis=1), bool),
+        told=given,
     )
     return _with_unknown_heights(control, given[:, 2])
+
+
+def _is_table(path: Path) -> bool:
+    """Whether a file is a table of points or marks: by its ending, or by its header, as spreadsheets save text."""
+    if path.suffix.lower() == ".csv":
+        return True
+    names = set(header_of(path))
+    return {"point", *XYZ[:2]} <= names or {"image", "point", "x_px", "y_px"} <= names
+
+
+def _are_marks(path: Path) -> bool:
+    """Whether a CSV is one of image measurements, without coordinates."""
+    return {"image", "point", "x_px", "y_px"} <= set(header_of(path))
+
+
+def _marks_alone(path: Path) -> ControlFile:
+    """Points that are only marked, as they appear."""
+    named: dict[str, int] = {}
+    read_table(
+        path,
+        (
+            Column(name="image", kind="text"),
+            Column(name="point", kind="new_reference", known=named),
+            *(Column(name=n, kind="number") for n in ("x_px", "y_px")),
+        ),
+    )
+    nothing = np.full((len(named), 3), np.nan)
+    return ControlFile(
+        path=path, crs=None, ids=tuple(named), xyz=nothing, sigma=nothing.copy(),
+        role=np.full(len(named), Role.TIE, np.int32), measurements=read_measurements(path, tuple(named), path.name),
+    )  # fmt: skip
 
 
 def _no_measurements() -> Measurements:
@@ -390,7 +427,7 @@ def read_measurements(path: str | Path, ids: Sequence[str], where: str) -> Measu
         image=tuple(names[k] for k in table.index["image"].tolist()),
         point=table.index["point"],
         xy_px=table.numbers("x_px", "y_px"),
-        line=np.arange(table.rows, dtype=np.int32) + 2,
+        line=np.arange(table.rows, dtype=np.int32) + table.first_line,
     )
 
 

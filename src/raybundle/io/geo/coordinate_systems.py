@@ -16,12 +16,22 @@ import warnings
 from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import lru_cache
+from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from raybundle.errors import InputError
-from raybundle.io.reading.words import finite, quoted, whole_of
+from raybundle.io.geo.parsed_systems import (
+    ELLIPSOID,
+    code_of,
+    height_name,
+    of_older_datum,
+    parse_crs,
+    system_name,
+    told_grid,
+)
+from raybundle.io.reading.words import finite
 from raybundle.numerics.arrays import Array
 from raybundle.numerics.rotation import nearest_rotation
 from raybundle.settings import option
@@ -30,9 +40,6 @@ if TYPE_CHECKING:
     from pyproj import CRS, Transformer
 
 WGS84 = "EPSG:4979"
-LONGEST_CRS = 100_000
-"""Characters; the longest WKT with its operations has some 20 000."""
-_UTM = re.compile(r"^(?:EPSG\s+)?WGS\s*_?84\s*[/,]?\s*UTM\s*(?:zone)?\s*([0-9]{1,2})\s*([NS])$", re.IGNORECASE)
 STEP_M = 1.0
 """Half the base of numeric derivatives."""
 
@@ -160,6 +167,18 @@ class LocalFrame:
         return {"crs": self.crs, "origin": list(self.origin), **given}
 
     @property
+    def units_m(self) -> tuple[float, float]:
+        """Metres in a unit of plan and of height; of degrees, a metre at the equator."""
+        return _unit(self.crs)
+
+    @property
+    def geoid_grid(self) -> str:
+        """File of the grid that heights above a geoid are converted with; empty where none is."""
+        transformer = _geoid(self)
+        found = None if transformer is None else re.search(r"grids=([^\s,]+)", transformer.definition)
+        return "" if found is None else found[1]
+
+    @property
     def _place(self) -> tuple[Array, Array]:
         """Geocentric coordinates (3,) of the origin, and the rotation (3, 3) to east, north, up there."""
         return _place(self.crs, self.origin, self.undulation_m)
@@ -172,10 +191,13 @@ def local_frame(
 
     crs           "EPSG:25832", "EPSG:25832+7837" (plan + heights), a PROJ string, WKT or "WGS84 UTM 32N"
     origin        x, y, z there (longitude before latitude); a height of NaN counts as 0, and is said in a remark
-    undulation_m  height of the geoid above the ellipsoid; None: by pyproj's grid
+    undulation_m  height of the geoid above the ellipsoid, that of WGS 84 where the system's is an older one; None: by
+                  pyproj's grid
     raises        InputError for an unknown system, an origin outside its area, or a geoid whose grid is missing
     """
     x, y, z = (float(v) for v in origin)
+    if undulation_m is not None and crs.strip().lower().endswith(ELLIPSOID):
+        raise InputError(f"{crs} counts heights from the ellipsoid; leave {option('undulation')} out, or {ELLIPSOID}")
     remarks = height_remarks(crs, undulation_m)
     if np.isnan(z):
         z = 0.0
@@ -183,6 +205,34 @@ def local_frame(
     frame = LocalFrame(crs=crs, origin=(x, y, z), undulation_m=undulation_m, remarks=remarks)
     frame.local_from_crs(np.array([[x, y, z]]))
     return frame
+
+
+def in_other_projection(frame: LocalFrame, crs: str) -> LocalFrame:
+    """The same local frame, its coordinates told in another projection of the same datum.
+
+    raises  InputError where the system has another datum or other heights: that takes a transformation, whose
+            accuracy is the user's to choose
+    """
+    old, new = _horizontal(frame.crs), _horizontal(crs)
+    same_datum = (
+        not (old.is_geocentric or new.is_geocentric)
+        and old.geodetic_crs is not None and new.geodetic_crs is not None
+        and old.geodetic_crs.to_2d().equals(new.geodetic_crs.to_2d())
+    )  # fmt: skip
+    heights = [c.sub_crs_list[1] if c.is_compound else None for c in map(parse_crs, (frame.crs, crs))]
+    a, b = heights
+    if not same_datum or not ((a is None and b is None) or (a is not None and b is not None and a.equals(b))):
+        raise InputError(
+            f"it stands in {system_name(frame.crs)}, and {system_name(crs)} is no other projection with the same datum "
+            "and heights; give one that is, or transform what is written with a program of yours, as with `ogr2ogr "
+            "-t_srs`"
+        )
+    x, y, z = frame.origin
+    lon, lat = _converted(_plan(frame.crs), np.array([x]), np.array([y]))[0]
+    plan = _converted(_plan(crs), np.array([lon]), np.array([lat]), inverse=True)
+    x, y = _checked(plan, np.array([[x, y]]), crs)[0].tolist()
+    origin = (x, y, z * _unit(frame.crs)[1] / _unit(crs)[1])
+    return local_frame(crs, origin, undulation_m=frame.undulation_m)
 
 
 def frame_from_mapping(values: Mapping[str, Any]) -> LocalFrame:
@@ -202,65 +252,44 @@ def frame_from_mapping(values: Mapping[str, Any]) -> LocalFrame:
 def height_remarks(crs: str, undulation_m: float | None = None) -> tuple[str, ...]:
     """What is assumed about the heights of a system, in words."""
     system = parse_crs(crs)
-    if system.is_geocentric or (system.is_geographic and len(system.axis_info) == 3 and not system.is_compound):
+    of = "" if undulation_m is None or system.is_geocentric or not of_older_datum(crs) else " (WGS 84)"
+    if system.is_geocentric or (len(system.axis_info) == 3 and not system.is_compound):
         return ()
     if not system.is_compound:
         unit = system.axis_info[0].unit_name if system.is_projected else "metre"
-        above = "as heights above the ellipsoid"
         if undulation_m is not None:
-            above = f"as heights above a geoid {undulation_m:g} m above the ellipsoid"
-        name = system.name if system.name != "unknown" else crs[:60]
-        return (f"{name} says nothing about heights; they are taken in {unit}, {above}",)
-    vertical = system.sub_crs_list[1].name
+            above = f"as heights above a geoid {undulation_m:g} m above the ellipsoid{of}"
+            return (f"{system_name(crs)} says nothing about heights; they are taken in {unit}, {above}",)
+        code = code_of(crs) or "EPSG:32633"
+        said = code + ELLIPSOID
+        how = (
+            f"as heights above the ellipsoid; if they are, name the system as {said}, if they are above the "
+            f"sea name theirs too, as {code}+5773 (EGM96)"
+        )
+        return (f"{system_name(crs)} says nothing about heights; they are taken in {unit}, {how}",)
     if undulation_m is not None:
-        return (f"{vertical}: heights above the geoid; a constant undulation of {undulation_m:g} m is added",)
+        name = height_name(crs)
+        return (f"{name}: heights above the geoid; a constant undulation of {undulation_m:g} m is added{of}",)
     return ()
 
 
 def _missing_geoid(crs: str, grid: str) -> InputError:
     from pyproj.datadir import get_data_dir  # noqa: PLC0415
 
-    plan, vertical = (s.name for s in parse_crs(crs).sub_crs_list[:2])
-    code = parse_crs(crs).sub_crs_list[0].to_authority()
-    alone = ":".join(code) if code else plan
+    plan = parse_crs(crs).sub_crs_list[0]
+    code = plan.to_authority()
+    alone = (":".join(code) if code else plan.name) + ELLIPSOID
     get = "pyproj knows no grid for it"
-    if grid:
+    if Path(grid).is_absolute():
+        get = f"pyproj cannot read its grid {grid}: correct the path"
+    elif grid:
         offline = f"without a network put https://cdn.proj.org/{grid} into {get_data_dir()}"
         get = f"get its grid {grid}: `pyproj sync --file {grid}`, or {offline}"
     return InputError(
-        f"{vertical} counts heights above a geoid that is not installed; taken as heights above the ellipsoid they "
-        f"would be wrong by up to 100 m; {get}; or give the height of the geoid, where {option('undulation')} is an "
-        "option; or, "
-        f"where the heights do stand above the ellipsoid, say so by the system without heights: {alone}"
+        f"{height_name(crs)} counts heights above a geoid that is not installed; taken as heights above the ellipsoid "
+        f"they would be wrong by up to 100 m; {get}; or give the height of the geoid, where {option('undulation')} is "
+        f"an option; or, where the heights do stand above the ellipsoid, say so: {alone}"
     )
-
-
-@lru_cache(maxsize=64)
-def parse_crs(text: str) -> CRS:
-    """The coordinate system that a text names: EPSG:code, EPSG:code+code, PROJ string, WKT, WGS84 UTM 11N.
-
-    raises  InputError where it names none, or one without a place on the earth
-    """
-    from pyproj import CRS  # noqa: PLC0415  (only where a coordinate system is used)
-    from pyproj.exceptions import CRSError  # noqa: PLC0415
-
-    text = text.strip()
-    if len(text) > LONGEST_CRS or not text.replace("\n", " ").replace("\r", " ").replace("\t", " ").isprintable():
-        raise InputError(f"{quoted(text)} is no coordinate system: too long, or with characters that cannot be printed")
-    if utm := _UTM.match(text):
-        zone = whole_of(utm[1]) or 0
-        if not 1 <= zone <= 60:
-            raise InputError(f"UTM zone {zone} is not between 1 and 60")
-        text = f"EPSG:{(32600 if utm[2].upper() == 'N' else 32700) + zone}"
-    try:
-        system = CRS.from_user_input(text)
-    except CRSError:
-        raise InputError(
-            f"{quoted(text)} is no coordinate system that pyproj knows; give EPSG:code, a PROJ string or WKT"
-        ) from None
-    if system.geodetic_crs is None or (system.is_vertical and not system.is_compound):
-        raise InputError(f"{quoted(text)} has no place on the earth; give a projected, geographic or geocentric system")
-    return system
 
 
 @lru_cache(maxsize=64)
@@ -299,10 +328,11 @@ def _vertical(crs: str) -> tuple[Transformer | None, str]:
         warnings.simplefilter("ignore")
         group = TransformerGroup(system, base.to_3d(), always_xy=True)
     best = group.transformers[0] if group.transformers else None
-    if best is not None and "ballpark" not in best.description.lower():
+    # a PROJ string names an ellipsoid and no datum: "ballpark" is its plan then, not the grid of its heights
+    if best is not None and ("ballpark" not in best.description.lower() or "vgridshift" in best.definition):
         return best, ""
-    grids = [g.short_name for o in group.unavailable_operations for g in o.grids]
-    return None, grids[0] if grids else ""
+    grids = [g.full_name or g.short_name for o in group.unavailable_operations for g in o.grids]
+    return None, next(iter(grids), "") or told_grid(crs)
 
 
 @lru_cache(maxsize=64)
@@ -321,7 +351,7 @@ def _unit(crs: str) -> tuple[float, float]:
     plan = _horizontal(crs).axis_info[0].unit_conversion_factor
     if system.is_compound:
         height = system.sub_crs_list[1].axis_info[0].unit_conversion_factor
-    elif len(system.axis_info) == 3:
+    elif len(system.axis_info) == 3 and not (system.is_projected and crs.strip().lower().endswith(ELLIPSOID)):
         height = system.axis_info[2].unit_conversion_factor
     else:
         height = plan if system.is_projected else 1.0
@@ -360,7 +390,11 @@ def _geographic(frame: LocalFrame, xyz: Array) -> Array:
     if transformer is not None:
         return _transformed(transformer, xyz)
     lon, lat = _converted(_plan(frame.crs), xyz[:, 0], xyz[:, 1]).T
-    result = np.stack([lon, lat, xyz[:, 2] * _unit(frame.crs)[1] + (frame.undulation_m or 0.0)], axis=1)
+    height = xyz[:, 2] * _unit(frame.crs)[1] + (frame.undulation_m or 0.0)
+    result = np.stack([lon, lat, height], axis=1)
+    if frame.undulation_m is not None and of_older_datum(frame.crs):
+        there = _converted(_to_wgs84(frame.crs), lon, lat, height)
+        result = _converted(_to_wgs84(frame.crs), there[:, 0], there[:, 1], height, inverse=True)
     return _checked(result, xyz, frame.crs)
 
 
@@ -379,7 +413,10 @@ def _crs_from_geocentric(frame: LocalFrame, xyz: Array) -> Array:
     if transformer is not None:
         return _converted(transformer, *geographic.T, inverse=True)
     x, y = _converted(_plan(frame.crs), geographic[:, 0], geographic[:, 1], inverse=True).T
-    result = np.stack([x, y, (geographic[:, 2] - (frame.undulation_m or 0.0)) / _unit(frame.crs)[1]], axis=1)
+    height = geographic[:, 2]
+    if frame.undulation_m is not None and of_older_datum(frame.crs):
+        height = _converted(_to_wgs84(frame.crs), *geographic.T)[:, 2]
+    result = np.stack([x, y, (height - (frame.undulation_m or 0.0)) / _unit(frame.crs)[1]], axis=1)
     return _checked(result, xyz, frame.crs)
 
 
@@ -410,8 +447,8 @@ def _checked(result: Array, given: Array, crs: str) -> Array:
     if len(bad):
         x, y = given[bad[0], :2]
         raise InputError(
-            f"point {bad[0]} at {x:.10g}, {y:.10g} lies outside the area of {crs[:60]}; check the coordinate system "
-            "and the order of the coordinates (east or longitude first)"
+            f"point {bad[0]} at {x:.10g}, {y:.10g} lies outside the area of {system_name(crs)}; check the coordinate "
+            "system and the order of the coordinates (east or longitude first)"
         )
     return result
 

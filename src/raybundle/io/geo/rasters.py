@@ -3,14 +3,14 @@
 from __future__ import annotations
 
 import math
-from importlib import import_module
 from pathlib import Path
-from typing import Any, Literal
+from typing import Any, Literal, NoReturn
 
 import numpy as np
 
 from raybundle.errors import InputError
-from raybundle.io.geo.coordinate_systems import parse_crs
+from raybundle.io.geo.parsed_systems import parse_crs
+from raybundle.io.raster_library import raster_library
 from raybundle.io.reading.files import check_regular
 from raybundle.numerics.arrays import Array
 from raybundle.objects.heights import HeightGrid
@@ -39,7 +39,7 @@ def read_heights(path: Path, crs: str, box: Array, *, unit: Unit = "", band: int
     raises  InputError for a missing library, no raster, no coordinate system, no overlap, unknown or odd units
     """
     check_regular(path)
-    library = _rasterio(path)
+    library = raster_library(path)
     try:
         with library.open(path) as source:
             return _read(library, source, path, crs, box, unit, band)
@@ -54,7 +54,7 @@ def read_all_heights(path: Path, crs: str = "", *, unit: Unit = "", band: int = 
             it is wanted
     """
     check_regular(path)
-    library = _rasterio(path)
+    library = raster_library(path)
     try:
         with library.open(path) as source:
             if source.crs is None:
@@ -78,28 +78,22 @@ def read_all_heights(path: Path, crs: str = "", *, unit: Unit = "", band: int = 
         raise InputError(f"is no raster that can be read: {str(error).splitlines()[0][:200]}", file=path) from None
 
 
-def _rasterio(path: Path) -> Any:
-    try:
-        rasterio = import_module("rasterio")  # an extra
-        for part in ("errors", "warp", "windows"):
-            import_module(f"rasterio.{part}")
-    except ImportError:
-        message = "rasters are read by rasterio, which is not installed: pip install 'raybundle[geo]'"
-        raise InputError(message, file=path) from None
-    return rasterio
+def no_system(path: Path) -> NoReturn:
+    """Raise InputError of a raster that does not say where it lies."""
+    raise InputError(
+        "names no coordinate system, so that nobody knows where it lies; write it into the file, as with "
+        "`gdal_edit.py -a_srs EPSG:CODE`",
+        file=path,
+    )
 
 
 def _read(library: Any, source: Any, path: Path, crs: str, box: Array, unit: Unit, band: int) -> HeightGrid:
     if not 1 <= band <= source.count:
         raise InputError(f"has {source.count} bands, band {band} is asked for", file=path)
     if source.crs is None:
-        raise InputError(
-            "names no coordinate system, so that nobody knows where it lies; write it into the file, as with "
-            "`gdal_edit.py -a_srs EPSG:CODE`",
-            file=path,
-        )
+        no_system(path)
     own = parse_crs(source.crs.to_wkt())
-    metres, remarks = _metres(source, own, path, unit, band)
+    metres, remarks = metres_of_heights(source, own, path, unit, band)
     target = library.crs.CRS.from_wkt(parse_crs(crs).to_wkt())
     same = source.crs == target and source.transform.b == 0 and source.transform.d == 0
     low, high = np.asarray(box, float)
@@ -112,7 +106,7 @@ def _read(library: Any, source: Any, path: Path, crs: str, box: Array, unit: Uni
         remarks.append(f"{path.name} is in {words}; its heights were brought over into {crs} on cells of "
                        f"{abs(transform.a):.3g} m")  # fmt: skip
     heights = heights * metres
-    _check_heights(heights, path)
+    check_heights(heights, path)
     return HeightGrid(
         heights=heights, origin=_centre(transform), column=(transform.a, transform.d),
         row=(transform.b, transform.e), crs=crs, remarks=tuple(remarks),
@@ -124,7 +118,7 @@ def _centre(t: Any) -> tuple[float, float]:
     return t.c + (t.a + t.b) / 2, t.f + (t.d + t.e) / 2
 
 
-def _metres(source: Any, own: Any, path: Path, unit: Unit, band: int) -> tuple[float, list[str]]:
+def metres_of_heights(source: Any, own: Any, path: Path, unit: Unit, band: int) -> tuple[float, list[str]]:
     """Metres in a unit of the heights, and what is to be said of it."""
     stated = str(source.units[band - 1] or "").strip().lower()
     if stated not in _UNITS:
@@ -135,13 +129,13 @@ def _metres(source: Any, own: Any, path: Path, unit: Unit, band: int) -> tuple[f
         found = next((u for u, m in METRES_IN.items() if abs(m - factor) < 1e-9), "")
     if unit and found and unit != found:
         raise InputError(
-            f"states heights in {found}, {option('dsm_unit', unit)} says {unit}; one of the two is wrong", file=path
+            f"states heights in {found}, {option('dem_unit', unit)} says {unit}; one of the two is wrong", file=path
         )
     found = unit or found
     if not found and own.is_projected and abs(own.axis_info[0].unit_conversion_factor - 1) > 1e-9:
         raise InputError(
             f"has its coordinates in {own.axis_info[0].unit_name} and does not say in what its heights are; say so: "
-            f"{option('dsm_unit', 'm')}, {option('dsm_unit', 'ft')} or {option('dsm_unit', 'us-ft')}",
+            f"{option('dem_unit', 'm')}, {option('dem_unit', 'ft')} or {option('dem_unit', 'us-ft')}",
             file=path,
         )
     if found in {"ft", "us-ft"}:
@@ -159,7 +153,7 @@ def _window(library: Any, source: Any, path: Path, bounds: tuple[float, ...], ba
     last_row = min(source.height, math.ceil(wanted.row_off + wanted.height))
     if last_col - first_col < 2 or last_row - first_row < 2:
         _no_overlap(source, path, bounds)
-    _check_size(path, (last_row - first_row) * (last_col - first_col))
+    check_size(path, (last_row - first_row) * (last_col - first_col))
     t = source.transform
     window = library.windows.Window(first_col, first_row, last_col - first_col, last_row - first_row)
     data = source.read(band, window=window, masked=True).astype(float)
@@ -176,7 +170,7 @@ def _warped(
     low = np.floor(np.array(bounds[:2]) / cell - 2) * cell
     high = np.ceil(np.array(bounds[2:]) / cell + 2) * cell
     columns, rows = np.rint((high - low) / cell).astype(int).tolist()
-    _check_size(path, rows * columns)
+    check_size(path, rows * columns)
     transform = library.Affine(cell, 0.0, float(low[0]), 0.0, -cell, float(high[1]))
     heights = np.full((rows, columns), np.nan)
     library.warp.reproject(
@@ -202,7 +196,8 @@ def _cell_m(library: Any, source: Any, path: Path, target: Any, bounds: tuple[fl
     return abs(area) ** 0.5
 
 
-def _check_size(path: Path, cells: int) -> None:
+def check_size(path: Path, cells: int) -> None:
+    """Raise InputError for more cells than are read at once."""
     if cells > MOST_CELLS:
         raise InputError(
             f"{cells} cells lie in the area, {MOST_CELLS} are read at once; reduce it, as with `gdalwarp -tr 5 5`",
@@ -219,7 +214,7 @@ def _no_overlap(source: Any, path: Path, bounds: tuple[float, ...]) -> None:
     )
 
 
-def _check_heights(heights: Array, path: Path) -> None:
+def check_heights(heights: Array, path: Path) -> None:
     """Refuse what are no heights of the ground: a mark for holes that is not stated, an image, another unit."""
     good = heights[np.isfinite(heights)]
     if not len(good):

@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING, Any, Literal
 import numpy as np
 
 from raybundle.errors import InputError
-from raybundle.io.geo.coordinate_systems import parse_crs
+from raybundle.io.geo.parsed_systems import parse_crs, utm_at
 from raybundle.io.reading.files import check_regular, guarded, read_bytes
 from raybundle.io.reading.trees import Json, read_json
 from raybundle.io.reading.words import number_of
@@ -245,12 +245,12 @@ def plane_crs(shape: Shape) -> str:
     if is_metric(system):
         return shape.crs
     lon, lat = in_crs(shape.xy, shape.crs, GEOGRAPHIC).mean(axis=0)
-    if not -80 <= lat <= 84:
+    code = utm_at(lon, lat)
+    if code is None:
         raise InputError(
             f"the area lies at latitude {lat:.1f}, where UTM does not reach; give a coordinate system in metres"
         )
-    zone = int((lon + 180) // 6) % 60 + 1
-    return f"EPSG:{(32600 if lat >= 0 else 32700) + zone}"
+    return code
 
 
 def is_metric(system: CRS) -> bool:

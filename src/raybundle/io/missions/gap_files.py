@@ -2,45 +2,45 @@
 
 from __future__ import annotations
 
-import csv
-import io
 import json
+import math
 from html import escape
 from pathlib import Path
 
 import numpy as np
 
+from raybundle.io.digits import Places
 from raybundle.io.missions.areas import GEOGRAPHIC, in_crs
+from raybundle.io.tables import write_table
 from raybundle.missions.check import FlightCheck
 from raybundle.missions.mission import Mission
 from raybundle.numerics.arrays import Array
 
-COLUMNS = (
-    "photograph", "planned", "line", "off_plan_m", "off_height_m", "tilt_deg", "motion_px", "blur_px", "counts",
-    "reason",
-)  # fmt: skip
+DIGITS = Places(2)
+"""Centimetres, hundredths of a degree and of a pixel: what a receiver and a gimbal tell no better"""
 
 
-def table_text(check: FlightCheck, mission: Mission) -> str:
-    """A row a photograph, and one for each planned one that nobody took."""
-    out = io.StringIO()
-    writer = csv.writer(out, lineterminator="\n")
-    writer.writerow(COLUMNS)
-    f = check.flown
-    for k, name in enumerate(f.names):
-        j = int(check.match[k])
-        line = "" if j < 0 else mission.lines[int(check.planned.line[j])].name
-        figures = [
-            _figure(v) for v in (
-                check.off_plan_m[k], check.off_height_m[k], np.degrees(check.tilt[k]), check.motion_px[k], f.blur_px[k]
-            )
-        ]  # fmt: skip
-        counts = bool(check.counted[k])
-        writer.writerow([name, "" if j < 0 else j + 1, line, *figures, "yes" if counts else "no", reason(check, k)])
-    for j in check.missing.tolist():
-        name = mission.lines[int(check.planned.line[j])].name
-        writer.writerow(["", j + 1, name, *[""] * 5, "no", "missing"])
-    return out.getvalue()
+def write_flown(check: FlightCheck, mission: Mission, path: Path) -> None:
+    """The table of a flight: a row a photograph, and one for each planned one that nobody took."""
+    f, missing = check.flown, check.missing.tolist()
+    planned = [int(j) for j in check.match] + missing
+    none = [math.nan] * len(missing)
+    numbers = {
+        "off_plan_m": check.off_plan_m, "off_height_m": check.off_height_m, "tilt_deg": np.degrees(check.tilt),
+        "motion_px": check.motion_px, "blur_px": f.blur_px,
+    }  # fmt: skip
+    write_table(
+        path,
+        {
+            "photograph": [*f.names, *[""] * len(missing)],
+            "planned": ["" if j < 0 else str(j + 1) for j in planned],
+            "line": ["" if j < 0 else mission.lines[int(check.planned.line[j])].name for j in planned],
+            **{name: np.array([*values, *none], float) for name, values in numbers.items()},
+            "counts": [*("yes" if c else "no" for c in check.counted), *["no"] * len(missing)],
+            "reason": [*(reason(check, k) for k in range(len(f.names))), *["missing"] * len(missing)],
+        },
+        dict.fromkeys(numbers, DIGITS),
+    )
 
 
 def reason(check: FlightCheck, k: int) -> str:
@@ -50,10 +50,6 @@ def reason(check: FlightCheck, k: int) -> str:
     if check.counted[k]:
         return "" if check.match[k] >= 0 else "not planned"
     return "blurred" if check.flown.blurred[k] else "tilted"
-
-
-def _figure(value: float) -> str:
-    return f"{value:.2f}" if np.isfinite(value) else ""
 
 
 def write_gaps(check: FlightCheck, mission: Mission, folder: Path) -> tuple[Path, ...]:

@@ -9,7 +9,6 @@ from __future__ import annotations
 
 import hashlib
 import os
-import re
 import stat
 from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass, field, replace
@@ -35,6 +34,7 @@ from raybundle.io.photos.metadata import Gps, Metadata
 from raybundle.io.photos.read_metadata import read_metadata
 from raybundle.io.reading.files import guarded
 from raybundle.numerics.arrays import Array
+from raybundle.numerics.natural import natural
 from raybundle.numerics.progress import Progress, silent
 
 __all__ = [
@@ -50,7 +50,6 @@ EMPTIEST = (30_000_000, 250)
 black photograph is packed so densely."""
 THUMBNAIL = (400, 1 / 16)
 """Longest side [px], and share of the median number of pixels, below both of which a photograph is a thumbnail."""
-_DIGITS = re.compile(r"(\d+)")
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -220,7 +219,7 @@ def _files(inputs: Sequence[Path], leave: frozenset[Path]) -> tuple[list[Path], 
         if path in leave:
             continue
         seen.setdefault(os.path.realpath(path), path)
-    return sorted(seen.values(), key=_natural), remarks
+    return sorted(seen.values(), key=lambda p: (natural(p.name), str(p))), remarks
 
 
 def _in_folder(folder: Path, leave: frozenset[Path], remarks: list[str]) -> list[Path]:
@@ -252,11 +251,6 @@ def _in_folder(folder: Path, leave: frozenset[Path], remarks: list[str]) -> list
             f"({shown(folders[0]).name}{', ...' if len(folders) > 1 else ''}); give them too"
         )
     return files
-
-
-def _natural(path: Path) -> tuple[list[str | int], str]:
-    parts = _DIGITS.split(path.name.lower())
-    return [int(p) if k % 2 else p for k, p in enumerate(parts)], str(path)
 
 
 def _names(files: Sequence[Path]) -> list[str]:

@@ -7,7 +7,6 @@ changed.  The video is cut into pieces, and a sharp frame near the middle of eac
 
 from __future__ import annotations
 
-import csv
 import math
 from collections.abc import Iterator
 from dataclasses import dataclass
@@ -19,8 +18,10 @@ from typing import Any
 import numpy as np
 
 from raybundle.errors import InputError
-from raybundle.io.folders import new_folder
+from raybundle.io.digits import COUNT, Figures, Places
+from raybundle.io.folders import check_free, new_folder
 from raybundle.io.photos.movie import MovieMetadata, read_movie_metadata
+from raybundle.io.tables import write_table
 from raybundle.numerics.arrays import Array, Index
 from raybundle.numerics.progress import Progress, silent
 
@@ -89,8 +90,7 @@ def extract_frames(
     """
     options = options or FrameOptions()
     _check(options)
-    if out.exists() and (not out.is_dir() or any(out.iterdir())):
-        raise InputError("stands there already and is not overwritten; choose another folder or delete it", file=out)
+    check_free(out)
     metadata = read_movie_metadata(video)
     analysis = analyse(video, progress=progress)
     chosen, remarks = choose(analysis, options)
@@ -314,9 +314,12 @@ def _write(frame: Array, path: Path, exif: bytes) -> None:
 
 
 def _write_table(path: Path, names: list[str], chosen: list[int], analysis: Analysis) -> None:
-    with path.open("w", newline="", encoding="utf-8") as file:
-        writer = csv.writer(file, lineterminator="\n")
-        writer.writerow(["file", "frame", "time_s", "sharpness", "motion"])
-        for name, k in zip(names, chosen, strict=True):
-            a = analysis
-            writer.writerow([name, k, f"{a.time_s[k]:.3f}", f"{a.sharpness[k]:.4g}", f"{a.motion[k]:.4f}"])
+    a, k = analysis, np.array(chosen, np.int64)
+    write_table(
+        path,
+        {
+            "file": names, "frame": k.astype(float), "time_s": np.asarray(a.time_s, float)[k],
+            "sharpness": np.asarray(a.sharpness, float)[k], "motion": np.asarray(a.motion, float)[k],
+        },
+        {"frame": COUNT, "time_s": Places(3), "sharpness": Figures(4), "motion": Places(4)},
+    )  # fmt: skip

@@ -12,14 +12,20 @@ import numpy as np
 
 from raybundle.block import Camera
 from raybundle.errors import InputError
-from raybundle.io.folders import new_files
+from raybundle.io.folders import check_free, new_files
+from raybundle.io.pictures.geotiff import TAGS, system_file, system_text, tags_of, write_geotiff
+from raybundle.io.pictures.resampling import between, sampled
 from raybundle.io.pictures.undistort import opened_photo
+from raybundle.io.raster_library import found_raster_library
 from raybundle.numerics.arrays import Array, Mask
 
 TILE = 128
 """Cells of the coarse map on a side that are worked on together."""
 WORLD = {".tif": ".tfw", ".tiff": ".tfw", ".png": ".pgw", ".jpg": ".jgw", ".jpeg": ".jgw"}
 """Suffixes of pictures and of their world files."""
+TIFF = (".tif", ".tiff")
+MAP_DIGITS = 15
+"""Significant digits of a world file in a map: all that a double holds."""
 
 
 @dataclass(slots=True)
@@ -49,10 +55,7 @@ class Rectified:
 
     def add(self, name: str, pixels: Array, at: Array, chosen: Mask, step: int) -> None:
         """Take the chosen cells (m, n) from a photograph whose places [px] at the cells' corners are (m, n, 2)."""
-        import cv2  # noqa: PLC0415  (only where photographs are written)
-
         height, width = self.seen.shape
-        limit = np.array(pixels.shape[1::-1], float)
         taken = 0
         cells = chosen[:-1, :-1] | chosen[1:, :-1] | chosen[:-1, 1:] | chosen[1:, 1:]
         for row in range(0, cells.shape[0], TILE):
@@ -63,61 +66,80 @@ class Rectified:
                 m, n = part.shape
                 top, left = row * step, column * step
                 h, w = min(m * step, height - top), min(n * step, width - left)
-                xy = _between(at[row : row + m + 1, column : column + n + 1], step)[:h, :w]
+                xy = between(at[row : row + m + 1, column : column + n + 1], step)[:h, :w]
                 mine = _nearest(chosen, row, column, m, n, step)[:h, :w]
-                mine = mine & np.isfinite(xy).all(axis=2) & ((xy >= 0) & (xy <= limit)).all(axis=2)
                 target = (slice(top, top + h), slice(left, left + w))
-                mine &= ~self.seen[target]
+                mine = mine & ~self.seen[target]
                 if not mine.any():
                     continue
-                # the library counts from the centre of the first pixel
-                found = cv2.remap(
-                    pixels, (xy[..., 0] - 0.5).astype(np.float32), (xy[..., 1] - 0.5).astype(np.float32),
-                    interpolation=cv2.INTER_CUBIC, borderMode=cv2.BORDER_REPLICATE,
-                )  # fmt: skip
+                found, inside = sampled(pixels, xy)
+                mine &= inside
                 self.colours[target][mine] = found[mine]
                 self.seen[target] |= mine
                 taken += int(mine.sum())
         if taken:
             self.shares[name] = taken / (height * width)
 
-    def write(self, path: Path, *, left: float, top: float, pixel: float, about: Mapping[str, Any]) -> None:
-        """Write the picture, its world file and NAME.toml; raises InputError for a suffix that is none of a picture."""
+    def write(
+        self, path: Path, *, left: float, top: float, pixel: float, about: Mapping[str, Any], wkt: str = "",
+        record: Mapping[str, str] | None = None,
+    ) -> tuple[str, ...]:  # fmt: skip
+        """Write the picture, its world file and NAME.toml; remarks.
+
+        wkt     the coordinate system of left and top: a TIFF becomes a GeoTIFF where rasterio is there, and beside all
+                others stands a file that names the system
+        record  what is said of the delivery: object, operator and rights stand in tags of TIFF and JPEG
+        raises  InputError for a suffix that is none of a picture
+        """
         from PIL import Image  # noqa: PLC0415
 
-        suffix = path.suffix.lower()
+        suffix, remarks = path.suffix.lower(), tuple[str, ...]()
+        library = found_raster_library() if wkt and suffix in TIFF else None
+        digits, tags = MAP_DIGITS if wkt else 12, tags_of(record or {})
         if suffix in {".jpg", ".jpeg"}:
             picture = Image.fromarray(np.where(self.seen[..., None], self.colours, 255).astype(np.uint8))
-            options: dict[str, Any] = {"quality": 95, "subsampling": 0}
+            options: dict[str, Any] = {"quality": 95, "subsampling": 0, "exif": _exif(tags)}
         else:
             picture = Image.fromarray(np.dstack([self.colours, np.where(self.seen, 255, 0).astype(np.uint8)]))
-            options = {"compression": "tiff_deflate"} if suffix in {".tif", ".tiff"} else {}
+            options = {"compression": "tiff_deflate", "tiffinfo": _exif(tags)} if suffix in TIFF else {}
         world = [pixel, 0.0, 0.0, -pixel, left + pixel / 2, top - pixel / 2]
-        with new_files(path.with_suffix(".toml"), path.with_suffix(WORLD[suffix]), path) as (told, placed, file):
-            picture.save(file, **options)
-            placed.write_text("".join(f"{v:.12g}\n" for v in world), encoding="ascii")
+        beside = (path.with_suffix(".toml"), path.with_suffix(WORLD[suffix]), system_file(path))
+        with new_files(*beside, path) as (told, placed, system, file):
+            if library is not None:
+                write_geotiff(library, file, self.colours, self.seen, left=left, top=top, pixel=pixel, wkt=wkt,
+                              tags=tags)  # fmt: skip
+            else:
+                picture.save(file, **options)
+                if wkt:
+                    system.write_text(system_text(wkt), encoding="utf-8")
+            placed.write_text("".join(f"{v:.{digits}g}\n" for v in world), encoding="ascii")
             told.write_text(_toml(about), encoding="utf-8")
+        if not (wkt and library is None):
+            system_file(path).unlink(missing_ok=True)  # of an older picture that is overwritten
+        if wkt and library is None:
+            why = "rasterio, which writes GeoTIFF, is not installed (pip install 'raybundle[geo]'); " * (suffix in TIFF)
+            remarks = (f"{why}the coordinate system stands in {system_file(path).name}, the place in the world file",)
+        return remarks
+
+
+def _exif(tags: Mapping[str, str]) -> Any:
+    """Tags as Pillow writes them, in UTF-8: ASCII, of which TIFF speaks, has no umlauts."""
+    from PIL import Image  # noqa: PLC0415
+
+    found = Image.Exif()
+    for name, words in {**tags, "Software": "raybundle"}.items():
+        found[TAGS[name]] = words.encode()
+    return found
 
 
 def check_picture(path: Path) -> None:
     """Raise InputError where a picture cannot or must not be written to this file."""
     if path.suffix.lower() not in WORLD:
         raise InputError(f"a picture needs a name that ends in {', '.join(sorted(WORLD))}", file=path)
-    for file in (path, path.with_suffix(WORLD[path.suffix.lower()]), path.with_suffix(".toml")):
-        if file.exists():
-            raise InputError("stands there already and is not overwritten; choose another name", file=file)
+    for file in (path, path.with_suffix(WORLD[path.suffix.lower()]), path.with_suffix(".toml"), system_file(path)):
+        check_free(file)
     if not path.parent.is_dir():
         raise InputError("its folder does not exist; make it first", file=path)
-
-
-def _between(at: Array, step: int) -> Array:
-    """Places at every pixel of cells, linear between their corners (m + 1, n + 1, 2)."""
-    m, n = at.shape[0] - 1, at.shape[1] - 1
-    share = (np.arange(step) / step).astype(np.float32)
-    lines = at[:, :-1, None] * (1 - share)[:, None] + at[:, 1:, None] * share[:, None]
-    lines = lines.reshape(m + 1, n * step, 2)
-    whole = lines[:-1, None] * (1 - share)[:, None, None] + lines[1:, None] * share[:, None, None]
-    return whole.reshape(m * step, n * step, 2)
 
 
 def _nearest(chosen: Mask, row: int, column: int, m: int, n: int, step: int) -> Mask:

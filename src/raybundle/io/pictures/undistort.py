@@ -12,8 +12,8 @@ from typing import Any, Literal
 import numpy as np
 
 from raybundle.block import Block, Camera
+from raybundle.cameras.conversions import camera_rays, interiors, parameter_vector
 from raybundle.errors import InputError
-from raybundle.io.cameras.conversions import camera_rays, interiors, parameter_vector
 from raybundle.numerics.arrays import Array, Mask
 from raybundle.numerics.progress import Progress, silent
 from raybundle.sensors import sensor_models

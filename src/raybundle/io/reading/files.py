@@ -98,12 +98,17 @@ def read_text(path: Path, limit: int = TEXT_BYTES) -> str:
     """
     data = read_bytes(path, limit)
     text = decoded(path, data).removeprefix("\ufeff").replace("\r\n", "\n")
+    check_text(path, text)
+    return text
+
+
+def check_text(path: Path, text: str) -> None:
+    """Raise InputError with the line of a control character, which no text has."""
     if found := _CONTROL.search(text):
         line = text.count("\n", 0, found.start()) + 1
         raise InputError(
             f"control character 0x{ord(found[0]):02x}: this is not text; is the file damaged?", file=path, line=line
         )
-    return text
 
 
 def decoded(path: Path, data: bytes, first_line: int = 1) -> str:

@@ -14,9 +14,9 @@ class BadRow(Exception):
         self.position = position
 
 
-def cells_of(lines: Sequence[str]) -> Iterator[list[str]]:
+def cells_of(lines: Sequence[str], separator: str = ",") -> Iterator[list[str]]:
     """The cells of each line; raises BadRow where one cannot be read, also where a quoted cell goes over its end."""
-    reader = csv.reader(lines, strict=True)
+    reader = csv.reader(lines, strict=True, delimiter=separator)
     position = 0
     while True:
         try:

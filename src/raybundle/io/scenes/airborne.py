@@ -117,7 +117,12 @@ def _look(lens: Section, width: int) -> tuple[Array, Array]:
         x, plane = table.number["x_px"], table.numbers("x_mm", "y_mm")
         if not (np.diff(x) > 0).all():
             k = int(np.flatnonzero(np.diff(x) <= 0)[0])
-            raise InputError(f"{x[k + 1]:g} does not follow {x[k]:g}; sort it", file=file, line=k + 3, column="x_px")
+            raise InputError(
+                f"{x[k + 1]:g} does not follow {x[k]:g}; sort it",
+                file=file,
+                line=k + table.first_line + 1,
+                column="x_px",
+            )
     else:
         pixel = lens.number("pixel_mm")
         if pixel == 0:
@@ -141,7 +146,7 @@ def _lines(lines: Section, height: int) -> tuple[Array, Array]:
         if not (np.diff(values) > 0).all():
             k = int(np.flatnonzero(np.diff(values) <= 0)[0])
             message = f"{values[k + 1]:.10g} does not follow {values[k]:.10g}; sort the table, take doubles out"
-            raise InputError(message, file=file, line=k + 3, column=name)
+            raise InputError(message, file=file, line=k + table.first_line + 1, column=name)
     return table.number["y_px"], table.number["time_s"]
 
 

@@ -78,6 +78,13 @@ def read_scene(path: str | Path) -> Scene:
     raise InputError(f"no scene format is recognised in it; known: {titles}", file=path)
 
 
+def is_scene(path: Path) -> bool:
+    """Whether a file has a known format, by its beginning; not whether it can be read."""
+    with opened(path) as file:
+        head = file.read(HEAD_BYTES)
+    return bool(head.strip()) and any(f.recognises(path, head) for f in scene_formats.values())
+
+
 def _placed(path: Path, format_: SceneFormat) -> Scene:
     """Read, and give errors of the numeric layer the name of the file."""
     try:

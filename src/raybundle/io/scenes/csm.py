@@ -15,7 +15,7 @@ import numpy as np
 
 from raybundle.errors import InputError
 from raybundle.io.reading.trees import Json, read_json
-from raybundle.io.scenes import rpc_json
+from raybundle.io.scenes import rpc_json, rpc_keys
 from raybundle.io.scenes.base import Scene, SceneFormat, register
 from raybundle.io.scenes.csm_distortion import undistorted
 from raybundle.io.scenes.csm_tables import body_trajectory
@@ -196,6 +196,7 @@ def _recognises(path: Path, head: bytes) -> bool:
         head.lstrip(b"\xef\xbb\xbf \t\r\n").startswith(b"{")
         and (b"name_model" in head or path.suffix.lower() in {".json", ".isd"})
         and not rpc_json.recognises(path, head)
+        and not rpc_keys.is_json(path, head)
     )
 
 

@@ -11,6 +11,7 @@ from pathlib import Path
 import numpy as np
 
 from raybundle.errors import InputError
+from raybundle.io.digits import exact
 from raybundle.io.folders import new_files
 from raybundle.io.reading.files import read_bytes
 from raybundle.io.reading.words import fortran_of, no_number, quoted, whole_of
@@ -45,6 +46,8 @@ UNITS = {
 _NUMBER = r"[-+]?(?:\d+\.?\d*|\.\d+)(?:[eEdD][-+]?\d+)?"
 _PAIR = re.compile(rf"^\s*([A-Za-z]\w*)\s*[:=]\s*({_NUMBER})\s*([A-Za-z]*)\s*;?\s*$")
 _LIST = re.compile(r"([A-Za-z]\w*)\s*=\s*\(([^()]*)\)", re.DOTALL)
+_LISTS = re.compile(rb"_coeff\s*:\s*(\[|-\s|$)", re.MULTILINE)
+"""As YAML has them."""
 _INDEXED = re.compile(r"^([a-z]+?)([0-9]{1,3})$")
 
 
@@ -154,27 +157,6 @@ def _coefficients(path: Path, polynomials: dict[str, dict[int, float]], text: st
     return result, (f"RPC of specification {specification[1]}, taken as RPC00B",)
 
 
-def check_rpc_name(path: Path) -> None:
-    """Raise InputError where the name of a file to write says no format of RPC that is written."""
-    if path.suffix.lower() not in {".txt", ".rpb"}:
-        ending = f"ends in {path.suffix}" if path.suffix else "has no ending"
-        raise InputError(
-            f"the name {ending}, which says no format of RPC that is written; give NAME_RPC.TXT or NAME.RPB", file=path
-        )
-
-
-def write_rpc(rpc: Rpc, path: Path) -> None:
-    """Write the format that the name says: NAME.RPB, or else text as in NAME_RPC.TXT.
-
-    raises  InputError where the name says another one, or the file cannot be written
-    """
-    check_rpc_name(path)
-    if path.suffix.lower() == ".rpb":
-        write_rpb(rpc, path)
-    else:
-        write_rpc_text(rpc, path)
-
-
 def write_rpb(rpc: Rpc, path: Path) -> None:
     """Write `.RPB`, which GDAL and most programs read beside an image of the same name; numbers lose nothing."""
     x, y = rpc.image_offset - 0.5
@@ -187,9 +169,9 @@ def write_rpb(rpc: Rpc, path: Path) -> None:
         ("latScale", lat_scale), ("longScale", lon_scale), ("heightScale", height_scale),
     ]  # fmt: skip
     lines = ['satId = "unknown";', 'bandId = "P";', 'SpecId = "RPC00B";', "BEGIN_GROUP = IMAGE"]
-    lines += [f"\t{key} = {float(value)!r};" for key, value in rows]
+    lines += [f"\t{key} = {exact(value)};" for key, value in rows]
     for name, polynomial in zip(("lineNum", "lineDen", "sampNum", "sampDen"), rpc.coefficients, strict=True):
-        numbers = ",\n".join(f"\t\t\t{float(c)!r}" for c in polynomial)
+        numbers = ",\n".join(f"\t\t\t{exact(c)}" for c in polynomial)
         lines.append(f"\t{name}Coef = (\n{numbers});")
     _write(path, [*lines, "END_GROUP = IMAGE", "END;"])
 
@@ -214,17 +196,35 @@ def write_rpc_text(rpc: Rpc, path: Path) -> None:
         ("LONG_SCALE", rpc.ground_scale[0], "degrees"),
         ("HEIGHT_SCALE", rpc.ground_scale[2], "meters"),
     ]
-    lines = [f"{key}: {float(value)!r} {unit}" for key, value, unit in rows]
+    lines = [f"{key}: {exact(value)} {unit}" for key, value, unit in rows]
     for name, polynomial in zip(("LINE_NUM", "LINE_DEN", "SAMP_NUM", "SAMP_DEN"), rpc.coefficients, strict=True):
-        lines += [f"{name}_COEFF_{k}: {float(c)!r}" for k, c in enumerate(polynomial, 1)]
+        lines += [f"{name}_COEFF_{k}: {exact(c)}" for k, c in enumerate(polynomial, 1)]
     errors = (("ERR_BIAS", rpc.err_bias_m), ("ERR_RAND", rpc.err_rand_m))
-    _write(path, [f"{key}: {value!r} meters" for key, value in errors if value] + lines)
+    _write(path, [f"{key}: {exact(value)} meters" for key, value in errors if value] + lines)
+
+
+def write_geom(rpc: Rpc, path: Path) -> None:
+    """Write `.geom`, the keyword list of an RPC model that OSSIM and OTB read beside an image; numbers lose nothing."""
+    x, y = rpc.image_offset - 0.5
+    lon, lat, height = rpc.ground_offset
+    lon_scale, lat_scale, height_scale = rpc.ground_scale
+    rows = [
+        ("type", "ossimRpcModel"), ("polynomial_format", "B"),
+        ("bias_error", rpc.err_bias_m or 0.0), ("rand_error", rpc.err_rand_m or 0.0),
+        ("line_off", y), ("samp_off", x), ("lat_off", lat), ("long_off", lon), ("height_off", height),
+        ("line_scale", rpc.image_scale[1]), ("samp_scale", rpc.image_scale[0]),
+        ("lat_scale", lat_scale), ("long_scale", lon_scale), ("height_scale", height_scale),
+    ]  # fmt: skip
+    lines = [f"{key}:  {value if isinstance(value, str) else exact(value)}" for key, value in rows]
+    for name, polynomial in zip(("line_num", "line_den", "samp_num", "samp_den"), rpc.coefficients, strict=True):
+        lines += [f"{name}_coeff_{k:02d}:  {exact(c)}" for k, c in enumerate(polynomial)]
+    _write(path, lines)
 
 
 def _recognises(path: Path, head: bytes) -> bool:
     del path
     plain = head.replace(b"_", b"").lower()
-    if head.lstrip().startswith((b"<", b"{")) or b"\0" in head:
+    if head.lstrip().startswith((b"<", b"{")) or b"\0" in head or _LISTS.search(head):
         return False
     return any(word in plain for word in (b"lineoff", b"linenumcoef", b"linedencoef"))
 

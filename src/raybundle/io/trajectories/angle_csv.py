@@ -8,7 +8,8 @@ from pathlib import Path
 import numpy as np
 
 from raybundle.errors import InputError
-from raybundle.io.reading.rows import BadRow, cells_of
+from raybundle.io.digits import EVERY
+from raybundle.io.reading.dialects import header_cells
 from raybundle.io.tables import Column, Table, read_table, write_table
 from raybundle.io.trajectories.base import WGS84_HEIGHT, Trajectory
 from raybundle.numerics.arrays import Array
@@ -21,17 +22,9 @@ CONVENTIONS = {"omega": "opk", "roll": "rpy-ned", "gimbal_yaw": "gimbal"}
 """Names of the conventions by the first of their angles."""
 
 
-def header(head: str) -> list[str]:
-    """The names of the columns in the first line of a file."""
-    try:
-        return next(cells_of([head.split("\n", 1)[0].strip("\r\n\ufeff")]), [])
-    except BadRow:
-        return []
-
-
 def has_angles(head: str, angles: Sequence[str]) -> bool:
     """Whether a table has these angles, in any unit."""
-    names = header(head)
+    names = header_cells(head)
     return "image" in names and any(all(f"{a}_{u}" in names for a in angles) for u in UNITS)
 
 
@@ -80,7 +73,7 @@ def read_angles(
         angles=np.where(np.isfinite(rotation[:, :, 0]), given, np.nan),
         true_north=true_north or crs == WGS84_HEIGHT,
         time=time,
-        lines=np.arange(table.rows, dtype=np.int32) + 2,
+        lines=np.arange(table.rows, dtype=np.int32) + table.first_line,
     )
 
 
@@ -98,7 +91,7 @@ def positions_of_table(path: Path, table: Table) -> tuple[Array, str | None]:
         if len(bad):
             row = int(bad[0])
             message = f"{xyz[row, k]:.10g} is beyond {limit:g} degrees; are longitude and latitude swapped?"
-            raise InputError(message, file=path, line=row + 2, column=found[0][k])
+            raise InputError(message, file=path, line=row + table.first_line, column=found[0][k])
     return xyz, WGS84_HEIGHT
 
 
@@ -114,7 +107,7 @@ def write_angles(trajectory: Trajectory, path: Path, angles: Sequence[str], valu
         columns |= {n: trajectory.sigma[:, k] for k, n in enumerate(SIGMA)}
     if trajectory.rotation_sigma is not None:
         columns |= {f"s{n}_deg": np.degrees(trajectory.rotation_sigma[:, k]) for k, n in enumerate(angles)}
-    write_table(path, columns)
+    write_table(path, columns, EVERY)
 
 
 def attitudes(trajectory: Trajectory, path: Path, *, true_north: bool) -> Array:

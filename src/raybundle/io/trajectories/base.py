@@ -11,7 +11,7 @@ import numpy as np
 
 from raybundle.block import Stations
 from raybundle.errors import InputError
-from raybundle.io.folders import make_parent, new_files
+from raybundle.io.folders import check_free, make_parent, new_files
 from raybundle.io.geo.coordinate_systems import LocalFrame, local_frame
 from raybundle.io.reading.files import guarded, opened
 from raybundle.io.reading.words import whole_of
@@ -115,8 +115,7 @@ def read_trajectory(path: str | Path, *, name: str | None = None) -> Trajectory:
 def write_trajectory(trajectory: Trajectory, path: str | Path, *, name: str) -> None:
     """Write a new file in a format; raises InputError where something stands there, or what it needs is not known."""
     path = Path(path)
-    if path.exists():
-        raise InputError("stands there already and is not overwritten; choose another name", file=path)
+    check_free(path)
     make_parent(path)
     with new_files(path) as (file,):
         _named(name).write(trajectory, file)

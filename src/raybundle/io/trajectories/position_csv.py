@@ -13,8 +13,10 @@ from pathlib import Path
 
 import numpy as np
 
+from raybundle.io.digits import EVERY
+from raybundle.io.reading.dialects import header_cells
 from raybundle.io.tables import Column, read_table, write_table
-from raybundle.io.trajectories.angle_csv import GEOGRAPHIC, GRID, SIGMA, header, positions_of_table
+from raybundle.io.trajectories.angle_csv import GEOGRAPHIC, GRID, SIGMA, positions_of_table
 from raybundle.io.trajectories.base import WGS84_HEIGHT, Trajectory, TrajectoryFormat, register
 from raybundle.numerics.arrays import Array
 from raybundle.numerics.deviations import PAIRS
@@ -37,7 +39,7 @@ def read(path: Path) -> Trajectory:
     return Trajectory(
         path=path, names=table.text["image"], xyz=xyz, sigma=table.numbers(*SIGMA), crs=crs,
         correlation=table.numbers(*CORRELATION) if {*CORRELATION} & table.number.keys() else None,
-        time=table.number.get("time_s"), lines=np.arange(table.rows, dtype=np.int32) + 2,
+        time=table.number.get("time_s"), lines=np.arange(table.rows, dtype=np.int32) + table.first_line,
     )  # fmt: skip
 
 
@@ -52,12 +54,12 @@ def write(trajectory: Trajectory, path: Path) -> None:
         columns |= {n: trajectory.sigma[:, k] for k, n in enumerate(SIGMA)}
     if trajectory.correlation is not None:
         columns |= {n: trajectory.correlation[:, k] for k, n in enumerate(CORRELATION)}
-    write_table(path, columns)
+    write_table(path, columns, EVERY)
 
 
 def _recognises(head: str, suffix: str) -> bool:
     """Whether a table has a position of each image, and nothing but what is known here: no angles of any name."""
-    names = header(head)
+    names = header_cells(head)
     placed = any(all(n in names for n in place) for place in (GRID, GEOGRAPHIC))
     return suffix in {".csv", ".txt"} and "image" in names and placed and {*names} <= KNOWN
 

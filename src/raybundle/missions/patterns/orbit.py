@@ -8,8 +8,8 @@ import numpy as np
 
 from raybundle.missions.patterns.base import LOWEST_M, Line, Pattern, Wish, register, whole
 from raybundle.missions.patterns.facade import levels, steps
-from raybundle.missions.polygons import hull
 from raybundle.numerics.arrays import Array
+from raybundle.numerics.planes import hull
 from raybundle.settings import option
 
 WIDEST = math.radians(15)

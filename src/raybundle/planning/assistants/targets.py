@@ -58,7 +58,7 @@ class TargetPlan(Assistant):
             raise InputError(
                 f"targets of {1000 * CODE * dot.max():.0f} mm are needed ({task.across_px:g} px of their dots in the "
                 f"farthest photograph), and each has {1000 * face:.0f} mm of the object; take fewer targets "
-                f"({option('targets')}), go nearer, or measure smaller dots ({option('across')})"
+                f"({option('count')}), go nearer, or measure smaller dots ({option('across')})"
             )
         site = replace(site, points=points)
         bars = bars_on(site, BARS, 1.0)

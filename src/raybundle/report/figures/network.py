@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 from dataclasses import dataclass
 from html import escape
 
 import numpy as np
 
 from raybundle.adjustment.result import NetworkFigures
-from raybundle.block import Block, Role
+from raybundle.block import Role
 from raybundle.numerics.arrays import Array, Index
 from raybundle.report.figures.svg import (
     CHARACTER,
@@ -27,15 +28,15 @@ from raybundle.report.figures.svg import (
     labels_apart,
     round_below,
     round_step,
-    span,
     spread_rows,
     tick_labels,
     ticks,
 )
+from raybundle.report.network_shape import ellipse_rows, ellipses, frusta, frustum_size, network_shape
 from raybundle.report.text.numbers import grouped, significant
 from raybundle.report.view import View
 
-MOST_POINTS, MOST_ELLIPSES, MOST_IMAGES, MOST_NAMES = 1500, 250, 250, 40
+MOST_POINTS, MOST_IMAGES, MOST_NAMES = 1500, 250, 40
 GAP, FOOT = 30.0, 44.0
 Panel = tuple[Plot, int, int]
 """A view: its plot and the object axes (0 X, 1 Y, 2 Z) that run right and up."""
@@ -51,32 +52,25 @@ class NetworkViews:
 
 def network_views(view: View) -> NetworkViews | None:
     """Plan XY with the side views XZ below and ZY beside it, at one scale; None if nothing has coordinates."""
-    xyz, centre = view.adjusted.points.xyz, view.adjusted.images.centre
-    seen = np.flatnonzero((view.rays > 0) & np.isfinite(xyz).all(axis=1))
-    taken = np.zeros(len(centre), bool)
-    taken[view.given.observations.image[view.used]] = True
-    images = np.flatnonzero(taken & np.isfinite(centre).all(axis=1))
-    if not len(seen):
+    shape = network_shape(view)
+    if shape is None:
         return None
-    limits = _limits(xyz[seen], centre[images])
-    panels, width, height, px_per_unit = _panels(limits)
-    inside = np.all([(xyz[seen, k] >= low) & (xyz[seen, k] <= high) for k, (low, high) in enumerate(limits)], axis=0)
-    kept = seen[inside]
+    xyz, seen, kept, images = view.adjusted.points.xyz, shape.seen, shape.kept, shape.images
+    panels, width, height, px_per_unit = _panels(shape.limits)
     shown = kept[spread_rows(len(kept), MOST_POINTS)]
     drawn_images = images[spread_rows(len(images), MOST_IMAGES)]
     remark = [
         f"{grouped(len(shown))} of {grouped(len(seen))} points and {grouped(len(drawn_images))} of "
         f"{grouped(len(images))} images drawn"
-        + (f" ({grouped(len(seen) - len(kept))} far points lie outside the frame)" if len(kept) < len(seen) else "")
+        + (f" ({grouped(shape.far)} far points lie outside the frame)" if shape.far else "")
     ]
-    ellipses, factor = _ellipse_scale(view, shown, px_per_unit)
+    drawn, factor = ellipse_rows(view, shown, 8 / px_per_unit)
     if factor:
         remark.append(
-            f"error ellipses (1 sigma; a point lies within with 39 %) of {grouped(len(ellipses))} points, enlarged "
+            f"error ellipses (1 sigma; a point lies within with 39 %) of {grouped(len(drawn))} points, enlarged "
             f"{grouped(factor)} times"
         )
-    size = 0.045 * max(high - low for low, high in limits) / max(1.0, math.sqrt(len(drawn_images) / 40))
-    frames = frusta(view.adjusted, drawn_images, size)
+    frames = frusta(view.adjusted, drawn_images, frustum_size(shape.limits, len(drawn_images)))
     parts: list[str] = []
     for plot, a, b in panels:
         parts.append(axes(plot, f"{'XYZ'[a]} [{view.length_unit}]", f"{'XYZ'[b]} [{view.length_unit}]", grid="xy"))
@@ -89,7 +83,7 @@ def network_views(view: View) -> NetworkViews | None:
         parts.append(_frames(plot, frames[:, :, [a, b]], [view.given.images.ids[i] for i in drawn_images]))
         parts.append(dots(plot.x(xyz[shown, a]), plot.y(xyz[shown, b]), "points"))
         if factor:
-            parts.append(_ellipses(view, ellipses, (plot, a, b), factor * px_per_unit))
+            parts.append(_ellipses(view, drawn, (plot, a, b), factor * px_per_unit))
         parts += [_scale_bars(view, (plot, a, b)), _symbols(view, kept, (plot, a, b)), "</g>"]
     if factor:
         parts.append(_ellipse_key(view, factor * px_per_unit, width, height))
@@ -98,25 +92,7 @@ def network_views(view: View) -> NetworkViews | None:
     )
 
 
-def _limits(points: Array, centres: Array) -> list[Interval]:
-    """Extent along each axis; half a per cent of the points may lie outside where there are many."""
-    result: list[Interval] = []
-    for k in range(3):
-        own = points[:, k]
-        if len(own) > 200:
-            low, high = np.quantile(own, [0.005, 0.995])
-            own = own[(own >= low) & (own <= high)]
-        result.append(span(own, centres[:, k], margin=0.06))
-    widest = max(high - low for low, high in result)
-    # a plane network keeps a strip that can be read
-    padded: list[Interval] = []
-    for low, high in result:
-        lack = max(0.0, 0.12 * widest - (high - low)) / 2
-        padded.append((low - lack, high + lack))
-    return padded
-
-
-def _panels(limits: list[Interval]) -> tuple[list[Panel], float, float, float]:
+def _panels(limits: Sequence[Interval]) -> tuple[list[Panel], float, float, float]:
     """The three views at one scale within about 880 x 900 pixels, the size of the drawing, and pixels per unit."""
     dx, dy, dz = (high - low for low, high in limits)
     left = 30 + CHARACTER * max(len(s) for limit in limits for s in tick_labels(ticks(limit)))
@@ -134,19 +110,6 @@ def _panels(limits: list[Interval]) -> tuple[list[Panel], float, float, float]:
     return [(plan, 0, 1), (side, 2, 1), (front, 0, 2)], width, height, scale
 
 
-def frusta(block: Block, images: Index, size: float) -> Array:
-    """Projection centre and four corners of the format before it (n, 5, 3) in object space."""
-    corners = np.zeros((len(images), 5, 3))
-    for k, i in enumerate(images):
-        camera = block.cameras[int(block.images.camera[i])]
-        c = abs(next(iter(camera.values.values()), 1.0)) or 1.0
-        half = np.clip(camera.size_mm / 2 / c, 0.15, 0.8)
-        axes_ = block.images.rotation[i]
-        for j, (sx, sy) in enumerate(((-1, -1), (1, -1), (1, 1), (-1, 1)), 1):
-            corners[k, j] = size * (sx * half[0] * axes_[0] + sy * half[1] * axes_[1] - axes_[2])
-    return corners + block.images.centre[images][:, None]
-
-
 def _frames(plot: Plot, frusta: Array, names: list[str]) -> str:
     """The pyramids of the images, each with its name under the pointer."""
     parts: list[str] = []
@@ -160,31 +123,12 @@ def _frames(plot: Plot, frusta: Array, names: list[str]) -> str:
     return "".join(parts)
 
 
-def _ellipse_scale(view: View, shown: Index, px_per_unit: float) -> tuple[Index, float]:
-    """Points whose ellipses are drawn, and a round enlargement; three quarters become shorter than eight pixels."""
-    a = view.adjustment
-    if a.precision is None:
-        return np.zeros(0, np.int32), 0.0
-    C = a.precision.object_points[shown]
-    known = np.isfinite(C).all(axis=(1, 2)) & (np.trace(C, axis1=1, axis2=2) > 0)
-    rows = shown[known]
-    rows = rows[spread_rows(len(rows), MOST_ELLIPSES)]
-    if not len(rows):
-        return np.zeros(0, np.int32), 0.0
-    major = np.sqrt(np.linalg.eigvalsh(a.precision.object_points[rows])[:, -1])
-    typical = float(np.quantile(major, 0.75)) * px_per_unit
-    return rows.astype(np.int32), (max(1.0, round_below(8 / typical)) if typical > 0 else 0.0)
-
-
 def _ellipses(view: View, rows: Index, panel: Panel, px_per_unit: float) -> str:
     """Error ellipses in a view: the covariance projected onto its plane."""
     plot, a, b = panel
-    precision = view.adjustment.precision
-    assert precision is not None
-    C = precision.object_points[rows][:, [a, b]][:, :, [a, b]]
-    values, axes_ = np.linalg.eigh(C)
-    radius = np.sqrt(np.maximum(values, 0)) * px_per_unit
-    turn = np.degrees(np.arctan2(-axes_[:, 1, 1], axes_[:, 0, 1]))
+    axes_, major_axis = ellipses(view, rows, a, b)
+    radius = axes_ * px_per_unit
+    turn = np.degrees(np.arctan2(-major_axis[:, 1], major_axis[:, 0]))
     x, y = plot.x(view.adjusted.points.xyz[rows, a]), plot.y(view.adjusted.points.xyz[rows, b])
     table = zip(x.tolist(), y.tolist(), radius[:, 1].tolist(), radius[:, 0].tolist(), turn.tolist(), strict=True)
     return "".join(

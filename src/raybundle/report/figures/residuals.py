@@ -29,7 +29,7 @@ from raybundle.report.figures.svg import (
     spread_rows,
     vectors,
 )
-from raybundle.report.residuals import ImageRow, Profile
+from raybundle.report.residuals import ImageRow, Profile, distribution, spread_vectors
 from raybundle.report.text.numbers import fixed, grouped, significant
 from raybundle.report.view import View
 
@@ -51,10 +51,7 @@ def image_vectors(view: View, image: int, rows: Index, tests: Array, px_per_px: 
     camera = view.given.cameras[int(view.given.images.camera[image])]
     plot, parts = format_plot(camera.size_mm, width, foot=0)
     good, lost = rows[view.used[rows]], rows[~view.used[rows]]
-    if len(good) > MOST_VECTORS:
-        size = np.nan_to_num(np.abs(tests[good]).max(axis=1))
-        large = np.argsort(-size, kind="stable")[:20]
-        good = good[np.unique(np.concatenate([large, spread_rows(len(good), MOST_VECTORS - 20)]))]
+    good = good[spread_vectors(tests[good], MOST_VECTORS)]
     xy = view.given.observations.xy_px
     scale = plot.box[2] / camera.width_px
     v = view.adjustment.image_observations.residuals_px[good] * px_per_px
@@ -129,18 +126,13 @@ def redundancy_map(cells: CellMeans, camera: Camera, what: str) -> Drawing:
 
 def normal_histogram(tests: Array, x_label: str, what: str) -> Drawing:
     """Histogram of normalised residuals with the normal curve; what lies beyond +-5 counts in the last column."""
-    t = tests[np.isfinite(tests)]
-    width = 0.25 if len(t) >= 1000 else 0.5
-    edges = np.arange(-5.0, 5.0 + width / 2, width)
-    counts = np.histogram(np.clip(t, -5, 5 - 1e-9), edges)[0].astype(float)
-    x = np.linspace(-5, 5, 101)
-    normal = len(t) * width * np.exp(-x * x / 2) / math.sqrt(2 * math.pi)
-    top = max(float(counts.max(initial=1)), float(normal.max())) * 1.06
+    d = distribution(tests)
+    top = max(float(d.counts.max(initial=1)), float(d.expected.max())) * 1.06
     plot = fitted(Plot(width=400, height=250, x_range=(-5, 5), y_range=(0, top)))
     parts = [
         axes(plot, x_label, "number", x_count=10),
-        columns(plot, edges, counts),
-        line(plot, x, normal, "curve second"),
+        columns(plot, d.edges, d.counts),
+        line(plot, d.at, d.expected, "curve second"),
     ]
     return drawing(plot.width, plot.height, parts, what)
 

@@ -143,11 +143,25 @@ def labels_apart(
 
     x, y  pixels of the points; box  x0, y0, width and height within which a name stays
     """
+    parts: list[str] = []
+    for k, right, up in spots_apart(x, y, [CHARACTER * len(name) for name in names], box):
+        top = y[k] - 12 if up else y[k] + 3
+        parts.append(label(x[k] + (5 if right else -5), top + 8.5, names[k], style, "start" if right else "end"))
+    return parts
+
+
+def spots_apart(
+    x: Sequence[float], y: Sequence[float], widths: Sequence[float], box: tuple[float, float, float, float]
+) -> list[tuple[int, bool, bool]]:
+    """Which names have room beside their points: position, whether right of the point, and whether above it.
+
+    x, y  pixels of the points, y down; widths of the names; box  x0, y0, width and height within which they stay
+    """
     taken = [(u - 3, v - 3, u + 3, v + 3) for u, v in zip(x, y, strict=True)]  # nor does a name cover a point
     x0, y0, w, h = box
-    parts: list[str] = []
-    for u, v, name in zip(x, y, names, strict=True):
-        wide = CHARACTER * len(name) + 2
+    found: list[tuple[int, bool, bool]] = []
+    for k, (u, v, width) in enumerate(zip(x, y, widths, strict=True)):
+        wide = width + 2
         for right, up in ((True, True), (False, True), (True, False), (False, False)):
             left, top = (u + 5 if right else u - 5 - wide), (v - 12 if up else v + 3)
             spot = (left, top, left + wide, top + 10)
@@ -156,9 +170,9 @@ def labels_apart(
             if any(spot[0] < b[2] and b[0] < spot[2] and spot[1] < b[3] and b[1] < spot[3] for b in taken):
                 continue
             taken.append(spot)
-            parts.append(label(u + (5 if right else -5), top + 8.5, name, style, "start" if right else "end"))
+            found.append((k, right, up))
             break
-    return parts
+    return found
 
 
 def fitted(plot: Plot) -> Plot:

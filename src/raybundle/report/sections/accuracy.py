@@ -6,11 +6,11 @@ import math
 
 import numpy as np
 
-from raybundle.adjustment.accuracy import accuracy
 from raybundle.adjustment.network import MANY
 from raybundle.numerics.arrays import Array
 from raybundle.report.chapters import section
 from raybundle.report.parts import Heading, Part, Section, Table, table, text, whole
+from raybundle.report.text.metrology_words import MM as LENGTH_MM
 from raybundle.report.text.numbers import counted, grouped, significant
 from raybundle.report.text.words import expected_check_std, free_std
 from raybundle.report.view import View, rms
@@ -25,7 +25,7 @@ Row = tuple[str, str, str, str, str]
 @section("accuracy", after="photographs")
 def accuracy_section(view: View) -> Section:
     """What each figure of precision and accuracy is taken over, in object space and in the images."""
-    object_rows = [*_object_rows(view), *_check_rows(view), *_control_rows(view)]
+    object_rows = [*_object_rows(view), *_check_rows(view), *_length_rows(view), *_control_rows(view)]
     parts: list[Part] = []
     if object_rows:
         note = (
@@ -72,8 +72,9 @@ def _object_rows(view: View) -> list[Row]:
         extent = f"{significant(network.extent)} {view.length_unit}"
         words = (
             f"mean standard deviation over the largest extent, {extent}: the diagonal of the box along the principal "
+            f"axes{outer}"
         )
-        rows.append(("relative precision", f"1 : {n}", over, noise, f"{words}axes{outer}"))
+        rows.append(("relative precision", f"1 : {n}", over, noise, words))
     return rows
 
 
@@ -98,16 +99,30 @@ def _check_rows(view: View) -> list[Row]:
     return [*rows, *_asprs_rows(view)]
 
 
+def _length_rows(view: View) -> list[Row]:
+    t = view.lengths
+    if t is None:
+        return []
+    over = counted(t.independent, "length")
+    expected = float(np.sqrt(np.mean(t.error_sigma[t.compared] ** 2)))
+    return [
+        ("error of known lengths, rms", f"{significant(LENGTH_MM * t.rms)} mm", over, NO_NOISE,
+         "measured minus known, of lengths that took no part; holds the errors of their certificates"),
+        ("what is expected of it", f"{significant(LENGTH_MM * expected)} mm", over, noise_of(view),
+         "standard deviation of measured and known length together"),
+    ]  # fmt: skip
+
+
 def _asprs_rows(view: View) -> list[Row]:
-    told = accuracy(view.adjustment).get("asprs")
+    told = view.accuracy.tested
     if told is None or view.free_frame:
         return []
     rows: list[Row] = []
     for name, size, count, words in (
-        ("RMSE_H (ASPRS 2023)", told["rmse_h"], told["check_points_horizontal"], "both axes of the plan together"),
-        ("RMSE_V (ASPRS 2023)", told["rmse_v"], told["check_points_vertical"], "height"),
+        ("RMSE_H (ASPRS 2024)", told.rmse_h, told.horizontal, "both axes of the plan together"),
+        ("RMSE_V (ASPRS 2024)", told.rmse_v, told.vertical, "height"),
     ):
-        if size is not None:
+        if math.isfinite(size):
             value = f"{significant(size * view.factor)} {view.unit}"
             meaning = f"{words}: difference at check points, with the stated error of these added"
             rows.append((name, value, counted(count, "check point"), NO_NOISE, meaning))
@@ -115,15 +130,23 @@ def _asprs_rows(view: View) -> list[Row]:
 
 
 def _control_rows(view: View) -> list[Row]:
-    told = accuracy(view.adjustment).get("leave_one_out") or ()
-    d = np.array([t["difference"] for t in told], float)
-    d = d[np.isfinite(d)] * view.factor
-    if not len(d):
-        return []
-    points = len({t["point"] for t in told if math.isfinite(t["difference"])})
-    over = f"{counted(points, 'control point')}, {grouped(len(d))} coordinates"
-    words = "adjusted minus given had the coordinate taken no part, one at a time, to first order"
-    return [("control left out, rms", f"{significant(rms(d))} {view.unit}", over, NO_NOISE, words)]
+    rows: list[Row] = []
+    whole = view.accuracy.left_out
+    if whole.any:
+        d = whole.difference * view.factor
+        over = f"{counted(len(d), 'control point')}, {grouped(int(np.isfinite(d).sum()))} coordinates"
+        words = "leave-one-out: adjusted minus given had the whole point taken no part, to first order"
+        rows.append(("control points left out, rms", f"{significant(rms(d))} {view.unit}", over, NO_NOISE, words))
+    told = view.accuracy.coordinates_left_out
+    d = np.array([v for _, _, v in told], float)
+    known = np.isfinite(d)
+    if known.any():
+        points = len({told[k][0] for k in np.flatnonzero(known)})
+        over = f"{counted(points, 'control point')}, {grouped(int(known.sum()))} coordinates"
+        words = "the same of one coordinate at a time, the others of its point taking part"
+        name, size = "control coordinates left out, rms", f"{significant(rms(d[known] * view.factor))} {view.unit}"
+        rows.append((name, size, over, NO_NOISE, words))
+    return rows
 
 
 def _image_rows(view: View) -> list[Row]:

@@ -113,7 +113,7 @@ def _advice(q: CalibrationQuality) -> list[Part]:
         words = (
             "More photographs of a camera that changes between them do not help. Switch autofocus, zoom and "
             "stabilisation off and photograph anew, or calibrate the two groups apart, with the "
-            f"{option('separate', flag='camera')} named above."
+            f"{option('own_camera')} named above."
         )
         return [Heading(text="What to do next"), Paragraph(text=words)]
     if not q.advice:
@@ -160,6 +160,6 @@ def _couplings(q: CalibrationQuality) -> list[Part]:
     ]
 
 
-@chapter("calibration", after="")
+@chapter("calibration", after="front")
 def _calibration(o: Occasion) -> tuple[Section, ...]:
     return (calibration_section(o.qualities),) if o.qualities else ()

@@ -8,12 +8,14 @@ from dataclasses import replace
 
 import numpy as np
 
-from raybundle.adjustment.accuracy import ENOUGH, accuracy, levelled
+from raybundle.adjustment.accuracy import levelled
 from raybundle.adjustment.result import ObservationGroup
 from raybundle.block import Role
 from raybundle.block.known import known_before
 from raybundle.numerics.arrays import Array
+from raybundle.numerics.natural import natural_order
 from raybundle.observations import in_order, observation_kinds
+from raybundle.report.arrangement import LONG
 from raybundle.report.chapters import section
 from raybundle.report.figures.control import marked_images, marks_figure
 from raybundle.report.parts import (
@@ -34,8 +36,8 @@ from raybundle.report.text.numbers import NONE, cells, column_decimals, counted,
 from raybundle.report.text.words import controlled, expected_check_std, printed
 from raybundle.report.view import View, rms
 
-OPEN_ROWS, LARGEST = 60, 15
-"""Longer tables are folded, and their largest values shown."""
+LARGEST = 12
+"""Rows that are shown of longer tables: those of the largest values."""
 
 
 @section("control", after="noise")
@@ -47,6 +49,8 @@ def control_section(view: View) -> Section:
         rest = f"{file}.json" if file == "result" else f"{file}.csv"
         for whole in view.adjustment.groups:
             g = _without_levelling(view, _without_scenes(view, whole))
+            if g.kind == "control":
+                g = g.rows(np.array(natural_order(g.ids), np.int64))
             if g.kind == kind.name and len(g.ids):
                 parts += [Heading(text=kind.title), *_group(view, g, kind.object, rest)]
     parts += _left_out(view)
@@ -75,43 +79,73 @@ def _without_levelling(view: View, g: ObservationGroup) -> ObservationGroup:
     return g.rows(np.flatnonzero(given))
 
 
+def observed_control(view: View) -> ObservationGroup | None:
+    """Coordinates of control that were given with a standard deviation, without heights that nobody gave; None: none.
+
+    Held ones have no residuals.
+    """
+    for whole in view.adjustment.groups:
+        if whole.kind == "control":
+            g = _without_levelling(view, whole)
+            g = g.rows(np.flatnonzero(g.sigma > 0))
+            return g if len(g.ids) else None
+    return None
+
+
 def _left_out(view: View) -> list[Part]:
-    """What control coordinates would differ by had they taken no part: the accuracy where there are no check points."""
-    told = accuracy(view.adjustment).get("leave_one_out")
+    """What control would differ by had it taken no part: the accuracy where there are no check points."""
+    parts: list[Part] = []
+    whole, names = view.accuracy.left_out, view.accuracy.axes.names
+    if whole.any:
+        d = whole.difference * view.factor
+        used = d[np.isfinite(d)]
+        fine = column_decimals(np.abs(used) / 10)
+        ids = [*pick(whole.rows, view.given.points.ids), "rms"]
+        columns = [cells([*d[:, k].tolist(), rms(d[:, k])], fine) for k in range(3)]
+        shape = (text("point"), *(number(f"d{n}", view.unit) for n in names))
+        note = "Leave-one-out: adjusted minus given had the point, with all coordinates, taken no part, to first order."
+        if not view.accuracy.check.any:
+            note += " It stands in for check points, of which there are none."
+        body = table(shape, (ids, *columns), note=note, rest="result.json")
+        parts += [Heading(text="Control left out, one point at a time"), body]
     rows: list[Sequence[str]] = []
     for axis in "XYZ":
-        found = [(abs(t["difference"]), t["point"]) for t in told or () if t["coordinate"] == axis]
-        found = [f for f in found if math.isfinite(f[0])]
+        found = [(abs(v), p) for p, c, v in view.accuracy.coordinates_left_out if c == axis and math.isfinite(v)]
         if found:
             d = np.array([f[0] for f in found]) * view.factor
             rows.append([axis, grouped(len(d)), significant(rms(d)), significant(float(d.max())), max(found)[1]])
-    if not rows:
-        return []
-    body = table(
-        (
-            text("coordinate"), number("points"), number("rms", view.unit), number("largest", view.unit), text("at"),
-        ),
-        zip(*rows, strict=True),
-        note="Leave-one-out: adjusted minus given of a control coordinate had it taken no part, residual over "
-        "redundancy number, one coordinate at a time and to first order. It stands in for check points where there are "
-        "none.",
-    )  # fmt: skip
-    return [Heading(text="Control left out, one coordinate at a time"), body]
+    if rows:
+        body = table(
+            (
+                text("coordinate"), number("points"), number("rms", view.unit), number("largest", view.unit),
+                text("at"),
+            ),
+            zip(*rows, strict=True),
+            note="The same of one coordinate at a time, the others of its point taking part: residual over redundancy "
+            "number. It finds a single wrong coordinate; as an accuracy it is too good where coordinates of a point "
+            "hold each other.",
+        )  # fmt: skip
+        parts += [Heading(text="Control left out, one coordinate at a time"), body]
+    return parts
 
 
 def _asprs(view: View) -> list[Part]:
     """Accuracy in the sense of ASPRS."""
-    told = accuracy(view.adjustment).get("asprs")
-    if told is None or view.free_frame:
+    t = view.accuracy.tested
+    if t is None or view.free_frame:
         return []
-    n, high = told["check_points_horizontal"], told["check_points_vertical"]
-    plan = significant(told["rmse_h"] * view.factor)
-    words = f"Accuracy in the sense of ASPRS (2023), that of the check points included: RMSE_H {plan} {view.unit} "
-    words += f"from {counted(n, 'check point')}"
-    if told["rmse_v"] is not None:
-        words += f", RMSE_V {significant(told['rmse_v'] * view.factor)} {view.unit} from {grouped(high)}"
-    few = "" if told["enough"] else f" At least {ENOUGH} are asked for there: with fewer it is a figure, not a proof."
-    return [Paragraph(text=f"{words}.{few}")]
+    found = [
+        f"{name} {significant(size * view.factor)} {view.unit} from {counted(n, 'check point')}"
+        for name, size, n in (("RMSE_H", t.rmse_h, t.horizontal), ("RMSE_V", t.rmse_v, t.vertical))
+        if math.isfinite(size)
+    ]
+    words = f"Accuracy in the sense of ASPRS (2024), that of the check points included: {', '.join(found)}."
+    if not t.stated:
+        words += " Not all check points state their own standard deviation; theirs counts as 0."
+    needed = view.accuracy.needed
+    if min(t.horizontal, t.vertical or t.horizontal) < needed:
+        words += f" At least {needed} are asked for there: with fewer it is a figure, not a proof."
+    return [Paragraph(text=words)]
 
 
 def _marks(view: View) -> list[Part]:
@@ -154,11 +188,15 @@ def _group(view: View, g: ObservationGroup, what: str, rest: str) -> list[Part]:
     else:
         parts.append(Paragraph(text=f"{head}. All are needed to fix the datum: nothing controls them."))
     whole = _group_table(view, g, what, rest, factor, unit)
-    if len(g.ids) <= OPEN_ROWS:
+    if len(g.ids) <= LONG:
         return [*parts, whole]
     order = np.argsort(-np.nan_to_num(np.abs(g.w)), kind="stable")[:LARGEST]
     worst = replace(_group_table(view, g.rows(order), what, rest, factor, unit), caption="The largest |w|")
-    return [*parts, worst, Folded(summary=f"All {counted(len(g.ids), 'row')}", parts=(whole,))]
+    return [
+        *parts,
+        worst,
+        Folded(summary=f"{observation_kinds[g.kind].title}, all {counted(len(g.ids), 'row')}", parts=(whole,)),
+    ]
 
 
 def _unit(view: View, g: ObservationGroup) -> tuple[float, str]:
@@ -270,12 +308,13 @@ def _taken_out(view: View) -> list[Part]:
 
 
 def _check(view: View) -> list[Part]:
-    rows = view.check_rows
+    given = view.given.points
+    order = np.array(natural_order(pick(view.check_rows, given.ids)), np.int64)
+    rows = view.check_rows[order]
     if not len(rows):
         return []
-    difference = view.check_difference * view.factor
-    std = expected_check_std(view)
-    given = view.given.points
+    difference = view.check_difference[order] * view.factor
+    std = expected_check_std(view)[order]
     xyz = np.where(given.is_check[rows], given.xyz[rows], np.nan)
     fine = column_decimals(std) if np.isfinite(std).any() else 3
     coarse = fine + round(math.log10(view.factor))
@@ -299,7 +338,7 @@ def _check(view: View) -> list[Part]:
         marked=np.flatnonzero(np.max(np.nan_to_num(ratio), axis=1) > 3.29).tolist(),
     )  # fmt: skip
     folded = Folded(summary=f"All {counted(len(rows), 'check point')}", parts=(body,))
-    shown = body if len(rows) <= OPEN_ROWS else folded
+    shown = body if len(rows) <= LONG else folded
     return [Heading(text="Check points"), _check_summary(difference, std, view.unit), *_asprs(view), shown]
 
 

@@ -2,17 +2,17 @@
 
 from __future__ import annotations
 
-import math
+from dataclasses import replace
 
 import numpy as np
 
 from raybundle.adjustment.result import InteriorResult, ParameterResult
 from raybundle.block import Instrument
-from raybundle.calibration.maps import projection_uncertainty
 from raybundle.numerics.arrays import Array
 from raybundle.report.chapters import section
 from raybundle.report.figures.distortion import ADDITIONAL, Curve, Interior, balanced, decentring_curve, radial_curve
 from raybundle.report.figures.interior import correction_field, curves, heat_map, sigma_curve, uncertainty_figure
+from raybundle.report.interiors import drawable, reach_of, uncertainty_maps
 from raybundle.report.parts import (
     Figure,
     Figures,
@@ -42,6 +42,8 @@ from raybundle.report.view import View, adjusted_interior, key_of, name_of
 
 MOST_DRAWN = 6
 """Interior orientations with figures of their own."""
+OPEN_DRAWN = 2
+"""Those whose figures are shown beside their parameters; of a third one a reader looks them up."""
 MOST_PARAMETERS = 40
 """Parameters of a camera that are listed, and up to which correlations are drawn."""
 CORNER = "largest shift within the format"
@@ -53,7 +55,8 @@ def interior_section(view: View) -> Section:
     a = view.adjustment
     parts: list[Part] = []
     if any(i.image is not None for i in a.interior):
-        parts += [_per_image(view)]
+        each = _per_image(view)
+        parts += [Folded(summary=f"{each.caption}", parts=(replace(each, caption=""),))]
     for k, result in enumerate(a.interior):
         if k >= MOST_DRAWN and result.image is not None:
             break
@@ -61,7 +64,9 @@ def interior_section(view: View) -> Section:
             continue
         own: list[Part] = [Heading(text=_title(view, result)), parameter_table(result, view)]
         if k < MOST_DRAWN:
-            own += _details(view, result)
+            details = _details(view, result)
+            of = Folded(summary=f"Figures of {name_of(result)}", parts=tuple(details))
+            own += details if k < OPEN_DRAWN or not details else [of]
         parts += own if result.image is None else [Folded(summary=name_of(result), parts=tuple(own))]
     if scenes := [r.camera for r in a.interior if _is_scene(view, r)]:
         what = f"What was estimated for the scenes stands in their own section: {listed(scenes)}."
@@ -152,23 +157,25 @@ def _per_image(view: View) -> Table:
 
 def _details(view: View, result: InteriorResult) -> list[Part]:
     parts: list[Part] = []
+    aside: list[Part] = []
     if result.joint_tests:
         names = list(result.joint_tests)
         tests = [result.joint_tests[n] for n in names]
-        parts.append(
+        aside.append(
             table(
                 (text("tested together"), number("F"), number("probability of a larger one by chance")),
                 (names, [significant(f) for f, _ in tests], [probability(p) for _, p in tests]),
                 caption="Joint tests: could all of these be zero?",
             )
         )
-    parts += _correlations(view, result)
-    camera = next((c for c in view.given.cameras if c.id == result.camera), None)  # none: an instrument
-    if camera is None or camera.is_scene or len(result.parameters) < len(camera.sensor.symbols):
-        return parts  # a scene has no distortion; with parameters of single images no figure stands for all
+    aside += _correlations(view, result)
+    if aside:
+        parts.append(Folded(summary=f"Tests and correlations of {name_of(result)}", parts=tuple(aside)))
+    if not drawable(view, result):
+        return parts
     parts += _uncertainty(view, result)
     interior = adjusted_interior(view, result)
-    reach = _reach(view, result, interior)
+    reach = reach_of(view, result, interior)
     if any(interior.has(k) for k in sorted(ADDITIONAL)):
         parts += _distortion(interior, reach, name_of(result))
     else:
@@ -211,33 +218,12 @@ def _largest(cross: Array) -> Array:
     return np.where(known, np.max(np.nan_to_num(size), axis=0), np.nan)
 
 
-def _reach(view: View, result: InteriorResult, interior: Interior) -> float:
-    """Largest distance of a used image point from the principal point [mm]."""
-    o = view.given.observations
-    camera = next(k for k, c in enumerate(view.given.cameras) if c.id == result.camera)
-    mine = view.used & (view.given.images.camera[o.image] == camera)
-    if result.image is not None:
-        mine &= o.image == view.given.images.ids.index(result.image)
-    if not mine.any():
-        return math.nan
-    offset = interior.camera.image_from_pixel(o.xy_px[mine]) - interior.principal_point
-    return float(np.linalg.norm(offset, axis=1).max())
-
-
 def _uncertainty(view: View, result: InteriorResult) -> list[Part]:
     """What the errors of the interior orientation amount to in the image, at infinity and at the objects' distance."""
-    precision = view.adjustment.precision
-    C = None if precision is None else precision.interior.get(result.camera)
-    if C is None or result.image is not None or not len(result.free) or not np.isfinite(C).all():
-        return []
     camera = next(c for c in view.adjusted.cameras if c.id == result.camera)
     figures: list[Figure] = []
-    for distance in (None, _typical_distance(view)):
-        if distance is not None and not distance > 0:
-            continue
-        found = projection_uncertainty(camera, result.free, C, distance=distance)
-        if not math.isfinite(found.largest):
-            continue
+    for found in uncertainty_maps(view, result):
+        distance = found.distance
         where = "infinity" if distance is None else f"a distance of {significant(distance, 2)} {view.length_unit}"
         figures.append(
             Figure(
@@ -248,14 +234,6 @@ def _uncertainty(view: View, result: InteriorResult) -> list[Part]:
             )
         )
     return [Figures(figures=tuple(figures))] if figures else []
-
-
-def _typical_distance(view: View) -> float:
-    """Median distance between projection centres and the points they see."""
-    o = view.given.observations
-    apart = view.adjusted.points.xyz[o.point[view.used]] - view.adjusted.images.centre[o.image[view.used]]
-    length = np.linalg.norm(apart, axis=1)
-    return float(np.median(length[np.isfinite(length)])) if np.isfinite(length).any() else math.nan
 
 
 def _distortion(interior: Interior, reach: float, name: str) -> list[Part]:

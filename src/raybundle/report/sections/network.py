@@ -102,7 +102,7 @@ def network_section(view: View) -> Section:
             f"Plan (XY), front view (XZ) below, side view (ZY) beside it. {views.remark} Triangles: control, "
             f"circles: check points.{where}"
         )
-        parts.append(Figures(figures=(Figure(drawing=views.drawing, caption=caption),)))
+        parts.append(Figures(figures=(Figure(drawing=views.drawing, caption=caption),), first=True))
     network = view.adjustment.network
     if network is None:
         parts.append(

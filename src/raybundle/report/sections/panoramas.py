@@ -111,8 +111,10 @@ def _against(
     if not curve.probability < BELIEVED:
         return figure, []
     size = float(np.nanmax(np.abs(curve.mean)))
-    told = f"The mean residual {which} changes with the {name}, by up to {significant(size, 2)} px: something is left "
-    told += "that the model lacks, as an eccentricity, a tilt of the line, an axis that tumbles or refraction."
+    told = (
+        f"The mean residual {which} changes with the {name}, by up to {significant(size, 2)} px: something is left "
+        "that the model lacks, as an eccentricity, a tilt of the line, an axis that tumbles or refraction."
+    )
     return figure, [(name, told)]
 
 

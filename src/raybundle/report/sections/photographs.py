@@ -24,6 +24,7 @@ from raybundle.report.figures.photographs import (
     ray_map,
     taken_images,
 )
+from raybundle.report.languages import Said
 from raybundle.report.parts import (
     Fact,
     Facts,
@@ -72,7 +73,6 @@ def photograph_sections(view: View, facts: PhotographFacts) -> tuple[Section, ..
         coverage_section(view, plan),
         tie_point_section(view, facts.sigma_px),
         start_section(view, facts),
-        *((processing_section(facts),) if facts.stages else ()),
     )
 
 
@@ -93,7 +93,9 @@ def overview_section(view: View, facts: PhotographFacts, images: Index, common: 
                  remark="standard deviation of a coordinate (rms), from the residuals"),
         )
     )  # fmt: skip
-    parts: list[Part] = [key, _photo_table(view, facts, images, common), *_left_out(facts)]
+    each = _photo_table(view, facts, images, common)
+    folded = Folded(summary=counted(len(each.rows), "photograph"), parts=(each,))
+    parts: list[Part] = [key, *_left_out(facts), folded]
     return Section(anchor="photographs", title="Photographs", parts=tuple(parts))
 
 
@@ -313,8 +315,10 @@ def coverage_section(view: View, plan: Plan) -> Section:
     count = cells_found[1]
     seen = count[count > 0]
     thin = float((seen < 3).mean())
-    words = f"Half of the mapped parts of the object lie in {grouped(float(np.median(seen)))} images or more; "
-    words += f"{per_cent(thin)} of them in fewer than 3."
+    words = (
+        f"Half of the mapped parts of the object lie in {grouped(float(np.median(seen)))} images or more; "
+        f"{per_cent(thin)} of them in fewer than 3."
+    )
     if thin > 0.1:
         words += (
             " A blunder there shows only in part, and depth is weak: add photographs so that every part is seen "
@@ -426,7 +430,8 @@ def processing_section(facts: PhotographFacts) -> Section:
 def _settings_table(settings: Sequence[tuple[str, str]]) -> Table:
     """What was asked for beside the defaults."""
     return table(
-        (text("setting"), text("value")), ([name for name, _ in settings], [value for _, value in settings]),
+        (text("setting"), text("value")),
+        ([Said(name) for name, _ in settings], [Said(value) for _, value in settings]),
         note="Settings that are not as by default, by the names in project.toml and in Python.",
     )  # fmt: skip
 
@@ -447,3 +452,10 @@ def _photographs(o: Occasion) -> tuple[Section, ...]:
     scenes_only = all(c.is_scene for c in o.view.adjustment.given.cameras)
     # scenes alone have no camera that starts from anything
     return tuple(s for s in made if not scenes_only or s.anchor != "cameras-start")
+
+
+@chapter("processing", after="settings", part="appendix")
+def _processing(o: Occasion) -> tuple[Section, ...]:
+    if o.photographs is None or not o.photographs.stages:
+        return ()
+    return (processing_section(o.photographs),)

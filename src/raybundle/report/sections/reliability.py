@@ -8,6 +8,7 @@ from raybundle.adjustment.cell_means import cell_means
 from raybundle.numerics.arrays import Array, Index
 from raybundle.numerics.statistics import ALPHA, CRITICAL_W, DELTA0, POWER
 from raybundle.report.chapters import section
+from raybundle.report.detectable import UNTESTED, controlled_share, detectable
 from raybundle.report.figures.residuals import image_columns, redundancy_map
 from raybundle.report.figures.svg import histogram
 from raybundle.report.parts import (
@@ -28,9 +29,7 @@ from raybundle.report.residuals import image_rows, normalised
 from raybundle.report.text.numbers import NONE, cells, column_decimals, counted, fixed, grouped, per_cent, significant
 from raybundle.report.view import View
 
-LARGEST, WEAKEST, MOST_REJECTED = 25, 15, 500
-UNTESTED = 0.01
-"""Redundancy number below which no blunder of a practical size is found."""
+LARGEST, WEAKEST, MOST_REJECTED = 20, 15, 500
 BELOW = -1e-6
 """Redundancy number below which it lies outside 0 .. 1, and not by rounding alone."""
 POORLY = 0.1
@@ -91,18 +90,6 @@ def _below_zero(view: View) -> str:
     )
 
 
-def controlled_share(view: View) -> Array:
-    """(m, 2) variance of P v over that of P l: what a test rests on; r where x and y are uncorrelated.
-
-    From the smallest detectable blunder, delta0 / sqrt(P Qvv P); 0 where there is no test, NaN where rejected.
-    """
-    s = view.adjustment.image_observations
-    sxx, syy, sxy = view.given.observations.cov_px2.T
-    weight = np.stack([syy, sxx], axis=1) / (sxx * syy - sxy**2)[:, None]
-    share = np.where(np.isfinite(s.mdb_px), (DELTA0 / s.mdb_px) ** 2 / weight, 0.0)
-    return np.where(np.isfinite(s.redundancy), share, np.nan)
-
-
 def _figures(view: View) -> list[Part]:
     a = view.adjustment
     tests = normalised(view)
@@ -142,12 +129,9 @@ def _names(view: View, rows: Index) -> tuple[list[str], list[str]]:
 
 def _detectable(view: View) -> list[Part]:
     """Smallest detectable blunders and what they would do to the object points."""
-    s = view.adjustment.image_observations
-    controlled = view.used[:, None] & (np.nan_to_num(controlled_share(view)) >= UNTESTED)
-    mdb = np.where(controlled, s.mdb_px, np.nan)
+    mdb, external = detectable(view)
     if not np.isfinite(mdb).any():
         return [Paragraph(text="No image observation is controlled: no blunder can be found.")]
-    external = np.where(controlled, s.external, np.nan) * view.factor
     words = _detectable_words(view, mdb[np.isfinite(mdb)], external[np.isfinite(external)])
     parts: list[Part] = [Heading(text="Smallest detectable blunders"), Paragraph(text=words)]
     weakest = _weakest(view, mdb, external)
@@ -255,7 +239,9 @@ def _rejected(view: View) -> list[Part]:
     words = Paragraph(text=f"{counted(len(rows), 'image observation')} ({share}) took no part.")
     heading = Heading(text="Rejected observations")
     return (
-        [heading, words, listed] if len(rows) <= 30 else [heading, words, Folded(summary="The list", parts=(listed,))]
+        [heading, words, listed]
+        if len(rows) <= 30
+        else [heading, words, Folded(summary="List of rejected observations", parts=(listed,))]
     )
 
 

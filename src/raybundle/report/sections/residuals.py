@@ -38,14 +38,17 @@ from raybundle.report.residuals import (
     ImageRow,
     image_rows,
     normalised,
+    normalised_symbol,
     radial_profile,
     rows_of_images,
 )
 from raybundle.report.text.numbers import cells, counted, fixed, grouped, per_cent, significant
 from raybundle.report.view import View, adjusted_interior, rms
 
-FIRST, MOST_DRAWN = 8, 120
-"""Images whose residuals are drawn openly, and in all."""
+MOST_DRAWN = 120
+"""Images whose residuals are drawn."""
+OPEN_DRAWN = 2
+"""Cameras whose systematic part is drawn beside its words; those of further ones are looked up."""
 SMALL = 219.0
 """Width of the drawing of one image [px]."""
 
@@ -58,8 +61,11 @@ def residual_section(view: View) -> Section:
         return Section(anchor="residuals", title="Residuals of the image observations", parts=(nothing,))
     tests = normalised(view)
     parts: list[Part] = [_whole(view), *_distribution(view, tests)]
-    for camera, mask in view.cameras()[:6]:
-        parts += _systematic(view, camera, mask, tests)
+    for k, (camera, mask) in enumerate(view.cameras()[:6]):
+        told = _systematic(view, camera, mask, tests)
+        head, figures = told[:-1], told[-1]
+        folded = Folded(summary=f"Systematic part of camera {view.given.cameras[camera].id}", parts=(figures,))
+        parts += [*head, figures if k < OPEN_DRAWN else folded]
     rows = image_rows(view, tests)
     parts += _images(view, rows, tests)
     return Section(anchor="residuals", title="Residuals of the image observations", parts=tuple(parts))
@@ -79,7 +85,7 @@ def _distribution(view: View, tests: Array) -> list[Part]:
     t = tests[np.isfinite(tests)]
     if not len(t):
         return []
-    name = "w / σ₀" if view.adjustment.precision is not None else "v / (s σ₀)"
+    name = normalised_symbol(view)
     beyond = int((np.abs(t) > 3.2905).sum())
     expected = 0.001 * len(t)
     kurtosis = float(np.mean((t - t.mean()) ** 4) / max(np.var(t) ** 2, 1e-300)) - 3
@@ -125,7 +131,8 @@ def _systematic(view: View, index: int, mask: Mask, tests: Array) -> list[Part]:
                     caption="Mean radial (outwards) and tangential residual in rings of equal number of points, with "
                     "the standard deviation of each mean. A trend is distortion that the model lacks.",
                 ),
-            )
+            ),
+            first=True,
         ),
     ]
 
@@ -161,23 +168,17 @@ def _images(view: View, rows: list[ImageRow], tests: Array) -> list[Part]:
         picture = image_vectors(view, row.image, of_image[row.image], tests, enlarged, SMALL)
         return Figure(drawing=picture, caption=caption_of(row, ids[row.image]))
 
-    first, others = [drawn(r) for r in order[:FIRST]], [drawn(r) for r in order[FIRST:]]
     parts: list[Part] = [Heading(text="Images")]
     if len(rows) > 1:
         columns = image_columns([ids[r.image] for r in rows], sizes, "rms [px]", "rms residual of each image", overall)
         caption = f"Rms residual of each image; dashed: of all, {significant(overall)} px."
         parts.append(Figures(figures=(Figure(drawing=columns, caption=caption),)))
     scale = Figure(drawing=reference(enlarged, SMALL), caption="Scale of the vectors.")
-    parts += [
+    shown = (
         Paragraph(text=_vector_words(view, len(order), len(rows))),
-        Figures(figures=tuple(first), small=True),
-        Figures(figures=(scale,)),
-    ]
-    if others:
-        more = Folded(
-            summary=f"{counted(len(others), 'more image')}", parts=(Figures(figures=tuple(others), small=True),)
-        )
-        parts.append(more)
+        Figures(figures=(scale, *(drawn(r) for r in order)), small=True),
+    )
+    parts.append(Folded(summary=f"Residual vectors of {counted(len(order), 'image')}", parts=shown))
     parts.append(Folded(summary="Residuals of each image as a table", parts=(_image_table(view, rows),)))
     return parts
 

@@ -31,9 +31,9 @@ def result_section(view: View, verdict: Verdict) -> Section:
         columns = (text(""), text("what, how much, and what to do"))
         note = (
             "Fault: settle it before the result is used. Caution: part of the result is weaker, or less, than it might "
+            "be taken for. Remark: what was done or chosen."
         )
-        note += "be taken for. Remark: what was done or chosen."
-        parts.append(table(columns, rows, most=200, rest="result.json", marked=marked, note=note))
+        parts.append(table(columns, rows, most=200, rest="result.json", marked=marked, note=note, stays=True))
     parts.append(Heading(text="What these numbers do not tell"))
     parts.append(Statements(statements=not_told(view)))
     return Section(anchor="result", title="Result", parts=tuple(parts))
@@ -100,7 +100,7 @@ def summary_section(view: View) -> Section:
     """Counts, datum, tests."""
     a = view.adjustment
     rows = [*_counts(view), *_solution(a), *_tests(a)]
-    body = table((text("quantity"), Column(label="value", text=True)), zip(*rows, strict=True))
+    body = table((text("quantity"), Column(label="value", text=True)), zip(*rows, strict=True), stays=True)
     note = Paragraph(text=datum_words(view), note=True)
     return Section(anchor="summary", title="Summary of the adjustment", parts=(body, note))
 
@@ -137,7 +137,7 @@ def _solution(a: Adjustment) -> list[tuple[str, str]]:
     return [
         ("datum", a.datum),
         ("left open by the observations", listed(open_datum(a.datum_defect), 7) or "nothing"),
-        ("residuals refer to", f"the {residuals} image point"),
+        ("residuals refer to", "the corrected image point" if residuals == "corrected" else "the measured image point"),
         (
             "converged",
             f"{'yes' if a.converged else 'no'}, {counted(a.iterations, 'iteration')}, {fixed(a.seconds, 2)} s",

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Iterable
 from dataclasses import fields, replace
 
 import numpy as np
@@ -10,8 +11,11 @@ import numpy as np
 from raybundle.adjustment.options import AdjustmentOptions
 from raybundle.block import Role
 from raybundle.io.block.folder import angles_deg
-from raybundle.report.chapters import section
+from raybundle.numerics.arrays import Array
+from raybundle.numerics.natural import natural_order
+from raybundle.report.chapters import Occasion, chapter, section
 from raybundle.report.fingerprint import fingerprints, versions
+from raybundle.report.languages import Said
 from raybundle.report.parts import (
     MOST_ROWS,
     Folded,
@@ -27,12 +31,15 @@ from raybundle.report.parts import (
 )
 from raybundle.report.text.numbers import NONE, cells, column_decimals, counted, grouped
 from raybundle.report.view import View
+from raybundle.settings import option
+
+MOST_CORRELATED = 200
+"""Points up to which a list tells correlations of coordinates: one that is read, point by point"""
 
 
-@section("tables", after="network")
-def tables_section(view: View) -> Section:
-    """All points and images, as many as can be read."""
-    points, images = _points(view), _images(view)
+def tables_section(view: View, *, all_coordinates: bool = False) -> Section:
+    """Points and images in natural order: as many as can be read, or every point."""
+    points, images = _points(view, len(view.adjusted.points) if all_coordinates else MOST_ROWS), _images(view)
     return Section(
         anchor="tables",
         title="Coordinates and orientations",
@@ -43,27 +50,39 @@ def tables_section(view: View) -> Section:
     )
 
 
-def _points(view: View) -> Table:
+def _points(view: View, most: int) -> Table:
     p, a = view.adjusted.points, view.adjustment
-    rows = np.arange(min(len(p), MOST_ROWS))
+    rows = np.array(natural_order(p.ids)[:most], np.int32)
     std = np.full((len(p), 3), np.nan) if view.std is None else view.std
     fine = column_decimals(std)
     coarse = fine + round(math.log10(view.factor))
     angle = np.full(len(p), np.nan) if a.network is None else np.degrees(a.network.intersection_angle)
     total = grouped(len(p))
+    shown = len(rows) <= MOST_CORRELATED and a.precision is not None
+    r = correlation_of(a.precision.object_points[rows]) if shown and a.precision is not None else np.zeros((0, 3))
     return table(
         (
             text("point"), text("role"), *(number(axis, view.length_unit) for axis in "XYZ"),
-            *(number(f"sigma {axis}", view.unit) for axis in "XYZ"), number("rays"), number("angle", "°"),
+            *(number(f"sigma {axis}", view.unit) for axis in "XYZ"),
+            *(number(f"r {pair}") for pair in ("XY", "XZ", "YZ") if shown), number("rays"), number("angle", "°"),
         ),
         (
             pick(rows, p.ids), [Role(int(r)).name.lower() for r in p.role[rows]],
             *(cells(p.xyz[rows, k].tolist(), coarse) for k in range(3)),
             *(cells(std[rows, k].tolist(), fine) for k in range(3)),
+            *(cells(r[:, k].tolist(), 2) for k in range(3) if shown),
             [grouped(float(k)) for k in view.rays[rows]], cells(angle[rows].tolist(), 1),
         ),
-        note=f"The first {grouped(MOST_ROWS)} of {total} points; all are in points.csv." if len(p) > MOST_ROWS else "",
+        note=f"The first {grouped(most)} of {total} points; all are in points.csv, and here with "
+        f"{option('all_coordinates', True)}." if len(p) > most else "",
+        most=max(most, 1),
     )  # fmt: skip
+
+
+def correlation_of(covariances: Array) -> Array:
+    """(k, 3) correlations of X and Y, X and Z, Y and Z of covariances (k, 3, 3); NaN where a coordinate has none."""
+    std = np.sqrt(np.where((v := np.diagonal(covariances, axis1=1, axis2=2)) > 0, v, np.nan))
+    return np.stack([covariances[:, i, j] / (std[:, i] * std[:, j]) for i, j in ((0, 1), (0, 2), (1, 2))], axis=1)
 
 
 def _images(view: View) -> Table:
@@ -74,6 +93,7 @@ def _images(view: View) -> Table:
     fine, turn = column_decimals(centre), column_decimals(angle)
     coarse = fine + round(math.log10(view.factor))
     degrees = angles_deg(images)
+    order = np.array(natural_order(images.ids), np.int32)
     return table(
         (
             text("image"), text("camera"), *(number(axis, view.length_unit) for axis in "XYZ"),
@@ -81,17 +101,27 @@ def _images(view: View) -> Table:
             *(number(f"sigma {axis}", view.unit) for axis in "XYZ"), *(number(f"sigma {s}", "°") for s in "ωφκ"),
         ),
         (
-            images.ids, [a.given.cameras[int(c)].id for c in images.camera],
-            *(cells(images.centre[:, k].tolist(), coarse) for k in range(3)),
-            *(cells(degrees[:, k].tolist(), turn) for k in range(3)),
-            *(cells(centre[:, k].tolist(), fine) for k in range(3)),
-            *(cells(angle[:, k].tolist(), turn) for k in range(3)),
+            pick(order, images.ids), [a.given.cameras[int(c)].id for c in images.camera[order]],
+            *(cells(images.centre[order, k].tolist(), coarse) for k in range(3)),
+            *(cells(degrees[order, k].tolist(), turn) for k in range(3)),
+            *(cells(centre[order, k].tolist(), fine) for k in range(3)),
+            *(cells(angle[order, k].tolist(), turn) for k in range(3)),
         ),
         rest="images.csv",
     )  # fmt: skip
 
 
-@section("settings", after="tables")
+@chapter("tables", after="network", part="appendix")
+def _tables(o: Occasion) -> tuple[Section, ...]:
+    return (tables_section(o.view, all_coordinates=o.all_coordinates),)
+
+
+def said(words: Iterable[str]) -> list[str]:
+    """Names of settings and programs, and their values, which are the same in every language."""
+    return [Said(w) for w in words]
+
+
+@section("settings", after="tables", part="appendix")
 def provenance_section(view: View) -> Section:
     """What would be needed to repeat the adjustment."""
     default = AdjustmentOptions(datum_over="all")
@@ -99,11 +129,13 @@ def provenance_section(view: View) -> Section:
     names = [f.name for f in fields(AdjustmentOptions)]
     values = [getattr(options, n) for n in names]
     changed = ["" if v == getattr(default, n) else "not the default" for n, v in zip(names, values, strict=True)]
-    settings = table((text("setting"), text("value"), text("")), (names, [_shown(v) for v in values], changed))
+    settings = table(
+        (text("setting"), text("value"), text("")), (said(names), said(_shown(v) for v in values), changed)
+    )
     prints = fingerprints(view.given)
     hashes = table((text("input"), text("rows"), text("SHA-256 of the values")), zip(*prints, strict=True))
     found = versions()
-    software = table((text("software"), text("version")), (list(found), list(found.values())))
+    software = table((text("software"), text("version")), (said(found), said(found.values())))
     parts: list[Part] = [Heading(text="Settings"), settings, Heading(text="Input"), hashes]
     for label, words in (
         ("Description", view.given.about),

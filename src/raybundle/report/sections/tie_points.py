@@ -82,8 +82,10 @@ def _ray_table(view: View, size: Array | None, scale: str) -> Table:
             median = float(np.median(middle)) if len(middle) else math.nan
             rows.append([words, grouped(n), per_cent(n / total), significant(median), significant(sigma)])
     two = int(((view.rays > 0) & (view.rays <= 2)).sum()) / max(total, 1)
-    note = f"sigma: standard deviation of position. {per_cent(two)} of the points have 2 rays: for them a wrong match "
-    note += f"along the line of sight stays hidden.{scale}"
+    note = (
+        f"sigma: standard deviation of position. {per_cent(two)} of the points have 2 rays: for them a wrong match "
+        f"along the line of sight stays hidden.{scale}"
+    )
     return table(
         (
             text("rays"), number("points"), number("share"), number("median sigma", view.unit),

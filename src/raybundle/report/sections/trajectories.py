@@ -9,6 +9,7 @@ import numpy as np
 
 from raybundle.adjustment.result import InteriorResult, ObservationGroup
 from raybundle.numerics.arrays import Array, Index
+from raybundle.numerics.counting import decimals_for
 from raybundle.report.chapters import section
 from raybundle.report.figures.series import line_figure
 from raybundle.report.parts import (
@@ -24,7 +25,7 @@ from raybundle.report.parts import (
     table,
     text,
 )
-from raybundle.report.text.numbers import NONE, counted, decimals_for, fixed, grouped, significant, with_sigma
+from raybundle.report.text.numbers import NONE, counted, fixed, grouped, significant, with_sigma
 from raybundle.report.text.words import printed
 from raybundle.report.view import View, rms
 

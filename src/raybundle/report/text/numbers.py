@@ -7,6 +7,7 @@ import re
 from collections.abc import Iterable
 
 from raybundle.numerics.arrays import Array
+from raybundle.numerics.counting import decimals_for
 
 NARROW = "\u202f"
 """Narrow no-break space between groups of three digits."""
@@ -68,13 +69,6 @@ def plain(value: float, digits: int = 6) -> str:
     if "." in number:
         number = number.rstrip("0").rstrip(".")
     return number + times + ten
-
-
-def decimals_for(sigma: float) -> int:
-    """Decimals that show two digits of a standard deviation; 3 where there is none."""
-    if not math.isfinite(sigma) or sigma <= 0:
-        return 3
-    return max(0, 1 - math.floor(math.log10(sigma)))
 
 
 def column_decimals(sigmas: Array) -> int:

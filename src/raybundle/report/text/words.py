@@ -17,6 +17,8 @@ from raybundle.adjustment.spread import FewHold, few_hold
 from raybundle.numerics.arrays import Array, Mask
 from raybundle.numerics.statistics import chi_square_tails
 from raybundle.observations import observation_kinds
+from raybundle.report.text.metrology_words import MM as LENGTH_MM
+from raybundle.report.text.metrology_words import lengths_told
 from raybundle.report.text.numbers import counted, grouped, listed, significant, unit_text
 from raybundle.report.view import View, rms
 from raybundle.settings import option
@@ -64,15 +66,14 @@ def _grade(view: View) -> Grade:
     worst = {n.severity for n in a.notices}
     if a.precision is None or Severity.FAULT in worst or not math.isfinite(a.sigma0) or a.sigma0 > POOR_FIT:
         return "attention"
-    compared = bool(np.isfinite(view.check_difference).any())
-    return "good" if compared and Severity.CAUTION not in worst else "remarks"
+    return "good" if view.compared and Severity.CAUTION not in worst else "remarks"
 
 
 def _headline(view: View, grade: Grade) -> str:
     a = view.adjustment
     if a.precision is None:
         return "Coordinates without a stated accuracy: the statistics were switched off."
-    return f"{_gained(view)} {_state(view, grade)}"
+    return f"{_gained(view)} {_state(view, grade)}".rstrip()
 
 
 def _gained(view: View) -> str:
@@ -80,6 +81,9 @@ def _gained(view: View) -> str:
     std, network = free_std(view), view.adjustment.network
     if not len(std):
         return _resection(view).removeprefix("All object points are held. ")
+    if any(n.code == "levelled" for n in view.adjustment.notices):  # heights that nobody measured have no accuracy
+        size = significant(rms(std[:, :2]), 2)
+        return f"{counted(len(std), 'object point')} with a standard deviation of {size} {view.unit} rms in X and Y."
     each = significant(rms(std), 2)
     n = (
         ""
@@ -91,10 +95,15 @@ def _gained(view: View) -> str:
         return f"{counted(len(std), 'object point')} with a relative precision of {relative}; no length is absolute."
     if np.isfinite(view.check_difference).any():
         n += f", {significant(rms(view.check_difference) * view.factor, 2)} {view.unit} rms at the check points"
+    elif view.lengths is not None:
+        off = significant(view.lengths.rms * LENGTH_MM, 2)
+        n += f", {off} mm rms at {counted(view.lengths.independent, 'length')} that took no part"
     deviation = f"{each} {view.unit} rms a coordinate"
     if (few := few_hold(std)) is not None:
-        deviation = f"{significant(few.coordinate, 2)} {view.unit} a coordinate in the median ({each} {view.unit} rms, "
-        deviation += f"{_held_by(few)})"
+        deviation = (
+            f"{significant(few.coordinate, 2)} {view.unit} a coordinate in the median ({each} {view.unit} rms, "
+            f"{_held_by(few)})"
+        )
     return f"{counted(len(std), 'object point')} with a standard deviation of {deviation}{n}."
 
 
@@ -134,7 +143,7 @@ def _state(view: View, grade: Grade) -> str:
     alone = " The scale rests on lengths that nothing controls." if scale else ""
     if systematic:
         return f"But the residuals have a systematic part, which these figures leave out: see the warnings.{alone}"
-    return _fits(view) + alone
+    return (_fits(view) + alone).strip()
 
 
 def _fits(view: View) -> str:
@@ -146,8 +155,8 @@ def _fits(view: View) -> str:
             f"The observations fit {significant(a.sigma0, 2)} times worse than stated, which these figures take into "
             "account."
         )
-    if a.options.weights == "residuals":
-        return "That the observations fit is no test: their standard deviations were taken from these residuals."
+    if a.options.weights == "residuals":  # that they fit is no test then, which "Fit" says
+        return ""
     if value < lower:
         return f"The observations fit better than stated (σ₀ {significant(a.sigma0, 2)})."
     return "The observations fit each other and the model as stated."
@@ -248,10 +257,15 @@ def _resection(view: View) -> str:
 def _accuracy(view: View) -> str:
     difference = view.check_difference * view.factor
     if not np.isfinite(difference).any():
-        if len(difference):
+        if len(difference) and view.lengths is None:
             return (
                 "Check points are not compared: the datum fixes none of their coordinates, so that the accuracy is not "
                 "tested by anything that the adjustment did not use."
+            )
+        if view.lengths is not None:
+            return (
+                "There are no check points; the accuracy is tested by known lengths, which the adjustment did not use: "
+                f"{lengths_told(view.lengths)}."
             )
         return "There are no check points: the accuracy is not tested by anything that the adjustment did not use."
     known = int(np.isfinite(difference).any(axis=1).sum())
@@ -292,6 +306,11 @@ def _fit(view: View) -> str:
         return "There is no redundancy: the fit cannot be tested, and no blunder can be found."
     lower, value, upper = a.global_test
     sigma0 = f"σ₀ = {significant(a.sigma0)} (a priori 1)"
+    if a.options.variance_groups:
+        return (
+            f"{sigma0}, as it must be: each group of observations has the variance factor that its residuals tell, and "
+            "where they tell none its stated precision."
+        )
     if lower <= value <= upper and a.options.weights == "residuals":
         return f"{sigma0}, as it must be: the standard deviations of the image points were taken from these residuals."
     if lower <= value <= upper:
@@ -441,12 +460,11 @@ def not_told(view: View) -> tuple[tuple[str, str], ...]:
     """What the numbers of this report do not tell."""
     a = view.adjustment
     held = any((g.sigma == 0).any() for g in a.groups if g.kind == "control")
-    compared = bool(np.isfinite(view.check_difference).any())
     snooped = len(view.rejected) > 0 and a.options.reject == "snooping"
     found = (
         (True, "Precision is not accuracy.", INDEPENDENT_ERRORS if a.noise.kind == "white" else COMMON_ERRORS),
         (True, "A small σ₀ is no proof of correct coordinates.", HIDDEN_BLUNDERS),
-        (not compared, "Nothing independent was compared.", NO_COMPARISON),
+        (not view.compared, "Nothing independent was compared.", NO_COMPARISON),
         (view.free_frame, "The standard deviations belong to the datum stated.", datum_of_sigmas(a.datum_defect)),
         (view.arbitrary_scale, "No length is absolute.", NO_SCALE),
         (held, "Held control counts as free of error.", HELD_CONTROL),

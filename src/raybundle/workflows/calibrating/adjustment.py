@@ -81,7 +81,7 @@ def _adjusted(i: Inputs, means: Means) -> Adjusted:
     options, progress = i.options, means.progress
     notices = (*i.start.notices, *_remarks(i.found, i.groups))
     settings = AdjustmentOptions(
-        threads=means.jobs, reject="snooping", robust_start=True, noise="white",
+        jobs=means.jobs, reject="snooping", robust_start=True, noise="white",
         pixel_shape="any" if options.shear else "sensor", weights="residuals",
     )  # fmt: skip
     n = _completed(i, settings, progress)

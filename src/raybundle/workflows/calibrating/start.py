@@ -125,7 +125,8 @@ def asked(block: Block, model: str, estimate: tuple[str, ...]) -> Block:
         return block
     if model == "spline":
         raise InputError(
-            f"the parameters of the model spline cannot be chosen; leave {option('estimate')} or {option('model')} away"
+            f"the parameters of the model spline cannot be chosen; leave {option('parameters')} or "
+            f"{option('model')} away"
         )
     known = sensor_models["brown" if model == "auto" else model].symbols
     unknown = [s for s in estimate if s not in known]

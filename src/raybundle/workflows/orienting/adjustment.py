@@ -147,6 +147,10 @@ def _adjusted(i: Inputs, placed: Georeferenced, apart: Sequence[Georeferenced], 
     if moving.block is not None:
         first = replace(first, block=moving.block)
         adjustment = final_adjustment(first, groups, means.jobs, means.progress, i.remarks, noise, weights=weights)
+    weighted = with_target_weights(first.block, adjustment, i.given)
+    if weighted is not None:
+        first = replace(first, block=weighted)
+        adjustment = final_adjustment(first, groups, means.jobs, means.progress, i.remarks, noise, weights=weights)
     adjustment = with_relative_precision(with_cause(adjustment, i.photos))
     told = (*joined_notice(first.joined, adjustment.given), *shared.notices, *moving.notices)
     if kept:  # of what is left in the end: the adjustments leave photographs out
@@ -156,6 +160,37 @@ def _adjusted(i: Inputs, placed: Georeferenced, apart: Sequence[Georeferenced], 
         adjustment=replace(adjustment, notices=(*told, *adjustment.notices)), other_components=tuple(parts),
         groups=groups, placed=placed, lost=(),
     )  # fmt: skip
+
+
+def with_target_weights(block: Block, result: Adjustment, given: Given) -> Block | None:
+    """The block with standard deviations of the targets as their residuals tell them beside those of all; None: as is.
+
+    What grey values tell of a target's centre is not what photographs hold of it: with its own weight it would bend
+    tie points, or be rejected.  From residuals as the weights of tie points are, for all targets together.
+    """
+    names = {
+        c.ids[int(k)] for c in given.control
+        for k in np.unique(c.measurements.point[np.isfinite(c.measurements.covariances).all(axis=1)])
+    }  # fmt: skip
+    if not names or result.redundancy <= 0 or not result.options.statistics:
+        return None
+    mine = np.isin(np.array(result.given.points.ids), sorted(names))
+    o, s = result.given.observations, result.image_observations
+    rows = mine[o.point] & s.used
+    v = s.residuals_px[rows] / np.sqrt(o.cov_px2[rows, :2])
+    r = float(np.nansum(s.redundancy[rows]))
+    if r < TOLD:
+        return None
+    ratio = float(np.nansum(v**2)) / r / result.sigma0**2
+    if abs(ratio - 1) < np.sqrt(2 / r) * 3:  # as precise as all others, by what so many tell
+        return None
+    own = np.isin(np.array(block.points.ids), sorted(names))[block.observations.point]
+    cov = np.where(own[:, None], ratio, 1.0) * block.observations.cov_px2
+    return replace(block, observations=replace(block.observations, cov_px2=cov))
+
+
+TOLD = 20.0
+"""Redundancy of the targets from which on their residuals tell a standard deviation, to a sixth."""
 
 
 def _put(state: OrientState, done: Adjusted) -> OrientState:

@@ -65,12 +65,10 @@ def _put(state: OrientState, known: Known) -> OrientState:
         given=known.given,
         remarks=(*state.remarks, *known.remarks, *(() if scenes is None else scenes.remarks)),
         masks=known.masks,
-        notices=() if known.masks is None else tuple(mask_notices(known.masks)),
+        notices=(*state.notices, *(() if known.masks is None else mask_notices(known.masks))),
     )
 
 
 STAGE = ORIENT.register(
-    Stage(
-        name="known", line="photographs", after=("photographs",), inputs=_inputs, function=check, put=_put, little=True
-    )
+    Stage(name="known", line="photographs", after=("targets",), inputs=_inputs, function=check, put=_put, little=True)
 )

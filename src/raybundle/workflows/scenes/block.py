@@ -145,7 +145,7 @@ def started(
         )
     block = with_scene_points(with_cameras(raw, raw.cameras, scenes.place))
     free = {c.id: tuple(c.estimate) for c in block.parametrised}
-    cleaned = clean(block, AdjustmentOptions(threads=jobs, statistics=False), free, progress=progress)
+    cleaned = clean(block, AdjustmentOptions(jobs=jobs, statistics=False), free, progress=progress)
     keep = ~cleaned.rejected & ~flat_points(cleaned.block)[cleaned.block.observations.point]
     block = weighed(with_rows(cleaned.block, keep), jobs)
     return TieBlock(block=block, scale_px=scale[keep], angle=angle[keep], not_oriented=lost)
@@ -155,7 +155,7 @@ def weighed(block: Block, threads: int) -> Block:
     """The block with image points as precise as their residuals say, so that stated priors keep their weight."""
     if len(block.observations) < FEWEST_POINTS:
         return block
-    found = adjust_block(block, AdjustmentOptions(threads=threads, statistics=False, tolerance=1e-2))
+    found = adjust_block(block, AdjustmentOptions(jobs=threads, statistics=False, tolerance=1e-2))
     if not found.sigma0 > 0:
         return block
     o = block.observations

@@ -96,7 +96,7 @@ def find_scenes(inputs: Sequence[Path]) -> FoundScenes:
     taken: set[Path] = set()
     first: dict[str, str] = {}
     for path in _candidates(inputs):
-        model = _model_of(path)
+        model = model_of(path)
         if model is None:
             continue
         taken |= {path, model}
@@ -128,11 +128,11 @@ def _candidates(inputs: Sequence[Path]) -> list[Path]:
     return list(found)
 
 
-def _model_of(path: Path) -> Path | None:
+def model_of(path: Path) -> Path | None:
     """The file that tells the geometry of an image; None where nothing does, so that it is a photograph."""
     stem = path.stem
     own = [f"{stem}{end}" for end in ("_RPC.TXT", "_rpc.txt", "_RPC.txt", ".RPB", ".rpb")]
-    names = [*own, *(f"{stem}{end}" for end in (".XML", ".xml", ".geom", ".DIM", ".json"))]
+    names = [f"{path.name}.aux.xml", *own, *(f"{stem}{end}" for end in (".XML", ".xml", ".geom", ".DIM", ".json"))]
     if stem.upper() == "IMAGERY":  # as SPOT 5 names them
         names += ["METADATA.DIM", "metadata.dim"]
     for begin in ("IMG_", "img_"):
@@ -178,9 +178,21 @@ def read_scene_image(path: Path, model: Path) -> SceneImage:
         except Exception as error:  # noqa: BLE001  (Unusable and what decoders raise; it costs that file only)
             raise InputError(str(error), file=path) from None
         width, height, bits = header.width_px, header.height_px, header.bits
+    scene = scene_of_size(scene, width, height, path)
+    with path.open("rb") as file:
+        digest = hashlib.file_digest(file, "sha256").hexdigest()
+    return SceneImage(
+        path=path, name=shown(path).name, width_px=width, height_px=height, bits=bits, sha256=digest, model=model,
+        scene=scene,
+    )  # fmt: skip
+
+
+def scene_of_size(scene: Scene, width: int, height: int, path: Path) -> Scene:
+    """What a file tells of a scene, for its image; raises InputError where that is an image of another size."""
+    model = scene.file.name
     if scene.width_px and scene.height_px and (scene.width_px, scene.height_px) != (width, height):
         raise InputError(
-            f"the image has {width} x {height} px, {model.name} is for one of {scene.width_px} x {scene.height_px} px; "
+            f"the image has {width} x {height} px, {model} is for one of {scene.width_px} x {scene.height_px} px; "
             "give the file of this image",
             file=path,
         )
@@ -188,16 +200,11 @@ def read_scene_image(path: Path, model: Path) -> SceneImage:
         scene = replace(scene, rpc=rpc_of_image(scene.rpc, width, height, path))
     elif scene.line is not None and (scene.line.width_px, scene.line.height_px) != (width, height):
         raise InputError(
-            f"the image has {width} x {height} px, the orbit in {model.name} is for one of {scene.line.width_px} x "
+            f"the image has {width} x {height} px, the orbit in {model} is for one of {scene.line.width_px} x "
             f"{scene.line.height_px} px; give the file of this image",
             file=path,
         )
-    with path.open("rb") as file:
-        digest = hashlib.file_digest(file, "sha256").hexdigest()
-    return SceneImage(
-        path=path, name=shown(path).name, width_px=width, height_px=height, bits=bits, sha256=digest, model=model,
-        scene=replace(scene, width_px=width, height_px=height),
-    )  # fmt: skip
+    return replace(scene, width_px=width, height_px=height)
 
 
 class ScenePixels:

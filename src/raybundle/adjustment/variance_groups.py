@@ -1,0 +1,193 @@
+"""Groups of observations with variance factors of their own, as far as the residuals tell them.
+
+One factor for all observations, sigma0^2, is told by the image points, of which there are most; carried to a scale bar
+it changes what a laboratory has certified.  Here each camera's image points and each kind of other observations has
+its own (Förstner 1979, iterated), and what the residuals cannot judge, or do not contradict, keeps the standard
+deviation that it was given.  Covariances are then cofactors times 1.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import replace
+
+from raybundle.adjustment.components import FARTHEST, LARGE, LEAST, LEVEL, NAMES, weighted
+from raybundle.adjustment.engine import started
+from raybundle.adjustment.options import AdjustmentOptions
+from raybundle.adjustment.result import Adjustment, GroupFactor, Notice, VarianceComponent
+from raybundle.adjustment.severity import POOR_FIT, Severity
+from raybundle.block import Block
+from raybundle.errors import InputError
+from raybundle.numerics.counting import grouped
+from raybundle.numerics.statistics import chi_square_tails
+
+SETTLED = 1e-3
+"""Relative change of a factor at which the iteration ends."""
+ROUNDS = 15
+
+Key = tuple[str, str]
+"""Kind and group of a variance component."""
+Adjust = Callable[[Block, AdjustmentOptions], Adjustment]
+
+
+def by_groups(block: Block, options: AdjustmentOptions, adjusted: Adjust) -> Adjustment:
+    """Adjust with variance factors of the groups; `given` of the result has the standard deviations times these.
+
+    options   `variance_groups` is on
+    adjusted  the adjustment itself
+    Image points of a camera have the factor that their residuals tell; control, distances and others one only where
+    their residuals contradict what was stated (chi-square, 1 %, two-sided) with a redundancy of LEAST or more, and no
+    single values of them stand out, which are named instead.  A factor above 1 is a caution, above POOR_FIT a fault:
+    errors so much larger than stated are seldom random, and no factor makes those true that values have in common.
+    Where the factors do not settle, observations contradict each other: all have one factor, and a caution says so.
+    raises    InputError without statistics
+
+    What it does not tell: a group without redundancy is taken at its word.
+    """
+    if not options.statistics:
+        raise InputError("variance factors of groups come from redundancy numbers; adjust with statistics")
+    first = adjusted(block, replace(options, variance_groups=False))
+    if first.redundancy <= 0:
+        return replace(first, options=options)
+    others = frozenset(key for key in _steps(first) if key[0] in NAMES.values())
+    found = _settled(block, options, adjusted, first, others)
+    if found is not None and others and not _single_values(found[0]):
+        found = _without_right(block, options, adjusted, found[0])
+    if found is None:
+        return replace(first, notices=(*first.notices, _unsettled()))
+    result, factors = found
+    told = _told(result, factors)
+    notices = (*result.notices, *_notice(told), *_contradictions(told))
+    return replace(result, given=weighted(block, factors), group_factors=told, notices=notices)
+
+
+def _single_values(result: Adjustment) -> bool:
+    """Whether single values of the other groups contradict the rest: a factor for their group would hide them."""
+    return any(n.code in {f"{kind}_suspect" for kind in NAMES} for n in result.notices)
+
+
+def _without_right(
+    block: Block, options: AdjustmentOptions, adjusted: Adjust, result: Adjustment
+) -> tuple[Adjustment, dict[Key, float]] | None:
+    """Factors of all groups but those whose residuals do not contradict what was stated; None: they do not settle."""
+    kept: frozenset[Key] = frozenset()
+    while True:
+        found = _settled(block, options, adjusted, result, kept)
+        if found is None:
+            return None
+        result, factors = found
+        steps = _steps(result)
+        right = {key for key in factors if key[0] in NAMES.values() and not _contradicts(factors[key], steps.get(key))}
+        if not right:
+            return found
+        kept |= right
+
+
+def _settled(
+    block: Block, options: AdjustmentOptions, adjusted: Adjust, result: Adjustment, kept: frozenset[Key]
+) -> tuple[Adjustment, dict[Key, float]] | None:
+    """Adjusted anew with the factors of its own residuals until they stay; groups that are `kept` have none.
+
+    None where they do not.
+    """
+    factors: dict[Key, float] = {}
+    for k in range(ROUNDS):
+        change = {key: c for key, c in _changes(_steps(result), factors).items() if key not in kept}
+        if k and all(abs(c - 1) < SETTLED for c in change.values()):
+            return result, factors
+        factors = {key: factors.get(key, 1.0) * c for key, c in change.items()}
+        images = _images(_steps(result))  # of others a factor as far away says that something else is wrong
+        factors = {k: f for k, f in factors.items() if 1 / FARTHEST < f < FARTHEST or (k in images and f > 1)}
+        result = adjusted(started(weighted(block, factors), result.adjusted), options)
+        if len(block.observations) > LARGE and k:
+            return result, factors
+    return None
+
+
+def _unsettled() -> Notice:
+    return Notice(
+        code="variance_groups",
+        measured=Severity.CAUTION,
+        message="groups of observations contradict each other so much that variance factors of their own do not "
+        "settle: all have one, which takes errors of one group for errors of all. Find out what contradicts what first",
+    )
+
+
+def _steps(result: Adjustment) -> dict[Key, VarianceComponent]:
+    return {(c.kind, c.group): c for c in result.variance_components}
+
+
+def _contradicts(factor: float, component: VarianceComponent | None) -> bool:
+    """Whether residuals contradict a given standard deviation of which they make `factor` times as much."""
+    if component is None or component.redundancy < LEAST:
+        return False
+    r = component.redundancy
+    return 2 * min(chi_square_tails(factor**2 * r, r)) < LEVEL
+
+
+def _images(steps: dict[Key, VarianceComponent]) -> list[Key]:
+    """The groups of image points: the cameras, where there are several."""
+    cameras = [key for key in steps if key[0] == "camera"]
+    return cameras or [key for key in steps if key[0] == "image observations"]
+
+
+def _changes(steps: dict[Key, VarianceComponent], before: dict[Key, float]) -> dict[Key, float]:
+    """What the standard deviations of each group are to be multiplied by once more.
+
+    before  what they were multiplied by; a group that lost its redundancy by that has no factor any more
+    """
+    all_images = steps.get(("image observations", "all"))
+    change: dict[Key, float] = {}
+    for key in _images(steps):
+        own = steps[key] if steps[key].redundancy >= LEAST else all_images
+        if own is not None and own.redundancy >= LEAST and own.ratio > 0:
+            change[key] = own.ratio
+    for key, c in steps.items():
+        if key[0] in NAMES.values() and c.redundancy >= LEAST and c.ratio > 0:
+            change[key] = c.ratio
+    return change if not before else {key: c for key, c in change.items() if key in before}
+
+
+def _told(result: Adjustment, factors: dict[Key, float]) -> tuple[GroupFactor, ...]:
+    steps = _steps(result)
+    keys = [*_images(steps), *(key for key in steps if key[0] in NAMES.values())]
+    return tuple(
+        GroupFactor(
+            kind=key[0], group=key[1], count=steps[key].count, redundancy=steps[key].redundancy,
+            factor=factors.get(key, 1.0), estimated=key in factors,
+        )
+        for key in keys
+    )  # fmt: skip
+
+
+def _contradictions(told: tuple[GroupFactor, ...]) -> tuple[Notice, ...]:
+    """Of the groups outside the images that are less precise than stated."""
+    return tuple(
+        Notice(
+            code="group_less_precise",
+            measured=Severity.FAULT if g.factor > POOR_FIT else Severity.CAUTION,
+            message=f"{g.kind}: less precise than stated by a factor of {g.factor:.3g} ({grouped(g.count)} values, "
+            f"redundancy {_redundancy(g.redundancy)}); their standard deviations were multiplied by it, which serves "
+            "random errors alone. Look for what they have in common, as a wrong datum or a bias of the positions",
+            ids=(g.kind,),
+        )
+        for g in told
+        if g.estimated and g.factor > 1 and g.kind in NAMES.values()
+    )
+
+
+def _redundancy(r: float) -> str:
+    return grouped(round(r)) if r >= 100 else f"{r:.1f}"
+
+
+def _notice(told: tuple[GroupFactor, ...]) -> tuple[Notice, ...]:
+    if not told:
+        return ()
+    words = [
+        f"{g.kind if g.group == 'all' else f'{g.kind} {g.group}'} "
+        + (f"times {g.factor:.3g}" if g.estimated else "as given")
+        + f" ({grouped(g.count)} values, redundancy {_redundancy(g.redundancy)})"
+        for g in told
+    ]
+    message = f"each group of observations has its own variance factor; standard deviations: {'; '.join(words)}"
+    return (Notice(code="variance_groups", message=message, measured=Severity.REMARK),)

@@ -1,0 +1,250 @@
+"""Blocks of one object in frames of their own, brought together over the points that they have in common.
+
+Common points are those of one name that a person, a code or a table gave: numbers that matching gives to tie points
+mean nothing in another block.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from raybundle.block.block import Block
+from raybundle.block.merge import PER_M, merge_blocks
+from raybundle.block.points import automatic, automatic_name, automatic_number
+from raybundle.block.transform import transform_block
+from raybundle.errors import InputError
+from raybundle.numerics.arrays import Mask
+from raybundle.numerics.counting import counted, significant
+from raybundle.numerics.transform import SimilarityTransform, similarity
+
+FEWEST = 3
+"""Common points that a similarity needs."""
+CONTRADICTS = 5.0
+"""Standard deviations of the difference from which on two coordinates of a control point are not the same"""
+TILT = 1e-6
+"""Sine of the angle from which on what was levelled is tilted."""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Joint:
+    """How a block was brought to the first."""
+
+    name: str
+    common: tuple[str, ...]
+    """Points that carry it"""
+    apart: tuple[tuple[str, float], ...]
+    """Points of one name that are not one point, and how far they lie from each other [length unit of the first]"""
+    transform: SimilarityTransform | None
+    """None: it stands in the same frame already"""
+    rms: float
+    """Of a coordinate of the points that carry it, by their weights, afterwards [length unit of the first]"""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Joined:
+    """Several blocks as one."""
+
+    block: Block
+    first: str
+    """The block whose frame all stand in"""
+    joints: tuple[Joint, ...]
+    remarks: tuple[str, ...]
+
+
+def frame_of(blocks: Sequence[Block]) -> int:
+    """Which of several blocks gives the frame: the first that control or positions fix, else of a known scale."""
+    return max(range(len(blocks)), key=lambda k: (_fixed(blocks[k]), -k))
+
+
+def join_blocks(
+    blocks: Sequence[Block], names: Sequence[str], *, carriers: Sequence[Mapping[str, float] | None] = (),
+    same_camera: bool = False,
+) -> Joined:  # fmt: skip
+    """One block of several that see the same named points, each in a frame of its own.
+
+    blocks       with coordinates of the common points, as results have
+    names        of the blocks, for messages and for what has to be renamed
+    carriers     for each block, common points that are one point here and in the block of the frame, with the weights
+                 by which they carry the joint; others of the same name keep apart.  None: all of them, weighted alike
+    same_camera  cameras of one id are one camera, with the values of the first block; otherwise each block has its own
+    raises       InputError for blocks with fewer than three common points, or levelled ones that would be tilted
+
+    The frame is that of `frame_of`.  Coordinates of the others are approximate values afterwards, the adjustment of
+    what comes out has the rest to say.
+    What it does not tell: whether points of one name are one point (`raybundle.metrology.congruence`).
+    """
+    if len(blocks) < 2:
+        raise InputError("two or more blocks are joined; one is given")
+    first = frame_of(blocks)
+    order = [first, *(k for k in range(len(blocks)) if k != first)]
+    base, joints, remarks = blocks[first], list[Joint](), list[str]()
+    if first != 0:
+        why = "control or positions" if _fixed(base) == 2 else "a scale"
+        remarks.append(f"the frame is that of {names[first]}, which has {why}")
+    taken = replace(base, name=names[first])
+    for k in order[1:]:
+        block, joint, told = _brought(
+            blocks[k], taken, names[k], carriers[k] if carriers else None, same_camera=same_camera
+        )
+        taken = merge_blocks(
+            [taken, block],
+            prefer={"block": 0, "camera": 0, "instrument": 0, "point": 0, "observation": 0},
+        )
+        joints.append(joint)
+        remarks += told
+    name = " + ".join(names)
+    return Joined(block=replace(taken, name=name), first=names[first], joints=tuple(joints), remarks=tuple(remarks))
+
+
+def _fixed(block: Block) -> int:
+    """2: control or positions fix the frame; 1: the scale is known; 0: neither."""
+    if block.points.is_control.any() or len(block.stations) or block.place is not None:
+        return 2
+    return 0 if block.free_scale else 1
+
+
+def _brought(
+    block: Block, base: Block, name: str, carriers: Mapping[str, float] | None, *, same_camera: bool
+) -> tuple[Block, Joint, list[str]]:
+    """A block in the frame of another, nothing in it called as something else there."""
+    common = _common(block, base)
+    mine = np.array([block.points.ids.index(c) for c in common], np.int64)
+    theirs = np.array([base.points.ids.index(c) for c in common], np.int64)
+    source, target = block.points.xyz[mine], base.points.xyz[theirs]
+    weight = np.array([1.0 if carriers is None else carriers.get(c, 0.0) for c in common])
+    fits: Mask = np.asarray(weight > 0, bool)
+    kept: list[bool] = [w > 0 for w in weight.tolist()]
+    transform: SimilarityTransform | None = None
+    if _fixed(block) == 2 and _fixed(base) == 2:
+        distance = np.linalg.norm(PER_M[base.length_unit] / PER_M[block.length_unit] * source - target, axis=1)
+        _check_control(block, base, common, name)
+    else:
+        if fits.sum() < FEWEST:
+            raise InputError(
+                f"{name} and {base.name} have {counted(int(fits.sum()), 'common point')} with coordinates "
+                f"({', '.join(common[:5]) or 'none'}); {FEWEST} or more are needed, named by hand or by their codes"
+            )
+        transform = similarity(source[fits], target[fits], weight[fits])
+        distance = np.linalg.norm(transform.points(source) - target, axis=1)
+        block = _moved(block, transform, base, name)
+    apart = tuple((c, float(d)) for c, d, f in zip(common, distance.tolist(), kept, strict=True) if not f)
+    carry = tuple(c for c, f in zip(common, kept, strict=True) if f)
+    remarks: list[str] = []
+    block = _renamed(block, base, name, {c for c, _ in apart}, same_camera=same_camera, remarks=remarks)
+    mean = np.average(distance[fits] ** 2, weights=weight[fits]) / 3 if fits.any() else np.nan
+    return block, Joint(name=name, common=carry, apart=apart, transform=transform, rms=float(np.sqrt(mean))), remarks
+
+
+def _check_control(block: Block, base: Block, common: Sequence[str], name: str) -> None:
+    """Raise InputError where two blocks that stand in one frame by their control contradict each other in it."""
+    factor = PER_M[base.length_unit] / PER_M[block.length_unit]
+    worst: tuple[float, str, float, float] | None = None
+    for point in common:
+        i, j = block.points.ids.index(point), base.points.ids.index(point)
+        both = block.points.is_control[i] & base.points.is_control[j]
+        d = np.abs(factor * block.points.xyz[i] - base.points.xyz[j])[both]
+        s = np.hypot(factor * block.points.sigma[i], base.points.sigma[j])[both]
+        limit = CONTRADICTS * s + 1e-9 * np.abs(base.points.xyz[j][both]) + 1e-9
+        if len(d) and float((d / limit).max()) > max(1.0, worst[0] if worst else 0.0):
+            k = int((d / limit).argmax())
+            worst = float(d[k] / limit[k]), point, float(d[k]), float(limit[k])
+    if worst is not None:
+        raise InputError(
+            f"control point {worst[1]} has other coordinates in {name}: {significant(worst[2])} {base.length_unit} "
+            f"apart, {significant(worst[3])} at most by their standard deviations. Blocks that control fixes have to "
+            "stand in one frame: bring one into that of the other, or take its control away"
+        )
+
+
+def _common(block: Block, base: Block) -> list[str]:
+    """Names of the points that both have, with coordinates, and that no program made up."""
+    named: Mask = np.asarray(~automatic(block.points.ids) & np.isfinite(block.points.xyz).all(axis=1), bool)
+    placed: Mask = np.asarray(np.isfinite(base.points.xyz).all(axis=1), bool)
+    known = {n for k, n in enumerate(base.points.ids) if placed[k]}
+    return [n for k, n in enumerate(block.points.ids) if named[k] and n in known]
+
+
+def _moved(block: Block, by: SimilarityTransform, base: Block, name: str) -> Block:
+    """A free block in the frame of another; what it observed stays, lengths in the unit of the other."""
+    tilt = float(np.linalg.norm(by.rotation[:2, 2]))
+    levelled = [t.name for t in block.tables.values() if t.upright and len(t)]
+    if levelled and tilt > TILT:
+        raise InputError(
+            f"{name} has {', '.join(levelled)}, which the frame of {base.name} would tilt by "
+            f"{np.degrees(np.arcsin(min(tilt, 1.0))):.2g} degrees; give it first, or level the other as well"
+        )
+    factor = PER_M[base.length_unit] / PER_M[block.length_unit]
+    if factor != 1:
+        unit = SimilarityTransform(scale=factor)
+        block = replace(transform_block(block, unit, observed="follow"), length_unit=base.length_unit)
+        by = SimilarityTransform(scale=by.scale / factor, rotation=by.rotation, translation=by.translation)
+    return replace(transform_block(block, by, observed="stay"), free_scale=base.free_scale)
+
+
+def _renamed(block: Block, base: Block, name: str, apart: set[str], *, same_camera: bool, remarks: list[str]) -> Block:
+    """A block in which nothing but common points, and cameras where they are the same, is called as in another."""
+    free = 1 + max((automatic_number(n) for n in base.points.ids), default=-1)
+    points: dict[str, str] = {}
+    for n in block.points.ids:
+        if automatic_number(n) >= 0:
+            points[n] = automatic_name(free)
+            free += 1
+        elif n in apart:
+            points[n] = _new(n, name, base.points.ids)
+    images = {n: _new(n, name, base.images.ids) for n in block.images.ids if n in base.images.ids}
+    taken = {c.id: (c.width_px, c.height_px, c.model) for c in base.cameras}
+    cameras: dict[str, str] = {}
+    if same_camera:
+        for c in block.cameras:
+            if taken.get(c.id, (c.width_px, c.height_px, c.model)) != (c.width_px, c.height_px, c.model):
+                raise InputError(
+                    f"camera {c.id} of {name} is {c.model} of {c.width_px} x {c.height_px} px, the other "
+                    f"{taken[c.id][2]} of {taken[c.id][0]} x {taken[c.id][1]} px: they are not the same"
+                )
+    else:
+        cameras = {c.id: _new(c.id, name, list(taken)) for c in block.cameras if c.id in taken}
+    if images:
+        remarks.append(
+            f"{counted(len(images), 'image')} of {name} are called as others and are now {next(iter(images.values()))} "
+            "and so on"
+        )
+    if cameras:
+        told = ", ".join(f"{old} is now {new}" for old, new in cameras.items())
+        remarks.append(f"cameras of {name} are taken for others than those of one id: {told}")
+    return replace(
+        block,
+        points=replace(block.points, ids=tuple(points.get(n, n) for n in block.points.ids)),
+        images=replace(block.images, ids=tuple(images.get(n, n) for n in block.images.ids)),
+        cameras=tuple(replace(c, id=cameras.get(c.id, c.id)) for c in block.cameras),
+        rejected=tuple((images.get(i, i), points.get(p, p)) for i, p in block.rejected),
+    )
+
+
+def _new(old: str, block: str, taken: Sequence[str]) -> str:
+    """A name after its block that nothing has."""
+    found, k = f"{block}:{old}", 2
+    while found in taken:
+        found, k = f"{block}-{k}:{old}", k + 1
+    return found
+
+
+def words_of(joint: Joint, unit: str) -> list[str]:
+    """What is told of a joint."""
+    n = len(joint.common)
+    if joint.transform is None:
+        how = "stands in the same frame"
+    else:
+        how = f"brought there by {counted(n, 'common point')}, scale {joint.transform.scale:.6g}"
+    off = f"; a coordinate of these is off by {significant(joint.rms)} {unit} (rms)" if n > 0 else ""
+    lines = [f"{joint.name}: {how}{off}"]
+    if joint.apart:
+        names = ", ".join(f"{p} ({significant(d)} {unit})" for p, d in joint.apart[:8])
+        more = " ..." if len(joint.apart) > 8 else ""
+        lines.append(
+            f"caution: {counted(len(joint.apart), 'point')} of one name lie apart and are kept as two: {names}{more}; "
+            "has it moved, or is it another point?"
+        )
+    return lines

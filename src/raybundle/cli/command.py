@@ -1,0 +1,229 @@
+"""Commands with what all of them have: --settings, --json, --quiet, --overwrite and --traceback."""
+
+from __future__ import annotations
+
+import contextlib
+import difflib
+import io
+import json
+from collections.abc import Callable, Sequence
+from pathlib import Path
+from typing import Any
+
+import click
+
+from raybundle.cli.outputs import Output
+from raybundle.errors import InputError
+
+COMMAND_SETTINGS = {"help_option_names": ["-h", "--help"], "max_content_width": 110}
+FACTS, JSON, QUIET = (f"raybundle.{word}" for word in ("facts", "json", "quiet"))
+GRAVE = {"fault": "faults", "caution": "cautions", "remark": "remarks", "left out": "left_out"}
+"""Words with which a line begins that says what is wrong, and their names in JSON"""
+NOT_KEPT = 4
+"""Exit status where something that was asked for, a tolerance or an accuracy, is not kept"""
+NEAR = 0.6
+"""Likeness from which on a mistyped word is told with what may be meant, as difflib counts it"""
+ALOUD = ("fault", "caution", "left out")
+"""Of these the lines that are told by a quiet command as well"""
+WRITTEN = (
+    "result.json", "moved.json", "plan.json", "next.json", "transformation.json", "model.json", "check.json",
+)  # fmt: skip
+"""Files of a command's folder that say what it found"""
+
+
+class Command(click.Command):
+    """A command with the options that all commands have."""
+
+    def __init__(self, *arguments: Any, **more: Any) -> None:
+        more.setdefault("context_settings", COMMAND_SETTINGS)
+        super().__init__(*arguments, **more)
+        own = {name for p in self.params for name in p.opts}
+        files = any(_is_file(p) for p in self.params)
+        self.params += [o for o in shared_options(files=files) if own.isdisjoint(o.opts)]
+
+    def invoke(self, ctx: click.Context) -> Any:
+        """Do what is asked for, aloud, quietly, or as JSON; within --overwrite, what it names may be replaced."""
+        _check_apart(ctx)
+        if ctx.meta.get(QUIET) and "progress" in ctx.params:
+            ctx.params["progress"] = "none"
+        own_json = bool(ctx.params.get("as_json"))
+        as_json = bool(ctx.meta.get(JSON))
+        if own_json or not (as_json or ctx.meta.get(QUIET)):
+            return super().invoke(ctx)
+        said = io.StringIO()
+        with contextlib.redirect_stdout(said):
+            status = super().invoke(ctx)
+        if as_json:
+            from raybundle.results.contents import clean  # noqa: PLC0415  (NumPy is loaded with it)
+
+            click.echo(json.dumps(clean(_object(ctx, status, said.getvalue())), ensure_ascii=False, default=str))
+        else:
+            for line in said.getvalue().splitlines():
+                if status or line.strip().startswith(ALOUD):
+                    click.echo(line, err=True)
+        return status
+
+
+class SeveralNames(Command):
+    """A command whose options of names take all words up to the next option."""
+
+    def parse_args(self, ctx: click.Context, args: list[str]) -> list[str]:
+        """`--area A B C` is `--area A --area B --area C`."""
+        several = {
+            name for p in self.params if isinstance(p, click.Option) and p.multiple and p.nargs == 1 for name in p.opts
+        }
+        spread: list[str] = []
+        option = ""
+        for word in args:
+            if word.startswith("--"):
+                option = word if word in several else ""
+                spread += [] if option else [word]
+            elif option:
+                spread += [option, word]
+            else:
+                spread.append(word)
+        return super().parse_args(ctx, spread)
+
+
+class Group(click.Group):
+    """A group of commands that have what all have; a mistyped name is told with what may be meant."""
+
+    command_class = Command
+
+    def __init__(self, *arguments: Any, **more: Any) -> None:
+        more.setdefault("context_settings", COMMAND_SETTINGS)
+        super().__init__(*arguments, **more)
+
+    def resolve_command(self, ctx: click.Context, args: list[str]) -> Any:
+        """The command of the first word; a usage error that says what may be meant where there is none."""
+        try:
+            return super().resolve_command(ctx, args)
+        except click.UsageError:
+            likely = self.likely(ctx, args[0])
+            if not likely:
+                raise
+            words = " or ".join(f"'{ctx.command_path} {name}'" for name in likely)
+            raise click.UsageError(f"No such command '{args[0]}'. Did you mean {words}?", ctx) from None
+
+    def likely(self, ctx: click.Context, word: str) -> list[str]:
+        """Commands that may be meant by a word, those of groups within, too."""
+        meant = {name: name for name in reversed(self.list_commands(ctx))}
+        for name in self.list_commands(ctx):
+            if isinstance(group := self.get_command(ctx, name), click.Group):
+                meant = {sub: f"{name} {sub}" for sub in group.list_commands(ctx)} | meant
+        return [meant[n] for n in difflib.get_close_matches(word, meant, cutoff=NEAR)]
+
+
+def shared_options(*, files: bool) -> list[click.Option]:
+    """New options for a command; `files`: whether it writes a file that somebody may want to replace."""
+    quiet = click.Option(
+        ["--quiet"], is_flag=True, expose_value=False, callback=_kept(QUIET),
+        help="Say nothing but what is wrong; files and the exit status tell the rest.",
+    )  # fmt: skip
+    as_json = click.Option(
+        ["--json"], is_flag=True, expose_value=False, callback=_kept(JSON),
+        help="What it found as one JSON object, in place of words.",
+    )  # fmt: skip
+    settings = click.Option(
+        ["--settings"], type=click.Path(path_type=Path), metavar="FILE.toml", is_eager=True, expose_value=False,
+        envvar="RAYBUNDLE_SETTINGS", callback=_settings_read,
+        help="Options from a file, in a table of the command's name; what is typed counts before it.",
+    )  # fmt: skip
+    overwrite = click.Option(
+        ["--overwrite"], is_flag=True, is_eager=True, expose_value=False, callback=_overwriting,
+        help="Replace files that stand there.",
+    )  # fmt: skip
+    traceback = click.Option(
+        ["--traceback"], is_flag=True, expose_value=False, help="After an error, show where in the program it arose."
+    )
+    return [*([overwrite] if files else []), settings, as_json, quiet, traceback]
+
+
+def command_words(group: click.Group, arguments: Sequence[str]) -> list[str]:
+    """The words of the command that arguments begin with, as far as they are one."""
+    words: list[str] = []
+    member: click.Command | None = group
+    for word in arguments:
+        context = click.Context(group)
+        if not isinstance(member, click.Group) or word not in member.list_commands(context):
+            break
+        member = member.get_command(context, word)
+        words.append(word)
+    return words
+
+
+def facts(**values: Any) -> None:
+    """Say what a command found, for --json: paths, numbers, arrays and data classes of them."""
+    context = click.get_current_context(silent=True)
+    if context is not None:
+        context.meta.setdefault(FACTS, {}).update(values)
+
+
+def _check_apart(ctx: click.Context) -> None:
+    """Refuse to write over what the command is to read, whatever may be overwritten."""
+    places = [p for p in ctx.command.params if isinstance(p.type, click.Path)]
+    paths = [(p, v) for p in places for v in _paths(ctx.params.get(p.name or ""))]
+    read = {Path(v).resolve() for p, v in paths if not isinstance(p.type, Output)}
+    for parameter, path in paths:
+        if isinstance(parameter.type, Output) and parameter.type.wanted != "folder" and Path(path).resolve() in read:
+            raise InputError("is read by this command, and is not written over; choose another name", file=Path(path))
+
+
+def _paths(value: Any) -> list[Any]:
+    return [] if value is None else list(value) if isinstance(value, tuple) else [value]
+
+
+def _is_file(parameter: click.Parameter) -> bool:
+    return isinstance(parameter.type, Output) and parameter.type.wanted in {"file", "either"}
+
+
+def _kept(name: str) -> Callable[[click.Context, click.Parameter, bool], None]:
+    def keep(ctx: click.Context, _: click.Parameter, value: bool) -> None:  # noqa: FBT001  (click's signature)
+        ctx.meta[name] = value
+
+    return keep
+
+
+def _overwriting(ctx: click.Context, _: click.Parameter, value: bool) -> None:  # noqa: FBT001  (click's signature)
+    if value and not ctx.resilient_parsing:
+        from raybundle.io.folders import overwriting  # noqa: PLC0415
+
+        ctx.with_resource(overwriting())
+
+
+def _settings_read(ctx: click.Context, _: click.Parameter, value: Path | None) -> None:
+    if value is not None and not ctx.resilient_parsing:
+        from raybundle.cli.settings_file import defaults_of  # noqa: PLC0415  (TOML is read where it is asked for)
+
+        ctx.default_map = {**(ctx.default_map or {}), **defaults_of(value, ctx.command, _name(ctx))}
+
+
+def _name(ctx: click.Context) -> str:
+    """The command's words without that of the program: "plan network"."""
+    return ctx.command_path.partition(" ")[2]
+
+
+def _object(ctx: click.Context, status: Any, said: str) -> dict[str, Any]:
+    """What a command found and said."""
+    found: dict[str, Any] = {
+        "command": _name(ctx), "exit_status": status if isinstance(status, int) else 0,
+        **{name: list[str]() for name in GRAVE.values()}, "said": list[str](),
+    }  # fmt: skip
+    for line in filter(None, map(str.strip, said.splitlines())):
+        kind, _, words = line.partition(": ")
+        if words and kind in GRAVE:
+            found[GRAVE[kind]].append(words)
+        else:
+            found["said"].append(line)
+    found |= {"out": ctx.params.get("out"), **ctx.meta.get(FACTS, {})}
+    done = found["exit_status"] in {0, NOT_KEPT}  # else what stands there may be of another run
+    return found | (_written(found["out"]) if done and isinstance(found["out"], Path) else {})
+
+
+def _written(out: Path) -> dict[str, Any]:
+    """What stands in the JSON files of a command's folder, by their names."""
+    from raybundle.io.reading.trees import read_json  # noqa: PLC0415
+
+    places = [out / "result"] if (out / "result" / "result.json").is_file() else [out]
+    files = [folder / name for folder in places for name in WRITTEN if (folder / name).is_file()]
+    return {f.stem: read_json(f).value for f in files}

@@ -1,0 +1,52 @@
+"""What is said of an error, and the exit status."""
+
+from __future__ import annotations
+
+import contextlib
+import os
+import sys
+import traceback
+from typing import TextIO
+
+from raybundle.errors import RaybundleError, printable
+
+
+def told_failure(error: Exception) -> tuple[str, int]:
+    """What is said of an error, and the exit status."""
+    if isinstance(error, RaybundleError):
+        return f"{type(error).__name__}: {error}", error.exit_status
+    if isinstance(error, MemoryError):
+        return "MemoryError: there is not enough memory; give fewer or smaller inputs, or fewer --jobs", 2
+    if isinstance(error, OSError) and error.filename is None and (_in_output(error) or _is_closed(sys.stdout)):
+        silence(sys.stdout)
+        reason = error.strerror or str(error)
+        return f"the output could not be shown ({reason}); what was to be written is written", 2
+    if isinstance(error, OSError):
+        from raybundle.io.reading.words import quoted  # noqa: PLC0415  (NumPy is loaded with it)
+
+        names = " -> ".join(quoted(os.fsdecode(n)) for n in (error.filename, error.filename2) if n is not None)
+        return f"{type(error).__name__}: {names or 'a file'} cannot be used: {error.strerror or error}", 2
+    first = printable(str(error).partition("\n")[0])[:1000]
+    return f"internal error {type(error).__name__}: {first}; please report; --traceback shows it", 1
+
+
+def silence(stream: TextIO | None) -> None:
+    """Let what is left in a stream's buffer go nowhere, so that the end of the process has nothing to complain of."""
+    with contextlib.suppress(OSError, ValueError):
+        if stream is not None:
+            os.dup2(os.open(os.devnull, os.O_WRONLY), stream.fileno())
+
+
+def _in_output(error: Exception) -> bool:
+    """Whether an error was raised where the command shows something."""
+    return any(f.f_globals.get("__name__") == "click.utils" for f, _ in traceback.walk_tb(error.__traceback__))
+
+
+def _is_closed(stream: TextIO | None) -> bool:
+    """Whether nothing more can be written to a stream."""
+    try:
+        if stream is not None:
+            stream.flush()
+    except (OSError, ValueError):
+        return True
+    return stream is None

@@ -1,0 +1,51 @@
+"""`raybundle merge`."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+import click
+
+from raybundle.cli.common import FOLDER, NEW_FOLDER, Command, common_options, facts
+from raybundle.cli.settings import options_of, values_of
+from raybundle.commands.merge import MergeSettings, run_merge
+from raybundle.settings import made
+
+
+@click.command("merge", cls=Command)
+@click.argument("sources", type=FOLDER, nargs=-1, required=True, metavar="PROJECT PROJECT...")
+@options_of(MergeSettings, out=NEW_FOLDER)
+@common_options
+def command(sources: tuple[Path, ...], progress: str, **given: Any) -> None:
+    """Merge projects of one object into one block over the points that they have in common.
+
+    Points are common by names that people, codes or tables gave them: targets, control, marked points. Those that
+    moved, or are others of the same name, are found by the congruence test of `raybundle moved` and kept apart.
+    Projects are brought to the frame of the one that control or positions fix; tie points and images of one name stay
+    apart. Adjust the block afterwards: common points then tie the projects together.
+
+    \b
+    Example:
+      raybundle merge inside-project outside-project --out both
+      raybundle adjust both --reject snooping --out both-result
+    """  # noqa: D301
+    from raybundle.block.joined import words_of  # noqa: PLC0415  (what computes is loaded after the help)
+    from raybundle.cli.progress import reporting  # noqa: PLC0415
+    from raybundle.numerics.counting import counted  # noqa: PLC0415
+
+    settings = made(MergeSettings, {"sources": sources, **values_of(MergeSettings, given)})
+    with reporting(progress) as tell:
+        done = run_merge(settings, tell)
+    block = done.block
+    facts(images=len(block.images), points=len(block.points), observations=len(block.observations), frame_of=done.first)
+    counts = (
+        counted(len(block.images), "image"), counted(len(block.points), "point"),
+        counted(len(block.observations), "image observation"),
+    )  # fmt: skip
+    lines = [f"{', '.join(counts)} in the frame of {done.first}"]
+    for joint in done.joints:
+        lines += words_of(joint, "units" if block.free_scale else block.length_unit)
+    lines += [f"remark: {r}" for r in done.remarks]
+    click.echo("\n".join(f" {line}" for line in lines))
+    click.echo(f" {settings.out}; adjust it: raybundle adjust {settings.out} --reject snooping --out RESULT")

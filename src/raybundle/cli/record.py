@@ -1,0 +1,43 @@
+"""`raybundle record`."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+import click
+
+from raybundle.cli.common import FOLDER, Command, facts
+from raybundle.cli.settings import options_of, values_of
+from raybundle.commands.record import RecordSettings, rows, run_record
+from raybundle.settings import made
+
+
+@click.command("record", cls=Command)
+@click.argument("project", type=FOLDER)
+@options_of(RecordSettings)
+def command(project: Path, **given: Any) -> None:
+    """Show the recording sheet of a project, or write entries of it: object, place, client, operator, rights ...
+
+    They stand in the table [record] of PROJECT/project.toml, which may be edited by hand and which runs of `orient`
+    keep; in record.toml of the result, in its report, in drawings, maps and sheets made from it. What the photographs
+    know (camera, dates, number) is filled in by itself. An empty TEXT takes an entry away. A PROJECT that is not there
+    yet is begun, so that the first report has it all.
+
+    \b
+    Example:
+      raybundle record facade-project
+      raybundle record facade-project --object "Town hall, south side" --client "Monument office" --rights "CC BY 4.0"
+    """  # noqa: D301  (\b is click's mark for a paragraph that keeps its lines)
+    told = run_record(made(RecordSettings, {"project": project, **values_of(RecordSettings, given)}))
+    facts(record={name: words for name, words, _ in rows(told)}, files=told.files)
+    for name, words, source in rows(told):
+        first, *more = words.split("\n")
+        click.echo(f" {name:<12} {first}" + (f"  [{source}]" if source else ""))
+        for line in more:
+            click.echo(f" {'':<12} {line}")
+    if not told.record.as_mapping():
+        click.echo(" nothing is written yet; see raybundle record --help")
+    if told.files:
+        run = "after the next run of orient" if (project / "result").is_dir() else "when orient has run there"
+        click.echo(f" written: {', '.join(map(str, told.files))}; the report has it {run}")

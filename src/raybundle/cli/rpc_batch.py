@@ -1,0 +1,62 @@
+"""`raybundle rpc batch`: many scenes on one file of control."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import click
+
+from raybundle.cli.common import FOLDER, NEW_FOLDER, Command, common_options, counted, facts, significant
+from raybundle.cli.settings import options_of, values_of
+from raybundle.commands.scenes.batch import RpcBatchSettings, run_batch
+from raybundle.settings import made
+
+if TYPE_CHECKING:
+    from raybundle.commands.scenes.batch import BatchScene
+
+
+@click.command("batch", cls=Command)
+@click.argument("scenes", type=FOLDER, nargs=-1, required=True)
+@options_of(RpcBatchSettings, out=NEW_FOLDER)
+@common_options
+def batch(scenes: tuple[Path, ...], progress: str, **given: Any) -> None:
+    """Correct many SCENES, files or folders of them, on one file of control.
+
+    The column image of the control says in which image a point was measured: NAME or NAME.tif. A row a scene stands in
+    biases.csv; a scene that cannot be corrected costs that scene, and its row says why.
+
+    \b
+    Example:
+      raybundle rpc batch scenes --control control.gpkg --out corrected
+      raybundle rpc batch a.tif b.tif --control utm.csv --crs EPSG:32654 --to tif --out corrected
+    """  # noqa: D301
+    from raybundle.cli.progress import reporting  # noqa: PLC0415  (what computes is loaded after the help)
+
+    settings = made(RpcBatchSettings, {"scenes": scenes, **values_of(RpcBatchSettings, given)})
+    with reporting(progress) as tell:
+        done = run_batch(settings, tell)
+    facts(scenes=[_fact(s) for s in done.scenes], table=done.table)
+    click.echo(f" {'scene':32}{'bias':>8}{'points':>8}{'rms x, y [px]':>18}{'ERR_BIAS [m]':>14}")
+    for scene in done.corrected:
+        c = scene.correction
+        if c is None or c.fit is None or c.errors is None:
+            continue
+        rms = ", ".join(f"{v:.3f}" for v in c.fit.rms)
+        used = len(c.ids) - len(c.advice.set_aside)
+        click.echo(f" {scene.name[:31]:32}{c.fit.kind:>8}{used:8d}{rms:>18}{significant(c.errors.err_bias_m):>14}")
+        for k in c.advice.set_aside:
+            click.echo(f"   caution: {c.ids[k]} contradicts the others and took no part")
+    for scene in done.failed:
+        click.echo(f" caution: {scene.name} is left out: {scene.problem}")
+    click.echo(f" {len(done.corrected)} of {counted(len(done.scenes), 'scene')} corrected: {done.table}")
+
+
+def _fact(scene: BatchScene) -> dict[str, Any]:
+    """What became of a scene, for JSON."""
+    c = scene.correction
+    fit = None if c is None else c.fit
+    return {
+        "scene": scene.name, "file": scene.file, "problem": scene.problem, "bias": None if fit is None else fit.kind,
+        "rms_px": None if fit is None else fit.rms, "errors": None if c is None else c.errors,
+    }  # fmt: skip

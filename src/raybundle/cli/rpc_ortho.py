@@ -1,0 +1,49 @@
+"""`raybundle rpc ortho`: a scene in the map."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+import click
+
+from raybundle.cli.common import FOLDER, NEW_FILE, Command, common_options, facts
+from raybundle.cli.settings import options_of, values_of
+from raybundle.commands.scenes.ortho import RpcOrthoSettings, run_ortho
+from raybundle.errors import InputError
+from raybundle.settings import made, option
+
+
+@click.command("ortho", cls=Command)
+@click.argument("scene", type=FOLDER)
+@options_of(RpcOrthoSettings, out=NEW_FILE)
+@common_options
+def ortho(scene: Path, progress: str, **given: Any) -> None:
+    """Bring SCENE to the map over a raster of heights: orthorectification.
+
+    Heights may stand in any coordinate system, in degrees as well; above a geoid where the raster's system says so
+    (EPSG:32654+5773) or --geoid does.  What hides what is not found out.
+
+    \b
+    Example:
+      raybundle rpc ortho corrected.tif --dem dem.tif --out ortho.tif
+      raybundle rpc ortho scene.tif --rpc corrected.RPB --dem dem.tif --geoid EPSG:3855 --out ortho.tif
+      raybundle rpc ortho corrected.tif --dem dem.tif --crs EPSG:2193 --pixel 0.5 --out ortho.tif
+    """  # noqa: D301
+    from raybundle.cli.progress import reporting  # noqa: PLC0415  (what computes is loaded after the help)
+
+    settings = made(RpcOrthoSettings, {"scene": scene, **values_of(RpcOrthoSettings, given)})
+    if settings.out is None:
+        raise InputError(f"the map is not named; give {option('out', 'FILE.tif')}")
+    with reporting(progress) as tell:
+        done = run_ortho(settings, progress=tell)
+    facts(width=done.width, height=done.height, pixel=done.pixel, left=done.left, top=done.top, crs=done.crs)
+    facts(seen_share=done.share, nodata=done.nodata, bands=done.bands)
+    for remark in done.remarks:
+        click.echo(f" remark: {remark}")
+    click.echo(
+        f" {done.width} x {done.height} px of {done.pixel:g} in {done.crs}, {done.share:.1%} of them seen; "
+        f"{done.nodata:g} where nothing is"
+    )
+    click.echo(" remark: what hides what is not found out: behind steep slopes and buildings a place may appear twice")
+    click.echo(f" map: {done.out}")

@@ -1,0 +1,56 @@
+"""`raybundle sheet`."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import click
+
+from raybundle.cli.common import FOLDER, NEW_FILE, Command, common_options, counted, facts
+from raybundle.cli.settings import options_of, values_of
+from raybundle.commands.sheet import DrawingSheetSettings, run_drawing_sheet
+from raybundle.settings import made
+
+if TYPE_CHECKING:
+    from raybundle.commands.sheet import DrawingSheet
+
+
+@click.command("sheet", cls=Command)
+@click.argument("sources", type=FOLDER, nargs=-1, required=True, metavar="PICTURE|RESULT...")
+@options_of(DrawingSheetSettings, out=NEW_FILE)
+@common_options
+def command(sources: tuple[Path, ...], progress: str, **given: Any) -> None:
+    """Draw on a sheet true to scale: pictures to scale, and points and lines that were measured.
+
+    PICTURE comes from `rectify` (NAME.toml beside it tells its plane) or has a world file; RESULT is a result folder
+    or project, whose points and lines are drawn on the picture, or without one on a plane of their own. The PDF has
+    frame, grid, scale bar, title block and legend; entries of the title block that are not given come from the
+    project's record.
+
+    \b
+    Example:
+      raybundle sheet facade.tif facade-project --scale 50 --paper A2 --out facade.pdf
+      raybundle sheet facade-project --vertical --out points.pdf
+      raybundle sheet ground.tif --scale 200 --several --out plan.pdf
+    """  # noqa: D301  (\b is click's mark for a paragraph that keeps its lines)
+    from raybundle.cli.progress import reporting  # noqa: PLC0415  (what computes is loaded after the help)
+
+    settings = made(DrawingSheetSettings, {"sources": sources, **values_of(DrawingSheetSettings, given)})
+    with reporting(progress) as tell:
+        done = run_drawing_sheet(settings, tell)
+    facts(scale=done.scale, paper=done.paper, sheets=done.sheets, pictures=done.pictures, points=done.points)
+    facts(lines=done.lines)
+    click.echo("\n".join(f" {line}" for line in _lines(done)))
+
+
+def _lines(done: DrawingSheet) -> list[str]:
+    """What the command prints."""
+    of = f", {done.columns} x {done.rows}" if done.sheets > 1 else ""
+    drawn = [(done.pictures, "picture"), (done.points, "point"), (done.lines, "line")]
+    return [
+        f"{done.file}: 1 : {done.scale} on {done.paper}, {counted(done.sheets, 'sheet')}{of}; "
+        + ", ".join(counted(n, word) for n, word in drawn if n),
+        *([f"fault: {done.state}"] if done.state else []),
+        *(f"remark: {r}" for r in done.remarks),
+    ]

@@ -1,0 +1,295 @@
+"""Measuring by hand, and questions to results, as command line and Python ask for them."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any, cast
+
+import numpy as np
+
+from raybundle.adjustment.options import AdjustmentOptions
+from raybundle.adjustment.result import Adjustment
+from raybundle.block import Block, Role
+from raybundle.commands.begin import measuring_folder, standing_folder
+from raybundle.commands.marks_settings import DatumSettings, QuerySettings
+from raybundle.errors import InputError
+from raybundle.io.block.folder import read_block
+from raybundle.io.digits import STD, computed, in_network, jointly, of_covariances
+from raybundle.io.folders import check_free, new_folder
+from raybundle.io.reading.words import quoted
+from raybundle.io.tables import write_table
+from raybundle.measuring.control import control_of
+from raybundle.measuring.decisions import with_decisions
+from raybundle.measuring.export import (
+    lost_in_csv,
+    lost_in_gcp_list,
+    write_csv,
+    write_gcp_list,
+    write_merged_block,
+)
+from raybundle.measuring.film import read_scans
+from raybundle.measuring.journal import Entry, Journal, entries_of, journal_path, measured_result, state_of
+from raybundle.measuring.known import Known
+from raybundle.measuring.masks import drawn_by_file, photographs_in, write_masks
+from raybundle.measuring.merge import Merged, merge
+from raybundle.measuring.quantities import QUANTITIES, Quantity
+from raybundle.measuring.query import Answer, ask, in_axes
+from raybundle.measuring.selection import latest_figures, quantity_of, selected
+from raybundle.measuring.session import adjusted_again, block_folder, readjusted
+from raybundle.measuring.start import adjusted
+from raybundle.measuring.state import State
+from raybundle.numerics.counting import counted
+from raybundle.numerics.progress import Progress, silent
+from raybundle.pipeline.project import masks_given, photographs_of
+from raybundle.results.asked import made_as
+from raybundle.results.folder import ResultFolder
+from raybundle.settings import made, option
+from raybundle.workflows.adjust import adjust
+
+LISTS: tuple[Quantity, ...] = tuple(q for q in QUANTITIES if q not in {"coordinates", "distance", "angle"})
+"""Quantities of one list of points each"""
+
+
+def query(result: Adjustment | ResultFolder | str | Path, **given: Any) -> list[Answer]:
+    """Coordinates, distances, angles, areas, lengths, planes and lines with sigmas from the full covariance.
+
+    result       an adjustment, or a result, project or block folder, whose block is adjusted again under the options
+                 of the result (at once, since it holds adjusted values)
+    coordinates  names of points; distance (A, B) or several; angle (A, B, C) at B or several; area, length, plane,
+                 line: points in order; to_plane, to_line: a point, then those of the plane or line
+    raises       InputError for points that are not there, and where nothing is asked
+    """
+    pairs = {"distance": 2, "angle": 3}
+    for name in pairs.keys() & given.keys():
+        one = given[name]
+        if one and isinstance(one[0], str):
+            given[name] = (tuple(one),)
+    s = made(QuerySettings, given)
+    questions: list[tuple[Quantity, Sequence[str]]] = [
+        *(("coordinates", (p,)) for p in s.coordinates),
+        *((name, points) for name in ("distance", "angle") for points in getattr(s, name)),
+        *((name, points) for name in LISTS if (points := getattr(s, name))),
+    ]
+    if not questions:
+        raise InputError(f"nothing is asked; give one of {', '.join(QUANTITIES)}")
+    if isinstance(result, Adjustment):
+        return [ask(result, quantity, points) for quantity, points in questions]
+    folder = result.path if isinstance(result, ResultFolder) else Path(result)
+    inner = block_folder(folder)
+    block = read_block(inner)
+    _check_named(folder, block, [p for _, points in questions for p in points])
+    block, options = made_as(inner, block)
+    adjustment = readjusted(block, options=options)
+    return [ask(adjustment, quantity, points) for quantity, points in questions]
+
+
+def _check_named(folder: Path, block: Block, points: Sequence[str]) -> None:
+    """Raise InputError for a point that is marked by hand and not adjusted with the block yet, or elsewhere."""
+    there = set(block.points.ids)
+    waiting = [p for p in points if p not in there and p in marks(folder).points]
+    if waiting:
+        made, result = measured_result(folder), "it stands in the result of what was measured"
+        raise InputError(
+            f"point {quoted(waiting[0])} is marked by hand, and not of this result; "
+            + (f"{result}: ask {made}" if made.is_dir() else "adjust it with the block first: raybundle mark adjust")
+        )
+
+
+def transform_to_points(result: Adjustment | str | Path, out: str | Path, **given: Any) -> Path:
+    """Write the points of a result in a coordinate system by points: OUT/points.csv and transformation.json.
+
+    `transform_to_points("facade-project", "facade-axes", origin="A", axis="B", plane="C")`, or `level=("P", "Q", "R")`.
+
+    points.csv           point, role, X, Y, Z, sX, sY, sZ, and the covariances cXY, cXZ, cYZ
+    transformation.json  rotation and translation: X_new = rotation X + translation
+    """
+    s = made(DatumSettings, given)
+    for name in ("origin", "axis"):
+        if not getattr(s, name):
+            raise InputError(f"no {name} point is given; a coordinate system needs origin, axis, and a plane or level")
+    if bool(s.plane) == bool(s.level):
+        which = "both are" if s.plane else "none is"
+        raise InputError(f"a coordinate system needs a plane point or the points of a level, and {which} given")
+    out = Path(out)
+    if out.exists() and (not out.is_dir() or {p.name for p in out.iterdir()} - {"points.csv", "transformation.json"}):
+        raise InputError("stands there already and is not overwritten; choose another name", file=out)
+    adjustment = result if isinstance(result, Adjustment) else adjusted_again(result)
+    moved = in_axes(adjustment, s.origin, s.axis, s.plane, level=s.level)
+    C, std = moved.covariance, np.sqrt(np.maximum(np.diagonal(moved.covariance, axis1=1, axis2=2), 0))
+    role = dict(zip(adjustment.adjusted.points.ids, np.asarray(adjustment.adjusted.points.role).tolist(), strict=True))
+    with new_folder(out) as folder:
+        write_table(folder / "points.csv", {
+            "point": moved.ids, "role": [Role(role[p]).word for p in moved.ids],
+            **{c: moved.xyz[:, k] for k, c in enumerate("XYZ")},
+            **{f"s{c}": std[:, k] for k, c in enumerate("XYZ")},
+            "cXY": C[:, 0, 1], "cXZ": C[:, 0, 2], "cYZ": C[:, 1, 2],
+        }, {
+            **dict(zip("XYZ", computed(in_network(jointly(C), moved.xyz), moved.xyz), strict=True)),
+            **{f"s{c}": STD for c in "XYZ"},
+            **dict(zip(("cXY", "cXZ", "cYZ"), of_covariances(C), strict=True)),
+        })  # fmt: skip
+        told = {
+            "origin": s.origin, "axis": s.axis, **({"level": s.level} if s.level else {"plane": s.plane}),
+            "length_unit": adjustment.adjusted.length_unit,
+            "rotation": moved.rotation.tolist(), "translation": moved.translation.tolist(),
+        }  # fmt: skip
+        text = json.dumps(told, indent=1, ensure_ascii=False, allow_nan=False)
+        (folder / "transformation.json").write_text(text + "\n", encoding="utf-8")
+    return out
+
+
+def open_journal(folder: str | Path) -> Journal:
+    """The journal of a project, result or block folder, with its block to check actions against.
+
+    folder  a folder of photographs, too: its project is begun where there is none (`measuring_folder`)
+    """
+    folder = measuring_folder(folder)
+    scans = read_scans(folder)
+    fiducials = () if scans is None else scans.calibrated.names
+    return Journal.open(journal_path(folder), Known.of(read_block(block_folder(folder)), fiducials))
+
+
+def mark(folder: str | Path, verb: str, *, id: str = "", operator: str = "", **arguments: Any) -> int:  # noqa: A002
+    """Do an action of measuring, and return its number: `mark("facade", "put", image=..., point=..., x_px=...)`.
+
+    verb    put, move, remove, point, rename, forget, bar, unbar, line, datum, reject, accept, reject_beyond (quantity:
+            w, sigma, rays or redundancy, and limit, of the last adjustment), parameter, fiducial, control (file: a
+            table), mask, unmask, undo, redo
+    raises  InputError where it cannot be done
+    """
+    with open_journal(folder) as journal:
+        if verb == "reject_beyond" and "rows" not in arguments:
+            arguments["rows"] = _beyond(_standing(folder), journal.state, **arguments)
+        if verb == "control" and "points" not in arguments:
+            return journal.append(control_of(str(arguments.get("file", "")))[0], id=id, author=operator)
+        return journal.append_verb(verb, arguments, id=id, author=operator)
+
+
+def _beyond(folder: Path, state: State, quantity: str = "", limit: float = float("nan")) -> list[tuple[str, str]]:
+    """The image observations beyond a limit in the last adjustment of a folder."""
+    return [*selected(latest_figures(folder), state, quantity_of(quantity), limit).rows]
+
+
+def find_fiducials(folder: str | Path, image: str, *, operator: str = "") -> Mapping[str, str]:
+    """Measure the fiducial marks of a scan that are not measured yet, and say of those not found why.
+
+    image   id or file of a scan in which three marks, not in one line, are measured (`mark(folder, "fiducial", ...)`)
+    raises  InputError where these are too few, or its photograph is not there
+    Each mark that is found is an action, brought to what the picture shows at the place that the others give.
+    """
+    from raybundle.io.photos.photo import read_grey, read_photo  # noqa: PLC0415
+    from raybundle.measuring.fiducials import find_fiducials as found_in  # noqa: PLC0415
+
+    project = _standing(folder)
+    scans = read_scans(project)
+    with open_journal(project) as journal:
+        name = journal.known.image(image)
+        if scans is None:
+            raise InputError("these photographs are no scans of film; there are no fiducial marks to be found")
+        path = next((f / name for f in photographs_of(project) if (f / name).is_file()), None)
+        if path is None:
+            raise InputError(f"image {quoted(name)}: its photograph is not where the project says", file=project)
+        grey = read_grey(read_photo(path))
+        size = journal.known.size_px[name]
+        found = found_in(journal.state, name, scans, size, lambda x, y: (grey, (0, 0)))  # noqa: ARG005
+        for action in found.actions:
+            journal.append(action, author=operator)
+    return found.left
+
+
+def marks(folder: str | Path) -> State:
+    """What was measured by hand in a project, result or block folder."""
+    return state_of(journal_path(_standing(folder)))
+
+
+def history(folder: str | Path) -> list[Entry]:
+    """All actions, those taken back included."""
+    return entries_of(journal_path(_standing(folder)))
+
+
+def merged(folder: str | Path) -> Merged:
+    """The block of a folder with what was measured by hand."""
+    project = _standing(folder)
+    return merge(read_block(block_folder(project)), marks(folder), read_scans(project))
+
+
+def _standing(folder: str | Path) -> Path:
+    """The project of a folder of photographs, where it stands; else the folder."""
+    return standing_folder(folder) or Path(folder)
+
+
+def adjust_marks(folder: str | Path, progress: Progress = silent, **given: Any) -> tuple[Adjustment, Mapping[str, str]]:
+    """Adjust the block of a folder with what was measured and decided by hand; also what was left out, and why.
+
+    given   settings of AdjustmentOptions; parameters that `free` and `hold` name go before those of the journal
+    raises  NoOrientation that says what the photographs lack where none is oriented
+    Photographs without orientation are oriented from their marks, as far as these allow.
+    """
+    options = with_decisions(made(AdjustmentOptions, given), marks(folder))
+    found = merged(folder)
+    lacking = {k.image: k.words for k in found.lacking if k.kind != "marks"}
+    return adjusted(found, lambda block: adjust(block, options, progress)), {**found.left_out, **lacking}
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Exported:
+    """What was written of what was measured by hand."""
+
+    files: tuple[Path, ...]
+    remarks: tuple[str, ...] = ()
+    """what the files cannot hold"""
+
+
+def export_marks(folder: str | Path, out: str | Path, *, crs: str = "") -> Exported:
+    """Write what was measured: NAME.csv as orient reads it, NAME.txt as gcp_list (with `crs`), else a block."""
+    out, state = Path(out), marks(folder)
+    block = read_block(block_folder(_standing(folder)))
+    if out.suffix.lower() == ".csv":
+        return Exported(files=write_csv(state, out, Known.of(block)), remarks=lost_in_csv(state))
+    if out.suffix.lower() == ".txt":
+        if not crs:
+            raise InputError(
+                "a gcp_list.txt names the coordinate system of its points: give it as EPSG:32633, a PROJ string or "
+                f"WGS84 UTM 33N ({option('crs')})",
+                file=out,
+            )
+        file = write_gcp_list(state, out, Known.of(block), crs)
+        return Exported(files=(file,), remarks=lost_in_gcp_list(state))
+    return Exported(files=(write_merged_block(state, out, block, read_scans(_standing(folder))),))
+
+
+def export_masks(folder: str | Path, out: str | Path) -> Exported:
+    """Write the masks of a project as pictures that `orient` reads: those drawn, together with those it was given.
+
+    out     a folder that is not there, or empty
+    raises  InputError where there is no mask, a photograph is not where the project says, or something stands at `out`
+    """
+    folder, out = _standing(folder), Path(out)
+    check_free(out)
+    block = read_block(block_folder(folder))
+    photos = photographs_in(block, photographs_of(folder))
+    written = write_masks(out, photos, drawn_by_file(block, marks(folder)), masks_given(folder))
+    lost = len(block.images) - len(photos)
+    remark = f"{counted(lost, 'photograph')} not found where the project says: without masks"
+    return Exported(files=(out,), remarks=(f"{counted(written, 'mask')} written", *((remark,) if lost else ())))
+
+
+def as_plain(state: State) -> dict[str, Any]:
+    """A state as JSON says it: lists of objects in place of pairs of names as keys."""
+    from dataclasses import asdict  # noqa: PLC0415
+
+    return {
+        "marks": [{"image": i, "point": p, **asdict(m)} for (i, p), m in state.marks.items()],
+        "points": [{"point": p, **asdict(v)} for p, v in state.points.items()],
+        "bars": [{"start": a, "end": b, **asdict(v)} for (a, b), v in state.bars.items()],
+        "lines": [{"line": n, **asdict(v)} for n, v in state.lines.items()],
+        "datum": None if state.datum is None else cast("Any", asdict(state.datum)),
+        "fiducials": [{"image": i, "name": n, **asdict(m)} for (i, n), m in state.fiducials.items()],
+        "rejected": [{"image": i, "point": p} for i, p in sorted(state.rejected)],
+        "parameters": [{"camera": c, "symbol": s, "choice": v} for (c, s), v in state.parameters.items()],
+        "masks": [{"mask": n, **asdict(m)} for n, m in state.masks.items()],
+        "renamed": dict(state.renamed), "can_undo": state.can_undo, "can_redo": state.can_redo,
+    }  # fmt: skip

@@ -1,0 +1,50 @@
+"""Settings of what a command writes for people to read, as several commands share them."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Protocol
+
+from raybundle.report.languages import checked_language, language_codes
+from raybundle.report.paper.needed import check_typesetter
+
+NO_REPORT_HELP = "Leave out report.html and network.html."
+PDF_HELP = "Write the report as report.pdf: A4, with page numbers and bookmarks; also where report.html is left out."
+LANGUAGE_HELP = f"Language of the report: {', '.join(language_codes())}. Tables and result.json are English in any."
+COORDINATES_HELP = "Put every object point into the appendix of the report, and not the first of many alone."
+
+
+class Pages(Protocol):
+    """What a command was asked to write."""
+
+    @property
+    def report(self) -> bool:
+        """Whether report.html and network.html are written."""
+        ...
+
+    @property
+    def pdf(self) -> bool:
+        """Whether report.pdf is written."""
+        ...
+
+    @property
+    def language(self) -> str:
+        """Of the report."""
+        ...
+
+
+def check_pages(settings: Pages) -> None:
+    """Raise InputError, before anything is computed, for a report that cannot be written: its language, the PDF."""
+    checked_language(settings.language)
+    if settings.pdf:
+        check_typesetter()
+
+
+def pages_told(folder: Path, settings: Pages, network: str = "network.html") -> str:
+    """What was written for people, as a command prints it behind the name of the result.
+
+    network  the page in three dimensions; empty: it is not named
+    """
+    pages = [f", report: {folder / 'report.html'}"] if settings.report else []
+    pages += [f", in 3D: {folder / network}"] if settings.report and network else []
+    return "".join([*pages, *([f", PDF: {folder / 'report.pdf'}"] if settings.pdf else [])])

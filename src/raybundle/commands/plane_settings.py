@@ -1,0 +1,115 @@
+"""Settings that say which plane is meant, and its axes: of pictures to scale and of drawing sheets alike."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from raybundle.errors import InputError, NotSolvable
+from raybundle.numerics.progress import Progress, silent
+from raybundle.settings import setting
+
+if TYPE_CHECKING:
+    from raybundle.io.formats import Export
+    from raybundle.numerics.arrays import Array
+    from raybundle.workflows.object_plane import Covariance, Plane, PlaneAsked
+
+OF_PLANE = ("plane", "vertical", "horizontal", "up", "axis", "origin")
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class PlaneSettings:
+    """A plane of the object and axes in it."""
+
+    plane: tuple[str, ...] = setting(
+        (), "Object points of the plane: three or more, or two with {vertical}.  [default: that of most points]",
+        metavar="A,B,C,...", joined=True,
+    )  # fmt: skip
+    vertical: bool = setting(
+        False, "A plane that stands plumb: through two points of {plane}, best through more of them, or through most "
+        "points."
+    )  # fmt: skip
+    horizontal: bool = setting(
+        False, "A level plane at the points' median height: floors, flat ground. Of a result with a coordinate system "
+        "the picture lies in its map.",
+    )  # fmt: skip
+    up: str = setting(
+        "z", "What is plumb: z, the Z axis of the block; lines, its measured plumb lines; or two points A,B, of which "
+        "B stands above A.", metavar="z|lines|A,B",
+    )  # fmt: skip
+    axis: tuple[str, str] | None = setting(
+        None, "The plane's axis to the right goes from A towards B.  [default: level]", metavar="A B",
+        limits=("text", "text"),
+    )  # fmt: skip
+    origin: str = setting(
+        "", "The plane's coordinates begin at the foot of this point.  [default: in the middle of the points]",
+        metavar="POINT",
+    )  # fmt: skip
+
+
+def plane_asked(settings: PlaneSettings) -> PlaneAsked:
+    """The plane that settings ask for; raises InputError for what does not go together."""
+    from raybundle.workflows.object_plane import PlaneAsked  # noqa: PLC0415  (what computes is loaded after the help)
+
+    s = settings
+    return PlaneAsked(
+        points=s.plane, vertical=s.vertical, horizontal=s.horizontal, up=s.up, axis=s.axis, origin=s.origin
+    )
+
+
+def plane_in(
+    source: Path, export: Export, settings: PlaneSettings, progress: Progress = silent
+) -> tuple[Plane, tuple[str, ...]]:
+    """The plane of a result that settings ask for, in its map where that is meant, and remarks.
+
+    source  the result folder: what its result.json says of the vertical, and its adjustment for the errors of points
+    """
+    from raybundle.io.reading.trees import read_json  # noqa: PLC0415
+    from raybundle.workflows.object_plane import plane_of  # noqa: PLC0415
+
+    told = source / "result.json"
+    about = read_json(told).value if told.is_file() else {}
+    asked = plane_asked(settings)
+    plane = plane_of(
+        export.block, asked, sigma=export.sigma, about=about if isinstance(about, dict) else {},
+        covariance=_covariance(source, progress) if about else lambda _: None,
+    )  # fmt: skip
+    plane, more = _in_its_map(plane, export, asked)
+    return plane, (*plane.remarks, *more)
+
+
+def _covariance(source: Path, progress: Progress) -> Covariance:
+    """Joint covariances of points of a result: its block holds adjusted values, and is adjusted once more for them."""
+
+    def covariance(names: Sequence[str]) -> Array | None:
+        from raybundle.measuring.joint import Joint  # noqa: PLC0415
+        from raybundle.measuring.query import positions  # noqa: PLC0415
+        from raybundle.measuring.session import adjusted_again  # noqa: PLC0415
+
+        try:
+            adjustment = adjusted_again(source, progress)
+            return Joint.of(adjustment).of_points(positions(adjustment.adjusted, names).tolist())
+        except (NotSolvable, InputError):  # a point that took no part has no errors that are known
+            return None
+
+    return covariance
+
+
+def _in_its_map(plane: Plane, export: Export, asked: PlaneAsked) -> tuple[Plane, tuple[str, ...]]:
+    """A horizontal plane of a georeferenced block as level ground of its map, and remarks; any other as it is."""
+    from raybundle.io.geo.parsed_systems import system_name  # noqa: PLC0415
+    from raybundle.io.geo.told_systems import plan_system  # noqa: PLC0415
+    from raybundle.workflows.object_plane import in_map  # noqa: PLC0415
+
+    frame = export.frame
+    if frame is None or not asked.horizontal:
+        return plane, ()
+    if asked.has_axes:
+        return plane, ("the picture has the axes that were asked for, and not those of the map",)
+    if plan_system(frame.crs) is None:
+        told = "is no projected system; the picture is in the local plane of the block, east to the right"
+        return plane, (f"{system_name(frame.crs)} {told}",)
+    told = f"the picture lies in {system_name(frame.crs)}"
+    return in_map(plane, frame, 0.001 if export.block.length_unit == "mm" else 1.0), (told, *frame.remarks)

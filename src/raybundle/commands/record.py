@@ -1,0 +1,173 @@
+"""`raybundle record`: the recording sheet of a project."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, fields
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from raybundle.commands.record_settings import record_in
+from raybundle.errors import InputError
+from raybundle.results.record import NAMES, RECORD, RECORD_FILE, Record, checked, record_lines
+from raybundle.settings import made, option, path_of, setting
+
+if TYPE_CHECKING:
+    from raybundle.results.recorded import KnownByPhotographs
+
+
+def _entry(words: str, flag: str = "") -> Any:
+    return setting(None, words, metavar="TEXT", flag=flag)
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class RecordSettings:
+    """Entries to write; an empty text takes one away, what is not named stays."""
+
+    project: Path
+    """project folder of `orient`, or a name for one that it will make"""
+    title: str | None = _entry("Title of the delivery.")
+    object: str | None = _entry("Name of what was photographed.")
+    place: str | None = _entry("Where it stands: address, parish, country.")
+    reference: str | None = _entry("Numbers in inventories and of the order.")
+    kind: str | None = _entry("What it is and was used for.")
+    dating: str | None = _entry("Period, century or years.")
+    persons: str | None = _entry("Who made, owned or changed it.")
+    materials: str | None = _entry("Materials and techniques.")
+    condition: str | None = _entry("Its state.")
+    protection: str | None = _entry("Legal status.")
+    description: str | None = _entry("What is to be said beside this.")
+    client: str | None = _entry("Whom the delivery is for.")
+    purpose: str | None = _entry("What the recording is made for.")
+    operator: str | None = _entry("Who photographed or adjusted.")
+    date: str | None = _entry("When it was photographed.  [default: as the photographs say]")
+    instruments: str | None = _entry("Cameras, lenses, receivers, bars.  [default: as the photographs say]")
+    conditions: str | None = _entry("Weather, light and access.")
+    control: str | None = _entry("How scale, control and vertical were measured.", "georeferencing")
+    rights: str | None = _entry("Licence or owner of the result.")
+    archive: str | None = _entry("Who keeps the recording, and where.")
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Recorded:
+    """A recording sheet."""
+
+    record: Record
+    known: KnownByPhotographs | None
+    """from the photographs; None: the project has no result yet"""
+    files: tuple[Path, ...] = ()
+    """that were written"""
+
+
+def record(project: str | Path, **entries: Any) -> Recorded:
+    """The recording sheet of a project, with these entries written into project.toml, table [record].
+
+    project  project folder of `orient`, or a name for one that it will make; a result there gets record.toml
+    entries  by the names of `Record`: client="Monument office", place="Göttingen"; "" takes an entry away
+    raises   InputError where something else stands there, or project.toml cannot be read
+
+    A run of `orient` keeps them; the report has them from its next writing on.
+    """
+    return run_record(made(RecordSettings, {"project": path_of("project", project), **entries}))
+
+
+def run_record(settings: RecordSettings) -> Recorded:
+    """Write the entries that are given, and tell all."""
+    from raybundle.results.recorded import read_recorded, recorded_text  # noqa: PLC0415
+
+    folder = settings.project
+    given = {n: checked(n, v) for n in NAMES if (v := getattr(settings, n)) is not None}
+    _check_project(folder, begins=any(given.values()))
+    told = record_in(folder)
+    result = folder / "result"
+    _, known = read_recorded(result)
+    if not given:
+        return Recorded(record=told, known=known)
+    told = Record(**{**told.as_mapping(), **given})
+    files = [_write(folder, told)]
+    if result.is_dir():
+        text = recorded_text(told.over(_of_run(folder)), known)
+        _replace(result / RECORD_FILE, text)
+        files.append(result / RECORD_FILE)
+    return Recorded(record=told, known=known, files=tuple(files))
+
+
+def _check_project(folder: Path, *, begins: bool) -> None:
+    """Raise InputError where there is no project, and entries do not begin one in a folder that is not there yet."""
+    if (folder / "project.db").is_file():
+        return
+    if folder.exists() and (not folder.is_dir() or any(folder.iterdir())):
+        raise InputError(
+            "is no project folder; give that of orient, or a name that is not there yet: the record is then kept with "
+            "the project that orient makes in it",
+            file=folder,
+        )
+    if not begins:
+        raise InputError(
+            f"there is no such project, so that nothing is recorded yet; an entry, as {option('object', 'NAME')}, "
+            "begins it",
+            file=folder,
+        )
+
+
+def _write(folder: Path, told: Record) -> Path:
+    from raybundle.pipeline.project import Project  # noqa: PLC0415
+    from raybundle.pipeline.settings_file import with_table  # noqa: PLC0415
+
+    file = folder / "project.toml"
+    project = Project.open(folder)
+    try:
+        project.write_settings(with_table(file, RECORD, "\n".join(record_lines(told)) if told.as_mapping() else ""))
+    finally:
+        project.close()
+    return file
+
+
+def _replace(file: Path, text: str) -> None:
+    import uuid  # noqa: PLC0415
+
+    temporary = file.with_name(f".{file.name}.{uuid.uuid4().hex[:8]}")
+    try:
+        temporary.write_text(text, encoding="utf-8")
+        temporary.replace(file)
+    finally:
+        temporary.unlink(missing_ok=True)
+
+
+def _of_run(folder: Path) -> Record:
+    """What the last run was asked to print on its first page."""
+    from raybundle.io.reading.trees import read_toml  # noqa: PLC0415
+
+    file = folder / "project.toml"
+    tree = read_toml(file).tree() if file.is_file() else None
+    if tree is None or not tree.has("orient"):
+        return Record()
+    run = tree.get("orient")
+    names = ("title", "client", "operator")
+    return Record(**{n: str(run.get(n).value) for n in names if run.has(n)})
+
+
+def known_record(folder: Path) -> Record:
+    """What is said of a delivery: in its project, else with its result; dates and cameras from the photographs.
+
+    folder  a result folder, of a project or alone
+    """
+    from raybundle.results.recorded import read_recorded  # noqa: PLC0415
+
+    own, known = read_recorded(folder)
+    project = folder.parent
+    if folder.name == "result" and (project / "project.db").is_file():
+        own = record_in(project).over(own)
+    if known is None:
+        return own
+    cameras = "; ".join(c.rpartition(", ")[0] for c in known.cameras[:3])
+    return own.over(Record(date=known.dates, instruments=cameras))
+
+
+def rows(told: Recorded) -> list[tuple[str, str, str]]:
+    """Entry, what it says, and "from the photographs" where nobody wrote it."""
+    from raybundle.results.recorded import rows_of  # noqa: PLC0415
+
+    given = told.record.as_mapping()
+    found = [(f.name, given[f.name], "") for f in fields(RecordSettings) if f.name in given]
+    by = [] if told.known is None else [(n, v, "from the photographs") for n, v in rows_of(told.known)]
+    return [*found, *by]

@@ -1,0 +1,164 @@
+"""A scene as it is handed over: a file, or an object of rasterio or rioxarray, and the picture that belongs to it."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, replace
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from raybundle.errors import InputError
+from raybundle.settings import option
+
+if TYPE_CHECKING:
+    from raybundle.io.scenes import Scene
+    from raybundle.scenes.rpc import Rpc
+
+RASTERS = (".ntf", ".nitf", ".jp2", ".j2k", ".tif", ".tiff", ".vrt", ".img")
+"""Endings of pictures of scenes; what begins as a TIFF is one anyhow."""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class SceneInput:
+    """A scene and its picture."""
+
+    name: str
+    scene: Scene
+    picture: Path | None = None
+    """file with the pixels; None: only the geometry was given, or an object that has no file"""
+    opened: Any = None
+    """the object that was handed over"""
+
+
+def is_object(given: object) -> bool:
+    """Whether it is an opened dataset of rasterio, or a DataArray as rioxarray opens it; by what it can do."""
+    return _is_dataset(given) or _is_array(given)
+
+
+def path_of_object(given: Any) -> Path:
+    """The file of such an object; a name of its own where it has none."""
+    name = given.name if _is_dataset(given) else _encoding(given).get("source")
+    return Path(str(name)) if name else Path("array")
+
+
+def scene_input(given: Any, rpc: Any = None) -> SceneInput:
+    """The scene of a file or an object.
+
+    given  path of a scene file or a picture, with an RPC in its tag or a file beside it; an opened dataset of rasterio;
+           a DataArray of rioxarray that stands for a whole file
+    rpc    what tells the RPC in place of that: a path, an `Rpc`, or a `rasterio.rpc.RPC`
+    raises InputError where nothing tells the geometry, or picture and RPC do not belong together
+    """
+    if is_object(given):
+        return _of_object(given, rpc)
+    path = Path(given)
+    if not is_picture(path):
+        if rpc is not None:
+            raise InputError(f"is no picture whose RPC another file could tell; leave out {option('rpc')}", file=path)
+        return SceneInput(name=path.name, scene=_read(path))
+    if rpc is None and _model(path) == path:
+        return SceneInput(name=path.name, scene=_read(path), picture=path)
+    width, height = _size(path)
+    return SceneInput(name=path.name, scene=_scene_of(path, width, height, rpc), picture=path)
+
+
+def is_picture(path: Path) -> bool:
+    """Whether a file is a raster, by its ending or its beginning."""
+    from raybundle.io.reading.files import check_regular  # noqa: PLC0415  (what computes is loaded after the help)
+    from raybundle.io.reading.tiff import is_tiff  # noqa: PLC0415
+
+    check_regular(path)
+    return path.suffix.lower() in RASTERS or is_tiff(path)
+
+
+def _of_object(given: Any, rpc: Any) -> SceneInput:
+    path = path_of_object(given)
+    if _is_dataset(given):
+        width, height, own = int(given.width), int(given.height), given.rpcs
+    else:
+        shape = given.shape
+        height, width, own = int(shape[-2]), int(shape[-1]), None
+    file = path if path.is_file() else None
+    if rpc is None and own is not None:
+        rpc = own
+    if rpc is None and file is None:
+        raise InputError(
+            f"{type(given).__name__}: neither the object nor a file that it was opened from tells an RPC; give "
+            f"{option('rpc', 'FILE')}"
+        )
+    return SceneInput(name=path.name, scene=_scene_of(path, width, height, rpc), picture=file, opened=given)
+
+
+def _scene_of(path: Path, width: int, height: int, rpc: Any) -> Scene:
+    from raybundle.workflows.scenes.images import scene_of_size  # noqa: PLC0415
+
+    if rpc is None:
+        scene = _read(_model(path))
+    elif isinstance(rpc, str | Path):
+        scene = _read(Path(rpc))
+    else:
+        scene = _told(path, rpc)
+    return scene_of_size(scene, width, height, path)
+
+
+def _model(path: Path) -> Path:
+    """The file that tells the geometry of a picture: one beside it, else the picture itself, as GDAL goes about it."""
+    from raybundle.io.reading.tiff import is_tiff  # noqa: PLC0415
+    from raybundle.io.scenes import is_scene  # noqa: PLC0415
+    from raybundle.workflows.scenes.images import model_of  # noqa: PLC0415
+
+    model = model_of(path)
+    if model is None and not is_tiff(path) and is_scene(path):  # as a VRT
+        return path
+    if model is None:
+        raise InputError(
+            "no RPC (tag 50844) stands in it, nor in a file beside it (NAME_RPC.TXT, NAME.RPB, NAME.XML, NAME.geom); "
+            f"give the file that tells it: {option('rpc', 'FILE')}",
+            file=path,
+        )
+    return model
+
+
+def _told(path: Path, rpc: Any) -> Scene:
+    from raybundle.io.scenes import Scene  # noqa: PLC0415
+    from raybundle.scenes.rasterio_rpc import rpc_from_rasterio  # noqa: PLC0415
+    from raybundle.scenes.rpc import Rpc as Own  # noqa: PLC0415
+
+    own: Rpc = rpc if isinstance(rpc, Own) else rpc_from_rasterio(rpc)
+    return Scene(file=path, format="rasterio", rpc=own)
+
+
+def _read(path: Path) -> Scene:
+    from raybundle.io.scenes import read_scene  # noqa: PLC0415
+
+    return read_scene(path)
+
+
+def _size(path: Path) -> tuple[int, int]:
+    """Width and height [px]; of a TIFF without rasterio."""
+    from raybundle.io.reading.tiff import is_tiff, tiff_tags  # noqa: PLC0415
+    from raybundle.io.scenes.pictures import opened_raster  # noqa: PLC0415
+
+    if is_tiff(path):
+        _, tags = tiff_tags(path, frozenset({256, 257}))
+        if 256 in tags and 257 in tags:
+            return int(tags[256][0]), int(tags[257][0])
+    with opened_raster(path) as raster:
+        return int(raster.width), int(raster.height)
+
+
+def _is_dataset(given: Any) -> bool:
+    return all(hasattr(given, n) for n in ("rpcs", "read", "width", "height", "count", "name"))
+
+
+def _is_array(given: Any) -> bool:
+    return all(hasattr(given, n) for n in ("dims", "values", "encoding", "shape", "coords"))
+
+
+def _encoding(array: Any) -> Mapping[str, Any]:
+    return array.encoding if isinstance(array.encoding, dict) else {}
+
+
+def with_rpc(given: SceneInput, rpc: Rpc) -> SceneInput:
+    """The same picture with another RPC."""
+    return replace(given, scene=replace(given.scene, rpc=rpc))

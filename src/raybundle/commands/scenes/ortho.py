@@ -1,0 +1,251 @@
+"""`raybundle rpc ortho`: a scene brought to the map over a raster of heights."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Generator
+from contextlib import contextmanager
+from dataclasses import MISSING, dataclass
+from importlib import import_module
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, Literal
+
+from raybundle.commands.scenes.common import check_new
+from raybundle.commands.scenes.inputs import SceneInput, is_object, path_of_object, scene_input
+from raybundle.errors import InputError
+from raybundle.numerics.progress import Progress, silent
+from raybundle.settings import ANY, POSITIVE, made, option, path_of, setting
+
+if TYPE_CHECKING:
+    from raybundle.io.scenes.pictures import Picture
+    from raybundle.numerics.arrays import Array
+    from raybundle.workflows.scenes.ortho import Ortho
+
+LARGEST_VALUES = 4e8
+"""Numbers of a map that is kept in memory; larger ones are written."""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class RpcOrthoSettings:
+    """Which scene is brought to which map, over which heights."""
+
+    scene: Path
+    """picture with an RPC in its tag or beside it"""
+    dem: Path = setting(MISSING, "Raster of heights of the ground, in any coordinate system.", metavar="FILE")
+    out: Path | None = setting(None, "GeoTIFF to write.", metavar="FILE")
+    rpc: Path | None = setting(None, "File with the RPC of SCENE.  [default: its tag, or beside it]", metavar="FILE")
+    crs: str | None = setting(
+        None, "Coordinate system of the map.  [default: the zone of UTM of the scene]", metavar="SYSTEM"
+    )
+    pixel: float | None = setting(
+        None, "Side of a pixel in its unit.  [default: that of the scene, in two digits]", metavar="SIZE",
+        limits=POSITIVE,
+    )  # fmt: skip
+    extent: tuple[float, float, float, float] | None = setting(
+        None, "Part of the map.  [default: what the scene sees of {dem}]", metavar="LEFT BOTTOM RIGHT TOP",
+        limits=(ANY, ANY, ANY, ANY),
+    )  # fmt: skip
+    geoid: str | None = setting(
+        None, "Vertical system of {dem} that do not name theirs: EPSG:5773 (EGM96), EPSG:3855 (EGM2008).  "
+        "[default: as the raster says, else heights above the ellipsoid]", metavar="SYSTEM",
+    )  # fmt: skip
+    undulation: float | None = setting(
+        None,
+        "Height of the geoid above the ellipsoid of WGS 84 or GRS 80, in place of the grid of a geoid.",
+        metavar="M",
+        limits=ANY,
+    )
+    resampling: Literal["nearest", "bilinear", "cubic"] = setting("cubic", "Between the pixels of the scene.")
+    nodata: float | None = setting(
+        None, "Value where there is none.  [default: that of the scene, else 0, NaN among floats]", metavar="VALUE",
+        limits=ANY,
+    )  # fmt: skip
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Orthophoto:
+    """A scene in the map."""
+
+    crs: str
+    left: float
+    top: float
+    """outer corner of the upper left pixel"""
+    pixel: float
+    width: int
+    height: int
+    bands: int
+    dtype: str
+    nodata: float
+    share: float
+    """of its pixels that the scene shows"""
+    remarks: tuple[str, ...] = ()
+    out: Path | None = None
+    values: Array | None = None
+    """(bands, height, width) where no file was asked for"""
+
+    @property
+    def transform(self) -> Any:
+        """The same place as an Affine of rasterio."""
+        library: Any = import_module("rasterio")  # an extra
+        return library.Affine(self.pixel, 0.0, self.left, 0.0, -self.pixel, self.top)
+
+    def to_rioxarray(self) -> Any:
+        """The map as a DataArray of rioxarray; a written one is opened, and read where it is used.
+
+        raises  InputError where rioxarray is not installed
+        """
+        try:
+            library: Any = import_module("rioxarray")  # what the caller works with
+            xarray: Any = import_module("xarray")
+        except ImportError:
+            raise InputError("rioxarray is not installed: pip install rioxarray") from None
+        if self.values is None:
+            return library.open_rasterio(self.out)
+        y = self.top - (0.5 + _counted(self.height)) * self.pixel
+        x = self.left + (0.5 + _counted(self.width)) * self.pixel
+        coords = {"band": _counted(self.bands) + 1, "y": y, "x": x}
+        array = xarray.DataArray(self.values, coords=coords, dims=("band", "y", "x"))
+        array = array.rio.write_crs(self.crs).rio.write_transform(self.transform)
+        return array.rio.write_nodata(self.nodata)
+
+
+def _counted(n: int) -> Array:
+    import numpy as np  # noqa: PLC0415  (what computes is loaded after the help)
+
+    return np.arange(n)
+
+
+def rpc_ortho(
+    scene: Any, dem: Any, out: str | Path | None = None, *, rpc: Any = None, progress: Progress = silent,
+    **settings: Any,
+) -> Orthophoto:  # fmt: skip
+    """A scene in the map, over a raster of heights.
+
+    scene     picture with an RPC in its tag or beside it; an opened dataset of rasterio; a DataArray that rioxarray
+              opened
+    dem       raster of heights: a file, a dataset of rasterio, a DataArray of rioxarray
+    out       GeoTIFF to write; None: `values` (bands, height, width) are returned, beside `transform` and `crs`
+    rpc       what tells the RPC in place of the scene: a path, an `Rpc`, or a `rasterio.rpc.RPC`
+    settings  as of the command line, by the names of `RpcOrthoSettings`: crs="EPSG:32654", pixel=0.5
+    raises    InputError for what cannot be read, and where scene and heights have nothing in common
+
+    What it does not do: find out what hides what.
+    """
+    opened = is_object(scene)
+    path = path_of_object(scene) if opened else path_of("scene", scene)
+    given = {"scene": path, "out": None if out is None else path_of("out", out)}
+    given["dem"] = path_of_object(dem) if is_object(dem) else path_of("dem", dem)
+    own = rpc if rpc is None or not isinstance(rpc, str | Path) else path_of("rpc", rpc)
+    asked = made(RpcOrthoSettings, {**given, **settings})
+    if asked.out is not None:
+        check_new(asked.out)
+    return run_ortho(asked, scene_input(scene if opened else path, own), dem, progress)
+
+
+def run_ortho(
+    s: RpcOrthoSettings, given: SceneInput | None = None, heights: Any = None, progress: Progress = silent
+) -> Orthophoto:
+    """Make the map that the settings ask for."""
+    from raybundle.io.geo.ground import opened_ground  # noqa: PLC0415
+    from raybundle.io.scenes.pictures import opened_picture  # noqa: PLC0415
+    from raybundle.workflows.scenes.ortho import ortho_of  # noqa: PLC0415
+
+    heights = s.dem if heights is None else heights
+    if s.out is not None:
+        check_new(s.out)
+        if s.out.suffix.lower() not in {".tif", ".tiff"}:
+            raise InputError("a map is written as GeoTIFF; give NAME.tif", file=s.out)
+    given = given or scene_input(s.scene, s.rpc)
+    rpc = given.scene.rpc
+    if rpc is None:
+        raise InputError("it holds no RPC; make one with `raybundle rpc fit`", file=given.scene.file)
+    with (
+        opened_picture(given.picture, given.opened) as picture,
+        opened_ground(heights, geoid=s.geoid, undulation=s.undulation) as ground,
+    ):
+        size = picture.width, picture.height
+        plan = ortho_of(rpc, size, ground, crs=s.crs, pixel=s.pixel, area=s.extent, kernel=s.resampling)
+        return _made(plan, picture, s, progress)
+
+
+def _made(plan: Ortho, picture: Picture, s: RpcOrthoSettings, progress: Progress) -> Orthophoto:
+    import numpy as np  # noqa: PLC0415
+
+    nodata = nodata_of(picture, s.nodata)
+    seen = 0
+    parts = list(plan.tiles())
+    with _target(plan, picture, s, nodata) as (write, values):
+        for done, part in enumerate(parts):
+            progress("orthorectifying", done / len(parts))
+            found, there = plan.tile(picture, part)
+            seen += int(there.sum())
+            write(part[0], part[1], np.where(there[..., None], found, nodata).astype(picture.dtype))
+        if not seen:
+            raise InputError(
+                f"the scene shows nothing of the area over the heights; choose another {option('extent')}", file=s.scene
+            )
+    progress("orthorectifying", 1.0)
+    g = plan.grid
+    return Orthophoto(
+        crs=plan.crs, left=g.left, top=g.top, pixel=g.pixel, width=g.width, height=g.height, bands=picture.bands,
+        dtype=picture.dtype.name, nodata=nodata, share=seen / (g.width * g.height), remarks=plan.remarks,
+        out=s.out, values=values,
+    )  # fmt: skip
+
+
+@contextmanager
+def _target(plan: Ortho, picture: Picture, s: RpcOrthoSettings, nodata: float) -> Generator[tuple[Any, Array | None]]:
+    """What takes a part (column, row, values), and the array that they come to lie in, where no file is written."""
+    import numpy as np  # noqa: PLC0415
+
+    from raybundle.io.folders import new_files  # noqa: PLC0415
+    from raybundle.io.geo.told_systems import told_system  # noqa: PLC0415
+    from raybundle.io.pictures.geotiff import new_geotiff  # noqa: PLC0415
+    from raybundle.io.raster_library import raster_library  # noqa: PLC0415
+
+    g = plan.grid
+    if s.out is not None:
+        bands = {"count": picture.bands, "dtype": picture.dtype.name, "nodata": nodata}
+        library = raster_library(s.out)
+        with (  # fmt: skip
+            new_files(s.out) as (file,),
+            new_geotiff(
+                library,
+                file,
+                bands,
+                width=g.width,
+                height=g.height,
+                left=g.left,
+                top=g.top,
+                pixel=g.pixel,
+                wkt=told_system(plan.crs).to_wkt(),
+            ) as write,
+        ):
+            yield write, None
+        return
+    if g.width * g.height * picture.bands > LARGEST_VALUES:
+        raise InputError(
+            f"the map has {g.width} x {g.height} px of {picture.bands} bands, more than are kept in memory; write it: "
+            f"{option('out', 'FILE.tif')}"
+        )
+    values = np.full((picture.bands, g.height, g.width), nodata, picture.dtype)
+
+    def keep(column: int, row: int, part: Array) -> None:
+        values[:, row : row + part.shape[0], column : column + part.shape[1]] = np.moveaxis(part, 2, 0)
+
+    yield keep, values
+
+
+def nodata_of(picture: Picture, asked: float | None) -> float:
+    """Value of pixels without one; raises InputError for one that the picture's numbers cannot be."""
+    import numpy as np  # noqa: PLC0415
+
+    kind = picture.dtype
+    value = asked if asked is not None else picture.nodata
+    if value is None:
+        value = math.nan if kind.kind == "f" else 0.0
+    if kind.kind in "iu":
+        info = np.iinfo(kind)
+        if math.isnan(value) or not info.min <= value <= info.max or value != math.floor(value):
+            raise InputError(f"{option('nodata', value)} is no {kind.name}, which the pixels are")
+    return value

@@ -1,0 +1,184 @@
+"""`raybundle sheet`: a drawing true to scale, as PDF, of pictures to scale and of measured points and lines."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import MISSING, dataclass, fields
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, Literal
+
+from raybundle.commands.plane_settings import OF_PLANE, PlaneSettings
+from raybundle.errors import InputError
+from raybundle.io.folders import check_free
+from raybundle.numerics.progress import Progress, silent
+from raybundle.results.record import Record
+from raybundle.settings import ANY, NOT_NEGATIVE, Range, made, option, other_than_usual, path_of, setting
+
+if TYPE_CHECKING:
+    from raybundle.numerics.arrays import Array
+    from raybundle.report.drawing.sheet import Sheets
+
+PaperName = Literal["A4", "A3", "A2", "A1", "A0"]
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class DrawingSheetSettings(PlaneSettings):
+    """What is drawn, how large, and what its title block says."""
+
+    sources: tuple[Path, ...]
+    """pictures to scale, and a result folder or project with points and lines"""
+    out: Path = setting(MISSING, "New PDF.", metavar="FILE.pdf")
+    scale: int | None = setting(
+        None, "Denominator of the scale: 50 is 1 : 50.  [default: the largest of 1, 2, 5, 10, 20, 50 ... that fits]",
+        metavar="N", limits=Range(low=1, high=1e8),
+    )  # fmt: skip
+    paper: PaperName = setting("A3", "Paper.")
+    landscape: bool = setting(False, "The paper's longer side lies level.  [default: as the drawing is larger]")
+    portrait: bool = setting(False, "The paper's longer side stands upright.")
+    several: bool = setting(
+        False, "Several sheets, joined by register marks in their overlaps, where the object is larger than one."
+    )
+    extent: tuple[float, float, float, float] | None = setting(
+        None, "Part to draw, in the coordinates of the plane or the map.  [default: the pictures, else the points]",
+        metavar="LEFT BOTTOM RIGHT TOP", limits=(ANY, ANY, ANY, ANY),
+    )  # fmt: skip
+    grid: float | None = setting(
+        None, "Distance of the grid's crosses, in the unit of the plane; 0: none.  [default: a usual one]",
+        metavar="LENGTH", limits=NOT_NEGATIVE,
+    )  # fmt: skip
+    draw_points: Literal["named", "all", "none"] = setting("named", "Points that are drawn; all: tie points, too.")
+    lengths: bool = setting(True, "Leave out the values of measured lengths at their lines.", flag="no-lengths")
+    title: str = setting("", "Title.  [default: the object, or the name of the first source]", metavar="TEXT")
+    object: str = setting("", "Entry of the title block, as are the others that follow.", metavar="TEXT")
+    place: str = setting("", "Where it stands.", metavar="TEXT")
+    date: str = setting("", "When it was recorded.", metavar="TEXT")
+    client: str = setting("", "Whom the drawing is for.", metavar="TEXT")
+    operator: str = setting("", "Who made it.", metavar="TEXT")
+    instruments: str = setting("", "With what.", metavar="TEXT")
+    reference: str = setting("", "Numbers of object and order.", metavar="TEXT")
+    rights: str = setting("", "Who owns it, under which licence.", metavar="TEXT")
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class DrawingSheet:
+    """What was drawn."""
+
+    file: Path
+    scale: int
+    """denominator"""
+    paper: str
+    sheets: int
+    columns: int
+    rows: int
+    low: Array
+    high: Array
+    """(2,) corners of what is shown, in the plane or the map"""
+    millimetres: float
+    """of paper in a unit of the plane"""
+    corner_mm: Array
+    """(2,) where the lower left corner of the first sheet's window lies on the paper"""
+    corner: Array
+    """(2,) the place in the plane that lies there"""
+    pictures: int
+    points: int
+    lines: int
+    remarks: tuple[str, ...] = ()
+    state: str = ""
+    """why what is drawn is not to be used yet; empty: nothing says so"""
+
+
+def drawing_sheet(
+    sources: str | Path | Sequence[str | Path], out: str | Path, *, progress: Progress = silent, **settings: Any
+) -> DrawingSheet:
+    """Draw pictures to scale and measured points and lines on a sheet true to scale.
+
+    sources   pictures of `rectify` (or others with a world file), and a result folder or project
+    out       new PDF
+    settings  as of the command line, by the names of `DrawingSheetSettings`: scale=50, paper="A2", title="South side"
+    raises    InputError for what has no plane or no unit, for pictures of different planes, and where the object does
+              not fit, with a scale and a paper that do
+
+    What it does not tell: whether the printer keeps the scale; measure the scale bar on the print.
+    """
+    several = [sources] if isinstance(sources, str | Path) else list(sources)
+    given = {"sources": tuple(path_of("sources", s) for s in several), "out": path_of("out", out), **settings}
+    return run_drawing_sheet(made(DrawingSheetSettings, given), progress)
+
+
+def run_drawing_sheet(settings: DrawingSheetSettings, progress: Progress = silent) -> DrawingSheet:
+    """Draw what the settings ask for, and write the PDF."""
+    from raybundle.commands.drawn import drawn  # noqa: PLC0415  (what computes is loaded after the help)
+    from raybundle.io.folders import new_files  # noqa: PLC0415
+    from raybundle.report.drawing.sheet import planned, sheets_pdf  # noqa: PLC0415
+
+    s = settings
+    _check(s)
+    drawing, remarks, state = drawn(s, progress)
+    landscape = None if s.landscape == s.portrait else s.landscape
+    sheets = planned(drawing, s.paper, scale=s.scale, landscape=landscape, several=s.several)
+    progress("drawing", 0.0)
+    pdf = sheets_pdf(drawing, sheets)
+    with new_files(s.out) as (file,):
+        file.write_bytes(pdf)
+    progress("drawing", 1.0)
+    return _answer(s, sheets, drawing.millimetres, (
+        len(drawing.pictures), sum(len(p.xy) for p in drawing.points), len(drawing.lines)
+    ), (*remarks, *_shortened(sheets)), state)  # fmt: skip
+
+
+def _answer(
+    s: DrawingSheetSettings,
+    sheets: Sheets,
+    millimetres: float,
+    counts: tuple[int, int, int],
+    remarks: tuple[str, ...],
+    state: str,
+) -> DrawingSheet:
+    import numpy as np  # noqa: PLC0415
+
+    div, per_unit = sheets.division, millimetres / sheets.scale
+    low = div.parts[(div.rows - 1) * div.columns].corner
+    high = div.parts[div.columns - 1].corner + div.size
+    left, bottom, _, _ = sheets.paper.window
+    return DrawingSheet(
+        file=s.out, scale=sheets.scale, paper=sheets.paper.words, sheets=len(div.parts), columns=div.columns,
+        rows=div.rows, low=low, high=high, millimetres=per_unit, corner_mm=np.array([left, bottom]),
+        corner=div.parts[0].corner, pictures=counts[0], points=counts[1], lines=counts[2], remarks=remarks,
+        state=state,
+    )  # fmt: skip
+
+
+def _shortened(sheets: Sheets) -> tuple[str, ...]:
+    cut = sheets.block.shortened
+    return (f"shortened in the title block: {', '.join(cut)}",) if cut else ()
+
+
+def _check(s: DrawingSheetSettings) -> None:
+    """Raise InputError for what can be told before anything is read."""
+    if not s.sources:
+        raise InputError("nothing to draw; give a picture to scale, a result folder or a project")
+    if s.out.suffix.lower() != ".pdf":
+        raise InputError("a drawing sheet is a .pdf", file=s.out)
+    check_free(s.out)
+    if not s.out.parent.is_dir():
+        raise InputError("its folder does not exist; make it first", file=s.out)
+    if s.landscape and s.portrait:
+        raise InputError(f"{option('landscape', True)} and {option('portrait', True)} exclude each other")
+    missing = next((p for p in s.sources if not p.exists()), None)
+    if missing is not None:
+        raise InputError("there is no such file or folder; check the path", file=missing)
+    pictures, folders = [p for p in s.sources if p.is_file()], [p for p in s.sources if p.is_dir()]
+    if len(folders) > 1:
+        raise InputError("points and lines of one result can be drawn at a time", file=folders[1])
+    if pictures and (given := [option(n) for n in OF_PLANE if n in other_than_usual(s)]):
+        raise InputError(
+            f"{' and '.join(given)} make the plane of a result; with a picture its own is taken: rectify it with these"
+        )
+
+
+def record_of_sheet(s: DrawingSheetSettings, known: Record) -> Record:
+    """The entries of the title block: those given, else those known."""
+    names = {f.name for f in fields(Record)}
+    told = known.as_mapping()
+    given = {f.name: getattr(s, f.name) for f in fields(s) if f.name in names and getattr(s, f.name)}
+    return Record(**{**told, **given})

@@ -1,0 +1,183 @@
+"""The cells of a column of a table become what the column must hold, or problems that name line and column."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Literal, NoReturn
+
+import numpy as np
+
+from raybundle.errors import InputError
+from raybundle.io.reading import words
+from raybundle.io.reading.dialects import with_points, without_groups
+from raybundle.io.reading.words import quoted
+from raybundle.numerics.arrays import Array, Index
+
+SHOWN = 5
+"""Errors that one message lists."""
+
+Kind = Literal["id", "text", "number", "reference", "new_reference"]
+Limit = Literal["", "> 0", ">= 0"]
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Column:
+    """What a column of a table must hold."""
+
+    name: str
+    kind: Kind
+    """id: unique text; reference: the id of a row of another table; new_reference: the same, where an id not
+    yet known adds one to `known`."""
+    optional: bool = False
+    """Whether the header may lack it."""
+    empty: bool = False
+    """Whether a cell may be empty: "not known"."""
+    limit: Limit = ""
+    known: dict[str, int] = field(default_factory=dict[str, int])
+    """Ids of the other table and their positions."""
+    where: str = ""
+    """Name of the other table."""
+
+
+@dataclass(frozen=True, slots=True)
+class Problem:
+    """One error in a file."""
+
+    line: int
+    column: str | None
+    message: str
+
+
+def fail(path: Path, problems: Sequence[Problem]) -> NoReturn:
+    """Raise the InputError of the first problem, which also lists the next few."""
+    ordered = sorted(problems, key=lambda p: p.line)
+    first, others = ordered[0], ordered[1:SHOWN]
+    message = first.message
+    for p in others:
+        message += f"\n  also line {p.line}{f', column {p.column}' if p.column else ''}: {p.message}"
+    if len(ordered) > SHOWN:
+        message += "\n  and more; the rest of the file was not looked at"
+    raise InputError(message, file=path, line=first.line, column=first.column)
+
+
+def converted(
+    column: Column, cells: list[str], first_line: int, seen: dict[str, int], problems: list[Problem], decimal: str = "."
+) -> object:
+    """The values of one column; what is wrong is added to `problems`.
+
+    decimal  the sign before decimals: a comma only in tables whose cells no comma separates
+    """
+    if column.kind == "number":
+        values = words.column_of(with_points(cells) if decimal == "," else cells)
+        if values is not None and numbers_good(column, values):
+            return values
+        problems.extend(_bad_numbers(column, cells, first_line, decimal))
+        return np.zeros(0)
+    if column.kind == "text":
+        if not column.empty and "" in cells:
+            problems.append(Problem(first_line + cells.index(""), column.name, "the cell is empty; fill it"))
+        return tuple(cells)
+    if not "".join(cells).isprintable():
+        problems.extend(_bad_text(column, cells, first_line))
+        return np.zeros(0, np.int32)
+    if column.kind == "id":
+        return _new_ids(column, cells, first_line, seen, problems)
+    return _references(column, cells, first_line, problems)
+
+
+def numbers_good(column: Column, values: Array) -> bool:
+    """Whether numbers, NaN for an empty cell, are what a column allows."""
+    finite = np.isfinite(values)
+    if not (column.empty or finite.all()):
+        return False
+    known = values[finite]
+    return not ((column.limit == "> 0" and (known <= 0).any()) or (column.limit == ">= 0" and (known < 0).any()))
+
+
+def _bad_numbers(column: Column, cells: Iterable[str], first_line: int, decimal: str) -> Iterator[Problem]:
+    found = 0
+    for k, cell in enumerate(cells):
+        message = _why_not_a_number(column, cell, decimal)
+        if message:
+            yield Problem(first_line + k, column.name, message)
+            found += 1
+            if found > SHOWN:
+                return
+
+
+def _why_not_a_number(column: Column, cell: str, decimal: str) -> str:
+    if not cell:
+        return "" if column.empty else "the cell is empty; a number is needed here"
+    value = words.number_of(with_points([cell])[0] if decimal == "," else cell)
+    if value is None:
+        if plain := without_groups(cell):
+            return f"{quoted(cell)} has signs between thousands; write {plain}"
+        if words.NOT_FINITE.fullmatch(cell):
+            empty = ", or leave the cell empty where it is not known" if column.empty else ""
+            return f"{words.no_number(cell)}; give one that is{empty}"
+        sign = "comma" if decimal == "," else "point"
+        return f"{quoted(cell)} is not a number; the decimal sign is a {sign}, an unknown value an empty cell"
+    if column.limit == "> 0" and value <= 0:
+        tiny = f" is nearer to 0 than {words.SMALLEST:g} and counts as 0; it" if words.vanishes(cell) else ""
+        return f"{quoted(cell)}{tiny} must be greater than 0"
+    if column.limit == ">= 0" and value < 0:
+        return f"{quoted(cell)} is negative; a standard deviation is 0 (held) or greater"
+    return ""
+
+
+def _bad_text(column: Column, cells: Iterable[str], first_line: int) -> Iterator[Problem]:
+    bad = [(k, cell) for k, cell in enumerate(cells) if not cell.isprintable()]
+    for k, cell in bad[: SHOWN + 1]:
+        yield Problem(
+            first_line + k, column.name, f"{quoted(cell)} holds characters that cannot be printed; delete them"
+        )
+
+
+def _new_ids(
+    column: Column, cells: list[str], first_line: int, seen: dict[str, int], problems: list[Problem]
+) -> tuple[str, ...]:
+    before = len(seen)
+    fresh = dict(zip(cells, range(before, before + len(cells)), strict=True))
+    edges = "" in fresh or any(c != c.strip() for c in fresh)
+    if len(fresh) == len(cells) and not edges and seen.keys().isdisjoint(fresh):
+        seen.update(fresh)
+        return tuple(cells)
+    for k, cell in enumerate(cells):
+        line = first_line + k
+        if not cell or cell != cell.strip():
+            problems.append(
+                Problem(line, column.name, f"{quoted(cell)} is no id: it is empty or has blanks at its ends")
+            )
+        elif cell in seen:
+            problems.append(Problem(line, column.name, f"id {quoted(cell)} stands already in line {seen[cell] + 2}"))
+        else:
+            seen[cell] = line - 2
+        if len(problems) > SHOWN:
+            break
+    return ()
+
+
+def _references(column: Column, cells: list[str], first_line: int, problems: list[Problem]) -> Index:
+    known = column.known
+    if column.kind == "new_reference":
+        for cell in dict.fromkeys(cells):
+            if cell not in known:
+                if not cell or cell != cell.strip():
+                    message = f"{quoted(cell)} is no id: it is empty or has blanks at its ends"
+                    problems.append(Problem(first_line + cells.index(cell), column.name, message))
+                known[cell] = len(known)
+    try:
+        return np.fromiter(map(known.__getitem__, cells), np.int32, len(cells))
+    except KeyError:
+        pass
+    found = 0
+    for k, cell in enumerate(cells):
+        if cell not in known:
+            message = f"{quoted(cell)} stands nowhere in {column.where}; correct it or add it there"
+            problems.append(Problem(first_line + k, column.name, message))
+            found += 1
+            if found > SHOWN:
+                break
+    return np.zeros(0, np.int32)

@@ -1,0 +1,120 @@
+"""The coordinate system of control that stands in several files."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import replace
+
+import numpy as np
+
+from raybundle.errors import InputError
+from raybundle.io.geo.control_files import ControlFile
+from raybundle.io.geo.coordinate_systems import local_frame
+from raybundle.io.geo.parsed_systems import is_plan, parse_crs, plan_of, system_name
+from raybundle.numerics.arrays import Array
+from raybundle.settings import option
+
+BEYOND_DEG = 1.0
+"""How far beyond its area of use a grid is still taken: zones of UTM overlap by 40 km, half a degree at the equator and
+nearly one at 60 degrees of latitude.  Coordinates of a site that begin near 0 are farther off: the false easting of a
+zone of 6 degrees puts them 1.5 degrees beyond its edge, those of smaller zones and of state grids farther."""
+MAP_M = 1e5
+"""From zero, in plan: no site's own axes begin so far away, and grids add such numbers lest coordinates be negative."""
+
+
+def in_one_system(files: Sequence[ControlFile], crs: str | None = None) -> tuple[ControlFile, ...]:
+    """The files, of which those that name no coordinate system stand in that of the others, or else in `crs`.
+
+    crs     the system that the user names, also of heights of which a file with the same plan says nothing; None: none
+    raises  InputError for coordinates that no use of `crs` has
+    A remark says in what they are taken, beside files with a system where their coordinates do not lie among the
+    others', by which one sees that it is the same.
+    """
+    if crs is not None:
+        files = tuple(_with_heights(f, crs) for f in files)
+    systems = {f.crs for f in files if f.crs}
+    if not systems:
+        return tuple(_in_named(f, crs) for f in files)
+    if len(systems) > 1:
+        return tuple(files)
+    (known,) = systems
+    around = np.vstack([f.xyz[:, :2] for f in files if f.crs])
+    others = ", ".join(f.path.name for f in files if f.crs)
+    found: list[ControlFile] = []
+    for f in files:
+        if f.crs is None and np.isfinite(f.xyz).any():
+            remark = f"{f.path.name} names no coordinate system; taken in that of {others}: {system_name(known)}"
+            told = () if _among(f.xyz[:, :2], around) else (remark,)
+            f = replace(f, crs=known, remarks=(*f.remarks, *told))  # noqa: PLW2901
+        found.append(f)
+    return tuple(found)
+
+
+def sigma_in_metres(control: ControlFile) -> Array:
+    """(n, 3) standard deviations [m] of a file: what it states in a unit of its system, what was assumed as it is.
+
+    Of longitude and latitude they are metres already.
+    """
+    if control.crs is None or control.told is None or parse_crs(control.crs).is_geographic:
+        return control.sigma
+    at = np.nanmean(np.where(np.isfinite(control.xyz), control.xyz, np.nan)[:, :2], axis=0)
+    plan, height = local_frame(control.crs, (*at.tolist(), 0.0)).units_m
+    return np.where(control.told, control.sigma * [plan, plan, height], control.sigma)
+
+
+def _with_heights(file: ControlFile, crs: str) -> ControlFile:
+    """A file that names a system in plan alone, in `crs` where that is the same and says what heights count from."""
+    if file.crs is None or file.crs == crs or is_plan(crs) or not is_plan(file.crs):
+        return file
+    return replace(file, crs=crs) if plan_of(crs).equals(plan_of(file.crs)) else file
+
+
+def _in_named(file: ControlFile, crs: str | None) -> ControlFile:
+    """A file without a system in the one that the user names; a remark on coordinates of a map that nobody named."""
+    xy = file.xyz[np.isfinite(file.xyz[:, :2]).all(axis=1), :2]
+    if not len(xy):
+        return file
+    x, y = np.median(xy, axis=0).tolist()
+    if crs is None:
+        if max(abs(x), abs(y)) < MAP_M:
+            return file
+        remark = (
+            f"{file.path.name} names no coordinate system, and {x:.10g}, {y:.10g} look like one of a map: they are "
+            f"taken for Cartesian metres; name their system with {option('crs', 'EPSG:...')}"
+        )
+        return replace(file, remarks=(*file.remarks, remark))
+    _check_area(file, crs, x, y)
+    remark = f"{file.path.name}: taken in {system_name(crs)}, which {option('crs')} names; the file names none"
+    return replace(file, crs=crs, remarks=(*file.remarks, remark))
+
+
+def _check_area(file: ControlFile, crs: str, x: float, y: float) -> None:
+    """Raise InputError where a place lies beyond the area that a system is used in."""
+    system = parse_crs(crs)
+    area = system.area_of_use
+    if area is None or system.is_geocentric:
+        return
+    longitude, latitude, _ = local_frame(crs, (x, y, 0.0), undulation_m=0.0).wgs84_from_local(np.zeros((1, 3)))[0]
+    west, east = area.west, area.east if area.east >= area.west else area.east + 360
+    off = max(west - longitude, longitude - east) if not west <= longitude + 360 <= east else 0.0
+    if max(off, area.south - latitude, latitude - area.north) <= BEYOND_DEG:
+        return
+    degrees = f"longitude {area.west:.4g} to {area.east:.4g}, latitude {area.south:.4g} to {area.north:.4g}"
+    raise InputError(
+        f"names no coordinate system, and {x:.10g}, {y:.10g} are no coordinates of {system_name(crs)}, which "
+        f"{option('crs')} names: they would lie at longitude {longitude:.2f}, latitude {latitude:.2f}, outside its "
+        f"area ({degrees}); name the system that the coordinates stand in, or leave {option('crs')} out where they are "
+        "metres of a site's own axes",
+        file=file.path,
+    )
+
+
+def _among(xy: Array, around: Array) -> bool:
+    """Whether places (n, 2) lie within the extent of others (m, 2), or beside it by no more than it is wide."""
+    known = around[np.isfinite(around).all(axis=1)]
+    if not len(known):
+        return False
+    low, high = known.min(axis=0), known.max(axis=0)
+    wide = float((high - low).max())
+    own = xy[np.isfinite(xy).all(axis=1)]
+    return bool(((own >= low - wide) & (own <= high + wide)).all())

@@ -1,0 +1,76 @@
+"""Lines of a gcp_list.txt: numbers between blanks or tabs, with points or, throughout, with commas before decimals."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from pathlib import Path
+
+from raybundle.io.cells import SHOWN, Problem
+from raybundle.io.reading.dialects import TwoSigns, decimal_sign, table_text, with_points, without_groups
+from raybundle.io.reading.words import no_number, number_of, quoted
+
+GCP_COLUMNS = ("X", "Y", "Z", "x_px", "y_px", "image")
+
+
+@dataclass(frozen=True, slots=True)
+class GcpRow:
+    """A measurement: coordinates of the point, place in the image [px], names."""
+
+    line: int
+    xyz: tuple[float, float, float]
+    xy: tuple[float, float]
+    image: str
+    name: str
+
+
+def content_lines(path: Path) -> Iterator[tuple[int, str]]:
+    """Lines that are neither empty nor comments, with their numbers."""
+    for number, line in enumerate(table_text(path).replace("\r", "\n").split("\n"), 1):
+        content = line.strip()
+        if content and not content.startswith("#"):
+            yield number, content
+
+
+def gcp_rows(lines: Iterator[tuple[int, str]]) -> tuple[list[GcpRow], list[Problem]]:
+    """The measurements of lines with their numbers, and what is wrong with some."""
+    rows: list[GcpRow] = []
+    problems: list[Problem] = []
+    # with tabs a name of an image may hold blanks
+    parts = [
+        (n, t, [w.strip() for w in t.split("\t")] if t.count("\t") >= 5 else t.split()) for n, t in lines
+    ]  # fmt: skip
+    full = [(n, w) for n, _, w in parts if len(w) >= len(GCP_COLUMNS)]
+    try:
+        sign = decimal_sign((c, [w[k] for _, w in full]) for k, c in enumerate(GCP_COLUMNS[:5]))
+    except TwoSigns as two:
+        message = two.words(full[two.first.row][0])
+        return [], [Problem(full[two.later.row][0], two.later.column, message)]
+    for line, text, words in parts:
+        if len(problems) > SHOWN:
+            break
+        if len(words) < len(GCP_COLUMNS):
+            message = f"{len(words)} columns, {', '.join(GCP_COLUMNS)} and perhaps a name are needed: {quoted(text)}"
+            problems.append(Problem(line, None, message))
+            continue
+        numbers = with_points(words[:5]) if sign == "," else words[:5]
+        bad = [
+            (c, w) for c, w, n in zip(GCP_COLUMNS[:5], words, numbers, strict=False)
+            if number_of(n) is None and not _unknown(c, n)
+        ]  # fmt: skip
+        if bad:
+            plain = without_groups(bad[0][1])
+            hint = f"; it has signs between thousands, write {plain}" if plain else ""
+            problems.append(Problem(line, bad[0][0], f"{no_number(bad[0][1])}{hint}"))
+            continue
+        if not words[5] or not "".join(words[5:7]).isprintable():
+            problems.append(Problem(line, "image", f"{quoted(words[5])} is no name of an image"))
+            continue
+        X, Y, Z, x, y = (float(n) for n in numbers)
+        rows.append(GcpRow(line, (X, Y, Z), (x, y), words[5], words[6] if len(words) > 6 else ""))
+    return rows, problems
+
+
+def _unknown(column: str, word: str) -> bool:
+    """A height may be given as NaN."""
+    return column == "Z" and word.lower() == "nan"

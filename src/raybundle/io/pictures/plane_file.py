@@ -1,0 +1,210 @@
+"""The plane of a picture to scale, as NAME.toml or a world file beside it tells."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
+from html import unescape
+from pathlib import Path
+
+import numpy as np
+
+from raybundle.errors import InputError
+from raybundle.io.formats.base import Export, PlaneAxes
+from raybundle.io.pictures.geotiff import system_file
+from raybundle.io.pictures.rectified import WORLD
+from raybundle.io.reading.files import read_text
+from raybundle.io.reading.trees import Json, read_toml
+from raybundle.io.reading.words import number_of
+from raybundle.settings import option
+
+STATIONS = 12
+"""Photographs by whose places an adjustment is known again"""
+SQUARE = 1e-6
+"""By how much axes may be no rotation: what printed digits leave."""
+PICTURES = tuple(WORLD)
+_SRS = re.compile(r"<SRS[^>]*>(.*?)</SRS>", re.DOTALL)
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class PlaneFile:
+    """Where a picture lies, and what is known of its plane."""
+
+    file: Path
+    """that told it"""
+    left: float
+    top: float
+    """outer corner of the upper left pixel, in the plane or in the map"""
+    pixel: float
+    axes: PlaneAxes | None
+    """None: a map, or a plane whose place in space is not known"""
+    system: str = ""
+    """coordinate system of a map"""
+    unit: str = ""
+    """of left, top and pixel; "": none or not known"""
+    height: float = float("nan")
+    """of level ground in its map"""
+    lean_deg: float = float("nan")
+    """of a plane by points: how far it leans back; of one that was made plumb: how far its points do"""
+    lean_sigma_deg: float = float("nan")
+    kind: str = ""
+    """named, best, vertical or horizontal; "": not known"""
+    vertical_by: str = ""
+    axes_by: str = ""
+    """where its coordinates begin, and where they go, in words"""
+    points: int = 0
+    points_rms: float = float("nan")
+    """rms distance of the points from the plane"""
+    slope_rms: float = float("nan")
+    """by which part of its distance from the plane a thing is displaced in the picture, rms"""
+    photographs: int = 0
+    block: str = ""
+    """name of the block that it was made of"""
+    free_scale: bool = False
+    state: str = ""
+    """why the result that it was made of was not to be used yet; "": nothing said so"""
+    stations: Mapping[str, tuple[float, ...]] = field(default_factory=dict[str, tuple[float, ...]])
+    """where some of its photographs were taken, in the block or in the map, by which its adjustment is known again"""
+
+
+def plane_file_of(picture: Path) -> PlaneFile:
+    """What stands beside a picture; raises InputError where nothing tells its plane.
+
+    NAME.toml as `rectify` writes it; else a world file with square pixels that are not turned, and NAME.SUFFIX.aux.xml
+    for the system of a map.
+    """
+    told = picture.with_suffix(".toml")
+    if told.is_file():
+        return read_plane(told)
+    suffix = picture.suffix.lower()
+    names = (WORLD.get(suffix, ".wld"), ".wld", f"{suffix}w")
+    world = next((f for n in names if (f := picture.with_suffix(n)).is_file()), None)
+    if world is None:
+        raise InputError(
+            f"neither {told.name}, as rectify writes it, nor a world file {picture.with_suffix(names[0]).name} stands "
+            "beside it, so that its scale is not known; rectify the photograph first, or bring the file",
+            file=picture,
+        )
+    return _of_world(world, picture)
+
+
+def read_plane(path: Path) -> PlaneFile:
+    """The plane in a NAME.toml; raises InputError for what is missing or no rotation."""
+    tree = read_toml(path).tree()
+    left, top, pixel = (tree.get(name).number() for name in ("left", "top", "pixel"))
+    if not pixel > 0:
+        tree.get("pixel").fail(f"a pixel of {pixel:g} is not above 0")
+    known = tree.has("normal")
+    return PlaneFile(
+        file=path, left=left, top=top, pixel=pixel, axes=_axes(tree) if known else None,
+        system=_words(tree, "system"), unit=_words(tree, "unit"),
+        **{n: tree.optional(n, float("nan")) for n in (
+            "height", "lean_deg", "lean_sigma_deg", "points_rms", "slope_rms",
+        )},
+        kind=_words(tree, "plane"), vertical_by=_words(tree, "vertical_by"), axes_by=_words(tree, "axes_by"),
+        points=int(tree.optional("points")), photographs=len(tree.get("photographs").mapping())
+        if tree.has("photographs") else 0, block=_words(tree, "block"), free_scale=_words(tree, "scale") == "free",
+        state=_words(tree, "state"), stations={
+            name: tuple(xyz.numbers(3).tolist()) for name, xyz in tree.get("stations").mapping().items()
+        } if tree.has("stations") else {},
+    )  # fmt: skip
+
+
+def _words(tree: Json, key: str) -> str:
+    return tree.get(key).text() if tree.has(key) else ""
+
+
+def _axes(tree: Json) -> PlaneAxes:
+    axes = np.stack([tree.get(name).numbers(3) for name in ("right", "up", "normal")])
+    off = float(np.abs(axes @ axes.T - np.eye(3)).max())
+    if not off < SQUARE or np.linalg.det(axes) < 0:
+        tree.get("normal").fail(
+            f"right, up and normal are not three right-handed axes of length 1 (off by {off:.2g}, limit {SQUARE:g})"
+        )
+    return PlaneAxes(origin=tree.get("origin").numbers(3), axes=axes)
+
+
+def _of_world(world: Path, picture: Path) -> PlaneFile:
+    lines = read_text(world, 4096).split()
+    values = [number_of(w) for w in lines]
+    known = [v for v in values if v is not None]
+    if len(values) != 6 or len(known) != 6:
+        raise InputError("a world file has six numbers, one a line", file=world)
+    a, d, b, e, x, y = known
+    if not (a > 0 and d == b == 0 and abs(a + e) <= 1e-9 * a):
+        raise InputError(
+            "its pixels are not square, or turned; a sheet takes pictures whose columns go to the right, rows "
+            "downwards",
+            file=world,
+        )
+    beside = system_file(picture)
+    found = _SRS.search(read_text(beside, 1 << 20)) if beside.is_file() else None
+    return PlaneFile(
+        file=world, left=x - a / 2, top=y + a / 2, pixel=a, axes=None,
+        system="" if found is None else unescape(found[1]).strip(),
+    )  # fmt: skip
+
+
+def axes_in(path: Path, export: Export) -> PlaneAxes | None:
+    """The axes of the plane in a NAME.toml for a block; None: it lies in a map, whose axes the block has anyway.
+
+    raises  InputError where the plane has no place in space, or belongs to another system or unit
+    """
+    plane = read_plane(path)
+    block, frame = export.block, export.frame
+    if plane.system:
+        if frame is None or frame.crs != plane.system:
+            mine = "its own axes" if frame is None else frame.crs
+            raise InputError(
+                f"the picture lies in {plane.system}, and the block in {mine}; bring it there "
+                f"({option('crs', 'EPSG:25832')})",
+                file=path,
+            )
+        _check_adjustment(plane, export)
+        return None
+    if plane.axes is None:
+        raise InputError("the place of this plane in space is not known: right, up and normal are missing", file=path)
+    unit = "" if block.free_scale else block.length_unit
+    if plane.unit != unit:
+        raise InputError(
+            f"the plane is in {plane.unit or 'no unit'}, and the block in {unit or 'no unit'}; take the plane of a "
+            "picture of this block",
+            file=path,
+        )
+    _check_adjustment(plane, export)
+    return plane.axes
+
+
+def stations_of(export: Export, names: Sequence[str]) -> dict[str, list[float]]:
+    """Where some of these photographs were taken: in the map of the block, where it has one, else in its own axes."""
+    images, wanted = export.block.images, set(names)
+    called = [f or i for f, i in zip(images.file, images.ids, strict=True)]
+    rows = [k for k, name in enumerate(called) if name in wanted]
+    rows = [rows[k] for k in sorted({round(v) for v in np.linspace(0, len(rows) - 1, min(len(rows), STATIONS))})]
+    xyz = images.centre[rows]
+    keep = np.flatnonzero(np.isfinite(xyz).all(axis=1)).tolist()
+    there = xyz[keep] if export.frame is None else export.frame.crs_from_local(xyz[keep])
+    return dict(zip((called[rows[k]] for k in keep), there.tolist(), strict=True))
+
+
+def _check_adjustment(plane: PlaneFile, export: Export) -> None:
+    """Raise InputError where the picture was made of another adjustment than the one that is to be drawn on it.
+
+    Its photographs stand elsewhere then, by more than a pixel of the picture; pictures of versions that did not write
+    where their photographs stood are taken as they are.
+    """
+    now = stations_of(export, tuple(plane.stations))
+    both = [name for name in plane.stations if name in now]
+    if not both:
+        return
+    off = np.linalg.norm(np.array([now[n] for n in both]) - np.array([plane.stations[n] for n in both]), axis=1)
+    k = int(off.argmax())
+    if off[k] > plane.pixel:
+        unit = f" {plane.unit}" if plane.unit else ""
+        raise InputError(
+            f"the picture was made of an earlier adjustment, in which photograph {both[k]} stood {off[k]:.3g}{unit} "
+            f"elsewhere (a pixel of the picture is {plane.pixel:g}{unit}), so that points of this one do not lie on "
+            "it; rectify again",
+            file=plane.file,
+        )

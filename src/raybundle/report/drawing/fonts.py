@@ -1,0 +1,91 @@
+"""Letters of drawing sheets: DejaVu Sans Condensed, embedded, with Latin, Greek and Cyrillic."""
+
+from __future__ import annotations
+
+from functools import lru_cache
+from pathlib import Path
+from typing import Any
+
+from raybundle.errors import InputError
+
+PLAIN, BOLD = "DejaVuSansCondensed", "DejaVuSansCondensed-Bold"
+FOLDER = Path(__file__).parent / "fonts"
+CUT = "…"
+
+
+def load_fonts() -> None:
+    """Make the fonts known to reportlab; raises InputError where it is missing."""
+    try:
+        from reportlab.pdfbase import pdfmetrics  # noqa: PLC0415  (only for printing)
+        from reportlab.pdfbase.ttfonts import TTFont  # noqa: PLC0415
+    except ImportError as error:
+        raise InputError("a PDF needs the package reportlab: pip install reportlab") from error
+    for name in (PLAIN, BOLD):
+        if name not in pdfmetrics.getRegisteredFontNames():
+            pdfmetrics.registerFont(TTFont(name, FOLDER / f"{name}.ttf"))
+
+
+@lru_cache(maxsize=1)
+def _known() -> frozenset[int]:
+    from reportlab.pdfbase import pdfmetrics  # noqa: PLC0415
+
+    face: Any = pdfmetrics.getFont(PLAIN)
+    return frozenset(face.face.charToGlyph)
+
+
+def shown(text: str) -> str:
+    """A text of one line in letters that the font has; any other becomes "?"."""
+    load_fonts()
+    known = _known()
+    line = " ".join(text.split())
+    return "".join(c if ord(c) in known and c.isprintable() else "?" for c in line)
+
+
+def width(text: str, size: float, font: str = PLAIN) -> float:
+    """Of a line, in the unit of its size."""
+    from reportlab.pdfbase.pdfmetrics import stringWidth  # noqa: PLC0415
+
+    return float(stringWidth(text, font, size))
+
+
+def wrapped(text: str, size: float, room: float, most: int, font: str = PLAIN) -> list[str]:
+    """A text in lines no wider than `room`, at most so many: what is left over is cut off, which "…" says.
+
+    A word that is wider than the room is broken.
+    """
+    text = shown(text)
+    lines: list[str] = []
+    line = ""
+    for word in text.split():
+        rest = word
+        while rest:
+            tried = f"{line} {rest}".strip()
+            if width(tried, size, font) <= room:
+                line, rest = tried, ""
+            elif line:
+                lines.append(line)
+                line = ""
+            else:
+                count = max(_fitting(rest, size, room, font), 1)
+                lines.append(rest[:count])
+                rest = rest[count:]
+            if len(lines) > most:
+                return _cut(lines[:most], size, room, font)
+    lines += [line] if line else []
+    return lines if len(lines) <= most else _cut(lines[:most], size, room, font)
+
+
+def _fitting(word: str, size: float, room: float, font: str) -> int:
+    """How many letters of a word fit in."""
+    low, high = 0, len(word)
+    while low < high:
+        middle = (low + high + 1) // 2
+        low, high = (middle, high) if width(word[:middle], size, font) <= room else (low, middle - 1)
+    return low
+
+
+def _cut(lines: list[str], size: float, room: float, font: str) -> list[str]:
+    last = lines[-1]
+    while last and width(last + CUT, size, font) > room:
+        last = last[:-1]
+    return [*lines[:-1], last.rstrip() + CUT]

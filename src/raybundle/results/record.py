@@ -1,0 +1,104 @@
+"""What a delivery says of itself: who ordered it, who made it, of what, where and when.
+
+The entries of the object follow the nine headings of the Core Data Index to Historic Buildings and Monuments of the
+Architectural Heritage (Council of Europe 1992, with CIDOC's companion for sites: Thornes, Bold 1998); those of the
+recording what the 3x3 rules of CIPA (Waldhäusl, Ogleby 1994, rule 3.2) ask to be written down on site.
+"""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Iterator, Mapping
+from dataclasses import asdict, dataclass, field, fields
+from typing import TYPE_CHECKING, Any, Literal
+
+from raybundle.errors import InputError
+
+if TYPE_CHECKING:
+    from raybundle.io.reading.trees import Json
+
+RECORD = "record"
+"""Table of project.toml and record.toml"""
+RECORD_FILE = "record.toml"
+STATE = "state"
+"""Key of what is made of a result under which stands why that is not to be used yet"""
+LONGEST = 10_000
+"""Letters of an entry"""
+Part = Literal["delivery", "object", "recording"]
+
+
+def _entry(part: Part, words: str) -> Any:
+    return field(default="", metadata={"part": part, "words": words})
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Record:
+    """The recording sheet, in words as they are printed; empty: not said."""
+
+    title: str = _entry("delivery", "title of the delivery")
+    client: str = _entry("delivery", "whom it is for")
+    operator: str = _entry("recording", "who photographed or adjusted")
+    object: str = _entry("object", "name of what was photographed")
+    place: str = _entry("object", "address, parish, country; where it stands")
+    date: str = _entry("recording", "when it was photographed")
+    instruments: str = _entry("recording", "cameras, lenses, receivers, bars, as the client is to know them")
+    rights: str = _entry("delivery", "licence or owner of the result")
+    reference: str = _entry("object", "numbers in inventories and of the order")
+    kind: str = _entry("object", "what it is and was used for")
+    dating: str = _entry("object", "period, century or years")
+    persons: str = _entry("object", "who made, owned or changed it")
+    materials: str = _entry("object", "materials and techniques")
+    condition: str = _entry("object", "its state")
+    protection: str = _entry("object", "legal status")
+    description: str = _entry("object", "what is to be said beside this")
+    purpose: str = _entry("delivery", "what the recording is made for")
+    conditions: str = _entry("recording", "weather, light and access")
+    control: str = _entry("recording", "how scale, control and vertical were measured")
+    archive: str = _entry("delivery", "who keeps the recording, and where")
+
+    def as_mapping(self) -> dict[str, str]:
+        """What is said."""
+        return {name: words for name, words in asdict(self).items() if words}
+
+    def over(self, other: Record) -> Record:
+        """This one, and of the other what this does not say."""
+        return Record(**{**other.as_mapping(), **self.as_mapping()})
+
+
+NAMES = tuple(f.name for f in fields(Record))
+WORDS: Mapping[str, str] = {f.name: f.metadata["words"] for f in fields(Record)}
+PARTS: Mapping[str, Part] = {f.name: f.metadata["part"] for f in fields(Record)}
+
+
+def record_from(tree: Json) -> Record:
+    """The table [record] of a file, empty where there is none; raises InputError for an entry that is none."""
+    if not tree.has(RECORD):
+        return Record()
+    found: dict[str, str] = {}
+    for name, value in tree.get(RECORD).mapping().items():
+        if name not in NAMES:
+            value.fail(f"there is no such entry; there are {', '.join(NAMES)}")
+        found[name] = checked(name, str(value.value) if isinstance(value.value, str) else _plain(value))
+    return Record(**found)
+
+
+def _plain(value: Json) -> str:
+    """A number or a date as it was typed: an inventory number needs no quotation marks."""
+    if isinstance(value.value, dict | list | bool):
+        value.fail("an entry of the record is a text")
+    return str(value.value)
+
+
+def checked(name: str, words: str) -> str:
+    """An entry as it is kept: lines stay, all else that cannot be seen becomes a blank; raises InputError."""
+    if len(words) > LONGEST:
+        raise InputError(f"entry {name} of the record has {len(words)} letters, {LONGEST} are the limit")
+    kept = "".join(c if c.isprintable() or c == "\n" else " " for c in words.replace("\r\n", "\n"))
+    return kept.encode("utf-8", "replace").decode().strip()
+
+
+def record_lines(record: Record) -> Iterator[str]:
+    """The table as lines of TOML, in the order of its entries."""
+    yield f"[{RECORD}]"
+    for name, words in record.as_mapping().items():
+        yield f"{name} = {json.dumps(words, ensure_ascii=False)}"  # a JSON text is one of TOML

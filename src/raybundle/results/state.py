@@ -1,0 +1,54 @@
+"""Whether a result may be used, in a sentence that travels with what is made of it."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from pathlib import Path
+from typing import Any
+
+from raybundle.adjustment.severity import SEVERITY, Severity
+from raybundle.errors import InputError
+from raybundle.io.reading.trees import read_json
+from raybundle.numerics.counting import counted
+
+LONG = 160
+"""Characters of the first fault that are told"""
+
+
+def state_words(result: Mapping[str, Any]) -> str:
+    """What result.json says against the use of its result; empty where nothing does.
+
+    Faults are matters to settle before it is used; an accuracy that was asked for and is not kept is told as well.
+    """
+    told: list[str] = []
+    if faults := _faults(result):
+        first = " ".join(str(faults[0].get("message", "")).split())
+        first = first if len(first) <= LONG else f"{first[:LONG].rsplit(' ', 1)[0]} ..."
+        told.append(f"not to be used yet, {counted(len(faults), 'matter')} to settle: {first}")
+    wanted = result.get("accuracy_class")
+    if isinstance(wanted, dict) and wanted.get("kept") is False:
+        told.append("the accuracy that was asked for is not kept")
+    return "; ".join(told)
+
+
+def faults_of(folder: Path) -> tuple[str, ...]:
+    """Messages of the faults in a folder's result.json; () where there is none, or it cannot be read.
+
+    What it does not tell: whether a folder without a result, as a block, has any.
+    """
+    try:
+        told = read_json(folder / "result.json").value
+    except InputError:
+        return ()
+    return tuple(str(n.get("message", "")) for n in _faults(told)) if isinstance(told, dict) else ()
+
+
+def _faults(result: Mapping[str, Any]) -> list[Mapping[str, Any]]:
+    notices = result.get("warnings")
+    return [n for n in notices if isinstance(n, dict) and _fault(n)] if isinstance(notices, list) else []
+
+
+def _fault(notice: Mapping[str, Any]) -> bool:
+    """Results of versions that did not write how grave a notice is tell its code."""
+    severity = notice.get("severity", SEVERITY.get(str(notice.get("code", "")), Severity.REMARK))
+    return severity == Severity.FAULT

@@ -1,0 +1,60 @@
+"""RPC as rasterio has them (`rasterio.rpc.RPC`): no import of it where one is read, and none before one is made.
+
+Its offsets count from the centre of the first pixel (0, 0) as in all files of GDAL; ours is 0.5, 0.5.
+"""
+
+from __future__ import annotations
+
+from importlib import import_module
+from typing import Any
+
+import numpy as np
+
+from raybundle.errors import InputError
+from raybundle.scenes.rpc import Rpc, rpc_of
+
+POLYNOMIALS = ("line_num_coeff", "line_den_coeff", "samp_num_coeff", "samp_den_coeff")
+
+
+def rpc_from_rasterio(rpcs: Any) -> Rpc:
+    """The RPC of an object with the attributes of `rasterio.rpc.RPC`, as `dataset.rpcs` is.
+
+    raises  InputError where an attribute is missing or the numbers are no RPC
+    """
+    try:
+        return rpc_of(
+            coefficients=np.array([getattr(rpcs, name) for name in POLYNOMIALS], float),
+            ground_offset=np.array([rpcs.long_off, rpcs.lat_off, rpcs.height_off], float),
+            ground_scale=np.array([rpcs.long_scale, rpcs.lat_scale, rpcs.height_scale], float),
+            image_offset=np.array([rpcs.samp_off, rpcs.line_off], float) + 0.5,
+            image_scale=np.array([rpcs.samp_scale, rpcs.line_scale], float),
+            err_bias_m=_known(getattr(rpcs, "err_bias", None)),
+            err_rand_m=_known(getattr(rpcs, "err_rand", None)),
+        )
+    except (AttributeError, TypeError, ValueError) as error:
+        raise InputError(f"{type(rpcs).__name__} is no RPC as rasterio has it: {error}") from None
+
+
+def rasterio_from_rpc(rpc: Rpc) -> Any:
+    """A `rasterio.rpc.RPC`, which `dataset.rpcs = ...` and `rasterio.warp.reproject(rpcs=...)` take.
+
+    raises  InputError where rasterio is not installed
+    """
+    try:
+        kind: Any = import_module("rasterio.rpc").RPC  # an extra
+    except ImportError:
+        raise InputError("rasterio is not installed: pip install 'raybundle[geo]'") from None
+    x, y = (rpc.image_offset - 0.5).tolist()
+    lon, lat, height = rpc.ground_offset.tolist()
+    lon_scale, lat_scale, height_scale = rpc.ground_scale.tolist()
+    return kind(
+        height_off=height, height_scale=height_scale, lat_off=lat, lat_scale=lat_scale, long_off=lon,
+        long_scale=lon_scale, line_off=y, line_scale=float(rpc.image_scale[1]), samp_off=x,
+        samp_scale=float(rpc.image_scale[0]), err_bias=rpc.err_bias_m, err_rand=rpc.err_rand_m,
+        **{name: c.tolist() for name, c in zip(POLYNOMIALS, rpc.coefficients, strict=True)},
+    )  # fmt: skip
+
+
+def _known(value: Any) -> float | None:
+    """Of an error that is not known, files say nothing, -1 or 0."""
+    return float(value) if value is not None and float(value) > 0 else None

@@ -1,0 +1,130 @@
+"""Blocks of photographs whose `[frame]` names a coordinate system: in a local frame of that system.
+
+A bundle needs a Cartesian frame, and a map is none (`io.geo.coordinate_systems`).
+"""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+
+from raybundle.block import Block
+from raybundle.errors import InputError
+from raybundle.io.block.scenes import local_in
+from raybundle.io.geo.coordinate_systems import LocalFrame, local_frame
+from raybundle.io.geo.parsed_systems import system_name
+from raybundle.numerics.arrays import Array
+from raybundle.numerics.deviations import PAIRS, correlation_matrices
+from raybundle.numerics.places import Local, Projected
+
+LEAVES = frozenset(("position", "vector", "rotation", "covariance", "deviations", "correlations"))
+"""How columns follow a transformation that a map projection does not leave as they are"""
+
+
+def in_block_frame(block: Block) -> tuple[Block, LocalFrame | None, tuple[str, ...]]:
+    """The block in a local east-north-up frame of the system that its block.toml names, that frame, and remarks.
+
+    `kind = "local"` with `crs`: it stands there already.  `kind = "projected"`: its coordinates are those of the
+    system and are brought to the local frame at the origin; standard deviations follow, correlated where they were.
+    No frame is known of other blocks, nor of those with satellite scenes, which keep the frame that they are given in.
+    raises  InputError where the origin is not near the block, and for observations that would not follow
+    """
+    place = block.place
+    if any(c.is_scene for c in block.cameras) or not isinstance(place, Projected | Local):
+        return block, None, ()
+    if isinstance(place, Local) and not place.crs:
+        return block, None, ()
+    if block.length_unit != "m":
+        raise InputError(
+            f'block {block.name} stands in a coordinate system by its [frame], and its length_unit is "mm"; give it in '
+            'metres, length_unit = "m"'
+        )
+    if isinstance(place, Local):
+        frame = local_frame(place.crs, place.crs_origin, undulation_m=place.undulation_m)
+        return block, frame, frame.remarks
+    frame = local_frame(place.name, place.origin)
+    _check_near(block, frame)
+    _check_follows(block)
+    at = ", ".join(f"{v:.3f}" for v in place.origin)
+    told = f"the block was brought from {system_name(place.name)} to the local east-north-up frame at {at}"
+    moved = replace(moved_to(block, frame), place=local_in(place.name, place.origin))
+    return moved, frame, (told, *frame.remarks)
+
+
+def moved_to(block: Block, frame: LocalFrame) -> Block:
+    """A block whose coordinates stand in the system of a frame, brought to that frame; what it observed too."""
+    known = block.images.oriented
+    centre, rotation = np.array(block.images.centre), np.array(block.images.rotation)
+    placed = np.isfinite(centre).all(axis=1)
+    rotation[known] = rotation[known] @ frame.crs_from_local_rotation(centre[known])
+    centre[placed] = frame.local_from_crs(centre[placed])
+    stations, points = block.stations, block.points
+    sigma, correlation = _deviations(frame, stations.xyz, stations.sigma, stations.correlation)
+    # velocities would have to be turned; without them they follow from the positions
+    moved = replace(stations, xyz=_known_plan(frame, stations.xyz), sigma=sigma, correlation=correlation, velocity=None)
+    own, _ = _deviations(frame, points.xyz, points.sigma, None)
+    return replace(
+        block,
+        images=replace(block.images, centre=centre, rotation=rotation),
+        points=replace(points, xyz=_known_plan(frame, points.xyz), sigma=own),
+    ).having(moved)
+
+
+def _known_plan(frame: LocalFrame, xyz: Array) -> Array:
+    plan = np.isfinite(xyz[:, :2]).all(axis=1)
+    result = np.full(xyz.shape, np.nan)
+    if plan.any():
+        result[plan] = frame.local_from_crs(xyz[plan])
+    return result
+
+
+def _deviations(frame: LocalFrame, xyz: Array, sigma: Array, correlation: Array | None) -> tuple[Array, Array | None]:
+    """Standard deviations (n, 3) and correlations (n, 3) in the frame, of those in its system.
+
+    Of a point of which not all three are observed, they keep the axes of the grid: what the others are is not known.
+    """
+    plan, height = frame.units_m
+    found, joint = sigma * [plan, plan, height], None if correlation is None else np.array(correlation)
+    rows = np.flatnonzero(np.isfinite(xyz).all(axis=1) & (sigma > 0).all(axis=1))
+    if not len(rows):
+        return found, joint
+    given = correlation_matrices(None if correlation is None else correlation[rows], len(rows))
+    C = frame.local_covariance(xyz[rows], given * sigma[rows][:, :, None] * sigma[rows][:, None, :])
+    found[rows] = np.sqrt(np.diagonal(C, axis1=1, axis2=2))
+    if joint is not None:
+        for k, (i, j) in enumerate(PAIRS):
+            joint[rows, k] = C[:, i, j] / (found[rows, i] * found[rows, j])
+    return found, joint
+
+
+def _check_near(block: Block, frame: LocalFrame) -> None:
+    """Raise InputError where coordinates lie nearer to zero than to the origin: they are counted from it."""
+    xyz = np.vstack([block.images.centre, block.points.xyz, block.stations.xyz])[:, :2]
+    known = xyz[np.isfinite(xyz).all(axis=1)]
+    if not len(known):
+        return
+    xy = np.median(known, axis=0)
+    off = float(np.hypot(*(xy - frame.origin[:2])))
+    if off <= np.hypot(*xy):
+        return
+    raise InputError(
+        f'block {block.name}: its [frame] has kind = "projected", coordinates of {system_name(frame.crs)} themselves, '
+        f"and the block lies about {xy[0]:.6g}, {xy[1]:.6g}, far from the origin {frame.origin[0]:.10g}, "
+        f"{frame.origin[1]:.10g}; if its coordinates are metres east, north and up from the origin, say "
+        'kind = "local" with the same crs and origin'
+    )
+
+
+def _check_follows(block: Block) -> None:
+    """Raise InputError where a block in a map has observations that do not follow into a local frame."""
+    for name, table in block.tables.items():
+        turned = [n for n, c in table.cells() if c.follows in LEAVES]
+        if name == "stations" or not len(table):
+            continue
+        if turned or table.upright or name == "attitudes":
+            raise InputError(
+                f"block {block.name} stands in a map, and its {name.replace('_', ' ')} are told by axes that a map has "
+                'not everywhere; give the block in a local frame: [frame] with kind = "local", the same crs, and '
+                "coordinates counted from the origin"
+            )

@@ -1,0 +1,80 @@
+"""Of a wrong observation it is told what was given and what all else shows, and which others may be meant."""
+
+import re
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from raybundle.adjustment import variance_groups
+from raybundle.adjustment.decide import decide
+from raybundle.adjustment.options import AdjustmentOptions
+from raybundle.adjustment.suspects import leverages
+from raybundle.adjustment.variance_groups import by_groups
+from raybundle.numerics.counting import decimals_for
+from tests.adjustment.test_bar_tests import with_bars
+
+OPTIONS = AdjustmentOptions(jobs=1, datum="auto")
+TOLD = re.compile(r"given as ([0-9.]+) m, and all else shows ([0-9.]+) m: ([-+0-9.]+) m, at a sigma")
+
+
+def free_with(errors):
+    """A free network whose scale comes from bars alone."""
+    block, names = with_bars(errors)
+    points = block.points
+    return replace(block, points=replace(points, role=np.zeros_like(points.role))), names
+
+
+def suspects(result):
+    return {n.ids[0]: n.message for n in result.notices if n.code == "distance_suspect"}
+
+
+def test_of_two_bars_that_contradict_each_other_nobody_knows_which_is_wrong():
+    block, names = free_with([0.0, 0.5])
+    told = suspects(decide(block, OPTIONS))
+    assert set(told) == set(names)
+    for name, other in (names, names[::-1]):
+        assert f"; {other} may be wrong instead, which of them cannot be told" in told[name]
+    given, shown, off = TOLD.search(told[names[1]]).groups()
+    assert float(given) == pytest.approx(block.distances.length[1], abs=0.01)
+    assert float(off) == pytest.approx(-0.5, abs=0.02)
+    assert float(given) - float(shown) == pytest.approx(0.5, abs=0.02)
+
+
+def test_of_three_the_wrong_one_is_named_alone():
+    block, names = free_with([0.0, 0.5, 0.0])
+    told = suspects(decide(block, OPTIONS))
+    assert set(told) == {names[1]}
+    assert "; only beside it the test rejects " in told[names[1]]
+    assert float(TOLD.search(told[names[1]])[3]) == pytest.approx(-0.5, abs=0.02)
+
+
+def test_leverages_are_one_less_the_redundancy_numbers():
+    block, _ = free_with([0.0, 0.5, 0.0])
+    result = decide(block, OPTIONS)
+    (group,) = [g for g in result.groups if g.kind == "distance"]
+    meet = leverages(result, "distance", np.arange(3))
+    np.testing.assert_allclose(1 - np.diagonal(meet), group.redundancy, atol=1e-8)
+
+
+def test_what_is_left_out_shows_what_was_foretold():
+    block, names = free_with([0.0, 0.5, 0.0])
+    message = suspects(decide(block, OPTIONS))[names[1]]
+    without = decide(block.having(block.distances.rows(np.array([0, 2]))), OPTIONS).adjusted.points.xyz
+    a, b = int(block.distances.start[1]), int(block.distances.end[1])
+    assert float(TOLD.search(message)[2]) == pytest.approx(float(np.linalg.norm(without[a] - without[b])), abs=0.01)
+
+
+@pytest.mark.parametrize(("size", "digits"), [(0.5, 2), (0.0053, 4), (12.0, 0), (1e-6, 7), (0.0, 3), (np.nan, 3)])
+def test_numbers_have_the_digits_of_what_they_are_off_by(size, digits):
+    assert decimals_for(size) == digits
+
+
+def test_factors_of_groups_that_do_not_settle_leave_one_factor_and_name_what_contradicts(monkeypatch):
+    monkeypatch.setattr(variance_groups, "ROUNDS", 1)
+    block, names = free_with([0.0, 0.5])
+    result = by_groups(block, replace(OPTIONS, variance_groups=True), decide)
+    assert not result.options.variance_groups
+    assert result.variance_factor == pytest.approx(result.sigma0**2)
+    assert [n.severity for n in result.notices if n.code == "variance_groups"] == ["caution"]
+    assert set(suspects(result)) == set(names)

@@ -1,0 +1,140 @@
+"""Variance factors of groups of observations: what the residuals tell, and nothing of what they do not."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from raybundle import AdjustmentOptions, adjust
+from raybundle.block import Distances
+from raybundle.errors import InputError
+from raybundle.planning.scenes import AerialStrips, aerial_scene
+from raybundle.planning.simulate import Survey, simulate
+
+GROUPS = AdjustmentOptions(variance_groups=True, jobs=1)
+
+
+def survey(seed=3, control=30, sigma=0.02):
+    scene = aerial_scene(AerialStrips(strips=2, images_per_strip=5, points_per_image=60, relief=150.0))
+    made = Survey(
+        orientation="exact", points="exact", interior="exact", image_sigma_px=0.3, control=control,
+        control_sigma=(sigma,) * 3, seed=seed,
+    )  # fmt: skip
+    return simulate(scene, made).observed
+
+
+def restated(block, image=1.0, control=1.0):
+    """The block with other standard deviations than those by which its errors were drawn."""
+    o, p = block.observations, block.points
+    return replace(
+        block, observations=replace(o, cov_px2=o.cov_px2 * image**2), points=replace(p, sigma=p.sigma * control)
+    )
+
+
+def factor(result, kind):
+    return next(g for g in result.group_factors if g.kind == kind)
+
+
+def test_each_group_gets_the_factor_by_which_it_was_stated_wrongly():
+    found = [adjust(restated(survey(seed), image=0.5, control=1 / 4), GROUPS) for seed in range(4)]
+    image = [factor(r, "image observations").factor for r in found]
+    control = [factor(r, "control").factor for r in found]
+    assert np.mean(image) == pytest.approx(2, rel=0.03)
+    assert np.mean(control) == pytest.approx(4, rel=0.15)
+    for r in found:
+        assert r.sigma0 == pytest.approx(1, abs=2e-3)
+        assert not any(n.code == "global_test" for n in r.notices)
+        assert [n.severity for n in r.notices if n.code == "group_less_precise"] == ["fault"]  # four times is no guess
+
+
+def test_what_the_residuals_do_not_contradict_stays_as_given():
+    result = adjust(restated(survey(), image=0.5), GROUPS)
+    assert factor(result, "image observations").factor == pytest.approx(2, rel=0.05)
+    assert not factor(result, "control").estimated
+    np.testing.assert_array_equal(result.given.points.sigma, survey().points.sigma)
+
+
+def with_bar(block, sigma):
+    free = replace(block, points=replace(block.points, role=np.zeros_like(block.points.role)))
+    xyz = free.points.xyz
+    length = np.array([np.linalg.norm(xyz[3] - xyz[40])])
+    return free.adding(
+        Distances(start=np.array([3], np.int32), end=np.array([40], np.int32), length=length, sigma=np.array([sigma]))
+    )
+
+
+def test_a_scale_bar_without_redundancy_keeps_its_certificate():
+    block = restated(with_bar(survey(), 0.05), image=0.5)
+    common, groups = adjust(block, AdjustmentOptions(jobs=1)), adjust(block, GROUPS)
+    (one,), (own,) = ([g for g in r.groups if g.kind == "distance"] for r in (common, groups))
+    assert one.adjusted_std[0] == pytest.approx(0.05 * common.sigma0, rel=1e-6)
+    assert common.sigma0 == pytest.approx(2, rel=0.05)
+    assert own.adjusted_std[0] == pytest.approx(0.05, rel=1e-6)
+    np.testing.assert_allclose(groups.adjusted.points.xyz, common.adjusted.points.xyz, atol=1e-4)
+
+
+def test_covariances_are_those_of_the_factors_and_no_others():
+    """The same as giving these standard deviations and a variance factor of one."""
+    block = restated(survey(), image=0.5, control=1 / 4)
+    groups = adjust(block, GROUPS)
+    again = adjust(groups.given, AdjustmentOptions(jobs=1))
+    np.testing.assert_allclose(
+        groups.precision.object_points, again.precision.object_points / again.sigma0**2, rtol=1e-5, atol=1e-16
+    )
+    assert groups.variance_factor == 1
+    assert again.variance_factor == again.sigma0**2
+
+
+def test_it_is_said_in_the_notices():
+    result = adjust(restated(survey(), image=0.5, control=1 / 4), GROUPS)
+    (notice,) = [n for n in result.notices if n.code == "variance_groups"]
+    assert "image observations times 2" in notice.message
+    assert notice.severity == "remark"
+
+
+def test_without_statistics_nothing_tells_factors():
+    with pytest.raises(InputError, match="with statistics"):
+        adjust(survey(), AdjustmentOptions(variance_groups=True, statistics=False))
+
+
+def test_image_points_that_are_thousands_of_times_less_precise_are_said_to_be():
+    """With factors of groups nothing else would widen what is stated."""
+    result = adjust(restated(with_bar(survey(), 0.05), image=5e-4), GROUPS)
+    assert factor(result, "image observations").factor == pytest.approx(2000, rel=0.1)
+    right = adjust(with_bar(survey(), 0.05), GROUPS)
+    ratio = np.nanmedian(result.precision.object_point_std / right.precision.object_point_std)
+    assert ratio == pytest.approx(1, rel=0.01)
+
+
+@pytest.mark.parametrize(("stated", "severity"), [(1 / 2, "caution"), (1 / 5, "fault")])
+def test_a_group_that_is_less_precise_than_stated_is_said_to_be(stated, severity):
+    result = adjust(restated(survey(), control=stated), GROUPS)
+    (notice,) = [n for n in result.notices if n.code == "group_less_precise"]
+    assert notice.severity == severity
+    assert notice.ids == ("control",)
+    assert f"by a factor of {factor(result, 'control').factor:.3g}" in notice.message
+
+
+def test_a_single_wrong_value_is_named_and_gives_its_group_no_factor():
+    block = survey()
+    xyz = block.points.xyz.copy()
+    wrong = int(np.flatnonzero(block.points.is_control.all(axis=1))[0])
+    xyz[wrong, 2] += 1.0
+    result = adjust(restated(replace(block, points=replace(block.points, xyz=xyz)), image=0.5), GROUPS)
+    (notice,) = [n for n in result.notices if n.code == "control_suspect"]
+    assert notice.ids == (block.points.ids[wrong],)
+    assert not factor(result, "control").estimated
+    assert factor(result, "image observations").factor == pytest.approx(2, rel=0.1)
+
+
+def test_positions_that_share_an_error_make_a_fault():
+    """Positions with a common error of 8 sigma against right control: no factor makes such a result true."""
+    from raybundle.block import Stations
+
+    block = survey(sigma=0.02)
+    place = np.array([0.16, -0.12, 0.3])
+    centre = adjust(block, GROUPS).adjusted.images.centre
+    n = len(block.images)
+    stations = Stations(image=np.arange(n, dtype=np.int32), xyz=centre + place, sigma=np.full((n, 3), 0.02))
+    result = adjust(block.adding(stations), GROUPS)
+    assert any(n.severity == "fault" for n in result.notices), [n.message for n in result.notices]

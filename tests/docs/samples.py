@@ -1,0 +1,171 @@
+"""What pages take for granted: photographs, control and projects of a reader, made once in a run of the tests.
+
+A page that begins with `<!-- tried with: facade, flight-project -->` finds these in the folder where its commands run.
+"""
+
+import os
+import shutil
+import subprocess
+import sys
+import time
+from pathlib import Path
+
+REPOSITORY = Path(__file__).resolve().parents[2]
+PORTAL = REPOSITORY / "demo_data/portal"
+
+
+def raybundle(folder, *words):
+    done = subprocess.run(
+        [sys.executable, "-m", "raybundle", *words], cwd=folder, capture_output=True, text=True, check=False,
+        env=os.environ,
+    )  # fmt: skip
+    assert done.returncode == 0, (words, done.stdout[-2000:], done.stderr[-2000:])
+
+
+def facade(folder):
+    """Fourteen photographs of a portal, where the ends A, B of a bar and points T1 to T8 of the wall are in them."""
+    shutil.copytree(PORTAL / "photos", folder / "facade")
+    shutil.copy(PORTAL / "measured.csv", folder / "marks.csv")
+
+
+def facade_project(folder):
+    facade(folder)
+    raybundle(folder, "orient", "facade", "--out", "facade-project", "--control", "marks.csv",
+              "--scale-bar", "A", "B", "1.2319", "0.0001")  # fmt: skip
+
+
+def flight(folder):
+    """Eighteen photographs from a drone, control and check points, and how the camera hung as its gimbal tells."""
+    raybundle(folder, "demo", "--set", "flight", "--out", "pit")
+    (folder / "pit/photos").rename(folder / "flight")
+    for name in ("gcp_list.txt", "checks.csv", "checks-measurements.csv"):
+        (folder / "pit" / name).rename(folder / name)
+    (folder / "pit").rmdir()
+
+
+def flight_project(folder):
+    flight(folder)
+    raybundle(
+        folder, "orient", "flight", "--out", "flight-project", "--control", "gcp_list.txt", "--check", "checks.csv"
+    )
+
+
+def part(folder):
+    """Twelve photographs of a plate with AICON targets, its drawing and known lengths."""
+    raybundle(folder, "demo", "--set", "part", "--out", "made")
+    (folder / "made/before").rename(folder / "photos")
+    for name in ("nominal.csv", "lengths.csv"):
+        (folder / "made" / name).rename(folder / name)
+    shutil.rmtree(folder / "made")
+
+
+def turntable(folder):
+    """Photographs, and masks of a corner of each."""
+    import numpy as np
+    from PIL import Image
+
+    shutil.copytree(PORTAL / "photos", folder / "turntable/photos")
+    (folder / "turntable/masks").mkdir()
+    for photo in sorted((folder / "turntable/photos").iterdir()):
+        with Image.open(photo) as picture:
+            used = np.full((picture.height, picture.width), 255, np.uint8)
+        used[:80, :120] = 0
+        Image.fromarray(used).save(folder / f"turntable/masks/{photo.stem}.png")
+
+
+def studio(folder):
+    """A folder of photographs, and another from an archive."""
+    shutil.copytree(PORTAL / "photos", folder / "photos")
+    (folder / "archive").mkdir()
+    for number in ("01", "02", "03"):
+        shutil.copy(PORTAL / f"photos/portal_{number}.jpg", folder / "archive")
+
+
+def survey(folder):
+    """Photographs of a flight that a GNSS and INS was with: ins.csv, grid.csv, and what the gimbal tells in their XMP.
+
+    The attitudes are those of an adjustment, with errors of 0.2 degrees.
+    """
+    import csv
+
+    import numpy as np
+    from PIL import Image
+
+    from raybundle.io.geo.coordinate_systems import local_frame
+    from raybundle.io.trajectories import Trajectory, write_trajectory
+    from raybundle.numerics.attitude import gimbal_from_rotation
+    from raybundle.numerics.rotation import rotation_from_angles, rotation_from_vector
+
+    flight_project(folder)
+    with (folder / "flight-project/result/images.csv").open(encoding="utf-8") as file:
+        rows = list(csv.DictReader(file))
+    n, rng = len(rows), np.random.default_rng(3)
+    centre = np.array([[float(r[a]) for a in "XYZ"] for r in rows])
+    angles = np.radians([[float(r[f"{a}_deg"]) for a in ("omega", "phi", "kappa")] for r in rows])
+    rotation = rotation_from_vector(rng.normal(0, np.radians(0.2), (n, 3))) @ rotation_from_angles(angles)
+    for name, crs in (("ins.csv", "EPSG:4979"), ("grid.csv", "EPSG:32633")):
+        frame = local_frame(crs, (13.0, 51.0, 200.0) if crs == "EPSG:4979" else (360000.0, 5650000.0, 200.0))
+        trajectory = Trajectory(
+            path=folder / name, names=tuple(r["image"] for r in rows), crs=crs, sigma=np.full((n, 3), 0.03),
+            xyz=frame.crs_from_local(centre + rng.normal(0, 0.03, centre.shape)), rotation=rotation,
+            rotation_sigma=np.full((n, 3), np.radians(0.2)), true_north=crs == "EPSG:4979",
+        )  # fmt: skip
+        write_trajectory(trajectory, folder / name, name="opk")
+    (folder / "survey").mkdir()
+    for row, (yaw, pitch, roll) in zip(rows, np.degrees(gimbal_from_rotation(rotation)), strict=True):
+        told = XMP.format(yaw=yaw, pitch=pitch, roll=roll).encode()
+        with Image.open(folder / "flight" / row["image"]) as photo:
+            photo.save(folder / "survey" / row["image"], quality="keep", exif=photo.info["exif"], xmp=told)
+    for made in ("flight", "flight-project"):
+        shutil.rmtree(folder / made)
+
+
+XMP = (
+    '<x:xmpmeta xmlns:x="adobe:ns:meta/"><rdf:RDF xmlns:rdf="http://www.w3.org/1999/02/22-rdf-syntax-ns#">'
+    '<rdf:Description xmlns:drone-dji="http://www.dji.com/drone-dji/1.0/" drone-dji:GimbalYawDegree="{yaw:.2f}" '
+    'drone-dji:GimbalPitchDegree="{pitch:.2f}" drone-dji:GimbalRollDegree="{roll:.2f}"/></rdf:RDF></x:xmpmeta>'
+)
+
+
+def flown(folder):
+    """What a drone brought from the mission that docs/how-to/plan-a-flight.md plans."""
+    from raybundle.io.missions.mission_file import read_mission
+    from tests.missions.flying import fly
+
+    corners = "7.1 50.1, 7.104 50.1005, 7.1038 50.103, 7.0995 50.1022"
+    raybundle(folder, "plan", "mission", corners, "--vehicle", "mavic-3e", "--gsd", "0.02", "--out", "planned")
+    (folder / "DCIM").mkdir()
+    fly(read_mission(folder / "planned/mission.toml"), folder / "DCIM/100MEDIA", off=0.5)
+    shutil.rmtree(folder / "planned")
+
+
+SAMPLES = {
+    "facade": facade,
+    "facade-project": facade_project,
+    "flight": flight,
+    "flight-project": flight_project,
+    "part": part,
+    "survey": survey,
+    "flown": flown,
+    "turntable": turntable,
+    "studio": studio,
+}
+
+
+def lay_out(name, shared, folder):
+    """Copy a sample into a folder; made in `shared` where it is not there yet, by one of the processes of the tests."""
+    made = shared / f"sample-{name}"
+    lock = shared / f"sample-{name}.lock"
+    try:
+        lock.mkdir()
+    except FileExistsError:
+        until = time.monotonic() + 600
+        while not made.exists():
+            assert time.monotonic() < until, f"sample {name} was not made by the process that began it"
+            time.sleep(0.2)
+    else:
+        fresh = shared / f"sample-{name}.making"
+        fresh.mkdir()
+        SAMPLES[name](fresh)
+        fresh.rename(made)
+    shutil.copytree(made, folder, dirs_exist_ok=True)

@@ -1,0 +1,168 @@
+"""The three parts of a report: what stands where, and that nothing gets lost between them."""
+
+import re
+
+import numpy as np
+import pytest
+
+from raybundle.adjustment.result import Notice
+from raybundle.report import chapters as rooms
+from raybundle.report.arrangement import LONG, Measure, all_sections, arranged, rows_of_figures, undivided
+from raybundle.report.chapters import Occasion, chapter
+from raybundle.report.document import document_of, write_report
+from raybundle.report.figures.svg import drawing
+from raybundle.report.parts import (
+    Fact,
+    Facts,
+    Figure,
+    Figures,
+    Folded,
+    Heading,
+    Paragraph,
+    Pointer,
+    Section,
+    number,
+    table,
+    text,
+)
+from raybundle.report.sections.result import result_section
+from raybundle.report.sections.tables import tables_section
+from raybundle.report.text.words import verdict
+from raybundle.report.view import view_of
+from tests.report.conftest import rich
+
+
+def rows(count, **more):
+    return table(
+        (text("name"), number("value")), ([f"n{k}" for k in range(count)], [str(k) for k in range(count)]), **more
+    )
+
+
+def figure(*, first=False):
+    return Figures(figures=(Figure(drawing=drawing(300, 200, ["<g/>"], "a drawing"), caption="Drawn."),), first=first)
+
+
+def section(anchor, *parts):
+    return Section(anchor=anchor, title=anchor.capitalize(), parts=parts)
+
+
+def flat(parts):
+    """Parts with those that are folded."""
+    for p in parts:
+        yield from (flat(p.parts) if isinstance(p, Folded) else (p,))
+
+
+def test_sections_are_numbered_by_their_part():
+    made = (
+        ("specialist", section("one", rows(LONG + 1))),
+        ("appendix", section("points")),
+        ("client", section("front")),
+        ("specialist", section("two")),
+        ("specialist", section("three", Folded(summary="more", parts=(rows(1),)))),
+    )
+    client, body, appendix = arranged(made)
+    assert [(p.number, p.section.anchor) for p in client.sections] == [("", "front")]
+    assert [(p.number, p.section.anchor) for p in body.sections] == [("1", "one"), ("2", "two"), ("3", "three")]
+    assert [(p.number, p.section.anchor) for p in appendix.sections] == [
+        ("A1", "one-appendix"), ("A3", "three-appendix"), ("A4", "points"),
+    ]  # fmt: skip
+
+
+def test_what_is_folded_or_long_is_looked_up_and_named_where_it_was():
+    parts = (
+        Heading(text="Control"), rows(LONG), rows(LONG + 1), Folded(summary="Held", parts=(rows(2),)),
+        Paragraph(text="."),
+    )  # fmt: skip
+    body, appendix = arranged([("specialist", section("one", *parts))])
+    kinds = [p.kind for p in body.sections[0].section.parts]
+    assert kinds == ["heading", "table", "pointer", "paragraph"]
+    (pointer,) = [p for p in body.sections[0].section.parts if isinstance(p, Pointer)]
+    assert pointer.items == (f"Control, {LONG + 1} rows", "Held")
+    assert (pointer.number, pointer.anchor) == (appendix.sections[0].number, appendix.sections[0].section.anchor)
+    assert [p.summary for p in appendix.sections[0].section.parts] == list(pointer.items)
+
+
+def test_a_part_without_sections_is_left_out():
+    assert [d.name for d in arranged([("specialist", section("one"))])] == ["specialist"]
+    assert [d.title for d in undivided([section("one")])] == [""]
+
+
+def test_warnings_stay_however_many_they_are(case):
+    from dataclasses import replace
+
+    notices = tuple(Notice(code="not_determinable", message=f"warning {k}") for k in range(3 * LONG))
+    view = view_of(replace(case("rich"), notices=notices))
+    made = [("specialist", result_section(view, verdict(view)))]
+    for measure in (None, Measure(rows=0, figures=frozenset())):
+        body = arranged(made, measure)[0].sections[0].section
+        told = [row[1] for p in body.parts if p.kind == "table" for row in p.rows]
+        assert told == [n.message for n in notices]
+
+
+def test_figures_that_come_first_stay_longest():
+    sections = (section("one", figure(), figure()), section("two", figure(), figure(first=True)))
+    assert rows_of_figures(sections) == [(1, 1), (0, 0), (1, 0), (0, 1)]
+    body, _ = arranged([("specialist", s) for s in sections], Measure(figures=frozenset({0})))
+    assert [[p.kind for p in s.section.parts] for s in body.sections] == [["pointer"], ["pointer", "figures"]]
+
+
+@pytest.mark.parametrize(
+    "measure", [Measure(), Measure(rows=5, figures=frozenset({0, 2, 3})), Measure(rows=0, figures=frozenset())]
+)
+def test_nothing_is_lost_whatever_the_measure(any_case, measure):
+    view = view_of(any_case)
+    made = [(c.part, s) for c in rooms.chapters() for s in c.make(Occasion(view=view, told=verdict(view)))]
+    before = sorted(str(type(p)) for _, s in made for p in flat(s.parts))
+    after = [p for s in all_sections(arranged(made, measure)) for p in flat(s.section.parts)]
+    assert sorted(str(type(p)) for p in after if not isinstance(p, Pointer)) == before
+    rows_before = sum(len(p.rows) for _, s in made for p in flat(s.parts) if p.kind == "table")
+    assert sum(len(p.rows) for p in after if p.kind == "table") == rows_before
+
+
+@pytest.fixture
+def client(monkeypatch):
+    """A page for the client, made for this test."""
+    rooms.chapters()  # those of the package register themselves once, and not in a copy
+    monkeypatch.setattr(rooms, "_chapters", dict(rooms._chapters))
+    monkeypatch.setitem(rooms._chapters, "front", None)
+    del rooms._chapters["front"]
+
+    @chapter("front", after="", part="client")
+    def front(_):
+        facts = Facts(facts=(Fact(label="works", value="yes"),))
+        return (Section(anchor="front", title="What was asked for", parts=(facts, Paragraph(text="It holds."))),)
+
+    return front
+
+
+@pytest.mark.usefixtures("client")
+def test_the_clients_part_comes_first_and_takes_no_number(tmp_path):
+    a = rich()
+    view = view_of(a)
+    document = document_of(Occasion(view=view, told=verdict(view)))
+    names = [d.name for d in document.divisions()]
+    assert names == ["client", "specialist", "appendix"]
+    assert [p.number for p in document.divisions()[1].sections][:2] == ["1", "2"]
+    write_report(a, tmp_path / "report.html")
+    page = (tmp_path / "report.html").read_text(encoding="utf-8")
+    assert page.index('id="front"') < page.index('id="result"') < page.index('id="tables"')
+    contents = page.partition("<nav")[2].partition("</nav>")[0]
+    assert re.findall(r'class="division"><a[^>]*>([^<]*)', contents) == [
+        "For the client", "For the specialist", "Appendix",
+    ]  # fmt: skip
+
+
+def test_points_stand_in_natural_order_and_all_where_asked(case, monkeypatch):
+    from raybundle.report.sections import tables
+
+    monkeypatch.setattr(tables, "MOST_ROWS", 7)
+    view = view_of(case("rich"))
+    few, every = (tables_section(view, all_coordinates=a).parts[0].parts[0] for a in (False, True))
+    ids = [row[0] for row in every.rows]
+    assert ids == sorted(view.given.points.ids, key=int)
+    assert [row[0] for row in few.rows] == ids[:7]
+    assert "points.csv" in few.note
+    assert not every.note
+    at = {i: k for k, i in enumerate(view.adjusted.points.ids)}
+    X = [float(row[2].replace("\u2212", "-")) for row in every.rows]
+    assert np.allclose(X, view.adjusted.points.xyz[[at[i] for i in ids], 0], atol=1e-5)
