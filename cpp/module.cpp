@@ -429,6 +429,16 @@ NB_MODULE(_native, m) {
              if (k < 0 || size_t(k) >= s.q.block_start.size()) throw std::out_of_range("there is no such block");
              return s.q.block_start[k];
            })
+      .def("blocks",
+           [](const Solver& s) {
+             s.ready();
+             const size_t count = s.q.block_row.size();
+             auto rows = array<int64_t>({count}), cols = array<int64_t>({count}), starts = array<int64_t>({count});
+             std::copy(s.q.block_row.begin(), s.q.block_row.end(), rows.data());
+             std::copy(s.q.block_col.begin(), s.q.block_col.end(), cols.data());
+             std::copy(s.q.block_start.begin(), s.q.block_start.begin() + count, starts.data());
+             return nb::make_tuple(rows, cols, starts);
+           })
       .def_prop_ro("unknowns", [](const Solver& s) { return s.q.unknowns; })
       .def_prop_ro("values_size", [](const Solver& s) { s.ready(); return s.q.block_start.back(); })
       .def_prop_ro("factor_entries", [](const Solver& s) { s.ready(); return s.factor->entries(); })

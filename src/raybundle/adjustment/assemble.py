@@ -207,10 +207,19 @@ def assemble(block: Block, options: AdjustmentOptions, rejected: Mask, free: dic
     free      camera id -> symbols of the free parameters (`estimate` resolved)
     raises    InputError where an image that is observed is not oriented or a point has no coordinates
     """
-    used = taking_part(block, options, rejected)
+    return system_of(block, options, taking_part(block, options, rejected), free)
+
+
+def system_of(
+    block: Block, options: AdjustmentOptions, used: Used, free: dict[str, tuple[str, ...]], shift: Array | None = None
+) -> System:
+    """As `assemble`, of what is told to take part.
+
+    shift  (3,) origin of the frame of the values; None: near the middle of the block
+    """
     layout, scope, tables = lay_out(block, used, free)
-    shift = _shift(block, used)
-    xy, whiten, pixel = _image_observations(block, used.rows)
+    shift = middle_of(block, used) if shift is None else shift
+    xy, whiten, pixel = image_observations(block, used.rows)
     scope = replace(
         scope,
         coordinates=used.prior & (layout.point_node >= 0)[:, None],
@@ -253,7 +262,7 @@ def assemble(block: Block, options: AdjustmentOptions, rejected: Mask, free: dic
     )
 
 
-def _shift(block: Block, used: Used) -> Array:
+def middle_of(block: Block, used: Used) -> Array:
     """(3,) origin near the middle of the block, in which numbers are small."""
     ground = used.images & ~np.array([c.is_scene for c in block.cameras])[block.images.camera]
     known = np.vstack([block.points.xyz[used.points], block.images.centre[ground]])
@@ -270,7 +279,7 @@ def _corrected(block: Block, camera: Camera, options: AdjustmentOptions) -> bool
     return kind == "corrected"
 
 
-def _image_observations(block: Block, rows: Array) -> tuple[Array, Array, Array]:
+def image_observations(block: Block, rows: Array) -> tuple[Array, Array, Array]:
     """Image frame (m, 2) [mm], whitening (m, 3) and signed pixel size (m, 2) of the used rows."""
     observations = block.observations
     camera = block.images.camera[observations.image[rows]]

@@ -6,7 +6,7 @@ What is free and what is rejected is decided by the caller (`decide`); here it i
 from __future__ import annotations
 
 import time
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import replace
 from typing import Literal
 
@@ -20,7 +20,7 @@ from raybundle.adjustment.datum import Datum, analyse, hold_minimal, open_names
 from raybundle.adjustment.handle import EMPTY, Handle
 from raybundle.adjustment.interior import interior_results
 from raybundle.adjustment.network import network_figures
-from raybundle.adjustment.normals import Normals, held_bits
+from raybundle.adjustment.normals import Normals
 from raybundle.adjustment.notices import notices_of, with_group_notices
 from raybundle.adjustment.options import AdjustmentOptions
 from raybundle.adjustment.own_fields import own_field_notices
@@ -60,7 +60,17 @@ from raybundle.numerics.progress import Progress, silent
 from raybundle.numerics.statistics import family_wise_normal, family_wise_tau, global_test
 
 Extent = Literal["report", "decisions", "tests"]
+Factoring = Callable[[System, AdjustmentOptions, Mapping[str, tuple[str, ...]], Mask], Normals]
+"""Makes the normal equations of a system, of which these parameters are free and these image observations rejected."""
 Start = Literal["approximate", "adjusted"]
+
+
+def in_one_piece(
+    system: System, options: AdjustmentOptions, free: Mapping[str, tuple[str, ...]], rejected: Mask
+) -> Normals:
+    """The normal equations as one sparse matrix."""
+    del free, rejected
+    return Normals.of(system, options.jobs)
 
 
 def free_parameters(camera: Camera | Instrument) -> tuple[str, ...]:
@@ -81,6 +91,7 @@ def adjust_block(
     notices: tuple[Notice, ...] = (),
     extent: Extent = "report",
     start: Start = "approximate",
+    factoring: Factoring = in_one_piece,
 ) -> Adjustment:
     """Adjust a block whose images are oriented and whose points have coordinates, approximately.
 
@@ -90,6 +101,7 @@ def adjust_block(
     extent    decisions: of the statistics only redundancy numbers, tests and the interior orientations' covariances;
               tests: without these and what is said of the interior orientations, too
     start     adjusted: the values come from an adjustment of nearly the same; the first step is not damped
+    factoring how the normal equations are made and factored: in one piece, or in parts (`raybundle.blocking`)
     raises    InputError, DatumDefect, RankDefect, NoConvergence
 
     Camera parameters that the network leaves open are kept near what was given (`steady`), and called not determinable.
@@ -102,22 +114,23 @@ def adjust_block(
     free = free if free is not None else {c.id: free_parameters(c) for c in block.parametrised}
     reasons = rejected or (None,) * len(block.observations)
     try:
-        work, found = carry_out(block, options, free, reasons, progress, start=start)
+        work, found = carry_out(block, options, free, reasons, progress, start=start, factoring=factoring)
         result = result_of(work, block, options, found, notices, time.perf_counter() - began, progress, extent)
-        return _finished(_with_settled_components(result, block, options, free, found), extent, progress)
+        return _finished(_with_settled_components(result, block, options, free, found, factoring), extent, progress)
     except TooFewObservations:
         raise
     except (RankDefect, NoConvergence) as error:
         steady = steadied(block, free, error)
         if steady is None:
             raise
-        work, found = carry_out(steady.block, options, free, reasons, progress, start=start)
+        work, found = carry_out(steady.block, options, free, reasons, progress, start=start, factoring=factoring)
         system = work.system
         if system.observations - len(steady.added) - system.unknowns + work.datum.defect < 0:
             raise  # fewer observations than unknowns: what is said would be what was added
     seconds = time.perf_counter() - began
     result = result_of(work, steady.block, options, found, notices, seconds, progress, extent, steady.added)
-    result = without_priors(_with_settled_components(result, steady.block, options, free, found), block, steady.added)
+    result = _with_settled_components(result, steady.block, options, free, found, factoring)
+    result = without_priors(result, block, steady.added)
     return _finished(result, extent, progress)
 
 
@@ -134,7 +147,7 @@ def _finished(result: Adjustment, extent: Extent, progress: Progress) -> Adjustm
 
 def _with_settled_components(
     result: Adjustment, block: Block, options: AdjustmentOptions, free: dict[str, tuple[str, ...]],
-    reasons: Rejections,
+    reasons: Rejections, factoring: Factoring,
 ) -> Adjustment:  # fmt: skip
     """The result with variance components that are iterated where one step is not enough."""
 
@@ -144,7 +157,7 @@ def _with_settled_components(
             options, tolerance=max(options.tolerance, 1e-3), robust_start=False,
             max_iterations=min(options.max_iterations, NEARBY),
         )  # fmt: skip
-        work, now = carry_out(start, brief, free, reasons, start="adjusted")
+        work, now = carry_out(start, brief, free, reasons, start="adjusted", factoring=factoring)
         state = work.state
         whitened, _ = work.normals.residuals(state)
         statistics = image_statistics(work.system, whitened, work.found, 1.0, now)
@@ -169,7 +182,7 @@ says more than an error would.
 
 def carry_out(
     block: Block, options: AdjustmentOptions, free: dict[str, tuple[str, ...]], reasons: Rejections,
-    progress: Progress = silent, *, start: Start = "approximate",
+    progress: Progress = silent, *, start: Start = "approximate", factoring: Factoring = in_one_piece,
 ) -> tuple[Work, Rejections]:  # fmt: skip
     """Estimate and cofactors; observations whose point ends behind the camera or at infinity leave, then once more."""
     mask = np.array([bool(r) for r in reasons], bool)
@@ -178,7 +191,7 @@ def carry_out(
     defects.check_rays(block, mask)
     reasons, mask = reject_single_rays(block, reasons, mask)
     defects.check_images(block, mask, free)
-    work = _estimate(block, options, free, mask, start, progress)
+    work = _estimate(block, options, free, mask, start, progress, factoring)
     defects.check_scatter(work.system, work.normals.residuals(work.solution.state)[0])
     for _ in range(5):
         _, flags = work.normals.residuals(work.solution.state)
@@ -194,7 +207,7 @@ def carry_out(
             new[i] = Rejection(kind=RejectionKind.BEHIND_CAMERA)
         reasons, mask = reject_single_rays(block, tuple(new), np.array([bool(r) for r in new], bool))
         defects.check_images(block, mask, free)
-        work = _estimate(block, options, free, mask, start, progress)
+        work = _estimate(block, options, free, mask, start, progress, factoring)
     weak = not work.solution.step < UNENDING or defects.without_base(work.system, work.solution.state)
     # an iteration that creeps off with all points ends anywhere
     share = defects.NO_BASE if not work.solution.converged and weak else defects.NOWHERE
@@ -263,7 +276,7 @@ def reject_single_rays(block: Block, reasons: Rejections, mask: Mask) -> tuple[R
 
 def _estimate(
     block: Block, options: AdjustmentOptions, free: dict[str, tuple[str, ...]], mask: Mask, start: Start,
-    progress: Progress,
+    progress: Progress, factoring: Factoring,
 ) -> Work:  # fmt: skip
     system = assemble(block, options, mask, free)
     state = system.initial_state()
@@ -277,7 +290,7 @@ def _estimate(
         return open_names(analyse(part, part.initial_state(), replace(options, datum="auto")).basis)
 
     parts = defects.check_components(block, mask, open_of) if datum.defect == 0 or _may_fall_apart(block, mask) else 1
-    normals = Normals.of(system, options.jobs)
+    normals = factoring(system, options, free, mask)
     if options.robust_start:
         state = solve(normals, state, options, huber=HUBER, tolerance=1e-2, approximate=True, progress=progress).state
     damping = FLOOR if start == "adjusted" else CAUTIOUS
@@ -295,8 +308,7 @@ def _may_fall_apart(block: Block, mask: Mask) -> bool:
 def _in_minimal_datum(normals: Normals, state: State, datum: Datum) -> list[int]:
     """Form the undamped normal equations in a minimal datum at a state; returns points without an intersection."""
     system = normals.system
-    system.held = system.control_held | hold_minimal(system, state, datum)
-    normals.solver.set_held(held_bits(system.held))
+    normals.hold(system.control_held | hold_minimal(system, state, datum))
     return normals.reduce(state)[2]
 
 
@@ -367,7 +379,7 @@ def result_of(
         critical_tau=limit,
         suspects=suspects(work, state, observations, limit) if told else (),
         notices=notices,
-        condition=1 / max(normals.solver.smallest_pivot, 1e-300),
+        condition=1 / max(normals.smallest_pivot, 1e-300),
         handle=Handle(work) if found is not None else EMPTY,
     )
     own = () if brief else notices_of(adjustment, _sum_of(work, adjustment, observations, groups))

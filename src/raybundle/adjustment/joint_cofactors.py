@@ -20,7 +20,7 @@ from raybundle.adjustment import defects
 from raybundle.adjustment.assemble import State, System, assemble
 from raybundle.adjustment.datum import Datum, analyse, hold_minimal
 from raybundle.adjustment.external import external_rows
-from raybundle.adjustment.normals import Normals, held_bits, point_prior
+from raybundle.adjustment.normals import Normals, point_prior
 from raybundle.adjustment.options import AdjustmentOptions
 from raybundle.adjustment.precision import Cofactors, cofactors
 from raybundle.adjustment.result import Adjustment
@@ -78,10 +78,9 @@ class Factored:
         normals = Normals.of(system, options.jobs)
         if like is not None and like.datum.defect == datum.defect:
             datum = replace(like.datum, centre=like.datum.centre + like.system.shift - system.shift)
-            system.held = like.system.held.copy()
+            normals.hold(like.system.held.copy())
         else:
-            system.held = system.control_held | hold_minimal(system, state, datum)
-        normals.solver.set_held(held_bits(system.held))
+            normals.hold(system.control_held | hold_minimal(system, state, datum))
         weak = normals.reduce(state)[2]
         failed = normals.factorise()
         share, at = (0.0, failed - 1) if failed or weak else normals.least_share()

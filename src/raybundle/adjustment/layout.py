@@ -92,13 +92,20 @@ def taking_part(block: Block, options: AdjustmentOptions, rejected: Mask) -> Use
     images[observations.image[rows]] = True
     points[observations.point[rows]] = True
     points |= carried_points(block, datum_is_chosen=chosen)
+    return used_of(block, options, rows, images, points)
+
+
+def used_of(block: Block, options: AdjustmentOptions, rows: Array, images: Mask, points: Mask) -> Used:
+    """What takes part: these image observations (m,), images (n,) and object points (p,); as `taking_part`."""
     _check_values(block, images, points)
+    chosen = options.datum in {"inner", "minimal"}
     control = block.points.is_control & points[:, None] & (not chosen)
+    held = block.images.held
     return Used(
         rows=rows,
         images=images,
         points=points,
-        exterior_free=images & ~(block.images.held if block.images.held is not None else np.zeros(n, bool)),
+        exterior_free=images & ~(held if held is not None else np.zeros(len(images), bool)),
         held=control & (block.points.sigma == 0),
         prior=control & (block.points.sigma > 0),
         datum_is_chosen=chosen,

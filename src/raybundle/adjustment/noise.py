@@ -38,7 +38,7 @@ from raybundle.adjustment.fields import (
     independent_scores,
     variance_components,
 )
-from raybundle.adjustment.normals import Normals, held_bits
+from raybundle.adjustment.normals import Normals
 from raybundle.adjustment.own_fields import OwnField, own_fields
 from raybundle.adjustment.precision import Cofactors
 from raybundle.adjustment.transformation import Transformation, transformation
@@ -400,16 +400,8 @@ def _influences(fields: FieldSystem, basis: Any, row: Array, column: Array) -> t
     # [J; -basis] [J; -basis]' in the places of the wide normal matrix: the solver makes the points' part of it
     whole = np.concatenate([J, -basis.toarray()])
     square = whole @ whole.T
-    points = _statistics(fields.wide, fields.wide_state, square[back[wide_row], back[wide_column]])
+    points = fields.wide.statistics(fields.wide_state, square[back[wide_row], back[wide_column]])[0]
     return square[row, column], points - _of_rays(fields.base, fields.state)
-
-
-def _statistics(normals: Normals, state: State, inverse: Array) -> Array:
-    """Cofactors (p, 3, 3) of the points for an inverse of the reduced normal matrix."""
-    none = np.zeros(0)
-    return normals.solver.statistics(
-        *normals.arguments(state), normals.threads, np.ascontiguousarray(inverse), 0, none, none, none, none
-    )[0]
 
 
 def _of_rays(normals: Normals, state: State) -> Array:
@@ -433,8 +425,7 @@ def _own(fields: FieldSystem) -> tuple[Array, Any]:
     held = system.held
     kept = np.flatnonzero((system.point_node >= 0) & system.points_used)
     try:
-        system.held = system.control_held
-        normals.solver.set_held(held_bits(system.control_held))
+        normals.hold(system.control_held)
         own = _of_rays(normals, state)
         nodes = csr_matrix((N, N))
         if len(kept):
@@ -453,8 +444,7 @@ def _own(fields: FieldSystem) -> tuple[Array, Any]:
             r, c = np.meshgrid(at, at, indexing="ij")
             nodes = csr_matrix((block.ravel(), (r.ravel(), c.ravel())), shape=(N, N))
     finally:
-        system.held = held
-        normals.solver.set_held(held_bits(held))
+        normals.hold(held)
     own[system.point_node >= 0] = 0
     _without_priors(own, system)
     return own, nodes

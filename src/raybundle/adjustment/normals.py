@@ -6,7 +6,7 @@ import os
 from collections.abc import Sequence
 from dataclasses import dataclass, field
 from itertools import pairwise
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -15,6 +15,9 @@ from raybundle.adjustment.dense import as_many_threads_as_help, set_dense_kernel
 from raybundle.adjustment.extra import Correlated
 from raybundle.numerics import native
 from raybundle.numerics.arrays import Array, Index, Mask
+
+if TYPE_CHECKING:
+    from raybundle.adjustment.transformation import Transformation
 
 _NONE = np.zeros(0)
 LEAST_OBSERVATIONS = 2000
@@ -54,8 +57,11 @@ class Normals:
     """State of the last evaluation of models that are not compiled; a state is not changed once it is used."""
 
     @classmethod
-    def of(cls, system: System, threads: int = 0) -> Normals:
-        """Set up structure, ordering and buffers."""
+    def of(cls, system: System, threads: int = 0, meeting: Sequence[tuple[int, int]] = ()) -> Normals:
+        """Set up structure, ordering and buffers.
+
+        meeting  nodes whose block the matrix has although no observation of this system ties them
+        """
         count = threads or (len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1)
         module = native.module()
         if module is None:
@@ -81,7 +87,7 @@ class Normals:
         keep = node_a <= node_b
         a, b, node_a, node_b = a[keep], b[keep], node_a[keep], node_b[keep]
         alone = {(n, n) for n in range(len(system.sizes))}
-        solver.set_nodes(system.sizes, sorted(alone | set(zip(node_a.tolist(), node_b.tolist(), strict=True))))
+        solver.set_nodes(system.sizes, sorted(alone | set(meeting) | set(zip(node_a.tolist(), node_b.tolist(), strict=True))))
         normals.values = np.zeros(solver.values_size)
         normals.right, normals.diagonal = np.zeros(solver.unknowns), np.zeros(solver.unknowns)
         normals._place_extra(entries, a, b, node_a, node_b)
@@ -239,6 +245,69 @@ class Normals:
         if len(moved):
             np.add.at(moved, e.row, e.value * nodes[e.unknown])
         return nodes, points, float(cost) + 0.5 * float(moved @ self.system.extra.weighted(moved))
+
+    @property
+    def unknowns(self) -> int:
+        """Number of unknowns before a datum is chosen."""
+        return self.system.unknowns
+
+    @property
+    def observations(self) -> int:
+        """Number of observations."""
+        return self.system.observations
+
+    def trial(
+        self, state: State, *, damping: float = 0.0, huber: float = 0.0, passing: bool = False
+    ) -> tuple[State, float] | int:
+        """The state after a step, after `reduce`, and its linearised cost; an integer as of `step`."""
+        found = self.step(state, damping=damping, huber=huber)
+        if isinstance(found, int):
+            return found
+        nodes, points, linear = found
+        return self.system.updated(state, nodes, points, passing=passing), linear
+
+    def excess(self, state: State, huber: float) -> float:
+        """Huber's costs of long residuals, k (l - k / 2), over those of the weighted ones, k l / 2.
+
+        A step minimises the latter; what it is to gain must be reckoned from there.
+        """
+        if huber <= 0:
+            return 0.0
+        length = np.linalg.norm(self.residuals(state)[0], axis=1)
+        return float(0.5 * huber * np.maximum(length - huber, 0.0).sum())
+
+    def beyond(self, state: State) -> Index:
+        """Object points whose rays diverge (`far_points`)."""
+        return self.system.beyond(state)
+
+    def before(self, state: State) -> State:
+        """The state with points before their cameras that all of these see behind; the same one where none is."""
+        return self.system.before(state, (self.residuals(state)[1] & 1) > 0)
+
+    def hold(self, held: Mask) -> None:
+        """Hold these coordinates (p, 3), those of control among them."""
+        self.system.held = held
+        self.solver.set_held(held_bits(held))
+
+    def statistics(
+        self, state: State, inverse: Array, change: Transformation | None = None
+    ) -> tuple[Array, Array, Array, Array]:
+        """From an inverse of the reduced matrix: cofactors (p, 3, 3) of the points, A Q A' (m, 3) of each whitened image
+        point, effect (m, 3, 2) of a blunder in it, and H of the points (p, 3, d) where the datum changes.
+        """
+        none, d = np.zeros(0), 0 if change is None else change.nodes.shape[1]
+        return self.solver.statistics(
+            *self.arguments(state), self.threads, np.ascontiguousarray(inverse), d,
+            none if change is None else np.ascontiguousarray(change.nodes_h),
+            none if change is None else change.given,
+            none if change is None else change.points,
+            none if change is None else np.ascontiguousarray(change.middle),
+        )  # fmt: skip
+
+    @property
+    def smallest_pivot(self) -> float:
+        """The smallest relative pivot of the last factor."""
+        return float(self.solver.smallest_pivot)
 
     @property
     def meeting(self) -> int:

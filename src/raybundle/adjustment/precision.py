@@ -37,18 +37,7 @@ def cofactors(normals: Normals, state: State, datum: Datum) -> Cofactors:
     system = normals.system
     inverse = normals.selected_inverse()
     change = transformation(normals, state, datum)
-    d = 0 if change is None else datum.defect
-    none = np.zeros(0)
-    points_minimal, hat, effect, points_h = normals.solver.statistics(
-        *normals.arguments(state),
-        normals.threads,
-        inverse,
-        d,
-        none if change is None else np.ascontiguousarray(change.nodes_h),
-        none if change is None else change.given,
-        none if change is None else change.points,
-        none if change is None else np.ascontiguousarray(change.middle),
-    )
+    points_minimal, hat, effect, points_h = normals.statistics(state, inverse, change)
     seen = np.zeros(len(system.points_used), bool)
     seen[system.block.observations.point[system.rows]] = True
     for p in np.flatnonzero(system.points_used & ~seen & (system.point_node >= 0)):  # no ray, and a node of its own

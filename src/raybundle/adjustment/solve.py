@@ -8,11 +8,11 @@ are short.
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
+from typing import Protocol
 
 import numpy as np
 
 from raybundle.adjustment.assemble import State
-from raybundle.adjustment.normals import Normals
 from raybundle.adjustment.options import AdjustmentOptions
 from raybundle.errors import NoConvergence
 from raybundle.numerics.arrays import Index
@@ -37,6 +37,46 @@ EXACT = 1e-5
 """Smallest sigma0 by which steps are measured: below it observations are exact, and steps are rounding."""
 HUBER = 2.0
 """Whitened residual length beyond which the robust start weighs linearly."""
+
+
+class Equations(Protocol):
+    """The normal equations of a network, in one piece (`Normals`) or in parts (`raybundle.blocking`)."""
+
+    @property
+    def unknowns(self) -> int:
+        """Number of unknowns before a datum is chosen."""
+        ...
+
+    @property
+    def observations(self) -> int:
+        """Number of observations."""
+        ...
+
+    def reduce(self, state: State, *, damping: float = 0.0, huber: float = 0.0) -> tuple[float, int, list[int]]:
+        """Form them at a state; cost, observations behind the camera, points whose own matrix is singular."""
+        ...
+
+    def trial(
+        self, state: State, *, damping: float = 0.0, huber: float = 0.0, passing: bool = False
+    ) -> tuple[State, float] | int:
+        """The state after a step, after `reduce`, and its linearised cost; or the unknown that stops the factor."""
+        ...
+
+    def cost(self, state: State, *, huber: float = 0.0) -> tuple[float, int]:
+        """Half the weighted square sum, and the observations behind the camera."""
+        ...
+
+    def excess(self, state: State, huber: float) -> float:
+        """Huber's costs of long residuals over those of the weighted ones that stand for them."""
+        ...
+
+    def before(self, state: State) -> State:
+        """The state with points before their cameras that all of these see behind; the same one where none is."""
+        ...
+
+    def beyond(self, state: State) -> Index:
+        """Object points whose rays diverge."""
+        ...
 
 
 @dataclass(slots=True)
@@ -64,7 +104,7 @@ class Solution:
 
 
 def solve(
-    normals: Normals,
+    normals: Equations,
     state: State,
     options: AdjustmentOptions,
     *,
@@ -86,7 +126,7 @@ def solve(
     found = _iterated(normals, state, options, huber, tolerance, damping, progress, passing=True)
     if approximate or not found.behind or not found.converged:
         return found
-    turned = normals.system.before(found.state, (normals.residuals(found.state)[1] & 1) > 0)
+    turned = normals.before(found.state)
     if turned is found.state:  # control, or points that other cameras see: their observations leave
         return found
     again = _iterated(normals, turned, options, huber, tolerance, CAUTIOUS, progress, passing=False)
@@ -96,30 +136,29 @@ def solve(
 
 
 def _iterated(
-    normals: Normals, state: State, options: AdjustmentOptions, huber: float, tolerance: float | None, damping: float,
+    normals: Equations, state: State, options: AdjustmentOptions, huber: float, tolerance: float | None, damping: float,
     progress: Progress, *, passing: bool,
 ) -> Solution:  # fmt: skip
     """One run of the iteration; `passing`: points may pass infinity."""
     limit = options.tolerance if tolerance is None else tolerance
-    system = normals.system
-    unknowns = max(system.unknowns, 1)
-    redundancy = max(system.observations - system.unknowns, 1)
+    unknowns = max(normals.unknowns, 1)
+    redundancy = max(normals.observations - normals.unknowns, 1)
     growth = 2.0
     cost, behind, _ = normals.reduce(state, damping=damping, huber=huber)
-    excess = _excess(normals, state, huber)
+    excess = normals.excess(state, huber)
     length, refused_behind = np.inf, 0
     start, refused, settled = None, False, False
     iterations = 0
     while iterations < options.max_iterations:
         iterations += 1
-        trial = normals.step(state, damping=damping, huber=huber)
+        trial = normals.trial(state, damping=damping, huber=huber, passing=passing)
         if isinstance(trial, int):
             damping, growth = max(damping, 1e-10) * growth, growth * 2
             if damping > 1e12:
                 break
             normals.reduce(state, damping=damping, huber=huber)
             continue
-        nodes, points, linear = trial
+        new, linear = trial
         predicted = cost - excess - linear
         sigma0 = max(np.sqrt(2 * cost / redundancy), EXACT)
         length = float(np.sqrt(max(2 * predicted, 0.0) / unknowns) / sigma0)
@@ -127,7 +166,6 @@ def _iterated(
             damping = FLOOR  # exact from the start: the full step tells whether that is all
             normals.reduce(state, damping=damping, huber=huber)
             continue
-        new = system.updated(state, nodes, points, passing=passing)
         new_cost, new_behind = _cost(normals, new, huber)
         gain = _gain(cost, new_cost, predicted)
         turned = new_behind > behind and gain < 0.25 and refused_behind < 6
@@ -139,7 +177,7 @@ def _iterated(
             break
         if np.isfinite(new_cost) and not turned and gain > 1e-4:
             state, cost, behind, refused_behind = new, new_cost, new_behind, 0
-            excess = _excess(normals, state, huber)
+            excess = normals.excess(state, huber)
             growth = 2.0
             damping = _less(damping, gain, floor=gain > 0.9 and length < CLOSE and not refused)
             start = length if start is None else start
@@ -150,10 +188,10 @@ def _iterated(
             damping, growth = max(damping, 1e-9) * growth, growth * 2
             if damping > 1e12:
                 break
-        if not passing and length < NEARLY and len(system.beyond(state)):
+        if not passing and length < NEARLY and len(normals.beyond(state)):
             break
         normals.reduce(state, damping=damping, huber=huber)
-    beyond = np.zeros(0, np.int64) if passing else system.beyond(state)
+    beyond = np.zeros(0, np.int64) if passing else normals.beyond(state)
     return Solution(state, cost, settled or length < NEARLY, iterations, length, behind, beyond)
 
 
@@ -170,23 +208,12 @@ def _less(damping: float, gain: float, *, floor: bool) -> float:
     return FLOOR if floor else max(damping, FLOOR)
 
 
-def _cost(normals: Normals, state: State, huber: float) -> tuple[float, int]:
+def _cost(normals: Equations, state: State, huber: float) -> tuple[float, int]:
     """Cost of a trial step and points behind their images; infinite where a scene does not see a point of it."""
     try:
         return normals.cost(state, huber=huber)
     except NoConvergence:
         return np.inf, 0
-
-
-def _excess(normals: Normals, state: State, huber: float) -> float:
-    """Huber's costs of long residuals, k (l - k / 2), over those of the weighted ones that stand for them, k l / 2.
-
-    A step minimises the latter; what it is to gain must be reckoned from there.
-    """
-    if huber <= 0:
-        return 0.0
-    length = np.linalg.norm(normals.residuals(state)[0], axis=1)
-    return float(0.5 * huber * np.maximum(length - huber, 0.0).sum())
 
 
 def _share(start: float, length: float, limit: float) -> float:

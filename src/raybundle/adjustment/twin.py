@@ -130,6 +130,11 @@ class Solver:
         """Number of the block of two nodes."""
         return min(a, b) * len(self.sizes) + max(a, b)
 
+    def blocks(self) -> tuple[Array, Array, Array]:
+        """Nodes of the rows and of the columns of the blocks, and the first value of each."""
+        first, second = np.triu_indices(len(self.sizes))
+        return first, second, self.start[first * len(self.sizes) + second]
+
     def block_start(self, k: int) -> int:
         """First value of a block."""
         return int(self.start[k])

@@ -1,0 +1,47 @@
+"""Which nodes of unknowns meet: a sparse graph, made piece by piece."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Iterator
+from typing import Any
+
+import numpy as np
+
+from raybundle.numerics.arrays import Array, Index
+
+PIECE = 2_000_000
+"""Entries of a table of incidences that are multiplied at once: what bounds the memory."""
+
+
+def meeting(pieces: Iterable[tuple[Index, Index]], count: int, pairs: Array) -> Any:
+    """The symmetric graph (count, count), CSR without loops, of nodes that stand in one row.
+
+    pieces  tables of rows (k,) and the nodes (k,) that stand in them; every row lies in one piece
+    pairs   (e, 2) nodes that meet beside
+    """
+    from scipy.sparse import csr_matrix  # noqa: PLC0415
+
+    low, high = np.minimum(*pairs.T), np.maximum(*pairs.T)
+    keys = np.unique(low[low < high].astype(np.int64) * count + high[low < high])
+    for rows, nodes in pieces:
+        _, row = np.unique(rows, return_inverse=True)
+        stands = csr_matrix((np.ones(len(row), np.int8), (row, nodes)), shape=(int(row.max(initial=-1)) + 1, count))
+        stands.data[:] = 1  # a node stands twice in a row of two images of one station
+        met = (stands.T.astype(np.int32) @ stands.astype(np.int32)).tocoo()
+        upper = met.row < met.col
+        keys = np.union1d(keys, met.row[upper].astype(np.int64) * count + met.col[upper])
+    low, high = keys // count, keys % count
+    both = np.concatenate([low, high]), np.concatenate([high, low])
+    return csr_matrix((np.ones(2 * len(keys), np.int8), both), shape=(count, count))
+
+
+def in_pieces(rows: Index, nodes: Index) -> Iterator[tuple[Index, Index]]:
+    """A table of incidences, ascending by row, in pieces of about `PIECE` entries; no row is divided."""
+    begin = 0
+    while begin < len(rows):
+        end = min(begin + PIECE, len(rows))
+        if end < len(rows):
+            first = int(np.searchsorted(rows, rows[end], side="left"))
+            end = first if first > begin else int(np.searchsorted(rows, rows[end], side="right"))
+        yield rows[begin:end], nodes[begin:end]
+        begin = end
