@@ -116,15 +116,17 @@ class PartsNormals:
 
     # -- one step
 
-    def reduce(self, state: State, *, damping: float = 0.0, huber: float = 0.0) -> tuple[float, int, list[int]]:
-        """Reduce and eliminate, from the leaves to the root."""
+    def reduce(
+        self, state: State, *, damping: float = 0.0, huber: float = 0.0, added: float = 0.0
+    ) -> tuple[float, int, list[int]]:
+        """Reduce and eliminate, from the leaves to the root; `added` as in `Iteration`."""
         assert isinstance(state, PartsState)
-        network, how = self.network, Iteration(damping=damping, huber=huber)
+        network, how = self.network, Iteration(damping=damping, huber=huber, added=added)
         normals = network.skeleton.normals
         outer, _, _ = normals.reduce(state)
         outside = {"values": normals.values, "right": normals.right, "diagonal": normals.diagonal}
         children = network.tree.children
-        key = f"{state.key}/{damping!r}/{huber!r}"
+        key = f"{state.key}/{damping!r}/{huber!r}/{added!r}"
         if self.formed:
             self.runner.forget("up", self.formed)
 
@@ -135,8 +137,6 @@ class PartsNormals:
         self.runner.sweep("up", key, task, range(len(network.tree)))
         self.formed = key
         found = [self.runner.product("up", key, t) for t in range(len(network.tree))]
-        if int(found[-1]["failed"]) >= 0:
-            return np.inf, 0, []
         numbers = np.array([f["numbers"] for f in found])
         weak = [int(p) for f in found for p in f["weak"]]
         return outer + float(numbers[:, 0].sum()), int(numbers[:, 1].sum()), weak
@@ -225,9 +225,10 @@ class PartsNormals:
 
     def diagonal(self) -> Array:
         """(N,) undamped diagonal of the normal matrix of all nodes, before anything is eliminated."""
-        found = np.zeros(int(self.network.skeleton.system.offsets[-1]))
+        found = self.network.skeleton.normals.diagonal.copy()
         for t, front in enumerate(self.network.fronts):
-            found[sweeps.rows_of(self.network, front.own)] = self.runner.product("up", self.formed, t)["own_diagonal"]
+            touched = self.runner.product("up", self.formed, t)["touched"]
+            found[sweeps.rows_of(self.network, front.nodes)] += touched
         return found
 
     def least_share(self) -> tuple[float, int]:

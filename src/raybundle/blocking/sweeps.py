@@ -29,6 +29,8 @@ class Iteration:
     damping: float = 0.0
     huber: float = 0.0
     passing: bool = False
+    added: float = 0.0
+    """Share of the diagonal that is added to that of the nodes alone, in place of a damping"""
 
 
 def state_of(work: PartWork, kept: Values | None) -> State:
@@ -49,25 +51,27 @@ def up(
 ) -> dict[str, Array]:  # fmt: skip
     """Reduce the part, eliminate the tree node's own unknowns.
 
+    What gives no factor says at which unknown of the network (`failed`, else -1).
+
     state     of the part; None: as given
     outside   normal equations of the skeleton: values, right, diagonal
     children  what this gave of the tree nodes below
     """
     front = network.fronts[t]
-    failed = max((int(c["failed"]) for c in children.values()), default=-1)
-    if failed >= 0:
-        return _stopped(failed)
-    e, cost, behind, excess = Equations.empty(front), 0.0, 0, 0.0
-    weak: list[int] = []
+    e, numbers, weak = Equations.empty(front), np.array([0.0, 0.0, 0.0, 1.0]), np.zeros(0, np.int64)
     if work is not None:
         normals, now = work.normals, state_of(work, state)
-        cost, behind, weak = normals.reduce(now, damping=how.damping, huber=how.huber)
-        excess = normals.excess(now, how.huber)
+        cost, behind, alone = normals.reduce(now, damping=how.damping, huber=how.huber)
+        numbers[:3] = cost, behind, normals.excess(now, how.huber)
+        weak = work.part.points[alone]
         _unheld(work)
         e.add(work.row[work.once], work.col[work.once], normals.values[work.once])
         e.right[work.place] += normals.right
         e.diagonal[work.place] += normals.diagonal
-        weak = work.part.points[weak].tolist()
+    told = {"numbers": numbers, "weak": weak, "touched": e.diagonal.copy()}
+    failed = max((int(c["failed"]) for c in children.values()), default=-1)
+    if failed >= 0:
+        return {"failed": np.array(failed), **told}
     network.add_outside(t, e, outside["values"], outside["right"], outside["diagonal"])
     for c, below in children.items():
         at = front.unknowns(network.boundary[c])
@@ -75,22 +79,17 @@ def up(
         e.right[at] += below["right"]
         e.diagonal[at] += below["diagonal"]
     o = front.columns
-    found = fronts.eliminate(e, how.damping)
+    found = fronts.eliminate(e, how.added or how.damping)
     if found.failed >= 0:
-        return _stopped(_global(network, t, found.failed))
-    pivots = np.diagonal(found.L) ** 2
-    share = pivots / np.maximum(e.diagonal[:o], 1e-300)
+        return {"failed": np.array(_global(network, t, found.failed)), **told}
+    share = np.diagonal(found.L) ** 2 / np.maximum(e.diagonal[:o], 1e-300)
     least = int(share.argmin()) if o else -1
+    numbers[3] = share[least] if o else 1.0
     return {
         "L": found.L, "W": found.W, "y": found.y, "reduced": found.reduced, "right": found.right,
-        "diagonal": e.diagonal[o:].copy(), "own_diagonal": e.diagonal[:o].copy(), "failed": np.array(-1),
-        "numbers": np.array([cost, behind, excess, share[least] if o else 1.0]), "weak": np.array(weak, np.int64),
-        "least": np.array(_global(network, t, least) if o else -1),
+        "diagonal": e.diagonal[o:].copy(), "failed": np.array(-1),
+        "least": np.array(_global(network, t, least) if o else -1), **told,
     }  # fmt: skip
-
-
-def _stopped(unknown: int) -> dict[str, Array]:
-    return {"failed": np.array(unknown)}
 
 
 def _global(network: Network, t: int, unknown: int) -> int:

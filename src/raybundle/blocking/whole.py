@@ -98,7 +98,7 @@ class WholeNormals(Normals):
     def reduce(self, state: State, *, damping: float = 0.0, huber: float = 0.0) -> tuple[float, int, list[int]]:
         """Reduce and eliminate the parts."""
         found = self.parts.reduce(self._of(state), damping=damping, huber=huber)
-        self.diagonal[:] = self.parts.diagonal() if self.parts.failed() < 0 else 0.0
+        self.diagonal[:] = self.parts.diagonal()
         return found
 
     def trial(
@@ -146,9 +146,14 @@ class WholeNormals(Normals):
     # -- the factor
 
     def factorise(self, added: Array = np.zeros(0)) -> int:
-        """Whether the last `reduce` gave a factor: 0, or 1 + the unknown that fails."""
+        """Whether the last `reduce` gave a factor: 0, or 1 + the unknown that fails.
+
+        added  a share of the diagonal; the parts of the state that was last asked for are reduced once more with it
+        """
         if len(added):
-            raise ValueError("what is added to the diagonal stands in the parts already")
+            assert self.known is not None
+            share = float((added / np.maximum(self.diagonal, 1e-300)).max())
+            self.parts.reduce(self.known[1], added=share)
         return self.parts.failed() + 1
 
     def least_share(self) -> tuple[float, int]:
