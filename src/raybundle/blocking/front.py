@@ -26,7 +26,7 @@ class Front:
     own: Index
     """Nodes of unknowns, ascending"""
     boundary: Index
-    """Nodes of unknowns that tree nodes above have and this one's subtree touches, ascending"""
+    """Nodes of unknowns that tree nodes above have and this one's subtree touches, in the order of elimination"""
     sizes: Array
     """(nodes,) unknowns of all nodes of the network"""
 
@@ -110,14 +110,16 @@ class Equations:
         self.C[high[outer] - o, low[outer] - o] += values[outer]
 
     def add_reduced(self, at: Index, lower: Array) -> None:
-        """Add a child's reduced matrix (k, k), of which the lower triangle counts, at these unknowns (k,)."""
+        """Add a child's reduced matrix (k, k), of which the lower triangle counts, at these unknowns (k,).
+
+        Both are in the order of elimination: own unknowns come first, and no element changes its triangle.
+        """
         o = len(self.A)
-        whole = np.tril(lower) + np.tril(lower, -1).T
-        own, outer = np.flatnonzero(at < o), np.flatnonzero(at >= o)
-        a, b = at[own], at[outer] - o
-        self.A[np.ix_(a, a)] += whole[np.ix_(own, own)]
-        self.B[np.ix_(a, b)] += whole[np.ix_(own, outer)]
-        self.C[np.ix_(b, b)] += whole[np.ix_(outer, outer)]
+        k = int(np.searchsorted(at, o))
+        a, b = at[:k], at[k:] - o
+        self.A[np.ix_(a, a)] += lower[:k, :k]
+        self.B[np.ix_(a, b)] += lower[k:, :k].T
+        self.C[np.ix_(b, b)] += lower[k:, k:]
 
 
 @dataclass(slots=True)

@@ -47,7 +47,7 @@ class Network:
     skeleton: Skeleton
     tree: Tree
     boundary: tuple[Index, ...]
-    """Nodes of unknowns above each tree node that its subtree touches, ascending"""
+    """Nodes of unknowns above each tree node that its subtree touches, in the order of their elimination"""
     counts: Index
     """(t,) image observations of each tree node"""
     part: Callable[[int], tuple[Part, Mask]]
@@ -182,4 +182,4 @@ def _boundaries(
         found.append(np.setdiff1d(np.concatenate(touched), tree.own[t]))
     if len(found[-1]):
         raise ValueError("observations touch unknowns of two branches")
-    return tuple(found)
+    return tuple(nodes[np.argsort(of_node[nodes], kind="stable")] for nodes in found)

@@ -9,7 +9,7 @@ from typing import Any, Protocol
 import numpy as np
 
 from raybundle.adjustment.assemble import State
-from raybundle.adjustment.datum import Datum
+from raybundle.adjustment.dense import one_thread
 from raybundle.blocking import sweeps
 from raybundle.blocking.network import Network, PartWork
 from raybundle.blocking.sweeps import Iteration, Values
@@ -48,8 +48,9 @@ class Memory:
 
     def sweep(self, name: str, key: str, do: Callable[[int], dict[str, Array]], order: Sequence[int]) -> None:
         """Do a task for each tree node."""
-        for t in order:
-            self.kept[name, key, t] = do(t)
+        with one_thread():
+            for t in order:
+                self.kept[name, key, t] = do(t)
 
     def product(self, name: str, key: str, t: int) -> Values:
         """What was kept of a tree node's task."""
