@@ -9,22 +9,27 @@ from raybundle.adjustment.engine import Factoring
 from raybundle.adjustment.normals import Normals
 from raybundle.adjustment.options import AdjustmentOptions
 from raybundle.blocking.network import LEAF, cut
-from raybundle.blocking.normals import Memory, Runner
+from raybundle.blocking.memory import Memory, Serial
+from raybundle.blocking.tasks import Store
 from raybundle.blocking.whole import WholeNormals
 from raybundle.numerics.arrays import Mask
+from raybundle.pipeline.executors import Executor
 
 
-def in_parts(leaf: int = LEAF, runner: Callable[[], Runner] = Memory) -> Factoring:
+def in_parts(
+    leaf: int = LEAF, store: Callable[[], Store] = Memory, executor: Executor | None = None
+) -> Factoring:
     """The normal equations of a block in parts (Helmert 1880; Wolf 1978), as `adjust_block` takes them.
 
-    leaf    unknowns of a leaf at most
-    runner  who does the tasks and keeps their products
+    leaf      unknowns of a leaf at most
+    store     where products are kept
+    executor  who does the tasks, in processes that know the network; None: this one, one task after the other
     """
 
     def factoring(
         system: System, options: AdjustmentOptions, free: Mapping[str, tuple[str, ...]], rejected: Mask
     ) -> Normals:
         network = cut(system.block, options, free, rejected, leaf, shift=system.shift)
-        return WholeNormals.whole(system, network, runner())
+        return WholeNormals.whole(system, network, store(), executor or Serial())
 
     return factoring

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from functools import cached_property
+from uuid import uuid4
 
 import numpy as np
 
@@ -52,6 +53,8 @@ class Network:
     """(t,) image observations of each tree node"""
     part: Callable[[int], tuple[Part, Mask]]
     """The part of a tree node, and which of its image observations (m,) are rejected"""
+    keep: int
+    """Parts that a process holds ready for use"""
 
     @cached_property
     def fronts(self) -> tuple[Front, ...]:
@@ -125,7 +128,7 @@ def _unknowns(offsets: Array, nodes: Index) -> Index:
 
 def cut(
     block: Block, options: AdjustmentOptions, free: Mapping[str, tuple[str, ...]], rejected: Mask, leaf: int = LEAF,
-    key: str = "network", shift: Array | None = None,
+    shift: Array | None = None,
 ) -> Network:  # fmt: skip
     """Cut a block that lies in memory.
 
@@ -158,8 +161,8 @@ def cut(
         return part_of(block, of_node[t]), np.zeros(len(of_node[t]), bool)
 
     return Network(
-        key=key, skeleton=skeleton, tree=tree, boundary=_boundaries(tree, rows, nodes, named, home, skeleton.pairs()),
-        counts=np.diff(bounds), part=part,
+        key=f"network-{uuid4().hex}", skeleton=skeleton, tree=tree, boundary=_boundaries(tree, rows, nodes, named, home, skeleton.pairs()),
+        counts=np.diff(bounds), part=part, keep=len(tree),
     )  # fmt: skip
 
 

@@ -1,119 +1,130 @@
-"""The normal equations of a network in parts, as the iteration and the statistics take them."""
+"""The normal equations of a network in parts: which tasks there are, and what the iteration makes of them."""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
-from typing import Any, Protocol
+from typing import Any
+from uuid import uuid4
 
 import numpy as np
 
 from raybundle.adjustment.assemble import State
-from raybundle.adjustment.dense import one_thread
-from raybundle.blocking import sweeps
-from raybundle.blocking.network import Network, PartWork
-from raybundle.blocking.sweeps import Iteration, Values
+from raybundle.blocking import sweeps, tasks
+from raybundle.blocking.network import Network
+from raybundle.blocking.tasks import Store
 from raybundle.numerics.arrays import Array, Index, Mask
+from raybundle.pipeline.executors import Executor
+from raybundle.pipeline.keys import key_of
+from raybundle.pipeline.tasks import Task
 
 
 @dataclass(slots=True)
 class PartsState(State):
-    """Values of a network in parts: those of the skeleton, and the name under which those of the parts are kept."""
+    """Values of a network in parts: those of the skeleton, and the products that hold those of the parts."""
 
-    key: str = ""
-    """"": as given"""
-
-
-class Runner(Protocol):
-    """Does the tasks of a sweep and keeps their products."""
-
-    def sweep(self, name: str, key: str, do: Callable[[int], dict[str, Array]], order: Sequence[int]) -> None:
-        """Do a task for each tree node, in an order in which each stands behind those whose products it needs."""
-        ...
-
-    def product(self, name: str, key: str, t: int) -> Values:
-        """What was kept of a tree node's task."""
-        ...
-
-    def forget(self, name: str, key: str) -> None:
-        """Let the products of a sweep go."""
-        ...
+    keys: tuple[str, ...] = ()
+    """By tree node; "": as given"""
 
 
 @dataclass(slots=True)
-class Memory:
-    """Does tasks one after the other; products stay in memory."""
+class Parts:
+    """A network in parts and who does its tasks: one sweep after the other, each product kept by its key."""
 
-    kept: dict[tuple[str, str, int], Values] = field(default_factory=dict[tuple[str, str, int], Values])
+    network: Network
+    store: Store
+    executor: Executor
+    planned: dict[str, Task] = field(default_factory=dict[str, Task])
+    """How each product of this run is made"""
 
-    def sweep(self, name: str, key: str, do: Callable[[int], dict[str, Array]], order: Sequence[int]) -> None:
-        """Do a task for each tree node."""
-        with one_thread():
-            for t in order:
-                self.kept[name, key, t] = do(t)
+    def sweep(
+        self, name: str, options: Callable[[int, dict[int, str]], Any], inputs: Callable[[Any], Sequence[str]],
+        *, upwards: bool,
+    ) -> tuple[str, ...]:  # fmt: skip
+        """A task for each tree node, children first or parents first; keys of their products by tree node.
 
-    def product(self, name: str, key: str, t: int) -> Values:
-        """What was kept of a tree node's task."""
-        return self.kept[name, key, t]
+        options  of a tree node's task, given the keys of those before
+        inputs   products that its options name
+        """
+        count = len(self.network.tree)
+        keys, found = dict[int, str](), list[Task]()
+        for t in range(count) if upwards else range(count - 1, -1, -1):
+            o = options(t, keys)
+            keys[t] = key_of(name, tasks.VERSION, o)
+            front = self.network.fronts[t]
+            task = Task(
+                key=keys[t], function=f"raybundle.blocking.tasks:{name}", options=o,
+                inputs=tuple(k for k in inputs(o) if k), cost=1e-9 * front.size**2 * max(front.columns, 1),
+                memory=24.0 * front.size**2 + 250.0 * float(self.network.counts[t]), name=f"{name} {t}",
+            )  # fmt: skip
+            self.planned[task.key] = task
+            found.append(task)
+        self.make([t for t in found if not self.store.has(t.key)])
+        return tuple(keys[t] for t in range(count))
 
-    def forget(self, name: str, key: str) -> None:
-        """Let the products of a sweep go."""
-        for k in [k for k in self.kept if k[:2] == (name, key)]:
-            del self.kept[k]
+    def make(self, wanted: Sequence[Task]) -> None:
+        """Do tasks, and first those whose products they need and that are gone."""
+        order = dict[str, Task]()
+
+        def need(task: Task) -> None:
+            for key in task.inputs:
+                if key in self.planned and key not in order and not self.store.has(key):
+                    need(self.planned[key])
+            order[task.key] = task
+
+        for task in wanted:
+            if task.key not in order:
+                need(task)
+        for done in self.executor.run(list(order.values()), self.store):  # pyright: ignore[reportArgumentType]
+            if done.failed:
+                raise RuntimeError(done.failed)
+
+    def forget(self, keys: Sequence[str]) -> None:
+        """Let products go."""
+        for key in keys:
+            self.store.remove(key)
+
+    def put(self, name: str, product: dict[str, Array]) -> str:
+        """Keep a product of the driver; its key."""
+        key = key_of(name, product)
+        if not self.store.has(key):
+            self.store.store(key, product)
+        return key
 
 
 @dataclass(slots=True)
 class PartsNormals:
     """Normal equations in parts (`adjustment.solve.Equations`)."""
 
-    network: Network
-    runner: Runner
-    works: dict[int, PartWork | None] = field(default_factory=dict[int, PartWork | None])
-    count: int = 0
-    """States so far"""
-    ready: tuple[str, float, int] = ("", 0.0, 0)
-    """Key, cost and observations behind the camera of the last trial"""
-    formed: str = ""
-    """Key of the last sweep up"""
-
-    # -- counts
+    parts: Parts
+    observations: int
+    unknowns: int
+    """Before a datum is chosen"""
+    held: str = ""
+    """Product with the coordinates that carry a minimal datum"""
+    formed: tuple[str, ...] = ()
+    """Products of the last sweep up"""
+    at: PartsState | None = None
+    """Its state"""
+    inverses: tuple[str, ...] = ()
+    """Products of the last inverse"""
+    tried: tuple[tuple[str, ...], float, int] = ((), 0.0, 0)
+    """Products, cost and observations behind the camera of the last trial"""
+    trials: list[tuple[str, ...]] = field(default_factory=list[tuple[str, ...]])
+    """Products of trials that are kept: the last one, and the one from which it went"""
 
     @property
-    def observations(self) -> int:
-        """Number of observations."""
-        return self.network.skeleton.system.observations + sum(w.of.system.observations for w in self._works())
-
-    @property
-    def unknowns(self) -> int:
-        """Number of unknowns before a datum is chosen."""
-        found = self.network.skeleton.system.unknowns
-        for w in self._works():
-            system = w.of.system
-            mine = system.points_used & (system.point_node < 0)
-            found += int((~system.control_held[mine]).sum())
-        return found
-
-    def _works(self) -> Iterator[PartWork]:
-        for t in range(len(self.network.tree)):
-            w = self.work(t)
-            if w is not None:
-                yield w
-
-    def work(self, t: int) -> PartWork | None:
-        """The part of a tree node."""
-        if t not in self.works:
-            self.works[t] = self.network.work(t)
-        return self.works[t]
+    def network(self) -> Network:
+        """What is cut into parts."""
+        return self.parts.network
 
     def initial_state(self) -> PartsState:
         """Values as given."""
         s = self.network.skeleton.system.initial_state()
-        return PartsState(s.rotation, s.centre, s.interior, s.xyz, s.own, key="")
+        return PartsState(s.rotation, s.centre, s.interior, s.xyz, s.own, keys=("",) * len(self.network.tree))
 
-    def part_state(self, state: State, t: int) -> Values | None:
-        """Values of a part; None: as given."""
-        assert isinstance(state, PartsState)
-        return self.runner.product("state", state.key, t) if state.key else None
+    def _all(self, keys: Sequence[str], *names: str) -> list[dict[str, Array]]:
+        return [self.parts.store.wanted(key, names) for key in keys]
 
     # -- one step
 
@@ -122,36 +133,38 @@ class PartsNormals:
     ) -> tuple[float, int, list[int]]:
         """Reduce and eliminate, from the leaves to the root; `added` as in `Iteration`."""
         assert isinstance(state, PartsState)
-        network, how = self.network, Iteration(damping=damping, huber=huber, added=added)
-        normals = network.skeleton.normals
+        network, normals = self.network, self.network.skeleton.normals
         outer, _, _ = normals.reduce(state)
-        outside = {"values": normals.values, "right": normals.right, "diagonal": normals.diagonal}
-        children = network.tree.children
-        key = f"{state.key}/{damping!r}/{huber!r}/{added!r}"
-        if self.formed:
-            self.runner.forget("up", self.formed)
+        outside = self.parts.put(
+            "outside", {"values": normals.values, "right": normals.right, "diagonal": normals.diagonal}
+        )
 
-        def task(t: int) -> dict[str, Array]:
-            below = {c: self.runner.product("up", key, c) for c in children[t]}
-            return sweeps.up(network, t, self.work(t), self.part_state(state, t), how, outside, below)
+        def options(t: int, keys: dict[int, str]) -> tasks.Up:
+            return tasks.Up(
+                network=network.key, node=t, state=state.keys[t], held=self.held, outside=outside, damping=damping,
+                children=tuple(keys[c] for c in network.tree.children[t]), huber=huber, added=added,
+            )  # fmt: skip
 
-        self.runner.sweep("up", key, task, range(len(network.tree)))
-        self.formed = key
-        found = [self.runner.product("up", key, t) for t in range(len(network.tree))]
+        def inputs(o: tasks.Up) -> Sequence[str]:
+            return (o.state, *o.children)
+
+        before, self.formed = self.formed, self.parts.sweep("up", options, inputs, upwards=True)
+        self.at = state
+        self.parts.forget([k for k in (*before, *self.inverses) if k not in self.formed])
+        self.inverses = ()
+        found = self._all(self.formed, "numbers", "weak")
         numbers = np.array([f["numbers"] for f in found])
         weak = [int(p) for f in found for p in f["weak"]]
         return outer + float(numbers[:, 0].sum()), int(numbers[:, 1].sum()), weak
 
     def failed(self) -> int:
         """The unknown that stops the elimination of the last `reduce`, -1: none."""
-        return int(self.runner.product("up", self.formed, len(self.network.tree) - 1)["failed"])
+        return int(self._all(self.formed[-1:], "failed")[0]["failed"])
 
     def excess(self, state: State, huber: float) -> float:
         """Huber's costs of long residuals over those of the weighted ones, of the last `reduce`."""
         del state
-        if huber <= 0:
-            return 0.0
-        return float(sum(self.runner.product("up", self.formed, t)["numbers"][2] for t in range(len(self.network.tree))))
+        return float(sum(f["numbers"][2] for f in self._all(self.formed, "numbers"))) if huber > 0 else 0.0
 
     def trial(
         self, state: State, *, damping: float = 0.0, huber: float = 0.0, passing: bool = False
@@ -160,142 +173,133 @@ class PartsNormals:
         assert isinstance(state, PartsState)
         if self.failed() >= 0:
             return self.failed()
-        network, how = self.network, Iteration(damping=damping, huber=huber, passing=passing)
-        key, formed, parent = self.new_key(), self.formed, network.tree.parent.tolist()
+        network = self.network
+        parent = network.tree.parent.tolist()
 
-        def task(t: int) -> dict[str, Array]:
-            above = self.runner.product("state", key, parent[t]) if parent[t] >= 0 else None
-            own = self.runner.product("up", formed, t)
-            return sweeps.down(network, t, self.work(t), self.part_state(state, t), how, own, above)
+        def options(t: int, keys: dict[int, str]) -> tasks.Down:
+            return tasks.Down(
+                network=network.key, node=t, state=state.keys[t], held=self.held, up=self.formed[t], huber=huber,
+                above=keys[parent[t]] if parent[t] >= 0 else "", damping=damping, passing=passing,
+            )  # fmt: skip
 
-        order = range(len(network.tree) - 1, -1, -1)
-        self.runner.sweep("state", key, task, order)
-        found = [self.runner.product("state", key, t) for t in range(len(network.tree))]
+        def inputs(o: tasks.Down) -> Sequence[str]:
+            return o.state, o.up, o.above
+
+        for before in self.trials:
+            if before != state.keys:
+                self.parts.forget(before)
+        keys = self.parts.sweep("down", options, inputs, upwards=False)
+        self.trials = [t for t in self.trials if t == state.keys] + [keys]
+        found = self._all(keys, "step", "numbers")
         step = np.zeros(int(network.skeleton.system.offsets[-1]))
-        for t, f in enumerate(found):
-            front = network.fronts[t]
+        for front, f in zip(network.fronts, found, strict=True):
             step[sweeps.rows_of(network, front.own)] = f["step"][: front.columns]
-        skeleton = network.skeleton
+        numbers = np.array([f["numbers"] for f in found])
+        new, outer = self._outer_step(state, step, passing=passing)
+        new.keys = keys
+        outer_cost, _ = network.skeleton.normals.cost(new)
+        self.tried = keys, outer_cost + float(numbers[:, 1].sum()), int(numbers[:, 2].sum())
+        return new, outer + float(numbers[:, 0].sum())
+
+    def _outer_step(self, state: PartsState, step: Array, *, passing: bool) -> tuple[PartsState, float]:
+        """The skeleton's values after a step (N,), and the linearised cost of its observations."""
+        skeleton = self.network.skeleton
+        system = skeleton.system
         e = skeleton.normals.standardised(state)
         moved = e.residual.copy()
         if len(moved):
             np.add.at(moved, e.row, e.value * step[e.unknown])
-        outer = 0.5 * float(moved @ skeleton.system.extra.weighted(moved))
         points = np.zeros_like(state.xyz)
-        with_node = np.flatnonzero(skeleton.system.point_node >= 0)
-        at = skeleton.system.offsets[skeleton.system.point_node[with_node]][:, None] + np.arange(3)
-        points[with_node] = step[at]
-        s = skeleton.system.updated(state, step, points, passing=passing)
-        new = PartsState(s.rotation, s.centre, s.interior, s.xyz, s.own, key=key)
-        numbers = np.array([f["numbers"] for f in found])
-        outer_cost, _ = skeleton.normals.cost(new)
-        self.ready = key, outer_cost + float(numbers[:, 1].sum()), int(numbers[:, 2].sum())
-        return new, outer + float(numbers[:, 0].sum())
+        with_node = np.flatnonzero(system.point_node >= 0)
+        points[with_node] = step[system.offsets[system.point_node[with_node]][:, None] + np.arange(3)]
+        s = system.updated(state, step, points, passing=passing)
+        new = PartsState(s.rotation, s.centre, s.interior, s.xyz, s.own)
+        return new, 0.5 * float(moved @ system.extra.weighted(moved))
 
     def cost(self, state: State, *, huber: float = 0.0) -> tuple[float, int]:
         """Half the weighted square sum of the last trial, and the observations behind the camera."""
         del huber
         assert isinstance(state, PartsState)
-        if state.key != self.ready[0]:
+        if state.keys != self.tried[0]:
             raise ValueError("the cost of a state that is not the last trial")
-        return self.ready[1:]
-
-    def evaluated(self, state: PartsState, huber: float) -> tuple[float, int]:
-        """Half the weighted square sum at any state, and the observations behind the camera."""
-        total, behind = self.network.skeleton.normals.cost(state)
-        for t in range(len(self.network.tree)):
-            work = self.work(t)
-            if work is not None:
-                cost, wrong = work.normals.cost(sweeps.state_of(work, self.part_state(state, t)), huber=huber)
-                total, behind = total + cost, behind + wrong
-        return total, behind
+        return self.tried[1:]
 
     # -- the factor
 
-    def new_key(self) -> str:
-        """The name of a new state."""
-        self.count += 1
-        return str(self.count)
-
     def hold(self, held: Mask) -> None:
-        """Hold these coordinates (p, 3) of the whole network, those of control among them."""
-        for work in self._works():
-            work.normals.hold(held[work.part.points] & work.of.system.points_used[:, None])
+        """Hold these coordinates (p, 3) of the whole network, beside those of control."""
+        point, axis = np.nonzero(held)
+        self.held = self.parts.put("held", {"point": point, "axis": axis}) if len(point) else ""
         skeleton = self.network.skeleton
-        skeleton.normals.hold(held[skeleton.points] & (skeleton.system.point_node >= 0)[:, None])
+        mine = held[skeleton.points] & (skeleton.system.point_node >= 0)[:, None]
+        skeleton.normals.hold(skeleton.system.control_held | mine)
 
     def diagonal(self) -> Array:
         """(N,) undamped diagonal of the normal matrix of all nodes, before anything is eliminated."""
         found = self.network.skeleton.normals.diagonal.copy()
-        for t, front in enumerate(self.network.fronts):
-            touched = self.runner.product("up", self.formed, t)["touched"]
-            found[sweeps.rows_of(self.network, front.nodes)] += touched
+        for front, f in zip(self.network.fronts, self._all(self.formed, "touched"), strict=True):
+            found[sweeps.rows_of(self.network, front.nodes)] += f["touched"]
         return found
 
     def least_share(self) -> tuple[float, int]:
         """The least share of an unknown's information that elimination left over, and the unknown."""
-        found = [self.runner.product("up", self.formed, t) for t in range(len(self.network.tree))]
+        found = self._all(self.formed, "numbers", "least")
         shares = [float(f["numbers"][3]) for f in found]
         at = int(np.argmin(shares))
         return shares[at], int(found[at]["least"])
 
-    def solved(
-        self, nodes: Array, points: Callable[[PartWork], Array] | None = None, state: PartsState | None = None
-    ) -> Array:
+    def solved(self, nodes: Array, points: Sequence[str] = ()) -> Array:
         """The nodes' part (N, k) of N^-1 applied to right sides, with the last factor.
 
         nodes   (N, k) of nodes
-        points  of a part: (p, 3, k) of the object points that it eliminates, at a state
+        points  by tree node, products with those (p, 3, k) of the object points that its part eliminates
         """
-        network, formed, tree = self.network, self.formed, self.network.tree
-        parent = tree.parent.tolist()
+        network, state = self.network, self.at
+        assert state is not None
+        parent, given = network.tree.parent.tolist(), self.parts.put("given", {"nodes": nodes})
 
-        def rising(t: int) -> dict[str, Array]:
-            work = self.work(t)
-            condensed = None
-            if work is not None and points is not None and state is not None:
-                now = sweeps.state_of(work, self.part_state(state, t))
-                work.normals.refresh_external(now)
-                condensed = work.normals.solver.condense(
-                    *work.normals.arguments(now), 1, points(work), nodes.shape[1]
-                )
-            below = {c: self.runner.product("right", formed, c) for c in tree.children[t]}
-            own = self.runner.product("up", formed, t)
-            return sweeps.right_up(network, t, own, nodes, None if condensed is None else (work, condensed), below)
+        def rising(t: int, keys: dict[int, str]) -> tasks.RightUp:
+            return tasks.RightUp(
+                network=network.key, node=t, state=state.keys[t], held=self.held, up=self.formed[t], nodes=given,
+                points=points[t] if points else "", children=tuple(keys[c] for c in network.tree.children[t]),
+            )  # fmt: skip
 
-        def falling(t: int) -> dict[str, Array]:
-            above = self.runner.product("solution", formed, parent[t]) if parent[t] >= 0 else None
-            own, mine = self.runner.product("up", formed, t), self.runner.product("right", formed, t)
-            return sweeps.right_down(network, t, own, mine, above)
+        def rising_inputs(o: tasks.RightUp) -> Sequence[str]:
+            return o.state, o.up, o.points, *o.children
 
-        self.runner.sweep("right", formed, rising, range(len(tree)))
-        self.runner.sweep("solution", formed, falling, range(len(tree) - 1, -1, -1))
+        halves = self.parts.sweep("right_up", rising, rising_inputs, upwards=True)
+
+        def falling(t: int, keys: dict[int, str]) -> tasks.RightDown:
+            above = keys[parent[t]] if parent[t] >= 0 else ""
+            return tasks.RightDown(network=network.key, node=t, up=self.formed[t], right=halves[t], above=above)
+
+        def falling_inputs(o: tasks.RightDown) -> Sequence[str]:
+            return o.up, o.right, o.above
+
+        keys = self.parts.sweep("right_down", falling, falling_inputs, upwards=False)
         found = np.zeros_like(nodes)
-        for t, front in enumerate(network.fronts):
-            x = self.runner.product("solution", formed, t)["x"]
-            found[sweeps.rows_of(network, front.own)] = x[: front.columns]
-        self.runner.forget("right", formed)
-        self.runner.forget("solution", formed)
+        for front, f in zip(network.fronts, self._all(keys, "x"), strict=True):
+            found[sweeps.rows_of(network, front.own)] = f["x"][: front.columns]
+        self.parts.forget([*halves, *keys, given])
         return found
 
     def selected_inverse(self) -> Array:
         """The inverse at the skeleton's blocks; that of the parts' own is kept (`part_inverse`)."""
-        network, formed, parent = self.network, self.formed, self.network.tree.parent.tolist()
+        network = self.network
+        parent = network.tree.parent.tolist()
 
-        def falling(t: int) -> dict[str, Array]:
-            above = self.runner.product("inverse", formed, parent[t]) if parent[t] >= 0 else None
-            return sweeps.inverse_down(network, t, self.work(t), self.runner.product("up", formed, t), above)
+        def falling(t: int, keys: dict[int, str]) -> tasks.Inverse:
+            above = keys[parent[t]] if parent[t] >= 0 else ""
+            return tasks.Inverse(network=network.key, node=t, up=self.formed[t], above=above)
 
-        self.runner.sweep("inverse", formed, falling, range(len(network.tree) - 1, -1, -1))
+        def inputs(o: tasks.Inverse) -> Sequence[str]:
+            return o.up, o.above
+
+        self.inverses = self.parts.sweep("inverse", falling, inputs, upwards=False)
         found = np.zeros_like(network.skeleton.normals.values)
-        for t in range(len(network.tree)):
-            f = self.runner.product("inverse", formed, t)
+        for t, f in enumerate(self._all(self.inverses, "outside")):
             found[network.outside_places(t)[2]] = f["outside"]
         return found
-
-    def part_inverse(self, t: int) -> Array:
-        """The inverse in the layout of a part's normal matrix, of the last `selected_inverse`."""
-        return self.runner.product("inverse", self.formed, t)["part"]
 
     # -- points that go astray
 
@@ -306,3 +310,8 @@ class PartsNormals:
     def beyond(self, state: State) -> Index:
         """Object points whose rays diverge."""
         raise NotImplementedError
+
+
+def unique(name: str) -> str:
+    """A key of what no other run will ask for."""
+    return f"{name}-{uuid4().hex}"

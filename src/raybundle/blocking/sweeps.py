@@ -138,6 +138,15 @@ def _with_boundary(network: Network, t: int, own: Values, above: Array | None, y
     return np.concatenate([fronts.solved(own["L"], own["W"], y, boundary), boundary])
 
 
+def condensed(work: PartWork, state: State, points: Array) -> Array:
+    """What right sides (p, 3, k) of a part's eliminated object points bring to its unknowns (u, k)."""
+    system = work.of.system
+    points = points * ((system.point_node < 0)[:, None] & ~system.held)[:, :, None]
+    work.normals.refresh_external(state)
+    arguments = work.normals.arguments(state)
+    return work.normals.solver.condense(*arguments, 1, np.ascontiguousarray(points), points.shape[2])
+
+
 def right_up(
     network: Network, t: int, own: Values, nodes: Array, condensed: tuple[PartWork | None, Array] | None,
     children: Mapping[int, Values],

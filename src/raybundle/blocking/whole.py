@@ -9,10 +9,12 @@ import numpy as np
 from raybundle.adjustment.assemble import State, System
 from raybundle.adjustment.normals import Normals
 from raybundle.adjustment.transformation import Transformation
-from raybundle.blocking import sweeps
+from raybundle.blocking import sweeps, tasks
 from raybundle.blocking.network import Network, PartWork
-from raybundle.blocking.normals import PartsNormals, PartsState, Runner
+from raybundle.blocking.normals import Parts, PartsNormals, PartsState, unique
+from raybundle.blocking.tasks import Store
 from raybundle.numerics.arrays import Array, Index, Mask
+from raybundle.pipeline.executors import Executor
 
 
 @dataclass(slots=True)
@@ -33,7 +35,7 @@ class WholeNormals(Normals):
     """The last trial"""
 
     @classmethod
-    def whole(cls, system: System, network: Network, runner: Runner) -> WholeNormals:
+    def whole(cls, system: System, network: Network, store: Store, executor: Executor) -> WholeNormals:
         """Of a system and the network that its block was cut into."""
         own = network.skeleton.normals
         place = np.full(len(system.block.observations), -1, np.int64)
@@ -41,8 +43,9 @@ class WholeNormals(Normals):
         found = cls(
             system=system, solver=own.solver, threads=1, values=np.zeros_like(own.values),
             right=np.zeros_like(own.right), diagonal=np.zeros_like(own.diagonal), external=np.zeros(0, bool),
-            parts=PartsNormals(network, runner), place=place,
+            parts=PartsNormals(Parts(network, store, executor), system.observations, system.unknowns), place=place,
         )  # fmt: skip
+        tasks.remember(network)
         found.hold(system.held)
         return found
 
@@ -50,40 +53,45 @@ class WholeNormals(Normals):
 
     def scattered(self, state: State) -> PartsState:
         """A state as the parts keep it."""
-        parts, network = self.parts, self.parts.network
-        key = parts.new_key()
-
-        def task(t: int) -> dict[str, Array]:
-            work = parts.work(t)
-            if work is None:
-                return {}
+        parts = self.parts
+        keys = [""] * len(parts.network.tree)
+        for t, work in self._works():
+            keys[t] = unique("state")
             images, points = work.part.images, work.part.points
-            return sweeps.kept_state(
-                State(state.rotation[images], state.centre[images], state.interior[work.of.interior], state.xyz[points])
+            mine = State(
+                state.rotation[images], state.centre[images], state.interior[work.of.interior], state.xyz[points]
             )
-
-        parts.runner.sweep("state", key, task, range(len(network.tree)))
-        at = network.skeleton.points
-        return PartsState(state.rotation, state.centre, state.interior, state.xyz[at], state.own, key=key)
+            parts.parts.store.store(keys[t], sweeps.kept_state(mine))
+        at = parts.network.skeleton.points
+        return PartsState(state.rotation, state.centre, state.interior, state.xyz[at], state.own, keys=tuple(keys))
 
     def gathered(self, state: PartsState) -> State:
         """A state of the parts as a whole."""
         xyz = np.zeros((len(self.system.block.points), 3))
         for t, work in self._works():
-            kept = self.parts.runner.product("state", state.key, t)
-            xyz[work.part.points] = kept["xyz"]
+            xyz[work.part.points] = self.parts.parts.store.wanted(state.keys[t], ("xyz",))["xyz"]
         with_node = self.parts.network.skeleton.system.point_node >= 0
         xyz[self.parts.network.skeleton.points[with_node]] = state.xyz[with_node]
         return State(state.rotation, state.centre, state.interior, xyz, state.own)
 
     def _works(self) -> list[tuple[int, PartWork]]:
-        found = [(t, self.parts.work(t)) for t in range(len(self.parts.network.tree))]
+        at = tasks.known(self.parts.parts.store, self.parts.network.key)
+        found = [(t, tasks.work_of(at, t)) for t in range(len(self.parts.network.tree))]
         return [(t, work) for t, work in found if work is not None]
 
+    def _state(self, work: PartWork, of: PartsState, t: int) -> State:
+        """Values of a part."""
+        return sweeps.state_of(work, self.parts.parts.store.wanted(of.keys[t]) if of.keys[t] else None)
+
     def _of(self, state: State) -> PartsState:
-        """The parts' state of a whole one; the last one that was asked for is known."""
-        if self.known is not None and self.known[0] is state:
-            return self.known[1]
+        """The parts' state of a whole one; the last one that was asked for and the last trial are known."""
+        store = self.parts.parts.store
+        for at in (self.known, self.tried):
+            if at is not None and at[0] is state and all(store.has(k) for k in at[1].keys if k):
+                self.known = at
+                return at[1]
+        if self.known is not None and self.known is not self.tried:
+            self.parts.parts.forget(self.known[1].keys)
         found = self.scattered(state)
         self.known = (state, found)
         return found
@@ -117,10 +125,13 @@ class WholeNormals(Normals):
     def cost(self, state: State, *, huber: float = 0.0) -> tuple[float, int]:
         """Half the weighted square sum, and the observations behind the camera."""
         if self.tried is not None and self.tried[0] is state:
-            new = self.tried[1]
-            self.known = self.tried
-            return self.parts.cost(new, huber=huber)
-        return self.parts.evaluated(self._of(state), huber)
+            return self.parts.cost(self.tried[1], huber=huber)
+        of = self._of(state)
+        total, behind = self.parts.network.skeleton.normals.cost(of)
+        for t, work in self._works():
+            cost, wrong = work.normals.cost(self._state(work, of, t), huber=huber)
+            total, behind = total + cost, behind + wrong
+        return total, behind
 
     def excess(self, state: State, huber: float) -> float:
         """Huber's costs of long residuals over those of the weighted ones."""
@@ -136,7 +147,7 @@ class WholeNormals(Normals):
         flags = np.zeros(len(self.system.rows), np.uint8)
         for t, work in self._works():
             rows = self._rows(work)
-            v[rows], flags[rows] = work.normals.residuals(sweeps.state_of(work, self.parts.part_state(of, t)))
+            v[rows], flags[rows] = work.normals.residuals(self._state(work, of, t))
         return v, flags
 
     def _rows(self, work: PartWork) -> Index:
@@ -168,30 +179,33 @@ class WholeNormals(Normals):
     def solved(self, right: Array) -> Array:
         """N^-1 applied to right sides (N,) or (N, k) of the nodes."""
         whole = right if right.ndim == 2 else right[:, None]
-        found = self.parts.solved(np.asarray(whole, float), None)
+        found = self.parts.solved(np.asarray(whole, float))
         return found if right.ndim == 2 else found[:, 0]
 
     def solve_nodes(self, state: State, nodes: Array, points: Array) -> Array:
         """The nodes' part (N, k) of N^-1 applied to right sides for nodes (N, k) and points (p, 3, k)."""
-        system, of = self.system, self._of(state)
+        system = self.system
         right, points = nodes.copy(), self._free_rows(points)
         kept = np.flatnonzero(system.point_node >= 0)
         at = system.offsets[system.point_node[kept]][:, None] + np.arange(3)
         right[at] += points[kept]
         right[self._held_unknowns()] = 0.0
 
-        def own(work: PartWork) -> Array:
-            mine = points[work.part.points] * (work.of.system.point_node < 0)[:, None, None]
-            return np.ascontiguousarray(mine)
-
-        return self.parts.solved(right, own, of)
+        keys = [""] * len(self.parts.network.tree)
+        for t, work in self._works():
+            keys[t] = unique("points")
+            self.parts.parts.store.store(keys[t], {"points": points[work.part.points]})
+        self._of(state)
+        found = self.parts.solved(right, keys)
+        self.parts.parts.forget(keys)
+        return found
 
     def solve_points(self, state: State, nodes: Array, points: Array) -> Array:
         """The points' part (p, 3, k) that belongs to the nodes' part (N, k) of a solution."""
         system, of, points = self.system, self._of(state), self._free_rows(points)
         found = np.zeros_like(points)
         for t, work in self._works():
-            now = sweeps.state_of(work, self.parts.part_state(of, t))
+            now = self._state(work, of, t)
             mine = np.ascontiguousarray(nodes[sweeps.rows_of(self.parts.network, work.of.nodes)])
             given = np.ascontiguousarray(points[work.part.points])
             found[work.part.points] = work.normals.solve_points(now, mine, given)
@@ -213,9 +227,9 @@ class WholeNormals(Normals):
         points, hat = np.zeros((p, 3, 3)), np.zeros((m, 3))
         effect, points_h = np.zeros((m, 3, 2)), np.zeros((p, 3, d))
         for t, work in self._works():
-            now = sweeps.state_of(work, self.parts.part_state(of, t))
+            now = self._state(work, of, t)
             mine = None if change is None else _restricted(change, self.parts.network, work)
-            Q = self.parts.part_inverse(t)
+            Q = self.parts.parts.store.wanted(self.parts.inverses[t], ("part",))["part"]
             work.normals.refresh_external(now)
             found = work.normals.statistics(now, Q, mine)
             at, rows = work.part.points, self._rows(work)

@@ -1,0 +1,241 @@
+"""The sweeps as tasks (`raybundle.pipeline.tasks`): what another process can do with nothing but the store.
+
+Options name products by their keys, a network by that of its own: so a task's key is the hash of everything that its
+product depends on, and whoever finds the product there need not make it.
+"""
+
+from __future__ import annotations
+
+from collections import OrderedDict
+from dataclasses import dataclass, field
+from threading import Lock
+from typing import Protocol
+
+import numpy as np
+
+from raybundle.blocking import sweeps
+from raybundle.blocking.network import Network, PartWork
+from raybundle.blocking.sweeps import Iteration, Values
+from raybundle.numerics.arrays import Array
+from raybundle.pipeline.store import Product
+
+VERSION = 1
+"""Raised with every change of what the tasks give."""
+
+
+class Store(Protocol):
+    """Where products are kept: `pipeline.store.Folder`, or memory."""
+
+    def has(self, key: str) -> bool:
+        """Whether a product is there."""
+        ...
+
+    def wanted(self, key: str, names: tuple[str, ...] = ()) -> dict[str, Array]:
+        """A product, or some of its arrays; an error where it is not there."""
+        ...
+
+    def store(self, key: str, product: Product) -> None:
+        """Keep a product."""
+        ...
+
+    def remove(self, key: str) -> None:
+        """Let a product go, where it is there."""
+        ...
+
+
+@dataclass(slots=True)
+class Known:
+    """A network in this process, and its parts that are ready for use."""
+
+    network: Network
+    works: OrderedDict[int, PartWork | None] = field(default_factory=OrderedDict[int, "PartWork | None"])
+    held: dict[int, str] = field(default_factory=dict[int, str])
+    """By part, the product whose coordinates are held in it"""
+
+
+_known: OrderedDict[str, Known] = OrderedDict()
+_lock = Lock()
+MOST_NETWORKS = 4
+
+
+def remember(network: Network) -> None:
+    """Make a network known to this process."""
+    with _lock:
+        _known[network.key] = Known(network)
+        while len(_known) > MOST_NETWORKS:
+            _known.popitem(last=False)
+
+
+def known(store: Store, key: str) -> Known:
+    """A network that this process knows, or reads from the store."""
+    with _lock:
+        if key in _known:
+            _known.move_to_end(key)
+            return _known[key]
+    from raybundle.blocking.kept import network_of  # noqa: PLC0415  (which reads networks by these tasks' store)
+
+    network = network_of(store, key)
+    remember(network)
+    return _known[key]
+
+
+def work_of(at: Known, t: int) -> PartWork | None:
+    """The part of a tree node, ready for use; the ones used last stay so, as many as the network says."""
+    with _lock:
+        if t in at.works:
+            at.works.move_to_end(t)
+            return at.works[t]
+    work = at.network.work(t)
+    with _lock:
+        at.works[t] = work
+        at.held.pop(t, None)
+        while len(at.works) > at.network.keep:
+            at.held.pop(at.works.popitem(last=False)[0], None)
+    return work
+
+
+def _held(store: Store, at: Known, t: int, key: str) -> PartWork | None:
+    """The part with these coordinates held for the datum, "" for none."""
+    work = work_of(at, t)
+    if work is None or at.held.get(t, "") == key:
+        return work
+    system = work.of.system
+    held = system.control_held.copy()
+    if key:
+        found = store.wanted(key)
+        place = np.minimum(np.searchsorted(work.part.points, found["point"]), len(work.part.points) - 1)
+        mine = work.part.points[place] == found["point"]
+        held[place[mine], found["axis"][mine]] = True
+        held &= system.points_used[:, None]
+    work.normals.hold(held)
+    at.held[t] = key
+    return work
+
+
+def _values(store: Store, key: str, work: PartWork | None) -> Values | None:
+    """The values of a part's unknowns; None where there is no part, or they are as given."""
+    return store.wanted(key, ("rotation", "centre", "interior", "xyz")) if key and work is not None else None
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Up:
+    """What `sweeps.up` depends on."""
+
+    network: str
+    node: int
+    """tree node"""
+    state: str
+    """"": as given"""
+    held: str
+    outside: str
+    children: tuple[str, ...]
+    damping: float
+    huber: float
+    added: float
+
+
+def up(store: Store, o: Up) -> Product:
+    """Reduce and eliminate."""
+    at = known(store, o.network)
+    children = at.network.tree.children[o.node]
+    below = {c: store.wanted(key) for c, key in zip(children, o.children, strict=True)}
+    how = Iteration(damping=o.damping, huber=o.huber, added=o.added)
+    work = _held(store, at, o.node, o.held)
+    return sweeps.up(at.network, o.node, work, _values(store, o.state, work), how, store.wanted(o.outside), below)
+
+
+ELIMINATED = ("L", "W", "y")
+"""What the way down needs of `up`."""
+MESSAGE = ("reduced", "right", "diagonal", "failed")
+"""What the parent needs of it."""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Down:
+    """What `sweeps.down` depends on."""
+
+    network: str
+    node: int
+    state: str
+    held: str
+    up: str
+    above: str
+    """Product of the parent; "": the root"""
+    damping: float
+    huber: float
+    passing: bool
+
+
+def down(store: Store, o: Down) -> Product:
+    """Solve, move and evaluate."""
+    at = known(store, o.network)
+    how = Iteration(damping=o.damping, huber=o.huber, passing=o.passing)
+    above = store.wanted(o.above, ("step",)) if o.above else None
+    own, work = store.wanted(o.up, ELIMINATED), _held(store, at, o.node, o.held)
+    return sweeps.down(at.network, o.node, work, _values(store, o.state, work), how, own, above)
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class RightUp:
+    """What `sweeps.right_up` depends on."""
+
+    network: str
+    node: int
+    state: str
+    held: str
+    up: str
+    nodes: str
+    """Right sides (N, k) of the nodes"""
+    points: str
+    """Those (p, 3, k) of the part's object points; "": none"""
+    children: tuple[str, ...]
+
+
+def right_up(store: Store, o: RightUp) -> Product:
+    """Reduce right sides."""
+    at = known(store, o.network)
+    nodes, condensed = store.wanted(o.nodes)["nodes"], None
+    if o.points:
+        work = _held(store, at, o.node, o.held)
+        if work is not None:
+            now = sweeps.state_of(work, _values(store, o.state, work))
+            condensed = work, sweeps.condensed(work, now, store.wanted(o.points, ("points",))["points"])
+    children = at.network.tree.children[o.node]
+    below = {c: store.wanted(key, ("right",)) for c, key in zip(children, o.children, strict=True)}
+    return sweeps.right_up(at.network, o.node, store.wanted(o.up, ELIMINATED), nodes, condensed, below)
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class RightDown:
+    """What `sweeps.right_down` depends on."""
+
+    network: str
+    node: int
+    up: str
+    right: str
+    above: str
+
+
+def right_down(store: Store, o: RightDown) -> Product:
+    """The second half of a solution."""
+    at = known(store, o.network)
+    above = store.wanted(o.above) if o.above else None
+    return sweeps.right_down(at.network, o.node, store.wanted(o.up, ELIMINATED), store.wanted(o.right, ("y",)), above)
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Inverse:
+    """What `sweeps.inverse_down` depends on."""
+
+    network: str
+    node: int
+    up: str
+    above: str
+
+
+def inverse(store: Store, o: Inverse) -> Product:
+    """The inverse of a front."""
+    at = known(store, o.network)
+    above = store.wanted(o.above, ("Q",)) if o.above else None
+    own = store.wanted(o.up, ELIMINATED)
+    return sweeps.inverse_down(at.network, o.node, work_of(at, o.node), own, above)
