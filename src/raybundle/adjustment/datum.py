@@ -16,7 +16,7 @@ import numpy as np
 from raybundle.adjustment.assemble import State, System
 from raybundle.adjustment.options import AdjustmentOptions
 from raybundle.errors import DatumDefect, InputError, NotSolvable
-from raybundle.numerics.arrays import Array, Mask
+from raybundle.numerics.arrays import Array, Index, Mask
 from raybundle.numerics.statistics import chi_square_tails
 from raybundle.sensors import SensorModel
 from raybundle.settings import option
@@ -131,9 +131,42 @@ def analyse(system: System, state: State, options: AdjustmentOptions) -> Datum:
             "that see them, or have no ray left: look at the orientations that are given, at the sign and the unit of "
             "the camera constant, or leave the orientations out"
         )
-    cloud = state.xyz[used]
+    centre, extent = middle_and_extent(state.xyz[used])
+    basis, kind = what_is_open(system, state, options, centre, extent)
+    carriers = used.copy()
+    if options.datum_points:
+        index = {name: i for i, name in enumerate(system.block.points.ids)}
+        missing = [name for name in options.datum_points if name not in index or not used[index[name]]]
+        if missing:
+            raise InputError(f"datum points that take no part in the adjustment: {', '.join(missing[:10])}")
+        carriers = np.zeros_like(used)
+        carriers[[index[name] for name in options.datum_points]] = True
+    elif options.datum_over == "good":
+        carriers = _well_determined(system, state)
+    datum = Datum(kind=kind, basis=basis, centre=centre, extent=extent, carriers=carriers)
+    if datum.defect and kind == "inner":
+        G = point_generators(state.xyz[carriers], centre, extent).reshape(-1, 7) @ basis / extent
+        if np.linalg.matrix_rank(_folded(G), tol=1e-6 * max(len(G), 1) ** 0.5) < datum.defect:
+            raise DatumDefect(
+                f"the {int(carriers.sum())} datum points cannot carry {datum.defect} inner constraints "
+                f"({', '.join(datum.open_names)}); choose at least three points that are not collinear"
+            )
+    return datum
+
+
+def middle_and_extent(cloud: Array) -> tuple[Array, float]:
+    """Median (3,) of points (k, 3), and the median of their distances from it."""
     centre = np.median(cloud, axis=0)
-    extent = float(np.median(np.linalg.norm(cloud - centre, axis=1))) or 1.0
+    return centre, float(np.median(np.linalg.norm(cloud - centre, axis=1))) or 1.0
+
+
+def what_is_open(
+    system: System, state: State, options: AdjustmentOptions, centre: Array, extent: float
+) -> tuple[Array, str]:
+    """The open directions (7, d) of the datum, and how it is taken; DatumDefect where that cannot be.
+
+    system  whose given points and observations outside the images fix what they fix
+    """
     basis = open_directions(*_fixing_rows(system, state, centre, extent))
     kind = {"auto": "inner", "control": "control", "minimal": "minimal", "inner": "inner"}[options.datum]
     unscaled = [p.kind.title.lower() for p in system.extra.parts if p.kind.needs_scale]
@@ -158,25 +191,7 @@ def analyse(system: System, state: State, options: AdjustmentOptions) -> Datum:
             "  Give one of: more control points, a scale bar, observed projection centres, or "
             f"{option('datum', 'auto')}."
         )
-    carriers = used.copy()
-    if options.datum_points:
-        index = {name: i for i, name in enumerate(system.block.points.ids)}
-        missing = [name for name in options.datum_points if name not in index or not used[index[name]]]
-        if missing:
-            raise InputError(f"datum points that take no part in the adjustment: {', '.join(missing[:10])}")
-        carriers = np.zeros_like(used)
-        carriers[[index[name] for name in options.datum_points]] = True
-    elif options.datum_over == "good":
-        carriers = _well_determined(system, state)
-    datum = Datum(kind=kind, basis=basis, centre=centre, extent=extent, carriers=carriers)
-    if datum.defect and kind == "inner":
-        G = point_generators(state.xyz[carriers], centre, extent).reshape(-1, 7) @ basis / extent
-        if np.linalg.matrix_rank(_folded(G), tol=1e-6 * max(len(G), 1) ** 0.5) < datum.defect:
-            raise DatumDefect(
-                f"the {int(carriers.sum())} datum points cannot carry {datum.defect} inner constraints "
-                f"({', '.join(datum.open_names)}); choose at least three points that are not collinear"
-            )
-    return datum
+    return basis, kind
 
 
 def open_directions(rows: Array, sigma: Array) -> Array:
@@ -370,30 +385,44 @@ def hold_minimal(system: System, state: State, datum: Datum) -> Mask:
     d = datum.defect
     if d == 0:
         return chosen
-    from scipy.linalg import qr  # noqa: PLC0415
-
     rays = np.bincount(system.block.observations.point[system.rows], minlength=len(system.points_used))
     every = system.points_used & ~system.control_held.all(axis=1)
     found, firm = np.zeros((0, 2), np.int64), 0.0
     for free in (every & (system.point_node < 0) & ~(system.control_held | system.prior).any(axis=1), every):
         candidates = np.flatnonzero(free)
-        # far points are poorly determined: stay within three times the median distance
-        near = np.linalg.norm(state.xyz[candidates] - datum.centre, axis=1) < 3 * datum.extent
-        candidates = candidates[near] if near.sum() >= 3 else candidates
-        order = np.argsort(-rays[candidates], kind="stable")
-        candidates = candidates[order[: max(60, len(order) // 4)]][:2000]
-        G = point_generators(state.xyz[candidates], datum.centre, datum.extent) @ datum.basis / datum.extent
-        G = G * ~(system.control_held | system.prior)[candidates][:, :, None]
-        if G[:, :, 0].size < d:
-            continue
-        decomposition: Any = qr(G.reshape(-1, d).T, mode="economic", pivoting=True)
-        _, r, pivot = decomposition
-        share = abs(r[-1, d - 1]) / max(abs(r[0, 0]), 1e-300)
+        given = (system.control_held | system.prior)[candidates]
+        which, axis, share = well_spread(state.xyz[candidates], rays[candidates], given, datum)
         if share > firm:
-            found, firm = np.stack([candidates[pivot[:d] // 3], pivot[:d] % 3], axis=1), share
+            found, firm = np.stack([candidates[which], axis], axis=1), share
         if firm > SPREAD:  # points that nothing but image observations touch will do
             break
     if firm < 1e-9:
         raise DatumDefect("the object points lie so that they cannot carry the datum (all in one place or in a line)")
     chosen[found[:, 0], found[:, 1]] = True
     return chosen
+
+
+def well_spread(xyz: Array, rays: Index, given: Mask, datum: Datum) -> tuple[Index, Index, float]:
+    """Coordinates of points that can carry the open datum: points (d,), axes (d,), and how firmly they do.
+
+    xyz    (k, 3) of points that may
+    rays   (k,) image observations of each
+    given  (k, 3) coordinates that may not: they are known
+    """
+    from scipy.linalg import qr  # noqa: PLC0415
+
+    d, candidates = datum.defect, np.arange(len(xyz))
+    # far points are poorly determined: stay within three times the median distance
+    near = np.linalg.norm(xyz - datum.centre, axis=1) < 3 * datum.extent
+    candidates = candidates[near] if near.sum() >= 3 else candidates
+    order = np.argsort(-rays[candidates], kind="stable")
+    candidates = candidates[order[: max(60, len(order) // 4)]][:2000]
+    G = point_generators(xyz[candidates], datum.centre, datum.extent) @ datum.basis / datum.extent
+    G = G * ~given[candidates][:, :, None]
+    if G[:, :, 0].size < d:
+        none = np.zeros(0, np.int64)
+        return none, none, 0.0
+    decomposition: Any = qr(G.reshape(-1, d).T, mode="economic", pivoting=True)
+    _, r, pivot = decomposition
+    share = abs(r[-1, d - 1]) / max(abs(r[0, 0]), 1e-300)
+    return candidates[pivot[:d] // 3], pivot[:d] % 3, float(share)

@@ -2,16 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable
 from typing import Any
 
 import numpy as np
 
 from raybundle.numerics.arrays import Array, Index
-
-PIECE = 2_000_000
-"""Entries of a table of incidences that are multiplied at once: what bounds the memory."""
-
 
 def meeting(pieces: Iterable[tuple[Index, Index]], count: int, pairs: Array) -> Any:
     """The symmetric graph (count, count), CSR without loops, of nodes that stand in one row.
@@ -33,15 +29,3 @@ def meeting(pieces: Iterable[tuple[Index, Index]], count: int, pairs: Array) -> 
     low, high = keys // count, keys % count
     both = np.concatenate([low, high]), np.concatenate([high, low])
     return csr_matrix((np.ones(2 * len(keys), np.int8), both), shape=(count, count))
-
-
-def in_pieces(rows: Index, nodes: Index) -> Iterator[tuple[Index, Index]]:
-    """A table of incidences, ascending by row, in pieces of about `PIECE` entries; no row is divided."""
-    begin = 0
-    while begin < len(rows):
-        end = min(begin + PIECE, len(rows))
-        if end < len(rows):
-            first = int(np.searchsorted(rows, rows[end], side="left"))
-            end = first if first > begin else int(np.searchsorted(rows, rows[end], side="right"))
-        yield rows[begin:end], nodes[begin:end]
-        begin = end

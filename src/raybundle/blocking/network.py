@@ -12,11 +12,11 @@ import numpy as np
 from raybundle.adjustment.normals import Normals
 from raybundle.adjustment.options import AdjustmentOptions
 from raybundle.block import Block
+from raybundle.blocking.cutting import cut_of
 from raybundle.blocking.front import Equations, Front, entries
-from raybundle.blocking.graph import in_pieces, meeting
 from raybundle.blocking.part import Part, PartSystem, part_of, system_of_part
 from raybundle.blocking.skeleton import Skeleton, skeleton_of
-from raybundle.blocking.tree import Tree, dissect
+from raybundle.blocking.tree import Tree
 from raybundle.numerics.arrays import Array, Index, Mask
 
 LEAF = 1000
@@ -141,48 +141,15 @@ def cut(
     images, points = np.zeros(len(block.images), bool), np.zeros(len(block.points), bool)
     images[o.image[taken]], points[o.point[taken]] = True, True
     skeleton = skeleton_of(block, options, free, images, points, shift)
-    count = len(skeleton.system.sizes)
-    eliminated = skeleton.node_of_point[o.point[taken]] < 0
-    row = np.where(eliminated, o.point[taken], len(block.points) + taken)
-    rows, nodes = skeleton.incidences(o.image[taken], o.point[taken], row)
-    graph = meeting(in_pieces(rows, nodes), count, skeleton.pairs())
-    tree = dissect(graph, skeleton.system.sizes, skeleton.places, leaf)
-    named, home = tree.homes(rows, nodes)
-    # what touches no unknown but its own point may stand anywhere
-    place = np.minimum(np.searchsorted(named, row), max(len(named) - 1, 0))
-    found = named[place] == row if len(named) else np.zeros(len(row), bool)
-    leaves = np.flatnonzero(np.array([not c for c in tree.children]))
-    at = np.where(found, home[place] if len(named) else 0, leaves[row % len(leaves)])
-    order = np.argsort(at, kind="stable")
-    bounds = np.searchsorted(at[order], np.arange(len(tree) + 1))
-    of_node = [np.sort(taken[order[bounds[t] : bounds[t + 1]]]) for t in range(len(tree))]
+    found = cut_of(skeleton, o.image[taken], o.point[taken], leaf)
+    order = np.argsort(found.at, kind="stable")
+    bounds = np.searchsorted(found.at[order], np.arange(len(found.tree) + 1))
+    of_node = [taken[order[bounds[t] : bounds[t + 1]]] for t in range(len(found.tree))]
 
     def part(t: int) -> tuple[Part, Mask]:
         return part_of(block, of_node[t]), np.zeros(len(of_node[t]), bool)
 
     return Network(
-        key=f"network-{uuid4().hex}", skeleton=skeleton, tree=tree, boundary=_boundaries(tree, rows, nodes, named, home, skeleton.pairs()),
-        counts=np.diff(bounds), part=part, keep=len(tree),
+        key=f"network-{uuid4().hex}", skeleton=skeleton, tree=found.tree, boundary=found.boundary,
+        counts=np.diff(bounds), part=part, keep=len(found.tree),
     )  # fmt: skip
-
-
-def _boundaries(
-    tree: Tree, rows: Index, nodes: Index, named: Index, home: Index, pairs: Array
-) -> tuple[Index, ...]:
-    """Nodes of unknowns above each tree node that its subtree touches."""
-    of_node = tree.home
-    at = home[np.searchsorted(named, rows)]
-    a, b = of_node[pairs[:, 0]], of_node[pairs[:, 1]]
-    deeper = np.where(tree.level[a] >= tree.level[b], a, b)
-    where = np.concatenate([at, deeper, deeper]).astype(np.int64)
-    what = np.concatenate([nodes, pairs[:, 0], pairs[:, 1]]).astype(np.int64)
-    keys = np.unique(where * len(of_node) + what)
-    where, what = keys // len(of_node), keys % len(of_node)
-    bounds = np.searchsorted(where, np.arange(len(tree) + 1))
-    found: list[Index] = []
-    for t, children in enumerate(tree.children):
-        touched = [what[bounds[t] : bounds[t + 1]], *(found[c] for c in children)]
-        found.append(np.setdiff1d(np.concatenate(touched), tree.own[t]))
-    if len(found[-1]):
-        raise ValueError("observations touch unknowns of two branches")
-    return tuple(nodes[np.argsort(of_node[nodes], kind="stable")] for nodes in found)

@@ -81,20 +81,32 @@ def skeleton_of(
     block: Block, options: AdjustmentOptions, free: Mapping[str, tuple[str, ...]], images: Mask, points: Mask,
     shift: Array | None = None,
 ) -> Skeleton:  # fmt: skip
-    """The skeleton of a block.
+    """The skeleton of a block that lies in memory.
 
-    block   with or without image observations
     images  (n,) that take part by image observations
     points  (p,) object points that do
     shift   (3,) origin of the frame of the values; None: near the middle of the images
     """
-    named = block.points_named | block.points.is_control.any(axis=1)
-    at = np.flatnonzero(named)
-    bare = replace(block, observations=block.observations.empty(), rejected=())
-    bare = selected(bare, "point", at)
+    at = np.flatnonzero(block.points_named | block.points.is_control.any(axis=1))
+    bare = selected(replace(block, observations=block.observations.empty(), rejected=()), "point", at)
+    return skeleton_from(bare, at, len(block.points), options, free, images, points[at], shift)
+
+
+def skeleton_from(
+    bare: Block, at: Index, count: int, options: AdjustmentOptions, free: Mapping[str, tuple[str, ...]], images: Mask,
+    points: Mask, shift: Array | None = None,
+) -> Skeleton:  # fmt: skip
+    """The skeleton of a block of which the object points that it needs are known already.
+
+    bare    without image observations, and of the object points only those that are named or given
+    at      (k,) their positions in the whole block, ascending
+    count   object points of the whole block
+    images  (n,) that take part by image observations
+    points  (k,) of these object points that do
+    """
     chosen = options.datum in {"inner", "minimal"}
     used = used_of(
-        bare, options, np.zeros(0, np.int64), images, points[at] | carried_points(bare, datum_is_chosen=chosen)
+        bare, options, np.zeros(0, np.int64), images, points | carried_points(bare, datum_is_chosen=chosen)
     )
     given = system_of(bare, options, used, dict(free), shift)
     kept = given.point_node >= 0
@@ -108,6 +120,6 @@ def skeleton_of(
     both = (own >= 0) & (shared >= 0)
     together = {(int(a), int(b)) for a, b in zip(own[both], shared[both], strict=True)}
     return Skeleton(
-        block=bare, points=at, count=len(block.points), system=system, given=given,
+        block=bare, points=at, count=count, system=system, given=given,
         normals=Normals.of(system, 1, sorted(together)), options=options, free=dict(free),
     )  # fmt: skip
