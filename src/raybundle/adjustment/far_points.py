@@ -49,7 +49,12 @@ def turned_about(ray: Array, typical: float) -> Array:
     return -ray * (FAR * typical / np.maximum(np.linalg.norm(ray, axis=1), 1e-300))[:, None]
 
 
-def diverging(ray: Array) -> Index:
-    """Which rays (n, 3), from a projection centre to a point, end where they can only diverge from the others."""
+def diverging(ray: Array, typical: float | None = None) -> Index:
+    """Which rays (n, 3), from a projection centre to a point, end where they can only diverge from the others.
+
+    typical  length of rays; None: the median of these
+    """
     distance = np.linalg.norm(ray, axis=1)
-    return np.flatnonzero(distance > FARTHEST * np.median(distance)) if len(ray) else np.zeros(0, np.int64)
+    if not len(ray):
+        return np.zeros(0, np.int64)
+    return np.flatnonzero(distance > FARTHEST * (np.median(distance) if typical is None else typical))

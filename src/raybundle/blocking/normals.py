@@ -39,12 +39,13 @@ class Parts:
 
     def sweep(
         self, name: str, options: Callable[[int, dict[int, str]], Any], inputs: Callable[[Any], Sequence[str]],
-        *, upwards: bool,
+        *, upwards: bool, module: str = "tasks",
     ) -> tuple[str, ...]:  # fmt: skip
         """A task for each tree node, children first or parents first; keys of their products by tree node.
 
         options  of a tree node's task, given the keys of those before
         inputs   products that its options name
+        module   where the task's function stands
         """
         count = len(self.network.tree)
         keys, found = dict[int, str](), list[Task]()
@@ -53,7 +54,7 @@ class Parts:
             keys[t] = key_of(name, tasks.VERSION, o)
             front = self.network.fronts[t]
             task = Task(
-                key=keys[t], function=f"raybundle.blocking.tasks:{name}", options=o,
+                key=keys[t], function=f"raybundle.blocking.{module}:{name}", options=o,
                 inputs=tuple(k for k in inputs(o) if k), cost=1e-9 * front.size**2 * max(front.columns, 1),
                 memory=24.0 * front.size**2 + 250.0 * float(self.network.counts[t]), name=f"{name} {t}",
             )  # fmt: skip

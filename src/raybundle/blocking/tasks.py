@@ -94,7 +94,7 @@ def work_of(at: Known, t: int) -> PartWork | None:
     return work
 
 
-def _held(store: Store, at: Known, t: int, key: str) -> PartWork | None:
+def held_work(store: Store, at: Known, t: int, key: str) -> PartWork | None:
     """The part with these coordinates held for the datum, "" for none."""
     work = work_of(at, t)
     if work is None or at.held.get(t, "") == key:
@@ -112,7 +112,7 @@ def _held(store: Store, at: Known, t: int, key: str) -> PartWork | None:
     return work
 
 
-def _values(store: Store, key: str, work: PartWork | None) -> Values | None:
+def values_of(store: Store, key: str, work: PartWork | None) -> Values | None:
     """The values of a part's unknowns; None where there is no part, or they are as given."""
     return store.wanted(key, ("rotation", "centre", "interior", "xyz")) if key and work is not None else None
 
@@ -140,8 +140,8 @@ def up(store: Store, o: Up) -> Product:
     children = at.network.tree.children[o.node]
     below = {c: store.wanted(key) for c, key in zip(children, o.children, strict=True)}
     how = Iteration(damping=o.damping, huber=o.huber, added=o.added)
-    work = _held(store, at, o.node, o.held)
-    return sweeps.up(at.network, o.node, work, _values(store, o.state, work), how, store.wanted(o.outside), below)
+    work = held_work(store, at, o.node, o.held)
+    return sweeps.up(at.network, o.node, work, values_of(store, o.state, work), how, store.wanted(o.outside), below)
 
 
 ELIMINATED = ("L", "W", "y")
@@ -171,8 +171,8 @@ def down(store: Store, o: Down) -> Product:
     at = known(store, o.network)
     how = Iteration(damping=o.damping, huber=o.huber, passing=o.passing)
     above = store.wanted(o.above, ("step",)) if o.above else None
-    own, work = store.wanted(o.up, ELIMINATED), _held(store, at, o.node, o.held)
-    return sweeps.down(at.network, o.node, work, _values(store, o.state, work), how, own, above)
+    own, work = store.wanted(o.up, ELIMINATED), held_work(store, at, o.node, o.held)
+    return sweeps.down(at.network, o.node, work, values_of(store, o.state, work), how, own, above)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -196,9 +196,9 @@ def right_up(store: Store, o: RightUp) -> Product:
     at = known(store, o.network)
     nodes, condensed = store.wanted(o.nodes)["nodes"], None
     if o.points:
-        work = _held(store, at, o.node, o.held)
+        work = held_work(store, at, o.node, o.held)
         if work is not None:
-            now = sweeps.state_of(work, _values(store, o.state, work))
+            now = sweeps.state_of(work, values_of(store, o.state, work))
             condensed = work, sweeps.condensed(work, now, store.wanted(o.points, ("points",))["points"])
     children = at.network.tree.children[o.node]
     below = {c: store.wanted(key, ("right",)) for c, key in zip(children, o.children, strict=True)}

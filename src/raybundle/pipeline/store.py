@@ -113,6 +113,11 @@ class Folder:
             finally:
                 temporary.unlink(missing_ok=True)
 
+    def remove(self, key: str) -> None:
+        """Remove a product, where it is there."""
+        with contextlib.suppress(OSError):
+            self._path(key).unlink()
+
     def forget_kind(self, kind: str) -> None:
         """Remove all products whose key begins with this word."""
         for path in self.path.glob(f"*/{kind}-*.npz"):

@@ -1,0 +1,257 @@
+"""Tasks around the sweeps: what a part brings to counts and datum, and what comes of its observations and points."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from raybundle.adjustment.assemble import State
+from raybundle.adjustment.datum import point_generators
+from raybundle.adjustment.far_points import diverging
+from raybundle.adjustment.transformation import Transformation
+from raybundle.blocking import sweeps
+from raybundle.blocking.network import PartWork
+from raybundle.blocking.tasks import Store, held_work, known, values_of, work_of
+from raybundle.numerics.arrays import Array, Mask
+from raybundle.pipeline.store import Product
+
+SAMPLE = 500
+"""Object points of a part that stand for all of its own where the middle of the network is asked for."""
+CANDIDATES = 60
+"""Object points of a part that are offered to carry a minimal datum."""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Described:
+    """A part at a state."""
+
+    network: str
+    node: int
+    state: str
+
+
+def _mine(work: PartWork) -> Mask:
+    """(p,) object points that the part eliminates."""
+    system = work.of.system
+    return system.points_used & (system.point_node < 0)
+
+
+def describe(store: Store, o: Described) -> Product:
+    """Counts of a part, points that stand for its own, and points that could carry a minimal datum."""
+    at = known(store, o.network)
+    work = work_of(at, o.node)
+    if work is None:
+        none = np.zeros((0, 3))
+        return {
+            "numbers": np.zeros(2), "sample": none, "candidates": np.zeros(0, np.int64), "xyz": none,
+            "rays": np.zeros(0, np.int64),
+        }  # fmt: skip
+    system, now = work.of.system, sweeps.state_of(work, values_of(store, o.state, work))
+    mine = np.flatnonzero(_mine(work))
+    free = int((~system.control_held[mine]).sum())
+    rays = np.bincount(system.block.observations.point[system.rows], minlength=len(now.xyz))
+    able = mine[~(system.control_held | system.prior)[mine].any(axis=1)]
+    able = able[np.argsort(-rays[able], kind="stable")][:CANDIDATES]
+    some = mine[:: max(1, len(mine) // SAMPLE)]
+    return {
+        "numbers": np.array([system.observations, free], float), "sample": now.xyz[some],
+        "candidates": work.part.points[able], "xyz": now.xyz[able], "rays": rays[able],
+    }  # fmt: skip
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Astray:
+    """Which observations of a part have gone astray at a state."""
+
+    network: str
+    node: int
+    state: str
+    held: str
+    typical: float
+    """Distance of object points from projection centres, as of all"""
+
+
+def astray(store: Store, o: Astray) -> Product:
+    """Rows of observations behind the camera, and of those whose object point has run away."""
+    at = known(store, o.network)
+    work = held_work(store, at, o.node, o.held)
+    none = np.zeros(0, np.int64)
+    if work is None:
+        return {"behind": none, "diverging": none}
+    system, now = work.of.system, sweeps.state_of(work, values_of(store, o.state, work))
+    _, flags = work.normals.residuals(now)
+    candidates = system.far_candidates
+    ray = now.xyz[candidates] - now.centre[system.first_image[candidates]]
+    gone = candidates[diverging(ray, o.typical)]
+    rows = work.part.rows[system.rows]
+    return {
+        "behind": rows[(flags & 1) > 0],
+        "diverging": rows[np.isin(system.block.observations.point[system.rows], gone)],
+    }
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Moments:
+    """What a similarity of a part's points onto their given coordinates depends on."""
+
+    network: str
+    node: int
+    state: str
+    centre: tuple[float, float, float]
+    carriers: str
+    """Product with (p,) which object points of the whole carry the datum"""
+
+
+def moments(store: Store, o: Moments) -> Product:
+    """Sums over the carriers: (r, 1)(r, 1)' and g (r, 1)', r and g adjusted and given coordinates from the centre."""
+    at = known(store, o.network)
+    work = work_of(at, o.node)
+    if work is None:
+        return {"own": np.zeros((4, 4)), "given": np.zeros((3, 4))}
+    now, given = sweeps.state_of(work, values_of(store, o.state, work)), work.of.system.initial_state()
+    mine = _mine(work) & store.wanted(o.carriers)["carriers"][work.part.points]
+    r = np.column_stack([now.xyz[mine] - o.centre, np.ones(int(mine.sum()))])
+    return {"own": r.T @ r, "given": (given.xyz[mine] - o.centre).T @ r}
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Placed:
+    """A part moved by a similarity."""
+
+    network: str
+    node: int
+    state: str
+    similarity: str
+    """Product: scale, rotation and shift; what is held stays"""
+
+
+def placed(store: Store, o: Placed) -> Product:
+    """The state of a part after a similarity."""
+    at = known(store, o.network)
+    work = work_of(at, o.node)
+    if work is None:
+        return {}
+    by = store.wanted(o.similarity)
+    now = sweeps.state_of(work, values_of(store, o.state, work))
+    return sweeps.kept_state(moved(work, now, float(by["scale"]), by["rotation"], by["shift"]))
+
+
+def moved(work: PartWork, state: State, scale: float, rotation: Array, shift: Array) -> State:
+    """A part's state after X -> s R X + t; held coordinates stay."""
+    system, new = work.of.system, state.copy()
+    new.xyz = scale * state.xyz @ rotation.T + shift
+    new.centre = scale * state.centre @ rotation.T + shift
+    new.rotation = state.rotation @ rotation.T
+    for r, row in enumerate(system.interior):
+        for position in row.free:
+            if row.model.parameters[position].is_length:
+                new.interior[r, position] *= scale
+    system.share(new)
+    new.xyz[system.control_held] = state.xyz[system.control_held]
+    return new
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Generators:
+    """The generators of an open datum at a part's points."""
+
+    network: str
+    node: int
+    state: str
+    datum: str
+    """Product: basis, centre, extent, carriers"""
+
+
+def generators(store: Store, o: Generators) -> Product:
+    """G and B G (p, 3, d) of a part's points, and its share of G'BG."""
+    at = known(store, o.network)
+    work = work_of(at, o.node)
+    if work is None:
+        return {"numbers": np.zeros(0)}
+    datum, system = store.wanted(o.datum), work.of.system
+    now = sweeps.state_of(work, values_of(store, o.state, work))
+    G = point_generators(now.xyz, datum["centre"], float(datum["extent"])) @ datum["basis"]
+    G[~system.points_used] = 0
+    G[system.control_held] = 0
+    mine = datum["carriers"][work.part.points] & (system.point_node < 0)
+    BG, d = G * mine[:, None, None], G.shape[2]
+    return {"G": G, "points": BG, "middle": BG.reshape(-1, d).T @ G.reshape(-1, d)}
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Told:
+    """What a part's statistics depend on."""
+
+    network: str
+    node: int
+    state: str
+    held: str
+    inverse: str
+    generators: str
+    """"": the datum is that of the factor"""
+    change: str
+    """Product: H (N, d) of the nodes and M (d, d)"""
+
+
+def told(store: Store, o: Told) -> Product:
+    """Cofactors of a part's points in the datum of the factor, A Q A' and effects of its observations, residuals."""
+    at = known(store, o.network)
+    work = held_work(store, at, o.node, o.held)
+    if work is None:
+        return {"inner": np.zeros((0, 0)), "numbers": np.zeros(2)}
+    now = sweeps.state_of(work, values_of(store, o.state, work))
+    Q = store.wanted(o.inverse, ("part",))["part"]
+    change = None
+    if o.generators:
+        G, by = store.wanted(o.generators, ("G", "points")), store.wanted(o.change)
+        nodes = sweeps.rows_of(at.network, work.of.nodes)
+        change = Transformation(
+            nodes=by["nodes"][nodes], points=G["G"], given=G["points"], nodes_h=by["H"][nodes], middle=by["middle"],
+            points_h=np.zeros((0, 3, 0)), inner=np.zeros_like(by["middle"]),
+        )  # fmt: skip
+    work.normals.refresh_external(now)
+    points, hat, effect, points_h = work.normals.statistics(now, Q, change)
+    system, mine = work.of.system, _mine(work)
+    points = points * ~system.held[:, :, None] * ~system.held[:, None, :]
+    v, _ = work.normals.residuals(now)
+    weighted = system.prior[mine]
+    variance = system.block.points.sigma[mine][weighted] ** 2
+    by_points = float((1 - np.diagonal(points[mine], axis1=1, axis2=2)[weighted] / variance).sum())
+    redundancy = 2 * len(hat) - float(hat[:, :2].sum()) + by_points
+    found = {"points": points[mine], "hat": hat, "effect": effect, "residuals": v, "mine": np.flatnonzero(mine)}
+    if change is not None:
+        H, BG = points_h[mine], change.given[mine]
+        d = H.shape[2]
+        found |= {"H": H, "inner": BG.reshape(-1, d).T @ H.reshape(-1, d)}
+    return {**found, "numbers": np.array([redundancy, len(hat)])}
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Stated:
+    """What a part's covariances depend on."""
+
+    network: str
+    node: int
+    told: str
+    generators: str
+    middle: str
+    """Product: M (d, d) and K (d, d) of all points; "": the datum is that of the factor"""
+
+
+def stated(store: Store, o: Stated) -> Product:
+    """Cofactors (p, 3, 3) of the points that a part eliminates, datum of the result."""
+    at = known(store, o.network)
+    work = work_of(at, o.node)
+    if work is None:
+        return {"cofactors": np.zeros((0, 3, 3)), "index": np.zeros(0, np.int64)}
+    found = store.wanted(o.told)
+    points, index = found["points"], work.part.points[found["mine"]]
+    if o.middle:
+        by, G = store.wanted(o.middle), store.wanted(o.generators, ("G",))["G"][found["mine"]]
+        none = np.zeros((0, 3, 0))
+        change = Transformation(
+            nodes=none, points=G, given=none, nodes_h=none, points_h=found["H"], middle=by["M"], inner=by["K"]
+        )
+        points = change.apply_own(points)
+    return {"cofactors": points, "index": index}
