@@ -24,6 +24,7 @@ from raybundle.blocking.tree import Tree
 from raybundle.io.block.arrays import arrays_of_block, block_of_arrays
 from raybundle.numerics.arrays import Array, Index, Mask
 from raybundle.pipeline.keys import key_of
+from raybundle.pipeline.store import Folder
 
 ROW = np.dtype(
     [("row", "<i8"), ("image", "<i4"), ("point", "<i4"), ("xy_px", "<f8", (2,)), ("cov_px2", "<f8", (3,)),
@@ -107,7 +108,10 @@ def _skeleton(
 
 def _keep_parts(columns: Columns, rejected: Mask, at: Index, keys: Sequence[str], store: Store) -> None:
     """Keep a product for each part: its observations pass through a file each."""
-    with tempfile.TemporaryDirectory(dir=getattr(store, "path", None)) as folder:
+    room = store.path if isinstance(store, Folder) else None
+    if room is not None:
+        room.mkdir(parents=True, exist_ok=True)
+    with tempfile.TemporaryDirectory(dir=room) as folder:
         for begin, o in columns.pieces_of_observations():
             mine = at[begin : begin + len(o)]
             rows = np.empty(len(o), ROW)

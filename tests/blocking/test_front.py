@@ -1,0 +1,63 @@
+"""Elimination of a front, against the inverse of the whole matrix."""
+
+import numpy as np
+import pytest
+
+from raybundle.blocking.front import Equations, Front, cofactors, eliminate, forward, solved
+
+
+def equations(n, o, seed=1):
+    """Equations of n unknowns, o of them own, and their matrix and right side."""
+    rng = np.random.default_rng(seed)
+    J = rng.standard_normal((3 * n, n))
+    N, right = J.T @ J, rng.standard_normal(n)
+    e = Equations(
+        np.asfortranarray(np.tril(N[:o, :o])), np.asfortranarray(N[:o, o:]), np.asfortranarray(np.tril(N[o:, o:])),
+        right.copy(), np.diagonal(N).copy(),
+    )  # fmt: skip
+    return e, N, right
+
+
+@pytest.mark.parametrize(("n", "o"), [(7, 4), (5, 5), (6, 0)])
+def test_two_steps_are_one(n, o):
+    e, N, right = equations(n, o)
+    found = eliminate(e, 0.0)
+    assert found.failed < 0
+    rest = np.tril(found.reduced) + np.tril(found.reduced, -1).T
+    whole = np.linalg.solve(N, right)
+    outer = np.linalg.solve(rest, found.right) if n > o else np.zeros(0)
+    assert np.allclose(outer, whole[o:], rtol=1e-12, atol=0)
+    assert np.allclose(solved(found.L, found.W, found.y, outer), whole[:o], rtol=1e-12, atol=0)
+    Q = np.linalg.inv(N)
+    assert np.allclose(cofactors(found.L, found.W, Q[o:, o:]), Q, rtol=1e-11, atol=1e-14)
+    two = np.column_stack([right, 2 * right])
+    assert np.allclose(forward(found.L, two[:o])[:, 0], found.y, rtol=1e-12, atol=1e-14)
+
+
+def test_damping_is_a_share_of_the_diagonal_and_an_open_unknown_is_named():
+    e, N, _ = equations(6, 3)
+    damped = N + 0.1 * np.diag(np.diagonal(N) * (np.arange(6) < 3))
+    L = eliminate(e, 0.1).L
+    assert np.allclose(L @ L.T, damped[:3, :3])
+    e, N, _ = equations(6, 3)
+    e.A[2, :] = 0.0
+    assert eliminate(e, 0.0).failed == 2
+    e, N, _ = equations(6, 3)
+    e.A[1, 1] = e.A[1, 0] ** 2 / e.A[0, 0] * (1 - 1e-9)
+    assert eliminate(e, 0.0).failed == 1
+
+
+def test_a_child_is_added_where_it_belongs():
+    sizes = np.array([2, 3, 1, 2])
+    front = Front(np.array([1, 3]), np.array([0, 2]), sizes)
+    assert (front.columns, front.size) == (5, 8)
+    at = front.unknowns(np.array([3, 0, 2]))
+    assert at.tolist() == [3, 4, 5, 6, 7]
+    e = Equations.empty(front)
+    child = np.tril(np.arange(25.0).reshape(5, 5))
+    e.add_reduced(at, child)
+    whole = np.zeros((8, 8))
+    whole[np.ix_(at, at)] = child
+    assert np.array_equal(e.A, whole[:5, :5])
+    assert np.array_equal(e.B, whole[5:, :5].T)
+    assert np.array_equal(e.C, whole[5:, 5:])
