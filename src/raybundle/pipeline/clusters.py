@@ -33,7 +33,7 @@ from raybundle.pipeline.store import Folder, writing
 
 SCHEDULER = "scheduler.json"
 CERTIFICATES = ("ca.pem", "cert.pem", "key.pem")
-TOKEN = "token"
+TOKEN = "token"  # noqa: S105  (of a folder, no secret)
 """File of a store by which a worker knows that it sees the same one."""
 ANSWER_S = 10.0
 """Within which a scheduler answers: some hundred times what a busy one takes."""
@@ -79,10 +79,8 @@ def cluster_at(where: str) -> Cluster:
             f"has no {SCHEDULER}: no scheduler was started there; `raybundle scheduler {folder}` starts one",
             file=folder,
         )
-    tree = read_json(file).tree()
-    found = Cluster(
-        tree.get("address").text(), folder, tree.get("raybundle").text() if tree.has("raybundle") else ""
-    )
+    tree = read_json(file)
+    found = Cluster(tree.get("address").text(), folder, tree.get("raybundle").text() if tree.has("raybundle") else "")
     missing = [f.name for f in found.files if not f.is_file()]
     if missing:
         raise InputError(

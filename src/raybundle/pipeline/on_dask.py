@@ -57,6 +57,10 @@ CONFIGURED = {
     "distributed.worker.memory.terminate": False,
     "distributed.worker.memory.pause": False,
     "distributed.admin.low-level-log-length": 0,
+    "distributed.nanny.pre-spawn-environ": {
+        **dict.fromkeys(ONE_THREAD, "1"),
+        "DASK_LOGGING__DISTRIBUTED": "critical",
+    },
 }
 
 
@@ -140,7 +144,7 @@ class _Workers:
         """Take a task; the key of each attempt is its own, so that Dask takes none for one of another run."""
         self.count += 1
         future = self.client.submit(
-            _elsewhere, written(task), str(self.store.path), self.token, with_flags(),
+            _elsewhere, written(task), str(self.store.path.absolute()), self.token, with_flags(), str(Path.cwd()),
             key=f"{task.key}-{self.name}-{self.count}", resources={signature(): 1}, pure=False,
         )  # fmt: skip
         self.futures[future] = task
@@ -240,12 +244,20 @@ class _Workers:
             )
 
 
-def _elsewhere(text: bytes, folder: str, token: str, flags: bool) -> tuple[Done, str, str]:  # noqa: FBT001
+def _elsewhere(
+    text: bytes,
+    folder: str,
+    token: str,
+    flags: bool,  # noqa: FBT001  (as Dask hands it over)
+    here: str,
+) -> tuple[Done, str, str]:
     """Do a task in a worker: what became of it, the machine, and why it does not see the store (empty: it does)."""
     read_with_flags(flags)
     refused = unseen(folder, token)
     if refused:
         return Done(task=Task(key="", function="", options=None)), socket.gethostname(), refused
+    with suppress(OSError):  # where it is not, the files were given with their whole paths, or are named as missing
+        os.chdir(here)
     return do_written(text, store_at(folder)), socket.gethostname(), ""
 
 
@@ -332,9 +344,9 @@ async def _one_worker(where: str, tell: Callable[[str], None]) -> None:
         _checked_version(cluster, where)
         nanny = Nanny(
             cluster.address, nthreads=1, security=_security(cluster), resources={signature(): 1}, memory_limit=0,
-            death_timeout=PATIENCE_S, env=dict.fromkeys(ONE_THREAD, "1"), dashboard=False,
+            death_timeout=PATIENCE_S, dashboard=False, host=_listens(cluster),
             dashboard_address="127.0.0.1:0",
-            config={**dask.config.config, "distributed.nanny.pre-spawn-environ": dict.fromkeys(ONE_THREAD, "1")},
+            config=dask.config.config,
         )  # fmt: skip
         try:
             await nanny
@@ -344,6 +356,11 @@ async def _one_worker(where: str, tell: Callable[[str], None]) -> None:
             await asyncio.sleep(LOOK_S)
         finally:
             await nanny.close()
+
+
+def _listens(cluster: Cluster) -> str | None:
+    """Where a worker listens: what is not encrypted is not to be reached from elsewhere."""
+    return "127.0.0.1" if cluster.folder is None else None
 
 
 def _checked_version(cluster: Cluster, where: str) -> None:

@@ -40,9 +40,7 @@ class ProductGone(InputError):
 
     def __init__(self, key: str, folder: Path) -> None:
         kind = key.rpartition("-")[0]
-        super().__init__(
-            f"a product of the {kind} stage is damaged or gone; run the same command again", file=folder
-        )
+        super().__init__(f"a product of the {kind} stage is damaged or gone; run the same command again", file=folder)
         self.key = key
 
 
@@ -167,7 +165,7 @@ class Folder:
                     with temporary.open("wb") as file:
                         write_archive(file, {**product, KEY: np.array(key)})
                     temporary.replace(path)
-                    return
+                    break
                 except FileNotFoundError:  # a run that began meanwhile took it for that of a killed one
                     if not left:
                         raise
