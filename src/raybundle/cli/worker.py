@@ -52,7 +52,5 @@ def command(project: Path | None, progress: str, **given: Any) -> int:
     for name, why in done.failed:
         click.echo(f" left out: {name}: {why}")
     if done.waiting:
-        click.echo(
-            f" {counted(done.waiting, 'task')} of this share still to be done, after what other shares make; run it again then"
-        )
+        click.echo(f" {counted(done.waiting, 'task')} of this share wait for others; run it again then")
     return WAITING if done.waiting else 0

@@ -87,10 +87,10 @@ def is_complete(path: Path) -> bool:
             back = min(size, END.size + END64_LOCATOR + END64.size)
             file.seek(size - back)
             last = file.read(back)
-        mark, count, length, begin, comment = END.unpack(last[-END.size :])
+        mark, _, length, begin, comment = END.unpack(last[-END.size :])
         if mark != b"PK\5\6" or comment:
             return False
-        if count == 0xFFFF or 0xFFFFFFFF in (length, begin):
+        if last[-END.size - END64_LOCATOR :].startswith(b"PK\6\7"):
             mark, length, begin = END64.unpack(last[: END64.size])
             return mark == b"PK\6\6" and begin + length + back == size
     except (OSError, struct.error):

@@ -101,12 +101,16 @@ class _Work:
     failures: Counter[str] = field(default_factory=Counter[str])
     deaths: Counter[str] = field(default_factory=Counter[str])
     alone: deque[Task] = field(default_factory=deque[Task])
+    """those that are done when nothing else is in work"""
+    tested: str = ""
+    """key of the one of them that is in work"""
 
     def hand_over(self) -> None:
         """Hand over what may be done now."""
         if self.alone:
             if not self.in_work:
-                self._submit(self.alone[0])
+                self.tested = self.alone[0].key
+                self._submit(self.alone.popleft())
             return
         room = self.hands.room()
         while self.queue.ready and len(self.in_work) < room:
@@ -123,9 +127,7 @@ class _Work:
         """What became of a task; None: it is to be done again."""
         task = self.in_work.pop(key)
         self.held = self.held - task.memory if self.in_work else 0.0
-        by_itself = bool(self.alone)
-        if by_itself:
-            self.alone.popleft()
+        by_itself, self.tested = key == self.tested, ""
         if done is None:
             self.deaths[key] += 1
             if by_itself:
