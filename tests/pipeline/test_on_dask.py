@@ -129,7 +129,7 @@ def test_twenty_workers_that_are_killed_cost_the_tasks_in_work_alone(machines, t
 
     def reaper():
         random.seed(1)
-        while not stop.wait(random.uniform(0.3, 1.2)):
+        while not stop.wait(random.uniform(1.5, 2.5)) and len(kills) < 24:
             alive = [p for p in processes_of(worker) if p.pid not in kills]
             if alive and log.exists():
                 with contextlib.suppress(Exception):
@@ -138,10 +138,9 @@ def test_twenty_workers_that_are_killed_cost_the_tasks_in_work_alone(machines, t
 
     thread = threading.Thread(target=reaper)
     thread.start()
-    store, rounds, begun = Folder(tmp_path / "s"), 0, 0
+    store, begun = Folder(tmp_path / "s"), 0
     try:
         while len(kills) < 20:
-            rounds += 1
             tasks = tasks_of(LEAVES, log=log, seconds=0.3)
             for t in tasks:
                 store.forget(t.key)

@@ -75,10 +75,11 @@ def test_small_products_are_kept_before_what_was_handed_over_is_removed(tmp_path
     assert (done.made, done.waiting) == (len(tasks), 0)
     store = Folder(tmp_path / "p/cache")
     assert store.keys_of_kind("handed")
-    first = list(Shards().run([t for t in tasks if t.small], store))
-    assert len(first) == LEAVES
+    first = Shards().run([t for t in tasks if t.small], store)
+    assert [next(first).keep_now for _ in range(LEAVES)] == [*[False] * (LEAVES - 1), True]
+    first.close()
+    list(Shards().run([], store))  # as of a stage before
     assert store.keys_of_kind("handed")  # a run that is killed here takes them again
-    assert asked(tmp_path / "p", tasks) == ("", expected)
     assert asked(tmp_path / "p", tasks) == ("", expected)
     assert not store.keys_of_kind("handed")
 
@@ -177,7 +178,9 @@ def test_orient_by_shards_is_orient_on_one_machine(tmp_path, capsys, monkeypatch
     words = ["orient", "photos", "--feature-count", "800", "--quick", "--no-report"]
     assert main([*words, "--out", "here/project", "--jobs", "2"]) == 0
     rounds = 0
-    while main([*words, "--out", "there/project", "--cluster", "shards"]) == 5:
+    for _ in range(9):
+        if main([*words, "--out", "there/project", "--cluster", "shards"]) == 0:
+            break
         assert "to be done by shards" in capsys.readouterr().err
         rounds += 1
         for k in (1, 0):
@@ -186,7 +189,7 @@ def test_orient_by_shards_is_orient_on_one_machine(tmp_path, capsys, monkeypatch
                 cwd="/", check=False, capture_output=True, text=True,
             )  # fmt: skip
             assert shard.returncode == 0, shard.stderr
-    assert rounds >= 2
+    assert 2 <= rounds < 8
     for name in ("points.csv", "images.csv", "observations.csv"):
         assert (tmp_path / "here/project/result" / name).read_bytes() == (
             tmp_path / "there/project/result" / name

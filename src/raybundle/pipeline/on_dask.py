@@ -20,7 +20,7 @@ from pathlib import Path
 from queue import Empty, SimpleQueue
 from typing import Any
 
-import dask
+from dask import config
 from distributed import Client, Future, Nanny, Scheduler, Security
 from distributed import Worker as DaskWorker
 
@@ -99,7 +99,7 @@ def _security(cluster: Cluster) -> Security:
 
 def _quiet() -> None:
     """What Dask has to say of lost connections is said by us, in words that help."""
-    dask.config.set(CONFIGURED)
+    config.set(CONFIGURED)
     for name in ("distributed", "tornado.application", "asyncio"):
         logging.getLogger(name).setLevel(logging.CRITICAL)
     for name in [n for n in logging.root.manager.loggerDict if n.startswith("distributed.")]:
@@ -170,7 +170,8 @@ class _Workers:
         finished = [f for f in batch if f.status == "finished"]
         results: dict[Future, Any] = {}
         with suppress(Exception):  # a connection that is lost meanwhile: they are done again
-            results = dict(zip(finished, self.client.gather(finished, errors="skip"), strict=True))
+            found_there: Any = self.client.gather(finished, errors="skip")
+            results = dict(zip(finished, found_there, strict=True))
         again: list[Task] = []
         for future in batch:
             task = self.futures.pop(future, None)
@@ -343,10 +344,10 @@ async def _one_worker(where: str, tell: Callable[[str], None]) -> None:
             continue
         _checked_version(cluster, where)
         nanny = Nanny(
-            cluster.address, nthreads=1, security=_security(cluster), resources={signature(): 1}, memory_limit=0,
+            cluster.address, nthreads=1, security=_security(cluster), resources={signature(): 1}, memory_limit="0",
             death_timeout=PATIENCE_S, dashboard=False, host=_listens(cluster),
             dashboard_address="127.0.0.1:0",
-            config=dask.config.config,
+            config=config.config,
         )  # fmt: skip
         try:
             await nanny

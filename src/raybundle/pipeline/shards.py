@@ -51,8 +51,9 @@ class Shards:
             found = {k: p for k, p in _unpacked(store.load(archive) or {}).items() if k in wanted}
             for key, product in found.items():
                 failed, lost = (str(product.get(name, "")) for name in (FAILED, LOST))
-                yield Done(task=wanted.pop(key), product=product, failed=failed, lost=lost)
-            if not any(FAILED not in product for product in found.values()):
+                last = key == next(reversed(found))
+                yield Done(task=wanted.pop(key), product=product, failed=failed, lost=lost, keep_now=last)
+            if found:
                 store.forget(archive)  # kept by now; what failed is tried again by the next run
         if not wanted:
             with suppress(OSError):

@@ -117,14 +117,14 @@ class Means:
             for done in self.executor.run(missing, self.store):
                 if done.lost in self.store.makers:
                     again.append(done)
-                    continue
-                told.one_more(done.task.cost)
-                if done.failed:
+                elif done.failed:
                     failed[done.task.key] = done.failed
                 elif done.task.small:
                     waiting.append((done.task.key, done.product))
                     self._small[done.task.key] = done.product
-                if time.perf_counter() - saved > SAVE_EVERY_S:
+                if done.lost not in self.store.makers:
+                    told.one_more(done.task.cost)
+                if done.keep_now or time.perf_counter() - saved > SAVE_EVERY_S:
                     self.project.store_small(waiting)
                     waiting, saved = [], time.perf_counter()
         finally:

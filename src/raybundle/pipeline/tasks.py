@@ -59,6 +59,8 @@ class Done:
     """key of a product that it needs and that was found damaged or gone"""
     trouble: str = ""
     """what a program has to say of an error that is no bad input: it may be tried again"""
+    keep_now: bool = False
+    """small products so far are to be kept before the next is asked for: who did them forgets them then"""
     stop: str = ""
     """why no task can be done any more, as where the disk is full"""
 
