@@ -35,12 +35,14 @@ from raybundle.pipeline.clusters import (
     unseen,
     write_scheduler,
 )
-from raybundle.pipeline.executors import AHEAD, ONE_THREAD, store_at
+from raybundle.pipeline.executors import ONE_THREAD, store_at
 from raybundle.pipeline.queues import drive
 from raybundle.pipeline.store import Folder, writing
 from raybundle.pipeline.tasks import Done, Task, do, do_written, written
 from raybundle.settings import read_with_flags, with_flags
 
+AHEAD_BY_DASK = 16
+"""Tasks handed over for each worker: several go over the network at once, and none waits for the next."""
 LOOK_S = 1.0
 """Between two looks at which workers there are."""
 PATIENCE_S = 120.0
@@ -116,6 +118,8 @@ class _Workers:
     patience: float
     client: Client = field(init=False)
     futures: dict[Future, Task] = field(default_factory=dict[Future, Task])
+    waiting: list[Task] = field(default_factory=list[Task])
+    """taken, and not sent yet"""
     done: SimpleQueue[Future] = field(default_factory=SimpleQueue)
     threads: int = 1
     looked: float = 0.0
@@ -138,21 +142,32 @@ class _Workers:
         """How many tasks may be in work or wait for it."""
         if time.monotonic() > self.looked + LOOK_S:
             self._look()
-        return AHEAD * self.threads
+        return AHEAD_BY_DASK * self.threads
 
     def submit(self, task: Task) -> None:
-        """Take a task; the key of each attempt is its own, so that Dask takes none for one of another run."""
-        self.count += 1
-        future = self.client.submit(
-            _elsewhere, written(task), str(self.store.path.absolute()), self.token, with_flags(), str(Path.cwd()),
-            key=f"{task.key}-{self.name}-{self.count}", resources={signature(): 1}, pure=False,
+        """Take a task; it goes out with others when the next is waited for."""
+        self.waiting.append(task)
+
+    def _send(self) -> None:
+        """Send what was taken; the key of each attempt is its own, so that Dask takes none for one of another run."""
+        tasks, self.waiting = self.waiting, []
+        if not tasks:
+            return
+        keys = [f"{t.key}-{self.name}-{self.count + k}" for k, t in enumerate(tasks)]
+        self.count += len(tasks)
+        about = (str(self.store.path.absolute()), self.token, with_flags(), str(Path.cwd()))
+        futures: Any = self.client.map(
+            _elsewhere, [written(t) for t in tasks], *([part] * len(tasks) for part in about),
+            key=keys, resources={signature(): 1}, pure=False,
         )  # fmt: skip
-        self.futures[future] = task
-        future.add_done_callback(self.done.put)
+        for future, task in zip(futures, tasks, strict=True):
+            self.futures[future] = task
+            future.add_done_callback(self.done.put)
 
     def ended(self) -> list[tuple[str, Done | None]]:
         """Wait until some have ended."""
         while True:
+            self._send()
             try:
                 batch = [self.done.get(timeout=LOOK_S)]
             except Empty:
