@@ -126,8 +126,9 @@ def steps(text):
             yield f"printed = shell({line!r})"
             continue
         variables = dict(w.split("=", 1) for w in words[:begin])
-        how = {"studio": "serve", "scheduler": "keep"}.get(words[begin + 1], "run")
-        how = "keep" if words[begin + 1] == "worker" and "--cluster" in words else how
+        name = "".join(words[begin + 1 : begin + 2])
+        works_for_others = name == "scheduler" or (name == "worker" and "--cluster" in words)
+        how = "serve" if name == "studio" else "keep" if works_for_others else "run"
         yield f"printed = {how}({words[begin:]!r}, {variables!r}, {exits})"
 
 

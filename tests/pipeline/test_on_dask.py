@@ -302,3 +302,27 @@ def test_features_and_pairs_of_photographs_are_those_of_this_process(machines, t
         finally:
             project.close()
     assert products[0] == products[1]
+
+
+@pytest.mark.long
+def test_a_worker_that_somebody_else_started_becomes_ours_by_a_preload(machines, tmp_path, expected):
+    """As dask-jobqueue and dask-kubernetes start them; one without it gets nothing."""
+    machines.scheduler()
+    address = json.loads((machines.folder / "scheduler.json").read_text())["address"]
+    ca, cert, key = (str(machines.folder / f"{name}.pem") for name in ("ca", "cert", "key"))
+    words = [
+        sys.executable, "-m", "distributed.cli.dask_worker", address, "--tls-ca-file", ca, "--tls-cert", cert,
+        "--tls-key", key, "--nthreads", "1", "--nworkers", "1", "--no-dashboard", "--local-directory", str(tmp_path),
+    ]  # fmt: skip
+    env = {**os.environ, "PYTHONPATH": str(Path(__file__).parents[2])}
+    begun = []
+    try:
+        for more in ([], ["--preload", "raybundle.pipeline.on_dask"]):
+            begun.append(
+                subprocess.Popen([*words, *more], env=env, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+            )
+        assert done_by(on(machines.folder), tasks_of(LEAVES), Folder(tmp_path / "s")) == expected
+    finally:
+        for process in begun:
+            process.terminate()
+            process.wait()
