@@ -315,12 +315,9 @@ def test_a_worker_that_somebody_else_started_becomes_ours_by_a_preload(machines,
         "--tls-key", key, "--nthreads", "1", "--nworkers", "1", "--no-dashboard", "--local-directory", str(tmp_path),
     ]  # fmt: skip
     env = {**os.environ, "PYTHONPATH": str(Path(__file__).parents[2])}
-    begun = []
+    silent = {"env": env, "stdout": subprocess.DEVNULL, "stderr": subprocess.DEVNULL}
+    begun = [subprocess.Popen([*words, *more], **silent) for more in ([], ["--preload", "raybundle.pipeline.on_dask"])]
     try:
-        for more in ([], ["--preload", "raybundle.pipeline.on_dask"]):
-            begun.append(
-                subprocess.Popen([*words, *more], env=env, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
-            )
         assert done_by(on(machines.folder), tasks_of(LEAVES), Folder(tmp_path / "s")) == expected
     finally:
         for process in begun:
