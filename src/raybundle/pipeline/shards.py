@@ -26,6 +26,7 @@ from raybundle.numerics.progress import Counted, Progress, silent
 from raybundle.pipeline.clusters import signature
 from raybundle.pipeline.executors import Processes
 from raybundle.pipeline.keys import key_of
+from raybundle.pipeline.queues import Queue
 from raybundle.pipeline.store import Folder
 from raybundle.pipeline.tasks import Done, Task, read_task, written
 from raybundle.settings import read_with_flags, with_flags
@@ -46,14 +47,20 @@ class Shards:
 
     def run(self, tasks: Sequence[Task], store: Folder) -> Iterator[Done]:
         """Yield what was handed over; raises TasksWaiting where there is more to be done."""
-        wanted = {t.key: t for t in tasks}
+        wanted, queue = {t.key: t for t in tasks}, Queue.of(tasks)
         for archive in store.keys_of_kind(HANDED):
-            found = {k: p for k, p in _unpacked(store.load(archive) or {}).items() if k in wanted}
+            products = _unpacked(store.load(archive) or {})
+            found = {key: product for key, product in products.items() if key in wanted}
             for key, product in found.items():
                 failed, lost = (str(product.get(name, "")) for name in (FAILED, LOST))
                 last = key == next(reversed(found))
-                yield Done(task=wanted.pop(key), product=product, failed=failed, lost=lost, keep_now=last)
-            if found:
+                done = Done(task=wanted.pop(key), product=product, failed=failed, lost=lost, keep_now=last)
+                yield done
+                if failed:
+                    for follows in queue.ended(done):
+                        wanted.pop(follows.task.key, None)
+                        yield follows
+            if found or all(FAILED in product for product in products.values()):
                 store.forget(archive)  # kept by now; what failed is tried again by the next run
         if not wanted:
             with suppress(OSError):
@@ -97,7 +104,9 @@ def do_shard(
     made, small = {t.key for t in tasks}, {t.key for t in tasks if t.small}
     mine = tasks[number::of]
     failed: dict[str, str] = {}
-    waiting, begun, count = [t for t in mine if not _is_there(store, t.key, small)], time.monotonic(), 0
+    handed_over = _keys_handed(store)
+    waiting = [t for t in mine if not (t.key in handed_over if t.small else store.has(t.key))]
+    begun, count = time.monotonic(), 0
     while waiting:
         ready = _ready(waiting, made, small, store)
         if not ready:
@@ -149,10 +158,6 @@ def _listed(store: Folder) -> list[Task] | None:
     return [read_task(line) for line in lines]
 
 
-def _is_there(store: Folder, key: str, small: set[str]) -> bool:
-    return key in _keys_handed(store) if key in small else store.has(key)
-
-
 def _keys_handed(store: Folder) -> set[str]:
     """Keys of the small products that shards have handed over so far."""
     found = set[str]()
@@ -165,10 +170,11 @@ def _ready(waiting: Sequence[Task], made: set[str], small: set[str], store: Fold
     """Those that can be done now: what they need is kept, or made by one of them before."""
     ready: dict[str, Task] = {}
     known: dict[str, bool] = {}
+    handed_over = _keys_handed(store) if small else set[str]()
     for t in waiting:
         for key in {*t.inputs, *t.after}:
             if key not in known:
-                known[key] = key not in made or key in ready or _is_there(store, key, small)
+                known[key] = key not in made or (key in handed_over if key in small else store.has(key))
             known[key] |= key in ready
         if all(known[key] for key in {*t.inputs, *t.after}):
             ready[t.key] = t

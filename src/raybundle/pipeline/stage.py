@@ -98,6 +98,7 @@ class Means:
         self.made += len(missing)
         told = Counting(self.progress, what, total=len(tasks), done=len(tasks) - len(missing), costs=missing)
         failed: dict[str, str] = {}
+        again: list[Done] = []
         for _ in range(MENDS):
             again = self._once(missing, told, failed)
             if not again:
@@ -106,6 +107,8 @@ class Means:
                 with suppress(InputError):  # those that need it say so
                     self.store.makers[key]()
             missing = [done.task for done in again]
+        else:
+            failed |= {done.task.key: done.failed for done in again}
         return failed
 
     def _once(self, missing: Sequence[Task], told: Counting, failed: dict[str, str]) -> list[Done]:
