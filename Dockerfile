@@ -3,6 +3,8 @@
 #   docker build --tag raybundle .
 #   docker run --rm --volume "$PWD:/data" --user "$(id -u):$(id -g)" raybundle orient photos --out project
 ARG PYTHON=3.13
+# as [cluster] or [pdf,las]
+ARG EXTRAS=""
 
 FROM python:${PYTHON}-slim-bookworm AS build
 # hadolint ignore=DL3008
@@ -16,9 +18,10 @@ ENV RAYBUNDLE_REQUIRE_NATIVE=1
 RUN python -m build --wheel --outdir /dist
 
 FROM python:${PYTHON}-slim-bookworm
+ARG EXTRAS
 COPY --from=build /dist /dist
 # hadolint ignore=DL3013
-RUN python -m pip install --no-cache-dir /dist/*.whl \
+RUN python -m pip install --no-cache-dir "$(echo /dist/*.whl)${EXTRAS}" \
     && rm -r /dist \
     && useradd --create-home --uid 1000 raybundle \
     && install --directory --owner raybundle /data

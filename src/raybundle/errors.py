@@ -9,6 +9,7 @@
           TooFewObservations
         NoConvergence
         NoOrientation       approximate values could not be found
+      TasksWaiting          nothing is wrong: others are to do tasks first; exit status 5
 
 Each message says what is wrong, in which object, the number against its limit, and what to do next.  What a program
 needs to know of a defect stands beside it as data (`undetermined`, `open_names`, `images`): nothing reads words.
@@ -22,6 +23,7 @@ Exit status of the command line:
     2    bad input or usage (InputError); nothing is written
     3    not solvable as given (NotSolvable); nothing is written, an older result stays
     4    what was checked is not enough: of a flight, something is to be flown again (plan check)
+    5    tasks wait to be done elsewhere (TasksWaiting); the same command goes on when they are
     130  interrupted
 """
 
@@ -82,6 +84,12 @@ class InputError(RaybundleError):
             place += f", column {_bounded(column, WORD)}"
         text = _bounded(message, WHOLE)
         super().__init__(f"{place}: {text}" if place else text)
+
+
+class TasksWaiting(RaybundleError):
+    """Tasks are written down for others to do; the same command goes on when they are done."""
+
+    exit_status = 5
 
 
 class UnknownSensorModel(InputError):

@@ -29,7 +29,7 @@ FENCE = re.compile(r"^```(python|console)\n(.*?)^```", re.MULTILINE | re.DOTALL)
 SAMPLE = re.compile(r"^<!-- tried with: (.*) -->$", re.MULTILINE)
 NOT_RUN = "# not run: "
 RUN = """
-import os, re, subprocess, sys, urllib.request
+import atexit, os, re, subprocess, sys, urllib.request
 
 
 def run(words, variables, exits):
@@ -61,6 +61,18 @@ def serve(words, variables, exits):
     return printed
 
 
+def keep(words, variables, exits):
+    # what works for others until it is ended, which is at the end of the page; it says when it is ready
+    begun = subprocess.Popen(
+        [sys.executable, "-u", "-m", *words], env={**os.environ, **variables}, text=True,
+        stdout=subprocess.PIPE, stderr=subprocess.STDOUT,
+    )
+    atexit.register(lambda: (begun.terminate(), begun.communicate()))
+    printed = begun.stdout.readline()
+    assert begun.poll() is None, printed
+    return printed
+
+
 def shell(command):
     done = subprocess.run(["bash", "-euc", command], capture_output=True, text=True, check=False)
     assert done.returncode == 0, (command, done.stdout, done.stderr)
@@ -74,7 +86,8 @@ PAGES = [
 
 
 LONG = {
-    "README", "a-camera-for-vision", "a-facade", "a-flight", "a-satellite-scene", "calibrate", "drawing-sheet",
+    "README", "a-camera-for-vision", "a-facade", "a-flight", "a-satellite-scene", "calibrate", "cluster",
+    "drawing-sheet",
     "exchange", "facade", "first-photographs", "gnss-ins", "install", "line-scanner", "masks", "measure-a-part",
     "measure-by-hand",
     "measure-targets", "next-photograph", "orthorectify", "own-observation-kind", "photograph-lists", "plan-a-facade",
@@ -113,7 +126,9 @@ def steps(text):
             yield f"printed = shell({line!r})"
             continue
         variables = dict(w.split("=", 1) for w in words[:begin])
-        how = "serve" if words[begin + 1 : begin + 2] == ["studio"] else "run"
+        name = "".join(words[begin + 1 : begin + 2])
+        works_for_others = name == "scheduler" or (name == "worker" and "--cluster" in words)
+        how = "serve" if name == "studio" else "keep" if works_for_others else "run"
         yield f"printed = {how}({words[begin:]!r}, {variables!r}, {exits})"
 
 
@@ -151,7 +166,7 @@ SHOWN = [
     if kind == "console"
     for line, why in commands_of(block)
 ]
-UNTRIED = 6
+UNTRIED = 8
 """Commands of the pages that no test runs.  It may fall."""
 
 
@@ -206,8 +221,8 @@ def options_of_commands(command, context, name=""):
     return found
 
 
-FOREIGN = {"--no-deps", "--no-compile", "--dest", "--no-index", "--find-links"}
-"""Options of other programs, as of pip."""
+FOREIGN = {"--preload", "--nthreads", "--no-deps", "--no-compile", "--dest", "--no-index", "--find-links"}
+"""Options of other programs, as of pip and Dask."""
 
 
 @pytest.mark.parametrize("page", [*sorted(DOCS.rglob("*.md")), DOCS.parent / "README.md"], ids=lambda p: p.stem)

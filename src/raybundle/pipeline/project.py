@@ -5,6 +5,7 @@
     PROJECT/cache/xx/KEY.npz products of stages; a key holds the hash of everything that the product depends on
     PROJECT/result/          the result folder
     PROJECT/block/           the photographs alone, where they are measured by hand and `orient` made no result
+    PROJECT/failed-tasks.log what tasks said that failed three times
     PROJECT/film/            what is known of the film that the photographs are scans of
     PROJECT/measured.db      what was measured by hand (`raybundle.measuring.journal`)
     PROJECT/measured-masks/  masks drawn by hand as pictures, with those that were given, as the last run took them
@@ -43,14 +44,15 @@ from raybundle.settings import option
 SCHEMA = 1
 OWN = {
     "project.db", "project.db-wal", "project.db-shm", "project.toml", "cache", "result", "block", "film",
-    "measured.db", "measured.db-wal", "measured.db-shm", "measured-result", "measured-masks",
+    "measured.db", "measured.db-wal", "measured.db-shm", "measured-result", "measured-masks", "failed-tasks.log",
 }  # fmt: skip
 _LEFTOVER = re.compile(r"\.result\.[0-9a-f]{8}\.(?:partial|old)|\.project\.toml\.[0-9a-f]{8}")
 """Names under which a killed run leaves what it had begun to write."""
 _PRODUCT = re.compile(
     r"[A-Za-z0-9_ -]+-[0-9a-f]{40}\.npz|\.[A-Za-z0-9_ -]+-[0-9a-f]{40}\.[0-9a-f]{8}|\.pixels-[a-z0-9_]{8}"
+    r"|tasks\.jsonl|token|\.(?:tasks\.jsonl|token)\.[0-9a-f]{8}"
 )
-"""Names of products, and of those that a killed run had begun."""
+"""Names of products, of lists of tasks, and of what a killed run had begun of them."""
 _TABLES = """
 CREATE TABLE IF NOT EXISTS about (name TEXT PRIMARY KEY, value TEXT NOT NULL);
 CREATE TABLE IF NOT EXISTS stages (
@@ -384,7 +386,7 @@ def _sweep(folder: Path, *, locked: bool) -> None:
     if not locked:
         return
     begun = [p for p in folder.iterdir() if _LEFTOVER.fullmatch(p.name)]
-    begun += [p for p in (folder / "cache").glob("??/.*") if _PRODUCT.fullmatch(p.name)]
+    begun += [p for place in ("??/.*", ".*") for p in (folder / "cache").glob(place) if _PRODUCT.fullmatch(p.name)]
     for path in begun:
         if path.is_dir() and not path.is_symlink():
             shutil.rmtree(path, ignore_errors=True)

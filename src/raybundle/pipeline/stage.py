@@ -10,21 +10,25 @@ import time
 from collections.abc import Callable, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, field
+from functools import partial
 from typing import Any, Generic, TypeVar
 
+from raybundle.errors import InputError
 from raybundle.numerics.arrays import Array
-from raybundle.numerics.progress import Progress, silent
+from raybundle.numerics.progress import Counted, Progress, silent
 from raybundle.pipeline.executors import Executor, Threads
 from raybundle.pipeline.keys import key_of
 from raybundle.pipeline.project import Project, Timed
 from raybundle.pipeline.store import Folder, Product
-from raybundle.pipeline.tasks import Task
+from raybundle.pipeline.tasks import Done, Task, made
 
 S = TypeVar("S")
 I = TypeVar("I")
 P = TypeVar("P")
 SAVE_EVERY_S = 2.0
 """Small products are kept so often: what a killed run loses."""
+MENDS = 3
+"""Times that tasks are done again whose inputs were found damaged."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -33,6 +37,33 @@ class Codec(Generic[P]):
 
     arrays: Callable[[P], Product]
     product: Callable[[Mapping[str, Array]], P]
+
+
+@dataclass(slots=True)
+class Counting:
+    """Tells how far the tasks of a stage are, those included that earlier runs have done."""
+
+    progress: Progress
+    what: str
+    total: int
+    done: int
+    costs: Sequence[Task]
+    began: float = field(default_factory=time.perf_counter)
+    spent: float = 0.0
+    """cost of what this run has done"""
+    cost: float = 0.0
+    """of all that it has to do"""
+
+    def __post_init__(self) -> None:
+        """What there is to do."""
+        self.cost = sum(t.cost for t in self.costs)
+
+    def one_more(self, cost: float) -> None:
+        """A task has ended."""
+        self.done, self.spent = min(self.done + 1, self.total), self.spent + cost
+        share = min(self.spent / self.cost, 1.0) if self.cost else 1.0
+        left = (time.perf_counter() - self.began) * (1 / share - 1) if share else 0.0
+        self.progress(self.what, Counted(share, self.done, self.total, left))
 
 
 @dataclass(slots=True, kw_only=True)
@@ -62,27 +93,47 @@ class Means:
         """
         self.asked = (self.asked or 0) + len(tasks)
         self._small |= self.project.small([t.key for t in tasks if t.small])
+        self.store.makers.update({t.key: partial(made, t, self.store) for t in tasks if not t.small})
         missing = [t for t in tasks if (t.key not in self._small if t.small else not self.store.has(t.key))]
         self.made += len(missing)
+        told = Counting(self.progress, what, total=len(tasks), done=len(tasks) - len(missing), costs=missing)
         failed: dict[str, str] = {}
+        again: list[Done] = []
+        for _ in range(MENDS):
+            again = self._once(missing, told, failed)
+            if not again:
+                break
+            for key in {done.lost for done in again}:
+                with suppress(InputError):  # those that need it say so
+                    self.store.makers[key]()
+            missing = [done.task for done in again]
+        else:
+            failed |= {done.task.key: done.failed for done in again}
+        return failed
+
+    def _once(self, missing: Sequence[Task], told: Counting, failed: dict[str, str]) -> list[Done]:
+        """Do tasks; those that found a product damaged that can be made again."""
         waiting: list[tuple[str, Product]] = []
-        saved, cost, spent = time.perf_counter(), sum(t.cost for t in missing), 0.0
+        again: list[Done] = []
+        saved = time.perf_counter()
         try:
             for done in self.executor.run(missing, self.store):
-                spent += done.task.cost
-                self.progress(what, min(spent / cost, 1.0) if cost else 1.0)
-                if done.failed:
+                if done.lost in self.store.makers:
+                    again.append(done)
+                elif done.failed:
                     failed[done.task.key] = done.failed
                 elif done.task.small:
                     waiting.append((done.task.key, done.product))
                     self._small[done.task.key] = done.product
-                if time.perf_counter() - saved > SAVE_EVERY_S:
+                if done.lost not in self.store.makers:
+                    told.one_more(done.task.cost)
+                if done.keep_now or time.perf_counter() - saved > SAVE_EVERY_S:
                     self.project.store_small(waiting)
                     waiting, saved = [], time.perf_counter()
         finally:
             self.project.store_small(waiting)
             self.store.release()
-        return failed
+        return again
 
     def small(self, key: str) -> Product:
         """The product of a small task that was done."""

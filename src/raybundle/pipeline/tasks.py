@@ -6,14 +6,17 @@ there, and its product depends on nothing but its options and the products that 
 
 from __future__ import annotations
 
+import traceback
 from collections.abc import Callable
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import lru_cache
 from importlib import import_module
 from typing import Any, cast, get_type_hints
 
+import msgspec
+
 from raybundle.errors import InputError
-from raybundle.pipeline.store import Folder, Product
+from raybundle.pipeline.store import Folder, Product, ProductGone
 
 TaskFunction = Callable[[Folder, Any], Product]
 """(store, options) -> product; reads the products that the task names, and writes none."""
@@ -52,6 +55,14 @@ class Done:
     """of a small task"""
     failed: str = ""
     """why it has no product; empty: it has"""
+    lost: str = ""
+    """key of a product that it needs and that was found damaged or gone"""
+    trouble: str = ""
+    """what a program has to say of an error that is no bad input: it may be tried again"""
+    keep_now: bool = False
+    """small products so far are to be kept before the next is asked for: who did them forgets them then"""
+    stop: str = ""
+    """why no task can be done any more, as where the disk is full"""
 
 
 @lru_cache
@@ -72,12 +83,45 @@ def options_of(name: str) -> type:
 
 
 def do(task: Task, store: Folder) -> Done:
-    """Do a task; bad input costs this task alone."""
+    """Do a task; whatever goes wrong costs this task alone, but where nothing can be written."""
     try:
         product = function_of(task.function)(store, task.options)
+    except ProductGone as error:
+        return Done(task=task, failed=str(error), lost=error.key)
     except InputError as error:
         return Done(task=task, failed=str(error))
+    except Exception as error:  # noqa: BLE001  (it is told with its traceback in the log, after some attempts)
+        text = f"{type(error).__name__}: {error}"
+        return Done(task=task, failed=text, trouble=traceback.format_exc())
     if task.small:
         return Done(task=task, product=product)
-    store.store(task.key, product)
+    try:
+        store.store(task.key, product)
+    except InputError as error:
+        return Done(task=task, failed=str(error), stop=str(error))
     return Done(task=task)
+
+
+def made(task: Task, store: Folder) -> None:
+    """Do a task once more whose product was found damaged; raises InputError where it cannot be made."""
+    done = do(task, store)
+    if done.failed:
+        raise InputError(done.failed)
+
+
+def written(task: Task) -> bytes:
+    """A task as a line of text, as it could lie in a file."""
+    return msgspec.json.encode(replace(task, options=msgspec.to_builtins(task.options, enc_hook=str)))
+
+
+def read_task(text: bytes) -> Task:
+    """The same task; its options are of the data class that its function takes."""
+    task = msgspec.json.decode(text, type=Task)
+    kind = options_of(task.function)
+    return replace(task, options=msgspec.convert(task.options, kind, dec_hook=lambda wanted, given: wanted(given)))
+
+
+def do_written(text: bytes, store: Folder) -> Done:
+    """Do a task that was written down; what is handed back names it by its key."""
+    task = read_task(text)
+    return replace(do(task, store), task=replace(task, options=None))

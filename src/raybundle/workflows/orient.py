@@ -19,7 +19,7 @@ from raybundle.matching.methods import feature_method
 from raybundle.matching.verify import VerifiedPair
 from raybundle.numerics.counting import counted
 from raybundle.numerics.progress import Progress, silent
-from raybundle.pipeline.executors import Threads
+from raybundle.pipeline.choosing import executor_for
 from raybundle.pipeline.project import Project, StageRecord
 from raybundle.pipeline.stage import Run, Stage
 from raybundle.placing.marks import Given
@@ -148,10 +148,11 @@ def orient(
     options = options or OrientOptions()
     given = given or Given()
     method = feature_method(options.features)
-    project = Project.open(folder)
     jobs = options.jobs or os.cpu_count() or 1
     memory = options.memory_gb * 1e9
-    run = Run(project=project, executor=Threads(jobs, memory), progress=progress, jobs=jobs, memory=memory)
+    executor = executor_for(options.cluster, jobs, memory)
+    project = Project.open(folder)
+    run = Run(project=project, executor=executor, progress=progress, jobs=jobs, memory=memory)
     asked = Asked(
         inputs=tuple(inputs), name=folder.name, options=options, calibration=tuple(calibration), given=given,
         positions=positions, method=method, earlier=earlier,

@@ -1,0 +1,36 @@
+"""`raybundle scheduler`."""
+
+from __future__ import annotations
+
+import contextlib
+from pathlib import Path
+from typing import Any
+
+import click
+
+from raybundle.cli.common import FOLDER, Command
+from raybundle.cli.settings import options_of, values_of
+from raybundle.commands.worker import SchedulerSettings
+from raybundle.settings import made
+
+
+@click.command("scheduler", cls=Command)
+@click.argument("cluster", type=FOLDER)
+@options_of(SchedulerSettings)
+def command(cluster: Path, **given: Any) -> None:
+    """Be the scheduler of a cluster until interrupted.
+
+    CLUSTER is a folder that all its machines see; it gets the address and, where it has none, certificates, by which
+    scheduler, workers and runs know each other. Who can read it may run programs on the workers.
+
+    \b
+    Example:
+      raybundle scheduler office-cluster
+      raybundle scheduler office-cluster --host 192.168.1.20 --port 8786
+    """  # noqa: D301
+    from raybundle.commands.worker import run_scheduler  # noqa: PLC0415  (what computes is loaded after the help)
+
+    with contextlib.suppress(KeyboardInterrupt):  # the way in which it ends
+        run_scheduler(
+            made(SchedulerSettings, values_of(SchedulerSettings, given)), cluster, lambda line: click.echo(f" {line}")
+        )

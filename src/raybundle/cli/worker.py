@@ -1,0 +1,56 @@
+"""`raybundle worker`."""
+
+from __future__ import annotations
+
+import contextlib
+from pathlib import Path
+from typing import Any
+
+import click
+
+from raybundle.cli.common import FOLDER, Command, common_options, counted
+from raybundle.cli.settings import options_of, values_of
+from raybundle.commands.worker import WorkerSettings
+from raybundle.settings import made
+
+WAITING = 5
+"""Exit status where tasks wait for what others make"""
+
+
+@click.command("worker", cls=Command)
+@click.argument("project", type=FOLDER, required=False)
+@options_of(WorkerSettings)
+@common_options
+def command(project: Path | None, progress: str, **given: Any) -> int:
+    """Do tasks of runs on other machines: for the scheduler of a cluster, or a share of the tasks in PROJECT.
+
+    Project and photographs lie in folders that all machines see under the same paths, and all have the same version of
+    raybundle. Which worker does a task makes no difference to the result.
+
+    \b
+    Exit status of a share: 0 all of it is done (what could not be is told by the run that wanted it); 2 bad input; 5
+    some of it waits for what other shares make.
+
+    \b
+    Example:
+      raybundle worker --cluster office-cluster --jobs 8
+      raybundle worker facade-project --shard 0/4
+    """  # noqa: D301
+    from raybundle.cli.progress import reporting  # noqa: PLC0415  (what computes is loaded after the help)
+    from raybundle.commands.worker import run_worker  # noqa: PLC0415
+
+    settings = made(WorkerSettings, values_of(WorkerSettings, given))
+    done = None
+    with contextlib.ExitStack() as stack:
+        if settings.cluster:
+            stack.enter_context(contextlib.suppress(KeyboardInterrupt))  # the way in which it ends
+        tell = stack.enter_context(reporting(progress))
+        done = run_worker(settings, project, lambda line: click.echo(f" {line}"), tell)
+    if done is None:
+        return 0
+    click.echo(f" {counted(done.made, 'task')} done")
+    for name, why in done.failed:
+        click.echo(f" left out: {name}: {why}")
+    if done.waiting:
+        click.echo(f" {counted(done.waiting, 'task')} of this share wait for others; run it again then")
+    return WAITING if done.waiting else 0

@@ -1,0 +1,82 @@
+"""`raybundle worker` and `raybundle scheduler`: tasks of a run done by other processes and machines."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from raybundle.errors import InputError
+from raybundle.numerics.progress import Progress, silent
+from raybundle.settings import NOT_NEGATIVE, Range, option, setting
+
+if TYPE_CHECKING:
+    from raybundle.pipeline.shards import ShardDone
+
+CLUSTER_HELP = (
+    "Features and pairs on other machines: the folder of a cluster, which `raybundle scheduler FOLDER` makes (extra "
+    "[cluster]); or shards, to write the tasks down for `raybundle worker` and end."
+)
+"""Of the setting `cluster`, which every command has whose stages can be done elsewhere"""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class WorkerSettings:
+    """What a worker works for: a cluster, or a share of the tasks in a project."""
+
+    cluster: str = setting(
+        "", "Work for the scheduler of this folder until interrupted, and wait for it where it is gone.",
+        metavar="FOLDER",
+    )  # fmt: skip
+    shard: str = setting(
+        "", "Of the tasks in PROJECT do those whose number leaves I when divided by N, and end: for the jobs of an "
+        "array, which need no scheduler.", metavar="I/N",
+    )  # fmt: skip
+    jobs: int = setting(1, "Tasks at once; 0: as many as there are processors.", limits=NOT_NEGATIVE)
+    wait: float = setting(
+        60.0, "Seconds that a shard waits for what others make, before it ends with status 5.", metavar="S",
+        limits=Range(low=0, high=1e6),
+    )  # fmt: skip
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class SchedulerSettings:
+    """How a scheduler is reached."""
+
+    host: str = setting("", "Name or address of this machine for the others.  [default: as it reaches the network]")
+    port: int = setting(0, "0: any that is free.", limits=Range(low=0, high=65535))
+
+
+def run_worker(
+    settings: WorkerSettings, project: Path | None, told: Callable[[str], None], progress: Progress = silent
+) -> ShardDone | None:
+    """Work for a cluster until interrupted (None), or do a share of the tasks in a project."""
+    if bool(settings.cluster) == bool(settings.shard):
+        raise InputError(f"give {option('cluster', 'FOLDER')} or {option('shard', 'I/N')}")
+    if settings.cluster:
+        from raybundle.pipeline.choosing import on_dask  # noqa: PLC0415  (what computes is loaded after the help)
+
+        on_dask().work(settings.cluster, settings.jobs, told)
+        return None
+    from raybundle.pipeline.shards import do_shard  # noqa: PLC0415
+
+    if project is None:
+        raise InputError("of which project? Its folder is given beside the share")
+    number, of = _share(settings.shard)
+    return do_shard(project, number, of, jobs=settings.jobs, wait_s=settings.wait, progress=progress)
+
+
+def _share(text: str) -> tuple[int, int]:
+    """Which of how many, from "0/4"."""
+    first, _, last = text.partition("/")
+    if first.isdecimal() and last.isdecimal() and int(first) < int(last):
+        return int(first), int(last)
+    raise InputError(f"{text} is no share; as 0/4, 1/4, 2/4 and 3/4 of four jobs")
+
+
+def run_scheduler(settings: SchedulerSettings, folder: Path, told: Callable[[str], None]) -> None:
+    """Be the scheduler of a cluster until interrupted; its folder gets certificates where it has none."""
+    from raybundle.pipeline.choosing import on_dask  # noqa: PLC0415
+
+    on_dask().schedule(folder, settings.host, settings.port, told)

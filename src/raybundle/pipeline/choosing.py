@@ -1,0 +1,37 @@
+"""Which executor does the tasks of a run, from what its user says of a cluster."""
+
+from __future__ import annotations
+
+from types import ModuleType
+
+from raybundle.errors import InputError
+from raybundle.pipeline.clusters import cluster_at
+from raybundle.pipeline.executors import Executor, Threads
+from raybundle.pipeline.shards import Shards
+
+SHARDS = "shards"
+
+
+def executor_for(cluster: str, jobs: int, memory: float) -> Executor:
+    """Threads of this process, or those elsewhere.
+
+    cluster  empty: here; "shards"; or a folder or address as `cluster_at` takes it
+    jobs     threads here; 0: as many as there are processors
+    memory   bytes that tasks in work here may need together; elsewhere it is for who starts the workers
+    raises   InputError where there is no such cluster, or the extra [cluster] is not installed
+    """
+    if not cluster:
+        return Threads(jobs, memory)
+    if cluster == SHARDS:
+        return Shards()
+    return on_dask().Dask(cluster_at(cluster))
+
+
+def on_dask() -> ModuleType:
+    """The module that knows Dask; raises InputError where that is not installed."""
+    try:
+        from raybundle.pipeline import on_dask as module  # noqa: PLC0415  (an extra, and a second to load)
+    except ImportError as error:
+        missing = error.name or "distributed"
+        raise InputError(f"a cluster needs the package {missing}: pip install 'raybundle[cluster]'") from None
+    return module

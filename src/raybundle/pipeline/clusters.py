@@ -1,0 +1,205 @@
+"""Where a cluster is: a folder that its machines share, with the scheduler's address and the certificates.
+
+    CLUSTER/scheduler.json  address of the scheduler and what it runs, written when it starts (Dask's scheduler file)
+    CLUSTER/ca.pem          certificate by which scheduler, workers and who asks them know each other
+    CLUSTER/cert.pem        that of the cluster's own machines
+    CLUSTER/key.pem         its key: whoever reads it may run programs on the workers
+
+An address alone is for a scheduler on this machine: what goes over a network is encrypted, and both ends are known.
+"""
+
+from __future__ import annotations
+
+import hashlib
+import ipaddress
+import json
+import os
+import platform
+import secrets
+import socket
+import ssl
+import time
+import uuid
+from contextlib import ExitStack
+from dataclasses import dataclass
+from functools import lru_cache
+from importlib import metadata
+from pathlib import Path
+from urllib.parse import urlsplit
+
+from raybundle.errors import InputError
+from raybundle.io.reading.trees import read_json
+from raybundle.pipeline.store import Folder, writing
+
+SCHEDULER = "scheduler.json"
+CERTIFICATES = ("ca.pem", "cert.pem", "key.pem")
+TOKEN = "token"  # noqa: S105  (of a folder, no secret)
+"""File of a store by which a worker knows that it sees the same one."""
+ANSWER_S = 10.0
+"""Within which a scheduler answers: some hundred times what a busy one takes."""
+APPEAR_S = 60.0
+"""Within which a file that one machine wrote is seen by another: NFS asks again after at most so long (acdirmax)."""
+MATTERS = ("numpy", "scipy", "opencv-python-headless", "poselib")
+"""Distributions beside raybundle by which results may differ in their last digits."""
+
+
+@dataclass(frozen=True, slots=True)
+class Cluster:
+    """A scheduler and how it is reached."""
+
+    address: str
+    folder: Path | None = None
+    """of the certificates; None: not encrypted, on this machine alone"""
+    runs: str = ""
+    """`signature` of the scheduler's raybundle; empty: not told"""
+
+    @property
+    def files(self) -> tuple[Path, ...]:
+        """Certificate of the authority, certificate, key."""
+        return () if self.folder is None else tuple(self.folder / name for name in CERTIFICATES)
+
+
+def cluster_at(where: str) -> Cluster:
+    """The cluster of a folder or an address; raises InputError where it is none, or would not be safe."""
+    if "://" in where:
+        host = urlsplit(where).hostname or ""
+        if not _is_loopback(host):
+            raise InputError(
+                "is on another machine, and an address alone says nothing of certificates; "
+                "give the cluster's folder, which `raybundle scheduler FOLDER` makes",
+                file=where,
+            )
+        if not where.startswith("tcp://"):
+            raise InputError("needs certificates; give the folder in which they are", file=where)
+        return _checked(Cluster(where), where)
+    folder = Path(where)
+    file = folder / SCHEDULER
+    if not file.is_file():
+        raise InputError(
+            f"has no {SCHEDULER}: no scheduler was started there; `raybundle scheduler {folder}` starts one",
+            file=folder,
+        )
+    tree = read_json(file)
+    found = Cluster(tree.get("address").text(), folder, tree.get("raybundle").text() if tree.has("raybundle") else "")
+    missing = [f.name for f in found.files if not f.is_file()]
+    if missing:
+        raise InputError(
+            f"lacks {', '.join(missing)}: without certificates nothing goes over a network; "
+            f"`raybundle scheduler {folder}` makes them",
+            file=folder,
+        )
+    if not found.address.startswith("tls://"):
+        raise InputError(f"{found.address} is not encrypted (tls://); start the scheduler again", file=file)
+    return _checked(found, str(file))
+
+
+def _checked(cluster: Cluster, where: str) -> Cluster:
+    """The same; raises InputError for an address that has no host or port."""
+    try:
+        parts = urlsplit(cluster.address)
+        if parts.hostname and parts.port:
+            return cluster
+    except ValueError:
+        pass
+    raise InputError(f"{cluster.address} is no address of a scheduler, as tcp://127.0.0.1:8786", file=where)
+
+
+def _is_loopback(host: str) -> bool:
+    """Whether an address cannot be reached from elsewhere."""
+    try:
+        return ipaddress.ip_address(host).is_loopback
+    except ValueError:
+        return host == "localhost"
+
+
+def write_scheduler(folder: Path, address: str) -> None:
+    """Say in a cluster's folder where its scheduler is, whole or not at all."""
+    with writing(folder):
+        temporary = folder / f".{SCHEDULER}.{uuid.uuid4().hex[:8]}"
+        try:
+            temporary.write_text(json.dumps({"address": address, "raybundle": signature()}) + "\n", encoding="utf-8")
+            temporary.replace(folder / SCHEDULER)
+        finally:
+            temporary.unlink(missing_ok=True)
+
+
+def check_answers(cluster: Cluster) -> None:
+    """Raise InputError where a scheduler does not answer, or does not know our certificate."""
+    parts = urlsplit(cluster.address)
+    try:
+        with ExitStack() as stack:
+            line: socket.socket = stack.enter_context(
+                socket.create_connection((parts.hostname or "", parts.port or 0), ANSWER_S)
+            )
+            if cluster.folder is not None:
+                line = stack.enter_context(_context(cluster).wrap_socket(line))
+            if not line.recv(1):  # a scheduler speaks first
+                raise ConnectionResetError
+    except ssl.SSLCertVerificationError as error:
+        what = f"the scheduler at {cluster.address} has a certificate that is not of this cluster ({error.reason})"
+    except ssl.SSLError as error:
+        what = f"the scheduler at {cluster.address} does not take the certificates in this folder ({error.reason})"
+    except TimeoutError:
+        what = f"the scheduler at {cluster.address} does not answer within {ANSWER_S:g} s; is it one with certificates?"
+    except OSError as error:
+        what = f"no scheduler answers at {cluster.address} ({error.strerror or type(error).__name__})"
+    else:
+        return
+    raise InputError(
+        f"{what}. Start one, or go on without it: what is finished is kept", file=cluster.folder or cluster.address
+    )
+
+
+def _context(cluster: Cluster) -> ssl.SSLContext:
+    """With the certificates of a cluster, whose names are no hosts' names; raises InputError where they cannot be."""
+    context = ssl.SSLContext(ssl.PROTOCOL_TLS_CLIENT)
+    context.check_hostname = False
+    ca, cert, key = cluster.files
+    try:
+        context.load_verify_locations(ca)
+        context.load_cert_chain(cert, key)
+    except (OSError, ssl.SSLError) as error:
+        raise InputError(
+            f"certificates cannot be used: {error}; delete ca.pem, cert.pem, key.pem and start the scheduler again",
+            file=cluster.folder,
+        ) from None
+    return context
+
+
+@lru_cache
+def signature() -> str:
+    """What this raybundle is: version, and a sum over its programs and what its digits depend on beside them."""
+    total = hashlib.sha256(platform.python_version().rpartition(".")[0].encode())
+    for name in MATTERS:
+        total.update(f"{name} {metadata.version(name)}\n".encode())
+    home = Path(__file__).parents[1]
+    for file in sorted(home.rglob("*.py")):
+        total.update(file.relative_to(home).as_posix().encode())
+        total.update(file.read_bytes())
+    return f"raybundle {metadata.version('raybundle')} ({total.hexdigest()[:12]})"
+
+
+def token_of(store: Folder) -> str:
+    """What a store is known by, written the first time that it is asked for."""
+    file = store.path / TOKEN
+    if not file.is_file():
+        store.write_text(TOKEN, secrets.token_hex(16))
+    return file.read_text(encoding="utf-8")
+
+
+@lru_cache
+def unseen(folder: str, token: str) -> str:
+    """Why a worker does not see a store as others do; empty: it does."""
+    file, until = Path(folder) / TOKEN, time.monotonic() + APPEAR_S
+    while True:
+        try:
+            found = file.read_text(encoding="utf-8")
+        except OSError as error:
+            found, why = "", error.strerror or str(error)
+        else:
+            why = "another folder stands there"
+        if found == token:
+            return "" if os.access(folder, os.W_OK) else "it cannot be written there"
+        if time.monotonic() > until:
+            return why
+        time.sleep(1.0)

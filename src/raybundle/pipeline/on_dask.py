@@ -1,0 +1,396 @@
+"""Tasks on other machines, handed out by Dask distributed: the only module that knows Dask.
+
+Dask carries tasks as text and hands small products back; what is done is known by the store, which all machines see.
+A worker says what raybundle it runs as a resource, and a task asks for that resource: no other worker is given it.
+"""
+
+from __future__ import annotations
+
+import asyncio
+import logging
+import os
+import signal
+import socket
+import time
+import uuid
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import suppress
+from dataclasses import dataclass, field
+from pathlib import Path
+from queue import Empty, SimpleQueue
+from typing import Any
+
+from dask import config
+from distributed import Client, Future, Nanny, Scheduler, Security
+from distributed import Worker as DaskWorker
+
+from raybundle.errors import InputError
+from raybundle.pipeline.clusters import (
+    CERTIFICATES,
+    Cluster,
+    check_answers,
+    cluster_at,
+    signature,
+    token_of,
+    unseen,
+    write_scheduler,
+)
+from raybundle.pipeline.executors import ONE_THREAD, store_at
+from raybundle.pipeline.queues import drive
+from raybundle.pipeline.store import Folder, writing
+from raybundle.pipeline.tasks import Done, Task, do, do_written, written
+from raybundle.settings import read_with_flags, with_flags
+
+AHEAD_BY_DASK = 16
+"""Tasks handed over for each worker: several go over the network at once, and none waits for the next."""
+LOOK_S = 1.0
+"""Between two looks at which workers there are."""
+PATIENCE_S = 120.0
+"""That a run waits for a worker that can do its tasks, and for a scheduler that was lost: a machine starts in less."""
+BLIND = 3
+"""Tasks that a worker could not do and this machine could, before the run ends: once may be a network that failed."""
+CONFIGURED = {
+    "distributed.comm.timeouts.connect": "10s",
+    "distributed.comm.timeouts.tcp": "30s",
+    # deaths are counted by `queues`, which tells the task that kills from those beside it
+    "distributed.scheduler.allowed-failures": 100,
+    "distributed.scheduler.worker-ttl": "60s",
+    # a task's memory is its own affair: what Dask takes for too much would be killed
+    "distributed.worker.memory.terminate": False,
+    "distributed.worker.memory.pause": False,
+    "distributed.admin.low-level-log-length": 0,
+    "distributed.nanny.pre-spawn-environ": {
+        **dict.fromkeys(ONE_THREAD, "1"),
+        "DASK_LOGGING__DISTRIBUTED": "critical",
+    },
+}
+
+
+@dataclass(frozen=True, slots=True)
+class Dask:
+    """The workers of a scheduler; the store lies in a folder that all of them see under the same path."""
+
+    cluster: Cluster
+    memory: float = float("inf")
+    patience: float = PATIENCE_S
+
+    def run(self, tasks: Sequence[Task], store: Folder) -> Iterator[Done]:
+        """Do tasks and yield them as they end."""
+        if not tasks:
+            return
+        check_answers(self.cluster)
+        _quiet()
+        store.path.mkdir(parents=True, exist_ok=True)
+        hands = _Workers(self.cluster, store, token_of(store), self.patience)
+        try:
+            yield from drive(tasks, hands, store, self.memory)
+        finally:
+            with suppress(Exception):  # it may be gone; what is kept is kept
+                hands.client.close(timeout=2)
+
+
+def _security(cluster: Cluster) -> Security:
+    """Encrypted where there are certificates, all of one kind for all ends."""
+    if cluster.folder is None:
+        return Security(require_encryption=False)
+    ca, cert, key = map(str, cluster.files)
+    ends = {f"tls_{end}_{what}": file for end in ("client", "scheduler", "worker")
+            for what, file in (("cert", cert), ("key", key))}  # fmt: skip
+    return Security(require_encryption=True, tls_ca_file=ca, **ends)
+
+
+def _quiet() -> None:
+    """What Dask has to say of lost connections is said by us, in words that help."""
+    config.set(CONFIGURED)
+    for name in ("distributed", "tornado.application", "asyncio"):
+        logging.getLogger(name).setLevel(logging.CRITICAL)
+    for name in [n for n in logging.root.manager.loggerDict if n.startswith("distributed.")]:
+        logging.getLogger(name).setLevel(logging.CRITICAL)
+
+
+@dataclass(slots=True)
+class _Workers:
+    """Hands that are workers of a scheduler."""
+
+    cluster: Cluster
+    store: Folder
+    token: str
+    patience: float
+    client: Client = field(init=False)
+    futures: dict[Future, Task] = field(default_factory=dict[Future, Task])
+    waiting: list[Task] = field(default_factory=list[Task])
+    """taken, and not sent yet"""
+    done: SimpleQueue[Future] = field(default_factory=SimpleQueue)
+    threads: int = 1
+    looked: float = 0.0
+    seen: float = field(default_factory=time.monotonic)
+    """when a worker was seen that can do our tasks"""
+    blind: int = 0
+    name: str = field(default_factory=lambda: uuid.uuid4().hex[:8])
+    count: int = 0
+
+    def __post_init__(self) -> None:
+        """Connect; raises InputError."""
+        try:
+            self.client = Client(
+                self.cluster.address, security=_security(self.cluster), timeout=30, set_as_default=False,
+            )  # fmt: skip
+        except (OSError, TimeoutError) as error:
+            raise InputError(self._gone(str(error).partition("\n")[0]), file=self.cluster.address) from None
+
+    def room(self) -> int:
+        """How many tasks may be in work or wait for it."""
+        if time.monotonic() > self.looked + LOOK_S:
+            self._look()
+        return AHEAD_BY_DASK * self.threads
+
+    def submit(self, task: Task) -> None:
+        """Take a task; it goes out with others when the next is waited for."""
+        self.waiting.append(task)
+
+    def _send(self) -> None:
+        """Send what was taken; the key of each attempt is its own, so that Dask takes none for one of another run."""
+        tasks, self.waiting = self.waiting, []
+        if not tasks:
+            return
+        keys = [f"{t.key}-{self.name}-{self.count + k}" for k, t in enumerate(tasks)]
+        self.count += len(tasks)
+        about = (str(self.store.path.absolute()), self.token, with_flags(), str(Path.cwd()))
+        futures: Any = self.client.map(
+            _elsewhere, [written(t) for t in tasks], *([part] * len(tasks) for part in about),
+            key=keys, resources={signature(): 1}, pure=False,
+        )  # fmt: skip
+        for future, task in zip(futures, tasks, strict=True):
+            self.futures[future] = task
+            future.add_done_callback(self.done.put)
+
+    def ended(self) -> list[tuple[str, Done | None]]:
+        """Wait until some have ended."""
+        while True:
+            self._send()
+            try:
+                batch = [self.done.get(timeout=LOOK_S)]
+            except Empty:
+                self._look()
+                continue
+            while not self.done.empty():
+                batch.append(self.done.get())
+            found = self._found(batch)
+            if found:
+                return found
+
+    def _found(self, batch: Sequence[Future]) -> list[tuple[str, Done | None]]:
+        """What became of tasks; those that were lost with a connection are handed over again."""
+        found: list[tuple[str, Done | None]] = []
+        finished = [f for f in batch if f.status == "finished"]
+        results: dict[Future, Any] = {}
+        with suppress(Exception):  # a connection that is lost meanwhile: they are done again
+            found_there: Any = self.client.gather(finished, errors="skip")
+            results = dict(zip(finished, found_there, strict=True))
+        again: list[Task] = []
+        for future in batch:
+            task = self.futures.pop(future, None)
+            if task is None:
+                continue
+            if future in results:
+                found.append((task.key, self._checked(task, *results[future])))
+            elif future.status == "error":  # its worker died; what a task raises is handed back as what became of it
+                found.append((task.key, None))
+            else:
+                again.append(task)
+        if again:
+            self._connected()
+            for task in again:
+                self.submit(task)
+        return found
+
+    def _checked(self, task: Task, done: Done, host: str, refused: str) -> Done:
+        """What became of a task; raises InputError where its worker does not see what this machine sees."""
+        if refused:
+            raise InputError(
+                f"the worker on {host} does not see this folder as this machine does ({refused}); mount it there under "
+                f"the same path, or stop that worker",
+                file=self.store.path,
+            )
+        if not done.failed or done.lost or done.trouble or done.stop:
+            return done
+        here = do(task, self.store)  # bad input is bad everywhere
+        if not here.failed:
+            self.blind += 1
+            if self.blind >= BLIND:
+                raise InputError(
+                    f"the worker on {host} could not do {BLIND} tasks that this machine can do ({done.failed}); let it "
+                    f"see the photographs under the same path, or stop it"
+                )
+        return here
+
+    def _connected(self) -> None:
+        """Wait for the scheduler; raises InputError where it is gone."""
+        until = time.monotonic() + self.patience
+        while self.client.status != "running":
+            if self.client.status in {"closed", "closing"} or time.monotonic() > until:
+                raise InputError(self._gone("the connection was lost"), file=self.cluster.address)
+            time.sleep(LOOK_S / 5)
+
+    def _gone(self, why: str) -> str:
+        return (
+            f"the scheduler does not answer any more ({why}). What is finished is kept in {self.store.path.parent}: "
+            "start a scheduler and run the same command again, or run it without one"
+        )
+
+    def _look(self) -> None:
+        """See which workers there are; raises InputError where none can do our tasks for long."""
+        self._connected()
+        try:
+            workers = self.client.scheduler_info(n_workers=-1)["workers"]
+        except Exception:  # noqa: BLE001  (the connection was lost meanwhile: the next look tells)
+            return
+        self.looked = time.monotonic()
+        fit = [w for w in workers.values() if signature() in w["resources"]]
+        self.threads = max(sum(w["nthreads"] for w in fit), 1)
+        if fit:
+            self.seen = self.looked
+        elif self.looked > self.seen + self.patience:
+            others = sorted({f"{w['host']}: {', '.join(w['resources']) or 'no raybundle'}" for w in workers.values()})
+            seen = f"none of {len(workers)} has {signature()} ({'; '.join(others)})" if workers else "there is none"
+            raise InputError(
+                f"no worker can do the tasks: {seen}. Start `raybundle worker` with the same version as here; what is "
+                "finished is kept",
+                file=self.cluster.folder or self.cluster.address,
+            )
+
+
+def _elsewhere(
+    text: bytes,
+    folder: str,
+    token: str,
+    flags: bool,  # noqa: FBT001  (as Dask hands it over)
+    here: str,
+) -> tuple[Done, str, str]:
+    """Do a task in a worker: what became of it, the machine, and why it does not see the store (empty: it does)."""
+    read_with_flags(flags)
+    refused = unseen(folder, token)
+    if refused:
+        return Done(task=Task(key="", function="", options=None)), socket.gethostname(), refused
+    with suppress(OSError):  # where it is not, the files were given with their whole paths, or are named as missing
+        os.chdir(here)
+    return do_written(text, store_at(folder)), socket.gethostname(), ""
+
+
+def dask_setup(worker: DaskWorker) -> None:
+    """Make a worker that somebody else started one of ours: `dask worker --preload raybundle.pipeline.on_dask`."""
+    worker.state.total_resources[signature()] = 1
+    worker.state.available_resources[signature()] = 1
+
+
+def make_certificates(folder: Path) -> None:
+    """Write certificates for the machines of one cluster, valid for a year (Dask's own: one for all ends)."""
+    made = Security.temporary()
+    texts = (made.tls_ca_file, made.tls_scheduler_cert, made.tls_scheduler_key)
+    with writing(folder):
+        folder.mkdir(parents=True, exist_ok=True)
+        for name, text in zip(CERTIFICATES, texts, strict=True):
+            number = os.open(folder / name, os.O_WRONLY | os.O_CREAT | os.O_EXCL, 0o600)
+            with os.fdopen(number, "w", encoding="utf-8") as file:
+                file.write(text)
+
+
+def schedule(folder: Path, host: str, port: int, tell: Callable[[str], None]) -> None:
+    """Be the scheduler of a cluster until interrupted; its folder gets certificates where it has none.
+
+    host  name or address of this machine for the others; empty: the one by which it reaches the network
+    port  0: any that is free
+    """
+    missing = [name for name in CERTIFICATES if not (folder / name).is_file()]
+    if len(missing) == len(CERTIFICATES):
+        make_certificates(folder)
+    elif missing:
+        raise InputError(f"lacks {', '.join(missing)}; put them there, or delete the other certificates", file=folder)
+    _quiet()
+    with suppress(asyncio.CancelledError):
+        asyncio.run(_schedule(folder, host, port, tell))
+
+
+async def _schedule(folder: Path, host: str, port: int, tell: Callable[[str], None]) -> None:
+    security = _security(Cluster("", folder))
+    _end_on_signal()
+    try:
+        scheduler = Scheduler(
+            host=host or None, port=port, protocol="tls", security=security, dashboard=False,
+            dashboard_address="127.0.0.1:0",
+        )  # fmt: skip
+        await scheduler
+    except (OSError, ValueError) as error:
+        raise InputError(f"the scheduler cannot listen at {host or 'this machine'}, port {port}: {error}") from None
+    try:
+        write_scheduler(folder, scheduler.address)
+        tell(f"scheduler: {scheduler.address} ({signature()})")
+        await scheduler.finished()
+    finally:
+        await scheduler.close()
+
+
+def work(where: str, jobs: int, tell: Callable[[str], None]) -> None:
+    """Be workers of a cluster until interrupted, with one thread each; a scheduler that is gone is waited for.
+
+    where   folder or address, as `cluster_at` takes it
+    raises  InputError for a scheduler of another version, and for certificates that are not of the cluster
+    """
+    _quiet()
+    with suppress(asyncio.CancelledError):
+        asyncio.run(_work(where, jobs or os.cpu_count() or 1, tell))
+
+
+async def _work(where: str, jobs: int, tell: Callable[[str], None]) -> None:
+    _end_on_signal()
+    _checked_version(cluster_at(where), where)
+    check_answers(cluster_at(where))
+    await asyncio.gather(*(_one_worker(where, tell) for _ in range(jobs)))
+
+
+async def _one_worker(where: str, tell: Callable[[str], None]) -> None:
+    """One worker after the other: each lives as long as its connection to the scheduler."""
+    while True:
+        try:
+            cluster = cluster_at(where)
+            await asyncio.to_thread(check_answers, cluster)
+        except InputError:  # it was there when this began
+            await asyncio.sleep(LOOK_S)
+            continue
+        _checked_version(cluster, where)
+        nanny = Nanny(
+            cluster.address, nthreads=1, security=_security(cluster), resources={signature(): 1}, memory_limit="0",
+            death_timeout=PATIENCE_S, dashboard=False, host=_listens(cluster),
+            dashboard_address="127.0.0.1:0",
+            config=config.config,
+        )  # fmt: skip
+        try:
+            await nanny
+            tell(f"worker of {cluster.address} ({signature()})")
+            await nanny.finished()
+        except (OSError, TimeoutError, RuntimeError):  # the scheduler went away meanwhile
+            await asyncio.sleep(LOOK_S)
+        finally:
+            await nanny.close()
+
+
+def _listens(cluster: Cluster) -> str | None:
+    """Where a worker listens: what is not encrypted is not to be reached from elsewhere."""
+    return "127.0.0.1" if cluster.folder is None else None
+
+
+def _checked_version(cluster: Cluster, where: str) -> None:
+    """Raise InputError where the scheduler is of another version: nobody would give this worker a task."""
+    if cluster.runs and cluster.runs != signature():
+        raise InputError(
+            f"the scheduler runs {cluster.runs}, this is {signature()}; install the same version on all machines",
+            file=where,
+        )
+
+
+def _end_on_signal() -> None:
+    """End as by an interrupt where the system asks for it."""
+    task = asyncio.current_task()
+    assert task is not None
+    with suppress(NotImplementedError):  # Windows
+        asyncio.get_running_loop().add_signal_handler(signal.SIGTERM, task.cancel)

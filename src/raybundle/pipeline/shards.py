@@ -1,0 +1,196 @@
+"""Tasks without a scheduler: a list in the store, of which each job of an array does its share.
+
+    PROJECT/cache/tasks.jsonl  what the stage needs that is not kept yet: a line of facts, then a task a line
+
+A run with this executor takes what shards have handed over and writes down what is still to be done; then it ends, and
+the same command goes on when the shards are through.  Which shard does what makes no difference to any product.
+"""
+
+from __future__ import annotations
+
+import json
+import os
+import time
+from collections.abc import Iterator, Mapping, Sequence
+from contextlib import suppress
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+
+from raybundle.errors import InputError, TasksWaiting
+from raybundle.io.reading.trees import own_json_of
+from raybundle.numerics.arrays import Array
+from raybundle.numerics.counting import counted
+from raybundle.numerics.progress import Counted, Progress, silent
+from raybundle.pipeline.clusters import signature
+from raybundle.pipeline.executors import Processes
+from raybundle.pipeline.keys import key_of
+from raybundle.pipeline.queues import Queue
+from raybundle.pipeline.store import Folder
+from raybundle.pipeline.tasks import Done, Task, read_task, written
+from raybundle.settings import read_with_flags, with_flags
+
+TASKS = "tasks.jsonl"
+HANDED = "handed"
+"""Kind of the products in which shards hand small ones over, many in one archive."""
+FAILED, LOST = "!failed", "!lost"
+HAND_OVER_S = 5.0
+"""Small products are handed over so often: what a killed shard loses."""
+LOOK_S = 1.0
+"""Between two looks whether other shards have made what is needed."""
+
+
+@dataclass(frozen=True, slots=True)
+class Shards:
+    """Jobs of an array, each with a share of the tasks."""
+
+    def run(self, tasks: Sequence[Task], store: Folder) -> Iterator[Done]:
+        """Yield what was handed over; raises TasksWaiting where there is more to be done."""
+        wanted, queue = {t.key: t for t in tasks}, Queue.of(tasks)
+        for archive in store.keys_of_kind(HANDED):
+            products = _unpacked(store.load(archive) or {})
+            found = {key: product for key, product in products.items() if key in wanted}
+            for key, product in found.items():
+                failed, lost = (str(product.get(name, "")) for name in (FAILED, LOST))
+                last = key == next(reversed(found))
+                done = Done(task=wanted.pop(key), product=product, failed=failed, lost=lost, keep_now=last)
+                yield done
+                if failed:
+                    for follows in queue.ended(done):
+                        wanted.pop(follows.task.key, None)
+                        yield follows
+            if found or all(FAILED in product for product in products.values()):
+                store.forget(archive)  # kept by now; what failed is tried again by the next run
+        if not wanted:
+            with suppress(OSError):
+                (store.path / TASKS).unlink()
+            return
+        facts = {"raybundle": signature(), "tasks": len(wanted), "flags": with_flags(), "folder": str(Path.cwd())}
+        lines = [json.dumps(facts), *(written(t).decode() for t in wanted.values())]
+        file = store.write_text(TASKS, "\n".join(lines) + "\n")
+        project = store.path.parent
+        raise TasksWaiting(
+            f"{counted(len(wanted), 'task')} to be done by shards, in {file}.\n"
+            f"  Run `raybundle worker --shard I/N {project}` for each I from 0 to N - 1, in any order, then the same "
+            "command again."
+        )
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class ShardDone:
+    """What a shard did."""
+
+    made: int
+    failed: tuple[tuple[str, str], ...]
+    """tasks that could not be done, and why: the run that wanted them says what follows from it"""
+    waiting: int
+    """tasks that need what other shards have not made"""
+
+
+def do_shard(
+    project: Path, number: int, of: int, *, jobs: int = 1, wait_s: float = 60.0, progress: Progress = silent
+) -> ShardDone:
+    """Do each task whose number modulo `of` is `number`, in the order of the list; what is made already is left.
+
+    jobs    processes, of one thread each
+    wait_s  that others are waited for where nothing else is left to do
+    raises  InputError where there is no list, or it is of another version of raybundle
+    """
+    store = Folder((project / "cache").absolute())
+    tasks = _listed(store)
+    if tasks is None:
+        return ShardDone(made=0, failed=(), waiting=0)
+    made, small = {t.key for t in tasks}, {t.key for t in tasks if t.small}
+    mine = tasks[number::of]
+    failed: dict[str, str] = {}
+    handed_over = _keys_handed(store)
+    waiting = [t for t in mine if not (t.key in handed_over if t.small else store.has(t.key))]
+    begun, count = time.monotonic(), 0
+    while waiting:
+        ready = _ready(waiting, made, small, store)
+        if not ready:
+            if time.monotonic() > begun + wait_s:
+                break
+            time.sleep(LOOK_S)
+            continue
+        handing, handed = dict[str, Mapping[str, Array]](), time.monotonic()
+        try:
+            for done in Processes(jobs).run(ready, store):
+                count += not done.failed
+                if done.failed:
+                    failed[done.task.key] = done.failed
+                    said = {FAILED: np.array(done.failed), LOST: np.array(done.lost)}
+                    _hand_over(store, {done.task.key: said})
+                elif done.task.small:
+                    handing[done.task.key] = done.product
+                if time.monotonic() > handed + HAND_OVER_S:
+                    _hand_over(store, handing)
+                    handing, handed = {}, time.monotonic()
+                progress("shard", Counted((count + len(failed)) / len(mine), count, len(mine), 0.0))
+        finally:
+            _hand_over(store, handing)
+        over = {t.key for t in ready}
+        waiting, begun = [t for t in waiting if t.key not in over], time.monotonic()
+    names = {t.key: t.name or t.key for t in mine}
+    return ShardDone(made=count, failed=tuple((names[k], why) for k, why in failed.items()), waiting=len(waiting))
+
+
+def _listed(store: Folder) -> list[Task] | None:
+    """The tasks of the list in a store; None: there is none, nothing is to be done."""
+    file = store.path / TASKS
+    if not store.path.is_dir():
+        raise InputError("is no project folder, or no run has begun in it", file=store.path.parent)
+    try:
+        first, *lines = file.read_bytes().splitlines()
+    except FileNotFoundError:
+        return None
+    except (OSError, ValueError) as error:
+        raise InputError(f"cannot be read: {error}", file=file) from None
+    facts = own_json_of(first.decode())
+    if facts["raybundle"] != signature():
+        raise InputError(
+            f"is of {facts['raybundle']}, this is {signature()}; install the same version on all machines", file=file
+        )
+    with suppress(OSError):  # where it is not, the files were given with their whole paths, or are named as missing
+        os.chdir(facts["folder"])
+    read_with_flags(bool(facts["flags"]))
+    return [read_task(line) for line in lines]
+
+
+def _keys_handed(store: Folder) -> set[str]:
+    """Keys of the small products that shards have handed over so far."""
+    found = set[str]()
+    for archive in store.keys_of_kind(HANDED):
+        found |= {name.partition(":")[0] for name in store.mapped(archive) or {}}
+    return found
+
+
+def _ready(waiting: Sequence[Task], made: set[str], small: set[str], store: Folder) -> list[Task]:
+    """Those that can be done now: what they need is kept, or made by one of them before."""
+    ready: dict[str, Task] = {}
+    known: dict[str, bool] = {}
+    handed_over = _keys_handed(store) if small else set[str]()
+    for t in waiting:
+        for key in {*t.inputs, *t.after}:
+            if key not in known:
+                known[key] = key not in made or (key in handed_over if key in small else store.has(key))
+            known[key] |= key in ready
+        if all(known[key] for key in {*t.inputs, *t.after}):
+            ready[t.key] = t
+    return [*ready.values()]
+
+
+def _hand_over(store: Folder, products: Mapping[str, Mapping[str, Array]]) -> None:
+    """Put small products where the next run takes them."""
+    if products:
+        arrays = {f"{key}:{name}": values for key, product in products.items() for name, values in product.items()}
+        store.store(key_of(HANDED, sorted(products)), arrays)
+
+
+def _unpacked(arrays: Mapping[str, Array]) -> dict[str, dict[str, Array]]:
+    found: dict[str, dict[str, Array]] = {}
+    for name, values in arrays.items():
+        key, _, own = name.partition(":")
+        found.setdefault(key, {})[own] = values
+    return found

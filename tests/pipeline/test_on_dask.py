@@ -1,0 +1,325 @@
+"""Tasks on a cluster by Dask: the same bits, whoever dies meanwhile."""
+
+import contextlib
+import json
+import os
+import random
+import signal
+import subprocess
+import sys
+import threading
+import time
+from pathlib import Path
+
+import pytest
+
+from raybundle.errors import InputError
+from raybundle.io.photos.photo import find_photos
+from raybundle.matching.methods import feature_method
+from raybundle.pipeline.clusters import cluster_at, signature, token_of
+from raybundle.pipeline.executors import Threads
+from raybundle.pipeline.project import Project
+from raybundle.pipeline.stage import Means
+from raybundle.pipeline.store import Folder
+from raybundle.ties.points import find_features, match_pairs
+from tests.pipeline.graph import done_by, executions, tasks_of
+from tests.pipeline.machines import Line, Machines, processes_of
+
+pytest.importorskip("distributed", reason="the extra [cluster] is not installed")
+pytestmark = pytest.mark.skipif(os.name == "nt", reason="processes are killed as on POSIX systems")
+LEAVES = 16
+PORTAL = Path(__file__).resolve().parents[2] / "demo_data/portal/photos"
+
+
+@pytest.fixture(scope="module")
+def expected(tmp_path_factory):
+    store = Folder(tmp_path_factory.mktemp("store"))
+    return done_by(Threads(1), tasks_of(LEAVES), store)
+
+
+@pytest.fixture
+def machines(tmp_path):
+    found = Machines(tmp_path / "cluster")
+    yield found
+    found.close()
+
+
+def on(folder, **more):
+    from raybundle.pipeline.on_dask import Dask
+
+    return Dask(cluster_at(str(folder)), **more)
+
+
+def test_one_worker_and_the_ways_in_which_it_is_refused(machines, tmp_path, expected, monkeypatch):
+    """One cluster for all of this: it takes seconds to begin."""
+    machines.scheduler()
+    machines.worker()
+    store = Folder(tmp_path / "s")
+    assert done_by(on(machines.folder), tasks_of(LEAVES), store) == expected
+    # bad input, and errors
+    tasks = tasks_of(4, crash={0: "bad input", 1: "some error"}, small=False)
+    ended = {d.task.name: d.failed for d in on(machines.folder).run(tasks, Folder(tmp_path / "t/s"))}
+    assert ended["leaf 0"] == "leaf.csv: is no matrix"
+    assert ended["leaf 1"].startswith("leaf 1: failed 3 times (RuntimeError: some error); see ")
+    assert "some error" in (tmp_path / "t/failed-tasks.log").read_text()
+    assert ended["node 4"].startswith("needs what could not be made")
+    assert not ended["node 5"]
+    # another folder under the same name
+    other = Folder(tmp_path / "u" / "s")
+    token = token_of(other)
+    (other.path / "token").write_text("another")
+    from raybundle.pipeline import on_dask
+
+    hands = on_dask._Workers(cluster_at(str(machines.folder)), other, token, 30.0)
+    try:
+        monkeypatch.setattr("raybundle.pipeline.clusters.APPEAR_S", 0.0)
+        found = on_dask._elsewhere(b"", str(other.path), token, False, ".")
+        with pytest.raises(InputError, match="does not see this folder as this machine does"):
+            hands._checked(tasks[0], *found)
+    finally:
+        hands.client.close()
+    # certificates of another cluster, or none
+    foreign = machines.also_at(
+        tmp_path / "foreign", json.loads((machines.folder / "scheduler.json").read_text())["address"]
+    )
+    for name in ("ca.pem", "cert.pem", "key.pem"):
+        (foreign / name).unlink()
+    with pytest.raises(InputError, match=r"lacks ca\.pem, cert\.pem, key\.pem: without certificates nothing goes"):
+        on(foreign)
+    on_dask.make_certificates(foreign)
+    with pytest.raises(InputError, match="has a certificate that is not of this cluster"):
+        list(on(foreign).run(tasks, store))
+    (foreign / "ca.pem").write_bytes((machines.folder / "ca.pem").read_bytes())
+    with pytest.raises(InputError, match="does not take the certificates in this folder"):
+        list(on(foreign).run(tasks, store))
+    monkeypatch.setattr("raybundle.pipeline.clusters.ANSWER_S", 1.0)
+    with pytest.raises(InputError, match="does not answer within"):
+        list(on(f"tcp://127.0.0.1:{machines.port}").run(tasks, store))
+
+
+def test_a_worker_of_another_version_gets_nothing_and_is_named(machines, tmp_path, monkeypatch):
+    machines.scheduler()
+    machines.worker()
+    monkeypatch.setattr("raybundle.pipeline.on_dask.signature", lambda: "raybundle 9.9 (000000000000)")
+    with pytest.raises(InputError) as error:
+        list(on(machines.folder, patience=3.0).run(tasks_of(2), Folder(tmp_path / "s")))
+    assert f"none of 1 has raybundle 9.9 (000000000000) (127.0.0.1: {signature()})" in str(error.value)
+    facts = machines.folder / "scheduler.json"
+    facts.write_text(json.dumps({**json.loads(facts.read_text()), "raybundle": "raybundle 0.0.9 (123)"}))
+    with pytest.raises(AssertionError, match=r"the scheduler runs raybundle 0\.0\.9 \(123\), this is raybundle"):
+        machines.worker()
+
+
+@pytest.mark.long
+@pytest.mark.parametrize("workers", [2, 4])
+def test_the_same_bits_with_so_many_workers(machines, tmp_path, expected, workers):
+    machines.scheduler()
+    machines.worker(jobs=workers)
+    log = tmp_path / "log"
+    tasks = tasks_of(LEAVES, log=log)
+    assert done_by(on(machines.folder), tasks, Folder(tmp_path / "s")) == expected
+    assert set(executions(log).values()) == {1}
+
+
+@pytest.mark.long
+def test_twenty_workers_that_are_killed_cost_the_tasks_in_work_alone(machines, tmp_path, expected):
+    machines.scheduler()
+    worker = machines.worker(jobs=2)
+    log, kills, stop = tmp_path / "log", [], threading.Event()
+
+    def reaper():
+        random.seed(1)
+        while not stop.wait(random.uniform(1.5, 2.5)) and len(kills) < 24:
+            alive = [p for p in processes_of(worker) if p.pid not in kills]
+            if alive and log.exists():
+                with contextlib.suppress(Exception):
+                    alive[0].kill()
+                    kills.append(alive[0].pid)
+
+    thread = threading.Thread(target=reaper)
+    thread.start()
+    store, begun = Folder(tmp_path / "s"), 0
+    try:
+        while len(kills) < 20:
+            tasks = tasks_of(LEAVES, log=log, seconds=0.3)
+            for t in tasks:
+                store.forget(t.key)
+            begun += len(tasks)
+            assert done_by(on(machines.folder), tasks, store) == expected
+    finally:
+        stop.set()
+        thread.join()
+    assert sum(executions(log).values()) <= begun + len(kills)
+
+
+@pytest.mark.long
+def test_a_scheduler_that_is_killed_is_told_and_what_is_finished_is_kept(machines, tmp_path, expected):
+    scheduler = machines.scheduler()
+    worker = machines.worker(jobs=2)
+    log, store = tmp_path / "log", Folder(tmp_path / "p" / "s")
+    tasks = tasks_of(LEAVES, log=log, seconds=0.3)
+    running = on(machines.folder, patience=3.0).run(tasks, store)
+    ended = [next(running).task.key for _ in range(5)]
+    scheduler.kill()
+    with pytest.raises(InputError, match="does not answer any more .* What is finished is kept") as error:
+        ended += [done.task.key for done in running]
+    assert "start a scheduler and run the same command again, or run it without one" in str(error.value)
+    time.sleep(1.0)
+    kept = [t for t in tasks if not t.small and store.has(t.key)]
+    assert len(kept) >= 3
+    with pytest.raises(InputError, match="no scheduler answers at"):
+        list(on(machines.folder).run(tasks, store))
+    # a new one elsewhere: the workers find it by themselves
+    machines.scheduler()
+    left = [t for t in tasks if t.small or not store.has(t.key)]
+    small = {d.task.key: d.product for d in on(machines.folder).run(left, store) if d.task.small}
+    from tests.pipeline.graph import digest
+
+    assert digest(store, tasks, small) == expected
+    large = {n: k for n, k in executions(log).items() if int(n) < 10_000}
+    assert sum(large.values()) <= len(large) + 2
+    assert worker.poll() is None
+
+
+DRIVER = """
+import sys
+from pathlib import Path
+from raybundle.pipeline.choosing import executor_for
+from raybundle.pipeline.project import Project
+from raybundle.pipeline.stage import Means
+from tests.pipeline.graph import tasks_of
+project = Project.open(Path(sys.argv[1]))
+means = Means(project=project, executor=executor_for(sys.argv[3], 1, 1e9), progress=lambda *_: print("one", flush=True))
+try:
+    assert not means.do(tasks_of(16, log=Path(sys.argv[2]), seconds=0.3), "graph")
+finally:
+    project.close()
+"""
+
+
+@pytest.mark.long
+def test_ten_drivers_that_are_killed_go_on_with_nothing_lost(machines, tmp_path, expected):
+    from tests.pipeline.test_faults import made
+
+    machines.scheduler()
+    machines.worker(jobs=2)
+    words = [sys.executable, "-c", DRIVER, str(tmp_path / "p"), str(tmp_path / "log"), str(machines.folder)]
+    kills = 0
+    for _ in range(10):
+        with subprocess.Popen(words, stdout=subprocess.PIPE, cwd=os.getcwd()) as driver:  # noqa: PTH109
+            for _ in range(3):
+                driver.stdout.readline()
+            kills += driver.poll() is None
+            driver.send_signal(signal.SIGKILL)
+    subprocess.run(words, check=True, stdout=subprocess.DEVNULL)
+    assert kills >= 5
+    assert made(tmp_path) == expected
+    large = {n: k for n, k in executions(tmp_path / "log").items() if int(n) < 10_000}
+    assert sum(large.values()) <= len(large) + 2 * kills
+
+
+@pytest.mark.long
+def test_a_line_that_is_cut_between_worker_and_scheduler_costs_the_tasks_in_work(machines, tmp_path, expected):
+    machines.scheduler()
+    line = Line(machines.port)
+    try:
+        machines.worker(machines.also_at(tmp_path / "far", line.address))
+        log, store, small = tmp_path / "log", Folder(tmp_path / "s"), {}
+        tasks = tasks_of(LEAVES, log=log, seconds=0.1)
+        for k, done in enumerate(on(machines.folder).run(tasks, store)):
+            assert not done.failed
+            small |= {done.task.key: done.product} if done.task.small else {}
+            if k in {4, 11, 20}:
+                line.cut()
+                threading.Timer(1.5, lambda: setattr(line, "open", True)).start()
+    finally:
+        line.close()
+    from tests.pipeline.graph import digest
+
+    assert digest(store, tasks, small) == expected
+    assert sum(executions(log).values()) <= len(tasks) + 3
+
+
+def _ip(*words):
+    subprocess.run(["ip", *words], check=True, capture_output=True)
+
+
+@pytest.fixture
+def namespace():
+    """A network of its own with one line to this one: scheduler at 10.77.0.1, worker at 10.77.0.2."""
+    name = f"rb{os.getpid() % 10000}"
+    try:
+        _ip("netns", "add", name)
+    except (OSError, subprocess.CalledProcessError):
+        pytest.skip("network namespaces need root and iproute2")
+    try:
+        _ip("link", "add", f"{name}a", "type", "veth", "peer", "name", f"{name}b", "netns", name)
+        _ip("addr", "add", "10.77.0.1/24", "dev", f"{name}a")
+        _ip("link", "set", f"{name}a", "up")
+        _ip("-n", name, "addr", "add", "10.77.0.2/24", "dev", f"{name}b")
+        _ip("-n", name, "link", "set", f"{name}b", "up")
+        _ip("-n", name, "link", "set", "lo", "up")
+        yield name
+    finally:
+        _ip("netns", "del", name)
+
+
+@pytest.mark.long
+def test_a_network_that_is_silent_for_a_while(machines, tmp_path, expected, namespace):
+    """Nothing is refused and nothing comes back, as where a cable is pulled: for 20 s, and a worker beside goes on."""
+    machines.scheduler(host="10.77.0.1")
+    machines.worker(namespace=namespace)
+    machines.worker()
+    log, store, small = tmp_path / "log", Folder(tmp_path / "s"), {}
+    tasks = tasks_of(LEAVES, log=log, seconds=0.3)
+    for k, done in enumerate(on(machines.folder).run(tasks, store)):
+        assert not done.failed
+        small |= {done.task.key: done.product} if done.task.small else {}
+        if k == 6:
+            _ip("link", "set", f"{namespace}a", "down")
+            threading.Timer(20, lambda: _ip("link", "set", f"{namespace}a", "up")).start()
+    from tests.pipeline.graph import digest
+
+    assert digest(store, tasks, small) == expected
+
+
+@pytest.mark.long
+@pytest.mark.skipif(not PORTAL.is_dir(), reason="demo_data/portal is part of the repository")
+def test_features_and_pairs_of_photographs_are_those_of_this_process(machines, tmp_path):
+    machines.scheduler()
+    machines.worker(jobs=2)
+    found = find_photos([PORTAL / f"portal_{k:02d}.jpg" for k in (2, 3, 4)]).photos
+    method, products = feature_method("rootsift"), []
+    for name, executor in (("here", Threads(2)), ("there", on(machines.folder))):
+        project = Project.open(tmp_path / name)
+        try:
+            means = Means(project=project, executor=executor)
+            store, failed = find_features(means, found, method, 500)
+            pairs = match_pairs(means, found, store, method, [(0, 1), (0, 2), (1, 2)])
+            assert not failed
+            files = {k: project.products._path(k).read_bytes() for k in store.keys}
+            products.append((files, [p.matches.tolist() for p in pairs]))
+        finally:
+            project.close()
+    assert products[0] == products[1]
+
+
+@pytest.mark.long
+def test_a_worker_that_somebody_else_started_becomes_ours_by_a_preload(machines, tmp_path, expected):
+    """As dask-jobqueue and dask-kubernetes start them; one without it gets nothing."""
+    machines.scheduler()
+    address = json.loads((machines.folder / "scheduler.json").read_text())["address"]
+    ca, cert, key = (str(machines.folder / f"{name}.pem") for name in ("ca", "cert", "key"))
+    words = [
+        sys.executable, "-m", "distributed.cli.dask_worker", address, "--tls-ca-file", ca, "--tls-cert", cert,
+        "--tls-key", key, "--nthreads", "1", "--nworkers", "1", "--no-dashboard", "--local-directory", str(tmp_path),
+    ]  # fmt: skip
+    env = {**os.environ, "PYTHONPATH": str(Path(__file__).parents[2])}
+    silent = {"env": env, "stdout": subprocess.DEVNULL, "stderr": subprocess.DEVNULL}
+    begun = [subprocess.Popen([*words, *more], **silent) for more in ([], ["--preload", "raybundle.pipeline.on_dask"])]
+    try:
+        assert done_by(on(machines.folder), tasks_of(LEAVES), Folder(tmp_path / "s")) == expected
+    finally:
+        for process in begun:
+            process.terminate()
+            process.wait()

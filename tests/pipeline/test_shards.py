@@ -1,0 +1,199 @@
+"""Tasks by shards: a list in the store, shares in any order, the same bits."""
+
+import itertools
+import os
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+from PIL import Image
+
+from raybundle.cli.main import main
+from raybundle.errors import InputError, TasksWaiting
+from raybundle.pipeline.choosing import executor_for
+from raybundle.pipeline.executors import Threads
+from raybundle.pipeline.project import Project
+from raybundle.pipeline.shards import Shards, do_shard
+from raybundle.pipeline.stage import Means
+from raybundle.pipeline.store import Folder
+from tests.pipeline.graph import digest, done_by, executions, tasks_of
+
+LEAVES = 8
+ENV = {**os.environ, "PYTHONPATH": str(Path(__file__).parents[2])}
+
+
+@pytest.fixture(scope="module")
+def expected(tmp_path_factory):
+    store = Folder(tmp_path_factory.mktemp("store"))
+    return done_by(Threads(1), tasks_of(LEAVES), store)
+
+
+def asked(folder, tasks):
+    """What a run says that wants these tasks; empty where all are done, and the digest."""
+    project = Project.open(folder)
+    try:
+        means = Means(project=project, executor=executor_for("shards", 1, 1e9))
+        try:
+            failed = means.do(tasks, "graph")
+        except TasksWaiting as waiting:
+            return str(waiting), ""
+        if failed:
+            return failed, ""
+        small = {t.key: means.small(t.key) for t in tasks if t.small}
+        return "", digest(project.products, tasks, small)
+    finally:
+        project.close()
+
+
+@pytest.mark.parametrize("order", [(0, 1, 2), (2, 0, 1)])
+def test_shards_in_any_order_make_the_same_bits(tmp_path, expected, order):
+    log = tmp_path / "log"
+    tasks = tasks_of(LEAVES, log=log)
+    said, _ = asked(tmp_path / "p", tasks)
+    assert said.startswith(f"{len(tasks)} tasks to be done by shards, in {tmp_path / 'p/cache/tasks.jsonl'}.")
+    assert f"raybundle worker --shard I/N {tmp_path / 'p'}" in said
+    rounds = 0
+    for number in itertools.cycle(order):
+        done = do_shard(tmp_path / "p", number, 3, wait_s=0.0)
+        assert done.failed == ()
+        rounds += 1
+        said, found = asked(tmp_path / "p", tasks)
+        if not said:
+            break
+    assert found == expected
+    assert rounds > 3, "those above wait for those below"
+    assert set(executions(log).values()) == {1}
+    assert not (tmp_path / "p/cache/tasks.jsonl").exists()
+    assert do_shard(tmp_path / "p", 0, 1).made == 0  # nothing is left
+
+
+def test_small_products_are_kept_before_what_was_handed_over_is_removed(tmp_path, expected):
+    tasks = tasks_of(LEAVES)
+    asked(tmp_path / "p", tasks)
+    done = do_shard(tmp_path / "p", 0, 1)
+    assert (done.made, done.waiting) == (len(tasks), 0)
+    store = Folder(tmp_path / "p/cache")
+    assert store.keys_of_kind("handed")
+    first = Shards().run([t for t in tasks if t.small], store)
+    assert [next(first).keep_now for _ in range(LEAVES)] == [*[False] * (LEAVES - 1), True]
+    first.close()
+    list(Shards().run([], store))  # as of a stage before
+    assert store.keys_of_kind("handed")  # a run that is killed here takes them again
+    assert asked(tmp_path / "p", tasks) == ("", expected)
+    assert not store.keys_of_kind("handed")
+
+
+def test_what_fails_in_a_shard_is_told_by_the_run_and_tried_again_by_the_next(tmp_path, capsys):
+    tasks = tasks_of(2, crash={1: "bad input"}, small=False)
+    asked(tmp_path / "p", tasks)
+    assert main(["worker", str(tmp_path / "p"), "--shard", "0/1", "--wait", "0"]) == 0
+    assert capsys.readouterr().out.splitlines() == [
+        " 1 task done", " left out: leaf 1: leaf.csv: is no matrix",
+        " left out: node 2: needs what could not be made: leaf.csv: is no matrix",
+    ]  # fmt: skip
+    project = Project.open(tmp_path / "p")
+    try:
+        means = Means(project=project, executor=Shards())
+        assert means.do(tasks, "graph") == {
+            tasks[1].key: "leaf.csv: is no matrix",
+            tasks[2].key: "needs what could not be made: leaf.csv: is no matrix",
+        }  # fmt: skip
+    finally:
+        project.close()
+    assert "1 task to be done" in asked(tmp_path / "p", tasks[:2])[0]
+
+
+def test_a_damaged_product_is_made_again_by_the_run_that_asks(tmp_path, expected):
+    tasks = tasks_of(LEAVES)
+    store = Folder(tmp_path / "p/cache")
+    asked(tmp_path / "p", tasks[:LEAVES])
+    do_shard(tmp_path / "p", 0, 1)
+    path = store._path(tasks[0].key)
+    data = bytearray(path.read_bytes())
+    data[len(data) // 2] ^= 1
+    path.write_bytes(data)
+    said, found = asked(tmp_path / "p", tasks)
+    for _ in range(3):
+        if not said:
+            break
+        do_shard(tmp_path / "p", 0, 1, wait_s=0.0)
+        said, found = asked(tmp_path / "p", tasks)
+    assert found == expected
+
+
+def test_a_list_of_another_version_is_refused(tmp_path):
+    asked(tmp_path / "p", tasks_of(2))
+    file = tmp_path / "p/cache/tasks.jsonl"
+    file.write_text(file.read_text().replace("raybundle 0", "raybundle 9", 1))
+    with pytest.raises(InputError, match=r"tasks\.jsonl: is of raybundle 9.*, this is raybundle 0.*; install the same"):
+        do_shard(tmp_path / "p", 0, 1)
+
+
+@pytest.mark.parametrize(
+    ("words", "said"),
+    [
+        (["p", "--shard", "4/4"], "4/4 is no share"),
+        (["p", "--shard", "one"], "one is no share"),
+        (["--shard", "0/1"], "of which project?"),
+        (["p"], "give --cluster FOLDER or --shard I/N"),
+        (["p", "--shard", "0/1"], "is no project folder, or no run has begun in it"),
+        (["--cluster", "p"], "has no scheduler.json: no scheduler was started there; `raybundle scheduler p` starts"),
+        (
+            ["--cluster", "tcp://10.0.0.5:8786"],
+            "is on another machine, and an address alone says nothing of certificates",
+        ),
+        (["--cluster", "tls://127.0.0.1:8786"], "needs certificates; give the folder in which they are"),
+        (["--cluster", "tcp://localhost"], "is no address of a scheduler, as tcp://127.0.0.1:8786"),
+    ],
+)
+def test_what_is_asked_wrongly_is_named(tmp_path, monkeypatch, capsys, words, said):
+    monkeypatch.chdir(tmp_path)
+    assert main(["worker", *words]) == 2
+    assert said in capsys.readouterr().err
+
+
+def test_shards_are_processes_of_one_thread_and_leave_the_other_folder_alone(tmp_path, expected):
+    """By the command, beside each other."""
+    tasks = tasks_of(LEAVES)
+    asked(tmp_path / "p", tasks)
+    shards = [
+        subprocess.Popen([sys.executable, "-m", "raybundle", "worker", "p", "--shard", f"{k}/2"], cwd=tmp_path, env=ENV)
+        for k in range(2)
+    ]
+    assert [s.wait() for s in shards] == [0, 0]
+    assert asked(tmp_path / "p", tasks) == ("", expected)
+
+
+PORTAL = Path(__file__).resolve().parents[2] / "demo_data/portal/photos"
+
+
+@pytest.mark.long
+@pytest.mark.skipif(not PORTAL.is_dir(), reason="demo_data/portal is part of the repository")
+def test_orient_by_shards_is_orient_on_one_machine(tmp_path, capsys, monkeypatch):
+    """By commands, from photographs that are named from where the run was begun; results bit by bit."""
+    monkeypatch.chdir(tmp_path)
+    photos = Path("photos")
+    photos.mkdir()
+    for k in (2, 3, 4):
+        with Image.open(PORTAL / f"portal_{k:02d}.jpg") as image:
+            image.reduce(2).save(photos / f"portal_{k:02d}.jpg", quality=92, exif=image.info["exif"])
+    words = ["orient", "photos", "--feature-count", "800", "--quick", "--no-report"]
+    assert main([*words, "--out", "here/project", "--jobs", "2"]) == 0
+    rounds = 0
+    for _ in range(9):
+        if main([*words, "--out", "there/project", "--cluster", "shards"]) == 0:
+            break
+        assert "to be done by shards" in capsys.readouterr().err
+        rounds += 1
+        for k in (1, 0):
+            shard = subprocess.run(
+                [sys.executable, "-m", "raybundle", "worker", str(tmp_path / "there/project"), "--shard", f"{k}/2"],
+                cwd="/", check=False, capture_output=True, text=True,
+            )  # fmt: skip
+            assert shard.returncode == 0, shard.stderr
+    assert 2 <= rounds < 8
+    for name in ("points.csv", "images.csv", "observations.csv"):
+        assert (tmp_path / "here/project/result" / name).read_bytes() == (
+            tmp_path / "there/project/result" / name
+        ).read_bytes()
