@@ -76,9 +76,7 @@ def signature(vectors: Array, words: Array) -> Array:
     vectors  (n, d) unit vectors of the features
     words    (k, d)
     The sums of each word have unit length, and of every component the root is taken, so that what repeats in one
-    photograph does not outweigh the rest (VLAD, Jégou et al. 2010; Arandjelović and Zisserman 2013).  Signed sums of
-    components chosen by a hash keep products of vectors, with a standard deviation of 1 / sqrt(LENGTH) (Charikar et
-    al. 2002).
+    photograph does not outweigh the rest (VLAD, Jégou et al. 2010; Arandjelović and Zisserman 2013).
 
     What the product of two signatures does not tell: whether the same things stand in the same order.
     """
@@ -87,9 +85,16 @@ def signature(vectors: Array, words: Array) -> Array:
         nearest = np.argmax(vectors @ words.T - 0.5 * (words**2).sum(axis=1), axis=1)
         np.add.at(total, nearest, vectors - words[nearest])
     total /= np.maximum(np.linalg.norm(total, axis=1, keepdims=True), 1e-12)
-    flat = np.sign(total.ravel()) * np.sqrt(np.abs(total.ravel()))
-    place, sign = _places(flat.size)
-    short = np.bincount(place, flat * sign, LENGTH)
+    return shortened(np.sign(total.ravel()) * np.sqrt(np.abs(total.ravel())))
+
+
+def shortened(long: Array) -> Array:
+    """(LENGTH,) int16 of norm 4000, or 0: signed sums of the components of a vector, chosen by a hash.
+
+    Cosines of two vectors are kept, with a standard deviation of 1 / sqrt(LENGTH) (Charikar et al. 2002).
+    """
+    place, sign = _places(long.size)
+    short = np.bincount(place, long * sign, LENGTH)
     return np.round(short * (NORM / max(float(np.linalg.norm(short)), 1e-12))).astype(np.int16)
 
 

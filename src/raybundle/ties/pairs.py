@@ -120,7 +120,7 @@ class Rounds:
     method: FeatureMethod
     place: Index
     """of each photograph in the sequence"""
-    keys: Sequence[str]
+    keys: list[str]
     """of signatures"""
     signatures: Array
     matched: Index
@@ -237,7 +237,7 @@ def _signatures(means: Means, features: Sequence[str], method: FeatureMethod) ->
     return keys, signatures
 
 
-def _shared(means: Means, keys: Sequence[str], method: FeatureMethod, pairs: Index) -> Index:
+def _shared(means: Means, keys: list[str], method: FeatureMethod, pairs: Index) -> Index:
     """(m,) features that the photographs of each pair share, by tasks of some pairs each."""
     tasks: list[Task] = []
     for begin in range(0, len(pairs), TOGETHER):
@@ -248,11 +248,11 @@ def _shared(means: Means, keys: Sequence[str], method: FeatureMethod, pairs: Ind
             Task(
                 key=key_of("comparison", COMPARISON, method.content, own, rows), function=f"{__name__}:compared",
                 inputs=own, options=CompareTask(signatures=own, pairs=rows, method=method.name),
-                cost=COMPARE_S * len(rows), small=True,
+                cost=COMPARE_S * len(rows),
             )
         )  # fmt: skip
     _all(means, tasks)
-    return np.concatenate([np.zeros(0, np.int64), *(means.small(t.key)["shared"] for t in tasks)])
+    return np.concatenate([np.zeros(0, np.int64), *(means.store.wanted(t.key)["shared"] for t in tasks)])
 
 
 def _all(means: Means, tasks: Sequence[Task]) -> None:
