@@ -99,10 +99,14 @@ def _put(state: OrientState, m: Matched) -> OrientState:
 def _told(state: OrientState) -> str:
     good = sum(1 for p in state.pairs if len(p.matches))
     tried = counted(len(state.pairs), "pair")
-    if state.rounds:
-        why = ", ".join(f"{grouped(r.pairs)} {r.why}" for r in state.rounds)
-        tried = f"{tried} of {grouped(math.comb(len(state.photos), 2))} ({why})"
-    return f"{tried}, {good} verified"
+    if not state.rounds:
+        return f"{tried}, {good} verified"
+    every = grouped(math.comb(len(state.photos), 2))
+    likely, common, between = (grouped(r.pairs) for r in state.rounds)
+    return (
+        f"{tried} of {every}: {likely} likely ones, {common} by neighbours in common, {between} between parts; "
+        f"{good} verified"
+    )
 
 
 STAGE = ORIENT.register(
