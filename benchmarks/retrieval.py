@@ -60,13 +60,13 @@ def make_pot(photographs: Path, folder: Path, seed: int) -> dict[str, str]:
     return own
 
 
-def pot(photographs: Path, seed: int, jobs: int = 1, project: Path = WORK / "project") -> dict:
+def pot(photographs: Path, seed: int, jobs: int = 1, work: Path = WORK) -> dict:
     """Recall and parts of the pairs that are chosen, against all pairs; CPU seconds of both."""
-    own = make_pot(photographs, WORK / "pot", seed)
-    found = find_photos([WORK / "pot"]).photos
+    own = make_pot(photographs, work / "pot", seed)
+    found = find_photos([work / "pot"]).photos
     photos = tuple(replace(p, metadata=replace(p.metadata, gps=None)) for p in found)
     method, options = feature_method(OrientOptions().features), OrientOptions()
-    opened = Project.open(project)
+    opened = Project.open(work / "project")
     try:
         means = Means(project=opened, executor=Threads(jobs))
         features, _ = find_features(means, photos, method, options.feature_count)

@@ -1,5 +1,8 @@
 """The pairs of a set too large to match all: found in rounds, the same whatever photographs are called."""
 
+import os
+import runpy
+import sys
 from pathlib import Path
 
 import numpy as np
@@ -22,6 +25,8 @@ from raybundle.workflows.orienting.matching import STAGE, Inputs, match
 
 PORTAL = Path(__file__).resolve().parents[2] / "demo_data/portal/photos"
 needs_portal = pytest.mark.skipif(not PORTAL.is_dir(), reason="demo_data/portal is part of the repository")
+DATA = Path(os.environ.get("RAYBUNDLE_DATA", Path(__file__).resolve().parents[3] / "shared/data")) / "photos"
+BENCHMARKS = Path(__file__).resolve().parents[2] / "benchmarks"
 RING, REACH, EACH_PLACE = 80, 3, 60
 
 
@@ -169,3 +174,16 @@ def test_the_number_of_jobs_changes_no_pair(tmp_path, monkeypatch):
     ]
     assert 8 <= len(a.pairs) <= 3 * 8
     assert STAGE.name == "matching"
+
+
+@pytest.mark.bench
+@pytest.mark.data
+@pytest.mark.skipif(not (DATA / "copr-uav").is_dir(), reason="needs the public photographs: set RAYBUNDLE_DATA")
+def test_of_five_sets_in_one_pot_hardly_a_pair_is_missed_and_the_parts_are_those_of_all_pairs(tmp_path, monkeypatch):
+    monkeypatch.setattr(sys, "path", [str(BENCHMARKS), *sys.path])
+    script = runpy.run_path(str(BENCHMARKS / "retrieval.py"))
+    done = script["pot"](DATA, seed=2, jobs=2, work=tmp_path)
+    assert sum(done["photographs"].values()) >= 90
+    assert done["recall"] >= 0.99
+    assert done["same parts"]
+    assert done["pairs matched"] <= EACH * sum(done["photographs"].values())
