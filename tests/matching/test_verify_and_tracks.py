@@ -1,9 +1,7 @@
 """Verification by epipolar geometry, trust in pairs, conflict-free tracks, choice of pairs."""
 
 import numpy as np
-import pytest
 
-from raybundle.matching.pairs import choose_pairs, signature
 from raybundle.matching.tracks import tracks_of
 from raybundle.matching.verify import VerifiedPair, trusted, verify
 
@@ -105,25 +103,3 @@ def test_features_at_one_place_are_one():
 
 def test_no_pairs_no_tracks():
     assert tracks_of([], [np.zeros((3, 2))]).points == 0
-
-
-def test_small_sets_are_matched_completely_and_large_ones_by_neighbourhood():
-    assert len(choose_pairs(10)) == 45
-    n = 200
-    positions = np.column_stack([np.arange(n) % 20 * 10.0, np.arange(n) // 20 * 10.0, np.zeros(n)])
-    rng = np.random.default_rng(1)
-    signatures = rng.normal(size=(n, 64)).astype(np.float32)
-    signatures[150] = signatures[3]
-    signatures /= np.linalg.norm(signatures, axis=1, keepdims=True)
-    pairs = set(choose_pairs(n, positions=positions, signatures=signatures))
-    assert len(pairs) < n * (n - 1) / 4
-    assert all(i < j for i, j in pairs)
-    assert (3, 150) in pairs
-    assert (0, 20) in pairs
-    assert (10, 11) in pairs
-
-
-def test_a_signature_is_a_unit_vector():
-    rng = np.random.default_rng(1)
-    words = rng.normal(size=(8, 16))
-    assert np.linalg.norm(signature(rng.normal(size=(50, 16)), words)) == pytest.approx(1, abs=1e-5)

@@ -24,6 +24,8 @@ Photographs that see the same from afar share a tenth of their features or less,
 believed from 15 to 40 of them."""
 LEAST = 500
 """Features of the smallest pictures."""
+CLEAR = 0.7
+"""Ratio of Lowe (2004) of matches that hardly err, by which images are compared before they are matched."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -85,6 +87,8 @@ class FeatureMethod(ABC):
     """Packages beyond those that raybundle brings."""
     install: ClassVar[str] = ""
     """The command that installs them."""
+    codebook: str = ""
+    """Of the words for signatures that come with the package; empty: they are learnt from each set of photographs."""
 
     @property
     def content(self) -> tuple[object, ...]:
@@ -102,6 +106,10 @@ class FeatureMethod(ABC):
     def match(self, first: Described, second: Described) -> Index:
         """Candidate matches (k, 2) of two images; unless a method knows better, mutual nearest neighbours."""
         return mutual_matches(self.vectors(first.descriptors), self.vectors(second.descriptors))[0]
+
+    def shared(self, first: Array, second: Array) -> int:
+        """Descriptors, as stored, of two images that are alike without doubt: a rough and quick comparison."""
+        return len(mutual_matches(self.vectors(first), self.vectors(second), CLEAR)[0])
 
 
 methods: dict[str, FeatureMethod] = {}

@@ -1,91 +1,179 @@
-"""Which image pairs are worth matching: all of a small set, the likely ones of a large set."""
+"""Which image pairs are worth matching: all of a small set, the likely ones of a large set, in rounds.
+
+Pairs are rows (i, j), i < j, of one array.  Likely ones come from signatures, places and the sequence, and are ordered
+by how many features of wide surroundings two images share.  What has been matched tells where to go on: images with
+verified neighbours in common, and parts that do not yet hang together.
+"""
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from dataclasses import dataclass
 
 import numpy as np
 
-from raybundle.numerics.arrays import Array
+from raybundle.matching.nearest import most_similar
+from raybundle.matching.verify import STRONG
+from raybundle.numerics.arrays import Array, Index, Mask
 
 ALL = 60
-"""Number of images up to which all pairs are matched."""
-SEQUENCE = 6
-NEIGHBOURS = 16
-SIMILAR = 16
-WORDS = 64
-SAMPLE = 400
-"""Descriptors of an image that go into the codebook."""
+"""Images up to which all pairs are matched: 30 an image at most, and then nothing can be missed."""
+EACH = 12
+"""Pairs an image that are matched of larger sets: 24 partners for each, as many as overlap in a close flight."""
+FIRST, COMMON = 8, 10
+"""Pairs an image after the round of likely ones, and after that of neighbours in common; the rest joins parts."""
+BEST = 5
+"""Most alike that every image has matched first, so that none is left out where others share more."""
+SIMILAR = 50
+"""Images of like signature that are compared for each (docs/explanation/pairs.md: none is missed of those)."""
+NEAR, NEARBY = 4, 16
+"""Neighbours in space that are matched whatever they look like (on both sides, along and across), and compared."""
+FEWEST_COMMON = 2
+"""Verified neighbours in common that make a pair likely."""
+JOINING = 3
+"""Times that parts are joined, each time with the parts that have come of the last."""
 
 
-def choose_pairs(
-    count: int, *, positions: Array | None = None, signatures: Array | None = None, everything: bool = False
-) -> list[tuple[int, int]]:
-    """Pairs (i < j) of images in the order of their names.
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Candidates:
+    """Pairs that may be matched."""
 
-    positions   (n, 3) where the images were taken, NaN where not known; metres
-    signatures  (n, k) unit vectors of the image contents (`signatures_of`)
-    everything  all pairs, whatever the number
-    Up to 60 images all pairs; otherwise the union of neighbours in the sequence, neighbours in space and images of
-    similar content.
-    """
-    if count <= ALL or everything:
-        return [(i, j) for i in range(count) for j in range(i + 1, count)]
-    chosen = {(i, j) for i in range(count) for j in range(i + 1, min(i + 1 + SEQUENCE, count))}
-    if positions is not None:
-        chosen |= _nearest_in_space(positions)
-    if signatures is not None:
-        chosen |= _most_similar(signatures)
-    return sorted(chosen)
+    pairs: Index
+    """(m, 2) i < j, sorted"""
+    shared: Index
+    """(m,) features of wide surroundings that both images show"""
+    likeness: Index
+    """(m,) of their signatures"""
+
+    def new(self, matched: Index) -> Candidates:
+        """Those that are not among the matched pairs."""
+        return self.rows(~contained(self.pairs, matched))
+
+    def rows(self, index: Index | Mask) -> Candidates:
+        """Some of them."""
+        return Candidates(pairs=self.pairs[index], shared=self.shared[index], likeness=self.likeness[index])
+
+    def order(self, *before: Array) -> Index:
+        """Positions, the likeliest first; by other numbers, the largest first, before that."""
+        i, j = self.pairs.T
+        return np.lexsort((j, i, -self.likeness, -self.shared, *(-b for b in reversed(before))))
 
 
-def _nearest_in_space(positions: Array) -> set[tuple[int, int]]:
+def all_pairs(count: int) -> Index:
+    """(m, 2) every pair of so many images."""
+    return np.stack(np.triu_indices(count, 1), axis=1).astype(np.int64)
+
+
+def unique_pairs(*parts: Index) -> Index:
+    """Pairs of all arrays (m, 2), in either order, each once and sorted; none of an image with itself."""
+    pairs = np.sort(np.concatenate([np.zeros((0, 2), np.int64), *parts]), axis=1)
+    pairs = pairs[pairs[:, 0] < pairs[:, 1]]
+    return np.stack(np.divmod(np.unique(_number(pairs)), LARGEST), axis=1)
+
+
+LARGEST = 1 << 31
+
+
+def _number(pairs: Index) -> Index:
+    return pairs[:, 0].astype(np.int64) * LARGEST + pairs[:, 1]
+
+
+def contained(pairs: Index, others: Index) -> Mask:
+    """(m,) which pairs are among others; both (m, 2), i < j."""
+    return np.isin(_number(pairs), _number(others))
+
+
+def sequence_pairs(place: Index) -> Index:
+    """(m, 2) images that follow each other; place (n,): of each in the sequence."""
+    order = np.argsort(place, kind="stable")
+    return np.stack([order[:-1], order[1:]], axis=1)
+
+
+def nearby_pairs(positions: Array, count: int) -> Index:
+    """(m, 2) each image and its nearest in plan; positions (n, 3) in metres, NaN where not known."""
     from scipy.spatial import KDTree  # noqa: PLC0415
 
     known = np.flatnonzero(np.isfinite(positions[:, :2]).all(axis=1))
     if len(known) < 2:
-        return set()
-    k = min(NEIGHBOURS + 1, len(known))
+        return np.zeros((0, 2), np.int64)
+    k = min(count + 1, len(known))
     near: Array = np.reshape(KDTree(positions[known, :2]).query(positions[known, :2], k=k)[1], (len(known), k))
-    return {_ordered(int(known[a]), int(known[b])) for a, row in enumerate(near) for b in row if a != b}
+    return np.stack([np.repeat(known, k), known[near.ravel()]], axis=1)
 
 
-def _most_similar(signatures: Array) -> set[tuple[int, int]]:
-    chosen: set[tuple[int, int]] = set()
-    n = len(signatures)
-    k = min(SIMILAR, n - 1)
-    for begin in range(0, n, 512):
-        likeness = signatures[begin : begin + 512] @ signatures.T
-        likeness[np.arange(len(likeness)), np.arange(begin, begin + len(likeness))] = -np.inf
-        best = np.argpartition(-likeness, k - 1, axis=1)[:, :k]
-        chosen |= {_ordered(begin + a, int(b)) for a, row in enumerate(best) for b in row}
-    return chosen
+def similar_pairs(signatures: Array, rows: Index | None = None, apart: Index | None = None) -> Index:
+    """(m, 2) each image (of `rows`) and those most like it by signatures (n, k); `apart`: see `most_similar`."""
+    return np.stack(most_similar(signatures, SIMILAR, rows=rows, apart=apart), axis=1)
 
 
-def _ordered(a: int, b: int) -> tuple[int, int]:
-    return (a, b) if a < b else (b, a)
+def first_round(c: Candidates, certain: Index, count: int) -> Index:
+    """The certain pairs, of each image those that share most with it, and of all others those that share most."""
+    level = np.minimum(_ranks(c, count), BEST)
+    held = contained(c.pairs, certain).astype(np.int64)
+    ordered = c.pairs[c.order(held, -level)]
+    return unique_pairs(ordered[: FIRST * count])
 
 
-def codebook(samples: Sequence[Array]) -> Array:
-    """Words (k, d) of descriptor vectors of many images, by k-means from a fixed seed."""
-    import cv2  # noqa: PLC0415
+def _ranks(c: Candidates, count: int) -> Index:
+    """(m,) place of each pair among those of an image, the likeliest first; of its two images the better one."""
+    order = c.order()
+    image = c.pairs[order].T.ravel()
+    turn = np.concatenate([np.arange(len(order))] * 2)
+    by_image = np.lexsort((turn, image))
+    sorted_image = image[by_image]
+    rank = np.arange(len(by_image)) - np.searchsorted(sorted_image, sorted_image)
+    result = np.full(len(order), count, np.int64)
+    np.minimum.at(result, order[turn[by_image]], rank)
+    return result
 
-    data = np.vstack([s[: SAMPLE // 2] for s in samples]).astype(np.float32)
-    data = data[:: max(1, len(data) // 60_000)]
-    if len(data) <= WORDS:
-        return data
-    cv2.setRNGSeed(1)
-    stop = (cv2.TERM_CRITERIA_EPS + cv2.TERM_CRITERIA_MAX_ITER, 20, 1e-4)
-    _, _, words = cv2.kmeans(data, WORDS, np.empty(0, np.int32), stop, 1, cv2.KMEANS_PP_CENTERS)
-    return words
+
+def linked(matches: Index) -> Mask:
+    """(m,) whether so many verified matches make a pair of neighbours: strong ones only, chance links any two."""
+    return matches >= STRONG
 
 
-def signature(vectors: Array, words: Array) -> Array:
-    """The content of an image as one unit vector: sums of differences to the nearest word (VLAD, Jégou et al. 2010)."""
-    nearest = np.argmax(vectors @ words.T - 0.5 * (words**2).sum(axis=1), axis=1)
-    result = np.zeros_like(words)
-    np.add.at(result, nearest, vectors - words[nearest])
-    result /= np.maximum(np.linalg.norm(result, axis=1, keepdims=True), 1e-12)
-    flat = result.ravel()
-    flat = np.sign(flat) * np.sqrt(np.abs(flat))
-    return (flat / max(float(np.linalg.norm(flat)), 1e-12)).astype(np.float32)
+def common_pairs(links: Index, matched: Index, count: int) -> tuple[Index, Index]:
+    """Pairs that are not matched of images with two linked neighbours or more in common, and how many those are.
+
+    links    (m, 2) pairs of neighbours
+    matched  (m, 2) pairs
+    The neighbours of a neighbour see the same surroundings; memory and time grow with the sum of squared degrees.
+    """
+    from scipy.sparse import coo_array, triu  # noqa: PLC0415
+
+    i, j = links.T
+    a = coo_array((np.ones(2 * len(links), np.int32), (np.r_[i, j], np.r_[j, i])), shape=(count, count)).tocsr()
+    both = triu(a @ a, 1).tocoo()
+    pairs = np.stack([both.row, both.col], axis=1).astype(np.int64)
+    new = (both.data >= FEWEST_COMMON) & ~contained(pairs, matched)
+    return pairs[new], both.data[new].astype(np.int64)
+
+
+def parts_of(links: Index, count: int) -> Index:
+    """(n,) number of the part that each image belongs to; links (m, 2) join two images."""
+    from scipy.sparse import coo_array  # noqa: PLC0415
+    from scipy.sparse.csgraph import connected_components  # noqa: PLC0415
+
+    graph = coo_array((np.ones(len(links)), (links[:, 0], links[:, 1])), shape=(count, count))
+    return connected_components(graph, directed=False)[1].astype(np.int64)
+
+
+def outside_largest(parts: Index) -> Index:
+    """Images that do not belong to the largest part."""
+    return np.flatnonzero(parts != np.argmax(np.bincount(parts)))
+
+
+def joining_round(c: Candidates, parts: Index, most: int) -> Index:
+    """At most so many of the candidates between two parts: the likeliest of every two parts, then the second, ...
+
+    parts  (n,) number of the part that each image belongs to
+    """
+    two = np.sort(parts[c.pairs], axis=1)
+    c, two = c.rows(two[:, 0] != two[:, 1]), two[two[:, 0] != two[:, 1]]
+    order = c.order()
+    between = _number(two[order])
+    by_parts = np.argsort(between, kind="stable")
+    turn = np.empty(len(order), np.int64)
+    turn[by_parts] = np.arange(len(order)) - np.searchsorted(between[by_parts], between[by_parts])
+    level = np.empty(len(order), np.int64)
+    level[order] = turn
+    return unique_pairs(c.pairs[c.order(-level)][: max(most, 0)])

@@ -25,6 +25,7 @@ class Reduced(FeatureMethod):
         self.name = method.name + SUFFIX
         self.version = method.version
         self.upright = method.upright
+        self.codebook = method.codebook
 
     def detect(self, grey: Array, count: int) -> Features:
         """At most `count` features, as many as a photograph of that size has."""
@@ -47,6 +48,10 @@ class Reduced(FeatureMethod):
     def match(self, first: Described, second: Described) -> Index:
         """As the method matches."""
         return self.method.match(first, second)
+
+    def shared(self, first: Array, second: Array) -> int:
+        """As the method compares."""
+        return self.method.shared(first, second)
 
 
 def reduction(width_px: int, height_px: int) -> float:

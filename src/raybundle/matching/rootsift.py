@@ -10,7 +10,7 @@ import cv2
 import numpy as np
 
 from raybundle.matching.descriptors import directions, mutual_matches
-from raybundle.matching.features import Described, FeatureMethod, Features, register, spread
+from raybundle.matching.features import CLEAR, Described, FeatureMethod, Features, register, spread
 from raybundle.numerics.arrays import Array, Index
 
 CONTRAST = 0.015
@@ -25,6 +25,7 @@ class RootSift(FeatureMethod):
     """OpenCV's detector, tile by tile, first without the octave of double size."""
 
     name = "rootsift"
+    codebook = "rootsift"
 
     def detect(self, grey: Array, count: int) -> Features:
         """At most `count` features, spread over the format.
@@ -53,6 +54,10 @@ class RootSift(FeatureMethod):
     def match(self, first: Described, second: Described) -> Index:
         """Mutual nearest neighbours of the stored bytes."""
         return mutual_matches(first.descriptors, second.descriptors)[0]
+
+    def shared(self, first: Array, second: Array) -> int:
+        """By the stored bytes."""
+        return len(mutual_matches(first, second, CLEAR)[0])
 
 
 @dataclass(frozen=True, slots=True)

@@ -13,10 +13,8 @@ from raybundle.io.photos.masks import MaskFile, Masks
 from raybundle.io.photos.photo import Photo, read_grey, stored_from_upright, upright, upright_from_stored
 from raybundle.matching.features import Described, FeatureMethod, Features, feature_number
 from raybundle.matching.methods import feature_method
-from raybundle.matching.pairs import ALL, choose_pairs, codebook, signature
 from raybundle.matching.verify import VerifiedPair, beyond_chance, verify
 from raybundle.numerics.arrays import Array
-from raybundle.numerics.progress import Progress
 from raybundle.pipeline.keys import key_of
 from raybundle.pipeline.stage import Means
 from raybundle.pipeline.store import Folder, Product
@@ -193,10 +191,10 @@ def pair_from(first: int, second: int, product: Product) -> VerifiedPair:
     return VerifiedPair(first=first, second=second, matches=product["matches"], **facts)
 
 
-def match_pairs(
+def verified_pairs(
     means: Means, photos: Sequence[Photo], store: FeatureStore, method: FeatureMethod, pairs: Sequence[tuple[int, int]]
 ) -> list[VerifiedPair]:
-    """Matched and verified pairs; those that are kept already are not matched again."""
+    """Pairs, each matched and verified by itself; those that are kept already are not matched again."""
     tasks = [
         Task(
             key=key_of("matching", VERIFICATION, method.name, store.keys[i], store.keys[j]),
@@ -210,7 +208,14 @@ def match_pairs(
     ]  # fmt: skip
     for reason in means.do(tasks, "matching").values():
         raise InputError(reason)
-    result = beyond_chance([pair_from(i, j, means.small(t.key)) for t, (i, j) in zip(tasks, pairs, strict=True)])
+    return [pair_from(i, j, means.small(t.key)) for t, (i, j) in zip(tasks, pairs, strict=True)]
+
+
+def match_pairs(
+    means: Means, photos: Sequence[Photo], store: FeatureStore, method: FeatureMethod, pairs: Sequence[tuple[int, int]]
+) -> list[VerifiedPair]:
+    """Matched and verified pairs, without the matches of those that chance makes among so many, or a mere turn."""
+    result = beyond_chance(verified_pairs(means, photos, store, method, pairs))
     good = sum(1 for p in result if len(p.matches))
     if good and from_one_spot(result, photos, store):
         raise NoOrientation(
@@ -259,18 +264,3 @@ def _beside_a_turn(xy1: Array, xy2: Array, c1: float, c2: float) -> float:
         apart = np.linalg.norm(b - a @ R.T, axis=1)
         keep = apart <= np.quantile(apart, 0.8)
     return float(np.median(apart)) * c2
-
-
-def pairs_of(
-    photos: Sequence[Photo], store: FeatureStore, method: FeatureMethod, positions: Array | None, progress: Progress
-) -> list[tuple[int, int]]:
-    """The pairs to match; for large sets by sequence, position and content."""
-    if len(photos) <= ALL:
-        return choose_pairs(len(photos))
-    samples: list[Array] = []
-    for i in range(len(photos)):
-        samples.append(method.vectors(store.of(i).descriptors[:400]))
-        progress("choosing pairs", (i + 1) / len(photos))
-    words = codebook(samples)
-    signatures = np.stack([signature(s, words) for s in samples])
-    return choose_pairs(len(photos), positions=positions, signatures=signatures)

@@ -18,6 +18,7 @@ from raybundle.pipeline.stage import Workflow
 from raybundle.placing.georeference import Georeferenced
 from raybundle.placing.marks import Given
 from raybundle.ties.block import TieBlock
+from raybundle.ties.pairs import Round
 from raybundle.ties.points import FeatureStore
 from raybundle.ties.precise import Weights
 from raybundle.workflows.connected_components import ConnectedComponent
@@ -92,6 +93,8 @@ class OrientState:
     features: FeatureStore | None = None
     groups: tuple[CameraGroup, ...] = ()
     pairs: tuple[VerifiedPair, ...] = ()
+    rounds: tuple[Round, ...] = ()
+    """in which the pairs were chosen, of many photographs"""
     repeats: dict[int, int] = field(default_factory=dict[int, int])
     """photographs that show the same picture as another, by their index"""
     ties: tuple[TieBlock, ...] = ()

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 
@@ -13,9 +14,10 @@ from raybundle.io.photos.photo import Photo
 from raybundle.matching.features import FeatureMethod
 from raybundle.matching.verify import VerifiedPair
 from raybundle.numerics.arrays import Array
-from raybundle.numerics.counting import counted
+from raybundle.numerics.counting import counted, grouped
 from raybundle.pipeline.stage import Means, Stage
-from raybundle.ties.points import FeatureStore, match_pairs, pairs_of
+from raybundle.ties.pairs import Round, pairs_of
+from raybundle.ties.points import FeatureStore, match_pairs
 from raybundle.ties.same_picture import same_picture_notice, same_pictures
 from raybundle.ties.static_background import FEWEST_PHOTOGRAPHS, RING_PX, static_background
 from raybundle.workflows.orient_state import ORIENT, OrientState
@@ -36,6 +38,8 @@ class Matched:
     """What the photographs share."""
 
     pairs: tuple[VerifiedPair, ...]
+    rounds: tuple[Round, ...]
+    """in which they were chosen, of a large set"""
     repeats: dict[int, int]
     """photographs that show the same picture as another, by their index"""
     notices: tuple[Notice, ...]
@@ -47,9 +51,9 @@ def _inputs(state: OrientState) -> Inputs:
 
 def match(i: Inputs, means: Means) -> Matched:
     """Each pair is matched by a task of its own; what stands still and what repeats is told of them together."""
-    chosen = pairs_of(i.photos, i.features, i.method, _positions(i.photos), means.progress)
+    chosen = pairs_of(means, i.photos, i.features, i.method, _positions(i.photos))
     try:
-        pairs = match_pairs(means, i.photos, i.features, i.method, chosen)
+        pairs = match_pairs(means, i.photos, i.features, i.method, chosen.pairs)
     except NoOrientation as error:
         still = static_background(i.photos, i.features, i.method)
         if still is None:
@@ -64,7 +68,7 @@ def match(i: Inputs, means: Means) -> Matched:
     if repeats:
         notices.append(same_picture_notice(repeats, i.photos))
         pairs = [replace(p, matches=p.matches[:0]) if {p.first, p.second} & repeats.keys() else p for p in pairs]
-    return Matched(pairs=tuple(pairs), repeats=repeats, notices=tuple(notices))
+    return Matched(pairs=tuple(pairs), rounds=chosen.rounds, repeats=repeats, notices=tuple(notices))
 
 
 def _positions(photos: Sequence[Photo]) -> Array | None:
@@ -89,12 +93,20 @@ def _stands_still(pairs: Sequence[VerifiedPair]) -> bool:
 
 
 def _put(state: OrientState, m: Matched) -> OrientState:
-    return replace(state, pairs=m.pairs, repeats=m.repeats, notices=(*state.notices, *m.notices))
+    return replace(state, pairs=m.pairs, rounds=m.rounds, repeats=m.repeats, notices=(*state.notices, *m.notices))
 
 
 def _told(state: OrientState) -> str:
     good = sum(1 for p in state.pairs if len(p.matches))
-    return f"{counted(len(state.pairs), 'pair')}, {good} verified"
+    tried = counted(len(state.pairs), "pair")
+    if not state.rounds:
+        return f"{tried}, {good} verified"
+    every = grouped(math.comb(len(state.photos), 2))
+    likely, common, between = (grouped(r.pairs) for r in state.rounds)
+    return (
+        f"{tried} of {every}: {likely} likely ones, {common} by neighbours in common, {between} between parts; "
+        f"{good} verified"
+    )
 
 
 STAGE = ORIENT.register(
