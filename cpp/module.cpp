@@ -237,7 +237,7 @@ nb::tuple fit_corners(Image image, Const xy, Const u, Const v, Const band, Const
 
 struct Solver {
   Problem q;
-  std::unique_ptr<Factor> factor;
+  mutable std::unique_ptr<Factor> factor;  // ordered when it is first asked for
   std::vector<double> external;
   bool complete = false, factorised = false;
   int64_t interior_rows = 0;
@@ -253,6 +253,11 @@ struct Solver {
     external.clear();
   }
   void ready() const { check(complete, "the problem is not complete: call set_nodes after set_observations, set_images, set_patterns, set_points"); }
+  Factor& ordered() const {
+    ready();
+    if (!factor) factor = std::make_unique<Factor>(q);
+    return *factor;
+  }
   const Factor& solved() const {
     ready();
     check(factorised, "the matrix is not factorised: call factorise first, and solve only where it returns 0");
@@ -398,7 +403,6 @@ NB_MODULE(_native, m) {
              }
              s.q.sort_points();
              s.q.build_structure(extra);
-             s.factor = std::make_unique<Factor>(s.q);
              s.complete = true;
            })
       .def("set_held",
@@ -441,8 +445,8 @@ NB_MODULE(_native, m) {
            })
       .def_prop_ro("unknowns", [](const Solver& s) { return s.q.unknowns; })
       .def_prop_ro("values_size", [](const Solver& s) { s.ready(); return s.q.block_start.back(); })
-      .def_prop_ro("factor_entries", [](const Solver& s) { s.ready(); return s.factor->entries(); })
-      .def_prop_ro("factor_operations", [](const Solver& s) { s.ready(); return s.factor->operations(); })
+      .def_prop_ro("factor_entries", [](const Solver& s) { return s.ordered().entries(); })
+      .def_prop_ro("factor_operations", [](const Solver& s) { return s.ordered().operations(); })
       .def_prop_ro("smallest_pivot", [](const Solver& s) { return s.solved().smallest_pivot(); })
       .def_prop_ro("smallest_pivot_at", [](const Solver& s) { return s.solved().smallest_pivot_at(); })
       .def("pivots", [](const Solver& s, Doubles out) {
@@ -499,7 +503,7 @@ NB_MODULE(_native, m) {
              int64_t stopped;
              {
                nb::gil_scoped_release release;
-               stopped = s.factor->factorise(v, a);
+               stopped = s.ordered().factorise(v, a);
              }
              s.factorised = stopped == 0;
              return stopped;

@@ -110,7 +110,7 @@ def moments(store: Store, o: Moments) -> Product:
     if work is None:
         return {"own": np.zeros((4, 4)), "given": np.zeros((3, 4))}
     now, given = sweeps.state_of(work, values_of(store, o.state, work)), work.of.system.initial_state()
-    mine = _mine(work) & store.wanted(o.carriers)["carriers"][work.part.points]
+    mine = _mine(work) & store.lent(o.carriers)["carriers"][work.part.points]
     r = np.column_stack([now.xyz[mine] - o.centre, np.ones(int(mine.sum()))])
     return {"own": r.T @ r, "given": (given.xyz[mine] - o.centre).T @ r}
 
@@ -132,7 +132,7 @@ def placed(store: Store, o: Placed) -> Product:
     work = work_of(at, o.node)
     if work is None:
         return {}
-    by = store.wanted(o.similarity)
+    by = store.lent(o.similarity)
     now = sweeps.state_of(work, values_of(store, o.state, work))
     return sweeps.kept_state(moved(work, now, float(by["scale"]), by["rotation"], by["shift"]))
 
@@ -169,7 +169,7 @@ def generators(store: Store, o: Generators) -> Product:
     work = work_of(at, o.node)
     if work is None:
         return {"numbers": np.zeros(0)}
-    datum, system = store.wanted(o.datum), work.of.system
+    datum, system = store.lent(o.datum), work.of.system
     now = sweeps.state_of(work, values_of(store, o.state, work))
     G = point_generators(now.xyz, datum["centre"], float(datum["extent"])) @ datum["basis"]
     G[~system.points_used] = 0
@@ -201,10 +201,10 @@ def told(store: Store, o: Told) -> Product:
     if work is None:
         return {"inner": np.zeros((0, 0)), "numbers": np.zeros(2)}
     now = sweeps.state_of(work, values_of(store, o.state, work))
-    Q = store.wanted(o.inverse, ("part",))["part"]
+    Q = store.lent(o.inverse, ("part",))["part"]
     change = None
     if o.generators:
-        G, by = store.wanted(o.generators, ("G", "points")), store.wanted(o.change)
+        G, by = store.lent(o.generators, ("G", "points")), store.lent(o.change)
         nodes = sweeps.rows_of(at.network, work.of.nodes)
         change = Transformation(
             nodes=by["nodes"][nodes], points=G["G"], given=G["points"], nodes_h=by["H"][nodes], middle=by["middle"],
@@ -245,10 +245,10 @@ def stated(store: Store, o: Stated) -> Product:
     work = work_of(at, o.node)
     if work is None:
         return {"cofactors": np.zeros((0, 3, 3)), "index": np.zeros(0, np.int64)}
-    found = store.wanted(o.told)
+    found = store.lent(o.told)
     points, index = found["points"], work.part.points[found["mine"]]
     if o.middle:
-        by, G = store.wanted(o.middle), store.wanted(o.generators, ("G",))["G"][found["mine"]]
+        by, G = store.lent(o.middle), store.lent(o.generators, ("G",))["G"][found["mine"]]
         none = np.zeros((0, 3, 0))
         change = Transformation(
             nodes=none, points=G, given=none, nodes_h=none, points_h=found["H"], middle=by["M"], inner=by["K"]

@@ -12,6 +12,7 @@ from pathlib import Path
 import msgspec
 import numpy as np
 
+from raybundle.adjustment.assemble import image_observations
 from raybundle.adjustment.options import AdjustmentOptions
 from raybundle.block import Block, Observations, Points
 from raybundle.blocking.columns import Columns
@@ -130,6 +131,7 @@ def _keep_parts(columns: Columns, rejected: Mask, at: Index, keys: Sequence[str]
 
 def _kept_part(columns: Columns, rows: Array) -> dict[str, Array]:
     """A part as it is kept."""
+    rows = rows[np.lexsort((rows["image"], rows["point"]))]
     images, image = np.unique(rows["image"], return_inverse=True)
     points, point = np.unique(rows["point"], return_inverse=True)
     bare = columns.bare
@@ -140,14 +142,19 @@ def _kept_part(columns: Columns, rows: Array) -> dict[str, Array]:
             cov_px2=np.ascontiguousarray(rows["cov_px2"]),
         ),
     )  # fmt: skip
-    own = {"images": images, "points": points, "rows": rows["row"].copy(), "rejected": rows["rejected"].copy()}
+    xy, whiten, _ = image_observations(block, np.arange(len(rows)))
+    own = {
+        "images": images, "points": points, "rows": rows["row"].copy(), "rejected": rows["rejected"].copy(),
+        "xy_mm": xy, "whiten": whiten,
+    }  # fmt: skip
     return {**{f"block.{name}": values for name, values in arrays_of_block(block).items()}, **own}
 
 
 def _part_of(found: Mapping[str, Array]) -> tuple[Part, Mask]:
     part = Part(
-        block=_block(found), images=found["images"], points=found["points"], rows=found["rows"]
-    )
+        block=_block(found), images=found["images"], points=found["points"], rows=found["rows"],
+        measured=(found["xy_mm"], found["whiten"]),
+    )  # fmt: skip
     return part, found["rejected"].astype(bool)
 
 
@@ -195,5 +202,5 @@ def network_of(store: Store, key: str) -> Network:
     return Network(
         key=key, skeleton=skeleton, boundary=_from_lists("boundary", found), counts=found["counts"],
         tree=Tree(own=_from_lists("own", found), parent=found["parent"], level=found["level"]),
-        part=lambda t: _part_of(store.wanted(parts[t])), keep=int(found["keep"]),
+        part=lambda t: _part_of(store.lent(parts[t])), keep=int(found["keep"]),
     )  # fmt: skip

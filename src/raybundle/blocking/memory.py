@@ -27,11 +27,15 @@ class Memory:
         found = self.kept[key]
         return {name: found[name] for name in names} if names else dict(found)
 
+    def lent(self, key: str, names: tuple[str, ...] = ()) -> dict[str, Array]:
+        """The same."""
+        return self.wanted(key, names)
+
     def store(self, key: str, product: Product) -> None:
         """Keep a product."""
         self.kept[key] = product
 
-    def remove(self, key: str) -> None:
+    def forget(self, key: str) -> None:
         """Let a product go, where it is there."""
         self.kept.pop(key, None)
 

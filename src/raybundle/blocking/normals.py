@@ -83,7 +83,7 @@ class Parts:
     def forget(self, keys: Sequence[str]) -> None:
         """Let products go."""
         for key in keys:
-            self.store.remove(key)
+            self.store.forget(key)
 
     def put(self, name: str, product: dict[str, Array]) -> str:
         """Keep a product of the driver; its key."""

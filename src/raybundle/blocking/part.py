@@ -1,4 +1,4 @@
-"""The sub-network of one tree node: image observations and the object points that they see, as the kernels take them."""
+"""The sub-network of one tree node: image observations and the object points that they see, as kernels take them."""
 
 from __future__ import annotations
 
@@ -25,7 +25,9 @@ class Part:
     points: Index
     """(p,) positions of its object points in the whole block, ascending"""
     rows: Index
-    """(m,) positions of its image observations in the whole block, ascending"""
+    """(m,) positions of its image observations in the whole block"""
+    measured: tuple[Array, Array] | None = None
+    """Image frame (m, 2) [mm] and whitening (m, 3) of its image observations, where they are known already"""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -61,7 +63,9 @@ def system_of_part(whole: Skeleton, part: Part, rejected: Mask) -> PartSystem:
     block, sk = part.block, whole.system
     o = block.observations
     taken = np.flatnonzero(~rejected)
-    taken = taken[np.lexsort((o.image[taken], o.point[taken]))]
+    order = o.point[taken].astype(np.int64) * len(block.images) + o.image[taken]
+    if (order[1:] < order[:-1]).any():
+        taken = taken[np.argsort(order, kind="stable")]
     seen = np.bincount(o.point[taken], minlength=len(block.points)) > 0
     looking = np.bincount(o.image[taken], minlength=len(block.images)) > 0
     used = used_of(block, whole.options, taken, looking, seen)
@@ -78,7 +82,7 @@ def system_of_part(whole: Skeleton, part: Part, rejected: Mask) -> PartSystem:
     nodes = np.unique(np.concatenate([image_node, shared_node, node]))
     nodes = nodes[nodes >= 0]
     of = _places_in(nodes)
-    xy, whiten, pixel = image_observations(block, taken)
+    xy, whiten, pixel = _measured(part, taken)
     sizes = sk.sizes[nodes]
     system = System(
         block=block,
@@ -109,6 +113,16 @@ def system_of_part(whole: Skeleton, part: Part, rejected: Mask) -> PartSystem:
         far_candidates=np.flatnonzero(seen & (node < 0) & ~(used.held | used.prior).any(axis=1)),
     )
     return PartSystem(system=system, nodes=nodes, retained=retained, interior=interior)
+
+
+def _measured(part: Part, rows: Index) -> tuple[Array, Array, Array]:
+    """Image frame, whitening and signed pixel size of image observations."""
+    if part.measured is None:
+        return image_observations(part.block, rows)
+    pixel = np.array([c.pixel_mm for c in part.block.cameras]) * [1, -1]
+    camera = part.block.images.camera[part.block.observations.image[rows]]
+    xy, whiten = (v if len(rows) == len(v) and not (np.diff(rows) < 0).any() else v[rows] for v in part.measured)
+    return np.ascontiguousarray(xy), np.ascontiguousarray(whiten), pixel[camera]
 
 
 def _places_in(nodes: Index):  # noqa: ANN202

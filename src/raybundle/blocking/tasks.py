@@ -34,11 +34,15 @@ class Store(Protocol):
         """A product, or some of its arrays; an error where it is not there."""
         ...
 
+    def lent(self, key: str, names: tuple[str, ...] = ()) -> dict[str, Array]:
+        """The same, not to be written into."""
+        ...
+
     def store(self, key: str, product: Product) -> None:
         """Keep a product."""
         ...
 
-    def remove(self, key: str) -> None:
+    def forget(self, key: str) -> None:
         """Let a product go, where it is there."""
         ...
 
@@ -102,7 +106,7 @@ def held_work(store: Store, at: Known, t: int, key: str) -> PartWork | None:
     system = work.of.system
     held = system.control_held.copy()
     if key:
-        found = store.wanted(key)
+        found = store.lent(key)
         place = np.minimum(np.searchsorted(work.part.points, found["point"]), len(work.part.points) - 1)
         mine = work.part.points[place] == found["point"]
         held[place[mine], found["axis"][mine]] = True
@@ -114,7 +118,7 @@ def held_work(store: Store, at: Known, t: int, key: str) -> PartWork | None:
 
 def values_of(store: Store, key: str, work: PartWork | None) -> Values | None:
     """The values of a part's unknowns; None where there is no part, or they are as given."""
-    return store.wanted(key, ("rotation", "centre", "interior", "xyz")) if key and work is not None else None
+    return store.lent(key, ("rotation", "centre", "interior", "xyz")) if key and work is not None else None
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -138,10 +142,10 @@ def up(store: Store, o: Up) -> Product:
     """Reduce and eliminate."""
     at = known(store, o.network)
     children = at.network.tree.children[o.node]
-    below = {c: store.wanted(key) for c, key in zip(children, o.children, strict=True)}
+    below = {c: store.lent(key) for c, key in zip(children, o.children, strict=True)}
     how = Iteration(damping=o.damping, huber=o.huber, added=o.added)
     work = held_work(store, at, o.node, o.held)
-    return sweeps.up(at.network, o.node, work, values_of(store, o.state, work), how, store.wanted(o.outside), below)
+    return sweeps.up(at.network, o.node, work, values_of(store, o.state, work), how, store.lent(o.outside), below)
 
 
 ELIMINATED = ("L", "W", "y")
@@ -170,8 +174,8 @@ def down(store: Store, o: Down) -> Product:
     """Solve, move and evaluate."""
     at = known(store, o.network)
     how = Iteration(damping=o.damping, huber=o.huber, passing=o.passing)
-    above = store.wanted(o.above, ("step",)) if o.above else None
-    own, work = store.wanted(o.up, ELIMINATED), held_work(store, at, o.node, o.held)
+    above = store.lent(o.above, ("step",)) if o.above else None
+    own, work = store.lent(o.up, ELIMINATED), held_work(store, at, o.node, o.held)
     return sweeps.down(at.network, o.node, work, values_of(store, o.state, work), how, own, above)
 
 
@@ -194,15 +198,15 @@ class RightUp:
 def right_up(store: Store, o: RightUp) -> Product:
     """Reduce right sides."""
     at = known(store, o.network)
-    nodes, condensed = store.wanted(o.nodes)["nodes"], None
+    nodes, condensed = store.lent(o.nodes)["nodes"], None
     if o.points:
         work = held_work(store, at, o.node, o.held)
         if work is not None:
             now = sweeps.state_of(work, values_of(store, o.state, work))
-            condensed = work, sweeps.condensed(work, now, store.wanted(o.points, ("points",))["points"])
+            condensed = work, sweeps.condensed(work, now, store.lent(o.points, ("points",))["points"])
     children = at.network.tree.children[o.node]
-    below = {c: store.wanted(key, ("right",)) for c, key in zip(children, o.children, strict=True)}
-    return sweeps.right_up(at.network, o.node, store.wanted(o.up, ELIMINATED), nodes, condensed, below)
+    below = {c: store.lent(key, ("right",)) for c, key in zip(children, o.children, strict=True)}
+    return sweeps.right_up(at.network, o.node, store.lent(o.up, ELIMINATED), nodes, condensed, below)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -219,8 +223,8 @@ class RightDown:
 def right_down(store: Store, o: RightDown) -> Product:
     """The second half of a solution."""
     at = known(store, o.network)
-    above = store.wanted(o.above) if o.above else None
-    return sweeps.right_down(at.network, o.node, store.wanted(o.up, ELIMINATED), store.wanted(o.right, ("y",)), above)
+    above = store.lent(o.above) if o.above else None
+    return sweeps.right_down(at.network, o.node, store.lent(o.up, ELIMINATED), store.lent(o.right, ("y",)), above)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -236,6 +240,6 @@ class Inverse:
 def inverse(store: Store, o: Inverse) -> Product:
     """The inverse of a front."""
     at = known(store, o.network)
-    above = store.wanted(o.above, ("Q",)) if o.above else None
-    own = store.wanted(o.up, ELIMINATED)
+    above = store.lent(o.above, ("Q",)) if o.above else None
+    own = store.lent(o.up, ELIMINATED)
     return sweeps.inverse_down(at.network, o.node, work_of(at, o.node), own, above)

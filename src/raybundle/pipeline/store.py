@@ -126,6 +126,10 @@ class Folder:
         """A product that was there before; raises ProductGone where it is not and cannot be made again."""
         return self._again(key, lambda: self.load(key, names))
 
+    def lent(self, key: str, names: Sequence[str] = ()) -> dict[str, Array]:
+        """The same over the file itself, for as long as it is used; not to be written into."""
+        return self._again(key, lambda: self.mapped(key, names))
+
     def held(self, key: str) -> dict[str, Array]:
         """The same, mapped, for what many tasks ask for; not to be written into."""
         with self._lock:
@@ -191,11 +195,6 @@ class Folder:
 
     def forget(self, key: str) -> None:
         """Remove a product."""
-        with contextlib.suppress(OSError):
-            self._path(key).unlink()
-
-    def remove(self, key: str) -> None:
-        """Remove a product, where it is there."""
         with contextlib.suppress(OSError):
             self._path(key).unlink()
 
