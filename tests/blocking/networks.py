@@ -30,7 +30,9 @@ def flight(*, control=4, observed=True, bar=True, interior="exact", seed=1):
             for k in range(int(line.max()) + 1)
         )
         imu = Instrument(
-            id="imu", model="imu", estimate=instrument_models["imu"].symbols[:3],
+            id="imu",
+            model="imu",
+            estimate=instrument_models["imu"].symbols[:3],
             values=dict.fromkeys(instrument_models["imu"].symbols, 0.0),
         )
         shift = rng.normal(0, 0.3, (len(antennas), 3))
@@ -49,6 +51,8 @@ def flight(*, control=4, observed=True, bar=True, interior="exact", seed=1):
         x = np.where(seen, truth.points.xyz[:, 0], np.nan)
         ends = np.array([[np.nanargmin(x), np.nanargmax(x)]], np.int32)
         length = np.linalg.norm(np.diff(truth.points.xyz[ends[0]], axis=0), axis=1)
-        bars = Distances(start=ends[:, 0], end=ends[:, 1], length=length + rng.normal(0, 0.01, 1), sigma=np.full(1, 0.01))
+        bars = Distances(
+            start=ends[:, 0], end=ends[:, 1], length=length + rng.normal(0, 0.01, 1), sigma=np.full(1, 0.01)
+        )
         block = block.having(bars)
     return block

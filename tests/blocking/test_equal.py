@@ -9,8 +9,8 @@ from raybundle.adjustment.engine import adjust_block, free_parameters, in_one_pi
 from raybundle.adjustment.options import AdjustmentOptions
 from raybundle.adjustment.precision import cofactors
 from raybundle.adjustment.queries import covariance
-from raybundle.blocking import sweeps
 from raybundle.block.select import with_rows
+from raybundle.blocking import sweeps
 from raybundle.blocking.adjusted import in_parts
 from raybundle.errors import NotSolvable
 from tests.blocking.networks import flight

@@ -5,13 +5,14 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
+from raybundle.adjustment.datum import Datum
 from raybundle.adjustment.engine import adjust_block, free_parameters
 from raybundle.adjustment.options import AdjustmentOptions
 from raybundle.blocking.columns import InFiles, InMemory
 from raybundle.blocking.memory import Memory, Serial
 from raybundle.blocking.similarity import onto
 from raybundle.blocking.stored import adjust_columns
-from raybundle.errors import DatumDefect, RankDefect
+from raybundle.errors import DatumDefect, NotSolvable, RankDefect
 from raybundle.pipeline.executors import Processes, Threads
 from raybundle.pipeline.store import Folder
 from tests.blocking.networks import flight
@@ -100,16 +101,17 @@ def test_what_is_done_is_not_done_again(tmp_path):
     assert again.stated == first.stated
     moved = replace(block, observations=replace(block.observations, xy_px=block.observations.xy_px + 0.01))
     done.clear()
-    assert adjust_columns(InMemory(moved), OPTIONS, free_of(block), Folder(tmp_path), Counting(), leaf=60).told != first.told
+    assert (
+        adjust_columns(InMemory(moved), OPTIONS, free_of(block), Folder(tmp_path), Counting(), leaf=60).told
+        != first.told
+    )
     assert len(done) > 50
 
 
 def test_an_open_datum_and_what_is_not_determined_are_told():
     block = flight(control=0, observed=False, bar=False)
     with pytest.raises(DatumDefect, match="position X"):
-        adjust_columns(
-            InMemory(block), replace(OPTIONS, datum="control"), free_of(block), Memory(), Serial(), leaf=60
-        )
+        adjust_columns(InMemory(block), replace(OPTIONS, datum="control"), free_of(block), Memory(), Serial(), leaf=60)
     camera = replace(block.cameras[0], estimate=("c", "x0", "y0", "affinity", "shear"))
     flat = replace(block.points, xyz=np.where([True, True, False], block.points.xyz, 0.0))
     block = replace(block, cameras=(camera,), points=flat)
@@ -118,13 +120,22 @@ def test_an_open_datum_and_what_is_not_determined_are_told():
         adjust_columns(InMemory(block), OPTIONS, free_of(block), Memory(), Serial(), rejected=some, leaf=60)
 
 
-def test_a_similarity_is_that_of_the_points(rng=np.random.default_rng(3)):
-    from raybundle.adjustment.datum import Datum
+def test_points_behind_their_cameras_are_told():
+    block = flight(control=0, observed=False)
+    o, camera = block.observations, block.cameras[0]
+    mirrored = np.array([camera.width_px, camera.height_px]) - o.xy_px
+    xy = np.where((o.point == 7)[:, None], mirrored, o.xy_px)
+    behind = replace(block, observations=replace(o, xy_px=xy))
+    with pytest.raises(NotSolvable, match="the object point lies behind the camera"):
+        adjust_columns(InMemory(behind), OPTIONS, free_of(block), Memory(), Serial(), leaf=60)
 
-    x = rng.normal(0, 5, (40, 3)) + [10, 20, 5]
+
+def test_a_similarity_is_that_of_the_points():
+    rng = np.random.default_rng(3)
+    x = rng.normal(0, 5, (40, 3)) + np.array([10, 20, 5])
     turn = np.linalg.qr(rng.standard_normal((3, 3)))[0]
     turn *= np.linalg.det(turn)
-    given = 1.02 * x @ turn.T + [1, 2, 3] + rng.normal(0, 0.01, x.shape)
+    given = 1.02 * x @ turn.T + np.array([1, 2, 3]) + rng.normal(0, 0.01, x.shape)
     centre = np.median(x, axis=0)
     datum = Datum(kind="inner", basis=np.eye(7), centre=centre, extent=6.0, carriers=np.ones(40, bool))
     r = np.column_stack([x - centre, np.ones(40)])

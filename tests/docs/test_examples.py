@@ -255,7 +255,7 @@ def test_every_page_of_the_navigation_is_reached_from_the_index():
         if page in reached:
             continue
         reached.add(page)
-        for link in re.findall(r"\]\(([^)#\s]+\.md)(?:#[^)]*)?\)", (DOCS / page).read_text()):
+        for link in re.findall(r"\]\(([^)#\s]+\.(?:md|ipynb))(?:#[^)]*)?\)", (DOCS / page).read_text()):
             target = (DOCS / page).parent.joinpath(link).resolve()
             assert target.is_file(), f"{page}: {link}"
             if target.is_relative_to(DOCS):

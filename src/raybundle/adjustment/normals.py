@@ -87,7 +87,9 @@ class Normals:
         keep = node_a <= node_b
         a, b, node_a, node_b = a[keep], b[keep], node_a[keep], node_b[keep]
         alone = {(n, n) for n in range(len(system.sizes))}
-        solver.set_nodes(system.sizes, sorted(alone | set(meeting) | set(zip(node_a.tolist(), node_b.tolist(), strict=True))))
+        solver.set_nodes(
+            system.sizes, sorted(alone | set(meeting) | set(zip(node_a.tolist(), node_b.tolist(), strict=True)))
+        )
         normals.values = np.zeros(solver.values_size)
         normals.right, normals.diagonal = np.zeros(solver.unknowns), np.zeros(solver.unknowns)
         normals._place_extra(entries, a, b, node_a, node_b)
@@ -292,8 +294,10 @@ class Normals:
     def statistics(
         self, state: State, inverse: Array, change: Transformation | None = None
     ) -> tuple[Array, Array, Array, Array]:
-        """From an inverse of the reduced matrix: cofactors (p, 3, 3) of the points, A Q A' (m, 3) of each whitened image
-        point, effect (m, 3, 2) of a blunder in it, and H of the points (p, 3, d) where the datum changes.
+        """What an inverse of the reduced matrix says of object points and image points.
+
+        returns  cofactors (p, 3, 3) of the object points, A Q A' (m, 3) of each whitened image point, effect (m, 3, 2)
+                 of a blunder in it, and H (p, 3, d) of the object points where the datum changes
         """
         none, d = np.zeros(0), 0 if change is None else change.nodes.shape[1]
         return self.solver.statistics(

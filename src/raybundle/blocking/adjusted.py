@@ -8,17 +8,15 @@ from raybundle.adjustment.assemble import System
 from raybundle.adjustment.engine import Factoring
 from raybundle.adjustment.normals import Normals
 from raybundle.adjustment.options import AdjustmentOptions
-from raybundle.blocking.network import LEAF, cut
 from raybundle.blocking.memory import Memory, Serial
+from raybundle.blocking.network import LEAF, cut
 from raybundle.blocking.tasks import Store
 from raybundle.blocking.whole import WholeNormals
 from raybundle.numerics.arrays import Mask
 from raybundle.pipeline.executors import Executor
 
 
-def in_parts(
-    leaf: int = LEAF, store: Callable[[], Store] = Memory, executor: Executor | None = None
-) -> Factoring:
+def in_parts(leaf: int = LEAF, store: Callable[[], Store] = Memory, executor: Executor | None = None) -> Factoring:
     """The normal equations of a block in parts (Helmert 1880; Wolf 1978), as `adjust_block` takes them.
 
     leaf      unknowns of a leaf at most

@@ -156,7 +156,7 @@ class InFiles:
 
 
 def _points(found: Mapping[str, Array]) -> Points:
-    return Points(**{**found, "ids": tuple(found["ids"].tolist())})
+    return Points(ids=tuple(found["ids"].tolist()), role=found["role"], xyz=found["xyz"], sigma=found["sigma"])
 
 
 assert {f.name for f in fields(Observations)} == set(OBSERVATIONS)

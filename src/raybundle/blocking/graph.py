@@ -9,6 +9,7 @@ import numpy as np
 
 from raybundle.numerics.arrays import Array, Index
 
+
 def meeting(pieces: Iterable[tuple[Index, Index]], count: int, pairs: Array) -> Any:
     """The symmetric graph (count, count), CSR without loops, of nodes that stand in one row.
 

@@ -7,6 +7,7 @@ import json
 import tempfile
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
+from itertools import pairwise
 from pathlib import Path
 
 import msgspec
@@ -172,7 +173,7 @@ def _lists(name: str, lists: Sequence[Index]) -> dict[str, Array]:
 
 def _from_lists(name: str, found: Mapping[str, Array]) -> tuple[Index, ...]:
     values, first = found[name], found[f"{name}.first"].tolist()
-    return tuple(values[a:b] for a, b in zip(first[:-1], first[1:], strict=True))
+    return tuple(values[a:b] for a, b in pairwise(first))
 
 
 def _kept(

@@ -13,7 +13,7 @@ from raybundle.adjustment.normals import Normals
 from raybundle.adjustment.options import AdjustmentOptions
 from raybundle.block import Block
 from raybundle.blocking.cutting import cut_of
-from raybundle.blocking.front import Equations, Front, entries
+from raybundle.blocking.front import Equations, Front, entries, spread
 from raybundle.blocking.part import Part, PartSystem, part_of, system_of_part
 from raybundle.blocking.skeleton import Skeleton, skeleton_of
 from raybundle.blocking.tree import Tree
@@ -100,7 +100,7 @@ class Network:
         row, col, at = self.outside_places(t)
         once = row >= col
         e.add(row[once], col[once], values[at[once]])
-        own = _unknowns(system.offsets, front.own)
+        own = spread(system.offsets[front.own], system.sizes[front.own].astype(np.int64))
         e.right[: front.columns] += right[own]
         e.diagonal[: front.columns] += diagonal[own]
 
@@ -119,11 +119,6 @@ class Network:
         at = starts[block] + local_row * sizes[second][block] + local_col
         across = first[block] != second[block]
         return np.where(across, np.maximum(row, col), row), np.where(across, np.minimum(row, col), col), at
-
-
-def _unknowns(offsets: Array, nodes: Index) -> Index:
-    """Unknowns of nodes, one node behind the other."""
-    return np.concatenate([np.arange(offsets[n], offsets[n + 1]) for n in nodes.tolist()] or [np.zeros(0, np.int64)])
 
 
 def cut(

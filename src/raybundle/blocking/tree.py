@@ -153,7 +153,7 @@ def _cover(graph: Any, side: Mask) -> Index:
 def _placed(graph: Any, places: Array) -> Array:
     """Places (n, d) of all: those without one stand in the middle of their neighbours that have one, or of all."""
     found = np.array(places, float)
-    lost = ~np.isfinite(found).all(axis=1)
+    lost: Mask = np.logical_not(np.isfinite(found).all(axis=1))
     if not lost.any():
         return found
     known = np.where(lost[:, None], 0.0, found)

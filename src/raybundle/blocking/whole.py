@@ -16,6 +16,8 @@ from raybundle.blocking.tasks import Store
 from raybundle.numerics.arrays import Array, Index, Mask
 from raybundle.pipeline.executors import Executor
 
+NOTHING = np.zeros(0)
+
 
 @dataclass(slots=True)
 class WholeNormals(Normals):
@@ -156,7 +158,7 @@ class WholeNormals(Normals):
 
     # -- the factor
 
-    def factorise(self, added: Array = np.zeros(0)) -> int:
+    def factorise(self, added: Array = NOTHING) -> int:
         """Whether the last `reduce` gave a factor: 0, or 1 + the unknown that fails.
 
         added  a share of the diagonal; the parts of the state that was last asked for are reduced once more with it
@@ -247,4 +249,3 @@ def _restricted(change: Transformation, network: Network, work: PartWork) -> Tra
         given=np.ascontiguousarray(change.given[at]), nodes_h=change.nodes_h[nodes], points_h=np.zeros((0, 3, 0)),
         middle=change.middle, inner=change.inner,
     )  # fmt: skip
-
