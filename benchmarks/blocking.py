@@ -25,11 +25,15 @@ os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
 
 import numpy as np
 from blocks import block_from_npz
+from scipy.sparse import csr_matrix
+from scipy.sparse.csgraph import connected_components
 
+from raybundle.adjustment.assemble import assemble
 from raybundle.adjustment.engine import adjust_block, carry_out
 from raybundle.adjustment.options import AdjustmentOptions
 from raybundle.adjustment.precision import cofactors
 from raybundle.block import Block, Distances, Role, Stations
+from raybundle.block.select import selected
 from raybundle.blocking.adjusted import in_parts
 from raybundle.blocking.columns import InFiles
 from raybundle.blocking.memory import Serial
@@ -51,11 +55,18 @@ def generated(kind: str, images: int, points: int, folder: Path) -> Path:
     return path
 
 
-def one_camera(path: Path) -> Block:
-    """With one interior orientation for all images."""
-    block = block_from_npz(path)
-    camera = replace(block.cameras[0], interior="shared")
-    return replace(block, cameras=(camera,), images=replace(block.images, interior={}))
+def read(kind: str, path: Path, *, truth: bool = False) -> Block:
+    """The largest part of a block that hangs together; flights are of one camera, other images have one each."""
+    block = block_from_npz(path, truth=truth)
+    if kind == "uav":
+        camera = replace(block.cameras[0], interior="shared")
+        block = replace(block, cameras=(camera,), images=replace(block.images, interior={}))
+    o = block.observations
+    n, size = len(block.images), len(block.images) + len(block.points)
+    meets = csr_matrix((np.ones(len(o)), (o.image, n + o.point)), (size, size))
+    _, part = connected_components(meets, directed=False)
+    inside = part == np.bincount(part[:n]).argmax()
+    return selected(selected(block, "image", inside[:n]), "point", inside[n:])
 
 
 def with_control(block: Block, truth: Block) -> Block:
@@ -83,6 +94,7 @@ def with_control(block: Block, truth: Block) -> Block:
 def compared(block: Block, leaf: int) -> dict[str, object]:
     """One piece and parts: at the same state, each by itself, and CPU seconds."""
     none = (None,) * len(block.observations)
+    given = assemble(block, OPTIONS, np.zeros(len(block.observations), bool), FREE).initial_state()
     t0 = time.process_time()
     one, _ = carry_out(block, OPTIONS, FREE, none)
     t1 = time.process_time()
@@ -93,21 +105,22 @@ def compared(block: Block, leaf: int) -> dict[str, object]:
     at = in_parts(leaf)(one.system, OPTIONS, FREE, np.zeros(len(block.observations), bool))
     steps = []
     for normals in (one.normals, at):
-        normals.reduce(one.state, damping=1e-4)
-        trial = normals.trial(one.state, damping=1e-4)
+        normals.reduce(given, damping=1e-4)
+        trial = normals.trial(given, damping=1e-4)
         assert not isinstance(trial, int)
         normals.reduce(one.state)
         assert normals.factorise() == 0
-        steps.append(trial[0].xyz - one.state.xyz)
+        steps.append(trial[0].xyz - given.xyz)
     theirs, ours = cofactors(one.normals, one.state, one.datum), cofactors(at, one.state, one.datum)
     tree = at.parts.network.tree
     std = np.sqrt(np.diagonal(theirs.points, axis1=1, axis2=2))
     used = std > 0
+    apart, largest = np.abs(theirs.points - ours.points).max(axis=(1, 2)), (std**2).max(axis=1).clip(1e-300)
     return {
         "images": len(block.images), "image points": len(block.observations), "defect": one.datum.defect,
         "leaves": sum(not c for c in tree.children), "tree nodes": len(tree),
         "step": float(np.abs(steps[1] - steps[0]).max() / np.abs(steps[0]).max()),
-        "cofactors": float((np.abs(theirs.points - ours.points).max(axis=(1, 2)) / (std**2).max(axis=1).clip(1e-300)).max()),
+        "cofactors": float((apart / largest).max()),
         "redundancy numbers": float(np.abs(theirs.hat - ours.hat)[:, :2].max()),
         "converged, in sigma": float((np.abs(one.state.xyz - parts.state.xyz)[used] / std[used]).max()),
         "CPU s, one piece": t1 - t0, "CPU s, parts": t2 - t1,
@@ -118,7 +131,7 @@ def large(images: int, folder: Path) -> dict[str, object]:
     """A block from columns on disk, in a process of its own; and the one piece of it in another."""
     columns = folder / f"columns{images}"
     if not (columns / "bare.npz").exists():
-        block = one_camera(generated("uav", images, 185 * images, folder))
+        block = read("uav", generated("uav", images, 185 * images, folder))
         made = InFiles.of(block, columns)
         np.savez(columns / "bare.npz", **arrays_of_block(made.bare))
     found = dict[str, object]()
@@ -135,7 +148,7 @@ def worker(what: str, images: int, folder: Path) -> dict[str, object]:
     """One run of a large block."""
     began = time.process_time()
     if what == "one piece":
-        block = one_camera(folder / f"uav{images}.npz")
+        block = read("uav", folder / f"uav{images}.npz")
         began = time.process_time()
         found = adjust_block(block, OPTIONS, free=FREE, extent="tests")
         told = {"sigma0": found.sigma0, "redundancy": found.redundancy}
@@ -173,8 +186,8 @@ def main() -> None:
     for name in given.blocks:
         kind, count = name.split(":")
         path = generated(kind, int(count), 250 * int(count), given.folder)
-        block = one_camera(path)
-        for variant, made in (("free", block), ("control", with_control(block, block_from_npz(path, truth=True)))):
+        block = read(kind, path)
+        for variant, made in (("free", block), ("control", with_control(block, read(kind, path, truth=True)))):
             results[f"{kind}{count} {variant}"] = compared(made, given.leaf)
             print(f"{kind}{count} {variant}", json.dumps(results[f"{kind}{count} {variant}"]), flush=True)
     if given.large:
