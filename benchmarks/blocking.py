@@ -38,6 +38,7 @@ from raybundle.blocking.adjusted import in_parts
 from raybundle.blocking.columns import InFiles
 from raybundle.blocking.memory import Serial
 from raybundle.blocking.stored import adjust_columns
+from raybundle.blocking.tree import WORTH
 from raybundle.io.block.arrays import arrays_of_block, block_of_arrays
 from raybundle.pipeline.store import Folder
 
@@ -91,18 +92,18 @@ def with_control(block: Block, truth: Block) -> Block:
     )  # fmt: skip
 
 
-def compared(block: Block, leaf: int) -> dict[str, object]:
+def compared(block: Block, leaf: int, worth: float) -> dict[str, object]:
     """One piece and parts: at the same state, each by itself, and CPU seconds."""
     none = (None,) * len(block.observations)
     given = assemble(block, OPTIONS, np.zeros(len(block.observations), bool), FREE).initial_state()
     t0 = time.process_time()
     one, _ = carry_out(block, OPTIONS, FREE, none)
     t1 = time.process_time()
-    parts, _ = carry_out(block, OPTIONS, FREE, none, factoring=in_parts(leaf))
+    parts, _ = carry_out(block, OPTIONS, FREE, none, factoring=in_parts(leaf, worth=worth))
     t2 = time.process_time()
     assert one.found is not None
     assert parts.found is not None
-    at = in_parts(leaf)(one.system, OPTIONS, FREE, np.zeros(len(block.observations), bool))
+    at = in_parts(leaf, worth=worth)(one.system, OPTIONS, FREE, np.zeros(len(block.observations), bool))
     steps = []
     for normals in (one.normals, at):
         normals.reduce(given, damping=1e-4)
@@ -173,6 +174,7 @@ def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--blocks", nargs="*", default=["uav:1000", "community:500", "street:500"])
     parser.add_argument("--leaf", type=int, default=1000)
+    parser.add_argument("--worth", type=float, default=WORTH, help="2: cut as long as leaves are larger than asked for")
     parser.add_argument("--large", type=int, default=0)
     parser.add_argument("--folder", type=Path, default=HERE / "work/blocking")
     parser.add_argument("--worker", default="")
@@ -188,7 +190,7 @@ def main() -> None:
         path = generated(kind, int(count), 250 * int(count), given.folder)
         block = read(kind, path)
         for variant, made in (("free", block), ("control", with_control(block, read(kind, path, truth=True)))):
-            results[f"{kind}{count} {variant}"] = compared(made, given.leaf)
+            results[f"{kind}{count} {variant}"] = compared(made, given.leaf, given.worth)
             print(f"{kind}{count} {variant}", json.dumps(results[f"{kind}{count} {variant}"]), flush=True)
     if given.large:
         results[f"uav{given.large}"] = large(given.large, given.folder)

@@ -5,6 +5,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
+from raybundle.adjustment.decide import decide
 from raybundle.adjustment.engine import adjust_block, free_parameters, in_one_piece
 from raybundle.adjustment.options import AdjustmentOptions
 from raybundle.adjustment.precision import cofactors
@@ -161,3 +162,23 @@ def thinned(block):
     order = np.lexsort((o.image, o.point))
     first = np.searchsorted(o.point[order], o.point[order])
     return with_rows(block, np.isin(np.arange(len(o)), order[np.arange(len(o)) - first < 2]))
+
+
+def test_blunders_are_found_and_parameters_chosen_alike():
+    block = flight(interior="exact")
+    o, rng = block.observations, np.random.default_rng(5)
+    wrong = rng.choice(len(o), 6, replace=False)
+    xy = o.xy_px.copy()
+    xy[wrong] += rng.choice([-25.0, 25.0], (6, 2))
+    camera = replace(block.cameras[0], estimate="auto")
+    block = replace(block, cameras=(camera,), observations=replace(o, xy_px=xy))
+    options = replace(OPTIONS, reject="snooping")
+    one, parts = decide(block, options), decide(block, options, factoring=in_parts(60))
+    reasons = [[r and r.kind for r in a.image_observations.rejected] for a in (one, parts)]
+    assert reasons[0] == reasons[1]
+    assert sum(r is not None for r in reasons[1]) >= 4
+    assert [i.parameters.keys() for i in one.interior] == [i.parameters.keys() for i in parts.interior]
+    assert {k: p.status for i in one.interior for k, p in i.parameters.items()} == {
+        k: p.status for i in parts.interior for k, p in i.parameters.items()
+    }
+    assert parts.sigma0 == pytest.approx(one.sigma0, rel=1e-9)

@@ -13,7 +13,15 @@ from itertools import groupby
 import numpy as np
 
 from raybundle.adjustment.asked_parameters import check_asked, with_asked
-from raybundle.adjustment.engine import Extent, Start, adjust_block, as_start, free_parameters
+from raybundle.adjustment.engine import (
+    Extent,
+    Factoring,
+    Start,
+    adjust_block,
+    as_start,
+    free_parameters,
+    in_one_piece,
+)
 from raybundle.adjustment.known_before import against_known
 from raybundle.adjustment.options import AdjustmentOptions
 from raybundle.adjustment.pixel_shape import beyond_sensor, shape_limit, under_its_noise, untold_shape
@@ -54,12 +62,17 @@ class Decisions:
     notices: list[Notice] = field(default_factory=list[Notice])
     not_significant: list[tuple[str, str]] = field(default_factory=list[tuple[str, str]])
     not_determinable: list[tuple[str, str]] = field(default_factory=list[tuple[str, str]])
+    factoring: Factoring = in_one_piece
 
 
 def decide(
-    block: Block, options: AdjustmentOptions, progress: Progress = silent, *, notices: tuple[Notice, ...] = ()
-) -> Adjustment:
-    """Adjust a block with approximate values, with the decisions that the options and the block ask for."""
+    block: Block, options: AdjustmentOptions, progress: Progress = silent, *, notices: tuple[Notice, ...] = (),
+    factoring: Factoring = in_one_piece,
+) -> Adjustment:  # fmt: skip
+    """Adjust a block with approximate values, with the decisions that the options and the block ask for.
+
+    factoring  as of `adjust_block`
+    """
     began = time.perf_counter()
     check_asked(block, options)
     choices = Decisions(
@@ -67,6 +80,7 @@ def decide(
         reasons=given_rejections(block),
         kept_free=frozenset(options.free),
         known={c.id: {**c.values, **{s: v for s, v in c.known.items() if s in c.values}} for c in block.parametrised},
+        factoring=factoring,
     )
     automatic = [
         c.id
@@ -84,7 +98,7 @@ def decide(
     final = replace(options, robust_start=options.robust_start and start is block)
     result = adjust_block(
         start, final, progress, free=choices.free, rejected=choices.reasons, notices=(*notices, *choices.notices),
-        start="approximate" if start is block else "adjusted",
+        start="approximate" if start is block else "adjusted", factoring=factoring,
     )  # fmt: skip
     result = against_known(_labelled(under_its_noise(result), choices))
     return replace(result, given=block, options=options, seconds=time.perf_counter() - began)
@@ -97,7 +111,10 @@ def _quiet(
     brief = replace(
         options, statistics=True, robust_start=start == "approximate", tolerance=max(options.tolerance, 1e-4)
     )
-    return adjust_block(block, brief, progress, free=choices.free, rejected=choices.reasons, extent=extent, start=start)
+    return adjust_block(
+        block, brief, progress, free=choices.free, rejected=choices.reasons, extent=extent, start=start,
+        factoring=choices.factoring,
+    )  # fmt: skip
 
 
 def _snoop_what_is_determined(

@@ -11,15 +11,19 @@ from raybundle.adjustment.options import AdjustmentOptions
 from raybundle.blocking.memory import Memory, Serial
 from raybundle.blocking.network import LEAF, cut
 from raybundle.blocking.tasks import Store
+from raybundle.blocking.tree import WORTH
 from raybundle.blocking.whole import WholeNormals
 from raybundle.numerics.arrays import Mask
 from raybundle.pipeline.executors import Executor
 
 
-def in_parts(leaf: int = LEAF, store: Callable[[], Store] = Memory, executor: Executor | None = None) -> Factoring:
+def in_parts(
+    leaf: int = LEAF, *, worth: float = WORTH, store: Callable[[], Store] = Memory, executor: Executor | None = None
+) -> Factoring:
     """The normal equations of a block in parts (Helmert 1880; Wolf 1978), as `adjust_block` takes them.
 
     leaf      unknowns of a leaf at most
+    worth     as of `tree.dissect`
     store     where products are kept
     executor  who does the tasks, in processes that know the network; None: this one, one task after the other
     """
@@ -27,7 +31,7 @@ def in_parts(leaf: int = LEAF, store: Callable[[], Store] = Memory, executor: Ex
     def factoring(
         system: System, options: AdjustmentOptions, free: Mapping[str, tuple[str, ...]], rejected: Mask
     ) -> Normals:
-        network = cut(system.block, options, free, rejected, leaf, shift=system.shift)
+        network = cut(system.block, options, free, rejected, leaf, shift=system.shift, worth=worth)
         return WholeNormals.whole(system, network, store(), executor or Serial())
 
     return factoring

@@ -9,7 +9,7 @@ import numpy as np
 
 from raybundle.blocking.graph import meeting
 from raybundle.blocking.skeleton import Skeleton
-from raybundle.blocking.tree import Tree, dissect
+from raybundle.blocking.tree import WORTH, Tree, dissect
 from raybundle.numerics.arrays import Array, Index
 
 PIECE = 700_000
@@ -27,11 +27,12 @@ class Cut:
     """(m,) tree node of each image observation"""
 
 
-def cut_of(skeleton: Skeleton, image: Index, point: Index, leaf: int) -> Cut:
+def cut_of(skeleton: Skeleton, image: Index, point: Index, leaf: int, worth: float = WORTH) -> Cut:
     """Cut a network.
 
     image, point  (m,) of the image observations that take part: positions in the whole block
     leaf          unknowns of a leaf at most
+    worth         as of `tree.dissect`
     """
     order = np.argsort(point, kind="stable")
     count = len(skeleton.system.sizes)
@@ -44,7 +45,7 @@ def cut_of(skeleton: Skeleton, image: Index, point: Index, leaf: int) -> Cut:
 
     pairs = skeleton.pairs()
     graph = meeting(((rows, nodes) for _, _, rows, nodes in pieces()), count, pairs)
-    tree = dissect(graph, skeleton.system.sizes, skeleton.places, leaf)
+    tree = dissect(graph, skeleton.system.sizes, skeleton.places, leaf, worth)
     leaves = np.flatnonzero(np.array([not c for c in tree.children]))
     # what touches no unknown but those of its own point may stand anywhere
     at = leaves[point % len(leaves)].astype(np.int32)

@@ -16,7 +16,7 @@ from raybundle.blocking.cutting import cut_of
 from raybundle.blocking.front import Equations, Front, entries, spread
 from raybundle.blocking.part import Part, PartSystem, part_of, system_of_part
 from raybundle.blocking.skeleton import Skeleton, skeleton_of
-from raybundle.blocking.tree import Tree
+from raybundle.blocking.tree import WORTH, Tree
 from raybundle.numerics.arrays import Array, Index, Mask
 
 LEAF = 1000
@@ -123,12 +123,13 @@ class Network:
 
 def cut(
     block: Block, options: AdjustmentOptions, free: Mapping[str, tuple[str, ...]], rejected: Mask, leaf: int = LEAF,
-    shift: Array | None = None,
+    shift: Array | None = None, worth: float = WORTH,
 ) -> Network:  # fmt: skip
     """Cut a block that lies in memory.
 
     rejected  (m,) image observations that take no part
     leaf      unknowns of a leaf at most
+    worth     as of `tree.dissect`
     shift     (3,) origin of the frame of the values; None: near the middle of the images
     """
     o = block.observations
@@ -136,7 +137,7 @@ def cut(
     images, points = np.zeros(len(block.images), bool), np.zeros(len(block.points), bool)
     images[o.image[taken]], points[o.point[taken]] = True, True
     skeleton = skeleton_of(block, options, free, images, points, shift)
-    found = cut_of(skeleton, o.image[taken], o.point[taken], leaf)
+    found = cut_of(skeleton, o.image[taken], o.point[taken], leaf, worth)
     order = np.argsort(found.at, kind="stable")
     bounds = np.searchsorted(found.at[order], np.arange(len(found.tree) + 1))
     of_node = [taken[order[bounds[t] : bounds[t + 1]]] for t in range(len(found.tree))]

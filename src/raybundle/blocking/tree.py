@@ -66,18 +66,19 @@ class Tree:
         return rows[last], at[last]
 
 
-def dissect(graph: Any, sizes: Array, places: Array, most: int) -> Tree:
+def dissect(graph: Any, sizes: Array, places: Array, most: int, worth: float = WORTH) -> Tree:
     """Cut a graph into leaves of at most `most` unknowns, where cutting gains something.
 
     graph   (n, n) symmetric, CSR, `graph.meeting`
     sizes   (n,) unknowns of each node
     places  (n, d) where each stands; NaN where it has no place
+    worth   `WORTH`; larger where memory is what is short
     """
     places = _placed(graph, places)
     own, parent, level = list[Index](), list[int](), list[int]()
 
     def cut(ids: Index, depth: int) -> int:
-        parts = _parts(graph, sizes, places, ids) if sizes[ids].sum() > most and len(ids) > 1 else None
+        parts = _parts(graph, sizes, places, ids, worth) if sizes[ids].sum() > most and len(ids) > 1 else None
         below = [] if parts is None else [cut(part, depth + 1) for part in parts[1:] if len(part)]
         own.append(np.sort(ids if parts is None else parts[0]))
         parent.append(-1)
@@ -90,7 +91,7 @@ def dissect(graph: Any, sizes: Array, places: Array, most: int) -> Tree:
     return Tree(own=tuple(own), parent=np.array(parent, np.int32), level=np.array(level, np.int32))
 
 
-def _parts(graph: Any, sizes: Array, places: Array, ids: Index) -> tuple[Index, Index, Index] | None:
+def _parts(graph: Any, sizes: Array, places: Array, ids: Index, worth: float) -> tuple[Index, Index, Index] | None:
     """Separator and the two sides of some nodes; None where the separator would be most of them."""
     side = _bisected(places[ids], sizes[ids])
     part = graph[ids][:, ids]
@@ -99,7 +100,7 @@ def _parts(graph: Any, sizes: Array, places: Array, ids: Index) -> tuple[Index, 
     found = ids[between], ids[~between & ~side], ids[~between & side]
     separator, first, second = (float(sizes[x].sum()) for x in found)
     pieces = _work(first, separator) + _work(second, separator) + _work(separator, 0.0)
-    return found if pieces < WORTH * _work(separator + first + second, 0.0) else None
+    return found if pieces < worth * _work(separator + first + second, 0.0) else None
 
 
 def _work(own: float, boundary: float) -> float:
