@@ -17,6 +17,7 @@ from raybundle.pipeline.project import Project
 from raybundle.pipeline.shards import Shards, do_shard
 from raybundle.pipeline.stage import Means
 from raybundle.pipeline.store import Folder
+from raybundle.settings import option
 from tests.pipeline.graph import digest, done_by, executions, tasks_of
 
 LEAVES = 8
@@ -52,7 +53,7 @@ def test_shards_in_any_order_make_the_same_bits(tmp_path, expected, order):
     tasks = tasks_of(LEAVES, log=log)
     said, _ = asked(tmp_path / "p", tasks)
     assert said.startswith(f"{len(tasks)} tasks to be done by shards, in {tmp_path / 'p/cache/tasks.jsonl'}.")
-    assert f"raybundle worker --shard I/N {tmp_path / 'p'}" in said
+    assert f"raybundle worker {option('shard', 'I/N')} {tmp_path / 'p'}" in said
     rounds = 0
     for number in itertools.cycle(order):
         done = do_shard(tmp_path / "p", number, 3, wait_s=0.0)

@@ -197,7 +197,7 @@ def test_whole_surfaces_and_photographs_once_more(tmp_path, capsys):
     assert "for all of the surface that can be seen" in said
     told = json.loads((tmp_path / "plan/plan.json").read_text())
     assert [m["photographs"] for m in told["added"]][1] == 2
-    # the map has finer tiles than those by which stations are added, and is drawn once: as one survey of ten may be
-    assert told["object"]["largest_m"] < max(0.3e-3 * 1.1, told["worst_in_one_of_ten_m"])
+    # the map has finer tiles than those by which stations are added: 0.20 to 0.34 mm on five kinds of processor
+    assert told["object"]["largest_m"] < 0.3e-3 * 1.25
     assert plan(tmp_path, "facade:6,4", "--photographs", "8", "--everywhere", name="x") == 2
     assert "--everywhere needs" in capsys.readouterr().err

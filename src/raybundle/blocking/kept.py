@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import hashlib
-import json
 import tempfile
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
@@ -186,15 +185,16 @@ def _kept(
         **_lists("own", tree.own), **_lists("boundary", boundary), "parent": tree.parent, "level": tree.level,
         "points": skeleton.points, "count": np.array(skeleton.count), "images used": images, "points used": points,
         "shift": skeleton.system.shift, "counts": counts, "parts": np.array(keys, np.str_),
-        "options": np.array(json.dumps(msgspec.to_builtins(options))), "free": np.array(json.dumps(dict(free))),
+        "options": np.array(msgspec.json.encode(options).decode()),
+        "free": np.array(msgspec.json.encode(dict(free)).decode()),
     }  # fmt: skip
 
 
 def network_of(store: Store, key: str) -> Network:
     """A network that was kept."""
     found = store.wanted(key)
-    options = msgspec.convert(json.loads(str(found["options"])), AdjustmentOptions)
-    free = {name: tuple(symbols) for name, symbols in json.loads(str(found["free"])).items()}
+    options = msgspec.json.decode(str(found["options"]), type=AdjustmentOptions)
+    free = msgspec.json.decode(str(found["free"]), type=dict[str, tuple[str, ...]])
     skeleton = skeleton_from(
         _block(found), found["points"], int(found["count"]), options, free, found["images used"],
         found["points used"], found["shift"],

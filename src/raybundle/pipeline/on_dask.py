@@ -278,7 +278,7 @@ def _elsewhere(
 
 
 def dask_setup(worker: DaskWorker) -> None:
-    """Make a worker that somebody else started one of ours: `dask worker --preload raybundle.pipeline.on_dask`."""
+    """Make a worker that somebody else started one of ours, where it is told to load this module before."""
     worker.state.total_resources[signature()] = 1
     worker.state.available_resources[signature()] = 1
 

@@ -15,11 +15,12 @@ from collections.abc import Iterator, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import dataclass
 from pathlib import Path
+from typing import Any
 
+import msgspec
 import numpy as np
 
 from raybundle.errors import InputError, TasksWaiting
-from raybundle.io.reading.trees import own_json_of
 from raybundle.numerics.arrays import Array
 from raybundle.numerics.counting import counted
 from raybundle.numerics.progress import Counted, Progress, silent
@@ -29,7 +30,7 @@ from raybundle.pipeline.keys import key_of
 from raybundle.pipeline.queues import Queue
 from raybundle.pipeline.store import Folder
 from raybundle.pipeline.tasks import Done, Task, read_task, written
-from raybundle.settings import read_with_flags, with_flags
+from raybundle.settings import option, read_with_flags, with_flags
 
 TASKS = "tasks.jsonl"
 HANDED = "handed"
@@ -72,8 +73,8 @@ class Shards:
         project = store.path.parent
         raise TasksWaiting(
             f"{counted(len(wanted), 'task')} to be done by shards, in {file}.\n"
-            f"  Run `raybundle worker --shard I/N {project}` for each I from 0 to N - 1, in any order, then the same "
-            "command again."
+            f"  Run `raybundle worker {option('shard', 'I/N')} {project}` for each I from 0 to N - 1, in any order, "
+            "then the same command again."
         )
 
 
@@ -143,11 +144,11 @@ def _listed(store: Folder) -> list[Task] | None:
         raise InputError("is no project folder, or no run has begun in it", file=store.path.parent)
     try:
         first, *lines = file.read_bytes().splitlines()
+        facts = msgspec.json.decode(first, type=dict[str, Any])
     except FileNotFoundError:
         return None
     except (OSError, ValueError) as error:
         raise InputError(f"cannot be read: {error}", file=file) from None
-    facts = own_json_of(first.decode())
     if facts["raybundle"] != signature():
         raise InputError(
             f"is of {facts['raybundle']}, this is {signature()}; install the same version on all machines", file=file
