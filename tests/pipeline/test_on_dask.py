@@ -197,7 +197,7 @@ finally:
 """
 
 
-@pytest.mark.long
+@pytest.mark.bench
 def test_ten_drivers_that_are_killed_go_on_with_nothing_lost(machines, tmp_path, expected):
     from tests.pipeline.test_faults import made
 
@@ -218,7 +218,7 @@ def test_ten_drivers_that_are_killed_go_on_with_nothing_lost(machines, tmp_path,
     assert sum(large.values()) <= len(large) + 2 * kills
 
 
-@pytest.mark.long
+@pytest.mark.bench
 def test_a_line_that_is_cut_between_worker_and_scheduler_costs_the_tasks_in_work(machines, tmp_path, expected):
     machines.scheduler()
     line = Line(machines.port)
@@ -264,7 +264,7 @@ def namespace():
         _ip("netns", "del", name)
 
 
-@pytest.mark.long
+@pytest.mark.bench
 def test_a_network_that_is_silent_for_a_while(machines, tmp_path, expected, namespace):
     """Nothing is refused and nothing comes back, as where a cable is pulled: for 20 s, and a worker beside goes on."""
     machines.scheduler(host="10.77.0.1")
