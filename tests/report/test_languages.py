@@ -40,6 +40,7 @@ APART = {
     "report/network_page.py": "the view in three dimensions, which has no language",
     "report/text/summary.py": "printed on the command line",
     "report/show.py": "opens pages",
+    "ties/pairs.py": "which pairs are matched: told in the line of a stage",
     **dict.fromkeys(
         (f"report/drawing/{f.name}" for f in (SOURCE / "report" / "drawing").glob("*.py")), "drawing sheets of `sheet`"
     ),
