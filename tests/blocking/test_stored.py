@@ -139,8 +139,8 @@ def test_a_similarity_is_that_of_the_points():
     centre = np.median(x, axis=0)
     datum = Datum(kind="inner", basis=np.eye(7), centre=centre, extent=6.0, carriers=np.ones(40, bool))
     r = np.column_stack([x - centre, np.ones(40)])
-    by = onto(r.T @ r, (given - centre).T @ r, datum)
-    gap = given - (by.scale * x @ by.rotation.T + by.shift)
+    T = onto(r.T @ r, (given - centre).T @ r, datum)
+    gap = given - ((x - centre) @ T[:3, :3].T + T[:3, 3] + centre)
     y = given - gap - centre
     assert np.abs(gap.sum(axis=0)).max() < 1e-9
     assert np.abs(np.cross(y, gap).sum(axis=0)).max() < 1e-8

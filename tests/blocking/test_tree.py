@@ -46,7 +46,9 @@ def test_what_stands_in_one_row_lies_on_one_path(most):
     count = len(places)
     tree = dissect(meeting([(row, node)], count, np.zeros((0, 2), int)), np.ones(count, int), places, most)
     assert np.array_equal(np.sort(np.concatenate(tree.own)), np.arange(count))
-    above, home = tree.ancestors(), tree.home
+    above, home = np.eye(len(tree), dtype=bool), tree.home
+    for t in range(len(tree) - 2, -1, -1):
+        above[t] |= above[tree.parent[t]]
     rows, homes = tree.homes(row, node)
     assert np.array_equal(rows, np.unique(row))
     for r, t in zip(rows, homes, strict=True):

@@ -91,7 +91,7 @@ def fit_to_given(system: System, state: State, given: State, datum: Datum) -> St
         return state
     from scipy.linalg import expm  # noqa: PLC0415
 
-    new = state.copy()
+    new = state
     carriers = np.flatnonzero(datum.carriers & system.points_used)
     for _ in range(50):
         G = point_generators(new.xyz[carriers], datum.centre, datum.extent).reshape(-1, 7) @ datum.basis
@@ -102,24 +102,33 @@ def fit_to_given(system: System, state: State, given: State, datum: Datum) -> St
         generator = np.zeros((4, 4))
         generator[:3, :3] = np.array([[s, -w[2], w[1]], [w[2], s, -w[0]], [-w[1], w[0], s]])
         generator[:3, 3] = t
-        T = expm(generator)
-        scale = np.cbrt(np.linalg.det(T[:3, :3]))
-        for values in (new.xyz, new.centre):
-            values[:] = (values - datum.centre) @ T[:3, :3].T + T[:3, 3] + datum.centre
-        new.rotation = new.rotation @ (T[:3, :3].T / scale)
-        shift = T[:3, 3] + datum.centre - T[:3, :3] @ datum.centre
-        new.own = {
-            p.kind.name: p.kind.own_placed(new.own[p.kind.name], float(scale), T[:3, :3] / scale, shift)
-            for p in system.extra.parts
-            if p.kind.own_width
-        }
-        for r, row in enumerate(system.interior):
-            for position in row.free:
-                if row.model.parameters[position].is_length:
-                    new.interior[r, position] *= scale
-        system.share(new)
+        new = placed(system, new, expm(generator), datum.centre)
         if np.abs(step).max() < 1e-13:
             break
     held = system.control_held
     new.xyz[held] = state.xyz[held]
+    return new
+
+
+def placed(system: System, state: State, T: Array, centre: Array) -> State:
+    """The state after a similarity of points, images, and lengths among the free parameters.
+
+    T       (4, 4) homogeneous, of coordinates from `centre` (3,)
+    """
+    new = state.copy()
+    scale = np.cbrt(np.linalg.det(T[:3, :3]))
+    for values in (new.xyz, new.centre):
+        values[:] = (values - centre) @ T[:3, :3].T + T[:3, 3] + centre
+    new.rotation = new.rotation @ (T[:3, :3].T / scale)
+    shift = T[:3, 3] + centre - T[:3, :3] @ centre
+    new.own = {
+        p.kind.name: p.kind.own_placed(new.own[p.kind.name], float(scale), T[:3, :3] / scale, shift)
+        for p in system.extra.parts
+        if p.kind.own_width
+    }
+    for r, row in enumerate(system.interior):
+        for position in row.free:
+            if row.model.parameters[position].is_length:
+                new.interior[r, position] *= scale
+    system.share(new)
     return new

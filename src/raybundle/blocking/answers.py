@@ -6,14 +6,14 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from raybundle.adjustment.assemble import State
+from raybundle.adjustment import transformation
 from raybundle.adjustment.datum import point_generators
 from raybundle.adjustment.far_points import diverging
 from raybundle.adjustment.transformation import Transformation
 from raybundle.blocking import sweeps
 from raybundle.blocking.network import PartWork
-from raybundle.blocking.tasks import Store, held_work, known, values_of, work_of
-from raybundle.numerics.arrays import Array, Mask
+from raybundle.blocking.tasks import Store, known, part_at, work_of
+from raybundle.numerics.arrays import Mask
 from raybundle.pipeline.store import Product
 
 SAMPLE = 500
@@ -39,15 +39,15 @@ def _mine(work: PartWork) -> Mask:
 
 def describe(store: Store, o: Described) -> Product:
     """Counts of a part, points that stand for its own, and points that could carry a minimal datum."""
-    at = known(store, o.network)
-    work = work_of(at, o.node)
-    if work is None:
+    found = part_at(store, o)
+    if found is None:
         none = np.zeros((0, 3))
         return {
             "numbers": np.zeros(2), "sample": none, "candidates": np.zeros(0, np.int64), "xyz": none,
             "rays": np.zeros(0, np.int64),
         }  # fmt: skip
-    system, now = work.of.system, sweeps.state_of(work, values_of(store, o.state, work))
+    work, now = found
+    system = work.of.system
     mine = np.flatnonzero(_mine(work))
     free = int((~system.control_held[mine]).sum())
     rays = np.bincount(system.block.observations.point[system.rows], minlength=len(now.xyz))
@@ -74,12 +74,12 @@ class Astray:
 
 def astray(store: Store, o: Astray) -> Product:
     """Rows of observations behind the camera, and of those whose object point has run away."""
-    at = known(store, o.network)
-    work = held_work(store, at, o.node, o.held)
     none = np.zeros(0, np.int64)
-    if work is None:
+    found = part_at(store, o, o.held)
+    if found is None:
         return {"behind": none, "diverging": none}
-    system, now = work.of.system, sweeps.state_of(work, values_of(store, o.state, work))
+    work, now = found
+    system = work.of.system
     _, flags = work.normals.residuals(now)
     candidates = system.far_candidates
     ray = now.xyz[candidates] - now.centre[system.first_image[candidates]]
@@ -105,11 +105,11 @@ class Moments:
 
 def moments(store: Store, o: Moments) -> Product:
     """Sums over the carriers: (r, 1)(r, 1)' and g (r, 1)', r and g adjusted and given coordinates from the centre."""
-    at = known(store, o.network)
-    work = work_of(at, o.node)
-    if work is None:
+    found = part_at(store, o)
+    if found is None:
         return {"own": np.zeros((4, 4)), "given": np.zeros((3, 4))}
-    now, given = sweeps.state_of(work, values_of(store, o.state, work)), work.of.system.initial_state()
+    work, now = found
+    given = work.of.system.initial_state()
     mine = _mine(work) & store.lent(o.carriers)["carriers"][work.part.points]
     r = np.column_stack([now.xyz[mine] - o.centre, np.ones(int(mine.sum()))])
     return {"own": r.T @ r, "given": (given.xyz[mine] - o.centre).T @ r}
@@ -123,33 +123,20 @@ class Placed:
     node: int
     state: str
     similarity: str
-    """Product: scale, rotation and shift; what is held stays"""
+    """Product: T (4, 4) of coordinates from a centre (3,); what is held stays"""
 
 
 def placed(store: Store, o: Placed) -> Product:
     """The state of a part after a similarity."""
-    at = known(store, o.network)
-    work = work_of(at, o.node)
-    if work is None:
+    found = part_at(store, o)
+    if found is None:
         return {}
+    work, now = found
     by = store.lent(o.similarity)
-    now = sweeps.state_of(work, values_of(store, o.state, work))
-    return sweeps.kept_state(moved(work, now, float(by["scale"]), by["rotation"], by["shift"]))
-
-
-def moved(work: PartWork, state: State, scale: float, rotation: Array, shift: Array) -> State:
-    """A part's state after X -> s R X + t; held coordinates stay."""
-    system, new = work.of.system, state.copy()
-    new.xyz = scale * state.xyz @ rotation.T + shift
-    new.centre = scale * state.centre @ rotation.T + shift
-    new.rotation = state.rotation @ rotation.T
-    for r, row in enumerate(system.interior):
-        for position in row.free:
-            if row.model.parameters[position].is_length:
-                new.interior[r, position] *= scale
-    system.share(new)
-    new.xyz[system.control_held] = state.xyz[system.control_held]
-    return new
+    new = transformation.placed(work.of.system, now, by["T"], by["centre"])
+    held = work.of.system.control_held
+    new.xyz[held] = now.xyz[held]
+    return sweeps.kept_state(new)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -165,12 +152,11 @@ class Generators:
 
 def generators(store: Store, o: Generators) -> Product:
     """G and B G (p, 3, d) of a part's points, and its share of G'BG."""
-    at = known(store, o.network)
-    work = work_of(at, o.node)
-    if work is None:
+    found = part_at(store, o)
+    if found is None:
         return {"numbers": np.zeros(0)}
+    work, now = found
     datum, system = store.lent(o.datum), work.of.system
-    now = sweeps.state_of(work, values_of(store, o.state, work))
     G = point_generators(now.xyz, datum["centre"], float(datum["extent"])) @ datum["basis"]
     G[~system.points_used] = 0
     G[system.control_held] = 0
@@ -196,16 +182,15 @@ class Told:
 
 def told(store: Store, o: Told) -> Product:
     """Cofactors of a part's points in the datum of the factor, A Q A' and effects of its observations, residuals."""
-    at = known(store, o.network)
-    work = held_work(store, at, o.node, o.held)
-    if work is None:
+    part = part_at(store, o, o.held)
+    if part is None:
         return {"inner": np.zeros((0, 0)), "numbers": np.zeros(2)}
-    now = sweeps.state_of(work, values_of(store, o.state, work))
+    work, now = part
     Q = store.lent(o.inverse, ("part",))["part"]
     change = None
     if o.generators:
         G, by = store.lent(o.generators, ("G", "points")), store.lent(o.change)
-        nodes = sweeps.rows_of(at.network, work.of.nodes)
+        nodes = sweeps.rows_of(known(store, o.network).network, work.of.nodes)
         change = Transformation(
             nodes=by["nodes"][nodes], points=G["G"], given=G["points"], nodes_h=by["H"][nodes], middle=by["middle"],
             points_h=np.zeros((0, 3, 0)), inner=np.zeros_like(by["middle"]),

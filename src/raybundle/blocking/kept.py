@@ -49,6 +49,9 @@ def cut_columns(
     images, points = np.zeros(len(columns.bare.images), bool), np.zeros(columns.points, bool)
     images[image[taken]], points[point[taken]] = True, True
     skeleton = _skeleton(columns, options, free, images, points)
+    name = key_of("network", VERSION, content, arrays_of_block(skeleton.block), options, dict(free), leaf, rejected)
+    if store.has(name) and all(store.has(k) for k in store.wanted(name, ("parts",))["parts"].tolist() if k):
+        return replace(network_of(store, name), keep=keep)
     found = cut_of(skeleton, image[taken], point[taken], leaf)
     at = np.full(len(image), -1, np.int32)
     at[taken] = found.at
@@ -58,7 +61,6 @@ def cut_columns(
     at = np.where(at < 0, of_point[point], at)
     del image, point
     counts = np.bincount(at[at >= 0], minlength=len(found.tree))
-    name = key_of("network", VERSION, content, arrays_of_block(skeleton.block), options, dict(free), leaf, rejected)
     keys = tuple(key_of("part", VERSION, name, t) if counts[t] else "" for t in range(len(found.tree)))
     _keep_parts(columns, rejected, at, keys, store)
     kept = _kept(skeleton, options, free, images, points[skeleton.points], found.tree, found.boundary, counts, keys)

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-
 import numpy as np
 
 from raybundle.adjustment.datum import Datum
@@ -12,20 +10,12 @@ from raybundle.numerics.arrays import Array
 STEPS = 50
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
-class Similarity:
-    """X -> s R X + t."""
-
-    scale: float
-    rotation: Array
-    shift: Array
-
-
-def onto(own: Array, given: Array, datum: Datum) -> Similarity:
+def onto(own: Array, given: Array, datum: Datum) -> Array:
     """The similarity of the open generators that brings points as near as can be to given coordinates.
 
     own    (4, 4) sum of (r, 1)(r, 1)', r the points from the centre of the datum
     given  (3, 4) sum of g (r, 1)', g their given coordinates from there
+    returns  (4, 4) homogeneous, of coordinates from the centre
 
     Small transformations are repeated until nothing moves (`adjustment.transformation.fit_to_given`): all that they
     need of the points are these sums.
@@ -48,9 +38,7 @@ def onto(own: Array, given: Array, datum: Datum) -> Similarity:
         A = expm(generator) @ A
         if np.abs(step).max() < 1e-13:
             break
-    scale = float(np.cbrt(np.linalg.det(A[:3, :3])))
-    c = datum.centre
-    return Similarity(scale=scale, rotation=A[:3, :3] / scale, shift=A[:3, 3] + c - A[:3, :3] @ c)
+    return A
 
 
 def _generators(datum: Datum) -> Array:

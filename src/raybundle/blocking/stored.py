@@ -17,13 +17,13 @@ from raybundle.adjustment.precision import Cofactors, precision
 from raybundle.adjustment.reliability import observation_groups
 from raybundle.adjustment.result import ObservationGroup, Precision, variance_factor
 from raybundle.adjustment.solve import CAUTIOUS, HUBER, Solution, solve
-from raybundle.adjustment.transformation import Transformation
+from raybundle.adjustment.transformation import Transformation, placed
 from raybundle.blocking import answers
 from raybundle.blocking.columns import Columns
 from raybundle.blocking.kept import cut_columns
 from raybundle.blocking.network import LEAF, Network
 from raybundle.blocking.normals import Parts, PartsNormals, PartsState
-from raybundle.blocking.similarity import Similarity, onto
+from raybundle.blocking.similarity import onto
 from raybundle.blocking.tasks import Store
 from raybundle.errors import NoConvergence, NotSolvable, RankDefect, TooFewObservations
 from raybundle.numerics.arrays import Array, Mask
@@ -313,31 +313,18 @@ def _fitted(run: _Run, state: PartsState, datum: Datum) -> PartsState:
     own, other = r.T @ r, (given.xyz[mine] - datum.centre).T @ r
     for f in found:
         own, other = own + f["own"], other + f["given"]
-    by = onto(own, other, datum)
-    return _placed(run, state, by)
+    return _placed(run, state, onto(own, other, datum), datum.centre)
 
 
-def _placed(run: _Run, state: PartsState, by: Similarity) -> PartsState:
+def _placed(run: _Run, state: PartsState, T: Array, centre: Array) -> PartsState:
     """The state of all parts and of the skeleton after a similarity."""
     network, system = run.normals.network, run.normals.network.skeleton.system
-    key = run.parts.put("similarity", {"scale": np.array(by.scale), "rotation": by.rotation, "shift": by.shift})
+    key = run.parts.put("similarity", {"T": T, "centre": centre})
 
     def options(t: int) -> answers.Placed:
         return answers.Placed(network=network.key, node=t, state=state.keys[t], similarity=key)
 
     keys = run.each("placed", options, lambda o: (o.state,))
-    new = replace(state.copy(), xyz=by.scale * state.xyz @ by.rotation.T + by.shift)
-    new.centre = by.scale * state.centre @ by.rotation.T + by.shift
-    new.rotation = state.rotation @ by.rotation.T
-    new.own = {
-        p.kind.name: p.kind.own_placed(state.own[p.kind.name], by.scale, by.rotation, by.shift)
-        for p in system.extra.parts
-        if p.kind.own_width
-    }
-    for r, row in enumerate(system.interior):
-        for position in row.free:
-            if row.model.parameters[position].is_length:
-                new.interior[r, position] *= by.scale
-    system.share(new)
+    new = placed(system, state, T, centre)
     new.xyz[system.control_held] = state.xyz[system.control_held]
     return PartsState(new.rotation, new.centre, new.interior, new.xyz, new.own, keys=keys)

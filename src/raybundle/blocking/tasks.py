@@ -13,6 +13,7 @@ from typing import Protocol
 
 import numpy as np
 
+from raybundle.adjustment.assemble import State
 from raybundle.blocking import sweeps
 from raybundle.blocking.network import Network, PartWork
 from raybundle.blocking.sweeps import Iteration, Values
@@ -121,6 +122,35 @@ def values_of(store: Store, key: str, work: PartWork | None) -> Values | None:
     return store.lent(key, ("rotation", "centre", "interior", "xyz")) if key and work is not None else None
 
 
+class AtState(Protocol):
+    """Options of a task that works on a part at a state."""
+
+    @property
+    def network(self) -> str:
+        """Key of the network."""
+        ...
+
+    @property
+    def node(self) -> int:
+        """Tree node."""
+        ...
+
+    @property
+    def state(self) -> str:
+        """Product with the values of the part; "": as given."""
+        ...
+
+
+def part_at(store: Store, o: AtState, held: str | None = None) -> tuple[PartWork, State] | None:
+    """The part of a task and its values; None where the tree node has no observations.
+
+    held  product with the coordinates that carry a minimal datum; None: it does not matter
+    """
+    at = known(store, o.network)
+    work = work_of(at, o.node) if held is None else held_work(store, at, o.node, held)
+    return None if work is None else (work, sweeps.state_of(work, values_of(store, o.state, work)))
+
+
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Up:
     """What `sweeps.up` depends on."""
@@ -138,11 +168,17 @@ class Up:
     added: float
 
 
+def _message(store: Store, key: str) -> Values:
+    """What a parent needs of `up`: not the factor, which is larger."""
+    failed = store.lent(key, ("failed",))
+    return failed if int(failed["failed"]) >= 0 else {**failed, **store.lent(key, MESSAGE)}
+
+
 def up(store: Store, o: Up) -> Product:
     """Reduce and eliminate."""
     at = known(store, o.network)
     children = at.network.tree.children[o.node]
-    below = {c: store.lent(key) for c, key in zip(children, o.children, strict=True)}
+    below = {c: _message(store, key) for c, key in zip(children, o.children, strict=True)}
     how = Iteration(damping=o.damping, huber=o.huber, added=o.added)
     work = held_work(store, at, o.node, o.held)
     return sweeps.up(at.network, o.node, work, values_of(store, o.state, work), how, store.lent(o.outside), below)
@@ -150,7 +186,7 @@ def up(store: Store, o: Up) -> Product:
 
 ELIMINATED = ("L", "W", "y")
 """What the way down needs of `up`."""
-MESSAGE = ("reduced", "right", "diagonal", "failed")
+MESSAGE = ("reduced", "right", "diagonal")
 """What the parent needs of it."""
 
 
@@ -200,10 +236,9 @@ def right_up(store: Store, o: RightUp) -> Product:
     at = known(store, o.network)
     nodes, condensed = store.lent(o.nodes)["nodes"], None
     if o.points:
-        work = held_work(store, at, o.node, o.held)
-        if work is not None:
-            now = sweeps.state_of(work, values_of(store, o.state, work))
-            condensed = work, sweeps.condensed(work, now, store.lent(o.points, ("points",))["points"])
+        mine = part_at(store, o, o.held)
+        if mine is not None:
+            condensed = mine[0], sweeps.condensed(*mine, store.lent(o.points, ("points",))["points"])
     children = at.network.tree.children[o.node]
     below = {c: store.lent(key, ("right",)) for c, key in zip(children, o.children, strict=True)}
     return sweeps.right_up(at.network, o.node, store.lent(o.up, ELIMINATED), nodes, condensed, below)

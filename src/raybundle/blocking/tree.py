@@ -50,13 +50,6 @@ class Tree:
             found[own] = t
         return found
 
-    def ancestors(self) -> Mask:
-        """(t, t) whether the second is the first or above it."""
-        found = np.eye(len(self), dtype=bool)
-        for t in range(len(self) - 2, -1, -1):
-            found[t] |= found[self.parent[t]]
-        return found
-
     def homes(self, rows: Index, nodes: Index) -> tuple[Index, Index]:
         """Rows of incidences, each once and ascending, and the tree node of each: the deepest of its nodes'."""
         at = self.home[nodes]
