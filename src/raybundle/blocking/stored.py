@@ -9,14 +9,16 @@ from typing import Any
 import numpy as np
 
 from raybundle.adjustment import defects
+from raybundle.adjustment.assemble import State
 from raybundle.adjustment.datum import Datum, middle_and_extent, node_generators, well_spread, what_is_open
+from raybundle.adjustment.dense import one_thread
 from raybundle.adjustment.engine import UNENDING
 from raybundle.adjustment.normals import Normals
 from raybundle.adjustment.options import AdjustmentOptions
 from raybundle.adjustment.precision import Cofactors, precision
 from raybundle.adjustment.reliability import observation_groups
 from raybundle.adjustment.result import ObservationGroup, Precision, variance_factor
-from raybundle.adjustment.solve import CAUTIOUS, HUBER, Solution, solve
+from raybundle.adjustment.solve import HUBER, Solution, solve
 from raybundle.adjustment.transformation import Transformation, placed
 from raybundle.blocking import answers
 from raybundle.blocking.columns import Columns
@@ -104,19 +106,24 @@ def adjust_columns(
     """
     rejected = np.zeros(columns.observations, bool) if rejected is None else rejected
     network = cut_columns(columns, options, free, rejected, store, leaf, keep)
-    normals = PartsNormals(Parts(network, store, executor), 0, 0)
-    run = _Run(normals, options, progress)
-    state = normals.initial_state()
-    datum = _described(run, state)
+    run = _Run(PartsNormals(Parts(network, store, executor), 0, 0), options, progress)
+    with one_thread():  # for tasks in this process: more would add up in another order
+        return _adjusted(run)
+
+
+def _adjusted(run: _Run) -> StoredAdjustment:
+    """Estimate, and what it gives."""
+    normals, options, progress = run.normals, run.options, run.progress
+    start: State = normals.initial_state()
+    assert isinstance(start, PartsState)
+    datum = _described(run, start)
     if normals.unknowns - datum.defect > normals.observations:
         raise TooFewObservations(
             f"{normals.observations} observations do not determine {normals.unknowns - datum.defect} unknowns"
         )
-    damping = CAUTIOUS
-    start: Any = state
     if options.robust_start:
-        start = solve(normals, state, options, huber=HUBER, tolerance=1e-2, approximate=True, progress=progress).state
-    solution = solve(normals, start, options, damping=damping, progress=progress)
+        start = solve(normals, start, options, huber=HUBER, tolerance=1e-2, approximate=True, progress=progress).state
+    solution = solve(normals, start, options, progress=progress)
     if not solution.converged and not solution.step < UNENDING:
         raise NoConvergence(solution.trouble)
     _refuse_astray(run, solution)

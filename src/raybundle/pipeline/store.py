@@ -17,12 +17,21 @@ from contextlib import contextmanager
 from dataclasses import dataclass, field
 from pathlib import Path
 from threading import Lock
+from typing import BinaryIO
 
 import numpy as np
 
 from raybundle.errors import InputError
 from raybundle.numerics.arrays import Array
-from raybundle.pipeline.archives import DAMAGED, is_complete, mapped_members, members_of, read_member, write_archive
+from raybundle.pipeline.archives import (
+    DAMAGED,
+    Member,
+    is_complete,
+    mapped_members,
+    members_of,
+    read_member,
+    write_archive,
+)
 
 Product = Mapping[str, Array]
 """What a task or a stage gives, as it is kept."""
@@ -76,34 +85,31 @@ class Folder:
 
     def load(self, key: str, names: Sequence[str] = ()) -> dict[str, Array] | None:
         """A product, or only some of its arrays, to be changed at will; None where it is missing or damaged."""
-        path = self._path(key)
-        try:
-            with path.open("rb") as file:
-                members = members_of(file)
-                if str(read_member(file, members[KEY])) != key:
-                    raise ValueError(path.name)  # another product under this name
-                return {name: read_member(file, members[name]) for name in names or members if name != KEY}
-        except FileNotFoundError:
-            return None
-        except DAMAGED:
-            with contextlib.suppress(OSError):
-                path.unlink()
-            return None
+        return self._read(key, names, lambda file, members: [read_member(file, m) for m in members])
 
     def mapped(self, key: str, names: Sequence[str] = ()) -> dict[str, Array] | None:
         """The same over the file itself: of an array no more is read than is used; not to be written into.
 
         The first time that a process maps an array it reads it once to verify it.
         """
+
+        def read(file: BinaryIO, members: list[Member]) -> list[Array]:
+            return mapped_members(file, members, self._known(key, file.fileno()))
+
+        return self._read(key, names, read)
+
+    def _read(
+        self, key: str, names: Sequence[str], read: Callable[[BinaryIO, list[Member]], list[Array]]
+    ) -> dict[str, Array] | None:
+        """Arrays of a product, all where none is named, by this way to read them; a damaged product is removed."""
         path = self._path(key)
         try:
             with path.open("rb") as file:
                 members = members_of(file)
                 if str(read_member(file, members[KEY])) != key:
-                    raise ValueError(path.name)
+                    raise ValueError(path.name)  # another product under this name
                 wanted = [name for name in names or members if name != KEY]
-                known = self._known(key, file.fileno())
-                return dict(zip(wanted, mapped_members(file, [members[n] for n in wanted], known), strict=True))
+                return dict(zip(wanted, read(file, [members[name] for name in wanted]), strict=True))
         except FileNotFoundError:
             return None
         except DAMAGED:
