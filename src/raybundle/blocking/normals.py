@@ -12,7 +12,7 @@ import numpy as np
 from raybundle.adjustment.assemble import State
 from raybundle.blocking import sweeps, tasks
 from raybundle.blocking.network import Network
-from raybundle.blocking.tasks import Store
+from raybundle.blocking.tasks import Known, Store, remember
 from raybundle.numerics.arrays import Array, Index, Mask
 from raybundle.pipeline.executors import Executor
 from raybundle.pipeline.keys import key_of
@@ -34,8 +34,14 @@ class Parts:
     network: Network
     store: Store
     executor: Executor
+    known: Known = field(init=False)
+    """The network as tasks in this process find it, for as long as this is there"""
     planned: dict[str, Task] = field(default_factory=dict[str, Task])
     """How each product of this run is made"""
+
+    def __post_init__(self) -> None:
+        """Make the network known to tasks in this process."""
+        self.known = remember(self.network)
 
     def sweep(
         self, name: str, options: Callable[[int, dict[int, str]], Any], inputs: Callable[[Any], Sequence[str]],

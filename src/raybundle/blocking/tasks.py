@@ -6,10 +6,11 @@ product depends on, and whoever finds the product there need not make it.
 
 from __future__ import annotations
 
-from collections import OrderedDict
+from collections import OrderedDict, deque
 from dataclasses import dataclass, field
-from threading import Lock
+from threading import RLock
 from typing import Protocol
+from weakref import WeakValueDictionary
 
 import numpy as np
 
@@ -48,7 +49,7 @@ class Store(Protocol):
         ...
 
 
-@dataclass(slots=True)
+@dataclass(slots=True, weakref_slot=True)
 class Known:
     """A network in this process, and its parts that are ready for use."""
 
@@ -58,30 +59,30 @@ class Known:
     """By part, the product whose coordinates are held in it"""
 
 
-_known: OrderedDict[str, Known] = OrderedDict()
-_lock = Lock()
-MOST_NETWORKS = 4
+_known: WeakValueDictionary[str, Known] = WeakValueDictionary()
+_read: deque[Known] = deque(maxlen=2)
+"""Networks that this process read from a store, the latest ones: what others know, they hold themselves"""
+_lock = RLock()
 
 
-def remember(network: Network) -> None:
-    """Make a network known to this process."""
+def remember(network: Network) -> Known:
+    """Make a network known to this process, for as long as what is returned is held."""
+    at = Known(network)
     with _lock:
-        _known[network.key] = Known(network)
-        while len(_known) > MOST_NETWORKS:
-            _known.popitem(last=False)
+        _known[network.key] = at
+    return at
 
 
 def known(store: Store, key: str) -> Known:
     """A network that this process knows, or reads from the store."""
     with _lock:
-        if key in _known:
-            _known.move_to_end(key)
-            return _known[key]
-    from raybundle.blocking.kept import network_of  # noqa: PLC0415  (which reads networks by these tasks' store)
+        at = _known.get(key)
+        if at is None:
+            from raybundle.blocking.kept import network_of  # noqa: PLC0415  (which keeps networks by these tasks' store)
 
-    network = network_of(store, key)
-    remember(network)
-    return _known[key]
+            at = remember(network_of(store, key))
+            _read.append(at)
+        return at
 
 
 def work_of(at: Known, t: int) -> PartWork | None:

@@ -47,7 +47,6 @@ class WholeNormals(Normals):
             right=np.zeros_like(own.right), diagonal=np.zeros_like(own.diagonal), external=np.zeros(0, bool),
             parts=PartsNormals(Parts(network, store, executor), system.observations, system.unknowns), place=place,
         )  # fmt: skip
-        tasks.remember(network)
         found.hold(system.held)
         return found
 
@@ -77,8 +76,7 @@ class WholeNormals(Normals):
         return State(state.rotation, state.centre, state.interior, xyz, state.own)
 
     def _works(self) -> list[tuple[int, PartWork]]:
-        at = tasks.known(self.parts.parts.store, self.parts.network.key)
-        found = [(t, tasks.work_of(at, t)) for t in range(len(self.parts.network.tree))]
+        found = [(t, tasks.work_of(self.parts.parts.known, t)) for t in range(len(self.parts.network.tree))]
         return [(t, work) for t, work in found if work is not None]
 
     def _state(self, work: PartWork, of: PartsState, t: int) -> State:
@@ -134,13 +132,6 @@ class WholeNormals(Normals):
             cost, wrong = work.normals.cost(self._state(work, of, t), huber=huber)
             total, behind = total + cost, behind + wrong
         return total, behind
-
-    def excess(self, state: State, huber: float) -> float:
-        """Huber's costs of long residuals over those of the weighted ones."""
-        if huber <= 0:
-            return 0.0
-        length = np.linalg.norm(self.residuals(state)[0], axis=1)
-        return float(0.5 * huber * np.maximum(length - huber, 0.0).sum())
 
     def residuals(self, state: State) -> tuple[Array, Array]:
         """Whitened residuals (m, 2) and flags (m,), as of one piece."""
