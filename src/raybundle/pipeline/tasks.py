@@ -122,6 +122,10 @@ def read_task(text: bytes) -> Task:
 
 
 def do_written(text: bytes, store: Folder) -> Done:
-    """Do a task that was written down; what is handed back names it by its key."""
+    """Do a task that was written down; what is handed back names it by its key.
+
+    Where its product is there already, as where a process was killed before anybody was told, nothing is done again.
+    """
     task = read_task(text)
-    return replace(do(task, store), task=replace(task, options=None))
+    done = Done(task=task) if not task.small and store.has(task.key) else do(task, store)
+    return replace(done, task=replace(task, options=None))
