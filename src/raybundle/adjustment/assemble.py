@@ -17,6 +17,7 @@ from raybundle.adjustment.layout import InteriorRow, Used, interior_of, lay_out,
 from raybundle.adjustment.options import AdjustmentOptions
 from raybundle.block import Block, Camera
 from raybundle.errors import InputError
+from raybundle.numerics import large
 from raybundle.numerics.arrays import Array, Index, Mask
 from raybundle.numerics.rotation import rotation_from_vector
 from raybundle.observations import ObservationKind, Partials
@@ -282,18 +283,24 @@ def _corrected(block: Block, camera: Camera, options: AdjustmentOptions) -> bool
 def image_observations(block: Block, rows: Array) -> tuple[Array, Array, Array]:
     """Image frame (m, 2) [mm], whitening (m, 3) and signed pixel size (m, 2) of the used rows."""
     observations = block.observations
-    camera = block.images.camera[observations.image[rows]]
     pixel = np.array([c.pixel_mm for c in block.cameras]) * [1, -1]
     half = np.array([[c.width_px, c.height_px] for c in block.cameras]) / 2
-    xy = (observations.xy_px[rows] - half[camera]) * pixel[camera]
-    whiten = packed_whitening(observations.cov_px2[rows], pixel[camera])
-    if not np.isfinite(whiten).all():
-        bad = int(rows[np.flatnonzero(~np.isfinite(whiten).all(axis=1))[0]])
-        raise InputError(
-            f"image {block.images.ids[observations.image[bad]]}, point {block.points.ids[observations.point[bad]]}: "
-            f"the covariance of the image point is not positive definite"
-        )
-    return np.ascontiguousarray(xy), np.ascontiguousarray(whiten), pixel[camera]
+    xy, whiten, size = (large.zeros((len(rows), k)) for k in (2, 3, 2))
+    for piece in large.pieces(len(rows)):
+        some = rows[piece]
+        camera = block.images.camera[observations.image[some]]
+        size[piece] = pixel[camera]
+        xy[piece] = (observations.xy_px[some] - half[camera]) * size[piece]
+        whiten[piece] = packed_whitening(observations.cov_px2[some], size[piece])
+        wrong = ~np.isfinite(whiten[piece]).all(axis=1)
+        if wrong.any():
+            bad = int(some[np.flatnonzero(wrong)[0]])
+            raise InputError(
+                f"image {block.images.ids[observations.image[bad]]}, point "
+                f"{block.points.ids[observations.point[bad]]}: the covariance of the image point is not positive "
+                "definite"
+            )
+    return xy, whiten, size
 
 
 def packed_whitening(cov_px2: Array, pixel_mm: Array) -> Array:

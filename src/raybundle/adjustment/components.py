@@ -60,10 +60,11 @@ def variance_components(found: Found) -> tuple[VarianceComponent, ...]:
         ("image", block.images.ids[i], 2 * int(number[i]), float(square[i]), float(left[i]))
         for i in np.flatnonzero(number)
     )
-    of_point = _classes(block)[point]
-    names = [n for n in CLASSES if n in set(of_point.tolist())]
+    of_class = _classes(block)
+    seen = np.bincount(point, minlength=len(block.points)) > 0
+    names = [n for n in CLASSES if (of_class[seen] == n).any()]
     for name in names if len(names) > 1 else []:
-        add_rows("point class", name, of_point == name)
+        add_rows("point class", name, (of_class == name)[point])
     for g in map(without_known_before, groups):
         weighted = g.sigma > 0
         if weighted.any():

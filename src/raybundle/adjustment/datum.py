@@ -16,6 +16,7 @@ import numpy as np
 from raybundle.adjustment.assemble import State, System
 from raybundle.adjustment.options import AdjustmentOptions
 from raybundle.errors import DatumDefect, InputError, NotSolvable
+from raybundle.numerics import large
 from raybundle.numerics.arrays import Array, Index, Mask
 from raybundle.numerics.statistics import chi_square_tails
 from raybundle.sensors import SensorModel
@@ -88,14 +89,15 @@ def _turns_about_a_line(generator: Array) -> bool:
 def point_generators(xyz: Array, centre: Array, extent: float) -> Array:
     """The seven generators at points (n, 3): (n, 3, 7), lengths in units of the extent."""
     r = (xyz - centre) / extent
-    G = np.zeros((len(xyz), 3, 7))
+    G = large.zeros((len(xyz), 3, 7))
     G[:, [0, 1, 2], [0, 1, 2]] = 1
     x, y, z = r.T
     G[:, 1, 3], G[:, 2, 3] = -z, y
     G[:, 0, 4], G[:, 2, 4] = z, -x
     G[:, 0, 5], G[:, 1, 5] = -y, x
     G[:, :, 6] = r
-    return G * extent
+    G *= extent
+    return G
 
 
 def node_generators(system: System, state: State, datum: Datum) -> Array:

@@ -17,6 +17,7 @@ from raybundle.adjustment.extra import carried_points
 from raybundle.adjustment.options import AdjustmentOptions
 from raybundle.block import Block, Camera, Instrument
 from raybundle.errors import InputError
+from raybundle.numerics import large
 from raybundle.numerics.arrays import Array, Index, Mask
 from raybundle.observations import Interior, Scope, in_order
 from raybundle.platforms import InstrumentModel
@@ -86,7 +87,7 @@ def taking_part(block: Block, options: AdjustmentOptions, rejected: Mask) -> Use
     observations = block.observations
     n, p = len(block.images), len(block.points)
     rows = np.flatnonzero(~rejected)
-    rows = rows[np.lexsort((observations.image[rows], observations.point[rows]))]
+    rows = large.kept(rows[np.lexsort((observations.image[rows], observations.point[rows]))])
     chosen = options.datum in {"inner", "minimal"}
     images, points = np.zeros(n, bool), np.zeros(p, bool)
     images[observations.image[rows]] = True

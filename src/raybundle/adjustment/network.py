@@ -8,6 +8,7 @@ from raybundle.adjustment.assemble import State, System
 from raybundle.adjustment.result import NetworkFigures
 from raybundle.block import Block
 from raybundle.block.points import automatic
+from raybundle.numerics import large
 from raybundle.numerics.arrays import Array, Index
 
 CLASSES = ((200_000, "photogrammetric camera"), (100_000, "professional"), (25_000, "amateur"))
@@ -70,9 +71,7 @@ def network_figures(system: System, state: State, std: Array | None, parts: int,
     point = block.observations.point[system.rows]
     p, n = len(block.points), len(block.images)
     rays = np.bincount(point, minlength=p).astype(np.int32)
-    direction = state.xyz[point] - state.centre[image]
-    distance = np.linalg.norm(direction, axis=1)
-    direction = direction / np.maximum(distance, 1e-300)[:, None]
+    direction, distance = _rays(state, image, point)
     angle, stations = _angles(state, rays, image, direction, distance)
     pairs, common, ratio = _pairs(system, state, image, point)
     order = np.lexsort((distance, image))
@@ -105,6 +104,16 @@ def network_figures(system: System, state: State, std: Array | None, parts: int,
         precision_class=precision_class(relative) if relative > 0 else "",
         components=parts,
     )  # fmt: skip
+
+
+def _rays(state: State, image: Index, point: Index) -> tuple[Array, Array]:
+    """Unit vectors (m, 3) from the projection centres to the object points, and the distances (m,)."""
+    direction, distance = large.zeros((len(image), 3)), large.zeros(len(image))
+    for some in large.pieces(len(image)):
+        along = state.xyz[point[some]] - state.centre[image[some]]
+        distance[some] = np.linalg.norm(along, axis=1)
+        direction[some] = along / np.maximum(distance[some], 1e-300)[:, None]
+    return direction, distance
 
 
 def _camera_constant(system: System, state: State, image: int) -> float:
@@ -153,8 +162,11 @@ def _pairs(system: System, state: State, image: Index, point: Index) -> tuple[In
     S = triu(A @ A.T, 1).tocoo()
     keep = S.data >= COMMON
     i, j, common = S.row[keep], S.col[keep], S.data[keep]
-    depth = -np.einsum("ne,ne->n", state.rotation[image, 2], state.xyz[point] - state.centre[image])
-    total = np.bincount(image, depth, minlength=n) / np.maximum(np.bincount(image, minlength=n), 1)
+    total = np.zeros(n)
+    for some in large.pieces(len(image)):
+        along = state.xyz[point[some]] - state.centre[image[some]]
+        total += np.bincount(image[some], -np.einsum("ne,ne->n", state.rotation[image[some], 2], along), minlength=n)
+    total /= np.maximum(np.bincount(image, minlength=n), 1)
     base = np.linalg.norm(state.centre[i] - state.centre[j], axis=1)
     ratio = base / np.maximum(np.abs(total[i] + total[j]) / 2, 1e-300)
     return np.stack([i, j], axis=1).astype(np.int32), common.astype(np.int32), ratio
@@ -170,9 +182,11 @@ def _coverage(system: System, image: Index, n: int) -> Array:
     """Share of the cells of the format that hold an observation."""
     block = system.block
     size = np.array([[c.width_px, c.height_px] for c in block.cameras])[block.images.camera]
-    xy = block.observations.xy_px[system.rows] / size[image]
-    code = np.unique(image.astype(np.int64) * CELLS**2 + format_cells(xy))
-    return np.bincount(code // CELLS**2, minlength=n) / CELLS**2
+    seen = np.zeros((n, CELLS**2), bool)
+    for some in large.pieces(len(image)):
+        share = block.observations.xy_px[system.rows[some]] / size[image[some]]
+        seen[image[some], format_cells(share)] = True
+    return seen.sum(axis=1) / CELLS**2
 
 
 def _rolls(system: System, state: State) -> Array:

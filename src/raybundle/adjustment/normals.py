@@ -13,7 +13,7 @@ import numpy as np
 from raybundle.adjustment.assemble import State, System
 from raybundle.adjustment.dense import as_many_threads_as_help, set_dense_kernels
 from raybundle.adjustment.extra import Correlated
-from raybundle.numerics import native
+from raybundle.numerics import large, native
 from raybundle.numerics.arrays import Array, Index, Mask
 
 if TYPE_CHECKING:
@@ -371,7 +371,7 @@ class Normals:
     def residuals(self, state: State) -> tuple[Array, Array]:
         """Whitened residuals (m, 2) and flags (m,): 1 behind the camera, 2 without a projection."""
         self.refresh_external(state)
-        v = np.zeros((len(self.system.rows), 2))
+        v = large.zeros((len(self.system.rows), 2))
         flags = np.zeros(len(self.system.rows), np.uint8)
         self.solver.evaluate(*self.arguments(state), 0.0, self.threads, v, flags)
         return v, flags

@@ -11,6 +11,7 @@ from raybundle.adjustment.datum import Datum
 from raybundle.adjustment.normals import Normals
 from raybundle.adjustment.result import Precision
 from raybundle.adjustment.transformation import Transformation, transformation
+from raybundle.numerics import large
 from raybundle.numerics.arrays import Array
 from raybundle.numerics.rotation import angle_derivatives
 
@@ -92,7 +93,9 @@ def angle_form(rotation: Array) -> Array:
 def precision(normals: Normals, state: State, found: Cofactors, variance: float) -> Precision:
     """Covariances of points, images and interior orientations; `variance` is sigma0 squared."""
     system, block = normals.system, normals.system.block
-    points = np.where(system.points_used[:, None, None], found.points * variance, np.nan)
+    points = large.full(found.points.shape, np.nan)
+    for some in large.pieces(len(points)):
+        points[some] = np.where(system.points_used[some, None, None], found.points[some] * variance, np.nan)
     images = np.full((len(block.images), 6, 6), np.nan)
     used = np.flatnonzero(system.images_used)
     for i in used:

@@ -15,6 +15,7 @@ from raybundle.adjustment.precision import Cofactors
 from raybundle.adjustment.result import ObservationGroup, ObservationStatistics
 from raybundle.adjustment.work import Work
 from raybundle.block.rejection import Rejections
+from raybundle.numerics import large
 from raybundle.numerics.arrays import Array, Index
 from raybundle.numerics.statistics import DELTA0
 
@@ -33,25 +34,30 @@ def image_statistics(
     does not): the test is decided by P Qvv P alone.
     """
     count = len(system.block.observations)
+    pairs = ("residuals_px", "redundancy", "w", "t", "mdb_px", "external")
+    made = {name: large.full((count, 2), np.nan) for name in (pairs if found is not None else pairs[:1])}
+    made["least_control"] = large.full(count, np.nan)
+    for piece in large.pieces(len(system.rows)):
+        for name, values in _of_piece(system, whitened[piece], found, sigma0, piece).items():
+            made[name][system.rows[piece]] = values
+    empty = large.full((count, 2), np.nan) if found is None else made["residuals_px"]
+    return ObservationStatistics(**{**dict.fromkeys(pairs, empty), **made}, rejected=rejected)
+
+
+def _of_piece(
+    system: System, whitened: Array, found: Cofactors | None, sigma0: float, piece: slice
+) -> dict[str, Array]:  # fmt: skip
+    """The statistics of some of the used rows, by their names."""
     # whitening W = [[a, 0], [b, c]], its products written out: of a million such matrices numpy is slow
-    a, b, c = system.whiten.T
+    a, b, c = system.whiten[piece].T
     first, second = whitened.T
-    residual = np.stack([first / a, (second - b / a * first) / c], axis=1) / system.pixel_mm
-
-    def spread(values: Array) -> Array:
-        full = np.full((count, 2), np.nan)
-        full[system.rows] = values
-        return full
-
+    pixel_mm = system.pixel_mm[piece]
+    residual = np.stack([first / a, (second - b / a * first) / c], axis=1) / pixel_mm
     if found is None:
-        empty = np.full((count, 2), np.nan)
-        return ObservationStatistics(
-            residuals_px=spread(residual), redundancy=empty, w=empty, t=empty, mdb_px=empty, external=empty,
-            least_control=empty[:, 0], rejected=rejected,
-        )  # fmt: skip
-    r_x, r_y, r_xy = 1 - found.hat[:, 0], 1 - found.hat[:, 1], -found.hat[:, 2]
-    least = np.full(count, np.nan)
-    least[system.rows] = (r_x + r_y) / 2 - np.hypot((r_x - r_y) / 2, r_xy)
+        return {"residuals_px": residual}
+    hat, effects = found.hat[piece], found.effect[piece]
+    r_x, r_y, r_xy = 1 - hat[:, 0], 1 - hat[:, 1], -hat[:, 2]
+    least = (r_x + r_y) / 2 - np.hypot((r_x - r_y) / 2, r_xy)
     redundancy = np.stack([r_x + r_xy * b / a, r_y - r_xy * b / a], axis=1)
     test = np.stack([r_x * a**2 + 2 * r_xy * a * b + r_y * b**2, r_y * c**2], axis=1)
     weighted = np.stack([a * first + b * second, c * second], axis=1)
@@ -60,21 +66,15 @@ def image_statistics(
     weight = np.stack([a**2 + b**2, c**2], axis=1)
     controlled = test > UNCONTROLLED * weight
     safe = np.sqrt(np.where(controlled, test, 1.0))
-    w = np.where(controlled, weighted / safe, np.nan) * np.sign(system.pixel_mm)
+    w = np.where(controlled, weighted / safe, np.nan) * np.sign(pixel_mm)
     mdb_mm = np.where(controlled, DELTA0 / safe, np.nan)
-    by_x = np.abs(found.effect[:, :, 0] * a[:, None] + found.effect[:, :, 1] * b[:, None]).max(axis=1)
-    by_y = np.abs(found.effect[:, :, 1]).max(axis=1) * np.abs(c)
+    by_x = np.abs(effects[:, :, 0] * a[:, None] + effects[:, :, 1] * b[:, None]).max(axis=1)
+    by_y = np.abs(effects[:, :, 1]).max(axis=1) * np.abs(c)
     effect = np.stack([by_x, by_y], axis=1) * mdb_mm
-    return ObservationStatistics(
-        residuals_px=spread(residual),
-        redundancy=spread(redundancy),
-        w=spread(w),
-        t=spread(w / sigma0),
-        mdb_px=spread(mdb_mm / np.abs(system.pixel_mm)),
-        external=spread(effect),
-        least_control=least,
-        rejected=rejected,
-    )
+    return {
+        "residuals_px": residual, "redundancy": redundancy, "w": w, "t": w / sigma0,
+        "mdb_px": mdb_mm / np.abs(pixel_mm), "external": effect, "least_control": least,
+    }  # fmt: skip
 
 
 ASKED = 0.01

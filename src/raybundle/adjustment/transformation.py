@@ -9,6 +9,7 @@ import numpy as np
 from raybundle.adjustment.assemble import State, System
 from raybundle.adjustment.datum import Datum, node_generators, point_generators
 from raybundle.adjustment.normals import Normals
+from raybundle.numerics import large
 from raybundle.numerics.arrays import Array
 
 
@@ -45,8 +46,12 @@ class Transformation:
 
     def apply_own(self, block: Array) -> Array:
         """Transform the (p, 3, 3) cofactors of the object points; the same as `apply`, with half the work."""
-        first = self.points @ np.swapaxes(self._half(self.points, self.points_h), -1, -2)
-        return block - first - np.swapaxes(first, -1, -2)
+        found = large.zeros(block.shape)
+        for some in large.pieces(len(block)):
+            G = self.points[some]
+            first = G @ np.swapaxes(self._half(G, self.points_h[some]), -1, -2)
+            found[some] = block[some] - first - np.swapaxes(first, -1, -2)
+        return found
 
     def _half(self, G: Array, H: Array) -> Array:
         """H M' - 1/2 G M K M', the factor that stands beside G in either half of the symmetric form."""
@@ -72,7 +77,7 @@ def transformation(normals: Normals, state: State, datum: Datum) -> Transformati
         G[~used] = 0
     if system.control_held.any():
         G[system.control_held] = 0
-    BG = G if datum.carriers.all() else G * datum.carriers[:, None, None]
+    BG = G if datum.carriers.all() else large.kept(G * datum.carriers[:, None, None])
     nodes = node_generators(system, state, datum)
     # what is given for retained points is added to their nodes
     nodes_h = normals.solve_nodes(state, np.zeros_like(nodes), BG)

@@ -19,6 +19,8 @@ from raybundle.blocking.skeleton import Skeleton, skeleton_of
 from raybundle.blocking.tree import WORTH, Tree
 from raybundle.numerics.arrays import Array, Index, Mask
 
+BYTES = 350.0
+"""Memory of a part that is ready for use, for each of its image observations: arrays and structure of its equations."""
 LEAF = 1000
 """Unknowns of a leaf: larger ones make dense matrices of what is sparse, smaller ones more separators."""
 
@@ -121,9 +123,15 @@ class Network:
         return np.where(across, np.maximum(row, col), row), np.where(across, np.minimum(row, col), col), at
 
 
+def _kept(counts: Index, ready: float) -> int:
+    """How many parts stay ready for use within so many bytes, the largest first."""
+    total = np.cumsum(np.sort(counts)[::-1]) * BYTES
+    return max(1, int(np.searchsorted(total, ready, side="right")))
+
+
 def cut(
     block: Block, options: AdjustmentOptions, free: Mapping[str, tuple[str, ...]], rejected: Mask, leaf: int = LEAF,
-    shift: Array | None = None, worth: float = WORTH,
+    shift: Array | None = None, worth: float = WORTH, ready: float = float("inf"),
 ) -> Network:  # fmt: skip
     """Cut a block that lies in memory.
 
@@ -131,6 +139,7 @@ def cut(
     leaf      unknowns of a leaf at most
     worth     as of `tree.dissect`
     shift     (3,) origin of the frame of the values; None: near the middle of the images
+    ready     bytes of parts that stay ready for use, of which one is in any case
     """
     o = block.observations
     taken = np.flatnonzero(~rejected)
@@ -147,5 +156,5 @@ def cut(
 
     return Network(
         key=f"network-{uuid4().hex}", skeleton=skeleton, tree=found.tree, boundary=found.boundary,
-        counts=np.diff(bounds), part=part, keep=len(found.tree),
+        counts=np.diff(bounds), part=part, keep=_kept(np.diff(bounds), ready),
     )  # fmt: skip

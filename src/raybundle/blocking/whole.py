@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import dataclass, field
 
 import numpy as np
@@ -13,6 +14,7 @@ from raybundle.blocking import sweeps, tasks
 from raybundle.blocking.network import Network, PartWork
 from raybundle.blocking.normals import Parts, PartsNormals, PartsState, unique
 from raybundle.blocking.tasks import Store
+from raybundle.numerics import large
 from raybundle.numerics.arrays import Array, Index, Mask
 from raybundle.pipeline.executors import Executor
 
@@ -75,9 +77,12 @@ class WholeNormals(Normals):
         xyz[self.parts.network.skeleton.points[with_node]] = state.xyz[with_node]
         return State(state.rotation, state.centre, state.interior, xyz, state.own)
 
-    def _works(self) -> list[tuple[int, PartWork]]:
-        found = [(t, tasks.work_of(self.parts.parts.known, t)) for t in range(len(self.parts.network.tree))]
-        return [(t, work) for t, work in found if work is not None]
+    def _works(self) -> Iterator[tuple[int, PartWork]]:
+        """The parts with observations, one after the other: no more are ready at once than the network says."""
+        for t in range(len(self.parts.network.tree)):
+            work = tasks.work_of(self.parts.parts.known, t)
+            if work is not None:
+                yield t, work
 
     def _state(self, work: PartWork, of: PartsState, t: int) -> State:
         """Values of a part."""
@@ -136,7 +141,7 @@ class WholeNormals(Normals):
     def residuals(self, state: State) -> tuple[Array, Array]:
         """Whitened residuals (m, 2) and flags (m,), as of one piece."""
         of = self._of(state)
-        v = np.zeros((len(self.system.rows), 2))
+        v = large.zeros((len(self.system.rows), 2))
         flags = np.zeros(len(self.system.rows), np.uint8)
         for t, work in self._works():
             rows = self._rows(work)
@@ -217,8 +222,8 @@ class WholeNormals(Normals):
         del inverse  # the parts' own, of the last `selected_inverse`
         system, of = self.system, self._of(state)
         p, m, d = len(state.xyz), len(system.rows), 0 if change is None else change.nodes.shape[1]
-        points, hat = np.zeros((p, 3, 3)), np.zeros((m, 3))
-        effect, points_h = np.zeros((m, 3, 2)), np.zeros((p, 3, d))
+        points, hat = large.zeros((p, 3, 3)), large.zeros((m, 3))
+        effect, points_h = large.zeros((m, 3, 2)), large.zeros((p, 3, d))
         for t, work in self._works():
             now = self._state(work, of, t)
             mine = None if change is None else _restricted(change, self.parts.network, work)
