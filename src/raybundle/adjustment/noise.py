@@ -171,7 +171,7 @@ def noise_of(
     variance  sigma0^2
     returns   white noise with its reason and the cofactors as they are where fields cannot be told
     """
-    reason = reason_against(normals.system)
+    reason = reason_against(normals)
     if reason:
         return replace(WHITE, reason=reason), found, None
     fields = field_system(normals, state)

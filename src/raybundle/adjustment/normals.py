@@ -309,6 +309,11 @@ class Normals:
         )  # fmt: skip
 
     @property
+    def one_piece(self) -> bool:
+        """Whether `values` is the whole matrix."""
+        return True
+
+    @property
     def smallest_pivot(self) -> float:
         """The smallest relative pivot of the last factor."""
         return float(self.solver.smallest_pivot)

@@ -42,10 +42,10 @@ _CODES = {
         "target_without_normal two_cameras unstable_camera up_ambiguous up_uncertain weak_photographs"
     ),
     Severity.REMARK: (
-        "attitudes camera camera_joined check_points_open control_unchecked dropped given_rejected gps masks model "
-        "not_significant parallel_rays parts_joined photographs read_out reduced_features rejected relative_positions "
-        "scale_checked scene_joins stored_turned target_eccentricity target_radius up_by_edges up_without_edges "
-        "variance_groups"
+        "attitudes camera camera_joined check_points_open control_unchecked dropped given_rejected gps in_parts "
+        "masks model not_significant parallel_rays parts_joined photographs read_out reduced_features rejected "
+        "relative_positions scale_checked scene_joins stored_turned target_eccentricity target_radius up_by_edges "
+        "up_without_edges variance_groups"
     ),
 }
 

@@ -79,8 +79,9 @@ class WholeNormals(Normals):
 
     def _works(self) -> Iterator[tuple[int, PartWork]]:
         """The parts with observations, one after the other: no more are ready at once than the network says."""
-        for t in range(len(self.parts.network.tree)):
-            work = tasks.work_of(self.parts.parts.known, t)
+        parts = self.parts.parts
+        for t in range(len(parts.network.tree)):
+            work = tasks.held_work(parts.store, parts.known, t, self.parts.held)
             if work is not None:
                 yield t, work
 
@@ -168,6 +169,11 @@ class WholeNormals(Normals):
     def least_share(self) -> tuple[float, int]:
         """The least share of an unknown's information that the factor found left over, and the unknown."""
         return self.parts.least_share()
+
+    @property
+    def one_piece(self) -> bool:
+        """Not as a whole: blocks of the skeleton alone."""
+        return False
 
     @property
     def smallest_pivot(self) -> float:

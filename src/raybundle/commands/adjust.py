@@ -10,7 +10,7 @@ from raybundle.adjustment.options import AdjustmentOptions
 from raybundle.commands.pages import COORDINATES_HELP, LANGUAGE_HELP, NO_REPORT_HELP, PDF_HELP, check_pages
 from raybundle.commands.record_settings import ACCURACY_CLASS, CLIENT, OPERATOR, TITLE, record_of
 from raybundle.numerics.progress import Progress, silent
-from raybundle.settings import setting
+from raybundle.settings import NOT_NEGATIVE, setting
 
 if TYPE_CHECKING:
     from raybundle.adjustment.result import Adjustment
@@ -33,6 +33,11 @@ class AdjustSettings(AdjustmentOptions):
     pdf: bool = setting(False, PDF_HELP)
     all_coordinates: bool = setting(False, COORDINATES_HELP)
     language: str = setting("en", LANGUAGE_HELP, metavar="CODE")
+    memory: float = setting(
+        0.0, "Memory that the adjustment may take, in GB; 0: four fifths of what is free.  What does not fit lies in "
+        "files beside the result meanwhile, and normal equations are reduced in parts.", metavar="GB",
+        limits=NOT_NEGATIVE,
+    )  # fmt: skip
 
     def options(self) -> AdjustmentOptions:
         """The options alone, as a result keeps them."""
@@ -49,17 +54,19 @@ def run_adjust(settings: AdjustSettings, progress: Progress = silent) -> Adjustm
     from raybundle.results.folder import check_target  # noqa: PLC0415
     from raybundle.workflows.adjust import adjust  # noqa: PLC0415
     from raybundle.workflows.block_frame import in_block_frame  # noqa: PLC0415
+    from raybundle.workflows.within_memory import within_memory  # noqa: PLC0415
 
     check_target(settings.out)
     check_pages(settings)
     wanted = accuracy_class(settings.accuracy_class)
     block, frame, remarks = in_block_frame(read_block(settings.block, progress=progress))
-    done = adjust(block, settings.options(), progress)
+    with within_memory(block, settings.out, settings.memory) as room:
+        done = adjust(room.kept(block), settings.options(), progress, factoring=room.factoring)
     assumed = () if frame is None else frame.remarks
     notices = (
         Notice(code="coordinate_system", message=r, measured=None if r in assumed else Severity.REMARK) for r in remarks
     )
-    done = replace(done, notices=(*done.notices, *notices))
+    done = replace(done, notices=(*done.notices, *notices, *room.notices()))
     write_result(
         done, settings.out, report="html" if settings.report else "none", pdf=settings.pdf,
         all_coordinates=settings.all_coordinates, language=settings.language, wanted=wanted, frame=frame,

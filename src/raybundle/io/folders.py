@@ -41,6 +41,18 @@ def new_folder(path: Path) -> Generator[Path]:
             _take_name(temporary, path)
 
 
+@contextmanager
+def work_folder(path: Path) -> Generator[Path]:
+    """A temporary sibling of `path` for what is needed meanwhile; gone in the end.
+
+    What a process that is killed leaves there the next one deletes that writes under the same name.
+    """
+    path = place_of(path)
+    make_parent(path)
+    with _sibling(path) as temporary:
+        yield temporary
+
+
 def make_parent(path: Path) -> None:
     """Make the folder in which a file or folder is to stand; raises InputError where that cannot be."""
     with _told(path):

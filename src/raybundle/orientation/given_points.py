@@ -12,6 +12,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from raybundle.block import Block, Role
+from raybundle.numerics import large
 from raybundle.numerics.arrays import Array, Index, Mask
 from raybundle.orientation.rays import angular_residuals, intersect_linear, object_rays, rays_of
 
@@ -55,15 +56,8 @@ def intersected_where_better(block: Block, roles: Sequence[Role] = (Role.TIE, Ro
     rows = np.flatnonzero(block.images.oriented[o.image] & ours[block.images.camera[o.image]] & given[o.point])
     if not len(rows):
         return nothing
-    part = o.rows(rows)
-    sensor = rays_of(replace(block, observations=part)).direction
-    rotation, centre = block.images.rotation[part.image], block.images.centre[part.image]
-    number, index = np.unique(part.point, return_inverse=True)
-    xyz, rays, ratio = intersect_linear(
-        centre, object_rays(rotation, sensor), index.astype(np.int32), len(number)
-    )  # fmt: skip
-    before = _median(angular_residuals(rotation, centre, points.xyz[part.point], sensor), index, len(number))
-    after = _median(angular_residuals(rotation, centre, xyz[index], sensor), index, len(number))
+    found = [_beside_rays(block, some) for some in _by_points(rows, o.point[rows])]
+    number, xyz, rays, ratio, before, after = (np.concatenate(parts) for parts in zip(*found, strict=True))
     sound: Mask = (rays > 1) & (ratio > NARROW) & (after < np.pi / 2)
     if not sound.any():
         return nothing
@@ -76,6 +70,33 @@ def intersected_where_better(block: Block, roles: Sequence[Role] = (Role.TIE, Ro
         replaced=number[worse],
         gross=number[worse & (before > GROSS) & (np.asarray(points.role)[number] == Role.TIE)],
     )
+
+
+def _by_points(rows: Index, point: Index) -> list[Index]:
+    """The rows as they are, or of many those of some points after the other, so many at once as `large` says."""
+    if len(rows) <= large.PIECE:
+        return [rows]
+    order = np.argsort(point, kind="stable")
+    at = np.unique(np.searchsorted(point[order], point[order[:: large.PIECE]]))
+    return np.split(rows[order], at[1:])
+
+
+def _beside_rays(block: Block, rows: Index) -> tuple[Index, Array, Index, Array, Array, Array]:
+    """Of the points (k,) that these image observations see, all that see them.
+
+    returns  positions; intersections (k, 3), rays, eigenvalue ratio; median angles from the rays of the given
+             coordinates, and of the intersections
+    """
+    part = block.observations.rows(rows)
+    sensor = rays_of(replace(block, observations=part)).direction
+    rotation, centre = block.images.rotation[part.image], block.images.centre[part.image]
+    number, index = np.unique(part.point, return_inverse=True)
+    xyz, rays, ratio = intersect_linear(
+        centre, object_rays(rotation, sensor), index.astype(np.int32), len(number)
+    )  # fmt: skip
+    given = angular_residuals(rotation, centre, block.points.xyz[part.point], sensor)
+    own = angular_residuals(rotation, centre, xyz[index], sensor)
+    return number, xyz, rays, ratio, _median(given, index, len(number)), _median(own, index, len(number))
 
 
 def without_given_ties(block: Block) -> Block:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import time
+from collections.abc import Callable
 from dataclasses import replace
 
 import numpy as np
@@ -10,6 +11,7 @@ import numpy as np
 from raybundle.adjustment import defects
 from raybundle.adjustment.check_points import with_check_notice
 from raybundle.adjustment.decide import decide
+from raybundle.adjustment.engine import Factoring, in_one_piece
 from raybundle.adjustment.entry import check_entry
 from raybundle.adjustment.identical_control import identical_notices
 from raybundle.adjustment.options import FEWEST_IMAGES, AdjustmentOptions
@@ -24,7 +26,7 @@ from raybundle.block.points import automatic
 from raybundle.block.rejection import known_wrong
 from raybundle.calibration.given import calibration_notices, held_notices
 from raybundle.errors import InputError, NoConvergence, NoOrientation, NotSolvable, RankDefect
-from raybundle.numerics.arrays import Mask
+from raybundle.numerics.arrays import Array, Index, Mask
 from raybundle.numerics.counting import counted_are
 from raybundle.numerics.progress import Progress, silent
 from raybundle.orientation.given_points import intersected_where_better, without_given_ties
@@ -38,8 +40,13 @@ DOUBTED = 10.0
 """sigma0 from which on the approximate values are doubted."""
 
 
-def adjust(block: Block, options: AdjustmentOptions | None = None, progress: Progress = silent) -> Adjustment:
+def adjust(
+    block: Block, options: AdjustmentOptions | None = None, progress: Progress = silent, *,
+    factoring: Factoring = in_one_piece,
+) -> Adjustment:  # fmt: skip
     """Adjust a block, from nothing but observations and control if need be.
+
+    factoring  how the normal equations are made (`adjustment.engine.adjust_block`)
 
     Returns the adjusted block with precision, reliability and everything a report needs; raises InputError
     (bad input) or NotSolvable (no orientation found, datum or rank defect, no convergence).
@@ -53,10 +60,10 @@ def adjust(block: Block, options: AdjustmentOptions | None = None, progress: Pro
     twins = identical_images(block)
     identical = identical_notices(block)
     try:
-        result = _adjusted(block, options, progress)
+        result = _adjusted(block, options, progress, factoring)
     except NotSolvable as error:
         why = [_twin_words(twins)] if twins else [n.message for n in identical]
-        why = why or (_control_words(block, options) if isinstance(error, NoConvergence) else [])
+        why = why or (_control_words(block, options, factoring) if isinstance(error, NoConvergence) else [])
         if why:
             raise error.worded("\n  ".join([str(error), *why])) from error
         raise
@@ -69,7 +76,7 @@ def adjust(block: Block, options: AdjustmentOptions | None = None, progress: Pro
         result = replace(result, notices=(warning, *result.notices))
     doubt = None
     if result.sigma0 > POOR_FIT and block.points.is_control.any() and not identical and not _held(block):
-        doubt = doubted_control(block, result, options, _plainly)
+        doubt = doubted_control(block, result, options, _plainly(factoring))
     plain = (*identical, *([] if doubt is None else [notice(doubt, result.sigma0)]))
     if plain:
         # a large error has bent all others to it: what tests of single values say then is no measure
@@ -130,45 +137,47 @@ def _structure(result: Adjustment, options: AdjustmentOptions) -> tuple[Notice, 
     return (replace(found, message=f"{found.message}. {more}"),)
 
 
-def _plainly(block: Block, options: AdjustmentOptions) -> Adjustment:
-    return _adjust(block, options, silent)
+def _plainly(factoring: Factoring) -> Callable[[Block, AdjustmentOptions], Adjustment]:
+    return lambda block, options: _adjust(block, options, silent, factoring)
 
 
-def _control_words(block: Block, options: AdjustmentOptions) -> list[str]:
+def _control_words(block: Block, options: AdjustmentOptions, factoring: Factoring) -> list[str]:
     """What control has to do with it that nothing can be adjusted."""
     if not block.points.is_control.any() or _held(block):
         return []
-    doubt = doubted_control(block, None, options, _plainly)
+    doubt = doubted_control(block, None, options, _plainly(factoring))
     return [] if doubt is None else [words(doubt, float("nan"))]
 
 
-def _adjusted(block: Block, options: AdjustmentOptions, progress: Progress) -> Adjustment:
+def _adjusted(block: Block, options: AdjustmentOptions, progress: Progress, factoring: Factoring) -> Adjustment:
     """The adjustment with one variance factor, or with those of groups of observations."""
     if not options.variance_groups:
-        return _adjust(block, options, progress)
-    return by_groups(block, options, lambda b, o: _adjust(b, o, progress))
+        return _adjust(block, options, progress, factoring)
+    return by_groups(block, options, lambda b, o: _adjust(b, o, progress, factoring))
 
 
-def _adjust(block: Block, options: AdjustmentOptions, progress: Progress) -> Adjustment:
+def _adjust(block: Block, options: AdjustmentOptions, progress: Progress, factoring: Factoring) -> Adjustment:
     block = with_scene_points(block)
     observed = np.bincount(block.observations.image, minlength=len(block.images)) > 0
     own = bool(block.images.oriented[observed].any() or _given_ties(block).any())
     afresh = own and _held(block) == 0
     try:
-        result = _from_given(block, observed, options, progress)
+        result = _from_given(block, observed, options, progress, factoring)
     except (NoOrientation, NoConvergence, RankDefect) as error:
-        fresh = _afresh(block, options, progress) if afresh else None
+        fresh = _afresh(block, options, progress, factoring) if afresh else None
         if fresh is None or fresh.sigma0 > DOUBTED:
             raise
         return _replaced(fresh, f"the approximate values of the block lead nowhere ({error.headline})")
     if result.sigma0 > DOUBTED and afresh:
-        fresh = _afresh(block, options, progress)
+        fresh = _afresh(block, options, progress, factoring)
         if fresh is not None and fresh.sigma0 < 0.5 * result.sigma0:
             return _replaced(fresh, f"the approximate values of the block lead to sigma0 {result.sigma0:.3g}")
     return result
 
 
-def _from_given(block: Block, observed: Mask, options: AdjustmentOptions, progress: Progress) -> Adjustment:
+def _from_given(
+    block: Block, observed: Mask, options: AdjustmentOptions, progress: Progress, factoring: Factoring
+) -> Adjustment:
     """The adjustment from the approximate values that were given, those that are missing or far off found."""
     notices = list[Notice]()
     given = intersected_where_better(block)
@@ -190,7 +199,7 @@ def _from_given(block: Block, observed: Mask, options: AdjustmentOptions, progre
         approximate = approximate_values(_with_known(start), progress)
         start = approximate.block
         notices += approximate.notices
-    return decide(start, options, progress, notices=tuple(notices))
+    return decide(start, options, progress, notices=tuple(notices), factoring=factoring)
 
 
 def _given_ties(block: Block) -> Mask:
@@ -212,10 +221,9 @@ def identical_images(block: Block) -> list[tuple[str, str]]:
     o = block.observations
     if len(block.images) < 2 or not len(o):
         return []
-    cell = np.round(o.xy_px * 2).astype(np.int64)
-    key = np.stack([o.point.astype(np.int64), cell[:, 0], cell[:, 1]], axis=1)
-    order = np.lexsort((o.image, key[:, 2], key[:, 1], key[:, 0]))
-    same = (key[order[1:]] == key[order[:-1]]).all(axis=1)
+    code = _codes(o.point, o.xy_px)
+    order = np.lexsort((o.image, code))
+    same = code[order[1:]] == code[order[:-1]]
     first, second = o.image[order[:-1]][same], o.image[order[1:]][same]
     pairs, count = np.unique(np.stack([first, second], axis=1), axis=0, return_counts=True)
     rays = np.bincount(o.image, minlength=len(block.images))
@@ -223,6 +231,20 @@ def identical_images(block: Block) -> list[tuple[str, str]]:
         (int(a), int(b)) for (a, b), k in zip(pairs, count, strict=True) if k > 0.6 * min(rays[a], rays[b]) and k > 3
     ]
     return [(block.images.ids[a], block.images.ids[b]) for a, b in found]
+
+
+def _codes(point: Index, xy_px: Array) -> Index:
+    """(m,) one number for each object point and half pixel."""
+    low, high = np.floor(xy_px.min(axis=0) * 2), np.ceil(xy_px.max(axis=0) * 2)
+    wide, tall = (int(v) + 1 for v in (high - low).tolist())
+    code = point.astype(np.int64)
+    if (int(point.max(initial=0)) + 1) * wide * tall < 2**62:
+        for axis, size in enumerate((wide, tall)):
+            code *= size
+            code += (np.round(xy_px[:, axis] * 2) - low[axis]).astype(np.int64)
+        return code
+    cells = np.column_stack([code, np.round(xy_px * 2).astype(np.int64)])  # coordinates that are no pixels
+    return np.unique(cells, axis=0, return_inverse=True)[1].ravel()
 
 
 def _twin_words(twins: list[tuple[str, str]]) -> str:
@@ -237,7 +259,7 @@ def _held(block: Block) -> int:
     return 0 if block.images.held is None else int(block.images.held.sum())
 
 
-def _afresh(block: Block, options: AdjustmentOptions, progress: Progress) -> Adjustment | None:
+def _afresh(block: Block, options: AdjustmentOptions, progress: Progress, factoring: Factoring) -> Adjustment | None:
     """The adjustment from orientations and tie points of our own; None where there is none.
 
     Rough approximate values can lead into a minimum that is not the lowest one, or nowhere.
@@ -254,7 +276,7 @@ def _afresh(block: Block, options: AdjustmentOptions, progress: Progress) -> Adj
     try:
         refuse_unoriented(blank)
         approximate = approximate_values(blank, progress)
-        return decide(approximate.block, options, progress, notices=approximate.notices)
+        return decide(approximate.block, options, progress, notices=approximate.notices, factoring=factoring)
     except (InputError, NotSolvable):
         return None
 

@@ -1,0 +1,146 @@
+"""An adjustment within the memory that there is: arrays in files, normal equations in parts, where they have to be.
+
+What is stated here in bytes for an image observation was measured (benchmarks/memory.py); the factor of the normal
+equations is counted exactly, once it is known which unknowns meet.
+"""
+
+from __future__ import annotations
+
+import shutil
+from collections.abc import Generator, Mapping
+from contextlib import ExitStack, contextmanager
+from dataclasses import dataclass, fields, replace
+from functools import cached_property
+from pathlib import Path
+from weakref import finalize
+
+from raybundle.adjustment.assemble import System
+from raybundle.adjustment.normals import Normals
+from raybundle.adjustment.options import AdjustmentOptions
+from raybundle.adjustment.result import Notice
+from raybundle.block import Block
+from raybundle.blocking.adjusted import in_parts
+from raybundle.blocking.whole import WholeNormals
+from raybundle.io.folders import work_folder
+from raybundle.numerics import large
+from raybundle.numerics.arrays import Mask
+from raybundle.numerics.counting import counted
+from raybundle.numerics.machine import available_memory
+from raybundle.pipeline.store import Folder
+from raybundle.settings import option
+
+SHARE = 0.8
+"""Of the memory that is free, what is taken where nothing is asked for."""
+BASE = 150e6
+"""Bytes of the program itself."""
+IN_MEMORY, IN_FILES, IN_PARTS = 800.0, 420.0, 260.0
+"""Bytes for each image observation: all in memory; large arrays in files; and normal equations in parts besides."""
+FACTOR = 3.0
+"""Times its own size that a factor takes while it is made and inverted."""
+ORDERED = 60_000
+"""Nodes of the normal equations (images, cameras) beyond which they are not ordered in one piece."""
+
+
+class Room:
+    """A folder beside a result for what does not fit into memory, made when it is asked for.
+
+    It is gone with the last that holds it, at the latest with the process.
+    """
+
+    def __init__(self, out: Path) -> None:
+        """Beside this result."""
+        self.out = out
+
+    @cached_property
+    def folder(self) -> Path:
+        """The folder."""
+        stack = ExitStack()
+        found = stack.enter_context(work_folder(self.out))
+        finalize(self, stack.close)
+        return found
+
+    def forget(self, folder: Path) -> None:
+        """Delete a folder in it."""
+        shutil.rmtree(folder, ignore_errors=True)
+
+
+@dataclass(slots=True)
+class Within:
+    """How normal equations are made within so much memory, and what became of it."""
+
+    allowed: float
+    """bytes"""
+    room: Room
+    observations: int
+    parts: int = 0
+    """into which the normal equations were cut; 0: one piece"""
+    needed: float = 0.0
+    """bytes that one piece would take"""
+    stores: int = 0
+    """made so far: each system has its own"""
+
+    @property
+    def arrays_in_files(self) -> bool:
+        """Whether large arrays have to lie in files."""
+        return BASE + IN_MEMORY * self.observations > self.allowed
+
+    def kept(self, block: Block) -> Block:
+        """The block, its image observations in files where large arrays are to lie there."""
+        o = block.observations
+        columns = {f.name: large.kept(getattr(o, f.name)) for f in fields(o)}
+        return replace(block, observations=replace(o, **columns)) if self.arrays_in_files else block
+
+    def factoring(
+        self, system: System, options: AdjustmentOptions, free: Mapping[str, tuple[str, ...]], rejected: Mask
+    ) -> Normals:
+        """The normal equations in one piece where that fits, or else in parts."""
+        each = IN_FILES if self.arrays_in_files else IN_MEMORY
+        self.needed = BASE + each * self.observations
+        if self.needed <= self.allowed and len(system.sizes) <= ORDERED:
+            whole = Normals.of(system, options.jobs)
+            self.needed += bytes_of(whole)
+            if self.needed <= self.allowed:
+                return whole
+            del whole
+        self.stores += 1
+        left = self.allowed - BASE - IN_PARTS * self.observations
+        store = Folder(self.room.folder / f"parts-{self.stores}")
+        made = in_parts(store=lambda: store, ready=max(left, 0.0) / 2)(system, options, free, rejected)
+        assert isinstance(made, WholeNormals)
+        # a result is asked questions later: its parts stay for as long as it does
+        finalize(made.parts.parts.known, self.room.forget, store.path)
+        self.parts = sum(bool(n) for n in made.parts.network.counts.tolist())
+        return made
+
+    def notices(self) -> tuple[Notice, ...]:
+        """What was done, where anything was."""
+        if not self.parts:
+            return ()
+        message = (
+            f"the normal equations were reduced in {counted(self.parts, 'part')} (Helmert-Wolf): in one piece the "
+            f"adjustment would take {self.needed / 1e9:.3g} GB, and {self.allowed / 1e9:.3g} GB were allowed "
+            f"({option('memory')}); all figures are those of one piece"
+        )
+        least = BASE + IN_PARTS * self.observations
+        if least > self.allowed:
+            message += f". Even so it takes about {least / 1e9:.3g} GB"
+        return (Notice(code="in_parts", message=message),)
+
+
+def bytes_of(normals: Normals) -> float:
+    """Bytes of normal equations and their factor while they are made and inverted."""
+    entries = float(getattr(normals.solver, "factor_entries", 0))
+    return 8.0 * (FACTOR * entries + (3 + normals.threads) * len(normals.values))
+
+
+@contextmanager
+def within_memory(block: Block, out: Path, memory_gb: float) -> Generator[Within]:
+    """Room for an adjustment of a block; what does not fit into memory lies beside its result meanwhile.
+
+    out        where the result is to stand
+    memory_gb  what the adjustment may take; 0: four fifths of what is free
+    """
+    allowed = memory_gb * 1e9 or SHARE * available_memory()
+    found = Within(allowed, Room(out), len(block.observations))
+    with large.in_files(found.room.folder if found.arrays_in_files else None):
+        yield found

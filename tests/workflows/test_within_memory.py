@@ -1,0 +1,161 @@
+"""An adjustment within the memory that is allowed: the same figures, nothing left behind, a full disk told."""
+
+import errno
+import gc
+import mmap
+import os
+from dataclasses import replace
+from functools import partial
+
+import numpy as np
+import pytest
+
+from raybundle.adjustment.options import AdjustmentOptions
+from raybundle.adjustment.queries import covariance
+from raybundle.blocking.adjusted import in_parts
+from raybundle.commands.adjust import AdjustSettings, run_adjust
+from raybundle.errors import InputError
+from raybundle.io.block.folder import write_block
+from raybundle.io.folders import work_folder
+from raybundle.numerics import large
+from raybundle.numerics.machine import available_memory
+from raybundle.workflows.adjust import adjust
+from raybundle.workflows.within_memory import BASE, IN_MEMORY, within_memory
+from tests.blocking.networks import flight
+
+OPTIONS = AdjustmentOptions(jobs=1)
+
+
+def in_file(values):
+    """Whether an array lies in a file."""
+    while isinstance(values, np.ndarray):
+        values = values.base
+    return isinstance(values, mmap.mmap | memoryview)
+
+
+@pytest.fixture
+def all_large(monkeypatch):
+    monkeypatch.setattr(large, "LEAST", 1)
+    monkeypatch.setattr(large, "PIECE", 700)
+    monkeypatch.setattr("raybundle.workflows.within_memory.in_parts", partial(in_parts, 60))
+
+
+def within(block, options, out, memory_gb):
+    with within_memory(block, out, memory_gb) as room:
+        return adjust(room.kept(block), options, factoring=room.factoring), room
+
+
+@pytest.mark.parametrize(
+    ("make", "options"),
+    [
+        (flight, OPTIONS),
+        (lambda: flight(control=0, observed=False), OPTIONS),
+        (flight, replace(OPTIONS, reject="snooping", estimate="auto")),
+    ],
+    ids=["control", "inner constraints", "decisions"],
+)
+def test_the_same_figures_in_files_and_in_parts(tmp_path, all_large, make, options):
+    block = make()
+    one = adjust(block, options)
+    few, room = within(block, options, tmp_path / "result", 0.01)
+    assert room.parts > 3
+    assert room.arrays_in_files
+    assert in_file(few.image_observations.t)
+    assert in_file(few.given.observations.xy_px)
+    assert few.image_observations.rejected == one.image_observations.rejected
+    assert [n.code for n in few.notices] == [n.code for n in one.notices]
+    for name in ("residuals_px", "redundancy", "w", "t", "mdb_px", "external", "least_control"):
+        a, b = getattr(one.image_observations, name), getattr(few.image_observations, name)
+        np.testing.assert_allclose(b, a, rtol=1e-4, atol=1e-4 * np.nanmax(np.abs(a)))
+    std = one.precision.object_point_std
+    np.testing.assert_allclose(few.precision.object_point_std, std, rtol=1e-7)
+    assert np.nanmax(np.abs(few.adjusted.points.xyz - one.adjusted.points.xyz) / np.nanmean(std)) < 1e-5
+    for name in ("rays", "stations_per_point", "pair_images", "pair_points"):
+        assert np.array_equal(getattr(one.network, name), getattr(few.network, name))
+    np.testing.assert_allclose(few.network.coverage, one.network.coverage)
+    np.testing.assert_allclose(few.network.base_to_depth, one.network.base_to_depth, rtol=1e-7)
+    # questions that are asked later are answered from the parts, which stay for as long as the result
+    names = [f"image:{i}" for i in one.given.images.ids[:2]]
+    np.testing.assert_allclose(covariance(few, names).matrix, covariance(one, names).matrix, rtol=1e-6, atol=1e-14)
+    assert [p.name.startswith(".result.") for p in tmp_path.iterdir()] == [True]
+    del few, room
+    gc.collect()
+    assert not list(tmp_path.iterdir())
+
+
+def test_noise_fields_need_one_piece_and_that_is_said(tmp_path):
+    few, room = within(flight(), replace(OPTIONS, noise="fields"), tmp_path / "result", 0.01)
+    assert room.parts
+    assert few.noise.kind == "white"
+    assert few.noise.reason == "the normal equations were reduced in parts, and fields need them in one piece"
+
+
+def test_with_enough_memory_it_is_the_one_piece_bit_by_bit(tmp_path):
+    block = flight()
+    one = adjust(block, OPTIONS)
+    much, room = within(block, OPTIONS, tmp_path / "result", 8.0)
+    assert not room.parts
+    assert not room.notices()
+    assert np.array_equal(much.image_observations.t, one.image_observations.t, equal_nan=True)
+    assert not list(tmp_path.iterdir())
+
+
+def test_the_command_says_what_it_did(tmp_path):
+    write_block(flight(), tmp_path / "block")
+    done = run_adjust(AdjustSettings(block=tmp_path / "block", out=tmp_path / "out", memory=0.1, report=False))
+    told = next(n for n in done.notices if n.code == "in_parts")
+    assert "in one piece the adjustment would take" in told.message
+    assert "and 0.1 GB were allowed (memory=)" in told.message
+    assert "Even so it takes about" in told.message
+    assert done.converged
+
+
+def test_what_is_free_decides_where_nothing_is_asked_for(tmp_path, monkeypatch):
+    block = flight()
+    assert 1e7 < available_memory() < 1e14
+    need = BASE + IN_MEMORY * len(block.observations)
+    for free, parts in ((0.5 * need, True), (2.0 * need + 1e9, False)):
+        monkeypatch.setattr("raybundle.workflows.within_memory.available_memory", lambda free=free: free)
+        with within_memory(block, tmp_path / "out", 0.0) as room:
+            assert bool(adjust(block, OPTIONS, factoring=room.factoring) and room.parts) == parts
+
+
+def test_a_limit_of_a_container_counts(tmp_path, monkeypatch):
+    monkeypatch.setattr("raybundle.numerics.machine.CGROUP", tmp_path)
+    for name, text in (("max", "3000000\n"), ("current", "2500000\n"), ("stat", "anon 5\ninactive_file 400000\n")):
+        (tmp_path / f"memory.{name}").write_text(text)
+    assert available_memory() == 900_000
+    (tmp_path / "memory.max").write_text("max\n")
+    assert available_memory() > 1e7
+
+
+def test_a_full_disk_is_told_before_anything_is_written(tmp_path, monkeypatch):
+    def full(*_):
+        raise OSError(errno.ENOSPC, os.strerror(errno.ENOSPC))
+
+    monkeypatch.setattr(os, "posix_fallocate", full, raising=False)
+    with large.in_files(tmp_path), pytest.raises(InputError, match=r"no room for an array of 8 MB \(No space left"):
+        large.zeros(1_000_000)
+    assert not list(tmp_path.iterdir())
+
+
+def test_arrays_in_files_where_room_cannot_be_asked_for(tmp_path, monkeypatch):
+    monkeypatch.delattr(os, "posix_fallocate", raising=False)
+    with large.in_files(tmp_path):
+        found = large.zeros((300_001, 1))
+        found[-1] = 3.0
+    assert in_file(found)
+    assert found.sum() == 3.0
+    assert not in_file(large.zeros((300_001, 1)))
+
+
+def test_a_work_folder_that_a_killed_process_left_is_deleted(tmp_path):
+    with work_folder(tmp_path / "a") as left:
+        (left / "x").write_text("of a run that is still going on")
+        with work_folder(tmp_path / "a"):
+            assert left.exists()
+    gone = tmp_path / ".a.0123abcd.partial"
+    gone.mkdir()
+    with work_folder(tmp_path / "a"):
+        assert not gone.exists()
+    assert not list(tmp_path.iterdir())
