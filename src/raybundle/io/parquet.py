@@ -185,6 +185,7 @@ def _check_footer(path: Path, raw: BinaryIO, size: int) -> None:
 def _check_kind(pa: Any, path: Path, column: Column, kind: Any) -> None:
     """Raise where a column does not hold what can become numbers, or texts."""
     t = pa.types
+    kind = kind.value_type if t.is_dictionary(kind) and column.kind != "number" else kind
     whole, text = t.is_integer(kind) or t.is_null(kind), t.is_string(kind) or t.is_large_string(kind)
     if not (whole or (t.is_floating(kind) if column.kind == "number" else text)):
         wanted = "numbers" if column.kind == "number" else "texts"
