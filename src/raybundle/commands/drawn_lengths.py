@@ -24,7 +24,7 @@ def length_words(folder: Path | None, block: Block) -> dict[str, str]:
             number r of the length (Förstner and Wrobel 2016, section 4.1.3.1); else lengths as they were given
     """
     metres = 1.0 if block.length_unit == "m" else 0.001
-    if folder is None or not (folder / TABLE).is_file() or not (folder / "result.json").is_file():
+    if folder is None or not (__T__).is_file() or not (folder / "result.json").is_file():
         d = block.distances
         ends = [(block.points.ids[a], block.points.ids[b]) for a, b in zip(d.start, d.end, strict=True)]
         return {
@@ -33,7 +33,7 @@ def length_words(folder: Path | None, block: Block) -> dict[str, str]:
         }
     told = read_json(folder / "result.json").value
     sigma0 = told.get("sigma0") if isinstance(told, dict) else None
-    table = read_table(folder / TABLE, columns_of_table("distances"), least_rows=0, own=True)
+    table = read_table(__T__, columns_of_table("distances"), least_rows=0, own=True)
     adjusted, sigma, r = table.numbers("adjusted", "sigma", "r").T
     known = sigma0 if isinstance(sigma0, int | float) else float("nan")
     std = known * sigma * np.sqrt(np.clip(1 - r, 0, None))

@@ -98,10 +98,6 @@ class Group:
     columns: tuple[Column, ...]
     parts: tuple[object, ...]
 
-    def named(self) -> Iterator[tuple[Column, object]]:
-        """Each column with its part."""
-        return zip(self.columns, self.parts, strict=True)
-
 
 def groups(path: Path, present_in: Callable[[Sequence[str]], list[Column]]) -> Iterator[Group]:
     """The table in a Parquet file, a group of rows at a time, each checked.

@@ -15,7 +15,7 @@ from raybundle.io.block.image_points import NEEDED, columns_for, observations_of
 from raybundle.io.block.observations import read_observation_tables
 from raybundle.io.block.points import with_tie_points
 from raybundle.io.table_files import table_file
-from raybundle.io.tables import check_pairs, table_pieces
+from raybundle.io.tables import check_pair_keys, table_pieces
 from raybundle.numerics.arrays import Index, Mask
 from raybundle.numerics.progress import Progress, silent
 
@@ -83,7 +83,7 @@ def read_in_pieces(path: str | Path, *, progress: Progress = silent) -> InTables
         raise InputError(f"the table has no rows; fill it, or {NEEDED}", file=file)
     key = np.concatenate(keys)
     keys.clear()
-    check_pairs(file, (key >> 32, key & 0xFFFFFFFF), ("image", "point"))
+    check_pair_keys(file, key, ("image", "point"))
     progress("reading", 1.0)
     bare = replace(bare, tables=read_observation_tables(Path(path), images, names, bare.instruments))
     return InTables(
