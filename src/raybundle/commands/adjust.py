@@ -46,6 +46,7 @@ def run_adjust(settings: AdjustSettings, progress: Progress = silent) -> Adjustm
     from raybundle.adjustment.result import Notice  # noqa: PLC0415
     from raybundle.adjustment.severity import Severity  # noqa: PLC0415
     from raybundle.io.block.folder import read_block  # noqa: PLC0415  (what computes is loaded after the help)
+    from raybundle.io.parquet import check_tables  # noqa: PLC0415
     from raybundle.report.write import write_result  # noqa: PLC0415
     from raybundle.results.folder import check_target  # noqa: PLC0415
     from raybundle.workflows.adjust import adjust  # noqa: PLC0415
@@ -53,6 +54,7 @@ def run_adjust(settings: AdjustSettings, progress: Progress = silent) -> Adjustm
 
     check_target(settings.out)
     check_pages(settings)
+    check_tables(settings.tables)
     wanted = accuracy_class(settings.accuracy_class)
     block, frame, remarks = in_block_frame(read_block(settings.block, progress=progress))
     done = adjust(block, settings.options(), progress)

@@ -22,7 +22,7 @@ from raybundle.io.digits import EVERY, Digits, rounded
 from raybundle.io.reading import words
 from raybundle.io.reading.files import opened
 from raybundle.io.reading.parquet_pages import BadPage, pages
-from raybundle.io.table_files import Named
+from raybundle.io.table_files import Named, TableFormat
 from raybundle.numerics.arrays import Array, Index
 
 MISSING = "a Parquet table needs the package pyarrow: pip install 'raybundle[parquet]'"
@@ -48,6 +48,12 @@ def arrow() -> Any:
         return import_module("pyarrow")
     except ImportError:
         raise InputError(MISSING) from None
+
+
+def check_tables(tables: TableFormat) -> None:
+    """Raise InputError where tables cannot be written as asked for, before something is computed for them."""
+    if tables == "parquet":
+        arrow()
 
 
 def write_parquet(path: Path, columns: Mapping[str, Sequence[str] | Array], rules: Mapping[str, Digits]) -> None:
@@ -215,7 +221,7 @@ def _part(
     if column.kind == "number":
         numbers = _numbers(pa, values)
         empty = np.isnan(numbers)
-        bounded = words.bounded(numbers)
+        bounded = words.bounded(numbers.copy())
         if bounded is not None and numbers_good(column, bounded):
             return bounded
         cells = ["" if e else repr(v) for v, e in zip(numbers.tolist(), empty.tolist(), strict=True)]

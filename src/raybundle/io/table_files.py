@@ -35,9 +35,9 @@ def table_file(folder: Path, name: str) -> Path:
 
 
 def new_table_file(folder: Path, name: str, rows: int, tables: TableFormat) -> Path:
-    """The file into which a table of so many rows is written."""
+    """The file into which a table of so many rows is written; a table without rows is a header, as text."""
     large = tables == "auto" and rows > SHEET_ROWS and find_spec("pyarrow") is not None
-    return folder / f"{name}{'.parquet' if tables == 'parquet' or large else '.csv'}"
+    return folder / f"{name}{'.parquet' if rows and (tables == 'parquet' or large) else '.csv'}"
 
 
 class Named(Sequence[str]):

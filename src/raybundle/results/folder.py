@@ -109,8 +109,8 @@ def _is_ours(path: Path) -> bool:
 
 @contextmanager
 def written_folder(
-    adjustment: Adjustment, path: str | Path, additions: Mapping[str, object] | None = None, progress: Progress = silent,
-    tables: TableFormat = "auto",
+    adjustment: Adjustment, path: str | Path, additions: Mapping[str, object] | None = None,
+    progress: Progress = silent, tables: TableFormat = "auto",
 ) -> Generator[Path]:  # fmt: skip
     """A new result folder with its tables, block and result.json; what is put in it before the end stands beside them.
 
