@@ -1,7 +1,7 @@
 """Size of report, network page and PDF of large flights, and what writing them takes.
 
-Run: python benchmarks/report_sizes.py [STRIPS IMAGES POINTS ...]          images a strip, points an image; a process for
-each; writes benchmarks/results/report_sizes.json
+Run: python benchmarks/report_sizes.py [STRIPS IMAGES POINTS ...]          images a strip, points an image; a process
+for each; writes benchmarks/results/report_sizes.json
 """
 
 import json
