@@ -5,10 +5,12 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+from click.testing import CliRunner
 
 from raybundle import adjust, read_result, write_result
 from raybundle.block import Block
 from raybundle.blocking.columns import InMemory
+from raybundle.cli.main import cli
 from raybundle.errors import InputError
 from raybundle.io import parquet, table_files
 from raybundle.io.block.arrays import arrays_of_block
@@ -300,3 +302,24 @@ def test_numbers_keep_their_digits_and_ids_their_texts(tmp_path):
         read = read_table(tmp_path / f"t.{suffix}", kinds, own=True)
         assert read.text == {"id": tuple(columns["id"]), "t": tuple(columns["t"])}
         assert read.number["x"].tobytes() == x.tobytes()
+
+
+def test_commands_write_and_read_what_is_asked_for(block, tmp_path):
+    write_block(block, tmp_path / "b")
+
+    def run(*words, exits=0):
+        done = CliRunner().invoke(cli, [str(w) for w in words])
+        assert done.exit_code == exits, done.output
+        return done.output
+
+    run("convert", tmp_path / "b", "--to", "block", "--tables", "parquet", "--out", tmp_path / "c")
+    same(read_block(tmp_path / "b"), read_block(tmp_path / "c"))
+    run("adjust", tmp_path / "c", "--tables", "parquet", "--no-report", "--out", tmp_path / "r")
+    assert (tmp_path / "r/points.parquet").exists()
+    run("convert", tmp_path / "r", "--to", "ply", "--out", tmp_path / "p.ply")
+    run("compare", tmp_path / "r", tmp_path / "r", "--out", tmp_path / "compared.html")
+    run("adjust", tmp_path / "r/block", "--tables", "csv", "--no-report", "--out", tmp_path / "r")
+    assert (tmp_path / "r/points.csv").exists()
+    assert not (tmp_path / "r/points.parquet").exists()
+    said = run("convert", tmp_path / "b", "--to", "ply", "--tables", "csv", "--out", tmp_path / "q.ply", exits=2)
+    assert "--tables belongs to block folders" in said
