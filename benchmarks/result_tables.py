@@ -1,6 +1,6 @@
 """Memory, time and size of writing the table of image observations.
 
-Its cells all at once, or some rows at a time; with all digits, or with those that its numbers deserve.
+Its cells all at once, or some rows at a time; with all digits, or with those that its numbers deserve; as Parquet.
 
 Run: python benchmarks/result_tables.py [ROWS]          a process for each, five writings, of which the quickest counts;
 the bytes of the first two are compared; writes benchmarks/results/result_tables.json
@@ -47,12 +47,12 @@ def one(how, rows):
     """Write, and say what it took beyond what the table itself takes."""
     table = columns(rows)
     numbers = {n: c for n, c in table.items() if isinstance(c, np.ndarray)}
-    digits = observation_digits(numbers) if how == "digits deserved" else EVERY
+    digits = EVERY if how in {"at once", "some rows at a time"} else observation_digits(numbers)
     if how == "at once":
         tables.WRITTEN_ROWS = rows
     before = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / 1024
     with tempfile.TemporaryDirectory() as folder:
-        path = Path(folder) / "observations.csv"
+        path = Path(folder) / ("observations.parquet" if how == "Parquet" else "observations.csv")
         seconds = []
         for _ in range(WRITINGS):
             start = time.process_time()
@@ -79,7 +79,7 @@ def main():
     """All ways, in processes of their own."""
     rows = int(sys.argv[1]) if len(sys.argv) > 1 else 400_000
     found = {}
-    for how in ("at once", "some rows at a time", "digits deserved"):
+    for how in ("at once", "some rows at a time", "digits deserved", "Parquet"):
         out = subprocess.run([sys.executable, __file__, str(rows), how], check=True, capture_output=True, text=True)
         found[how] = json.loads(out.stdout)
         print(f"{how}: {found[how]}")

@@ -66,6 +66,13 @@ class RaybundleError(Exception):
         return f"{first} {rest.partition(chr(10))[0].strip()}" if first.endswith(":") and rest else first
 
 
+def place_words(file: Path | str | None, line: int) -> str:
+    """Where a row stands: its line from 1; in Parquet, which has no lines, its number from 1."""
+    if not str(file).endswith(".parquet"):
+        return f", line {line}"
+    return f", row {line - 1}" if line > 1 else ""
+
+
 class InputError(RaybundleError):
     """Bad input, with the place where it stands."""
 
@@ -79,7 +86,7 @@ class InputError(RaybundleError):
         self.column = column
         place = "" if file is None else _bounded(str(file), PATH, PATH)
         if line is not None:
-            place += f", line {line}"
+            place += place_words(file, line)
         if column is not None:
             place += f", column {_bounded(column, WORD)}"
         text = _bounded(message, WHOLE)

@@ -236,7 +236,7 @@ def test_an_existing_folder_is_not_overwritten(small):
 
 def test_a_failed_write_leaves_nothing(small, tmp_path, monkeypatch):
     block = read_block(small)
-    monkeypatch.setattr("raybundle.io.block.folder._write_observations", broken_write)
+    monkeypatch.setattr("raybundle.io.block.folder.write_observations", broken_write)
     target = tmp_path / "new" / "block"
     with pytest.raises(InputError, match="No space left"):
         write_block(block, target)

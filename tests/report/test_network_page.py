@@ -9,7 +9,8 @@ import subprocess
 import numpy as np
 import pytest
 
-from raybundle.report import network_page
+from raybundle.block import Role
+from raybundle.report import network_detail, network_page
 from raybundle.report.network_page import network_contents, write_network_page
 from raybundle.report.view import view_of
 
@@ -65,10 +66,38 @@ def test_ellipsoids_have_the_size_of_the_covariance(free_case):
 
 
 def test_too_many_points_are_thinned_and_it_is_said(free_case, monkeypatch):
-    monkeypatch.setattr(network_page, "MOST_POINTS", 10)
-    data = network_contents(view_of(free_case))
-    assert len(data["points"]["id"]) == 10
-    assert any("10 of" in words and "evenly chosen" in words for words in data["remarks"])
+    monkeypatch.setattr(network_detail, "MOST_POINTS", 20)
+    view = view_of(free_case)
+    data = network_contents(view)
+    shown = len(data["points"]["id"])
+    assert 5 < shown <= 20
+    assert any(f"{shown} of" in words for words in data["remarks"])
+    assert any("one is shown from each cell of" in words for words in data["remarks"])
+    rows = network_page.shown_points(view)
+    tie = np.flatnonzero((np.asarray(view.given.points.role) == Role.TIE) & ~view.given.points_named & (view.rays > 0))
+    worst = tie[np.argmax(np.square(view.std[tie]).sum(axis=1))]
+    assert worst in rows
+    special = np.flatnonzero((np.asarray(view.given.points.role) != Role.TIE) & (view.rays > 0))
+    assert set(special.tolist()) <= set(rows.tolist())
+
+
+def test_points_of_many_rays_leave_room_for_fewer(free_case, monkeypatch):
+    view = view_of(free_case)
+    every = network_detail._bytes(view)[network_page.shown_points(view)].sum()
+    monkeypatch.setattr(network_detail, "POINT_BYTES", 0.6 * every)
+    rows = network_page.shown_points(view)
+    assert 0.3 * every < network_detail._bytes(view)[rows].sum() <= 0.6 * every
+
+
+def test_a_sample_by_cells_keeps_the_outline():
+    """Where points lie a thousand times as densely, a cell shows one as well; alone at the edge a point stays."""
+    rng = np.random.default_rng(1)
+    xyz = np.concatenate([rng.normal(0, 0.1, (5000, 3)), rng.uniform(-100, 100, (300, 3)), [[500.0, 0, 0]]])
+    rows, cell = network_detail._one_of_each_cell(xyz, 200)
+    assert 100 < len(rows) <= 200
+    assert 5300 in rows
+    key = np.floor((xyz - xyz.min(axis=0)) / cell).astype(int)
+    assert len(np.unique(key[rows], axis=0)) == len(rows) == len(np.unique(key, axis=0))
 
 
 @pytest.mark.skipif(shutil.which("node") is None, reason="no JavaScript engine here")

@@ -24,6 +24,7 @@ OPTIONAL = {
     "rasterio": ("GeoTIFF, heights from rasters", "pip install 'raybundle[geo]'"),
     "pyogrio": ("GeoPackage, areas in any format of OGR", "pip install 'raybundle[geo]'"),
     "ezdxf": ("drawings in DXF", "pip install 'raybundle[geo]'"),
+    "pyarrow": ("large tables as Parquet", "pip install 'raybundle[parquet]'"),
     "pi_heif": ("photographs in HEIC", "pip install 'raybundle[heic]'"),
     "rawpy": ("photographs in raw formats", "pip install 'raybundle[raw]'"),
     "torch": ("what learned feature methods compute with", "pip install 'raybundle[learned]'"),

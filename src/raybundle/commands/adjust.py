@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from dataclasses import dataclass, fields, replace
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Literal
 
 from raybundle.adjustment.options import AdjustmentOptions
-from raybundle.commands.pages import COORDINATES_HELP, LANGUAGE_HELP, NO_REPORT_HELP, PDF_HELP, check_pages
+from raybundle.commands.pages import COORDINATES_HELP, LANGUAGE_HELP, NO_REPORT_HELP, PDF_HELP, TABLES_HELP, check_pages
 from raybundle.commands.record_settings import ACCURACY_CLASS, CLIENT, OPERATOR, TITLE, record_of
 from raybundle.numerics.progress import Progress, silent
 from raybundle.settings import NOT_NEGATIVE, setting
@@ -31,6 +31,7 @@ class AdjustSettings(AdjustmentOptions):
     operator: str = setting("", OPERATOR, metavar="TEXT")
     report: bool = setting(True, NO_REPORT_HELP, flag="no-report")
     pdf: bool = setting(False, PDF_HELP)
+    tables: Literal["auto", "csv", "parquet"] = setting("auto", TABLES_HELP)
     all_coordinates: bool = setting(False, COORDINATES_HELP)
     language: str = setting("en", LANGUAGE_HELP, metavar="CODE")
     memory: float = setting(
@@ -50,6 +51,7 @@ def run_adjust(settings: AdjustSettings, progress: Progress = silent) -> Adjustm
     from raybundle.adjustment.result import Notice  # noqa: PLC0415
     from raybundle.adjustment.severity import Severity  # noqa: PLC0415
     from raybundle.io.block.folder import read_block  # noqa: PLC0415  (what computes is loaded after the help)
+    from raybundle.io.parquet import check_tables  # noqa: PLC0415
     from raybundle.report.write import write_result  # noqa: PLC0415
     from raybundle.results.folder import check_target  # noqa: PLC0415
     from raybundle.workflows.adjust import adjust  # noqa: PLC0415
@@ -58,6 +60,7 @@ def run_adjust(settings: AdjustSettings, progress: Progress = silent) -> Adjustm
 
     check_target(settings.out)
     check_pages(settings)
+    check_tables(settings.tables)
     wanted = accuracy_class(settings.accuracy_class)
     block, frame, remarks = in_block_frame(read_block(settings.block, progress=progress))
     with within_memory(block, settings.out, settings.memory) as room:
@@ -71,7 +74,7 @@ def run_adjust(settings: AdjustSettings, progress: Progress = silent) -> Adjustm
         done, settings.out, report="html" if settings.report else "none", pdf=settings.pdf,
         all_coordinates=settings.all_coordinates, language=settings.language, wanted=wanted, frame=frame,
         additions=None if frame is None else {"frame": frame.as_mapping()}, record=record_of(settings),
-        progress=progress,
+        tables=settings.tables, progress=progress,
     )  # fmt: skip
     return done
 

@@ -7,6 +7,7 @@ from dataclasses import MISSING, dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Literal
 
+from raybundle.commands.pages import TABLES_HELP
 from raybundle.errors import InputError
 from raybundle.numerics.progress import Progress, silent
 from raybundle.results.record import STATE
@@ -53,6 +54,7 @@ class ConvertSettings:
         None, "A drawing (dxf, gpkg) in the axes of this plane, X right, Y up, Z out of it: the NAME.toml that rectify "
         "writes beside a picture, so that they lie on each other.", flag="in", metavar="NAME.toml",
     )  # fmt: skip
+    tables: Literal["auto", "csv", "parquet"] = setting("auto", TABLES_HELP)
     approximate: bool = setting(False, APPROXIMATE_HELP)
     free_scale: bool = setting(False, FREE_SCALE_HELP)
 
@@ -148,6 +150,8 @@ def _to_one(settings: ConvertSettings, progress: Progress) -> Converted:
     if s.within is not None and (to in {BLOCK, RPC} or not formats[to].in_plane):
         known = ", ".join(sorted(name for name, f in formats.items() if f.in_plane))
         raise InputError(f"{option('within', flag='in')} belongs to drawings ({known}), and {to} is none")
+    if s.tables != "auto" and to != BLOCK:
+        raise InputError(f"{option('tables')} belongs to block folders, and {to} is none; leave it out")
     check_new(s.out, to)
     source = result_within(s.source) if s.read_as in {None, BLOCK} else s.source
     export, remarks = read_source(source, s.read_as, approximate=s.approximate)
@@ -176,7 +180,9 @@ def _to_one(settings: ConvertSettings, progress: Progress) -> Converted:
             export, more = pictures.enter_context(straightened(export, s.photos, images, s.undistort, progress))
             remarks += more
         progress("writing", 0.0)
-        files, more, deviation = written(export, to, s.out, approximate=s.approximate, free_scale=s.free_scale)
+        files, more, deviation = written(
+            export, to, s.out, approximate=s.approximate, free_scale=s.free_scale, tables=s.tables
+        )
     progress("writing", 1.0)
     every = tuple(dict.fromkeys((*remarks, *more)))
     return Converted(block=export.block, files=files, written=((to, s.out),), remarks=every, deviation_px=deviation,

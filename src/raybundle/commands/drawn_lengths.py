@@ -9,12 +9,11 @@ import numpy as np
 
 from raybundle.block import Block
 from raybundle.io.reading.trees import read_json
+from raybundle.io.table_files import table_file
 from raybundle.io.tables import read_table
 from raybundle.numerics.counting import decimals_for
 from raybundle.report.text.numbers import significant
 from raybundle.results.folder import columns_of_table
-
-TABLE = "distances.csv"
 
 
 def length_words(folder: Path | None, block: Block) -> dict[str, str]:
@@ -24,7 +23,8 @@ def length_words(folder: Path | None, block: Block) -> dict[str, str]:
             number r of the length (Förstner and Wrobel 2016, section 4.1.3.1); else lengths as they were given
     """
     metres = 1.0 if block.length_unit == "m" else 0.001
-    if folder is None or not (folder / TABLE).is_file() or not (folder / "result.json").is_file():
+    file = None if folder is None else table_file(folder, "distances")
+    if folder is None or file is None or not file.is_file() or not (folder / "result.json").is_file():
         d = block.distances
         ends = [(block.points.ids[a], block.points.ids[b]) for a, b in zip(d.start, d.end, strict=True)]
         return {
@@ -33,7 +33,7 @@ def length_words(folder: Path | None, block: Block) -> dict[str, str]:
         }
     told = read_json(folder / "result.json").value
     sigma0 = told.get("sigma0") if isinstance(told, dict) else None
-    table = read_table(folder / TABLE, columns_of_table("distances"), least_rows=0, own=True)
+    table = read_table(file, columns_of_table("distances"), least_rows=0, own=True)
     adjusted, sigma, r = table.numbers("adjusted", "sigma", "r").T
     known = sigma0 if isinstance(sigma0, int | float) else float("nan")
     std = known * sigma * np.sqrt(np.clip(1 - r, 0, None))

@@ -157,7 +157,8 @@ def scene_of(name: SceneName) -> Scene:
 
 def write_simulation(simulation: Simulation, out: Path) -> None:
     """Write FOLDER/block, FOLDER/truth and FOLDER/gross.csv, whole or not at all."""
-    from raybundle.io.block.folder import named, write_block_files  # noqa: PLC0415
+    from raybundle.io.block.folder import write_block_files  # noqa: PLC0415
+    from raybundle.io.block.tables import named  # noqa: PLC0415
     from raybundle.io.folders import check_new_folder, new_folder  # noqa: PLC0415
     from raybundle.io.tables import write_table  # noqa: PLC0415
 

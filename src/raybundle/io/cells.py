@@ -9,7 +9,7 @@ from typing import Literal, NoReturn
 
 import numpy as np
 
-from raybundle.errors import InputError
+from raybundle.errors import InputError, place_words
 from raybundle.io.reading import words
 from raybundle.io.reading.dialects import with_points, without_groups
 from raybundle.io.reading.words import quoted
@@ -56,18 +56,21 @@ def fail(path: Path, problems: Sequence[Problem]) -> NoReturn:
     first, others = ordered[0], ordered[1:SHOWN]
     message = first.message
     for p in others:
-        message += f"\n  also line {p.line}{f', column {p.column}' if p.column else ''}: {p.message}"
+        place = place_words(path, p.line).removeprefix(", ")
+        message += f"\n  also {place}{f', column {p.column}' if p.column else ''}: {p.message}"
     if len(ordered) > SHOWN:
         message += "\n  and more; the rest of the file was not looked at"
     raise InputError(message, file=path, line=first.line, column=first.column)
 
 
 def converted(
-    column: Column, cells: list[str], first_line: int, seen: dict[str, int], problems: list[Problem], decimal: str = "."
-) -> object:
+    column: Column, cells: list[str], first_line: int, seen: dict[str, int], problems: list[Problem],
+    decimal: str = ".", path: Path | None = None,
+) -> object:  # fmt: skip
     """The values of one column; what is wrong is added to `problems`.
 
     decimal  the sign before decimals: a comma only in tables whose cells no comma separates
+    path     the file, where its rows are not lines
     """
     if column.kind == "number":
         values = words.column_of(with_points(cells) if decimal == "," else cells)
@@ -83,7 +86,7 @@ def converted(
         problems.extend(_bad_text(column, cells, first_line))
         return np.zeros(0, np.int32)
     if column.kind == "id":
-        return _new_ids(column, cells, first_line, seen, problems)
+        return _new_ids(column, cells, first_line, seen, problems, path)
     return _references(column, cells, first_line, problems)
 
 
@@ -94,6 +97,19 @@ def numbers_good(column: Column, values: Array) -> bool:
         return False
     known = values[finite]
     return not ((column.limit == "> 0" and (known <= 0).any()) or (column.limit == ">= 0" and (known < 0).any()))
+
+
+def texts_good(column: Column, different: Sequence[str], rows: int) -> bool:
+    """Whether the different texts of a column can be what they should."""
+    if column.kind == "text":
+        return column.empty or "" not in different
+    if not "".join(different).isprintable():
+        return False
+    if column.kind == "reference":
+        return column.known.keys() >= set(different)
+    known = column.known if column.kind == "new_reference" else {}
+    plain = not any((not t or t != t.strip()) and t not in known for t in different)
+    return plain and (column.kind != "id" or len(different) == rows)
 
 
 def _bad_numbers(column: Column, cells: Iterable[str], first_line: int, decimal: str) -> Iterator[Problem]:
@@ -136,7 +152,7 @@ def _bad_text(column: Column, cells: Iterable[str], first_line: int) -> Iterator
 
 
 def _new_ids(
-    column: Column, cells: list[str], first_line: int, seen: dict[str, int], problems: list[Problem]
+    column: Column, cells: list[str], first_line: int, seen: dict[str, int], problems: list[Problem], path: Path | None
 ) -> tuple[str, ...]:
     before = len(seen)
     fresh = dict(zip(cells, range(before, before + len(cells)), strict=True))
@@ -151,7 +167,8 @@ def _new_ids(
                 Problem(line, column.name, f"{quoted(cell)} is no id: it is empty or has blanks at its ends")
             )
         elif cell in seen:
-            problems.append(Problem(line, column.name, f"id {quoted(cell)} stands already in line {seen[cell] + 2}"))
+            earlier = place_words(path, seen[cell] + 2).removeprefix(", ")
+            problems.append(Problem(line, column.name, f"id {quoted(cell)} stands already in {earlier}"))
         else:
             seen[cell] = line - 2
         if len(problems) > SHOWN:

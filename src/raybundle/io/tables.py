@@ -1,4 +1,4 @@
-"""CSV tables, read in pieces and checked cell by cell only where a piece does not convert at once.
+"""Tables: CSV, read in pieces and checked cell by cell only where a piece does not convert at once.
 
 A good table costs a few hundred nanoseconds a row.  A bad one is left at the first piece that holds an
 error, so that a file of rubbish costs seconds and little memory however long it is.
@@ -15,9 +15,10 @@ from typing import Any
 
 import numpy as np
 
-from raybundle.errors import InputError
-from raybundle.io.cells import SHOWN, Column, Problem, converted, fail, numbers_good
+from raybundle.errors import InputError, place_words
+from raybundle.io.cells import SHOWN, Column, Problem, converted, fail, numbers_good, texts_good
 from raybundle.io.digits import EVERY, Digits, rounded
+from raybundle.io.parquet import groups, names_of, write_parquet
 from raybundle.io.reading import words
 from raybundle.io.reading.dialects import NAMES, PLAIN, Dialect, TwoSigns, decimal_sign, dialect_of_file, table_text
 from raybundle.io.reading.files import decoded, opened
@@ -27,6 +28,7 @@ from raybundle.io.rows import rows_of
 from raybundle.numerics import native
 from raybundle.numerics.arrays import Array, Index
 
+PARQUET = ".parquet"
 PIECE_BYTES = 1 << 22
 LINE_BYTES = 1 << 20
 
@@ -53,7 +55,7 @@ def read_table(
     path: Path, columns: Sequence[Column], *, unique: tuple[str, ...] = (), least_rows: int = 1,
     without: str = "delete the file if the block has none of these", own: bool = False,
 ) -> Table:  # fmt: skip
-    """The table in a CSV file, as raybundle or a spreadsheet of any country writes it.
+    """The table in a Parquet file, or in a CSV file as raybundle or a spreadsheet of any country writes it.
 
     The header tells what separates the cells: commas, semicolons or tabs.  With the latter two the decimal sign may be
     a comma (`raybundle.io.reading.dialects`), and a file that is not UTF-8 is Windows-1252.
@@ -63,8 +65,10 @@ def read_table(
     without  what to do in place of filling a table that has too few rows
     raises  InputError with file, line, column, the offending text and what to do
     """
-    dialect = PLAIN if own else dialect_of_file(path)
-    if dialect.plain:
+    dialect = PLAIN if own or path.suffix == PARQUET else dialect_of_file(path)
+    if path.suffix == PARQUET:
+        table = _read_parquet(path, columns, unique)
+    elif dialect.plain:
         table = _read_plain(path, columns, unique) or _read_cells(path, columns, unique)
     else:
         table = _read_dialect(path, columns, unique, dialect)
@@ -117,7 +121,7 @@ def _of_plain(present: Sequence[Column], reader: Any) -> Table | None:
         except UnicodeDecodeError:
             return None
         texts[column.name] = codes, different
-        if not _texts_good(column, different, reader.rows):
+        if not texts_good(column, different, reader.rows):
             return None
     of = {c.name: c for c in present}
     text, index = dict[str, tuple[str, ...]](), dict[str, Index]()
@@ -132,19 +136,6 @@ def _of_plain(present: Sequence[Column], reader: Any) -> Table | None:
                 column.known.setdefault(t, len(column.known))
             index[name] = np.fromiter(map(column.known.__getitem__, different), np.int32, len(different))[codes]
     return Table(rows=reader.rows, text=text, number=numbers, index=index)
-
-
-def _texts_good(column: Column, different: Sequence[str], rows: int) -> bool:
-    """Whether the different texts of a column can be what they should."""
-    if column.kind == "text":
-        return column.empty or "" not in different
-    if not "".join(different).isprintable():
-        return False
-    if column.kind == "reference":
-        return column.known.keys() >= set(different)
-    known = column.known if column.kind == "new_reference" else {}
-    plain = not any((not t or t != t.strip()) and t not in known for t in different)
-    return plain and (column.kind != "id" or len(different) == rows)
 
 
 def _read_cells(path: Path, columns: Sequence[Column], unique: tuple[str, ...]) -> Table:
@@ -171,6 +162,36 @@ def _read_cells(path: Path, columns: Sequence[Column], unique: tuple[str, ...]) 
     if unique:
         _check_pairs(path, [table.index[name] for name in unique], unique, 0)
     return table
+
+
+def _read_parquet(path: Path, columns: Sequence[Column], unique: tuple[str, ...]) -> Table:
+    """The table in a Parquet file."""
+    present: Sequence[Column] = ()
+    parts: list[list[object]] = []
+    rows = 0
+    for piece in groups(path, lambda names: _check_names(path, names, columns)):
+        present, parts = piece.columns, parts or [[] for _ in piece.columns]
+        for part, found in zip(parts, piece.parts, strict=True):
+            part.append(found)
+        rows += piece.rows
+        if unique and rows > math.prod(len(c.known) for c in present if c.name in unique):
+            break  # some stand twice, and there may be no end to them
+    table = _join(present, parts, rows)
+    if unique and rows:
+        _check_pairs(path, [table.index[name] for name in unique], unique, 0)
+    return table
+
+
+def table_pieces(path: Path, columns: Sequence[Column]) -> Iterator[Table]:
+    """The table in a Parquet file, a group of rows at a time; `first_line` says where in the table each begins.
+
+    What it does not tell: whether a pair of references stands twice.
+    """
+    first_line = 2
+    for piece in groups(path, lambda names: _check_names(path, names, columns)):
+        made = _join(piece.columns, [[part] for part in piece.parts], piece.rows)
+        yield replace(made, first_line=first_line)
+        first_line += piece.rows
 
 
 def _read_dialect(path: Path, columns: Sequence[Column], unique: tuple[str, ...], dialect: Dialect) -> Table:
@@ -247,22 +268,32 @@ def _header_and_rest(path: Path, pieces: Iterator[str]) -> tuple[str, tuple[str,
 def _check_header(path: Path, line: str, columns: Sequence[Column], dialect: Dialect = PLAIN) -> list[Column]:
     """The columns in the order of the file."""
     at = dialect.above + 1
-    by_name = {c.name: c for c in columns}
-    needed = ",".join(c.name for c in columns if not c.optional)
-    optional = [c.name for c in columns if c.optional]
-    should = f"the header is {needed}" + (f", optional {', '.join(optional)}" if optional else "")
     try:
         names = next(dialect.cells([line]), [])
     except BadRow as error:
-        raise InputError(f"the header cannot be read ({error}); {should}", file=path, line=at) from None
+        raise InputError(f"the header cannot be read ({error}); {_should(columns)}", file=path, line=at) from None
+    return _check_names(path, names, columns, at)
+
+
+def _should(columns: Sequence[Column]) -> str:
+    needed = ",".join(c.name for c in columns if not c.optional)
+    optional = [c.name for c in columns if c.optional]
+    return f"the header is {needed}" + (f", optional {', '.join(optional)}" if optional else "")
+
+
+def _check_names(path: Path, names: Sequence[str], columns: Sequence[Column], at: int = 1) -> list[Column]:
+    """The columns in the order of their names in the file, which stand in line `at`."""
+    by_name = {c.name: c for c in columns}
     for position, name in enumerate(names):
         if name not in by_name:
-            raise InputError(f"unknown column {quoted(name)}; {should}", file=path, line=at, column=name[:40])
+            message = f"unknown column {quoted(name)}; {_should(columns)}"
+            raise InputError(message, file=path, line=at, column=name[:40])
         if name in names[:position]:
-            raise InputError(f"column {name!r} stands twice; {should}", file=path, line=at, column=name)
+            raise InputError(f"column {name!r} stands twice; {_should(columns)}", file=path, line=at, column=name)
     missing = [c.name for c in columns if not c.optional and c.name not in names]
     if missing:
-        raise InputError(f"column {missing[0]!r} is missing; {should}", file=path, line=at, column=missing[0])
+        message = f"column {missing[0]!r} is missing; {_should(columns)}"
+        raise InputError(message, file=path, line=at, column=missing[0])
     return [by_name[name] for name in names]
 
 
@@ -313,8 +344,14 @@ def _wrong_width(row: Sequence[str], width: int, dialect: Dialect) -> str:
 def _pairs_again(pair: Sequence[object]) -> tuple[Index, Index]:
     """An order of the rows in which equal pairs stand together, and where in it one stands again."""
     a, b = (np.asarray(p, np.int64) for p in pair)
-    key = (a << 32) | b
-    if (np.diff(key) > 0).all():
+    return _keys_again((a << 32) | b)
+
+
+def _keys_again(key: Index) -> tuple[Index, Index]:
+    if (key[1:] > key[:-1]).all():
+        return np.zeros(0, np.int64), np.zeros(0, np.int64)
+    in_order = np.sort(key)  # several times as quick as their order
+    if (in_order[1:] > in_order[:-1]).all():
         return np.zeros(0, np.int64), np.zeros(0, np.int64)
     order = np.argsort(key, kind="stable")
     return order, np.flatnonzero(np.diff(key[order]) == 0)
@@ -322,13 +359,22 @@ def _pairs_again(pair: Sequence[object]) -> tuple[Index, Index]:
 
 def _check_pairs(path: Path, pair: Sequence[object], names: tuple[str, ...], first_row: int) -> None:
     """Raise where a pair of references stands twice."""
-    order, again = _pairs_again(pair)
+    _fail_again(path, *_pairs_again(pair), names, first_row)
+
+
+def check_pair_keys(path: Path, key: Index, names: tuple[str, ...]) -> None:
+    """Raise InputError where a pair stands twice, of which the first number stands in the upper half of its key."""
+    _fail_again(path, *_keys_again(key), names, 0)
+
+
+def _fail_again(path: Path, order: Index, again: Index, names: tuple[str, ...], first_row: int) -> None:
     if len(again) == 0:
         return
     problems: list[Problem] = []
     for k in sorted(again, key=lambda k: int(order[k + 1]))[: SHOWN + 1]:
         line, earlier = (first_row + int(order[j]) + 2 for j in (k + 1, k))
-        message = f"this {' and '.join(names)} stand already in line {earlier}; delete one of the two"
+        place = place_words(path, earlier).removeprefix(", ")
+        message = f"this {' and '.join(names)} stand already in {place}; delete one of the two"
         problems.append(Problem(line, names[-1], message))
     fail(path, problems)
 
@@ -347,11 +393,20 @@ def _join(columns: Sequence[Column], parts: Sequence[Sequence[object]], rows: in
     return Table(rows=rows, text=text, number=number, index=index)
 
 
+def header_of(path: Path) -> list[str]:
+    """The names of the columns in a table's file, as they stand there."""
+    if path.suffix == PARQUET:
+        return names_of(path)
+    with path.open(encoding="utf-8-sig", errors="replace") as file:
+        return [h.strip().strip('"') for h in file.readline().split(",")]
+
+
 def write_table(
     path: Path, columns: Mapping[str, Sequence[str] | Array], digits: Digits | Mapping[str, Digits]
 ) -> None:
-    """Write a CSV file: text as it is, numbers with their digits, NaN as an empty cell.
+    """Write a CSV or Parquet file: text as it is, numbers with their digits, NaN as an empty cell (null).
 
+    path    NAME.csv or NAME.parquet
     digits  of each column of numbers, by its name; one rule for all: `EVERY` where the numbers must read back equal
 
     Cells are made for some rows at a time: as text they take ten times the memory of the numbers.
@@ -362,6 +417,9 @@ def write_table(
     rules = digits if isinstance(digits, Mapping) else dict.fromkeys(columns, digits)
     if without := [name for name, c in columns.items() if isinstance(c, np.ndarray) and name not in rules]:
         raise ValueError(f"nothing says with how many digits {', '.join(without)} of {path.name} are written")
+    if path.suffix == PARQUET:
+        write_parquet(path, columns, rules)
+        return
     with path.open("w", encoding="utf-8", newline="\n") as file:
         file.write(",".join(columns) + "\n")
         for start in range(0, max(rows, default=0), WRITTEN_ROWS):

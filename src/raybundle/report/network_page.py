@@ -19,14 +19,16 @@ from raybundle.io.folders import new_files
 from raybundle.numerics.arrays import Array, Index
 from raybundle.report.document import environment
 from raybundle.report.figures.svg import spread_rows
+from raybundle.report.network_detail import Detail, detail_of, shown_images
 from raybundle.report.network_shape import frusta
 from raybundle.report.sigma_classes import sigma_classes
 from raybundle.report.text.numbers import counted, grouped, plain
 from raybundle.report.text.words import datum_words
 from raybundle.report.view import FREE_UNIT, View, view_of, with_near_viewpoints
 
-MOST_POINTS, MOST_ELLIPSOIDS, MOST_IMAGES = 50_000, 2_000, 5_000
-"""Points, error ellipsoids and images that a page holds; control and check points are all there."""
+MOST_ELLIPSOIDS = 2_000
+"""Error ellipsoids that a page holds; those of control and check points before others."""
+ALL = "all of them stand in the table of points"
 FAR = 4.0
 """Points farther from the middle than so many times what half of them lie within do not widen the first view: of evenly
 spread points on a line none is farther than twice, on a disc or in a ball less"""
@@ -60,8 +62,9 @@ def write_network_page(adjustment: Adjustment, path: str | Path, planned: Planne
     path        the HTML file; its folder exists; an older file is overwritten
     planned     of a plan: its object in colours of its precision, photographs that are to be taken yet
 
-    Points, ellipsoids and images beyond what a page can hold are thinned evenly, and the page says so.  What it does
-    not tell: an ellipsoid describes random errors in the datum of the result; one that is enlarged is no distance.
+    Points beyond what a page of 10 MB can hold are thinned by a grid, the worst kept, images and ellipsoids evenly, and
+    the page says so.  What it does not tell: an ellipsoid describes random errors in the datum of the result; one that
+    is enlarged is no distance.
     """
     view = with_near_viewpoints(view_of(adjustment))
     if planned is not None:
@@ -107,7 +110,8 @@ def _packed(values: Array, kind: str) -> str:
 
 def network_contents(view: View) -> dict[str, Any]:
     """All that the page draws, relative to `origin`, and the sentences to be said beside it ("remarks")."""
-    points, images = shown_points(view), shown_images(view)
+    detail, images = detail_of(view), shown_images(view)
+    points = detail.points
     xyz, centre = view.adjusted.points.xyz[points], view.adjusted.images.centre[images]
     every = xyz if len(xyz) else centre
     origin = np.median(every, axis=0) if len(every) else np.zeros(3)
@@ -119,7 +123,7 @@ def network_contents(view: View) -> dict[str, Any]:
     sigma = np.full((len(points), 3), np.nan) if view.std is None else view.std[points]
     decimals = max(0, 4 - math.floor(math.log10(extent)))
     return {
-        "remarks": _remarks(view, points, images, len(ellipsoids)),
+        "remarks": _remarks(view, detail, images, len(ellipsoids)),
         "unit": view.length_unit,
         "sigmaUnit": view.unit,
         "decimals": min(decimals, 9),
@@ -207,23 +211,8 @@ def _wanted_words(planned: Planned, view: View) -> list[str]:
 
 
 def shown_points(view: View) -> Index:
-    """Rows of the object points of the page: every control and check point, and tie points evenly thinned."""
-    known = (view.rays > 0) & np.isfinite(view.adjusted.points.xyz).all(axis=1)
-    role = np.asarray(view.given.points.role)
-    ends = view.given.points_named
-    special = np.flatnonzero(known & ((role != Role.TIE) | ends))
-    tie = np.flatnonzero(known & (role == Role.TIE) & ~ends)
-    room = max(MOST_POINTS - len(special), 0)
-    kept = tie[spread_rows(len(tie), room)] if room else tie[:0]
-    return np.sort(np.concatenate([special, kept])).astype(np.int32)
-
-
-def shown_images(view: View) -> Index:
-    """Rows of the images of the page: oriented, and with a used observation."""
-    taken = np.zeros(len(view.given.images), bool)
-    taken[view.given.observations.image[view.used]] = True
-    rows = np.flatnonzero(taken & view.adjusted.images.oriented)
-    return rows[spread_rows(len(rows), MOST_IMAGES)].astype(np.int32)
+    """Rows of the object points of the page."""
+    return detail_of(view).points
 
 
 def extent_of(xyz: Array) -> float:
@@ -318,15 +307,21 @@ def _bars(view: View, points: Index) -> Array:
     return ends[(ends >= 0).all(axis=1)]
 
 
-def _remarks(view: View, points: Index, images: Index, ellipsoids: int) -> list[str]:
+def _remarks(view: View, detail: Detail, images: Index, ellipsoids: int) -> list[str]:
     """What the page holds and leaves out, in sentences."""
     known = int(((view.rays > 0) & np.isfinite(view.adjusted.points.xyz).all(axis=1)).sum())
     taken = len(np.unique(view.given.observations.image[view.used]))
 
     def part(shown: int, total: int, noun: str) -> str:
-        return counted(total, noun) if shown == total else f"{grouped(shown)} of {counted(total, noun)} (evenly chosen)"
+        return counted(total, noun) if shown == total else f"{grouped(shown)} of {counted(total, noun)}"
 
-    words = [f"{part(len(points), known, 'object point')}, {part(len(images), taken, 'image')}."]
+    words = [f"{part(len(detail.points), known, 'object point')}, {part(len(images), taken, 'image')}."]
+    if detail.cell:
+        worst = f", and the {grouped(detail.worst)} with the largest standard deviations" if detail.worst else ""
+        cell = f"{plain(detail.cell, 3)} {view.length_unit}".strip()
+        words.append(f"Of tie points one is shown from each cell of {cell} that holds any{worst}; {ALL}.")
+    if len(images) < taken:
+        words.append("Images are evenly chosen.")
     if ellipsoids:
         words.append(
             f"Error ellipsoids (1 sigma; a point lies within with 20 %) of {counted(ellipsoids, 'point')}, enlarged."

@@ -8,6 +8,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Literal
 
 from raybundle.adjustment.result import Adjustment
+from raybundle.io.table_files import TableFormat
 from raybundle.io.tables import write_table
 from raybundle.numerics.progress import Progress, silent
 from raybundle.report.languages import ENGLISH, checked_language
@@ -41,6 +42,7 @@ def write_result(
     outcomes: tuple[Outcome, ...] = (),
     findings: tuple[object, ...] = (),
     more: Callable[[Path], None] | None = None,
+    tables: TableFormat = "auto",
     progress: Progress = silent,
 ) -> None:
     """Write a result folder, whole or not at all; an older result there is replaced when the new one is complete.
@@ -58,6 +60,7 @@ def write_result(
     outcomes     what became of what else was asked for
     findings     what else was found with the points, for the report: a best fit, a length test
     more         writes further files of the result into the folder
+    tables       "csv" or "parquet" (with pyarrow); "auto": CSV, Parquet for tables that no spreadsheet holds
     raises       InputError where something else stands at `path`, or reports are not written in the language
     """
     from raybundle.report.delivery import delivery_of  # noqa: PLC0415  (what computes is loaded where it is used)
@@ -67,7 +70,7 @@ def write_result(
         check_typesetter()
     delivery = delivery_of(adjustment, frame=frame, wanted=wanted, record=record, outcomes=outcomes, findings=findings)
     added = {**(additions or {}), **delivery.as_mapping()}
-    with written_folder(adjustment, path, added, progress) as folder:
+    with written_folder(adjustment, path, added, progress, tables) as folder:
         if frame is not None:
             from raybundle.results.map_table import (  # noqa: PLC0415  (pyproj only where it is used)
                 map_control_table,

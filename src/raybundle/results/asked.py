@@ -12,6 +12,7 @@ import numpy as np
 from raybundle.adjustment.options import AdjustmentOptions
 from raybundle.block import Block, Role
 from raybundle.io.reading.trees import read_json
+from raybundle.io.table_files import table_file
 from raybundle.io.tables import read_table
 from raybundle.results.folder import columns_of_table
 from raybundle.settings import settings_of
@@ -47,7 +48,7 @@ def made_as(block: Path, given: Block) -> tuple[Block, AdjustmentOptions]:
         hold = dict.fromkeys((*asked.hold, *(pair for pair, is_free in chosen.items() if not is_free)))
         asked = replace(asked, estimate="given", free=tuple(free), hold=tuple(hold))
     if given.points.is_control.any():
-        given = _as_told(given, folder / "points.csv", moved=asked.datum in {"inner", "minimal"})
+        given = _as_told(given, table_file(folder, "points"), moved=asked.datum in {"inner", "minimal"})
     return given, asked
 
 

@@ -18,6 +18,7 @@ from raybundle.io.digits import told
 from raybundle.io.folders import check_place, new_folder
 from raybundle.io.reading.trees import read_json
 from raybundle.io.reading.words import quoted
+from raybundle.io.table_files import SUFFIXES, TableFormat, new_table_file, table_file
 from raybundle.io.tables import Column, Table, read_table, write_table
 from raybundle.numerics.progress import Progress, silent
 from raybundle.results.contents import clean, result_json
@@ -89,9 +90,8 @@ def check_target(path: str | Path) -> None:
     if "result.json" not in present or not _is_ours(folder / "result.json"):
         raise InputError("is not a result folder and is not overwritten; choose another name", file=folder)
     inner = {entry.name for entry in (folder / "block").iterdir()} if (folder / "block").is_dir() else set[str]()
-    foreign = sorted(present - ENTRIES - {f"{name}.csv" for name in TABLES}) + sorted(
-        f"block/{name}" for name in inner - block_files()
-    )
+    tables = {f"{name}{suffix}" for name in TABLES for suffix in SUFFIXES}
+    foreign = sorted(present - ENTRIES - tables) + sorted(f"block/{name}" for name in inner - block_files())
     if foreign:
         raise InputError(
             f"holds files that no adjustment wrote ({', '.join(foreign[:3])}); move them, or choose another name",
@@ -109,24 +109,28 @@ def _is_ours(path: Path) -> bool:
 
 @contextmanager
 def written_folder(
-    adjustment: Adjustment, path: str | Path, additions: Mapping[str, object] | None = None, progress: Progress = silent
-) -> Generator[Path]:
+    adjustment: Adjustment, path: str | Path, additions: Mapping[str, object] | None = None,
+    progress: Progress = silent, tables: TableFormat = "auto",
+) -> Generator[Path]:  # fmt: skip
     """A new result folder with its tables, block and result.json; what is put in it before the end stands beside them.
 
     adjustment  what is written
     path        where; an older result there is replaced when the new one is complete
     additions   further keys of result.json
+    tables      how tables are written, as of `write_block`
     raises      InputError where something else stands at `path`
     """
     check_target(path)
     with new_folder(Path(path)) as folder:
         progress("writing tables", 0.0)
         (folder / "block").mkdir()
-        write_block_files(block_again(adjustment), folder / "block")
+        write_block_files(block_again(adjustment), folder / "block", tables)
         progress("writing tables", 0.2)
         for name in TABLES:  # one after the other: those of the image observations are large
             columns = result_table(adjustment, name)
-            write_table(folder / f"{name}.csv", columns, result_digits(adjustment, name, columns))
+            rows = max(map(len, columns.values()))
+            file = new_table_file(folder, name, rows, tables)
+            write_table(file, columns, result_digits(adjustment, name, columns))
         added = {k: v if k in EXACT else told(v) for k, v in (additions or {}).items()}
         contents = {**result_json(adjustment), **added}
         text = json.dumps(clean(contents), indent=1, ensure_ascii=False, allow_nan=False)
@@ -161,11 +165,12 @@ def read_result(path: str | Path) -> ResultFolder:
     known = {"image": frozenset(block.images.ids), "point": frozenset(block.points.ids)}
     tables: dict[str, Table] = {}
     for name in TABLES:
-        if (name == "attitudes" or name not in ALWAYS) and not (folder / f"{name}.csv").is_file():
+        file = table_file(folder, name)
+        if (name == "attitudes" or name not in ALWAYS) and not file.is_file():
             continue
-        tables[name] = read_table(folder / f"{name}.csv", columns_of_table(name), least_rows=0, own=True)
+        tables[name] = read_table(file, columns_of_table(name), least_rows=0, own=True)
         for column, ids in known.items():
-            _check_ids(folder / f"{name}.csv", column, tables[name].text.get(column, ()), ids)
+            _check_ids(file, column, tables[name].text.get(column, ()), ids)
     return ResultFolder(
         path=folder,
         result=result,

@@ -12,8 +12,11 @@ from raybundle.adjustment.check_points import check_differences, used_rays
 from raybundle.adjustment.result import Adjustment, ObservationGroup
 from raybundle.block import Role
 from raybundle.block.rejection import words
-from raybundle.io.block.folder import ANGLES, SIGMA_XYZ, XYZ, angles_deg, columns_of, named, point_columns
+from raybundle.io.block.folder import angles_deg
 from raybundle.io.block.observations import table_columns
+from raybundle.io.block.points import point_columns
+from raybundle.io.block.tables import ANGLES, SIGMA_XYZ, XYZ, columns_of, named
+from raybundle.io.table_files import Named
 from raybundle.numerics.arrays import Array
 from raybundle.observations import ObservationKind, OfKinds, in_order
 
@@ -137,8 +140,8 @@ def _points(a: Adjustment) -> Columns:
 def _observations(a: Adjustment) -> Columns:
     o, s = a.given.observations, a.image_observations
     return {
-        "image": named(a.given.images.ids, o.image),
-        "point": named(a.given.points.ids, o.point),
+        "image": Named(a.given.images.ids, o.image),
+        "point": Named(a.given.points.ids, o.point),
         **columns_of(("x_px", "y_px"), o.xy_px),
         **columns_of(("sx_px", "sy_px"), np.sqrt(o.cov_px2[:, :2])),
         **columns_of(("vx_px", "vy_px"), s.residuals_px),

@@ -19,6 +19,7 @@ from raybundle.io.formats import Export, format_named, formats, write_format
 from raybundle.io.geo.coordinate_systems import LocalFrame, in_other_projection, local_frame
 from raybundle.io.pictures.undistort import undistorted_block, write_undistorted
 from raybundle.io.scene_export import names_of_scenes, scene_images, with_viewpoints, without_scenes, write_rpcs
+from raybundle.io.table_files import TableFormat
 from raybundle.numerics.places import Place
 from raybundle.numerics.progress import Progress
 from raybundle.settings import option
@@ -105,7 +106,13 @@ def straightened(
 
 
 def written(
-    export: Export, target: str, out: Path, *, approximate: bool = False, free_scale: bool = False
+    export: Export,
+    target: str,
+    out: Path,
+    *,
+    approximate: bool = False,
+    free_scale: bool = False,
+    tables: TableFormat = "auto",
 ) -> tuple[int, tuple[str, ...], float]:
     """Write; the number of files, remarks, and the largest deviation of a camera [px]."""
     if target == RPC:
@@ -118,7 +125,7 @@ def written(
         result = replace(result, remarks=(*more, *result.remarks))
         return len(result.files), result.remarks, result.deviation_px
     _check_block(export.block)
-    write_block(export.block, out)
+    write_block(export.block, out, tables=tables)
     return 1, (), 0.0
 
 

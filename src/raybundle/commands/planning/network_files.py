@@ -33,7 +33,8 @@ def write_network_plan(
 
     from raybundle.adjustment.engine import adjust_block  # noqa: PLC0415
     from raybundle.adjustment.options import AdjustmentOptions  # noqa: PLC0415
-    from raybundle.io.block.folder import named, write_block_files  # noqa: PLC0415
+    from raybundle.io.block.folder import write_block_files  # noqa: PLC0415
+    from raybundle.io.block.tables import named  # noqa: PLC0415
     from raybundle.io.digits import COUNT, EVERY, SETTING, SHORT, STD, by_sigma, of_places  # noqa: PLC0415
     from raybundle.io.digits import told as in_digits  # noqa: PLC0415
     from raybundle.io.folders import new_folder  # noqa: PLC0415

@@ -11,31 +11,32 @@ from pathlib import Path
 
 import numpy as np
 
-from raybundle.block import ROLES, Block, Camera, Images, Observations, Points, Role
+from raybundle.block import Block, Camera, Images, Points
 from raybundle.block.block import PixelFrame, Turn
 from raybundle.block.frames import TURNS, size_ratio
-from raybundle.block.rejection import known_wrong
 from raybundle.errors import InputError
+from raybundle.io.block.image_points import NEEDED, no_observations, read_observations, write_observations
 from raybundle.io.block.observations import read_observation_tables, write_observation_tables
+from raybundle.io.block.points import read_points, with_tie_points, write_points
 from raybundle.io.block.scenes import FOLDER as SCENES
 from raybundle.io.block.scenes import with_views, write_scene_files
-from raybundle.io.block.tables import ANGLES, SIGMA_XYZ, XYZ, columns_of, named, problems_of, require
+from raybundle.io.block.tables import ANGLES, XYZ, columns_of, problems_of, require
 from raybundle.io.block.toml import head_text, read_head
 from raybundle.io.digits import EVERY
 from raybundle.io.folders import check_free, new_folder
 from raybundle.io.reading.files import stands
 from raybundle.io.reading.words import quoted
+from raybundle.io.table_files import SUFFIXES, TableFormat, new_table_file, table_file
 from raybundle.io.tables import SHOWN, Column, Problem, Table, read_table, write_table
 from raybundle.numerics.arrays import Array, Index
 from raybundle.numerics.progress import Progress, silent
 from raybundle.numerics.rotation import rotation_from_angles
-from raybundle.observations import tables
+from raybundle.observations import tables as kinds
 
 FRAME = ("turned_deg", "file_width_px", "file_height_px")
 """Of images whose files are stored turned or reduced."""
 SCAN = ("scan_xx", "scan_xy", "scan_x0", "scan_yx", "scan_yy", "scan_y0")
 """Of images whose files are scans: the file's pixels by those of the camera."""
-NEEDED = "give another folder: a block needs it"
 
 
 def read_block(path: str | Path, *, progress: Progress = silent) -> Block:
@@ -47,20 +48,28 @@ def read_block(path: str | Path, *, progress: Progress = silent) -> Block:
     orientation are well-formed.
     """
     folder = Path(path)
-    _check_folder(folder)
     progress("reading", 0.0)
-    head = read_head(folder / "block.toml")
-    images, image_ids = _read_images(folder / "images.csv", head.cameras)
-    points, point_ids = _read_points(folder / "points.csv")
+    bare, points, at = read_without_observations(folder)
     progress("reading", 0.1)
-    alone = not images.oriented.any() and not stands(folder / "points.csv")
-    observations, rejected = _read_observations(
-        folder / "observations.csv", image_ids, point_ids, least_rows=0 if alone else 1
+    alone = not bare.images.oriented.any() and not stands(table_file(folder, "points"))
+    observations, rejected = read_observations(
+        table_file(folder, "observations"), at["image"], at["point"], least_rows=0 if alone else 1
     )
     progress("reading", 0.9)
-    new = tuple(point_ids)[len(points) :]
-    points = _with_tie_points(points, new)
-    interior = _read_interior(folder / "interior.csv", image_ids, images, head.cameras)
+    points = with_tie_points(points, tuple(at["point"])[len(points) :])
+    tables = read_observation_tables(folder, at["image"], at["point"], bare.instruments)
+    progress("reading", 1.0)
+    return replace(bare, points=points, observations=observations, rejected=rejected, tables=tables)
+
+
+def read_without_observations(path: str | Path) -> tuple[Block, Points, dict[str, dict[str, int]]]:
+    """The block in a folder without what it observes; the points that it lists; "image", "point" -> id -> position."""
+    folder = Path(path)
+    _check_folder(folder)
+    head = read_head(folder / "block.toml")
+    images, image_ids = _read_images(table_file(folder, "images"), head.cameras)
+    points = read_points(table_file(folder, "points"))
+    interior = _read_interior(table_file(folder, "interior"), image_ids, images, head.cameras)
     block = Block(
         name=head.name,
         about=head.about,
@@ -72,17 +81,14 @@ def read_block(path: str | Path, *, progress: Progress = silent) -> Block:
         residuals=head.residuals,
         noise=head.noise,
         datum_over=head.datum_over,
-        rejected=rejected,
         place=head.place,
         cameras=head.cameras,
         images=replace(images, interior=interior),
-        observations=observations,
-        points=points,
+        observations=no_observations(),
+        points=points.empty(),
         instruments=head.instruments,
-        tables=read_observation_tables(folder, image_ids, point_ids, head.instruments),
     )
-    progress("reading", 1.0)
-    return block
+    return block, points, {"image": image_ids, "point": {point: k for k, point in enumerate(points.ids)}}
 
 
 def _check_folder(folder: Path) -> None:
@@ -94,23 +100,24 @@ def _check_folder(folder: Path) -> None:
             f"; this is a result folder, its block is {folder / 'block'}" if (folder / "result.json").exists() else ""
         )
         raise InputError(f"not a block folder, it holds no block.toml{hint}", file=folder)
-    for table in ("images.csv", "observations.csv"):
-        if not stands(folder / table):
-            raise InputError("the file is missing; a block needs it", file=folder / table)
+    for table in ("images", "observations"):
+        if not stands(file := table_file(folder, table)):
+            raise InputError("the file is missing; a block needs it", file=file)
     known = {name.lower().rstrip("s"): name for name in _table_names()}
     for entry in sorted(folder.iterdir()):
         meant = known.get(entry.stem.lower().rstrip("s"))
-        if entry.suffix.lower() == ".csv" and meant is not None and entry.name != f"{meant}.csv":
-            raise InputError(f"is not read; rename it to {meant}.csv, or take it out of the folder", file=entry)
+        suffix = entry.suffix.lower()
+        if suffix in SUFFIXES and meant is not None and entry.name != f"{meant}{suffix}":
+            raise InputError(f"is not read; rename it to {meant}{suffix}, or take it out of the folder", file=entry)
 
 
 def block_files() -> set[str]:
     """Names of all that may stand in a block folder."""
-    return {"block.toml", *(f"{name}.csv" for name in _table_names()), SCENES}
+    return {"block.toml", *(f"{name}{suffix}" for name in _table_names() for suffix in SUFFIXES), SCENES}
 
 
 def _table_names() -> tuple[str, ...]:
-    return ("images", "observations", "points", *tables, "interior")
+    return ("images", "observations", "points", *kinds, "interior")
 
 
 def _image_columns(cameras: tuple[Camera, ...]) -> tuple[Column, ...]:
@@ -251,115 +258,6 @@ def _stations_of(names: tuple[str, ...] | None) -> Index | None:
     return np.array([index[n] if n else len(index) + k for k, n in enumerate(names)], np.int32)
 
 
-def _read_points(path: Path) -> tuple[Points, dict[str, int]]:
-    if not stands(path):
-        empty = np.zeros((0, 3))
-        return Points(ids=(), role=np.zeros(0, np.int32), xyz=empty, sigma=empty), {}
-    table = read_table(
-        path,
-        (
-            Column(name="point", kind="id"),
-            Column(name="role", kind="text"),
-            *(Column(name=n, kind="number", empty=True) for n in XYZ),
-            *(Column(name=n, kind="number", empty=True, limit=">= 0") for n in SIGMA_XYZ),
-        ),
-        own=True,
-    )
-    ids, roles = table.text["point"], table.text["role"]
-    unknown = np.array([r not in ROLES for r in roles])
-    require(path, problems_of(unknown, "role", lambda k: f"{quoted(roles[k])} is not one of {', '.join(ROLES)}"))
-    role = np.fromiter((ROLES[r] for r in roles), np.int32, len(roles))
-    xyz, sigma = table.numbers(*XYZ), table.numbers(*SIGMA_XYZ)
-    given, weighted = np.isfinite(xyz), np.isfinite(sigma)
-    problems: list[Problem] = []
-    for axis, s in zip(XYZ, SIGMA_XYZ, strict=True):
-        k = XYZ.index(axis)
-        problems += problems_of(
-            weighted[:, k] & ~given[:, k],
-            s,
-            lambda row, axis=axis, s=s: f"point {quoted(ids[row])} has {s} but no {axis}; give the coordinate too",
-        )
-    problems += problems_of(
-        (role == Role.TIE) & weighted.any(axis=1),
-        "sX",
-        lambda k: f"tie point {quoted(ids[k])} has a sigma; make its role control, or leave the sigma empty",
-    )
-    problems += problems_of(
-        (role == Role.CONTROL) & ~(given & weighted).any(axis=1),
-        "sX",
-        lambda k: f"control point {quoted(ids[k])} has no coordinate with a sigma; 0 = held, or make its role tie",
-    )
-    problems += problems_of(
-        (role == Role.CHECK) & ~given.any(axis=1),
-        "X",
-        lambda k: f"check point {quoted(ids[k])} has no coordinate; give one or make its role tie",
-    )
-    require(path, problems)
-    points = Points(ids=ids, role=role, xyz=xyz, sigma=sigma)
-    return points, {point: k for k, point in enumerate(ids)}
-
-
-def _with_tie_points(points: Points, new: tuple[str, ...]) -> Points:
-    """The points with those that only the observations know."""
-    unknown = np.full((len(new), 3), np.nan)
-    return Points(
-        ids=points.ids + new,
-        role=np.concatenate([points.role, np.full(len(new), Role.TIE, np.int32)]),
-        xyz=np.concatenate([points.xyz, unknown]),
-        sigma=np.concatenate([points.sigma, unknown]),
-    )
-
-
-def _read_observations(
-    path: Path, images: dict[str, int], points: dict[str, int], *, least_rows: int = 1
-) -> tuple[Observations, tuple[tuple[str, str], ...]]:
-    """The table, and image and point of rows that are known as wrong; points not yet known are added to `points`."""
-    table = read_table(
-        path,
-        (
-            Column(name="image", kind="reference", known=images, where="images.csv"),
-            Column(name="point", kind="new_reference", known=points),
-            Column(name="x_px", kind="number"),
-            Column(name="y_px", kind="number"),
-            Column(name="sx_px", kind="number", limit="> 0"),
-            Column(name="sy_px", kind="number", limit="> 0"),
-            Column(name="sxy_px2", kind="number", optional=True, empty=True),
-            Column(name="rejected", kind="number", optional=True, empty=True),
-        ),
-        unique=("image", "point"),
-        least_rows=least_rows,
-        without=NEEDED,
-        own=True,
-    )
-    sx, sy = table.number["sx_px"], table.number["sy_px"]
-    sxy = np.nan_to_num(table.number.get("sxy_px2", np.zeros(table.rows)))
-    wrong = np.nan_to_num(table.number.get("rejected", np.zeros(table.rows)))
-    limit = sx * sy
-    require(
-        path,
-        problems_of((wrong != 0) & (wrong != 1), "rejected", lambda k: f"{wrong[k]:g} is neither 1 nor 0 nor empty"),
-        problems_of(
-            np.abs(sxy) >= limit * (1 - 1e-9),
-            "sxy_px2",
-            lambda k: f"{sxy[k]:g} is not between -sx sy and sx sy = {limit[k]:g}; it is a covariance in px^2",
-        ),
-        problems_of(
-            (sx < 1e-150) | (sy < 1e-150) | (sx > 1e150) | (sy > 1e150),
-            "sx_px",
-            lambda k: f"a standard deviation of {sx[k]:g}, {sy[k]:g} px cannot be meant; give it in px",
-        ),
-    )
-    found = Observations(
-        image=table.index["image"],
-        point=table.index["point"],
-        xy_px=np.stack([table.number["x_px"], table.number["y_px"]], axis=1),
-        cov_px2=np.stack([sx * sx, sy * sy, sxy], axis=1),
-    )
-    image, point = [*images], [*points]
-    rows = np.flatnonzero(wrong == 1).tolist()
-    return found, tuple((image[int(found.image[k])], point[int(found.point[k])]) for k in rows)
-
-
 def _read_interior(
     path: Path, images: dict[str, int], table_of_images: Images, cameras: tuple[Camera, ...]
 ) -> dict[int, dict[str, float]]:
@@ -401,20 +299,22 @@ def _read_interior(
     return result
 
 
-def write_block(block: Block, path: str | Path) -> None:
+def write_block(block: Block, path: str | Path, *, tables: TableFormat = "auto") -> None:
     """Write a block folder, whole or not at all.
 
     path    a new folder, or an empty one; a block that stands there is never overwritten
-    raises  InputError where something stands at `path` already
+    tables  "csv" or "parquet" (with pyarrow); "auto": CSV, Parquet for tables of more rows than a spreadsheet holds
+            where pyarrow is installed
+    raises  InputError where something stands at `path` already, or pyarrow is not there
     Numbers are written so that they read back equal; angles of the exterior orientation to 1e-12 degrees.
     """
     folder = Path(path)
     check_free(folder)
     with new_folder(folder) as temporary:
-        write_block_files(block, temporary)
+        write_block_files(block, temporary, tables)
 
 
-def write_block_files(block: Block, folder: Path) -> None:
+def write_block_files(block: Block, folder: Path, tables: TableFormat = "auto") -> None:
     """Write the files of a block into an existing folder."""
     (folder / "block.toml").write_text(head_text(block), encoding="utf-8", newline="\n")
     images, points = block.images, block.points
@@ -442,34 +342,15 @@ def write_block_files(block: Block, folder: Path) -> None:
         if any(f is not None and f.affine is not None for f in rows):
             blanks = (np.nan,) * len(SCAN)
             columns |= columns_of(SCAN, np.array([blanks if f is None else f.affine or blanks for f in rows], float))
-    write_table(folder / "images.csv", columns, EVERY)
-    _write_observations(folder / "observations.csv", block)
+    write_table(new_table_file(folder, "images", len(images), tables), columns, EVERY)
+    write_observations(new_table_file(folder, "observations", len(block.observations), tables), block)
     if len(points):
-        write_table(
-            folder / "points.csv",
-            {**point_columns(points), **columns_of(XYZ, points.xyz), **columns_of(SIGMA_XYZ, points.sigma)},
-            EVERY,
-        )
-    write_observation_tables(folder, block)
-    _write_interior(folder / "interior.csv", block)
+        write_points(new_table_file(folder, "points", len(points), tables), points)
+    write_observation_tables(folder, block, tables)
+    _write_interior(folder, block, tables)
 
 
-def _write_observations(path: Path, block: Block) -> None:
-    o = block.observations
-    columns: dict[str, Sequence[str] | Array] = {
-        "image": named(block.images.ids, o.image),
-        "point": named(block.points.ids, o.point),
-        **columns_of(("x_px", "y_px"), o.xy_px),
-        **columns_of(("sx_px", "sy_px"), np.sqrt(o.cov_px2[:, :2])),
-    }
-    if o.cov_px2[:, 2].any():
-        columns["sxy_px2"] = o.cov_px2[:, 2]
-    if (wrong := known_wrong(block)).any():
-        columns["rejected"] = ["1" if w else "" for w in wrong.tolist()]
-    write_table(path, columns, EVERY)
-
-
-def _write_interior(path: Path, block: Block) -> None:
+def _write_interior(folder: Path, block: Block, tables: TableFormat) -> None:
     image: list[str] = []
     parameter: list[str] = []
     value: list[float] = []
@@ -481,6 +362,7 @@ def _write_interior(path: Path, block: Block) -> None:
                 parameter.append(p.key)
                 value.append(values[p.symbol])
     if image:
+        path = new_table_file(folder, "interior", len(image), tables)
         write_table(path, {"image": image, "parameter": parameter, "value": np.array(value)}, EVERY)
 
 
@@ -491,8 +373,3 @@ def angles_deg(images: Images) -> Array:
     if known.any():
         angles[known] = np.round(np.degrees(images.angles[known]), 12) + 0.0  # no -0
     return angles
-
-
-def point_columns(points: Points) -> dict[str, Sequence[str] | Array]:
-    """The columns `point` and `role`."""
-    return {"point": points.ids, "role": [Role(r).word for r in np.asarray(points.role).tolist()]}

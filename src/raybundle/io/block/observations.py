@@ -15,7 +15,8 @@ from raybundle.io.block.tables import columns_of, named, problems_of, require
 from raybundle.io.digits import EVERY
 from raybundle.io.reading.files import stands
 from raybundle.io.reading.words import quoted
-from raybundle.io.tables import Column, Problem, read_table, write_table
+from raybundle.io.table_files import TableFormat, new_table_file, table_file
+from raybundle.io.tables import Column, Problem, header_of, read_table, write_table
 from raybundle.io.tables import Table as Read
 from raybundle.numerics.arrays import Array
 from raybundle.observations import tables
@@ -32,7 +33,7 @@ def read_observation_tables(
     images, points  ids and their positions
     raises          InputError with file, line and column for what a table does not allow
     """
-    paths = {name: folder / f"{name}.csv" for name in tables}
+    paths = {name: table_file(folder, name) for name in tables}
     known: Mapping[str, dict[str, int]] = {"image": images, "point": points}
     return {
         name: _read(paths[name], table, known, instruments) for name, table in tables.items() if stands(paths[name])
@@ -68,8 +69,7 @@ def _in_gon(path: Path, table: type[Table]) -> dict[str, str]:
     angles = [name for _, c in table.cells() if c.unit == "deg" for name in c.names]
     if not angles:
         return {}
-    with path.open(encoding="utf-8-sig", errors="replace") as file:
-        header = [h.strip().strip('"') for h in file.readline().split(",")]
+    header = header_of(path)
     both = {name: name.removesuffix("_deg") + "_gon" for name in angles}
     return {name: gon for name, gon in both.items() if name not in header and gon in header}
 
@@ -101,11 +101,11 @@ def _field(path: Path, c: Cells, read: Read, instruments: Instruments, problems:
     return values if len(c.names) > 1 else values[:, 0]
 
 
-def write_observation_tables(folder: Path, block: Block) -> None:
+def write_observation_tables(folder: Path, block: Block, format_: TableFormat) -> None:
     """Write each table that has rows."""
     for table in block.tables.values():
         if len(table):
-            write_table(folder / f"{table.name}.csv", table_columns(table, block), EVERY)
+            write_table(new_table_file(folder, table.name, len(table), format_), table_columns(table, block), EVERY)
 
 
 def table_columns(table: Table, block: Block) -> dict[str, Sequence[str] | Array]:

@@ -15,9 +15,9 @@ SIGMA_XYZ = ("sX", "sY", "sZ")
 ANGLES = ("omega_deg", "phi_deg", "kappa_deg")
 
 
-def problems_of(mask: Mask, column: str, message: Callable[[int], str]) -> list[Problem]:
+def problems_of(mask: Mask, column: str, message: Callable[[int], str], first_line: int = 2) -> list[Problem]:
     """The first rows of a mask (n,) as problems of a table."""
-    return [Problem(int(k) + 2, column, message(int(k))) for k in np.flatnonzero(mask)[: SHOWN + 1]]
+    return [Problem(int(k) + first_line, column, message(int(k))) for k in np.flatnonzero(mask)[: SHOWN + 1]]
 
 
 def require(path: Path, *groups: Sequence[Problem]) -> None:

@@ -1,0 +1,84 @@
+"""The table of object points of a block folder."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from pathlib import Path
+
+import numpy as np
+
+from raybundle.block import ROLES, Points, Role
+from raybundle.io.block.tables import SIGMA_XYZ, XYZ, columns_of, problems_of, require
+from raybundle.io.digits import EVERY
+from raybundle.io.reading.files import stands
+from raybundle.io.reading.words import quoted
+from raybundle.io.tables import Column, Problem, read_table, write_table
+from raybundle.numerics.arrays import Array
+
+COLUMNS = (
+    Column(name="point", kind="id"),
+    Column(name="role", kind="text"),
+    *(Column(name=n, kind="number", empty=True) for n in XYZ),
+    *(Column(name=n, kind="number", empty=True, limit=">= 0") for n in SIGMA_XYZ),
+)
+
+
+def read_points(path: Path) -> Points:
+    """The object points of a table, none where it does not stand there; raises InputError with row and column."""
+    if not stands(path):
+        empty = np.zeros((0, 3))
+        return Points(ids=(), role=np.zeros(0, np.int32), xyz=empty, sigma=empty)
+    table = read_table(path, COLUMNS, own=True)
+    ids, roles = table.text["point"], table.text["role"]
+    unknown = np.array([r not in ROLES for r in roles])
+    require(path, problems_of(unknown, "role", lambda k: f"{quoted(roles[k])} is not one of {', '.join(ROLES)}"))
+    role = np.fromiter((ROLES[r] for r in roles), np.int32, len(roles))
+    xyz, sigma = table.numbers(*XYZ), table.numbers(*SIGMA_XYZ)
+    given, weighted = np.isfinite(xyz), np.isfinite(sigma)
+    problems: list[Problem] = []
+    for axis, s in zip(XYZ, SIGMA_XYZ, strict=True):
+        k = XYZ.index(axis)
+        problems += problems_of(
+            weighted[:, k] & ~given[:, k],
+            s,
+            lambda row, axis=axis, s=s: f"point {quoted(ids[row])} has {s} but no {axis}; give the coordinate too",
+        )
+    problems += problems_of(
+        (role == Role.TIE) & weighted.any(axis=1),
+        "sX",
+        lambda k: f"tie point {quoted(ids[k])} has a sigma; make its role control, or leave the sigma empty",
+    )
+    problems += problems_of(
+        (role == Role.CONTROL) & ~(given & weighted).any(axis=1),
+        "sX",
+        lambda k: f"control point {quoted(ids[k])} has no coordinate with a sigma; 0 = held, or make its role tie",
+    )
+    problems += problems_of(
+        (role == Role.CHECK) & ~given.any(axis=1),
+        "X",
+        lambda k: f"check point {quoted(ids[k])} has no coordinate; give one or make its role tie",
+    )
+    require(path, problems)
+    return Points(ids=ids, role=role, xyz=xyz, sigma=sigma)
+
+
+def with_tie_points(points: Points, new: tuple[str, ...]) -> Points:
+    """The points with those that only the observations know."""
+    unknown = np.full((len(new), 3), np.nan)
+    return Points(
+        ids=points.ids + new,
+        role=np.concatenate([points.role, np.full(len(new), Role.TIE, np.int32)]),
+        xyz=np.concatenate([points.xyz, unknown]),
+        sigma=np.concatenate([points.sigma, unknown]),
+    )
+
+
+def write_points(path: Path, points: Points) -> None:
+    """Write the table, with all digits."""
+    columns = {**point_columns(points), **columns_of(XYZ, points.xyz), **columns_of(SIGMA_XYZ, points.sigma)}
+    write_table(path, columns, EVERY)
+
+
+def point_columns(points: Points) -> dict[str, Sequence[str] | Array]:
+    """The columns `point` and `role`."""
+    return {"point": points.ids, "role": [Role(r).word for r in np.asarray(points.role).tolist()]}
