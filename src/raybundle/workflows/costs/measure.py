@@ -1,0 +1,266 @@
+"""Constants of this machine: a made flight is adjusted in parts, made photographs are matched, fronts eliminated."""
+
+from __future__ import annotations
+
+import datetime
+import tempfile
+import time
+from collections import defaultdict
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, replace
+from pathlib import Path
+
+import numpy as np
+
+from raybundle.adjustment.dense import one_thread
+from raybundle.adjustment.options import AdjustmentOptions
+from raybundle.block import Block
+from raybundle.blocking import front as fronts
+from raybundle.blocking.columns import InFiles
+from raybundle.blocking.network import Network
+from raybundle.blocking.stored import StoredAdjustment, adjust_columns
+from raybundle.matching.features import Described, Features, feature_number
+from raybundle.matching.methods import feature_method
+from raybundle.matching.signatures import COARSE, DESCRIBED, shipped_codebook, signature, widest
+from raybundle.matching.verify import verify
+from raybundle.numerics.arrays import Array
+from raybundle.numerics.progress import Progress, silent
+from raybundle.planning.made_ground import gravel_pit
+from raybundle.planning.rendering import View
+from raybundle.planning.scenes import AerialStrips, aerial_scene, brown_camera, look_at
+from raybundle.planning.simulate import Survey, simulate
+from raybundle.workflows.costs.constants import REVISION, SWEEPS, Constants, Sweep, processor, shipped, version
+from raybundle.workflows.costs.recording import CountingFolder, Recording, TaskRecord
+
+SWEEP_OF = {
+    "up": "up", "down": "down", "inverse": "covariances", "generators": "covariances", "right_up": "covariances",
+    "right_down": "covariances", "describe": "statistics", "astray": "statistics", "moments": "statistics",
+    "placed": "statistics", "told": "statistics", "stated": "statistics",
+}  # fmt: skip
+"""Which sweep a kind of task belongs to"""
+STRIPS, EACH, POINTS, LEAF = 16, 24, 400, 300
+"""Of the made flight: 384 images in some 16 leaves, of 5 to 6 images an object point"""
+FRONT = (600, 1200)
+"""Own and boundary unknowns of the front that is eliminated: as high in the tree of a flight of 10 000 images"""
+PHOTO_PX, PHOTO_FEATURES = (1200, 900), 10_000
+"""Of the made photographs: format, and features at most, as by default of `raybundle orient`"""
+_FLAT = ("x0", "y0", "K1", "K2", "K3", "P1", "P2")
+ROUNDS = 5
+"""Of what takes well below a second: the median counts"""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Recorded:
+    """An adjustment in parts with what each of its tasks took."""
+
+    found: StoredAdjustment
+    records: tuple[TaskRecord, ...]
+    seconds: float
+    """CPU, of all"""
+    cutting_s: float
+    """CPU before the first task"""
+    disk: int
+    """bytes at the end"""
+    points: int
+    """object points"""
+
+
+def recorded(columns: InFiles, free: dict[str, tuple[str, ...]], leaf: int, folder: Path) -> Recorded:
+    """Adjust a block in parts, one task after the other, and keep what each took.
+
+    folder  where the store is kept meanwhile
+    """
+    store, doing = CountingFolder(folder), Recording()
+    began = time.process_time()
+    found = adjust_columns(columns, AdjustmentOptions(jobs=1, noise="white"), free, store, doing, leaf=leaf)
+    ended = time.process_time()
+    assert doing.begun is not None
+    return Recorded(
+        found=found, records=tuple(doing.records), seconds=ended - began, cutting_s=doing.begun - began,
+        disk=sum(p.stat().st_size for p in folder.rglob("*.npz")), points=columns.points,
+    )  # fmt: skip
+
+
+def made_flight(strips: int = STRIPS, each: int = EACH, points: int = POINTS) -> Block:
+    """A flight of one camera with three free parameters, 70 % and 40 % overlap, approximate values."""
+    camera = brown_camera(
+        values={"c": 50.0, **dict.fromkeys(_FLAT, 0.0)},
+        size_px=(10000, 7500), pixel_mm=0.005, estimate=("c", "x0", "y0"),
+    )  # fmt: skip
+    plan = AerialStrips(
+        camera=camera, strips=strips, images_per_strip=each, points_per_image=points, forward_overlap=0.7,
+        side_overlap=0.4,
+    )  # fmt: skip
+    survey = Survey(image_sigma_px=0.3, points="approximate", approximate=1e-4, interior="exact")
+    return simulate(aerial_scene(plan), survey).observed
+
+
+def operations(own: Array, boundary: Array, sweep: str) -> Array:
+    """Floating-point operations on fronts: their elimination, or their cofactors; 0 of other sweeps."""
+    if sweep == "up":
+        return own**3 / 3 + own**2 * boundary + own * boundary**2
+    if sweep == "covariances":
+        return 2 * own**3 / 3 + 3 * own**2 * boundary + 2 * own * boundary**2
+    return np.zeros_like(own)
+
+
+def _dense() -> tuple[float, float]:
+    """CPU nanoseconds for a thousand operations: elimination, cofactors."""
+    rng = np.random.default_rng(1)
+    o, b = FRONT
+    W = rng.normal(0, 1, (o + b, o + b))
+    N = W @ W.T + (o + b) * np.eye(o + b)
+    found: list[tuple[float, float]] = []
+    for _ in range(ROUNDS):
+        e = fronts.Equations(
+            np.asfortranarray(N[:o, :o]), np.asfortranarray(N[:o, o:]), np.asfortranarray(N[o:, o:]),
+            np.ones(o + b), np.ones(o + b),
+        )  # fmt: skip
+        t0 = time.process_time()
+        left = fronts.eliminate(e, 0.0)
+        t1 = time.process_time()
+        fronts.cofactors(left.L, left.W, np.eye(b))
+        found.append((t1 - t0, time.process_time() - t1))
+    up, down = np.median(np.array(found), axis=0)
+    count = [float(operations(np.array(float(o)), np.array(float(b)), s)) for s in ("up", "covariances")]
+    return 1e12 * float(up) / count[0], 1e12 * float(down) / count[1]
+
+
+def sweep_of(records: Sequence[TaskRecord], network: Network, sweep: str, operation_ns: float) -> Sweep:
+    """Constants of a sweep by its tasks: least squares without negative ones, tasks weighted by their size.
+
+    Tasks of one kind at one tree node count together, as often as an adjustment does them once: a sweep of covariances is
+    four tasks, one of statistics as many as there are around an adjustment.
+    """
+    fronts_ = network.fronts
+    size, own = np.array([f.size for f in fronts_], float), np.array([f.columns for f in fronts_], float)
+    kinds: dict[str, list[list[TaskRecord]]] = defaultdict(lambda: [[] for _ in fronts_])
+    for r in records:
+        if SWEEP_OF.get(r.name) == sweep:
+            kinds[r.name][r.node].append(r)
+    each = sweep in {"up", "down"}
+    took = {
+        what: np.sum(
+            [[sum(getattr(r, what) for r in rows) / (len(rows) if each else 1) for rows in of] for of in kinds.values()],
+            axis=0,
+        )
+        for what in ("seconds", "read", "written")
+    }  # fmt: skip
+    done = operation_ns * 1e-12 * operations(own, size - own, sweep)
+    known = np.column_stack([np.ones(len(size)), network.counts.astype(float), size**2])
+    seconds = _without_negative(known, np.maximum(took["seconds"] - done, 0.0))
+    read, written = (_without_negative(known, took[w]) for w in ("read", "written"))
+    return Sweep(
+        task_s=seconds[0], point_us=1e6 * seconds[1], element_ns=1e9 * seconds[2], operation_ns=operation_ns,
+        read_point=read[1], read_element=read[2], written_point=written[1], written_element=written[2],
+    )  # fmt: skip
+
+
+def _without_negative(known: Array, values: Array) -> list[float]:
+    """Least squares with no negative unknown (Lawson and Hanson 1974).
+
+    What a task takes varies with its size: weights by what is known of it, not by what it took, keep the sum.
+    """
+    from scipy.optimize import nnls  # noqa: PLC0415
+
+    scale = 1 / np.sqrt((known / known.max(axis=0)).mean(axis=1))
+    columns = known * scale[:, None]
+    norm = np.linalg.norm(columns, axis=0)
+    found, _ = nnls(columns / norm, values * scale)
+    return (found / norm).tolist()
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class _Matched:
+    """What photographs take before approximate values."""
+
+    feature_mpx_s: float
+    pair_s: float
+    signature_s: float
+    compare_ms: float
+
+
+def _matched() -> _Matched:
+    """Features of two made photographs of one place, their signatures, a comparison, a pair."""
+    method = feature_method("rootsift")
+    grey = _photographs()
+    height, width = grey[0].shape
+    count = feature_number(width, height, PHOTO_FEATURES)
+    found: list[Features] = []
+    seconds: list[float] = []
+    for picture in grey:
+        began = time.process_time()
+        found.append(method.detect(picture, count))
+        seconds.append(time.process_time() - began)
+    words = shipped_codebook(method.codebook).words
+    described = [Described(xy_px=f.xy_px, descriptors=f.descriptors, size_px=(width, height)) for f in found]
+    coarse = [f.descriptors[widest(f, COARSE)] for f in found]
+
+    def pair() -> None:
+        matches = method.match(described[0], described[1])
+        verify(0, 1, found[0].xy_px, found[1].xy_px, matches, (width, height), (width, height))
+
+    return _Matched(
+        feature_mpx_s=min(seconds) / (width * height / 1e6),
+        pair_s=_median(pair) / (len(found[0]) * len(found[1]) / 1e6),
+        signature_s=_median(lambda: signature(method.vectors(found[0].descriptors[widest(found[0], DESCRIBED)]), words)),
+        compare_ms=1e3 * _median(lambda: method.shared(coarse[0], coarse[1])),
+    )  # fmt: skip
+
+
+def _photographs() -> list[Array]:
+    """Two grey pictures of a made ground, 80 % in common."""
+    camera = brown_camera(size_px=PHOTO_PX, pixel_mm=0.0073, values={"c": 8.62, **dict.fromkeys(_FLAT, 0.0)})
+    ground = gravel_pit((70.0, 60.0))
+    found: list[Array] = []
+    for k, x in enumerate((-4.0, 4.0)):
+        centre = np.array([x, 0.0, 42.0])
+        rotation = look_at(centre, centre - [0, 0, 1.0], up=np.array([0.0, 1.0, 0.0]))[0]
+        view = View(name=f"{k}", camera=camera, centre=centre, rotation=rotation)
+        found.append(ground.photograph(view, np.random.default_rng(k)).mean(axis=2).astype(np.uint8))
+    return found
+
+
+def _median(work: Callable[[], object]) -> float:
+    """CPU seconds, as often as not."""
+    found: list[float] = []
+    for _ in range(ROUNDS):
+        began = time.process_time()
+        work()
+        found.append(time.process_time() - began)
+    return float(np.median(found))
+
+
+def measure(progress: Progress = silent) -> Constants:
+    """The constants of this machine, some half a minute of one processor.
+
+    What is not measured here, as what photographs take after matching, is that of the shipped constants, by the ratio of
+    what is measured of both.  Memory and bytes are those shipped: they are the program's, not the machine's.
+    """
+    reference = shipped()
+    with one_thread():
+        progress("measuring", 0.0)
+        matched = _matched()
+        progress("measuring", 0.3)
+        rates = dict(zip(("up", "covariances"), _dense(), strict=True))
+        progress("measuring", 0.4)
+        block = made_flight()
+        with tempfile.TemporaryDirectory() as folder:
+            columns = InFiles.of(block, Path(folder) / "columns")
+            of = recorded(columns, {block.cameras[0].id: ("c", "x0", "y0")}, LEAF, Path(folder) / "store")
+    network = of.found.network
+    sweeps = {s: sweep_of(of.records, network, s, rates.get(s, 0.0)) for s in SWEEPS}
+    points = float(network.counts.sum())
+    tasks_s = sum(r.seconds for r in of.records)
+    slower = float(np.sqrt(sweeps["up"].point_us / reference.up.point_us * matched.feature_mpx_s / reference.feature_mpx_s))
+    progress("measuring", 1.0)
+    return replace(
+        reference, processor=processor(), version=version(), revision=REVISION,
+        measured=f"{datetime.date.today().isoformat()}; start, precision and report by ratio to {reference.processor}",
+        **sweeps,
+        cutting_point_us=1e6 * of.cutting_s / points,
+        driver_task_ms=1e3 * max(of.seconds - of.cutting_s - tasks_s, 0.0) / len(of.records),
+        feature_mpx_s=matched.feature_mpx_s, pair_s=matched.pair_s, signature_s=matched.signature_s,
+        compare_ms=matched.compare_ms, start_image_s=slower * reference.start_image_s,
+        precision_point_ms=slower * reference.precision_point_ms, report_image_s=slower * reference.report_image_s,
+    )  # fmt: skip
