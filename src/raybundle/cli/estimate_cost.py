@@ -30,7 +30,7 @@ def command(photos: Path | None, progress: str, **given: Any) -> None:
     \b
     Example:
       raybundle estimate-cost images/ --overlap 12
-      raybundle estimate-cost --images 10000 --megapixels 20 --forward 80 --side 60 --workers 16 --memory 4
+      raybundle estimate-cost --images 10000 --megapixels 20 --flight-overlap 0.8 0.6 --workers 16
     """  # noqa: D301
     from raybundle.cli.progress import reporting  # noqa: PLC0415  (what computes is loaded after the help)
 

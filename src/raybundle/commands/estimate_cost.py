@@ -15,8 +15,8 @@ if TYPE_CHECKING:
     from raybundle.workflows.costs.constants import Constants
     from raybundle.workflows.costs.estimate import Estimate
 
-SHARE = Range(low=0, high=98)
-"""Of an overlap [%]: beyond, a photograph is hardly another one."""
+SHARE = Range(low=0, high=0.98)
+"""Of an overlap: beyond, a photograph is hardly another one."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -30,12 +30,11 @@ class EstimateCostSettings:
     overlap: float = setting(
         10.0, "Photographs that show a place of the object, on average.", metavar="K", limits=Range(low=2, high=1000)
     )
-    forward: float | None = setting(
-        None, "Forward overlap of a flight, in percent, with {side}: in place of {overlap}.", metavar="PERCENT",
-        limits=SHARE,
+    flight_overlap: tuple[float, float] | None = setting(
+        None, "Of photographs along a line, and of lines: a flight, in place of {overlap}.", metavar="ALONG ACROSS",
+        limits=(SHARE, SHARE),
     )  # fmt: skip
-    side: float | None = setting(None, "Side overlap of a flight, in percent.", metavar="PERCENT", limits=SHARE)
-    image_points: float | None = setting(
+    points_per_image: float | None = setting(
         None, "Image points of a photograph that are adjusted; without it as many as it has features.", metavar="N",
         limits=Range(low=6, high=1e6),
     )  # fmt: skip
@@ -68,7 +67,7 @@ def estimate_cost(
 
     photos    a folder of photographs: their number and size; None: as `images` and `megapixels` say
     settings  as of the command line, by the names of `EstimateCostSettings`: images=10_000, overlap=12.0
-    raises    InputError where neither photographs nor their number are given, or one of two overlaps alone
+    raises    InputError where neither photographs nor their number are given
 
     What it does not tell: how photographs of this object match.
     """
@@ -85,7 +84,7 @@ def run_estimate_cost(s: EstimateCostSettings, photos: Path | None, progress: Pr
     if s.measure and s.shipped:
         raise InputError(f"either {option('measure', True)} or {option('shipped', True, flag='no-measure')}")
     images, megapixels = _size(s, photos)
-    points = float(features_of(megapixels)) if s.image_points is None else s.image_points
+    points = float(features_of(megapixels)) if s.points_per_image is None else s.points_per_image
     asked = Asked(
         images=images, megapixels=megapixels, overlap=_overlap(s), image_points=points, iterations=s.iterations,
         workers=s.workers, memory_gb=s.memory, network_gbit=s.network, store_gbit=s.store, latency_ms=LATENCY_MS,
@@ -127,8 +126,7 @@ def _size(s: EstimateCostSettings, photos: Path | None) -> tuple[int, float]:
 
 def _overlap(s: EstimateCostSettings) -> float:
     """Photographs that show a place."""
-    if s.forward is None and s.side is None:
+    if s.flight_overlap is None:
         return s.overlap
-    if s.forward is None or s.side is None:
-        raise InputError(f"an overlap of flights is two: give {option('forward', 80)} and {option('side', 60)}")
-    return max(1 / ((1 - s.forward / 100) * (1 - s.side / 100)), 2.0)
+    along, across = s.flight_overlap
+    return max(1 / ((1 - along) * (1 - across)), 2.0)

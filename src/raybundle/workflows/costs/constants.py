@@ -70,22 +70,24 @@ class Constants:
     # photographs to approximate values
     feature_mpx_s: float
     """CPU seconds to find and describe the features of a megapixel"""
-    pair_s: float
-    """CPU seconds to match and verify a pair of 1000 features each; grows with the square of their number"""
+    nearest_s: float
+    """CPU seconds to match a pair of 1000 features each; grows with the square of their number"""
+    verify_ms: float
+    """CPU milliseconds to verify a pair, for a thousand features"""
     signature_s: float
     """CPU seconds for the signature of a photograph"""
     compare_ms: float
     """CPU milliseconds to compare a pair by 1000 features"""
-    start_image_s: float
-    """CPU seconds of approximate values for a photograph"""
+    start_point_ms: float
+    """CPU milliseconds of tracks and approximate values for an image point"""
     precision_point_ms: float
     """CPU milliseconds of least-squares matching for an image point"""
-    report_image_s: float
-    """CPU seconds of results and report for a photograph"""
-    start_image_mb: float
-    """memory for a photograph while approximate values are found"""
-    precision_image_mb: float
-    """memory for a photograph during least-squares matching"""
+    report_point_ms: float
+    """CPU milliseconds of results and report for an image point"""
+    start_point: float
+    """bytes of memory for an image point while approximate values are found"""
+    precision_point: float
+    """bytes of memory for an image point during least-squares matching"""
     report_point: float
     """bytes of memory for an image point while results are written"""
     result_point: float

@@ -8,7 +8,6 @@ those of a flight; where images crowd round an object, parts hang together more 
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
 from dataclasses import dataclass, replace
 
 from raybundle.blocking.network import LEAF
@@ -35,9 +34,15 @@ class Size:
     """images that each eliminates"""
     boundary: float
     """images above that each touches"""
-    leaf: bool
+    halves: tuple[int, ...] = ()
+    """positions among the sizes of the two parts below each; none of a leaf"""
     points: float = 0.0
     """image points that each reduces"""
+
+    @property
+    def leaf(self) -> bool:
+        """Whether it is not cut."""
+        return not self.halves
 
     @property
     def columns(self) -> float:
@@ -102,32 +107,35 @@ def cut_flight(
     depth = 0
     while level:
         below: dict[_Piece, int] = {}
+        begin = len(found) + len(level)
         for piece, count in level.items():
             p = piece if piece.width >= piece.height else piece.turned
-            halves = tuple(_halves(p, reach, leaf))
-            own = reach * p.height if halves else p.width * p.height
-            found.append(
-                Size(depth=depth, count=count, own=own, boundary=p.boundary(reach), leaf=not halves)
-            )
+            halves = _halves(p, reach, leaf)
             for half in halves:
                 below[half] = below.get(half, 0) + count
+            own = reach * p.height if halves else p.width * p.height
+            places = list(below)
+            at = tuple(begin + places.index(half) for half in halves)
+            found.append(Size(depth=depth, count=count, own=own, boundary=p.boundary(reach), halves=at))
         level, depth = below, depth + 1
     return _with_points(found, images * points, points)
 
 
-def _halves(p: _Piece, reach: float, leaf: int) -> Iterator[_Piece]:
+def _halves(p: _Piece, reach: float, leaf: int) -> tuple[_Piece, ...]:
     """The two sides of a cut across the width; none where it is small enough, or cutting gains nothing."""
     whole = IMAGE * p.width * p.height
     rest = (p.width - reach) / 2
     if whole <= leaf or rest <= 0:
-        return
+        return ()
     separator, side = IMAGE * reach * p.height, IMAGE * rest * p.height
     pieces = 2 * multiplications(side, separator) + multiplications(separator, 0.0)
     if pieces >= WORTH * multiplications(whole, 0.0):
-        return
+        return ()
     left, right, below, above = p.sides
-    yield _Piece(width=rest, height=p.height, sides=(left, True, below, above))
-    yield _Piece(width=rest, height=p.height, sides=(True, right, below, above))
+    return (
+        _Piece(width=rest, height=p.height, sides=(left, True, below, above)),
+        _Piece(width=rest, height=p.height, sides=(True, right, below, above)),
+    )
 
 
 def _with_points(sizes: list[Size], total: float, each: float) -> tuple[Size, ...]:

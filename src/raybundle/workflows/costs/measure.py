@@ -5,8 +5,7 @@ from __future__ import annotations
 import datetime
 import tempfile
 import time
-from collections import defaultdict
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterable
 from dataclasses import dataclass, replace
 from pathlib import Path
 
@@ -22,13 +21,13 @@ from raybundle.blocking.stored import StoredAdjustment, adjust_columns
 from raybundle.matching.features import Described, Features, feature_number
 from raybundle.matching.methods import feature_method
 from raybundle.matching.signatures import COARSE, DESCRIBED, shipped_codebook, signature, widest
-from raybundle.matching.verify import verify
 from raybundle.numerics.arrays import Array
 from raybundle.numerics.progress import Progress, silent
 from raybundle.planning.made_ground import gravel_pit
 from raybundle.planning.rendering import View
 from raybundle.planning.scenes import AerialStrips, aerial_scene, brown_camera, look_at
 from raybundle.planning.simulate import Survey, simulate
+from raybundle.workflows.costs.adjustment import KINDS, operations
 from raybundle.workflows.costs.constants import REVISION, SWEEPS, Constants, Sweep, processor, shipped, version
 from raybundle.workflows.costs.recording import CountingFolder, Recording, TaskRecord
 
@@ -38,8 +37,8 @@ SWEEP_OF = {
     "placed": "statistics", "told": "statistics", "stated": "statistics",
 }  # fmt: skip
 """Which sweep a kind of task belongs to"""
-STRIPS, EACH, POINTS, LEAF = 16, 24, 400, 300
-"""Of the made flight: 384 images in some 16 leaves, of 5 to 6 images an object point"""
+STRIPS, EACH, POINTS, LEAF = 16, 24, 600, 300
+"""Of the made flight: 384 images in some 16 leaves, of 6 image points an object point"""
 FRONT = (600, 1200)
 """Own and boundary unknowns of the front that is eliminated: as high in the tree of a flight of 10 000 images"""
 PHOTO_PX, PHOTO_FEATURES = (1200, 900), 10_000
@@ -82,26 +81,17 @@ def recorded(columns: InFiles, free: dict[str, tuple[str, ...]], leaf: int, fold
 
 
 def made_flight(strips: int = STRIPS, each: int = EACH, points: int = POINTS) -> Block:
-    """A flight of one camera with three free parameters, 70 % and 40 % overlap, approximate values."""
+    """A flight of one camera with three free parameters, 75 % and 40 % overlap, approximate values."""
     camera = brown_camera(
         values={"c": 50.0, **dict.fromkeys(_FLAT, 0.0)},
         size_px=(10000, 7500), pixel_mm=0.005, estimate=("c", "x0", "y0"),
     )  # fmt: skip
     plan = AerialStrips(
-        camera=camera, strips=strips, images_per_strip=each, points_per_image=points, forward_overlap=0.7,
+        camera=camera, strips=strips, images_per_strip=each, points_per_image=points, forward_overlap=0.75,
         side_overlap=0.4,
     )  # fmt: skip
     survey = Survey(image_sigma_px=0.3, points="approximate", approximate=1e-4, interior="exact")
     return simulate(aerial_scene(plan), survey).observed
-
-
-def operations(own: Array, boundary: Array, sweep: str) -> Array:
-    """Floating-point operations on fronts: their elimination, or their cofactors; 0 of other sweeps."""
-    if sweep == "up":
-        return own**3 / 3 + own**2 * boundary + own * boundary**2
-    if sweep == "covariances":
-        return 2 * own**3 / 3 + 3 * own**2 * boundary + 2 * own * boundary**2
-    return np.zeros_like(own)
 
 
 def _dense() -> tuple[float, float]:
@@ -122,34 +112,50 @@ def _dense() -> tuple[float, float]:
         fronts.cofactors(left.L, left.W, np.eye(b))
         found.append((t1 - t0, time.process_time() - t1))
     up, down = np.median(np.array(found), axis=0)
-    count = [float(operations(np.array(float(o)), np.array(float(b)), s)) for s in ("up", "covariances")]
+    count = [operations(o, b, s) for s in ("up", "covariances")]
     return 1e12 * float(up) / count[0], 1e12 * float(down) / count[1]
 
 
-def sweep_of(records: Sequence[TaskRecord], network: Network, sweep: str, operation_ns: float) -> Sweep:
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Fronts:
+    """Sizes of the tree nodes of a network."""
+
+    own: Array
+    """(t,) unknowns that each eliminates"""
+    size: Array
+    """(t,) of its front"""
+    points: Array
+    """(t,) image points that it reduces"""
+
+    @classmethod
+    def of(cls, network: Network) -> Fronts:
+        """Those of a network."""
+        return cls(
+            own=np.array([f.columns for f in network.fronts], float), points=network.counts.astype(float),
+            size=np.array([f.size for f in network.fronts], float),
+        )  # fmt: skip
+
+    def operations(self, sweep: str) -> Array:
+        """(t,) floating-point operations."""
+        pairs = zip(self.own.tolist(), (self.size - self.own).tolist(), strict=True)
+        return np.array([operations(o, b, sweep) for o, b in pairs])
+
+
+def sweep_of(records: Iterable[TaskRecord], fronts_: Fronts, sweep: str, operation_ns: float) -> Sweep:
     """Constants of a sweep by its tasks: least squares without negative ones, tasks weighted by their size.
 
-    Tasks of one kind at one tree node count together, as often as an adjustment does them once: a sweep of covariances is
-    four tasks, one of statistics as many as there are around an adjustment.
+    A tree node has as many tasks of a sweep as `adjustment.KINDS` says; the constants are those of all of them, once.
     """
-    fronts_ = network.fronts
-    size, own = np.array([f.size for f in fronts_], float), np.array([f.columns for f in fronts_], float)
-    kinds: dict[str, list[list[TaskRecord]]] = defaultdict(lambda: [[] for _ in fronts_])
+    count = len(fronts_.size)
+    took, times = np.zeros((3, count)), np.zeros(count)
     for r in records:
-        if SWEEP_OF.get(r.name) == sweep:
-            kinds[r.name][r.node].append(r)
-    each = sweep in {"up", "down"}
-    took = {
-        what: np.sum(
-            [[sum(getattr(r, what) for r in rows) / (len(rows) if each else 1) for rows in of] for of in kinds.values()],
-            axis=0,
-        )
-        for what in ("seconds", "read", "written")
-    }  # fmt: skip
-    done = operation_ns * 1e-12 * operations(own, size - own, sweep)
-    known = np.column_stack([np.ones(len(size)), network.counts.astype(float), size**2])
-    seconds = _without_negative(known, np.maximum(took["seconds"] - done, 0.0))
-    read, written = (_without_negative(known, took[w]) for w in ("read", "written"))
+        took[:, r.node] += r.seconds, r.read, r.written
+        times[r.node] += 1
+    took *= KINDS[sweep] / times
+    done = operation_ns * 1e-12 * fronts_.operations(sweep)
+    known = np.column_stack([np.ones(count), fronts_.points, fronts_.size**2])
+    seconds = _without_negative(known, np.maximum(took[0] - done, 0.0))
+    read, written = (_without_negative(known, values) for values in took[1:])
     return Sweep(
         task_s=seconds[0], point_us=1e6 * seconds[1], element_ns=1e9 * seconds[2], operation_ns=operation_ns,
         read_point=read[1], read_element=read[2], written_point=written[1], written_element=written[2],
@@ -175,7 +181,7 @@ class _Matched:
     """What photographs take before approximate values."""
 
     feature_mpx_s: float
-    pair_s: float
+    nearest_s: float
     signature_s: float
     compare_ms: float
 
@@ -196,13 +202,9 @@ def _matched() -> _Matched:
     described = [Described(xy_px=f.xy_px, descriptors=f.descriptors, size_px=(width, height)) for f in found]
     coarse = [f.descriptors[widest(f, COARSE)] for f in found]
 
-    def pair() -> None:
-        matches = method.match(described[0], described[1])
-        verify(0, 1, found[0].xy_px, found[1].xy_px, matches, (width, height), (width, height))
-
     return _Matched(
         feature_mpx_s=min(seconds) / (width * height / 1e6),
-        pair_s=_median(pair) / (len(found[0]) * len(found[1]) / 1e6),
+        nearest_s=_median(lambda: method.match(described[0], described[1])) / (len(found[0]) * len(found[1]) / 1e6),
         signature_s=_median(lambda: signature(method.vectors(found[0].descriptors[widest(found[0], DESCRIBED)]), words)),
         compare_ms=1e3 * _median(lambda: method.shared(coarse[0], coarse[1])),
     )  # fmt: skip
@@ -248,19 +250,22 @@ def measure(progress: Progress = silent) -> Constants:
         with tempfile.TemporaryDirectory() as folder:
             columns = InFiles.of(block, Path(folder) / "columns")
             of = recorded(columns, {block.cameras[0].id: ("c", "x0", "y0")}, LEAF, Path(folder) / "store")
-    network = of.found.network
-    sweeps = {s: sweep_of(of.records, network, s, rates.get(s, 0.0)) for s in SWEEPS}
-    points = float(network.counts.sum())
+    sizes = Fronts.of(of.found.network)
+    sweeps = {
+        s: sweep_of([r for r in of.records if SWEEP_OF[r.name] == s], sizes, s, rates.get(s, 0.0)) for s in SWEEPS
+    }  # fmt: skip
+    points = float(sizes.points.sum())
     tasks_s = sum(r.seconds for r in of.records)
     slower = float(np.sqrt(sweeps["up"].point_us / reference.up.point_us * matched.feature_mpx_s / reference.feature_mpx_s))
     progress("measuring", 1.0)
     return replace(
         reference, processor=processor(), version=version(), revision=REVISION,
-        measured=f"{datetime.date.today().isoformat()}; start, precision and report by ratio to {reference.processor}",
+        measured=f"{datetime.date.today().isoformat()}; verification, start, precision and report by ratio to {reference.processor}",
         **sweeps,
         cutting_point_us=1e6 * of.cutting_s / points,
         driver_task_ms=1e3 * max(of.seconds - of.cutting_s - tasks_s, 0.0) / len(of.records),
-        feature_mpx_s=matched.feature_mpx_s, pair_s=matched.pair_s, signature_s=matched.signature_s,
-        compare_ms=matched.compare_ms, start_image_s=slower * reference.start_image_s,
-        precision_point_ms=slower * reference.precision_point_ms, report_image_s=slower * reference.report_image_s,
+        feature_mpx_s=matched.feature_mpx_s, nearest_s=matched.nearest_s, signature_s=matched.signature_s,
+        compare_ms=matched.compare_ms, verify_ms=slower * reference.verify_ms,
+        start_point_ms=slower * reference.start_point_ms, precision_point_ms=slower * reference.precision_point_ms,
+        report_point_ms=slower * reference.report_point_ms,
     )  # fmt: skip

@@ -75,7 +75,7 @@ def matching(a: Asked, c: Constants) -> StageCost:
     """Pairs matched and verified."""
     count = features_of(a.megapixels)
     work = Work(
-        count=pairs_of(a.images), cpu_s=c.pair_s * (count / 1000) ** 2, read=2 * count * FEATURE_BYTES,
+        count=pairs_of(a.images), cpu_s=c.nearest_s * (count / 1000) ** 2 + 1e-6 * c.verify_ms * count, read=2 * count * FEATURE_BYTES,
         written=MATCHED * count * MATCH_BYTES,
     )  # fmt: skip
     return _of(
@@ -86,21 +86,23 @@ def matching(a: Asked, c: Constants) -> StageCost:
 
 def start(a: Asked, c: Constants) -> StageCost:
     """Tracks and approximate values: one process."""
-    return _alone("tracks and start", c.start_image_s * a.images, c.base_mb + c.start_image_mb * a.images, a)
+    return _alone("tracks and start", 1e-3 * c.start_point_ms * a.points, _memory(c.start_point, a, c), a)
 
 
 def precision(a: Asked, c: Constants) -> StageCost:
     """Least-squares matching of all image points: one process."""
-    seconds = 1e-3 * c.precision_point_ms * a.points
-    return _alone("precision", seconds, c.base_mb + c.precision_image_mb * a.images, a)
+    return _alone("precision", 1e-3 * c.precision_point_ms * a.points, _memory(c.precision_point, a, c), a)
 
 
 def results(a: Asked, c: Constants) -> StageCost:
     """Result tables and report: one process."""
-    return _alone(
-        "report", c.report_image_s * a.images, c.base_mb + 1e-6 * c.report_point * a.points, a,
-        disk=c.result_point * a.points,
-    )  # fmt: skip
+    seconds, disk = 1e-3 * c.report_point_ms * a.points, c.result_point * a.points
+    return _alone("report", seconds, _memory(c.report_point, a, c), a, disk=disk)
+
+
+def _memory(point: float, a: Asked, c: Constants) -> float:
+    """Megabytes of a process that holds so many bytes for each image point."""
+    return c.base_mb + 1e-6 * point * a.points
 
 
 def _of(name: str, work: Work, a: Asked, *, memory_mb: float, disk: float) -> StageCost:
