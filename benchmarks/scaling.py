@@ -1,13 +1,14 @@
 """What `raybundle estimate-cost` says beside what an adjustment takes; efficiency of many workers, simulated.
 
-    python benchmarks/scaling.py [--columns FOLDER] [--record FILE.json] [--simulate] [--ship]
+    python benchmarks/scaling.py --columns FOLDER [--record FILE.json] [--orient PROJECT]
 
---columns   a block as columns (benchmarks/blocking.py --large makes them), adjusted in parts with what each task took;
-            the estimate for its size stands beside it, with constants that are measured in the same run
---record    where the tasks of that run are kept, or read from where they stand there
---simulate  workers from 1 to 256 on the recorded tasks: one store of 10 Gbit/s, 1 Gbit/s a worker, 0.5 ms
---ship      measure the constants that come with the package, after the runs of `raybundle orient` in --orient
-Peak memory is that of the process that adjusts, which is driver and worker in one.
+--columns  a block as columns (benchmarks/blocking.py --large makes them), adjusted in parts while what each task takes is
+           recorded; the estimate for its size stands beside it, with constants that are measured in the same run
+--record   the recorded tasks, to be used again, or where they are kept
+--orient   a project of `raybundle orient` on a made flight (benchmarks/many_images.py --keep): the stages before
+
+Then the recorded tasks are done by 1 to 256 workers in a simulation: one store of 10 Gbit/s, 1 Gbit/s a worker, 0.5 ms
+(benchmarks/simulated_workers.py).  Peak memory is that of the process that adjusts, driver and worker in one.
 """
 
 from __future__ import annotations
@@ -16,22 +17,21 @@ import argparse
 import json
 import os
 import resource
-import subprocess
-import sys
 import tempfile
-from dataclasses import asdict, replace
+from dataclasses import asdict
 from pathlib import Path
 
 os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
 
 import numpy as np
-import store_line
 from run import machine
+from simulated_workers import efficiencies
 
 from raybundle.blocking.columns import InFiles
 from raybundle.io.block.arrays import block_of_arrays
-from raybundle.workflows.costs import constants as kept
-from raybundle.workflows.costs.adjustment import adjustment, parts_of
+from raybundle.pipeline.project import Project
+from raybundle.workflows.costs import photographs
+from raybundle.workflows.costs.adjustment import NAMES, adjustment, parts_of
 from raybundle.workflows.costs.constants import SWEEPS, Constants
 from raybundle.workflows.costs.measure import SWEEP_OF, measure, recorded
 from raybundle.workflows.costs.stages import Asked
@@ -40,8 +40,8 @@ HERE = Path(__file__).resolve().parent
 FREE = {"1": ("c", "k1", "k2")}
 OVERLAP = 12.5
 """Of the blocks of ../shared/bench/generate_block.py: photographs of 120 m by 80 m each 16 m along and 48 m across"""
-SHAPE = 1.8 / 1.0 * 48 / 48
-"""Their longer side over the shorter one, in images of equal area"""
+SHAPE = 1.8
+"""Their longer side over the shorter one"""
 
 
 def record(columns: Path, leaf: int) -> dict:
@@ -73,13 +73,12 @@ def asked(run: dict, workers: int = 1) -> Asked:
 def beside(run: dict, c: Constants) -> dict:
     """Estimate and measurement, stage by stage."""
     a = asked(run)
-    sizes = parts_of(a)
+    sizes = parts_of(a, shape=SHAPE)
     stages = {s.name: s for s in adjustment(a, c, sizes)}
     tasks = {s: sum(r["seconds"] for r in run["records"] if SWEEP_OF[r["name"]] == s) for s in SWEEPS}
     driver = run["CPU s"] - run["cutting s"] - sum(tasks.values())
     share = {s: driver * sum(SWEEP_OF[r["name"]] == s for r in run["records"]) / len(run["records"]) for s in SWEEPS}
-    names = {"up": "reduction up", "down": "solution down", "covariances": "covariances", "statistics": "statistics"}
-    measured = {"cutting": run["cutting s"], **{names[s]: tasks[s] + share[s] for s in SWEEPS}}
+    measured = {"cutting": run["cutting s"], **{NAMES[s]: tasks[s] + share[s] for s in SWEEPS}}
     size = np.array(run["size"])
     told = {n: {"estimated s": stages[n].cpu_s, "measured s": m, "ratio": stages[n].cpu_s / m} for n, m in measured.items()}
     cpu = sum(s.cpu_s for s in stages.values())
@@ -104,92 +103,50 @@ def _leaves(run: dict) -> int:
     return len(run["parent"]) - len({p for p in run["parent"] if p >= 0})
 
 
-# -- many workers
+def before_adjustment(project: Path, c: Constants) -> dict:
+    """CPU seconds of the stages before an adjustment, estimated and measured, of a project of `raybundle orient`."""
+    opened = Project.open(project, create=False)
+    done = {r.name: r for r in opened.stages()}
+    opened.close()
+    result = json.loads((project / "result/result.json").read_text())
+    images, observed = result["images"]["oriented"], result["observations"]
+    a = Asked(
+        images=images, megapixels=0.75, overlap=OVERLAP, image_points=observed / images, iterations=6, workers=1,
+        memory_gb=1.0, network_gbit=0.0, store_gbit=10.0, latency_ms=0.5,
+    )  # fmt: skip
+    matching = photographs.choice_of_pairs(a, c).cpu_s + photographs.matching(a, c).cpu_s
+    estimated = {
+        "features": photographs.features(a, c).cpu_s, "matching": matching, "start": photographs.start(a, c).cpu_s,
+        "precision": photographs.precision(a, c).cpu_s, "report": photographs.results(a, c).cpu_s,
+    }  # fmt: skip
+    stages = {n: _pair(s, done[n].cpu_seconds) for n, s in estimated.items()}
+    return {"photographs": images, "image points": observed, "stages": stages}
 
 
-def jobs_of(run: dict) -> list[list[Job]]:
-    """The tasks of a run, a list for each sweep: the driver waits for the last task of one before the next."""
-    sweeps: list[list[dict]] = []
-    for r in run["records"]:
-        if not sweeps or sweeps[-1][0]["name"] != r["name"] or any(r["node"] == q["node"] for q in sweeps[-1]):
-            sweeps.append([])
-        sweeps[-1].append(r)
-    found = []
-    for sweep in sweeps:
-        at = {r["key"]: k for k, r in enumerate(sweep)}
-        found.append([
-            Job(seconds=r["seconds"], read=r["read"], written=r["written"],
-                waits=tuple(at[key] for key in r["inputs"] if key in at))
-            for r in sweep
-        ])  # fmt: skip
-    return found
+def main() -> None:
+    """Measure, and write the results."""
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--columns", type=Path, default=HERE / "work/blocking/columns10000")
+    parser.add_argument("--leaf", type=int, default=1000)
+    parser.add_argument("--record", type=Path)
+    parser.add_argument("--orient", type=Path)
+    given = parser.parse_args()
+    constants = measure()
+    if given.record and given.record.exists():
+        run = json.loads(given.record.read_text())
+    else:
+        run = record(given.columns, given.leaf)
+        if given.record:
+            given.record.write_text(json.dumps(run))
+    out = HERE / "results/scaling.json"
+    results = json.loads(out.read_text()) if out.exists() else {}
+    results |= {"machine": machine(), "constants": asdict(constants)}
+    results[f"adjustment of {run['images']}"] = beside(run, constants)
+    results[f"workers, from the tasks of {run['images']}"] = efficiencies(run, asked(run), constants)
+    if given.orient:
+        results["stages before"] = before_adjustment(given.orient, constants)
+    out.write_text(json.dumps(results, indent=1) + "\n")
 
 
-@dataclass(frozen=True)
-class Kind:
-    """The tasks of one kind: of leaves as they were recorded, of separators by constants fitted to them."""
-
-    sweep: str
-    leaves: list[dict]
-    fitted: Sweep
-
-
-def kinds_of(run: dict, rates: dict[str, float]) -> dict[str, Kind]:
-    """By the name of the function."""
-    fronts = Fronts(own=np.array(run["own"], float), size=np.array(run["size"], float), points=np.array(run["counts"], float))
-    above = {p for p in run["parent"] if p >= 0}
-    found = {}
-    for name, sweep in SWEEP_OF.items():
-        mine = [r for r in run["records"] if r["name"] == name]
-        if not mine:
-            continue
-        dense = sweep if name in {"up", "inverse"} else "none"
-        one = [TaskRecord(**r) for r in mine]
-        whole = sweep_of(one, fronts, sweep if dense == sweep else "none", rates.get(sweep, 0.0))
-        found[name] = Kind(sweep, [r for r in mine if r["node"] not in above], whole)
-    return found
-
-
-def tree_of(sizes: tuple[Size, ...]) -> list[tuple[int, int]]:
-    """Size and parent of each tree node of a flight, the root first."""
-    found: list[tuple[int, int]] = [(0, -1)]
-    k = 0
-    while k < len(found):
-        found += [(half, k) for half in sizes[found[k][0]].halves]
-        k += 1
-    return found
-
-
-def synthetic(run: dict, kinds: dict[str, Kind], images: int, threads: float) -> list[list[Job]]:
-    """The sweeps of a flight of so many images with the image points of the run.
-
-    threads  by which fronts above the leaves are eliminated; 1: as it is
-    """
-    a = replace(asked(run), images=images)
-    sizes = parts_of(a)
-    tree = tree_of(sizes)
-    below: list[list[int]] = [[] for _ in tree]
-    for k, (_, parent) in enumerate(tree):
-        if parent >= 0:
-            below[parent].append(k)
-    rng = np.random.default_rng(1)
-    names = [s[0]["name"] for s in _sweeps(run)]
-    found = []
-    for name in names:
-        kind = kinds[name]
-        upwards = name in {"up", "right_up"}
-        downwards = name in {"down", "inverse", "right_down"}
-        order = range(len(tree) - 1, -1, -1) if upwards else range(len(tree))
-        at = {k: place for place, k in enumerate(order)}
-        jobs = []
-        for k in order:
-            size = sizes[tree[k][0]]
-            waits = tuple(at[c] for c in below[k]) if upwards else (at[tree[k][1]],) if downwards and k else ()
-            if size.leaf and name != "right_down":
-                r = kind.leaves[int(rng.integers(len(kind.leaves)))]
-                jobs.append(Job(seconds=r["seconds"], read=r["read"], written=r["written"], waits=waits))
-            else:
-                w = task_of(size, kind.sweep if name in {"up", "inverse"} else "none", kind.fitted)
-                jobs.append(Job(seconds=w.cpu_s / KINDS_OF(kind, threads), read=w.read, written=w.written, waits=waits))
-        found.append(jobs)
-    return found
+if __name__ == "__main__":
+    main()

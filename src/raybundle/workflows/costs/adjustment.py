@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 from dataclasses import replace
 
@@ -46,7 +47,7 @@ def parts_of(a: Asked, *, shape: float = 1.0, leaf: int = LEAF) -> tuple[Size, .
 
 def adjustment(a: Asked, c: Constants, sizes: Sequence[Size]) -> tuple[StageCost, ...]:
     """Stages of an adjustment in parts over a store, each with what it adds to the disk."""
-    cutting = 1e-6 * c.cutting_point_us * a.points
+    cutting = 1e-6 * c.cutting_point_us * a.points * math.log2(max(a.points, 2.0))
     stored = 1e-9 * c.stored_point * a.points
     parts = StageCost(
         name="cutting", cpu_s=cutting, tasks=1, memory_mb=driver_memory(a, c), disk_gb=stored, moved_gb=stored,

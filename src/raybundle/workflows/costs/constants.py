@@ -55,7 +55,8 @@ class Constants:
     covariances: Sweep
     statistics: Sweep
     cutting_point_us: float
-    """CPU microseconds of the driver for an image point: read, hashed, cut, written to its part"""
+    """CPU microseconds of the driver for an image point and each doubling of their number: read, hashed, sorted, cut,
+    written to its part"""
     driver_task_ms: float
     """CPU milliseconds of the driver for a task that it hands out and whose numbers it adds up"""
     driver_point: float

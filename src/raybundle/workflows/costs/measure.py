@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import datetime
+import math
 import tempfile
 import time
 from collections.abc import Callable, Iterable
@@ -27,8 +28,8 @@ from raybundle.planning.made_ground import gravel_pit
 from raybundle.planning.rendering import View
 from raybundle.planning.scenes import AerialStrips, aerial_scene, brown_camera, look_at
 from raybundle.planning.simulate import Survey, simulate
-from raybundle.workflows.costs.adjustment import KINDS, operations
-from raybundle.workflows.costs.constants import REVISION, SWEEPS, Constants, Sweep, processor, shipped, version
+from raybundle.workflows.costs.adjustment import KEPT, KINDS, operations
+from raybundle.workflows.costs.constants import REVISION, Constants, Sweep, processor, shipped, version
 from raybundle.workflows.costs.recording import CountingFolder, Recording, TaskRecord
 
 SWEEP_OF = {
@@ -37,8 +38,10 @@ SWEEP_OF = {
     "placed": "statistics", "told": "statistics", "stated": "statistics",
 }  # fmt: skip
 """Which sweep a kind of task belongs to"""
-STRIPS, EACH, POINTS, LEAF = 16, 24, 600, 300
-"""Of the made flight: 384 images in some 16 leaves, of 6 image points an object point"""
+FLIGHTS = ((10, 20, 1000, 600), (14, 24, 150, 300))
+"""Made flights: strips, images of each, image points of an image, unknowns of a leaf.  One of large parts with as many
+image points as in earnest, which no cache holds, and one of many small parts: so what an image point takes and what an
+unknown does are told apart."""
 FRONT = (600, 1200)
 """Own and boundary unknowns of the front that is eliminated: as high in the tree of a flight of 10 000 images"""
 PHOTO_PX, PHOTO_FEATURES = (1200, 900), 10_000
@@ -64,14 +67,18 @@ class Recorded:
     """object points"""
 
 
-def recorded(columns: InFiles, free: dict[str, tuple[str, ...]], leaf: int, folder: Path) -> Recorded:
+def recorded(
+    columns: InFiles, free: dict[str, tuple[str, ...]], leaf: int, folder: Path, *, keep: int = KEPT
+) -> Recorded:
     """Adjust a block in parts, one task after the other, and keep what each took.
 
     folder  where the store is kept meanwhile
+    keep    parts that are held ready for use
     """
     store, doing = CountingFolder(folder), Recording()
+    options = AdjustmentOptions(jobs=1, noise="white")
     began = time.process_time()
-    found = adjust_columns(columns, AdjustmentOptions(jobs=1, noise="white"), free, store, doing, leaf=leaf)
+    found = adjust_columns(columns, options, free, store, doing, leaf=leaf, keep=keep)
     ended = time.process_time()
     assert doing.begun is not None
     return Recorded(
@@ -80,7 +87,7 @@ def recorded(columns: InFiles, free: dict[str, tuple[str, ...]], leaf: int, fold
     )  # fmt: skip
 
 
-def made_flight(strips: int = STRIPS, each: int = EACH, points: int = POINTS) -> Block:
+def made_flight(strips: int, each: int, points: int) -> Block:
     """A flight of one camera with three free parameters, 75 % and 40 % overlap, approximate values."""
     camera = brown_camera(
         values={"c": 50.0, **dict.fromkeys(_FLAT, 0.0)},
@@ -128,11 +135,12 @@ class Fronts:
     """(t,) image points that it reduces"""
 
     @classmethod
-    def of(cls, network: Network) -> Fronts:
-        """Those of a network."""
+    def of(cls, *networks: Network) -> Fronts:
+        """Those of networks, one behind the other."""
+        fronts_ = [f for n in networks for f in n.fronts]
         return cls(
-            own=np.array([f.columns for f in network.fronts], float), points=network.counts.astype(float),
-            size=np.array([f.size for f in network.fronts], float),
+            own=np.array([f.columns for f in fronts_], float), size=np.array([f.size for f in fronts_], float),
+            points=np.concatenate([n.counts for n in networks]).astype(float),
         )  # fmt: skip
 
     def operations(self, sweep: str) -> Array:
@@ -141,17 +149,19 @@ class Fronts:
         return np.array([operations(o, b, sweep) for o, b in pairs])
 
 
-def sweep_of(records: Iterable[TaskRecord], fronts_: Fronts, sweep: str, operation_ns: float) -> Sweep:
+def sweep_of(
+    records: Iterable[TaskRecord], fronts_: Fronts, sweep: str, operation_ns: float, *, tasks: int
+) -> Sweep:
     """Constants of a sweep by its tasks: least squares without negative ones, tasks weighted by their size.
 
-    A tree node has as many tasks of a sweep as `adjustment.KINDS` says; the constants are those of all of them, once.
+    tasks  of each tree node when the sweep is done once; the constants are those of all of them together
     """
     count = len(fronts_.size)
     took, times = np.zeros((3, count)), np.zeros(count)
     for r in records:
         took[:, r.node] += r.seconds, r.read, r.written
         times[r.node] += 1
-    took *= KINDS[sweep] / times
+    took *= tasks / times
     done = operation_ns * 1e-12 * fronts_.operations(sweep)
     known = np.column_stack([np.ones(count), fronts_.points, fronts_.size**2])
     seconds = _without_negative(known, np.maximum(took[0] - done, 0.0))
@@ -233,6 +243,15 @@ def _median(work: Callable[[], object]) -> float:
     return float(np.median(found))
 
 
+def _flown(strips: int, each: int, points: int, leaf: int) -> Recorded:
+    """A made flight, adjusted; no part stays ready, as where there are many."""
+    block = made_flight(strips, each, points)
+    with tempfile.TemporaryDirectory() as folder:
+        columns = InFiles.of(block, Path(folder) / "columns")
+        free = {block.cameras[0].id: block.cameras[0].estimate}
+        return recorded(columns, free, leaf, Path(folder) / "store", keep=1)
+
+
 def measure(progress: Progress = silent) -> Constants:
     """The constants of this machine, some half a minute of one processor.
 
@@ -246,24 +265,25 @@ def measure(progress: Progress = silent) -> Constants:
         progress("measuring", 0.3)
         rates = dict(zip(("up", "covariances"), _dense(), strict=True))
         progress("measuring", 0.4)
-        block = made_flight()
-        with tempfile.TemporaryDirectory() as folder:
-            columns = InFiles.of(block, Path(folder) / "columns")
-            of = recorded(columns, {block.cameras[0].id: ("c", "x0", "y0")}, LEAF, Path(folder) / "store")
-    sizes = Fronts.of(of.found.network)
-    sweeps = {
-        s: sweep_of([r for r in of.records if SWEEP_OF[r.name] == s], sizes, s, rates.get(s, 0.0)) for s in SWEEPS
-    }  # fmt: skip
-    points = float(sizes.points.sum())
-    tasks_s = sum(r.seconds for r in of.records)
+        runs = [_flown(*flight) for flight in FLIGHTS]
+    sizes = Fronts.of(*(r.found.network for r in runs))
+    begin = np.cumsum([0, *(len(r.found.network.tree) for r in runs)]).tolist()
+    records = [replace(t, node=t.node + b) for r, b in zip(runs, begin[:-1], strict=True) for t in r.records]
+    sweeps: dict[str, Sweep] = {}
+    for sweep, tasks in KINDS.items():
+        mine = [r for r in records if SWEEP_OF[r.name] == sweep]
+        sweeps[sweep] = sweep_of(mine, sizes, sweep, rates.get(sweep, 0.0), tasks=tasks)
+    large = runs[0]
+    points = float(large.found.network.counts.sum())
+    driver = sum(r.seconds - r.cutting_s - sum(t.seconds for t in r.records) for r in runs)
     slower = float(np.sqrt(sweeps["up"].point_us / reference.up.point_us * matched.feature_mpx_s / reference.feature_mpx_s))
     progress("measuring", 1.0)
     return replace(
         reference, processor=processor(), version=version(), revision=REVISION,
         measured=f"{datetime.date.today().isoformat()}; verification, start, precision and report by ratio to {reference.processor}",
         **sweeps,
-        cutting_point_us=1e6 * of.cutting_s / points,
-        driver_task_ms=1e3 * max(of.seconds - of.cutting_s - tasks_s, 0.0) / len(of.records),
+        cutting_point_us=1e6 * large.cutting_s / (points * math.log2(points)),
+        driver_task_ms=1e3 * max(driver, 0.0) / len(records),
         feature_mpx_s=matched.feature_mpx_s, nearest_s=matched.nearest_s, signature_s=matched.signature_s,
         compare_ms=matched.compare_ms, verify_ms=slower * reference.verify_ms,
         start_point_ms=slower * reference.start_point_ms, precision_point_ms=slower * reference.precision_point_ms,
