@@ -24,6 +24,7 @@ from raybundle.matching.methods import feature_method
 from raybundle.matching.signatures import COARSE, DESCRIBED, shipped_codebook, signature, widest
 from raybundle.numerics.arrays import Array
 from raybundle.numerics.progress import Progress, silent
+from raybundle.pipeline.store import Folder
 from raybundle.planning.made_ground import gravel_pit
 from raybundle.planning.rendering import View
 from raybundle.planning.scenes import AerialStrips, aerial_scene, brown_camera, look_at
@@ -42,6 +43,14 @@ FLIGHTS = ((10, 20, 1000, 600), (14, 24, 150, 300))
 """Made flights: strips, images of each, image points of an image, unknowns of a leaf.  One of large parts with as many
 image points as in earnest, which no cache holds, and one of many small parts: so what an image point takes and what an
 unknown does are told apart."""
+CAMERAS = {
+    "brown": (("x0", "y0", "K1", "K2", "K3", "P1", "P2", "A", "S"), ("c", "x0", "y0")),
+    "radial": (("k1", "k2"), ("c", "k1", "k2")),
+}
+"""Parameters that are 0 and free ones of a made flight's camera, by sensor model: Brown's takes twice the time of a
+radial one for an image point"""
+CHILD = 0.8
+"""Of a front the part that each of its children touches"""
 FRONT = (600, 1200)
 """Own and boundary unknowns of the front that is eliminated: as high in the tree of a flight of 10 000 images"""
 PHOTO_PX, PHOTO_FEATURES = (1200, 900), 10_000
@@ -87,11 +96,12 @@ def recorded(
     )  # fmt: skip
 
 
-def made_flight(strips: int, each: int, points: int) -> Block:
+def made_flight(strips: int, each: int, points: int, model: str = "brown") -> Block:
     """A flight of one camera with three free parameters, 75 % and 40 % overlap, approximate values."""
-    camera = brown_camera(
-        values={"c": 50.0, **dict.fromkeys(_FLAT, 0.0)},
-        size_px=(10000, 7500), pixel_mm=0.005, estimate=("c", "x0", "y0"),
+    values, estimate = CAMERAS[model]
+    camera = replace(
+        brown_camera(size_px=(10000, 7500), pixel_mm=0.005), model=model, values={"c": 50.0, **dict.fromkeys(values, 0.0)},
+        estimate=estimate,
     )  # fmt: skip
     plan = AerialStrips(
         camera=camera, strips=strips, images_per_strip=each, points_per_image=points, forward_overlap=0.75,
@@ -101,26 +111,57 @@ def made_flight(strips: int, each: int, points: int) -> Block:
     return simulate(aerial_scene(plan), survey).observed
 
 
-def _dense() -> tuple[float, float]:
-    """CPU nanoseconds for a thousand operations: elimination, cofactors."""
+@dataclass(frozen=True, slots=True, kw_only=True)
+class _Dense:
+    """What fronts take, CPU nanoseconds: a thousand operations, an element."""
+
+    operation_ns: dict[str, float]
+    element_ns: dict[str, float]
+
+
+def _dense() -> _Dense:
+    """A front of two children's messages eliminated, solved and inverted; what is not arithmetic goes by elements."""
     rng = np.random.default_rng(1)
     o, b = FRONT
-    W = rng.normal(0, 1, (o + b, o + b))
-    N = W @ W.T + (o + b) * np.eye(o + b)
-    found: list[tuple[float, float]] = []
+    n = o + b
+    W = rng.normal(0, 1, (n, n))
+    N = np.asfortranarray(W @ W.T + n * np.eye(n))
+    at = np.sort(rng.choice(n, int(CHILD * n), replace=False))
+    message = np.asfortranarray(N[np.ix_(at, at)])
+    found: list[list[float]] = []
     for _ in range(ROUNDS):
-        e = fronts.Equations(
-            np.asfortranarray(N[:o, :o]), np.asfortranarray(N[:o, o:]), np.asfortranarray(N[o:, o:]),
-            np.ones(o + b), np.ones(o + b),
-        )  # fmt: skip
-        t0 = time.process_time()
-        left = fronts.eliminate(e, 0.0)
-        t1 = time.process_time()
-        fronts.cofactors(left.L, left.W, np.eye(b))
-        found.append((t1 - t0, time.process_time() - t1))
-    up, down = np.median(np.array(found), axis=0)
-    count = [operations(o, b, s) for s in ("up", "covariances")]
-    return 1e12 * float(up) / count[0], 1e12 * float(down) / count[1]
+        e = fronts.Equations(N[:o, :o].copy("F"), N[:o, o:].copy("F"), N[o:, o:].copy("F"), np.ones(n), np.ones(n))
+        with tempfile.TemporaryDirectory() as folder:
+            store = Folder(Path(folder))
+            clock = [time.process_time()]
+            store.store("child", {"reduced": message})
+            for _ in range(2):
+                e.add_reduced(at, Folder(store.path).lent("child")["reduced"])
+            clock.append(time.process_time())
+            left = fronts.eliminate(e, 0.0)
+            clock.append(time.process_time())
+            store.store("up", {"L": left.L, "W": left.W, "y": left.y})
+            own = Folder(store.path).lent("up")
+            clock.append(time.process_time())
+            fronts.solved(own["L"], own["W"], own["y"], np.ones(b))
+            clock.append(time.process_time())
+            Q = fronts.cofactors(own["L"], own["W"], np.eye(b))
+            clock.append(time.process_time())
+            store.store("inverse", {"Q": Q})
+            Folder(store.path).lent("inverse")["Q"][np.ix_(at, at)]
+            clock.append(time.process_time())
+        found.append(np.diff(clock).tolist())
+    assembled, up, kept, solved, inverse, handed = np.median(np.array(found), axis=0).tolist()
+    per = 1e9 / n**2
+    return _Dense(
+        operation_ns={
+            "up": 1e12 * up / operations(o, b, "up"), "covariances": 1e12 * inverse / operations(o, b, "covariances")
+        },
+        element_ns={
+            "up": per * (assembled + kept / 2), "down": per * (kept / 2 + solved),
+            "covariances": per * (handed + kept / 2),
+        },
+    )  # fmt: skip
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -150,7 +191,7 @@ class Fronts:
 
 
 def sweep_of(
-    records: Iterable[TaskRecord], fronts_: Fronts, sweep: str, operation_ns: float, *, tasks: int
+    records: Iterable[TaskRecord], fronts_: Fronts, sweep: str, *, operation_ns: float, element_ns: float, tasks: int
 ) -> Sweep:
     """Constants of a sweep by its tasks: least squares without negative ones, tasks weighted by their size.
 
@@ -163,11 +204,12 @@ def sweep_of(
         times[r.node] += 1
     took *= tasks / times
     done = operation_ns * 1e-12 * fronts_.operations(sweep)
+    done += 1e-9 * element_ns * fronts_.size**2
+    seconds = _without_negative(np.column_stack([np.ones(count), fronts_.points]), np.maximum(took[0] - done, 0.0))
     known = np.column_stack([np.ones(count), fronts_.points, fronts_.size**2])
-    seconds = _without_negative(known, np.maximum(took[0] - done, 0.0))
     read, written = (_without_negative(known, values) for values in took[1:])
     return Sweep(
-        task_s=seconds[0], point_us=1e6 * seconds[1], element_ns=1e9 * seconds[2], operation_ns=operation_ns,
+        task_s=seconds[0], point_us=1e6 * seconds[1], element_ns=element_ns, operation_ns=operation_ns,
         read_point=read[1], read_element=read[2], written_point=written[1], written_element=written[2],
     )  # fmt: skip
 
@@ -243,17 +285,19 @@ def _median(work: Callable[[], object]) -> float:
     return float(np.median(found))
 
 
-def _flown(strips: int, each: int, points: int, leaf: int) -> Recorded:
+def _flown(strips: int, each: int, points: int, leaf: int, model: str) -> Recorded:
     """A made flight, adjusted; no part stays ready, as where there are many."""
-    block = made_flight(strips, each, points)
+    block = made_flight(strips, each, points, model)
     with tempfile.TemporaryDirectory() as folder:
         columns = InFiles.of(block, Path(folder) / "columns")
         free = {block.cameras[0].id: block.cameras[0].estimate}
         return recorded(columns, free, leaf, Path(folder) / "store", keep=1)
 
 
-def measure(progress: Progress = silent) -> Constants:
+def measure(progress: Progress = silent, *, model: str = "brown") -> Constants:
     """The constants of this machine, some half a minute of one processor.
+
+    model  sensor model of the made flights: one of CAMERAS
 
     What is not measured here, as what photographs take after matching, is that of the shipped constants, by the ratio of
     what is measured of both.  Memory and bytes are those shipped: they are the program's, not the machine's.
@@ -263,16 +307,17 @@ def measure(progress: Progress = silent) -> Constants:
         progress("measuring", 0.0)
         matched = _matched()
         progress("measuring", 0.3)
-        rates = dict(zip(("up", "covariances"), _dense(), strict=True))
+        dense = _dense()
         progress("measuring", 0.4)
-        runs = [_flown(*flight) for flight in FLIGHTS]
+        runs = [_flown(*flight, model) for flight in FLIGHTS]
     sizes = Fronts.of(*(r.found.network for r in runs))
     begin = np.cumsum([0, *(len(r.found.network.tree) for r in runs)]).tolist()
     records = [replace(t, node=t.node + b) for r, b in zip(runs, begin[:-1], strict=True) for t in r.records]
     sweeps: dict[str, Sweep] = {}
     for sweep, tasks in KINDS.items():
         mine = [r for r in records if SWEEP_OF[r.name] == sweep]
-        sweeps[sweep] = sweep_of(mine, sizes, sweep, rates.get(sweep, 0.0), tasks=tasks)
+        rate, each = dense.operation_ns.get(sweep, 0.0), dense.element_ns.get(sweep, 0.0)
+        sweeps[sweep] = sweep_of(mine, sizes, sweep, operation_ns=rate, element_ns=each, tasks=tasks)
     large = runs[0]
     points = float(large.found.network.counts.sum())
     driver = sum(r.seconds - r.cutting_s - sum(t.seconds for t in r.records) for r in runs)
