@@ -124,13 +124,15 @@ def kinds_of(run: dict, c: Constants) -> dict[str, Kind]:
         own=np.array(run["own"], float), size=np.array(run["size"], float), points=np.array(run["counts"], float)
     )
     above = {p for p in run["parent"] if p >= 0}
-    rates = {"up": c.up.operation_ns, "inverse": c.covariances.operation_ns}
     found = {}
     for name in {r["name"] for r in run["records"]}:
         mine = [r for r in run["records"] if r["name"] == name]
-        operations = SWEEP_OF[name] if name in rates else ""
-        rate = rates.get(name, 0.0)
-        fitted = sweep_of([TaskRecord(**r) for r in mine], sizes, operations, rate, tasks=1)
+        operations = SWEEP_OF[name] if name in {"up", "inverse"} else ""
+        of = getattr(c, operations) if operations else None
+        fitted = sweep_of(
+            [TaskRecord(**r) for r in mine], sizes, operations, tasks=1, operation_ns=of.operation_ns if of else 0.0,
+            element_ns=of.element_ns if of else 0.0,
+        )  # fmt: skip
         found[name] = Kind(leaves=[r for r in mine if r["node"] not in above], fitted=fitted, operations=operations)
     return found
 

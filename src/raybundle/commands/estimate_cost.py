@@ -35,7 +35,7 @@ class EstimateCostSettings:
         limits=(SHARE, SHARE),
     )  # fmt: skip
     points_per_image: float | None = setting(
-        None, "Image points of a photograph that are adjusted; without it as many as it has features.", metavar="N",
+        None, "Image points of a photograph that are adjusted; without it 0.8 of its features.", metavar="N",
         limits=Range(low=6, high=1e6),
     )  # fmt: skip
     iterations: int = setting(6, "Iterations of the adjustment.", limits=Range(low=1, high=1000))
@@ -78,13 +78,13 @@ def estimate_cost(
 def run_estimate_cost(s: EstimateCostSettings, photos: Path | None, progress: Progress = silent) -> Estimate:
     """Count photographs, take constants, and estimate."""
     from raybundle.workflows.costs.estimate import estimate  # noqa: PLC0415  (what computes is loaded after the help)
-    from raybundle.workflows.costs.photographs import features_of  # noqa: PLC0415
+    from raybundle.workflows.costs.photographs import image_points_of  # noqa: PLC0415
     from raybundle.workflows.costs.stages import Asked  # noqa: PLC0415
 
     if s.measure and s.shipped:
         raise InputError(f"either {option('measure', True)} or {option('shipped', True, flag='no-measure')}")
     images, megapixels = _size(s, photos)
-    points = float(features_of(megapixels)) if s.points_per_image is None else s.points_per_image
+    points = image_points_of(megapixels) if s.points_per_image is None else s.points_per_image
     asked = Asked(
         images=images, megapixels=megapixels, overlap=_overlap(s), image_points=points, iterations=s.iterations,
         workers=s.workers, memory_gb=s.memory, network_gbit=s.network, store_gbit=s.store, latency_ms=LATENCY_MS,

@@ -55,7 +55,7 @@ def adjustment(a: Asked, c: Constants, sizes: Sequence[Size]) -> tuple[StageCost
     )  # fmt: skip
     times = {"up": a.iterations + 1, "down": a.iterations, "covariances": 1, "statistics": 1}
     swept = {s: _sweep(s, sizes, n, c, a) for s, n in times.items()}
-    factors = sum(s.count * (s.columns + s.rows) ** 2 for s in sizes)
+    factors = sum(s.count * ((s.columns + s.rows) ** 2 - s.columns * s.rows) for s in sizes)
     inverses = sum(s.count * (s.columns + s.rows) ** 2 for s in sizes if not s.leaf)
     swept["up"] = replace(swept["up"], disk_gb=1e-9 * DOUBLE * factors)
     swept["covariances"] = replace(swept["covariances"], disk_gb=1e-9 * DOUBLE * inverses)

@@ -77,6 +77,8 @@ class Constants:
     """CPU milliseconds to verify a pair, for a thousand features"""
     signature_s: float
     """CPU seconds for the signature of a photograph"""
+    likeness_ns: float
+    """CPU nanoseconds for a thousand floating-point operations of the likeness of signatures, in float32"""
     compare_ms: float
     """CPU milliseconds to compare a pair by 1000 features"""
     start_point_ms: float

@@ -56,6 +56,8 @@ FRONT = (600, 1200)
 PHOTO_PX, PHOTO_FEATURES = (1200, 900), 10_000
 """Of the made photographs: format, and features at most, as by default of `raybundle orient`"""
 _FLAT = ("x0", "y0", "K1", "K2", "K3", "P1", "P2")
+SIGNATURES = (500, 2000, 2048)
+"""Signatures that are compared with how many others, and their length"""
 ROUNDS = 5
 """Of what takes well below a second: the median counts"""
 
@@ -207,21 +209,23 @@ def sweep_of(
     done += 1e-9 * element_ns * fronts_.size**2
     seconds = _without_negative(np.column_stack([np.ones(count), fronts_.points]), np.maximum(took[0] - done, 0.0))
     known = np.column_stack([np.ones(count), fronts_.points, fronts_.size**2])
-    read, written = (_without_negative(known, values) for values in took[1:])
+    read, written = (_without_negative(known, values, even=True) for values in took[1:])
     return Sweep(
         task_s=seconds[0], point_us=1e6 * seconds[1], element_ns=element_ns, operation_ns=operation_ns,
         read_point=read[1], read_element=read[2], written_point=written[1], written_element=written[2],
     )  # fmt: skip
 
 
-def _without_negative(known: Array, values: Array) -> list[float]:
+def _without_negative(known: Array, values: Array, *, even: bool = False) -> list[float]:
     """Least squares with no negative unknown (Lawson and Hanson 1974).
 
     What a task takes varies with its size: weights by what is known of it, not by what it took, keep the sum.
+
+    even  all weights alike: bytes do not vary
     """
     from scipy.optimize import nnls  # noqa: PLC0415
 
-    scale = 1 / np.sqrt((known / known.max(axis=0)).mean(axis=1))
+    scale = np.ones(len(values)) if even else 1 / np.sqrt((known / known.max(axis=0)).mean(axis=1))
     columns = known * scale[:, None]
     norm = np.linalg.norm(columns, axis=0)
     found, _ = nnls(columns / norm, values * scale)
@@ -235,6 +239,7 @@ class _Matched:
     feature_mpx_s: float
     nearest_s: float
     signature_s: float
+    likeness_ns: float
     compare_ms: float
 
 
@@ -252,12 +257,14 @@ def _matched() -> _Matched:
         seconds.append(time.process_time() - began)
     words = shipped_codebook(method.codebook).words
     described = [Described(xy_px=f.xy_px, descriptors=f.descriptors, size_px=(width, height)) for f in found]
+    signatures = np.random.default_rng(1).normal(0, 1, SIGNATURES[1:]).astype(np.float32)
     coarse = [f.descriptors[widest(f, COARSE)] for f in found]
 
     return _Matched(
         feature_mpx_s=min(seconds) / (width * height / 1e6),
         nearest_s=_median(lambda: method.match(described[0], described[1])) / (len(found[0]) * len(found[1]) / 1e6),
         signature_s=_median(lambda: signature(method.vectors(found[0].descriptors[widest(found[0], DESCRIBED)]), words)),
+        likeness_ns=1e12 * _median(lambda: signatures[:SIGNATURES[0]] @ signatures.T) / (2 * math.prod(SIGNATURES)),
         compare_ms=1e3 * _median(lambda: method.shared(coarse[0], coarse[1])),
     )  # fmt: skip
 
@@ -317,7 +324,11 @@ def measure(progress: Progress = silent, *, model: str = "brown") -> Constants:
     for sweep, tasks in KINDS.items():
         mine = [r for r in records if SWEEP_OF[r.name] == sweep]
         rate, each = dense.operation_ns.get(sweep, 0.0), dense.element_ns.get(sweep, 0.0)
-        sweeps[sweep] = sweep_of(mine, sizes, sweep, operation_ns=rate, element_ns=each, tasks=tasks)
+        own: Sweep = sweep_of(mine, sizes, sweep, operation_ns=rate, element_ns=each, tasks=tasks)
+        of: Sweep = getattr(reference, sweep)
+        sweeps[sweep] = replace(
+            of, task_s=own.task_s, point_us=own.point_us, element_ns=each, operation_ns=rate
+        )  # fmt: skip
     large = runs[0]
     points = float(large.found.network.counts.sum())
     driver = sum(r.seconds - r.cutting_s - sum(t.seconds for t in r.records) for r in runs)
@@ -329,7 +340,7 @@ def measure(progress: Progress = silent, *, model: str = "brown") -> Constants:
         **sweeps,
         cutting_point_us=1e6 * large.cutting_s / (points * math.log2(points)),
         driver_task_ms=1e3 * max(driver, 0.0) / len(records),
-        feature_mpx_s=matched.feature_mpx_s, nearest_s=matched.nearest_s, signature_s=matched.signature_s,
+        feature_mpx_s=matched.feature_mpx_s, nearest_s=matched.nearest_s, signature_s=matched.signature_s, likeness_ns=matched.likeness_ns,
         compare_ms=matched.compare_ms, verify_ms=slower * reference.verify_ms,
         start_point_ms=slower * reference.start_point_ms, precision_point_ms=slower * reference.precision_point_ms,
         report_point_ms=slower * reference.report_point_ms,
