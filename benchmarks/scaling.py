@@ -1,9 +1,9 @@
 """What `raybundle estimate-cost` says beside what an adjustment takes; efficiency of many workers, simulated.
 
-    python benchmarks/scaling.py --columns FOLDER [--record FILE.json] [--orient PROJECT]
+    python benchmarks/scaling.py --columns FOLDER [--record FILE.json] [--orient FILE.json [--ship]]
 
---columns  a block as columns (benchmarks/blocking.py --large makes them), adjusted in parts while what each task takes is
-           recorded; the estimate for its size stands beside it, with constants that are measured in the same run
+--columns  a block as columns (benchmarks/blocking.py --large makes them), adjusted in parts while what each task takes
+           is recorded; the estimate for its size stands beside it, with constants that are measured in the same run
 --record   the recorded tasks, to be used again, or where they are kept
 --orient   figures of a made flight, as benchmarks/many_images.py --strips 8 --each 10 prints them: the stages before
 --ship     with all of these, write the constants that come with the package
@@ -15,7 +15,7 @@ Then the recorded tasks are done by 1 to 256 workers in a simulation: one store 
 from __future__ import annotations
 
 import argparse
-import datetime
+import datetime as dt
 import json
 import os
 import resource
@@ -47,11 +47,16 @@ SOURCES = HERE.parent / "src/raybundle/workflows/costs"
 PROJECT_MPX = 0.75
 """Of the photographs of benchmarks/many_images.py"""
 MEMORY = {
-    "base_mb": 120.0, "driver_point": 50.0, "part_point": 250.0, "start_point": 1200.0, "precision_point": 2500.0,
+    "base_mb": 120.0,
+    "driver_point": 50.0,
+    "part_point": 250.0,
+    "start_point": 1200.0,
+    "precision_point": 2500.0,
     "report_point": 3000.0,
 }
 """Memory, read off peaks: driver, of 1.5 and 11.4 million image points before the first sweep; start and precision, of
-made flights of 80 and 300 photographs, 1200 and 1200, 1900 and 2500 bytes an image point; the report of the first alone; a part, `blocking.normals`"""
+made flights of 80 and 300 photographs, 1200 and 1200, 1900 and 2500 bytes an image point; the report of the first
+alone; a part, as `blocking.normals` says of its tasks"""
 REPORT = {"report_point_ms": 0.0245, "result_point": 302.0}
 """Of the flight of 80 photographs, whose report is written after its figures: 6.4 CPU s, 79 MB"""
 SHAPE = 1.8
@@ -94,7 +99,9 @@ def beside(run: dict, c: Constants) -> dict:
     share = {s: driver * sum(SWEEP_OF[r["name"]] == s for r in run["records"]) / len(run["records"]) for s in SWEEPS}
     measured = {"cutting": run["cutting s"], **{NAMES[s]: tasks[s] + share[s] for s in SWEEPS}}
     size = np.array(run["size"])
-    told = {n: {"estimated s": stages[n].cpu_s, "measured s": m, "ratio": stages[n].cpu_s / m} for n, m in measured.items()}
+    told = {
+        n: {"estimated s": stages[n].cpu_s, "measured s": m, "ratio": stages[n].cpu_s / m} for n, m in measured.items()
+    }
     cpu = sum(s.cpu_s for s in stages.values())
     peak = max(s.memory_mb for s in stages.values())
     disk = sum(s.disk_gb for s in stages.values())
@@ -130,7 +137,9 @@ def before_adjustment(flight: dict, c: Constants) -> dict:
         "precision": photographs.precision(a, c).cpu_s,
         "adjustment": sum(s.cpu_s for s in adjustment(a, c, parts_of(a))),
     }  # fmt: skip
-    stages = {s["name"]: _pair(estimated[s["name"]], s["cpu_seconds"]) for s in flight["stages"] if s["name"] in estimated}
+    stages = {
+        s["name"]: _pair(estimated[s["name"]], s["cpu_seconds"]) for s in flight["stages"] if s["name"] in estimated
+    }
     return {"photographs": images, "image points": observed, "stages": stages}
 
 
@@ -153,7 +162,7 @@ def shipped(run: dict, flight: dict, measured: Constants) -> Constants:
     features = photographs.features_of(PROJECT_MPX)
     verified = done["matching"] - chosen - pairs * measured.nearest_s * (features / 1000) ** 2
     return replace(
-        measured, **sweeps, measured=f"{datetime.date.today().isoformat()}, by benchmarks/scaling.py",
+        measured, **sweeps, measured=f"{dt.datetime.now(dt.UTC).date().isoformat()}, by benchmarks/scaling.py",
         stored_point=float((run["disk"] - dense) / points.sum()), verify_ms=1e6 * verified / pairs / features,
         start_point_ms=1e3 * done["start"] / observed, precision_point_ms=1e3 * done["precision"] / observed,
         **MEMORY, **REPORT,
@@ -180,14 +189,14 @@ def main() -> None:
         found = msgspec.json.format(msgspec.json.encode(shipped(run, flight, measure())), indent=1)
         (SOURCES / "constants.json").write_bytes(found + b"\n")
         return
-    constants = measure(model="radial")
+    constants = measure()
     out = HERE / "results/scaling.json"
     results = json.loads(out.read_text()) if out.exists() else {}
     results |= {"machine": machine(), "constants": asdict(constants)}
     results[f"adjustment of {run['images']}"] = beside(run, constants)
     results[f"workers, from the tasks of {run['images']}"] = efficiencies(run, asked(run), constants)
     if flight:
-        results["stages before"] = before_adjustment(flight, measure())
+        results["stages before"] = before_adjustment(flight, constants)
     out.write_text(json.dumps(results, indent=1) + "\n")
 
 

@@ -1,8 +1,8 @@
 """Recorded tasks on many workers that share one store: what they would take, event by event.
 
 A worker reads what its task needs, computes, and writes: bytes go at its own rate, or at an equal share of the store's.
-Tasks begin in the order in which they are given, as soon as what they wait for is done and a worker is free.  The driver
-waits for the last task of a sweep before it begins the next.
+Tasks begin in the order in which they are given, as soon as what they wait for is done and a worker is free.  The
+driver waits for the last task of a sweep before it begins the next.
 """
 
 from __future__ import annotations

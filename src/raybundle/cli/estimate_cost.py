@@ -86,9 +86,7 @@ def _limits(found: Estimate) -> Iterator[str]:
     for x in over:
         yield f" caution: {x.what}: {_size(x.needed)} needed, {_size(x.given)} there"
     if not over:
-        yield (
-            f" nothing gives way; the tightest is {first.what}: {_size(first.needed)} of {_size(first.given)}"
-        )
+        yield (f" nothing gives way; the tightest is {first.what}: {_size(first.needed)} of {_size(first.given)}")
 
 
 def _time(seconds: float) -> str:

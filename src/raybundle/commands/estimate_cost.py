@@ -60,9 +60,7 @@ MEGAPIXELS = 20.0
 """Of a photograph where nothing says otherwise"""
 
 
-def estimate_cost(
-    photos: str | Path | None = None, *, progress: Progress = silent, **settings: Any
-) -> Estimate:
+def estimate_cost(photos: str | Path | None = None, *, progress: Progress = silent, **settings: Any) -> Estimate:
     """What an orientation and adjustment takes, stage by stage.
 
     photos    a folder of photographs: their number and size; None: as `images` and `megapixels` say

@@ -87,7 +87,7 @@ def _together(works: Sequence[Work], a: Asked) -> float:
     """Seconds in which workers do tasks of several sizes: never less than the longest."""
     at_once = min(float(a.workers), sum(w.count for w in works))
     each = [(w.count, w.cpu_s + moving(w, at_once, a)) for w in works]
-    return max(sum(n * t for n, t in each) / a.workers, max(t for _, t in each))
+    return max(sum(n * t for n, t in each) / a.workers, *(t for _, t in each))
 
 
 def front_memory(size: Size, c: Constants) -> float:

@@ -121,7 +121,7 @@ def shipped() -> Constants:
 
 
 def cache_file() -> Path:
-    """Where the constants of this machine are kept: RAYBUNDLE_CACHE, or the system's place for what can be made again."""
+    """Where the constants of this machine are kept: RAYBUNDLE_CACHE, or the system's place for what is made again."""
     given = os.environ.get("RAYBUNDLE_CACHE", "")
     if given:
         return Path(given) / "cost.json"

@@ -90,9 +90,7 @@ def multiplications(own: float, boundary: float) -> float:
     return own**3 / 3 + own**2 * boundary + own * boundary**2
 
 
-def cut_flight(
-    images: int, overlap: float, points: float, *, leaf: int = LEAF, shape: float = 1.0
-) -> tuple[Size, ...]:
+def cut_flight(images: int, overlap: float, points: float, *, leaf: int = LEAF, shape: float = 1.0) -> tuple[Size, ...]:
     """Parts of a flight, the root first.
 
     overlap  photographs that show a place
@@ -102,7 +100,7 @@ def cut_flight(
     """
     reach = reach_of(overlap)
     width, height = math.sqrt(images * shape), math.sqrt(images / shape)
-    level: dict[_Piece, int] = {_Piece(width=width, height=height, sides=(False,) * 4): 1}
+    level: dict[_Piece, int] = {_Piece(width=width, height=height, sides=(False, False, False, False)): 1}
     found: list[Size] = []
     depth = 0
     while level:

@@ -32,8 +32,8 @@ class Limit:
 class Estimate:
     """What it takes.
 
-    What it does not tell: how well photographs of this object match, and rounds of an adjustment that reject blunders or
-    choose parameters; each is another `reduction up` and `solution down`.
+    What it does not tell: how well photographs of this object match, and rounds of an adjustment that reject blunders
+    or choose parameters; each is another `reduction up` and `solution down`.
     """
 
     asked: Asked

@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-import datetime
+import datetime as dt
 import math
 import tempfile
 import time
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass, replace
 from pathlib import Path
 
@@ -43,19 +43,13 @@ FLIGHTS = ((10, 20, 1000, 600), (14, 24, 150, 300))
 """Made flights: strips, images of each, image points of an image, unknowns of a leaf.  One of large parts with as many
 image points as in earnest, which no cache holds, and one of many small parts: so what an image point takes and what an
 unknown does are told apart."""
-CAMERAS = {
-    "brown": (("x0", "y0", "K1", "K2", "K3", "P1", "P2", "A", "S"), ("c", "x0", "y0")),
-    "radial": (("k1", "k2"), ("c", "k1", "k2")),
-}
-"""Parameters that are 0 and free ones of a made flight's camera, by sensor model: Brown's takes twice the time of a
-radial one for an image point"""
 CHILD = 0.8
 """Of a front the part that each of its children touches"""
 FRONT = (600, 1200)
 """Own and boundary unknowns of the front that is eliminated: as high in the tree of a flight of 10 000 images"""
 PHOTO_PX, PHOTO_FEATURES = (1200, 900), 10_000
 """Of the made photographs: format, and features at most, as by default of `raybundle orient`"""
-_FLAT = ("x0", "y0", "K1", "K2", "K3", "P1", "P2")
+FLAT = ("x0", "y0", "K1", "K2", "K3", "P1", "P2")
 SIGNATURES = (500, 2000, 2048)
 """Signatures that are compared with how many others, and their length"""
 ROUNDS = 5
@@ -79,7 +73,7 @@ class Recorded:
 
 
 def recorded(
-    columns: InFiles, free: dict[str, tuple[str, ...]], leaf: int, folder: Path, *, keep: int = KEPT
+    columns: InFiles, free: Mapping[str, tuple[str, ...]], leaf: int, folder: Path, *, keep: int = KEPT
 ) -> Recorded:
     """Adjust a block in parts, one task after the other, and keep what each took.
 
@@ -98,12 +92,11 @@ def recorded(
     )  # fmt: skip
 
 
-def made_flight(strips: int, each: int, points: int, model: str = "brown") -> Block:
+def made_flight(strips: int, each: int, points: int) -> Block:
     """A flight of one camera with three free parameters, 75 % and 40 % overlap, approximate values."""
-    values, estimate = CAMERAS[model]
-    camera = replace(
-        brown_camera(size_px=(10000, 7500), pixel_mm=0.005), model=model, values={"c": 50.0, **dict.fromkeys(values, 0.0)},
-        estimate=estimate,
+    camera = brown_camera(
+        values={"c": 50.0, **dict.fromkeys(FLAT, 0.0)}, size_px=(10000, 7500), pixel_mm=0.005,
+        estimate=("c", "x0", "y0"),
     )  # fmt: skip
     plan = AerialStrips(
         camera=camera, strips=strips, images_per_strip=each, points_per_image=points, forward_overlap=0.75,
@@ -258,12 +251,13 @@ def _matched() -> _Matched:
     words = shipped_codebook(method.codebook).words
     described = [Described(xy_px=f.xy_px, descriptors=f.descriptors, size_px=(width, height)) for f in found]
     signatures = np.random.default_rng(1).normal(0, 1, SIGNATURES[1:]).astype(np.float32)
+    wide = found[0].descriptors[widest(found[0], DESCRIBED)]
     coarse = [f.descriptors[widest(f, COARSE)] for f in found]
 
     return _Matched(
         feature_mpx_s=min(seconds) / (width * height / 1e6),
         nearest_s=_median(lambda: method.match(described[0], described[1])) / (len(found[0]) * len(found[1]) / 1e6),
-        signature_s=_median(lambda: signature(method.vectors(found[0].descriptors[widest(found[0], DESCRIBED)]), words)),
+        signature_s=_median(lambda: signature(method.vectors(wide), words)),
         likeness_ns=1e12 * _median(lambda: signatures[:SIGNATURES[0]] @ signatures.T) / (2 * math.prod(SIGNATURES)),
         compare_ms=1e3 * _median(lambda: method.shared(coarse[0], coarse[1])),
     )  # fmt: skip
@@ -271,7 +265,7 @@ def _matched() -> _Matched:
 
 def _photographs() -> list[Array]:
     """Two grey pictures of a made ground, 80 % in common."""
-    camera = brown_camera(size_px=PHOTO_PX, pixel_mm=0.0073, values={"c": 8.62, **dict.fromkeys(_FLAT, 0.0)})
+    camera = brown_camera(size_px=PHOTO_PX, pixel_mm=0.0073, values={"c": 8.62, **dict.fromkeys(FLAT, 0.0)})
     ground = gravel_pit((70.0, 60.0))
     found: list[Array] = []
     for k, x in enumerate((-4.0, 4.0)):
@@ -292,22 +286,20 @@ def _median(work: Callable[[], object]) -> float:
     return float(np.median(found))
 
 
-def _flown(strips: int, each: int, points: int, leaf: int, model: str) -> Recorded:
+def _flown(strips: int, each: int, points: int, leaf: int) -> Recorded:
     """A made flight, adjusted; no part stays ready, as where there are many."""
-    block = made_flight(strips, each, points, model)
+    block = made_flight(strips, each, points)
     with tempfile.TemporaryDirectory() as folder:
         columns = InFiles.of(block, Path(folder) / "columns")
         free = {block.cameras[0].id: block.cameras[0].estimate}
         return recorded(columns, free, leaf, Path(folder) / "store", keep=1)
 
 
-def measure(progress: Progress = silent, *, model: str = "brown") -> Constants:
+def measure(progress: Progress = silent) -> Constants:
     """The constants of this machine, some half a minute of one processor.
 
-    model  sensor model of the made flights: one of CAMERAS
-
-    What is not measured here, as what photographs take after matching, is that of the shipped constants, by the ratio of
-    what is measured of both.  Memory and bytes are those shipped: they are the program's, not the machine's.
+    What is not measured here, as what photographs take after matching, is that of the shipped constants, by the ratio
+    of what is measured of both.  Memory and bytes are those shipped: they are the program's, not the machine's.
     """
     reference = shipped()
     with one_thread():
@@ -316,7 +308,7 @@ def measure(progress: Progress = silent, *, model: str = "brown") -> Constants:
         progress("measuring", 0.3)
         dense = _dense()
         progress("measuring", 0.4)
-        runs = [_flown(*flight, model) for flight in FLIGHTS]
+        runs = [_flown(*flight) for flight in FLIGHTS]
     sizes = Fronts.of(*(r.found.network for r in runs))
     begin = np.cumsum([0, *(len(r.found.network.tree) for r in runs)]).tolist()
     records = [replace(t, node=t.node + b) for r, b in zip(runs, begin[:-1], strict=True) for t in r.records]
@@ -332,16 +324,19 @@ def measure(progress: Progress = silent, *, model: str = "brown") -> Constants:
     large = runs[0]
     points = float(large.found.network.counts.sum())
     driver = sum(r.seconds - r.cutting_s - sum(t.seconds for t in r.records) for r in runs)
-    slower = float(np.sqrt(sweeps["up"].point_us / reference.up.point_us * matched.feature_mpx_s / reference.feature_mpx_s))
+    slower = float(
+        np.sqrt(sweeps["up"].point_us / reference.up.point_us * matched.feature_mpx_s / reference.feature_mpx_s)
+    )
     progress("measuring", 1.0)
+    day = dt.datetime.now(dt.UTC).date().isoformat()
     return replace(
         reference, processor=processor(), version=version(), revision=REVISION,
-        measured=f"{datetime.date.today().isoformat()}; verification, start, precision and report by ratio to {reference.processor}",
+        measured=f"{day}; verification, start, precision and report by ratio to {reference.processor}",
         **sweeps,
         cutting_point_us=1e6 * large.cutting_s / (points * math.log2(points)),
         driver_task_ms=1e3 * max(driver, 0.0) / len(records),
-        feature_mpx_s=matched.feature_mpx_s, nearest_s=matched.nearest_s, signature_s=matched.signature_s, likeness_ns=matched.likeness_ns,
-        compare_ms=matched.compare_ms, verify_ms=slower * reference.verify_ms,
+        feature_mpx_s=matched.feature_mpx_s, nearest_s=matched.nearest_s, signature_s=matched.signature_s,
+        likeness_ns=matched.likeness_ns, compare_ms=matched.compare_ms, verify_ms=slower * reference.verify_ms,
         start_point_ms=slower * reference.start_point_ms, precision_point_ms=slower * reference.precision_point_ms,
         report_point_ms=slower * reference.report_point_ms,
     )  # fmt: skip

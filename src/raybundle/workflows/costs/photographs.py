@@ -51,17 +51,13 @@ def features(a: Asked, c: Constants) -> StageCost:
     work = Work(
         count=a.images, cpu_s=c.feature_mpx_s * a.megapixels, read=JPEG_BYTES * a.megapixels, written=kept
     )  # fmt: skip
-    return _of(
-        "features", work, a, memory_mb=c.base_mb + BYTES_A_PIXEL * a.megapixels, disk=a.images * kept
-    )
+    return _of("features", work, a, memory_mb=c.base_mb + BYTES_A_PIXEL * a.megapixels, disk=a.images * kept)
 
 
 def choice_of_pairs(a: Asked, c: Constants) -> StageCost:
     """Signatures, the most alike, a quick comparison; nothing of it where all pairs are matched."""
     if a.images <= ALL:
-        return StageCost(
-            name="choice of pairs", cpu_s=0, tasks=0, memory_mb=0, disk_gb=0, moved_gb=0, wall_s=0
-        )
+        return StageCost(name="choice of pairs", cpu_s=0, tasks=0, memory_mb=0, disk_gb=0, moved_gb=0, wall_s=0)
     signatures = Work(
         count=a.images, cpu_s=c.signature_s, read=features_of(a.megapixels) * FEATURE_BYTES, written=SIGNATURE_BYTES
     )  # fmt: skip
@@ -82,8 +78,8 @@ def matching(a: Asked, c: Constants) -> StageCost:
     """Pairs matched and verified."""
     count = features_of(a.megapixels)
     work = Work(
-        count=pairs_of(a.images), cpu_s=c.nearest_s * (count / 1000) ** 2 + 1e-6 * c.verify_ms * count, read=2 * count * FEATURE_BYTES,
-        written=MATCHED * count * MATCH_BYTES,
+        count=pairs_of(a.images), cpu_s=c.nearest_s * (count / 1000) ** 2 + 1e-6 * c.verify_ms * count,
+        read=2 * count * FEATURE_BYTES, written=MATCHED * count * MATCH_BYTES,
     )  # fmt: skip
     return _of(
         "matching", work, a, memory_mb=c.base_mb + 1e-6 * 4 * 2 * count * FEATURE_BYTES,

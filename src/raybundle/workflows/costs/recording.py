@@ -81,10 +81,13 @@ class Recording:
                 took = time.process_time() - began
                 self.records.append(
                     TaskRecord(
-                        name=task.function.rpartition(":")[2], node=int(getattr(task.options, "node", -1)),
-                        key=task.key, inputs=task.inputs, seconds=took,
+                        name=task.function.rpartition(":")[2],
+                        node=int(getattr(task.options, "node", -1)),
+                        key=task.key,
+                        inputs=task.inputs,
+                        seconds=took,
                         read=store.counts["read"] - before["read"],
                         written=store.counts["written"] - before["written"],
-                    )  # fmt: skip
+                    )
                 )
                 yield done
