@@ -1,1 +1,1 @@
-"""What orienting and adjusting so many photographs takes: a model of sizes, constants that are measured, an estimate."""
+"""What orienting and adjusting so many photographs takes: sizes, constants that are measured, an estimate."""

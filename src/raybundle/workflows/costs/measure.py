@@ -43,6 +43,9 @@ FLIGHTS = ((10, 20, 1000, 600), (14, 24, 150, 300))
 """Made flights: strips, images of each, image points of an image, unknowns of a leaf.  One of large parts with as many
 image points as in earnest, which no cache holds, and one of many small parts: so what an image point takes and what an
 unknown does are told apart."""
+FREE = ("c", "x0", "y0")
+"""Parameters of the made flights' camera"""
+OPTIONS = AdjustmentOptions(jobs=1, noise="white")
 CHILD = 0.8
 """Of a front the part that each of its children touches"""
 FRONT = (600, 1200)
@@ -81,9 +84,8 @@ def recorded(
     keep    parts that are held ready for use
     """
     store, doing = CountingFolder(folder), Recording()
-    options = AdjustmentOptions(jobs=1, noise="white")
     began = time.process_time()
-    found = adjust_columns(columns, options, free, store, doing, leaf=leaf, keep=keep)
+    found = adjust_columns(columns, OPTIONS, free, store, doing, leaf=leaf, keep=keep)
     ended = time.process_time()
     assert doing.begun is not None
     return Recorded(
@@ -96,7 +98,7 @@ def made_flight(strips: int, each: int, points: int) -> Block:
     """A flight of one camera with three free parameters, 75 % and 40 % overlap, approximate values."""
     camera = brown_camera(
         values={"c": 50.0, **dict.fromkeys(FLAT, 0.0)}, size_px=(10000, 7500), pixel_mm=0.005,
-        estimate=("c", "x0", "y0"),
+        estimate=FREE,
     )  # fmt: skip
     plan = AerialStrips(
         camera=camera, strips=strips, images_per_strip=each, points_per_image=points, forward_overlap=0.75,
@@ -291,7 +293,7 @@ def _flown(strips: int, each: int, points: int, leaf: int) -> Recorded:
     block = made_flight(strips, each, points)
     with tempfile.TemporaryDirectory() as folder:
         columns = InFiles.of(block, Path(folder) / "columns")
-        free = {block.cameras[0].id: block.cameras[0].estimate}
+        free = {block.cameras[0].id: FREE}
         return recorded(columns, free, leaf, Path(folder) / "store", keep=1)
 
 
