@@ -17,6 +17,18 @@ if TYPE_CHECKING:
     from raybundle.workflows.costs.estimate import Estimate, Limit
 
 
+RESTS_ON = {
+    "features": "megapixels",
+    "choice of pairs": "the number of photographs",
+    "matching": "features of a photograph, 12 pairs of each",
+    "tracks and start": "image points of a photograph",
+    "precision": "image points of a photograph",
+    "report": "image points of a photograph",
+}
+"""Of the stage that takes most, what is assumed; all others are of the adjustment"""
+ADJUSTMENT = "image points of a photograph, overlap, iterations"
+
+
 @click.command("estimate-cost", cls=Command)
 @click.argument("photos", type=FOLDER, required=False)
 @options_of(EstimateCostSettings)
@@ -71,7 +83,8 @@ def lines(found: Estimate) -> Iterator[str]:
         f"{_size(found.disk_gb):>10}{_size(found.moved_gb):>10}"
     )
     of = 100 * found.dominant.cpu_s / max(3600 * found.core_hours, 1e-9)
-    yield f" most of it: {found.dominant.name}, {of:.0f} % of the CPU time"
+    rests = RESTS_ON.get(found.dominant.name, ADJUSTMENT)
+    yield f" most of it: {found.dominant.name}, {of:.0f} % of the CPU time; it rests on {rests}"
     if a.workers > 1:
         yield f" {a.workers} workers: in {100 * found.serial_share:.0f} % of the wall time some have nothing to do"
     yield from _limits(found)
