@@ -50,28 +50,26 @@ def elapsed(jobs: Sequence[Job], workers: int, *, worker: float = WORKER, store:
             after[w].append(k)
     ready = [k for k in range(len(jobs)) if not left[k]]
     heapq.heapify(ready)
-    moving: dict[int, float] = {}  # bytes left of those that read or write
-    writes: set[int] = set()
     computing: list[tuple[float, int]] = []
-    now, free = 0.0, workers
+    # all that move bytes have the same rate: each ends when so many bytes have passed for everyone since it began
+    moving: list[tuple[float, int, bool]] = []
+    now, passed, free = 0.0, 0.0, workers
     while ready or moving or computing:
         while ready and free:
             k = heapq.heappop(ready)
             free -= 1
-            moving[k] = jobs[k].read + 2 * LATENCY * worker
+            heapq.heappush(moving, (passed + jobs[k].read + 2 * LATENCY * worker, k, False))
         rate = min(worker, store / len(moving)) if moving else worker
-        first = min(moving.values()) / rate if moving else np.inf
+        first = (moving[0][0] - passed) / rate if moving else np.inf
         then = min(now + first, computing[0][0] if computing else np.inf)
-        for k in moving:
-            moving[k] -= rate * (then - now)
+        passed += rate * (then - now)
         now = then
         while computing and computing[0][0] <= now:
             k = heapq.heappop(computing)[1]
-            writes.add(k)
-            moving[k] = jobs[k].written + 2 * LATENCY * worker
-        for k in [k for k, b in moving.items() if b <= 1.0]:
-            del moving[k]
-            if k not in writes:
+            heapq.heappush(moving, (passed + jobs[k].written + 2 * LATENCY * worker, k, True))
+        while moving and moving[0][0] <= passed + 1.0:
+            _, k, written = heapq.heappop(moving)
+            if not written:
                 heapq.heappush(computing, (now + jobs[k].seconds, k))
                 continue
             free += 1
