@@ -124,6 +124,17 @@ def _leaves(run: dict) -> int:
     return len(run["parent"]) - len({p for p in run["parent"] if p >= 0})
 
 
+def walls(run: dict, c: Constants, simulated: dict) -> dict:
+    """Wall time of the recorded run by so many workers of other machines: as estimated, and as simulated."""
+    found = {}
+    for workers, of in simulated.items():
+        a = asked(run, int(workers))
+        estimated = sum(s.wall_s for s in adjustment(a, c, parts_of(a, shape=SHAPE)))
+        if a.workers > 1:  # one worker is estimated as on the machine of the store
+            found[workers] = _pair(estimated, of["with the driver s"])
+    return found
+
+
 def before_adjustment(flight: dict, c: Constants) -> dict:
     """CPU seconds of the stages before an adjustment, estimated and measured, of a made flight."""
     images, observed = flight["oriented"], flight["observations"] / 2
@@ -194,7 +205,9 @@ def main() -> None:
     results = json.loads(out.read_text()) if out.exists() else {}
     results |= {"machine": machine(), "constants": asdict(constants)}
     results[f"adjustment of {run['images']}"] = beside(run, constants)
-    results[f"workers, from the tasks of {run['images']}"] = efficiencies(run, asked(run), constants)
+    found = efficiencies(run, asked(run), constants)
+    results[f"workers, from the tasks of {run['images']}"] = found
+    results[f"wall time of {run['images']}"] = walls(run, constants, found["the recorded run"])
     if flight:
         results["stages before"] = before_adjustment(flight, constants)
     out.write_text(json.dumps(results, indent=1) + "\n")

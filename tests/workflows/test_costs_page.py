@@ -41,6 +41,14 @@ def before():
         yield f"| {name}, CPU s | {of['estimated']:.1f} | {of['measured']:.1f} | {of['ratio']:.2f} |"
 
 
+def walls():
+    """Rows of wall time."""
+    yield "| workers | estimated wall, s | simulated, s | ratio |"
+    yield "|---|---|---|---|"
+    for w, of in figures()["wall time of 10000"].items():
+        yield f"| {w} | {of['estimated']:.0f} | {of['measured']:.0f} | {of['ratio']:.2f} |"
+
+
 def estimates(workers=1):
     """Estimates of the sizes that the page shows."""
     for images in (1000, 10_000, 100_000, 1_000_000):
@@ -101,7 +109,7 @@ def workers():
             )  # fmt: skip
 
 
-@pytest.mark.parametrize("table", [measured, before, sizes, breaks, workers], ids=lambda t: t.__name__)
+@pytest.mark.parametrize("table", [measured, before, sizes, breaks, workers, walls], ids=lambda t: t.__name__)
 def test_tables_of_the_page(table):
     text = PAGE.read_text()
     rows = "\n".join(table())
