@@ -98,12 +98,15 @@ class Constants:
 
 
 def processor() -> str:
-    """What this machine's processor calls itself."""
-    info = Path("/proc/cpuinfo")
+    """What this machine's processor calls itself; with family and model, as virtual machines give many one name."""
+    info, told = Path("/proc/cpuinfo"), dict[str, str]()
     if info.exists():
         for line in info.read_text(encoding="utf-8", errors="replace").splitlines():
-            if line.startswith("model name"):
-                return line.partition(":")[2].strip()
+            name, _, value = line.partition(":")
+            told.setdefault(name.strip(), value.strip())
+    if "model name" in told:
+        more = [f"{name} {told[at]}" for name, at in (("family", "cpu family"), ("model", "model")) if at in told]
+        return ", ".join([told["model name"], *more])
     return platform.processor() or platform.machine()
 
 

@@ -316,7 +316,7 @@ def measure(progress: Progress = silent) -> Constants:
     records = [replace(t, node=t.node + b) for r, b in zip(runs, begin[:-1], strict=True) for t in r.records]
     sweeps: dict[str, Sweep] = {}
     for sweep, tasks in KINDS.items():
-        mine = [r for r in records if SWEEP_OF[r.name] == sweep]
+        mine = [r for r in records if SWEEP_OF.get(r.name) == sweep]
         rate, each = dense.operation_ns.get(sweep, 0.0), dense.element_ns.get(sweep, 0.0)
         own: Sweep = sweep_of(mine, sizes, sweep, operation_ns=rate, element_ns=each, tasks=tasks)
         of: Sweep = getattr(reference, sweep)
