@@ -1,5 +1,6 @@
 """Figures of docs/explanation/scale.md are those of the shipped constants and of benchmarks/results/scaling.json."""
 
+import importlib
 import json
 from pathlib import Path
 
@@ -123,3 +124,20 @@ def test_the_estimate_of_ten_thousand_is_within_thirty_per_cent():
     assert found["image points"] > 1e7
     for name in ("CPU s", "peak MB", "disk GB", "moved GB"):
         assert 0.7 < found[name]["ratio"] < 1.3, name
+
+
+@pytest.fixture
+def simulated(monkeypatch):
+    monkeypatch.syspath_prepend(str(ROOT / "benchmarks"))
+    return importlib.import_module("simulated_workers")
+
+
+def test_simulated_workers_wait_share_a_line_and_each_other(simulated):
+    job, took = simulated.Job, simulated.elapsed
+    message = 4 * simulated.LATENCY
+    chain = [job(seconds=1, read=0, written=0), job(seconds=2, read=0, written=0, waits=(0,))]
+    assert took(chain, 8) == pytest.approx(3 + 2 * message)
+    alone = job(seconds=1, read=simulated.WORKER, written=0)  # a second on its own line
+    assert took([alone] * 8, 8) == pytest.approx(2 + message)
+    assert took([alone] * 8, 4) == pytest.approx(2 * (2 + message))
+    assert took([alone] * 40, 40) == pytest.approx(1 + 4 * (1 + 2 * simulated.LATENCY) + message / 2, rel=2e-2)
