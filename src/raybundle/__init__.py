@@ -54,6 +54,7 @@ if TYPE_CHECKING:
         EmpiricalSettings,
         empirical,
     )
+    from raybundle.commands.estimate_cost import EstimateCostSettings, estimate_cost
     from raybundle.commands.film import (
         FilmSettings,
         StraightFilm,
@@ -121,6 +122,7 @@ if TYPE_CHECKING:
     from raybundle.results.matrices_file import write_matrices
     from raybundle.workflows.adjust import adjust
     from raybundle.workflows.calibrate_state import Calibration
+    from raybundle.workflows.costs.estimate import Estimate
     from raybundle.workflows.orient import Orientation
 
     __version__: str
@@ -153,6 +155,8 @@ _HOME = {
     "Distances": "block",
     "Empirical": "commands.empirical",
     "EmpiricalSettings": "commands.empirical",
+    "Estimate": "workflows.costs.estimate",
+    "EstimateCostSettings": "commands.estimate_cost",
     "FilmSettings": "commands.film",
     "Flight": "planning.uav_networks",
     "FramesSettings": "commands.photos",
@@ -204,6 +208,7 @@ _HOME = {
     "convert_calibration": "commands.calibrations",
     "detect_targets": "commands.targets",
     "empirical": "commands.empirical",
+    "estimate_cost": "commands.estimate_cost",
     "export_marks": "commands.marks",
     "film": "commands.film",
     "find_calibration": "commands.calibrations",
@@ -278,6 +283,8 @@ __all__ = [
     "DrawingSheetSettings",
     "Empirical",
     "EmpiricalSettings",
+    "Estimate",
+    "EstimateCostSettings",
     "FilmSettings",
     "Flight",
     "FramesSettings",
@@ -334,6 +341,7 @@ __all__ = [
     "detect_targets",
     "drawing_sheet",
     "empirical",
+    "estimate_cost",
     "export_marks",
     "film",
     "find_calibration",

@@ -11,7 +11,7 @@ from raybundle.cli.command import Group
 
 
 class LazyGroup(Group):
-    """A group whose subcommand NAME is the object `command` of the module NAME in `home`."""
+    """A group whose subcommand NAME is the object `command` of the module NAME in `home`, its dashes as underscores."""
 
     home: str = ""
     told: Mapping[str, str]
@@ -25,7 +25,8 @@ class LazyGroup(Group):
     def get_command(self, ctx: click.Context, cmd_name: str) -> click.Command | None:
         """Load one subcommand."""
         del ctx
-        return import_module(f"{self.home}.{cmd_name}").command if cmd_name in self.told else None
+        name = cmd_name.replace("-", "_")
+        return import_module(f"{self.home}.{name}").command if cmd_name in self.told else None
 
     def format_commands(self, ctx: click.Context, formatter: click.HelpFormatter) -> None:
         """List the subcommands without loading them."""

@@ -50,6 +50,7 @@ COMMANDS = {
     "plan": "Know what photographs will determine, before they are taken.",
     "simulate": "Write a simulated block and its truth.",
     "demo": "Simulate a calibration field, calibrate it, show truth beside estimate.",
+    "estimate-cost": "Say what orienting and adjusting so many photographs takes: time, memory, disk.",
     "worker": "Do tasks of runs on other machines: for a scheduler, or a share of them.",
     "scheduler": "Be the scheduler of a cluster: who hands tasks of runs to workers.",
     "doctor": "Say what is installed, what is missing and what it would bring.",

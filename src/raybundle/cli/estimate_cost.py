@@ -1,0 +1,120 @@
+"""`raybundle estimate-cost`."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import click
+
+from raybundle.cli.common import FOLDER, Command, common_options, facts, grouped, significant
+from raybundle.cli.settings import options_of, values_of
+from raybundle.commands.estimate_cost import EstimateCostSettings, run_estimate_cost
+from raybundle.settings import made
+
+if TYPE_CHECKING:
+    from raybundle.workflows.costs.estimate import Estimate, Limit
+
+
+RESTS_ON = {
+    "features": "megapixels",
+    "choice of pairs": "the number of photographs",
+    "matching": "features of a photograph, 12 pairs of each",
+    "tracks and start": "image points of a photograph",
+    "precision": "image points of a photograph",
+    "report": "image points of a photograph",
+}
+"""Of the stage that takes most, what is assumed; all others are of the adjustment"""
+ADJUSTMENT = "image points of a photograph, overlap, iterations"
+
+
+@click.command("estimate-cost", cls=Command)
+@click.argument("photos", type=FOLDER, required=False)
+@options_of(EstimateCostSettings)
+@common_options
+def command(photos: Path | None, progress: str, **given: Any) -> None:
+    """Say what orienting and adjusting photographs takes: CPU time, memory, disk, bytes moved, wall time, by stage.
+
+    PHOTOS is a folder, of which only headers are read; --images stands for photographs that are yet to be taken. What
+    work takes was measured on this machine, in half a minute, the first time that this command ran.
+
+    \b
+    Example:
+      raybundle estimate-cost images/ --overlap 12
+      raybundle estimate-cost --images 10000 --megapixels 20 --flight-overlap 0.8 0.6 --workers 16
+    """  # noqa: D301
+    from raybundle.cli.progress import reporting  # noqa: PLC0415  (what computes is loaded after the help)
+
+    with reporting(progress) as tell:
+        found = run_estimate_cost(made(EstimateCostSettings, values_of(EstimateCostSettings, given)), photos, tell)
+    facts(
+        asked=found.asked, stages=found.stages, limits=[_told(limit) for limit in found.limits],
+        core_hours=found.core_hours, wall_hours=found.wall_hours, disk_gb=found.disk_gb, moved_gb=found.moved_gb,
+        serial_share=found.serial_share, largest_front=found.largest_front, dominant=found.dominant.name,
+        constants=found.constants,
+    )  # fmt: skip
+    for line in lines(found):
+        click.echo(line)
+
+
+def _told(limit: Limit) -> dict[str, Any]:
+    return {
+        "what": limit.what, "needed": limit.needed, "given": limit.given, "unit": limit.unit, "share": limit.share
+    }  # fmt: skip
+
+
+def lines(found: Estimate) -> Iterator[str]:
+    """The estimate in words."""
+    a, c = found.asked, found.constants
+    yield (
+        f" {grouped(a.images)} photographs of {a.megapixels:.3g} MP, {a.overlap:.3g} show a place; "
+        f"{grouped(round(a.points))} image points, {a.iterations} iterations"
+    )
+    yield f" {'stage':<18}{'CPU':>10}{'wall':>10}{'memory':>10}{'disk':>10}{'moved':>10}"
+    for s in found.stages:
+        yield (
+            f" {s.name:<18}{_time(s.cpu_s):>10}{_time(s.wall_s):>10}{_size(s.memory_mb / 1000):>10}"
+            f"{_size(s.disk_gb):>10}{_size(s.moved_gb):>10}"
+        )
+    memory = max(s.memory_mb for s in found.stages) / 1000
+    yield (
+        f" {'all':<18}{_time(3600 * found.core_hours):>10}{_time(3600 * found.wall_hours):>10}{_size(memory):>10}"
+        f"{_size(found.disk_gb):>10}{_size(found.moved_gb):>10}"
+    )
+    of = 100 * found.dominant.cpu_s / max(3600 * found.core_hours, 1e-9)
+    rests = RESTS_ON.get(found.dominant.name, ADJUSTMENT)
+    yield f" most of it: {found.dominant.name}, {of:.0f} % of the CPU time; it rests on {rests}"
+    if a.workers > 1:
+        yield f" {a.workers} workers: in {100 * found.serial_share:.0f} % of the wall time some have nothing to do"
+    yield from _limits(found)
+    yield f" largest front: {grouped(found.largest_front)} unknowns"
+    yield f" figures of {c.processor}, {c.measured}"
+
+
+def _limits(found: Estimate) -> Iterator[str]:
+    """What gives way first."""
+    first = found.limits[0]
+    over = [x for x in found.limits if x.share > 1]
+    for x in over:
+        yield f" caution: {x.what}: {_size(x.needed)} needed, {_size(x.given)} there"
+    if not over:
+        yield (f" nothing gives way; the tightest is {first.what}: {_size(first.needed)} of {_size(first.given)}")
+
+
+def _time(seconds: float) -> str:
+    if not seconds:
+        return "-"
+    for unit, size in (("d", 86400.0), ("h", 3600.0), ("min", 60.0)):
+        if seconds >= 2 * size:
+            return f"{significant(seconds / size, 3)} {unit}"
+    return f"{significant(seconds, 3)} s"
+
+
+def _size(gb: float) -> str:
+    if not gb:
+        return "-"
+    for unit, size in (("TB", 1e3), ("GB", 1.0)):
+        if gb >= size:
+            return f"{significant(gb / size, 3)} {unit}"
+    return f"{significant(1e3 * gb, 3)} MB"

@@ -1,0 +1,130 @@
+"""`raybundle estimate-cost`: what an orientation and adjustment will take."""
+
+from __future__ import annotations
+
+import shutil
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from raybundle.errors import InputError
+from raybundle.numerics.progress import Progress, silent
+from raybundle.settings import POSITIVE, Range, made, option, path_of, setting
+
+if TYPE_CHECKING:
+    from raybundle.workflows.costs.constants import Constants
+    from raybundle.workflows.costs.estimate import Estimate
+
+SHARE = Range(low=0, high=0.98)
+"""Of an overlap: beyond, a photograph is hardly another one."""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class EstimateCostSettings:
+    """How large a block is, and who does the work."""
+
+    images: int | None = setting(None, "Photographs, where there are none yet.", limits=Range(low=2, high=1e8))
+    megapixels: float | None = setting(
+        None, "Of a photograph; without it that of PHOTOS, or 20.", metavar="MP", limits=Range(low=0.01, high=1e4)
+    )
+    overlap: float = setting(
+        10.0, "Photographs that show a place of the object, on average.", metavar="K", limits=Range(low=2, high=1000)
+    )
+    flight_overlap: tuple[float, float] | None = setting(
+        None, "Of photographs along a line, and of lines: a flight, in place of {overlap}.", metavar="ALONG ACROSS",
+        limits=(SHARE, SHARE),
+    )  # fmt: skip
+    points_per_image: float | None = setting(
+        None, "Image points of a photograph that are adjusted; without it 0.8 of its features.", metavar="N",
+        limits=Range(low=6, high=1e6),
+    )  # fmt: skip
+    iterations: int = setting(6, "Iterations of the adjustment.", limits=Range(low=1, high=1000))
+    workers: int = setting(1, "Processes that work at once.", limits=Range(low=1, high=100_000))
+    memory: float = setting(8.0, "Memory of a process.", metavar="GB", limits=Range(low=0.1, high=1e6))
+    disk: float | None = setting(
+        None, "Disk that is free for products; without it that of the current folder.", metavar="GB", limits=POSITIVE
+    )
+    network: float = setting(
+        1.0, "Line of a worker to the store that all share, in Gbit/s; 0: one machine does all.", metavar="GBIT",
+        limits=Range(low=0, high=1e4),
+    )  # fmt: skip
+    store: float = setting(10.0, "Line of the store, in Gbit/s.", metavar="GBIT", limits=Range(low=0.001, high=1e5))
+    measure: bool = setting(False, "Measure this machine anew, even where its figures are kept.")
+    shipped: bool = setting(False, "Take the figures that come with raybundle, of the processor named there.",
+                            flag="no-measure")  # fmt: skip
+
+
+LATENCY_MS = 0.5
+"""Of a line between machines of one place"""
+MEGAPIXELS = 20.0
+"""Of a photograph where nothing says otherwise"""
+
+
+def estimate_cost(photos: str | Path | None = None, *, progress: Progress = silent, **settings: Any) -> Estimate:
+    """What an orientation and adjustment takes, stage by stage.
+
+    photos    a folder of photographs: their number and size; None: as `images` and `megapixels` say
+    settings  as of the command line, by the names of `EstimateCostSettings`: images=10_000, overlap=12.0
+    raises    InputError where neither photographs nor their number are given
+
+    What it does not tell: how photographs of this object match.
+    """
+    folder = None if photos is None else path_of("photos", photos)
+    return run_estimate_cost(made(EstimateCostSettings, settings), folder, progress)
+
+
+def run_estimate_cost(s: EstimateCostSettings, photos: Path | None, progress: Progress = silent) -> Estimate:
+    """Count photographs, take constants, and estimate."""
+    from raybundle.workflows.costs.estimate import estimate  # noqa: PLC0415  (what computes is loaded after the help)
+    from raybundle.workflows.costs.photographs import image_points_of  # noqa: PLC0415
+    from raybundle.workflows.costs.stages import Asked  # noqa: PLC0415
+
+    if s.measure and s.shipped:
+        raise InputError(f"either {option('measure', True)} or {option('shipped', True, flag='no-measure')}")
+    images, megapixels = _size(s, photos)
+    points = image_points_of(megapixels) if s.points_per_image is None else s.points_per_image
+    asked = Asked(
+        images=images, megapixels=megapixels, overlap=_overlap(s), image_points=points, iterations=s.iterations,
+        workers=s.workers, memory_gb=s.memory, network_gbit=s.network, store_gbit=s.store, latency_ms=LATENCY_MS,
+    )  # fmt: skip
+    free = shutil.disk_usage(Path.cwd()).free / 1e9 if s.disk is None else s.disk
+    return estimate(asked, constants_of(s, progress), disk_gb=free)
+
+
+def constants_of(s: EstimateCostSettings, progress: Progress) -> Constants:
+    """Those of this machine, measured where they are not kept; or those that come with raybundle."""
+    from raybundle.workflows.costs import constants  # noqa: PLC0415
+
+    if s.shipped:
+        return constants.shipped()
+    found = None if s.measure else constants.kept()
+    if found is None:
+        from raybundle.workflows.costs.measure import measure  # noqa: PLC0415
+
+        found = measure(progress)
+        constants.keep(found)
+    return found
+
+
+def _size(s: EstimateCostSettings, photos: Path | None) -> tuple[int, float]:
+    """Number of photographs and megapixels of each."""
+    if photos is None:
+        if s.images is None:
+            raise InputError(f"of how many photographs? Give their folder, or {option('images', 'N')}")
+        return s.images, s.megapixels or MEGAPIXELS
+    if s.images is not None:
+        raise InputError(f"give either photographs or {option('images', s.images)}")
+    from raybundle.workflows.costs.headers import counted_headers  # noqa: PLC0415
+
+    count, pixels = counted_headers(photos)
+    if count < 2:
+        raise InputError("there are fewer than two photographs in it", file=photos)
+    return count, s.megapixels or pixels / count / 1e6
+
+
+def _overlap(s: EstimateCostSettings) -> float:
+    """Photographs that show a place."""
+    if s.flight_overlap is None:
+        return s.overlap
+    along, across = s.flight_overlap
+    return max(1 / ((1 - along) * (1 - across)), 2.0)

@@ -1,0 +1,1 @@
+"""What orienting and adjusting so many photographs takes: sizes, constants that are measured, an estimate."""

@@ -1,0 +1,28 @@
+"""How many photographs there are, and how large they are, by their headers alone."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from raybundle.errors import InputError
+from raybundle.io.photos.container import SUFFIXES, Unusable, read_header
+from raybundle.io.photos.photo import LIMIT_PIXELS
+
+
+def counted_headers(folder: Path) -> tuple[int, float]:
+    """Photographs in a folder, and pixels of all of them; files that are none do not count.
+
+    raises  InputError for what is no folder
+    """
+    if not folder.is_dir():
+        raise InputError("is no folder", file=folder)
+    count, pixels = 0, 0.0
+    for path in sorted(folder.iterdir()):
+        if path.suffix.lower() not in SUFFIXES or not path.is_file():
+            continue
+        try:
+            header = read_header(path, limit_pixels=LIMIT_PIXELS)
+        except (Unusable, OSError):
+            continue
+        count, pixels = count + 1, pixels + header.width_px * header.height_px
+    return count, pixels

@@ -1,0 +1,126 @@
+"""What the way from photographs to approximate values takes, and results: costs by photograph, pair and image point."""
+
+from __future__ import annotations
+
+from raybundle.matching.features import feature_number
+from raybundle.matching.pairs import ALL, EACH, NEARBY, SIMILAR
+from raybundle.ties.pairs import TOGETHER
+from raybundle.ties.points import BYTES_A_PIXEL
+from raybundle.workflows.costs.constants import Constants
+from raybundle.workflows.costs.stages import MESSAGE, Asked, StageCost, Work, moving, wall_of
+
+FEATURES = 10_000
+"""Of a photograph at most, as by default of `raybundle orient`"""
+USED = 0.8
+"""Of the features of a photograph those that become image points: 0.82 and 0.49 in made flights of 80 and 300"""
+FEATURE_BYTES = 128 + 32
+"""of a stored feature: descriptor, and place, size and direction as doubles"""
+SIGNATURE_BYTES = 2 * 2048 + 128_000
+"""of a stored signature with the 1000 descriptors that are compared"""
+JPEG_BYTES = 0.35e6
+"""of a megapixel of a photograph that is read"""
+COMPARED = (SIMILAR + NEARBY) / 2
+"""Pairs for an image that are compared: half of those that each names, as many are named from both sides"""
+LIKENESS_OPERATIONS = 2 * 2048
+"""Floating-point operations for the likeness of two signatures"""
+MATCH_BYTES = 8
+"""of a match that is kept"""
+MATCHED = 0.2
+"""Of the features of a photograph those that a pair has in common, of overlapping photographs"""
+
+
+def features_of(megapixels: float) -> int:
+    """Features of a photograph."""
+    side = round((megapixels * 1e6) ** 0.5)
+    return feature_number(side, side, FEATURES)
+
+
+def image_points_of(megapixels: float) -> float:
+    """Image points of a photograph that are adjusted, where nobody says it."""
+    return USED * features_of(megapixels)
+
+
+def pairs_of(images: int) -> float:
+    """Pairs that are matched at most."""
+    return min(images * (images - 1) / 2, EACH * images) if images > ALL else images * (images - 1) / 2
+
+
+def features(a: Asked, c: Constants) -> StageCost:
+    """Features found and described."""
+    kept = features_of(a.megapixels) * FEATURE_BYTES
+    work = Work(
+        count=a.images, cpu_s=c.feature_mpx_s * a.megapixels, read=JPEG_BYTES * a.megapixels, written=kept
+    )  # fmt: skip
+    return _of("features", work, a, memory_mb=c.base_mb + BYTES_A_PIXEL * a.megapixels, disk=a.images * kept)
+
+
+def choice_of_pairs(a: Asked, c: Constants) -> StageCost:
+    """Signatures, the most alike, a quick comparison; nothing of it where all pairs are matched."""
+    if a.images <= ALL:
+        return StageCost(name="choice of pairs", cpu_s=0, tasks=0, memory_mb=0, disk_gb=0, moved_gb=0, wall_s=0)
+    signatures = Work(
+        count=a.images, cpu_s=c.signature_s, read=features_of(a.megapixels) * FEATURE_BYTES, written=SIGNATURE_BYTES
+    )  # fmt: skip
+    likeness = 1e-12 * c.likeness_ns * LIKENESS_OPERATIONS * a.images**2 / 2
+    compared = min(a.images * (a.images - 1) / 2, a.images * COMPARED)
+    comparing = Work(
+        count=compared / TOGETHER, cpu_s=1e-3 * c.compare_ms * TOGETHER, read=SIGNATURE_BYTES * TOGETHER / 4,
+    )  # fmt: skip
+    first, second = _of("", signatures, a, memory_mb=0, disk=0), _of("", comparing, a, memory_mb=0, disk=0)
+    return StageCost(
+        name="choice of pairs", cpu_s=first.cpu_s + second.cpu_s + likeness, tasks=first.tasks + second.tasks,
+        memory_mb=c.base_mb + 1e-6 * a.images * (4 * 2048 + 24 * SIMILAR), disk_gb=1e-9 * a.images * SIGNATURE_BYTES,
+        moved_gb=first.moved_gb + second.moved_gb, wall_s=first.wall_s + second.wall_s + likeness, serial_s=likeness,
+    )  # fmt: skip
+
+
+def matching(a: Asked, c: Constants) -> StageCost:
+    """Pairs matched and verified."""
+    count = features_of(a.megapixels)
+    work = Work(
+        count=pairs_of(a.images), cpu_s=c.nearest_s * (count / 1000) ** 2 + 1e-6 * c.verify_ms * count,
+        read=2 * count * FEATURE_BYTES, written=MATCHED * count * MATCH_BYTES,
+    )  # fmt: skip
+    return _of(
+        "matching", work, a, memory_mb=c.base_mb + 1e-6 * 4 * 2 * count * FEATURE_BYTES,
+        disk=work.count * work.written,
+    )  # fmt: skip
+
+
+def start(a: Asked, c: Constants) -> StageCost:
+    """Tracks and approximate values: one process."""
+    return _alone("tracks and start", 1e-3 * c.start_point_ms * a.points, _memory(c.start_point, a, c), a)
+
+
+def precision(a: Asked, c: Constants) -> StageCost:
+    """Least-squares matching of all image points: one process."""
+    return _alone("precision", 1e-3 * c.precision_point_ms * a.points, _memory(c.precision_point, a, c), a)
+
+
+def results(a: Asked, c: Constants) -> StageCost:
+    """Result tables and report: one process."""
+    seconds, disk = 1e-3 * c.report_point_ms * a.points, c.result_point * a.points
+    return _alone("report", seconds, _memory(c.report_point, a, c), a, disk=disk)
+
+
+def _memory(point: float, a: Asked, c: Constants) -> float:
+    """Megabytes of a process that holds so many bytes for each image point."""
+    return c.base_mb + 1e-6 * point * a.points
+
+
+def _of(name: str, work: Work, a: Asked, *, memory_mb: float, disk: float) -> StageCost:
+    """A stage of equal tasks that need nothing of each other."""
+    return StageCost(
+        name=name, cpu_s=work.count * work.cpu_s, tasks=work.count, memory_mb=memory_mb, disk_gb=1e-9 * disk,
+        moved_gb=1e-9 * work.count * (work.read + work.written + MESSAGE), wall_s=wall_of(work, a),
+    )  # fmt: skip
+
+
+def _alone(name: str, cpu_s: float, memory_mb: float, a: Asked, disk: float = 0.0) -> StageCost:
+    """A stage of one task in one process."""
+    moved = Work(count=1, cpu_s=0.0, written=disk)
+    wall = cpu_s + moving(moved, 1, a)
+    return StageCost(
+        name=name, cpu_s=cpu_s, tasks=1, memory_mb=memory_mb, disk_gb=1e-9 * disk, moved_gb=1e-9 * disk, wall_s=wall,
+        serial_s=wall,
+    )  # fmt: skip

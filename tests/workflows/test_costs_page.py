@@ -1,0 +1,143 @@
+"""Figures of docs/explanation/scale.md are those of the shipped constants and of benchmarks/results/scaling.json."""
+
+import importlib
+import json
+from pathlib import Path
+
+import pytest
+
+import raybundle as rb
+from raybundle.numerics.counting import grouped, significant
+
+ROOT = Path(__file__).resolve().parents[2]
+PAGE = ROOT / "docs/explanation/scale.md"
+BEFORE = ("features", "choice of pairs", "matching", "tracks and start", "precision", "report")
+DRIVER, FRONT = "memory of the driver", "memory of the largest front"
+
+
+def figures():
+    return json.loads((ROOT / "benchmarks/results/scaling.json").read_text())
+
+
+def measured():
+    """Rows of the estimate beside the measurement."""
+    found = figures()["adjustment of 10000"]
+    yield "| | estimated | measured | ratio |"
+    yield "|---|---|---|---|"
+    for name, of in found["stages"].items():
+        yield f"| {name}, CPU s | {of['estimated s']:.1f} | {of['measured s']:.1f} | {of['ratio']:.2f} |"
+    for name, words, digits in (
+        ("CPU s", "all, CPU s", 0), ("peak MB", "peak memory, MB", 0), ("disk GB", "disk, GB", 1),
+        ("moved GB", "bytes moved, GB", 0), ("leaves", "leaves", 0), ("largest front", "largest front, unknowns", 0),
+    ):  # fmt: skip
+        of = found[name]
+        yield f"| {words} | {of['estimated']:.{digits}f} | {of['measured']:.{digits}f} | {of['ratio']:.2f} |"
+
+
+def before():
+    """Rows of the stages before."""
+    yield "| | estimated | measured | ratio |"
+    yield "|---|---|---|---|"
+    for name, of in figures()["stages before"]["stages"].items():
+        yield f"| {name}, CPU s | {of['estimated']:.1f} | {of['measured']:.1f} | {of['ratio']:.2f} |"
+
+
+def walls():
+    """Rows of wall time."""
+    yield "| workers | estimated wall, s | simulated, s | ratio |"
+    yield "|---|---|---|---|"
+    for w, of in figures()["wall time of 10000"].items():
+        yield f"| {w} | {of['estimated']:.0f} | {of['measured']:.0f} | {of['ratio']:.2f} |"
+
+
+def estimates(workers=1):
+    """Estimates of the sizes that the page shows."""
+    for images in (1000, 10_000, 100_000, 1_000_000):
+        yield rb.estimate_cost(
+            images=images, flight_overlap=(0.8, 0.6), points_per_image=8000, workers=workers, shipped=True, memory=64.0,
+            disk=10_000.0,
+        )  # fmt: skip
+
+
+def row(words, values):
+    return f"| {words} | {' | '.join(values)} |"
+
+
+def sizes():
+    """Rows of sizes."""
+    found, many = list(estimates()), list(estimates(256))
+    yield row("images", [grouped(e.asked.images) for e in found])
+    yield "|---|---|---|---|---|"
+    for words, of in (("photographs to start, and report", True), ("adjustment", False)):
+        hours = [sum(s.cpu_s for s in e.stages if (s.name in BEFORE) == of) / 3600 for e in found]
+        yield row(f"{words}, core hours", [significant(h, 3) for h in hours])
+    for words, of in (("photographs to start, and report", True), ("adjustment", False)):
+        hours = [sum(s.wall_s for s in e.stages if (s.name in BEFORE) == of) / 3600 for e in many]
+        yield row(f"{words}, hours with 256 workers", [significant(h, 3) for h in hours])
+    yield row("largest front, unknowns", [grouped(e.largest_front) for e in found])
+    for what, words in (
+        (FRONT, "memory of a process that adjusts, GB"), (DRIVER, "of the driver"),
+        ("memory of tracks and start", "of tracks and start"), ("memory of precision", "of precision"),
+        ("memory of the report", "of the report"),
+    ):  # fmt: skip
+        yield row(words, [significant(next(x.needed for x in e.limits if x.what == what), 3) for e in found])
+    yield row("disk, GB", [significant(e.disk_gb, 3) for e in found])
+    yield row("bytes moved, GB", [significant(e.moved_gb, 3) for e in found])
+
+
+def breaks():
+    """Rows of what gives way first."""
+    yield "| images | too large, the worst first | needed, GB | there, GB |"
+    yield "|---|---|---|---|"
+    for e in estimates():
+        over = [x for x in e.limits if x.share > 1]
+        if not over:
+            yield row(grouped(e.asked.images), ["nothing", "", ""])
+        for x in over:
+            yield row(grouped(e.asked.images), [x.what, significant(x.needed, 3), significant(x.given, 3)])
+
+
+def workers():
+    """Rows of many workers."""
+    found = figures()["workers, from the tasks of 10000"]
+    yield "| images a worker | workers | images | sweeps, s | efficiency | without network | with the driver |"
+    yield "|---|---|---|---|---|---|---|"
+    for load in ("160 images a worker", "640 images a worker"):
+        for w, of in found[load].items():
+            shares = [of[n] for n in ("efficiency of the sweeps", "without network", "with the driver")]
+            yield row(
+                load.split()[0], [w, grouped(of["images"]), f"{of['sweeps s']:.0f}", *(f"{s:.2f}" for s in shares)]
+            )  # fmt: skip
+
+
+@pytest.mark.parametrize("table", [measured, before, sizes, breaks, workers, walls], ids=lambda t: t.__name__)
+def test_tables_of_the_page(table):
+    text = PAGE.read_text()
+    rows = "\n".join(table())
+    assert rows in text, rows
+
+
+def test_the_estimate_of_ten_thousand_is_within_thirty_per_cent():
+    """Acceptance of the estimate: an adjustment of 10 000 images, out of core."""
+    found = figures()["adjustment of 10000"]
+    assert found["images"] == 10_000
+    assert found["image points"] > 1e7
+    for name in ("CPU s", "peak MB", "disk GB", "moved GB"):
+        assert 0.7 < found[name]["ratio"] < 1.3, name
+
+
+@pytest.fixture
+def simulated(monkeypatch):
+    monkeypatch.syspath_prepend(str(ROOT / "benchmarks"))
+    return importlib.import_module("simulated_workers")
+
+
+def test_simulated_workers_wait_share_a_line_and_each_other(simulated):
+    job, took = simulated.Job, simulated.elapsed
+    message = 4 * simulated.LATENCY
+    chain = [job(seconds=1, read=0, written=0), job(seconds=2, read=0, written=0, waits=(0,))]
+    assert took(chain, 8) == pytest.approx(3 + 2 * message)
+    alone = job(seconds=1, read=simulated.WORKER, written=0)  # a second on its own line
+    assert took([alone] * 8, 8) == pytest.approx(2 + message)
+    assert took([alone] * 8, 4) == pytest.approx(2 * (2 + message))
+    assert took([alone] * 40, 40) == pytest.approx(1 + 4 * (1 + 2 * simulated.LATENCY) + message / 2, rel=2e-2)
