@@ -9,7 +9,7 @@ its descriptor wherever it is seen.  Pairs that overlap are kept in the project 
 wrong feature, so that the stage `matching` chooses them, and matches those that it tries beside, with its own code.
 Each stage is run by the code that `orient` uses, alone: what stands in memory before it is what `orient` holds then.
 The start is made twice, by growing and by averaging.  What the flight does not have: least-squares matching, whose
-tasks are pixels; features by the thousand, of which a photograph has 200 here.  Each number of photographs has a
+tasks are pixels; features by the thousand, of which a photograph has 120 here.  Each number of photographs has a
 process of its own.
 """
 
@@ -53,7 +53,7 @@ RESULTS = HERE / "results" / "stages_at_size.json"
 WIDTH, HEIGHT, C_PX, K1 = 1000, 750, 1013.0, -0.03
 FLYING_M, ALONG_M, ACROSS_M = 100.0, 18.0, 34.0
 GPS_M, NOISE_PX, WRONG, STRAY, SEEN = 2.0, 0.4, 0.02, 0.15, 0.8
-FEATURES = 200
+FEATURES = 120
 LATITUDE, LONGITUDE, METRES = 50.0, 10.0, 111_194.9
 IMAGES = (500, 1000, 2000, 4000, 8000)
 LIMITS = {"cpu_s": 5.0, "peak_mb": 1.5}
@@ -186,7 +186,7 @@ class Watch:
     profiled: str
     figures: dict[str, dict[str, float]]
 
-    def __call__(self, name: str, what):  # noqa: ANN001, ANN204  (any function)
+    def __call__(self, name: str, what):
         before = peak_mb(anew=True)
         profile = cProfile.Profile() if name == self.profiled else None
         began = time.process_time()
@@ -206,7 +206,7 @@ class Watch:
         return result
 
 
-def stages(images: int, profiled: str = "") -> dict:
+def stages(images: int, profiled: str = "", *, averaging: bool = True) -> dict:
     """Figures of all stages for so many photographs."""
     rng = np.random.default_rng(18)
     folder = WORK / str(images)
@@ -231,7 +231,7 @@ def stages(images: int, profiled: str = "") -> dict:
         state = done("cameras", state)
         state = watch("matching", lambda: done("matching", state))
         at_once = replace(state, asked=replace(asked, options=replace(options, start="averaging")))
-        averaged = watch("start by averaging", lambda: done("start", at_once).oriented)
+        averaged = watch("start by averaging", lambda: done("start", at_once).oriented) if averaging else None
         state = watch("start by growing", lambda: done("start", state))
         state = watch("adjustment", lambda: done("adjustment", state))
         result = _orientation(state, project.records)
@@ -271,16 +271,18 @@ def main() -> int:
     parser.add_argument("--images", type=int, nargs="+", default=IMAGES)
     parser.add_argument("--one", type=int, help="so many photographs in this process")
     parser.add_argument("--profile", default="", metavar="STAGE", help="print where a stage spends its time")
+    parser.add_argument("--no-averaging", action="store_true", help="leave the start by averaging out")
     asked = parser.parse_args()
     if asked.one:
-        print(json.dumps(stages(asked.one, asked.profile)))
+        print(json.dumps(stages(asked.one, asked.profile, averaging=not asked.no_averaging)))
         return 0
+    left = ["--no-averaging"] if asked.no_averaging else []
     rows = [
-        json.loads(measured([sys.executable, __file__, "--one", str(n)], cpus=1)["output"].splitlines()[-1])
+        json.loads(measured([sys.executable, __file__, "--one", str(n), *left], cpus=1)["output"].splitlines()[-1])
         for n in asked.images
     ]
     result = {"rows": rows, "from 2000 to 8000": compared(rows)}
-    if tuple(asked.images) == IMAGES:
+    if tuple(asked.images) == IMAGES and not left:
         RESULTS.write_text(json.dumps(result, indent=1) + "\n")
     print(json.dumps(result, indent=1))
     return 0

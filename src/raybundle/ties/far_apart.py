@@ -22,18 +22,18 @@ def not_too_far(block: Block, failed: dict[str, str]) -> Mask:
     """(m,) rows of all images but those that hang on few points seen from far apart; names the images that are left."""
     o = block.observations
     count = np.bincount(o.image, minlength=len(block.images))
-    keep = np.ones(len(o), bool)
+    left = np.zeros(len(block.images), bool)
     for i in np.flatnonzero((count > 0) & (count <= FEW) & block.images.oriented).tolist():
         angle = nearest_rays(block, i)
         median = float(np.median(angle)) if len(angle) else 0.0
         if median > APART:
-            keep &= o.image != i
+            left[i] = True
             failed[block.images.ids[i]] = (
                 f"its {len(angle)} points are seen from {np.degrees(median):.0f} degrees away by the next photograph "
                 f"of them (median), where nothing looks alike (limit {np.degrees(APART):.0f}): such matches are "
                 "wrong; add photographs from between"
             )
-    return keep
+    return ~left[o.image]
 
 
 def nearest_rays(block: Block, image: int) -> Array:
