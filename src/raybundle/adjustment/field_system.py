@@ -212,12 +212,9 @@ def _evaluate(wide: Normals, wide_state: State, base: Normals, state: State, ima
 def entries(normals: Normals) -> tuple[Array, Array]:
     """Rows and columns (values,) of the entries of the flat normal matrix; -1 where the solver keeps its own."""
     sizes, offsets, solver = normals.system.sizes.astype(np.int64), normals.system.offsets, normals.solver
-    n = len(sizes)
-    pairs = [(a, b, k) for a in range(n) for b in range(a, n) if (k := solver.block(a, b)) >= 0]
-    a, b, block = np.array(pairs, np.int64).reshape(-1, 3).T
-    start = np.array([solver.block_start(int(k)) for k in block], np.int64)
+    a, b, start = solver.blocks()
     count = sizes[a] * sizes[b]
-    of = np.repeat(np.arange(len(pairs)), count)
+    of = np.repeat(np.arange(len(a)), count)
     within = np.arange(len(of)) - np.repeat(np.cumsum(count) - count, count)
     row, column = np.full(solver.values_size, -1), np.full(solver.values_size, -1)
     row[start[of] + within] = offsets[a[of]] + within // sizes[b[of]]
