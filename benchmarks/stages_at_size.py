@@ -57,7 +57,7 @@ FEATURES = 120
 LATITUDE, LONGITUDE, METRES = 50.0, 10.0, 111_194.9
 IMAGES = (500, 1000, 2000, 4000, 8000)
 LIMITS = {"cpu_s": 5.0, "peak_mb": 1.5}
-"""From 2000 to 8000 photographs (issue 18)."""
+"""Times that four times as many photographs may take."""
 
 
 @dataclass(frozen=True)
@@ -251,22 +251,34 @@ def _no(*_: object) -> None:
     """No progress."""
 
 
-def compared(rows: list[dict]) -> dict:
-    """From 2000 to 8000 photographs, of each stage: how many times the CPU seconds and the peak memory."""
+def compared(rows: list[dict], few: int, many: int) -> dict:
+    """From few to many photographs, of each stage: how many times the CPU seconds and the peak memory."""
     of = {r["images"]: r["stages"] for r in rows}
-    if not {2000, 8000} <= of.keys():
+    if not {few, many} <= of.keys():
         return {}
     return {
         name: {
-            **{what: round(of[8000][name][what] / of[2000][name][what], 2) for what in LIMITS},
-            "reached": all(of[8000][name][what] <= k * of[2000][name][what] for what, k in LIMITS.items()),
+            **{what: round(of[many][name][what] / of[few][name][what], 2) for what in LIMITS},
+            "reached": all(of[many][name][what] <= k * of[few][name][what] for what, k in LIMITS.items()),
         }
-        for name in of[2000]
+        for name in of[few].keys() & of[many].keys()
     }
 
 
+def kept(new: list[dict]) -> dict:
+    """These rows among those of earlier runs, and what they say together."""
+    earlier = json.loads(RESULTS.read_text())["rows"] if RESULTS.exists() else []
+    rows = {r["images"]: r for r in (*earlier, *new)}
+    ordered = [rows[n] for n in sorted(rows)]
+    times = [(n, 4 * n) for n in sorted(rows) if 4 * n in rows]
+    return {
+        "limits": LIMITS, "rows": ordered,
+        **{f"from {few} to {many}": compared(ordered, few, many) for few, many in times},
+    }  # fmt: skip
+
+
 def main() -> int:
-    """Print the figures, and keep those of the usual numbers."""
+    """Print the figures, and keep them beside those of other numbers of photographs."""
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--images", type=int, nargs="+", default=IMAGES)
     parser.add_argument("--one", type=int, help="so many photographs in this process")
@@ -277,14 +289,11 @@ def main() -> int:
         print(json.dumps(stages(asked.one, asked.profile, averaging=not asked.no_averaging)))
         return 0
     left = ["--no-averaging"] if asked.no_averaging else []
-    rows = [
-        json.loads(measured([sys.executable, __file__, "--one", str(n), *left], cpus=1)["output"].splitlines()[-1])
-        for n in asked.images
-    ]
-    result = {"rows": rows, "from 2000 to 8000": compared(rows)}
-    if tuple(asked.images) == IMAGES and not left:
-        RESULTS.write_text(json.dumps(result, indent=1) + "\n")
-    print(json.dumps(result, indent=1))
+    for n in asked.images:
+        command = [sys.executable, __file__, "--one", str(n), *left]
+        row = json.loads(measured(command, cpus=1)["output"].splitlines()[-1])
+        RESULTS.write_text(json.dumps(kept([row]), indent=1) + "\n")
+        print(json.dumps(row), flush=True)
     return 0
 
 
