@@ -261,7 +261,8 @@ def compared(rows: list[dict], few: int, many: int) -> dict:
             **{what: round(of[many][name][what] / of[few][name][what], 2) for what in LIMITS},
             "reached": all(of[many][name][what] <= k * of[few][name][what] for what, k in LIMITS.items()),
         }
-        for name in of[few].keys() & of[many].keys()
+        for name in of[few]
+        if name in of[many]
     }
 
 
