@@ -63,17 +63,21 @@ def tasks_of(count: int, cpu_s: float) -> list[Task]:
 
 
 @contextmanager
-def cluster(folder: Path):
-    """A scheduler and two workers on this machine."""
+def cluster(folder: Path, workers: int = 2):
+    """A scheduler and some workers on this machine."""
     env = {**os.environ, "PYTHONPATH": str(HERE)}
-    words = [[sys.executable, "-m", "raybundle", "scheduler", str(folder), "--host", "127.0.0.1"],
-             [sys.executable, "-m", "raybundle", "worker", "--cluster", str(folder), "--jobs", "2"]]  # fmt: skip
+    program = [sys.executable, "-m", "raybundle"]
+    words = [
+        [*program, "scheduler", str(folder), "--host", "127.0.0.1"],
+        [*program, "worker", "--cluster", str(folder), "--jobs", str(workers)],
+    ]
     running = []
     try:
         for command in words:
             running.append(subprocess.Popen(command, env=env, stdout=subprocess.PIPE))
             running[-1].stdout.readline()
-        running[-1].stdout.readline()  # the second worker
+        for _ in range(workers - 1):  # the other workers
+            running[-1].stdout.readline()
         yield
     finally:
         for process in reversed(running):

@@ -1,6 +1,9 @@
 """Peak memory and time of `raybundle orient` on a flight of 300 photographs, made here from nothing.
 
-    python benchmarks/many_images.py [--strips 15] [--each 20] [--memory 1.0] [--keep]
+    python benchmarks/many_images.py [--strips 15] [--each 20] [--memory 1.0] [--keep] [--dask 2]
+
+`--dask N`: oriented once more, by a scheduler of Dask and N workers, and compared with the first project bit by bit:
+every product of a task or a stage, and every table of the result.
 
 A camera of known constant flies in strips over a relief with a painted ground; every pixel's ray is followed to the
 relief.  Positions stand in the EXIF as GPS with an error of 2 m, so that pairs are chosen by them.
@@ -10,13 +13,16 @@ What the set does not have: vegetation, motion, light that changes.
 from __future__ import annotations
 
 import argparse
+import hashlib
 import json
 import shutil
+import sqlite3
 import sys
 from pathlib import Path
 
 import cv2
 import numpy as np
+from executors import cluster
 from PIL import Image
 from PIL.TiffImagePlugin import IFDRational
 from runs import errors, measured, of_block
@@ -115,6 +121,33 @@ def fly(folder: Path, strips: int, each: int, seed: int = 1) -> dict[str, dict]:
     return truth
 
 
+def contents(project: Path) -> dict[str, str]:
+    """Check sums of what a project holds that is no record of time: products, pairs, the tables of the result."""
+    found = {}
+    for path in sorted(project.rglob("*")):
+        if path.suffix in (".npz", ".npy", ".csv", ".toml") and path.name != "project.toml":
+            found[str(path.relative_to(project))] = hashlib.sha256(path.read_bytes()).hexdigest()
+    with sqlite3.connect(project / "project.db") as db:
+        for row in db.execute("SELECT * FROM pairs ORDER BY 1"):
+            found[f"pairs/{row[0]}"] = hashlib.sha256(repr(row[1:]).encode()).hexdigest()
+    return found
+
+
+def by_dask(command: list[str], first: Path, workers: int) -> dict:
+    """The same command with a cluster: what it took, and what of the project differs."""
+    out, folder = first.parent / "dask" / first.name, first.with_name("cluster")
+    for old in (out, folder):
+        shutil.rmtree(old, ignore_errors=True)
+    again = [str(out) if word == str(first) else word for word in command]
+    with cluster(folder, workers):
+        run = measured([*again, "--cluster", str(folder)], cpus=1)
+    one, other = contents(first), contents(out)
+    return {
+        "workers": workers, "wall_s": run["wall_s"], "cpu_s of the driver": run["cpu_s"], "compared": len(one),
+        "different": sorted(name for name in one.keys() | other.keys() if one.get(name) != other.get(name))[:20],
+    }  # fmt: skip
+
+
 def main() -> None:
     """Print the figures as JSON."""
     parser = argparse.ArgumentParser()
@@ -123,13 +156,25 @@ def main() -> None:
     parser.add_argument("--memory", type=float, default=1.0)
     parser.add_argument("--quick", action="store_true")
     parser.add_argument("--keep", action="store_true", help="Keep photographs and project.")
+    parser.add_argument("--dask", type=int, default=0, metavar="N", help="Orient once more, by N workers of Dask.")
+    parser.add_argument("--cpus", type=int, default=2)
     options = parser.parse_args()
     truth = fly(WORK / "photos", options.strips, options.each)
     out = WORK / "project"
     shutil.rmtree(out, ignore_errors=True)
-    command = [sys.executable, "-m", "raybundle", "orient", str(WORK / "photos"), "--out", str(out), "--jobs", "2"]
+    command = [
+        sys.executable,
+        "-m",
+        "raybundle",
+        "orient",
+        str(WORK / "photos"),
+        "--out",
+        str(out),
+        "--jobs",
+        str(options.cpus),
+    ]
     command += ["--memory", str(options.memory), "--progress", "none"] + (["--quick"] if options.quick else [])
-    run = measured(command)
+    run = measured(command, cpus=options.cpus)
     run.pop("output")
     result = json.loads((out / "result/result.json").read_text())
     figures = {
@@ -143,6 +188,8 @@ def main() -> None:
         "cache_mb": sum(p.stat().st_size for p in out.rglob("*") if p.is_file()) / 1e6,
         **errors(of_block(out / "result/block"), truth),
     }
+    if options.dask:
+        figures["dask"] = by_dask(command, out, options.dask)
     if not options.keep:
         shutil.rmtree(WORK)
     print(json.dumps({"many_images": figures}, indent=1))

@@ -27,7 +27,7 @@ def medians(folder: Path) -> list[dict]:
     block = read_block(folder / "block")
     found = []
     for i in np.flatnonzero(block.images.oriented).tolist():
-        angle = nearest_rays(block, i)
+        angle = next(nearest_rays(block, [i]))
         if len(angle):
             row = {
                 "set": "/".join(folder.resolve().parts[-3:-1]),

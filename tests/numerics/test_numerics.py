@@ -15,6 +15,7 @@ from raybundle.numerics.rotation import (
     rotation_from_vector,
     vector_from_rotation,
 )
+from raybundle.numerics.rows import rows_of_each
 from raybundle.numerics.statistics import (
     CRITICAL_W,
     DELTA0,
@@ -136,6 +137,16 @@ def test_robust_similarity_leaves_outliers_out():
     assert not inliers[:4].any()
     assert inliers[4:].all()
     np.testing.assert_allclose(found.points(source[4:]), target[4:], atol=1e-9)
+
+
+def test_rows_of_each_are_those_of_a_search():
+    owner = RNG.integers(-1, 6, 200)
+    owner[owner == 3] = 4
+    rows = rows_of_each(owner, 8)
+    assert len(rows) == 8
+    for k, mine in enumerate(rows):
+        np.testing.assert_array_equal(mine, np.flatnonzero(owner == k))
+    assert [len(r) for r in rows_of_each(owner[:0], 2)] == [0, 0]
 
 
 def test_square_roots_are_printed_for_both_kernels():

@@ -19,6 +19,9 @@ from raybundle.adjustment.twin_images import inverse2
 from raybundle.numerics.arrays import Array, Index
 from raybundle.platforms.station import sensor_from_object
 
+BLOCKS = 20_000
+"""Blocks of a normal matrix whose entries are numbered together: of 16 by 16, 40 MB each time."""
+
 
 @dataclass(slots=True)
 class FieldSystem:
@@ -112,10 +115,10 @@ def field_system(base: Normals, state: State) -> FieldSystem:
     wide = Normals.of(wide_system, base.threads)
     _evaluate(wide, wide_state, base, state, images)
     wide.reduce(wide_state)
-    whole = sparse_normals(wide)
-    order = whole[:, columns]
-    H, own = order[unknowns], order[columns]
+    order = sparse_normals(wide)[:, columns]
     wide.values = np.zeros(0)
+    H, own = order[unknowns], order[columns]
+    del order
     found = FieldSystem(
         base=base, state=state, wide=wide, wide_state=wide_state, images=images, unknowns=unknowns, columns=columns,
         H=H, own=own, scores=np.zeros(0),
@@ -213,18 +216,18 @@ def _evaluate(wide: Normals, wide_state: State, base: Normals, state: State, ima
 
 
 def entries(normals: Normals) -> tuple[Array, Array]:
-    """Rows and columns (values,) of the entries of the flat normal matrix; -1 where the solver keeps its own."""
+    """Rows and columns (values,) of the entries of the flat normal matrix, int32; -1 where the solver keeps its own."""
     sizes, offsets, solver = normals.system.sizes.astype(np.int64), normals.system.offsets, normals.solver
-    n = len(sizes)
-    pairs = [(a, b, k) for a in range(n) for b in range(a, n) if (k := solver.block(a, b)) >= 0]
-    a, b, block = np.array(pairs, np.int64).reshape(-1, 3).T
-    start = np.array([solver.block_start(int(k)) for k in block], np.int64)
-    count = sizes[a] * sizes[b]
-    of = np.repeat(np.arange(len(pairs)), count)
-    within = np.arange(len(of)) - np.repeat(np.cumsum(count) - count, count)
-    row, column = np.full(solver.values_size, -1), np.full(solver.values_size, -1)
-    row[start[of] + within] = offsets[a[of]] + within // sizes[b[of]]
-    column[start[of] + within] = offsets[b[of]] + within % sizes[b[of]]
+    first, second, starts = solver.blocks()
+    row, column = np.full(solver.values_size, -1, np.int32), np.full(solver.values_size, -1, np.int32)
+    for k in range(0, len(first), BLOCKS):
+        a, b = first[k : k + BLOCKS], second[k : k + BLOCKS]
+        count = sizes[a] * sizes[b]
+        of = np.repeat(np.arange(len(a)), count)
+        within = np.arange(len(of)) - np.repeat(np.cumsum(count) - count, count)
+        at = starts[k : k + BLOCKS][of] + within
+        row[at] = offsets[a[of]] + within // sizes[b[of]]
+        column[at] = offsets[b[of]] + within % sizes[b[of]]
     return row, column
 
 

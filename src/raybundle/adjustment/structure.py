@@ -11,6 +11,7 @@ from raybundle.adjustment.options import FEWEST_IMAGES
 from raybundle.adjustment.result import Adjustment, Noise, Notice
 from raybundle.adjustment.severity import NEARLY
 from raybundle.numerics.arrays import Array
+from raybundle.numerics.rows import rows_of_each
 from raybundle.numerics.statistics import fisher_tail
 
 NEAR, FAR = 0.01, 0.03
@@ -62,9 +63,8 @@ def residual_structure(result: Adjustment) -> ResidualStructure | None:
     n = len(block.images)
     total, pairs, images = 0.0, 0, np.full(n, np.nan)
     weight = 0.0
-    for i in range(n):
-        rows = np.flatnonzero(used & (o.image == i))
-        thinned = 1.0
+    for i, mine in enumerate(rows_of_each(np.where(used, o.image, -1), n)):
+        thinned, rows = 1.0, mine
         if len(rows) > MOST_POINTS:
             thinned = len(rows) / MOST_POINTS
             rows = rows[np.linspace(0, len(rows) - 1, MOST_POINTS).astype(int)]

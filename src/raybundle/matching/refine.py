@@ -11,6 +11,7 @@ import numpy as np
 from raybundle.matching.least_squares import Outcome, WindowOptions, match_windows, with_noisy_gradients
 from raybundle.numerics.arrays import Array, Index, Mask
 from raybundle.numerics.progress import Progress, silent
+from raybundle.numerics.rows import rows_of_each
 
 CORRELATION = 0.75
 """Least correlation of two windows that are believed to show the same."""
@@ -168,7 +169,7 @@ def match_candidates(
     pair = source.astype(np.int64) * (int(points.image.max(initial=0)) + 1) + candidates.image
     order = np.argsort(pair, kind="stable")
     groups = np.split(order, np.flatnonzero(np.diff(pair[order])) + 1) if k else []
-    rows_of_image = [np.flatnonzero(points.image == i) for i in range(int(points.image.max(initial=-1)) + 1)]
+    rows_of_image = rows_of_each(points.image, int(points.image.max(initial=-1)) + 1)
 
     def run(group: Index) -> None:
         a, b = int(source[group[0]]), int(candidates.image[group[0]])

@@ -203,6 +203,7 @@ def _grow(growth: Growth, failures: _Failures, progress: Progress, total: int) -
             refused.clear()
             continue
         added = 0
+        growth.begin_round()
         for i in worth:
             pose = _resect(growth, i, share)
             if pose is None:
@@ -237,10 +238,10 @@ def _worth(growth: Growth, refused: dict[int, int]) -> list[int]:
 
     Not too many at once: what is added rests on what has been adjusted.
     """
-    waiting = [int(i) for i in np.flatnonzero(growth.waiting() & (growth.lost < OFTEN))]
-    scores = {i: growth.score(i) for i in waiting}
-    fresh = [i for i in waiting if scores[i] > 0 and growth.known_points(i) > AGAIN * refused.get(i, 0)]
-    good = [i for i in fresh if scores[i] >= 0.6 * max(scores.values())] or fresh
+    scores, known = growth.scores()
+    waiting = np.flatnonzero(growth.waiting() & (growth.lost < OFTEN) & (scores > 0))
+    fresh = [i for i in waiting.tolist() if known[i] > AGAIN * refused.get(i, 0)]
+    good = [i for i in fresh if scores[i] >= 0.6 * scores[waiting].max()] or fresh
     return sorted(good, key=lambda i: -scores[i])[: max(3, int(0.75 * growth.active.sum()))]
 
 

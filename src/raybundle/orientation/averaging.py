@@ -9,17 +9,18 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 
 import numpy as np
-from scipy.sparse import coo_matrix, csr_array
+from scipy.sparse import coo_matrix, csc_matrix, csr_array
 from scipy.sparse.csgraph import breadth_first_order, connected_components, minimum_spanning_tree
-from scipy.sparse.linalg import splu
+from scipy.sparse.linalg import SuperLU, splu
 
 from raybundle.block import Block
 from raybundle.errors import NoOrientation
 from raybundle.numerics.arrays import Array, Index, Mask
 from raybundle.numerics.progress import Progress, silent
 from raybundle.numerics.rotation import nearest_rotation, rotation_from_vector, vector_from_rotation
+from raybundle.numerics.rows import rows_of_each
 from raybundle.orientation.candidates import relative_all
-from raybundle.orientation.rays import Rays, common_rows, image_pairs, object_rays, rays_of
+from raybundle.orientation.rays import Rays, common_counts, common_rows, object_rays, rays_of
 from raybundle.orientation.skeleton import skeleton
 
 LEAST_COMMON = 20
@@ -63,7 +64,8 @@ def average_start(block: Block, progress: Progress = silent) -> Block:
     pairs = _pairs(block, rays, chosen, progress)
     n = len(block.images)
     R, part = _rotations(pairs, n)
-    good = [p for p in pairs if part[p.first] and part[p.second] and np.linalg.norm(_misfit(R, p)) < WRONG]
+    off = np.linalg.norm(_misfits(R, *_ends(pairs)), axis=1)
+    good = [p for p, d in zip(pairs, off.tolist(), strict=True) if part[p.first] and part[p.second] and d < WRONG]
     if not good:
         raise NoOrientation(
             f"no two images have a relative orientation: {LEAST_COMMON} common points whose rays meet are needed, and "
@@ -94,14 +96,15 @@ def _pairs(block: Block, rays: Rays, chosen: Mask, progress: Progress) -> list[_
     """Relative orientations of the pairs with the most common points of every image."""
     n = len(block.images)
     keep = chosen[rays.point]
-    table = image_pairs(rays.image[keep], rays.point[keep], np.ones(n, bool), len(block.points), most=n * n)
-    taken = np.zeros(n, np.int64)
+    table = common_counts(rays.image[keep], rays.point[keep], np.ones(n, bool), len(block.points))
+    taken = [0] * n
     wanted: list[tuple[int, int]] = []
-    for a, b, common in table:
-        if common >= LEAST_COMMON and (taken[a] < PAIRS_EACH or taken[b] < PAIRS_EACH):
+    for a, b in table[table[:, 2] >= LEAST_COMMON, :2].tolist():
+        if taken[a] < PAIRS_EACH or taken[b] < PAIRS_EACH:
             wanted.append((a, b))
-            taken[[a, b]] += 1
-    rows_of = [np.flatnonzero(keep & (rays.image == i)) for i in range(n)]
+            taken[a] += 1
+            taken[b] += 1
+    rows_of = rows_of_each(np.where(keep, rays.image, -1), n)
     found: list[_Pair] = []
     for k, (a, b) in enumerate(wanted):
         progress("orienting all images at once", 0.7 * k / len(wanted))
@@ -143,38 +146,49 @@ def _averaged(R: Array, pairs: list[_Pair], weight: Array, part: Mask, root: int
     column = np.full(len(R), -1)
     column[unknown] = np.arange(unknown.sum())
     u = 3 * int(unknown.sum())
+    turned = np.flatnonzero(unknown)
+    first, second, rotation = _ends(pairs)
+    at = np.stack([column[second], column[first]], axis=1)
+    J = np.stack([np.broadcast_to(np.eye(3), rotation.shape), -rotation], axis=1)
+    side, pair = np.divmod(np.flatnonzero((at.T >= 0).ravel()), len(pairs))
     for step in range(ROTATION_STEPS):
-        misfit = np.array([_misfit(R, p) for p in pairs])
+        misfit = _misfits(R, first, second, rotation)
         size = np.linalg.norm(misfit, axis=1)
         # absolute values first: nearly half of the pairs may be wrong; then those far off lose all weight
         w = weight / np.maximum(size, 1e-3) if step < ROTATION_STEPS // 2 else weight / (1 + (size / 0.02) ** 2) ** 2
-        cells: list[tuple[Array, Array, Array]] = []
-        right = np.zeros(u)
-        for p, e, q in zip(pairs, misfit, w, strict=True):
-            blocks = [(column[p.second], np.eye(3)), (column[p.first], -p.rotation)]
-            for a, J in blocks:
-                if a < 0:
-                    continue
-                right[3 * a : 3 * a + 3] -= q * J.T @ e
-                for b, K in blocks:
-                    if b >= 0:
-                        i, j = np.meshgrid(np.arange(3) + 3 * a, np.arange(3) + 3 * b, indexing="ij")
-                        cells.append((i.ravel(), j.ravel(), (q * J.T @ K).ravel()))
-        i, j, v = (np.concatenate([c[k] for c in cells]) for k in range(3))
-        N = coo_matrix((v, (i, j)), shape=(u, u)).tocsc()
+        weighted = w[:, None, None, None] * J
+        right = np.zeros((u // 3, 3))
+        np.subtract.at(right, at[pair, side], np.einsum("kij,ki->kj", weighted[pair, side], misfit[pair]))
+        N = _normals(at, np.einsum("kaij,kbil->kabjl", weighted, J), u // 3)
         N.setdiag(N.diagonal() * (1 + 1e-9) + 1e-12)
-        delta = splu(N).solve(right).reshape(-1, 3)
-        turned = np.flatnonzero(unknown)
-        for k, d in zip(turned, delta, strict=True):
-            R[k] = nearest_rotation(rotation_from_vector(d) @ R[k])
+        delta = _factor(N).solve(right.ravel()).reshape(-1, 3)
+        R[turned] = nearest_rotation(rotation_from_vector(delta) @ R[turned])
         if step >= ROTATION_STEPS // 2 and np.abs(delta).max(initial=0) < 1e-8:
             break
     return R
 
 
-def _misfit(R: Array, pair: _Pair) -> Array:
-    """Rotation vector (3,) by which the average contradicts a pair."""
-    return vector_from_rotation(R[pair.second] @ R[pair.first].T @ pair.rotation.T)
+def _ends(pairs: list[_Pair]) -> tuple[Index, Index, Array]:
+    """First and second images (k,) and rotations second_from_first (k, 3, 3) of pairs."""
+    first, second = np.array([(p.first, p.second) for p in pairs], int).reshape(-1, 2).T
+    return first, second, np.array([p.rotation for p in pairs]).reshape(-1, 3, 3)
+
+
+def _misfits(R: Array, first: Index, second: Index, rotation: Array) -> Array:
+    """Rotation vectors (k, 3) by which the average contradicts pairs."""
+    return vector_from_rotation(R[second] @ R[first].swapaxes(1, 2) @ rotation.swapaxes(1, 2))
+
+
+def _normals(at: Index, products: Array, count: int) -> csc_matrix:
+    """Normal matrix of `count` rotations: blocks (k, 2, 2, 3, 3) at unknowns (k, 2), negative for a held one."""
+    k, a, b = np.nonzero((at[:, :, None] >= 0) & (at[:, None, :] >= 0))
+    return csc_matrix(_blocks(products[k, a, b], at[k, a], at[k, b], count, count))
+
+
+def _factor(N: csc_matrix) -> SuperLU:
+    """Factor of a symmetric positive definite matrix, by an order for symmetric ones: half of the fill of others."""
+    options = {"SymmetricMode": True}
+    return splu(N, permc_spec="MMD_AT_PLUS_A", diag_pivot_thresh=0.0, options=options)
 
 
 def _positions(rays: Rays, rows: Index, R: Array, n: int, p: int) -> tuple[Array, Array, Array]:
@@ -216,7 +230,7 @@ def _linear(image: Index, point: Index, d: Array, w: Array, n: int, p: int) -> t
     C = np.zeros(3 * n)
     reduced = S[free][:, free].tocsc()
     reduced.setdiag(reduced.diagonal() * (1 + 1e-12) + 1e-15)
-    C[free] = splu(reduced).solve(g[free])
+    C[free] = _factor(reduced).solve(g[free])
     X = inverse_all @ (g_point.ravel() - W.T @ C)
     C, X = C.reshape(n, 3), X.reshape(p, 3)
     depth = float(np.average(np.einsum("ij,ij->i", X[point] - C[image], d), weights=w))

@@ -13,6 +13,7 @@ from raybundle.block import Block, Camera
 from raybundle.block.stored import is_observed_jointly
 from raybundle.errors import NoOrientation
 from raybundle.numerics.arrays import Array, Mask
+from raybundle.numerics.rows import rows_of_each
 from raybundle.orientation.dlt import dlt
 from raybundle.orientation.projective import SelfCalibration, self_calibration
 from raybundle.orientation.rays import common_rows, image_pairs
@@ -140,10 +141,11 @@ def _from_control(block: Block, camera: Camera, images: Mask) -> tuple[list[floa
     """Camera constants by DLT and by the homography of a plane, one of each image that allows it."""
     control: Mask = np.all(block.points.is_control, axis=1)
     o = block.observations
+    rows_of = rows_of_each(np.where(control[o.point], o.image, -1), len(block.images))
     by_dlt: list[float] = []
     by_plane: list[float] = []
     for i in np.flatnonzero(images):
-        rows = np.flatnonzero((o.image == i) & control[o.point])
+        rows = rows_of[i]
         if len(rows) < 4:
             continue
         xy, xyz = camera.image_from_pixel(o.xy_px[rows]), block.points.xyz[o.point[rows]]

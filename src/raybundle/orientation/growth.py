@@ -10,7 +10,8 @@ from raybundle.adjustment.engine import estimate_only, free_parameters
 from raybundle.adjustment.options import AdjustmentOptions
 from raybundle.block import Block, Role
 from raybundle.errors import InputError
-from raybundle.numerics.arrays import Array, Mask
+from raybundle.numerics.arrays import Array, Index, Mask
+from raybundle.numerics.rows import rows_of_each
 from raybundle.orientation.candidates import Pose
 from raybundle.orientation.rays import Rays, angular_residuals, intersect_linear, object_rays, rays_of
 
@@ -24,6 +25,8 @@ SMALL_ANGLE = 2.0e-4
 """Eigenvalue ratio of an intersection (about sin^2 of half the angle, 1.6 degrees) from which a point is known."""
 
 
+GRID = 8
+"""Cells of the format each way in which known points are counted."""
 OFTEN = 3
 """Times that adjustments take back the orientation of an image, from which on the part goes on without it: what
 contradicts the photographs from outside, as positions in another datum, would take it back for ever."""
@@ -53,6 +56,13 @@ class Growth:
     calibrated: bool = False
     bad_rows: Mask = field(default_factory=lambda: np.zeros(0, bool))
     by_image: list[Array] = field(default_factory=list[Array])
+    by_point: Array = field(default_factory=lambda: np.zeros(0, np.int64))
+    """(m,) rows in the order of their points, and the first of each point (p + 1,)"""
+    first_of_point: Array = field(default_factory=lambda: np.zeros(0, np.int64))
+    seen: Mask = field(default_factory=lambda: np.zeros(0, bool))
+    """(n,) images with observations"""
+    cell: Array = field(default_factory=lambda: np.zeros(0, np.int64))
+    """(m,) cell of an image that each observation lies in, through all images"""
     last_adjusted: int = 0
     moved: float = 0.0
     """Largest relative change of a camera constant in the last adjustment"""
@@ -60,6 +70,8 @@ class Growth:
     """(n,) images that are not tried again"""
     lost: Array = field(default_factory=lambda: np.zeros(0, np.int64))
     """(n,) how often adjustments of the current part took the orientation of an image back"""
+    own_limits: dict[int, float] = field(default_factory=dict[int, float])
+    """`limit` of images, as long as the interior orientations stay"""
     remarks: dict[int, str] = field(default_factory=dict[int, str])
     """Why an image could not serve at the start"""
 
@@ -69,22 +81,23 @@ class Growth:
         coordinates = np.all(np.isfinite(block.points.xyz), axis=1)
         control = np.all(block.points.is_control, axis=1)
         check = block.points.role == Role.CHECK
-        order = np.argsort(rays.image, kind="stable")
-        first = np.searchsorted(rays.image[order], np.arange(len(block.images) + 1))
         m, n = len(block.observations), len(block.images)
+        by_image = rows_of_each(rays.image, n)
+        by_point = np.argsort(rays.point, kind="stable")
         return cls(
             block=block, rays=rays, oriented=block.images.oriented.copy(), known=coordinates & ~check,
             given=coordinates.copy(), control=control,
             given_xyz=block.points.xyz.copy(), given_control=block.points.is_control,
             active=block.images.oriented.copy(),
             bad_rows=np.zeros(m, bool), given_up=np.zeros(n, bool), lost=np.zeros(n, np.int64),
-            by_image=[order[first[i] : first[i + 1]] for i in range(n)],
+            by_image=by_image, by_point=by_point,
+            first_of_point=np.searchsorted(rays.point[by_point], np.arange(len(block.points) + 1)),
+            seen=np.array([len(rows) > 0 for rows in by_image], bool), cell=_cells(block),
         )  # fmt: skip
 
     def waiting(self) -> Mask:
         """Images that are observed and not oriented."""
-        seen = np.array([len(rows) > 0 for rows in self.by_image])
-        return seen & ~self.oriented & ~self.given_up
+        return self.seen & ~self.oriented & ~self.given_up
 
     def begin_part(self) -> Mask:
         """A new part: none of its images is oriented yet, control is known."""
@@ -108,6 +121,11 @@ class Growth:
         """Known points that an image sees."""
         return int(self.known[self.rays.point[self.by_image[image]]].sum())
 
+    def common_points(self, points: Index) -> Index:
+        """(n,) how many of these points, each named once, an image sees."""
+        rows = [self.by_point[self.first_of_point[p] : self.first_of_point[p + 1]] for p in points.tolist()]
+        return np.bincount(self.rays.image[np.concatenate([self.by_point[:0], *rows])], minlength=len(self.seen))
+
     def known_rays(self, image: int) -> tuple[Array, Array, Mask]:
         """Rays (k, 3), coordinates (k, 3) and whether they are control (k,) of the known points in an image."""
         rows = self.by_image[image]
@@ -115,19 +133,21 @@ class Growth:
         point = self.rays.point[rows]
         return self.rays.direction[rows], self.block.points.xyz[point], self.control[point]
 
-    def score(self, image: int) -> float:
-        """Known points of an image, weighted by how they fill its format (cells of an 8 x 8 grid)."""
-        rows = self.by_image[image]
-        rows = rows[self.known[self.rays.point[rows]]]
-        if len(rows) < 3:
-            return 0.0
-        camera = self.block.cameras[self.block.images.camera[image]]
-        xy = self.block.observations.xy_px[rows] / [camera.width_px, camera.height_px]
-        cells = len(np.unique(np.clip((xy * 8).astype(int), 0, 7) @ [8, 1]))
-        return cells * float(np.sqrt(len(rows)))
+    def scores(self) -> tuple[Array, Index]:
+        """Known points of every image (n,), weighted by how they fill its format (cells), and their number (n,)."""
+        rows = np.flatnonzero(self.known[self.rays.point])
+        count = np.bincount(self.rays.image[rows], minlength=len(self.by_image))
+        filled = np.zeros((len(self.by_image), GRID**2), bool)
+        filled.ravel()[self.cell[rows]] = True
+        return np.where(count < 3, 0.0, filled.sum(axis=1) * np.sqrt(count)), count
 
     def limit(self, image: int) -> float:
         """Largest angle of an inlier [rad]: generous while the distortion is unknown."""
+        if image not in self.own_limits:
+            self.own_limits[image] = self._limit(image)
+        return self.own_limits[image]
+
+    def _limit(self, image: int) -> float:
         camera = self.block.cameras[self.block.images.camera[image]]
         share = LATER_PX if self.calibrated or not free_parameters(camera) else START_PX
         rows = self.by_image[image]
@@ -141,11 +161,14 @@ class Growth:
         return np.array([self.limit(i) if wanted and len(rows) else 0.0 for i, (wanted, rows) in enumerate(asked)])
 
     def set_pose(self, image: int, pose: Pose) -> None:
-        """Give an image an orientation."""
-        centre, rotation = self.block.images.centre.copy(), self.block.images.rotation.copy()
-        centre[image], rotation[image] = pose.centre, pose.rotation
-        self.block = replace(self.block, images=replace(self.block.images, centre=centre, rotation=rotation))
+        """Give an image an orientation, in the images that `begin_round` has made this growth's own."""
+        self.block.images.centre[image], self.block.images.rotation[image] = pose.centre, pose.rotation
         self.oriented[image] = self.active[image] = True
+
+    def begin_round(self) -> None:
+        """Orientations of its own, which `set_pose` writes into: once for many images."""
+        centre, rotation = self.block.images.centre.copy(), self.block.images.rotation.copy()
+        self.block = replace(self.block, images=replace(self.block.images, centre=centre, rotation=rotation))
 
     def intersect(self) -> None:
         """Intersect points that are not known from the images of the part."""
@@ -196,6 +219,7 @@ class Growth:
         if free != held:
             self.calibrated = True
             self.rays = rays_of(self.block)
+            self.own_limits = {}
         self._forget(rows)
         return True
 
@@ -267,6 +291,14 @@ class Growth:
         self.oriented &= ~lost
         self.active &= ~lost
         self.lost += lost
+
+
+def _cells(block: Block) -> Index:
+    """(m,) cell of an image that each observation lies in, numbered through all images."""
+    o = block.observations
+    size = np.array([(c.width_px, c.height_px) for c in block.cameras], float)[block.images.camera[o.image]]
+    cell = np.clip((o.xy_px / size * GRID).astype(int), 0, GRID - 1)
+    return o.image.astype(np.int64) * GRID**2 + cell @ [GRID, 1]
 
 
 def _first_parameters(free: tuple[str, ...]) -> tuple[str, ...]:

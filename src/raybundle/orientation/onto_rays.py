@@ -16,6 +16,7 @@ import numpy as np
 
 from raybundle.numerics.arrays import Array, Index, Mask
 from raybundle.numerics.rotation import cross_matrix, rotation_from_vector
+from raybundle.numerics.rows import rows_of_each
 from raybundle.orientation.candidates import resect_all
 
 FEWEST = 3
@@ -94,8 +95,7 @@ def _in_line(xyz: Array) -> bool:
 
 def _by_resection(rays: KnownRays) -> Iterator[Array]:
     """Rotations (object from free) by the resection of each image that sees three points."""
-    for i in np.unique(rays.image):
-        mine = np.flatnonzero(rays.image == i)
+    for mine in rows_of_each(rays.image, int(rays.image.max(initial=-1)) + 1):
         if len(mine) >= FEWEST and not _in_line(rays.target[mine]):
             # the image's own axes are those of the free block: its rotation there is none
             for pose in resect_all(rays.direction[mine], rays.target[mine]):

@@ -44,6 +44,7 @@ def start_from_control(growth: Growth, left: Mask) -> bool:
                 score = _agreement(growth, a, pa, b, pb)
                 if score is not None and (best is None or score < best[0]):
                     best = (score, a, pa, b, pb)
+    growth.begin_round()
     if best is None:
         image = max(options, key=lambda i: (growth.known_points(i), -options[i][0].rms))
         growth.set_pose(image, options[image][0])
@@ -63,6 +64,7 @@ def _three_points(growth: Growth, left: Mask) -> bool:
         if control.sum() == 3 and len(xyz) == 3 and len(growth.by_image[int(i)]) == 3:
             poses = resect_all(direction, xyz, keep=1e9)
             if poses:
+                growth.begin_round()
                 growth.set_pose(int(i), max(poses, key=lambda p: float(p.centre[2])))
                 return True
     return False
@@ -107,11 +109,8 @@ def favoured(growth: Growth, image: int, poses: list[Pose], *, last: bool) -> Po
         return poses[0] if poses else None
     mine = growth.by_image[image]
     fresh = mine[~growth.known[growth.rays.point[mine]]]
-    partners: list[tuple[int, int]] = []
-    for other in np.flatnonzero(growth.active):
-        count = len(common_rows(fresh, growth.by_image[int(other)], growth.rays.point)[0])
-        if count >= TELLING:
-            partners.append((count, int(other)))
+    common = growth.common_points(np.unique(growth.rays.point[fresh])) * growth.active
+    partners = [(int(common[other]), other) for other in np.flatnonzero(common >= TELLING).tolist()]
     scores = np.full((len(poses), min(len(partners), JUDGES)), np.inf)
     for k, (_, other) in enumerate(sorted(partners, reverse=True)[:JUDGES]):
         images = growth.block.images
@@ -177,6 +176,7 @@ def start_from_pair(growth: Growth, left: Mask) -> bool:
 
 def _set_pair(growth: Growth, option: tuple[float, int, int, Pose]) -> None:
     _, a, b, pose = option
+    growth.begin_round()
     growth.set_pose(a, Pose(np.eye(3), np.zeros(3), 0.0, pose.inliers))
     growth.set_pose(b, pose)
     growth.last_adjusted = 0
@@ -197,7 +197,7 @@ def _third_image(growth: Growth, option: tuple[float, int, int, Pose]) -> float:
     waiting = np.flatnonzero(growth.waiting())
     if not len(waiting):
         return option[0]
-    scores = np.array([growth.score(int(i)) for i in waiting])
+    scores = growth.scores()[0][waiting]
     best = 0.0
     for k in np.argsort(-scores)[:3]:
         image = int(waiting[k])

@@ -15,6 +15,7 @@ from raybundle.block.stored import is_observed_jointly
 from raybundle.io.photos.photo import Photo
 from raybundle.matching.tracks import Tracks
 from raybundle.numerics.arrays import Array, Index, Mask
+from raybundle.numerics.rows import rows_of_each
 from raybundle.orientation.rays import intersect_linear, object_rays, rays_of
 
 if TYPE_CHECKING:
@@ -74,8 +75,7 @@ def block_of_tracks(
     """A block without orientation, coordinates and a name: what is made of it does not depend on the project's."""
     n, p = len(photos), t.points
     xy_px = np.empty((len(t.image), 2))
-    for i in range(n):
-        mine = t.image == i
+    for i, mine in enumerate(rows_of_each(t.image, n)):
         xy_px[mine] = xy[i][t.feature[mine]]
     nothing = np.full((p, 3), np.nan)
     return Block(
@@ -124,8 +124,9 @@ def viewing_lines(block: Block) -> tuple[Array, Array]:
         rays = rays_of(replace(block, observations=o.rows(rows)) if of_scene.any() else block)
         origin[rows] = block.images.centre[rays.image]
         direction[rows] = object_rays(block.images.rotation[rays.image], rays.direction)
+    rows_of = rows_of_each(o.image, len(block.images))
     for i in np.unique(o.image[of_scene]):
-        rows = np.flatnonzero(o.image == i)
+        rows = rows_of[i]
         camera = block.cameras[int(block.images.camera[i])]
         sensor = cast("SceneSensor", camera.sensor)
         low, high = (sensor.localise(o.xy_px[rows], sensor.height_m + d, camera.parameters) for d in (0.0, RISE_M))

@@ -2,10 +2,13 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator, Sequence
+
 import numpy as np
 
 from raybundle.block import Block
-from raybundle.numerics.arrays import Array, Mask
+from raybundle.numerics.arrays import Array, Index, Mask
+from raybundle.numerics.rows import rows_of_each
 
 FEW = 100
 """Points up to which a photograph is asked: many that fit one geometry are no chance."""
@@ -22,25 +25,36 @@ def not_too_far(block: Block, failed: dict[str, str]) -> Mask:
     """(m,) rows of all images but those that hang on few points seen from far apart; names the images that are left."""
     o = block.observations
     count = np.bincount(o.image, minlength=len(block.images))
-    keep = np.ones(len(o), bool)
-    for i in np.flatnonzero((count > 0) & (count <= FEW) & block.images.oriented).tolist():
-        angle = nearest_rays(block, i)
+    left = np.zeros(len(block.images), bool)
+    few = np.flatnonzero((count > 0) & (count <= FEW) & block.images.oriented).tolist()
+    for i, angle in zip(few, nearest_rays(block, few), strict=True):
         median = float(np.median(angle)) if len(angle) else 0.0
         if median > APART:
-            keep &= o.image != i
+            left[i] = True
             failed[block.images.ids[i]] = (
                 f"its {len(angle)} points are seen from {np.degrees(median):.0f} degrees away by the next photograph "
                 f"of them (median), where nothing looks alike (limit {np.degrees(APART):.0f}): such matches are "
                 "wrong; add photographs from between"
             )
-    return keep
+    return ~left[o.image]
 
 
-def nearest_rays(block: Block, image: int) -> Array:
-    """Angles [rad] at the points of an image between its ray and the nearest of another image's, by coordinates."""
+def nearest_rays(block: Block, images: Sequence[int]) -> Iterator[Array]:
+    """Of each image the angles [rad] at its points between its ray and the nearest of another, by coordinates."""
     o = block.observations
-    mine = o.point[o.image == image]
-    rows = np.flatnonzero(np.isin(o.point, mine) & (o.image != image) & block.images.oriented[o.image])
+    rows_of = rows_of_each(o.image, len(block.images))
+    by_point = np.argsort(o.point, kind="stable")
+    by_point = by_point[block.images.oriented[o.image[by_point]]]
+    first = np.searchsorted(o.point[by_point], np.arange(len(block.points) + 1))
+    for i in images:
+        mine = np.unique(o.point[rows_of[i]])
+        rows = np.concatenate([by_point[:0], *(by_point[first[p] : first[p + 1]] for p in mine.tolist())])
+        yield _nearest(block, i, mine, rows[o.image[rows] != i])
+
+
+def _nearest(block: Block, image: int, mine: Index, rows: Index) -> Array:
+    """The angles of one image at its points (k,), by the rows of other images that see them."""
+    o = block.observations
     xyz = block.points.xyz
 
     def away(points: Array, centre: Array) -> Array:
@@ -51,7 +65,6 @@ def nearest_rays(block: Block, image: int) -> Array:
     cosine = np.einsum(
         "ij,ij->i", away(point, block.images.centre[o.image[rows]]), away(point, block.images.centre[image])
     )
-    nearest = np.full(len(block.points), -np.inf)
-    np.maximum.at(nearest, point, cosine)
-    found = nearest[np.unique(mine)]
-    return np.arccos(np.clip(found[np.isfinite(found)], -1, 1))
+    nearest = np.full(len(mine), -np.inf)
+    np.maximum.at(nearest, np.searchsorted(mine, point), cosine)
+    return np.arccos(np.clip(nearest[np.isfinite(nearest)], -1, 1))

@@ -126,16 +126,24 @@ def groups(block: Block) -> tuple[tuple[Index, ...], int, int]:
     What it does not tell: wrong photographs that a chain of right pairs joins to the others as well.
     """
     seen, n = seen_of(block), len(block.images)
-    group = np.arange(n)
+    root = list(range(n))
+
+    def find(i: int) -> int:
+        while root[i] != i:
+            root[i] = root[root[i]]
+            i = root[i]
+        return i
+
     doubted: list[tuple[int, int, int, int]] = []
     for i, j in candidate_pairs(block):
-        if group[i] == group[j]:
+        if find(i) == find(j):
             continue
         barren, mixed = cells(block, seen, i, j)
         if barren > BARREN * (barren + mixed):
             doubted.append((i, j, barren, mixed))
         else:
-            group[group == group[j]] = group[i]
+            root[find(j)] = find(i)
+    group = np.array([find(i) for i in range(n)])
     between = [d for d in doubted if group[d[0]] != group[d[1]]]
     # what too few cells tell apart is no group of its own; nor is what nothing was looked at between
     told: dict[tuple[int, int], int] = {}

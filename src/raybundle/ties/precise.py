@@ -31,8 +31,9 @@ from raybundle.matching.refine import (
 )
 from raybundle.numerics.arrays import Array, Index, Mask
 from raybundle.numerics.progress import Progress, silent
+from raybundle.numerics.rows import rows_of_each
 from raybundle.orientation.cleaning import clean
-from raybundle.orientation.rays import intersect_linear
+from raybundle.orientation.rays import common_counts, intersect_linear
 from raybundle.ties.block import (
     FEATURE_SIGMA_PX,
     TieBlock,
@@ -356,15 +357,14 @@ def candidates(block: Block, points: TrackPoints, references: Index) -> Candidat
     references  rows of the track points from which windows are taken, one of each point
     """
     columns: list[tuple[Index, Index, Array]] = []
-    rows_of = [np.flatnonzero(points.image == i) for i in range(len(block.images))]
-    for a in range(len(block.images)):
-        mine = references[points.image[references] == a]
+    n = len(block.images)
+    rows_of, references_of = rows_of_each(points.image, n), rows_of_each(points.image[references], n)
+    for a, others in enumerate(_with_common_points(points, n, len(block.points))):
+        mine = references[references_of[a]]
         if not len(mine):
             continue
-        for b in range(len(block.images)):
+        for b in others:
             _, in_a, _ = np.intersect1d(points.point[rows_of[a]], points.point[rows_of[b]], return_indices=True)
-            if b == a or len(in_a) < NEIGHBOURS_FROM:
-                continue
             unseen = mine[~np.isin(points.point[mine], points.point[rows_of[b]])]
             common = points.xy_px[rows_of[a][in_a]]
             unseen = unseen[_near(points.xy_px[unseen], common, block.cameras[block.images.camera[a]])]
@@ -381,6 +381,14 @@ def candidates(block: Block, points: TrackPoints, references: Index) -> Candidat
         xy_px=np.vstack([c[2] for c in columns]),
         row=np.full(len(rows), -1),
     )
+
+
+def _with_common_points(points: TrackPoints, images: int, count: int) -> list[list[int]]:
+    """Of each image those that see enough of its points, in their order; count: object points."""
+    pairs = common_counts(points.image, points.point, np.ones(images, bool), count)
+    a, b, _ = pairs[pairs[:, 2] >= NEIGHBOURS_FROM].T
+    owner, other = np.concatenate([a, b]), np.concatenate([b, a])
+    return [np.sort(other[rows]).tolist() for rows in rows_of_each(owner, images)]
 
 
 def _near(xy: Array, common: Array, camera: Camera) -> Mask:

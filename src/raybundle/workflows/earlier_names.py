@@ -10,6 +10,7 @@ from scipy.spatial import KDTree
 from raybundle.block import Block
 from raybundle.block.points import NEAR_PX, automatic, automatic_name, automatic_number
 from raybundle.numerics.arrays import Array, Index, Mask
+from raybundle.numerics.rows import rows_of_each
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -50,9 +51,10 @@ def _same(block: Block, earlier: Block) -> list[tuple[int, int]]:
     """Points of one block and of the other that are the same, each once."""
     at = {name: k for k, name in enumerate(earlier.images.ids)}
     pairs: list[Array] = []
-    for i, name in enumerate(block.images.ids):
-        rows = np.flatnonzero(block.observations.image == i)
-        others = np.flatnonzero(earlier.observations.image == at.get(name, -1))
+    own = rows_of_each(block.observations.image, len(block.images))
+    theirs = rows_of_each(earlier.observations.image, len(earlier.images))
+    for name, rows in zip(block.images.ids, own, strict=True):
+        others = theirs[at[name]] if name in at else rows[:0]
         if len(rows) and len(others):
             nearest = KDTree(earlier.observations.xy_px[others]).query(block.observations.xy_px[rows])
             distance, k = (np.asarray(a) for a in nearest)

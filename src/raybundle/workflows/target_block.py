@@ -16,6 +16,7 @@ from raybundle.io.photos.cameras import CameraGroup, camera_of
 from raybundle.io.photos.photo import Photo
 from raybundle.numerics.arrays import Array, Index, Mask
 from raybundle.numerics.counting import counted_are
+from raybundle.numerics.rows import rows_of_each
 from raybundle.platforms.station import sensor_from_object
 from raybundle.settings import option
 from raybundle.targets.marks import Marks, Target
@@ -275,8 +276,9 @@ def target_radii(block: Block, radius_px: Array, normal: Array, used: Mask) -> A
     if len(rows):
         size[rows] *= radius_px[rows] / circle_images(block, rows, size[rows], normal[o.point[rows]]).radius_px
         good &= np.isfinite(size)
-    for p in np.unique(o.point[good]).tolist():
-        radius[p] = np.median(size[good & (o.point == p)])
+    for p, mine in enumerate(rows_of_each(np.where(good, o.point, -1), len(radius))):
+        if len(mine):
+            radius[p] = np.median(size[mine])
     return radius
 
 

@@ -15,6 +15,7 @@ from raybundle.io.photos.masks import Masks
 from raybundle.io.photos.photo import Photo
 from raybundle.matching.refine import pyramid, smoothed
 from raybundle.numerics.arrays import Array, Index, Mask
+from raybundle.numerics.rows import rows_of_each
 from raybundle.pipeline.stage import Codec, Means, Stage
 from raybundle.ties.block import TieBlock
 from raybundle.ties.points import grey_of
@@ -101,9 +102,9 @@ def _visible(masks: Masks, photos: Sequence[Photo]) -> Visible:
 
     def visible(image: Index, xy_px: Array, radius_px: Array) -> Mask:
         found = np.ones(len(image), bool)
-        for i in np.unique(image):
-            rows = np.flatnonzero(image == i)
-            found[rows] = masks.visible(photos[i], xy_px[rows], radius_px[rows])
+        for photo, rows in zip(photos, rows_of_each(image, len(photos)), strict=True):
+            if len(rows):
+                found[rows] = masks.visible(photo, xy_px[rows], radius_px[rows])
         return found
 
     return visible

@@ -15,6 +15,7 @@ from raybundle.io.photos.photo import Photo
 from raybundle.matching.tracks import Tracks
 from raybundle.matching.verify import VerifiedPair, trusted
 from raybundle.numerics.arrays import Array, Index
+from raybundle.numerics.rows import rows_of_each
 from raybundle.pipeline.stage import Codec, Means, Stage
 from raybundle.ties.block import TieBlock, block_of_tracks
 from raybundle.ties.missing import missing_notices
@@ -84,8 +85,7 @@ def begin(i: Inputs, means: Means) -> Started:
     def oriented_by(tracks: Tracks) -> tuple[TieBlock, ...]:
         raw = block_of_tracks(i.photos, i.cameras, i.camera_of_photo, places, tracks)
         scale, angle = np.empty(len(tracks.image)), np.empty(len(tracks.image))
-        for k, f in enumerate(features):
-            mine = tracks.image == k
+        for f, mine in zip(features, rows_of_each(tracks.image, len(features)), strict=True):
             scale[mine], angle[mine] = f.scale_px[tracks.feature[mine]], f.angle[tracks.feature[mine]]
         return start_components(raw, scale, angle, means.jobs, means.progress, i.method)
 

@@ -24,6 +24,7 @@ from raybundle.numerics.arrays import Array
 from raybundle.numerics.counting import counted
 from raybundle.numerics.places import Local
 from raybundle.numerics.progress import Progress
+from raybundle.numerics.rows import rows_of_each
 from raybundle.orientation.cleaning import clean
 from raybundle.scenes.bias import BiasKind
 from raybundle.settings import option
@@ -130,8 +131,7 @@ def started(
         [f.xy_px for f in features], tracks,
     )  # fmt: skip
     scale, angle = np.empty(len(tracks.image)), np.empty(len(tracks.image))
-    for i, f in enumerate(features):
-        mine = tracks.image == i
+    for f, mine in zip(features, rows_of_each(tracks.image, n), strict=True):
         scale[mine], angle[mine] = f.scale_px[tracks.feature[mine]], f.angle[tracks.feature[mine]]
     seen = np.bincount(tracks.image, minlength=n)
     lost = tuple(

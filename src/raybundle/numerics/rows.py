@@ -1,0 +1,19 @@
+"""Rows of a table by what they belong to."""
+
+from __future__ import annotations
+
+from itertools import pairwise
+
+import numpy as np
+
+from raybundle.numerics.arrays import Index
+
+
+def rows_of_each(owner: Index, count: int) -> list[Index]:
+    """Rows (k,), in their order, of each of 0 .. count - 1; owner (m,), negative for those that belong to none.
+
+    Once through the table, where a search for each owner would go through all of it `count` times.
+    """
+    order = np.argsort(owner, kind="stable")
+    bounds = np.searchsorted(owner[order], np.arange(count + 1)).tolist()
+    return [order[a:b] for a, b in pairwise(bounds)]
