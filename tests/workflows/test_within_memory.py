@@ -4,7 +4,7 @@ import errno
 import gc
 import mmap
 import os
-from dataclasses import replace
+from dataclasses import fields, replace
 from functools import partial
 
 import numpy as np
@@ -15,7 +15,8 @@ from raybundle.adjustment.queries import covariance
 from raybundle.blocking.adjusted import in_parts
 from raybundle.commands.adjust import AdjustSettings, run_adjust
 from raybundle.errors import InputError
-from raybundle.io.block.folder import write_block
+from raybundle.io.block.arrays import arrays_of_block
+from raybundle.io.block.folder import read_block, write_block
 from raybundle.io.folders import work_folder
 from raybundle.numerics import large
 from raybundle.numerics.machine import available_memory
@@ -24,6 +25,11 @@ from raybundle.workflows.within_memory import BASE, IN_MEMORY, within_memory
 from tests.blocking.networks import flight
 
 OPTIONS = AdjustmentOptions(jobs=1)
+
+
+def with_known_wrong(block, rows):
+    o = block.observations
+    return replace(block, rejected=tuple((block.images.ids[o.image[k]], block.points.ids[o.point[k]]) for k in rows))
 
 
 def in_file(values):
@@ -41,8 +47,8 @@ def all_large(monkeypatch):
 
 
 def within(block, options, out, memory_gb):
-    with within_memory(block, out, memory_gb) as room:
-        return adjust(room.kept(block), options, factoring=room.factoring), room
+    with within_memory(block, out, memory_gb) as (kept, room):
+        return adjust(kept, options, factoring=room.factoring), room
 
 
 @pytest.mark.parametrize(
@@ -110,14 +116,31 @@ def test_the_command_says_what_it_did(tmp_path):
     assert done.converged
 
 
+@pytest.mark.parametrize("memory", [0.01, 8.0])
+def test_a_folder_of_columns_is_read_in_pieces_where_it_has_to_be(tmp_path, all_large, monkeypatch, memory):
+    pytest.importorskip("pyarrow", reason="the extra [parquet] is not installed")
+    block = with_known_wrong(flight(), [3, 70])
+    write_block(block, tmp_path / "block", tables="parquet")
+    whole = read_block(tmp_path / "block")
+    with within_memory(tmp_path / "block", tmp_path / "out", memory) as (found, room):
+        assert room.arrays_in_files == (memory < 1)
+        assert in_file(found.observations.xy_px) == (memory < 1)
+        for f in fields(whole.observations):
+            assert np.array_equal(getattr(found.observations, f.name), getattr(whole.observations, f.name))
+        assert found.rejected == whole.rejected
+        assert len(whole.rejected) == 2
+        assert found.points.ids == whole.points.ids
+        assert arrays_of_block(found).keys() == arrays_of_block(whole).keys()
+
+
 def test_what_is_free_decides_where_nothing_is_asked_for(tmp_path, monkeypatch):
     block = flight()
     assert 1e7 < available_memory() < 1e14
     need = BASE + IN_MEMORY * len(block.observations)
     for free, parts in ((0.5 * need, True), (2.0 * need + 1e9, False)):
         monkeypatch.setattr("raybundle.workflows.within_memory.available_memory", lambda free=free: free)
-        with within_memory(block, tmp_path / "out", 0.0) as room:
-            assert bool(adjust(block, OPTIONS, factoring=room.factoring) and room.parts) == parts
+        with within_memory(block, tmp_path / "out", 0.0) as (kept, room):
+            assert bool(adjust(kept, OPTIONS, factoring=room.factoring) and room.parts) == parts
 
 
 def test_a_limit_of_a_container_counts(tmp_path, monkeypatch):

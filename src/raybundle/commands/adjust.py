@@ -50,7 +50,6 @@ def run_adjust(settings: AdjustSettings, progress: Progress = silent) -> Adjustm
     from raybundle.adjustment.accuracy_class import accuracy_class  # noqa: PLC0415  (what computes is loaded later)
     from raybundle.adjustment.result import Notice  # noqa: PLC0415
     from raybundle.adjustment.severity import Severity  # noqa: PLC0415
-    from raybundle.io.block.folder import read_block  # noqa: PLC0415  (what computes is loaded after the help)
     from raybundle.io.parquet import check_tables  # noqa: PLC0415
     from raybundle.report.write import write_result  # noqa: PLC0415
     from raybundle.results.folder import check_target  # noqa: PLC0415
@@ -62,9 +61,9 @@ def run_adjust(settings: AdjustSettings, progress: Progress = silent) -> Adjustm
     check_pages(settings)
     check_tables(settings.tables)
     wanted = accuracy_class(settings.accuracy_class)
-    block, frame, remarks = in_block_frame(read_block(settings.block, progress=progress))
-    with within_memory(block, settings.out, settings.memory) as room:
-        done = adjust(room.kept(block), settings.options(), progress, factoring=room.factoring)
+    with within_memory(Path(settings.block), settings.out, settings.memory, progress) as (read, room):
+        block, frame, remarks = in_block_frame(read)
+        done = adjust(block, settings.options(), progress, factoring=room.factoring)
     assumed = () if frame is None else frame.remarks
     notices = (
         Notice(code="coordinate_system", message=r, measured=None if r in assumed else Severity.REMARK) for r in remarks

@@ -134,6 +134,12 @@ def groups(path: Path, present_in: Callable[[Sequence[str]], list[Column]]) -> I
             row += read.num_rows
 
 
+def rows_in(path: Path) -> int:
+    """How many rows the file says that it holds; raises InputError for what is no such file."""
+    with _opened(path) as (_, _, file):
+        return int(file.metadata.num_rows)
+
+
 def names_of(path: Path) -> list[str]:
     """The names of the columns of a Parquet file; raises InputError where it is none."""
     with _opened(path) as (_, _, file):

@@ -21,11 +21,14 @@ from raybundle.adjustment.result import Notice
 from raybundle.block import Block
 from raybundle.blocking.adjusted import in_parts
 from raybundle.blocking.whole import WholeNormals
+from raybundle.io.block.folder import read_block
+from raybundle.io.block.pieces import image_points_in, read_in_pieces
 from raybundle.io.folders import work_folder
 from raybundle.numerics import large
 from raybundle.numerics.arrays import Mask
 from raybundle.numerics.counting import counted
 from raybundle.numerics.machine import available_memory
+from raybundle.numerics.progress import Progress, silent
 from raybundle.pipeline.store import Folder
 from raybundle.settings import option
 
@@ -82,13 +85,7 @@ class Within:
     @property
     def arrays_in_files(self) -> bool:
         """Whether large arrays have to lie in files."""
-        return BASE + IN_MEMORY * self.observations > self.allowed
-
-    def kept(self, block: Block) -> Block:
-        """The block, its image observations in files where large arrays are to lie there."""
-        o = block.observations
-        columns = {f.name: large.kept(getattr(o, f.name)) for f in fields(o)}
-        return replace(block, observations=replace(o, **columns)) if self.arrays_in_files else block
+        return _beyond(self.observations, self.allowed)
 
     def factoring(
         self, system: System, options: AdjustmentOptions, free: Mapping[str, tuple[str, ...]], rejected: Mask
@@ -134,13 +131,33 @@ def bytes_of(normals: Normals) -> float:
 
 
 @contextmanager
-def within_memory(block: Block, out: Path, memory_gb: float) -> Generator[Within]:
-    """Room for an adjustment of a block; what does not fit into memory lies beside its result meanwhile.
+def within_memory(
+    source: Block | Path, out: Path, memory_gb: float, progress: Progress = silent
+) -> Generator[tuple[Block, Within]]:
+    """A block and room for its adjustment; what does not fit into memory lies beside the result meanwhile.
 
+    source     the block, or its folder; image observations of a large one are read in pieces where they stand in
+               observations.parquet
     out        where the result is to stand
     memory_gb  what the adjustment may take; 0: four fifths of what is free
+    raises     InputError, for a folder as `read_block`
     """
     allowed = memory_gb * 1e9 or SHARE * available_memory()
-    found = Within(allowed, Room(out), len(block.observations))
+    count = image_points_in(source) if isinstance(source, Path) else len(source.observations)
+    if isinstance(source, Path) and (count is None or not _beyond(count, allowed)):
+        source = read_block(source, progress=progress)
+        count = len(source.observations)
+    assert count is not None
+    found = Within(allowed, Room(out), count)
     with large.in_files(found.room.folder if found.arrays_in_files else None):
-        yield found
+        if isinstance(source, Path):
+            yield read_in_pieces(source, progress=progress).whole(), found
+        else:
+            o = source.observations
+            columns = {f.name: large.kept(getattr(o, f.name)) for f in fields(o)}
+            yield replace(source, observations=replace(o, **columns)), found
+
+
+def _beyond(count: int, allowed: float) -> bool:
+    """Whether large arrays of so many image observations have to lie in files."""
+    return BASE + IN_MEMORY * count > allowed

@@ -14,8 +14,10 @@ from raybundle.io.block.folder import read_without_observations
 from raybundle.io.block.image_points import NEEDED, columns_for, observations_of
 from raybundle.io.block.observations import read_observation_tables
 from raybundle.io.block.points import with_tie_points
+from raybundle.io.parquet import rows_in
 from raybundle.io.table_files import table_file
 from raybundle.io.tables import check_pair_keys, table_pieces
+from raybundle.numerics import large
 from raybundle.numerics.arrays import Index, Mask
 from raybundle.numerics.progress import Progress, silent
 
@@ -60,6 +62,21 @@ class InTables:
         """Some object points, by positions that ascend."""
         return self.every_point.rows(at)
 
+    def whole(self) -> Block:
+        """The block, as `read_block` reads it; its image observations are large arrays (`numerics.large`)."""
+        kept = {"image": large.zeros(self.observations, np.int32), "point": large.zeros(self.observations, np.int32)}
+        kept |= {"xy_px": large.zeros((self.observations, 2)), "cov_px2": large.zeros((self.observations, 3))}
+        for begin, o in self.pieces_of_observations():
+            for name, values in kept.items():
+                values[begin : begin + len(o)] = getattr(o, name)
+        o, ids = Observations(**kept), self.every_point.ids
+        rows = np.flatnonzero(self.rejected)
+        pairs = zip(o.image[rows].tolist(), o.point[rows].tolist(), strict=True)
+        return replace(
+            self.bare, points=self.every_point, observations=o,
+            rejected=tuple((self.bare.images.ids[i], ids[p]) for i, p in pairs),
+        )  # fmt: skip
+
 
 def read_in_pieces(path: str | Path, *, progress: Progress = silent) -> InTables:
     """The block in a folder with observations.parquet, of whose image observations never all are in memory.
@@ -90,6 +107,12 @@ def read_in_pieces(path: str | Path, *, progress: Progress = silent) -> InTables
         bare=bare, every_point=with_tie_points(points, tuple(names)[len(points) :]), observations=len(key),
         rejected=np.concatenate(wrong), path=file, at=at,
     )  # fmt: skip
+
+
+def image_points_in(path: str | Path) -> int | None:
+    """How many image observations a block folder holds that can be read in pieces; None of another folder."""
+    file = table_file(Path(path), "observations")
+    return rows_in(file) if file.suffix == ".parquet" else None
 
 
 def _pieces(path: Path, images: dict[str, int], points: dict[str, int]) -> Iterator[tuple[int, Observations, Mask]]:
