@@ -1,11 +1,12 @@
 """A network in parts beside the one piece: the same numbers, CPU seconds, memory; and one that no memory holds.
 
     python benchmarks/blocking.py [--blocks uav:1000 community:500 street:500] [--large 10000] [--folder FOLDER]
+                                  [--graph 100000]
 
 Blocks of ../shared/bench/generate_block.py with one camera for all images, control, a scale bar between its ends and
 observed projection centres; and free, with inner constraints.  One thread each.  --large: a block of so many images,
 some 1140 image points each, adjusted from columns on disk through a store, one task after the other, in a process of
-its own whose peak memory is told.
+its own whose peak memory is told.  --graph: a made graph of so many images, some 100 image points each, is cut.
 """
 
 from __future__ import annotations
@@ -18,6 +19,7 @@ import subprocess
 import sys
 import tempfile
 import time
+from collections.abc import Iterator
 from dataclasses import replace
 from pathlib import Path
 
@@ -36,10 +38,13 @@ from raybundle.block import Block, Distances, Role, Stations
 from raybundle.block.select import selected
 from raybundle.blocking.adjusted import in_parts
 from raybundle.blocking.columns import InFiles
+from raybundle.blocking.cutting import PIECE
+from raybundle.blocking.graph import meeting
 from raybundle.blocking.memory import Serial
 from raybundle.blocking.stored import adjust_columns
-from raybundle.blocking.tree import WORTH
+from raybundle.blocking.tree import WORTH, dissect
 from raybundle.io.block.arrays import arrays_of_block, block_of_arrays
+from raybundle.numerics.arrays import Array
 from raybundle.pipeline.store import Folder
 
 HERE = Path(__file__).resolve().parent
@@ -169,6 +174,36 @@ def worker(what: str, images: int, folder: Path) -> dict[str, object]:
     return {**told, "CPU s": time.process_time() - began, "peak MB": peak}
 
 
+RAYS, SEEN = 12, 100
+"""Image points of an object point, and of an image, in a made graph"""
+
+
+def graph(images: int, leaf: int, worth: float) -> dict[str, object]:
+    """The graph of a square flight of so many images is made, piece by piece, and cut."""
+    side = round(images**0.5)
+    count, rng = side * side, np.random.default_rng(1)
+    step = np.array([(x, y) for x in range(3) for y in range(4)])
+
+    def pieces() -> Iterator[tuple[Array, Array]]:
+        points = count * SEEN // RAYS
+        for begin in range(0, points, PIECE // RAYS):
+            at = rng.integers(0, [side - 2, side - 3], (min(PIECE // RAYS, points - begin), 2))
+            nodes = (at[:, None, 0] + step[:, 0]) * side + at[:, None, 1] + step[:, 1]
+            yield np.repeat(np.arange(begin, begin + len(at)), RAYS), nodes.ravel()
+
+    began = time.process_time()
+    met = meeting(pieces(), count, np.zeros((0, 2), np.int64))
+    made = time.process_time()
+    places = np.column_stack([*np.divmod(np.arange(count), side), np.zeros(count)]).astype(float)
+    tree = dissect(met, np.full(count, 6), places, leaf, worth)
+    return {
+        "images": count, "image points": count * SEEN // RAYS * RAYS, "pairs that meet": met.nnz // 2,
+        "CPU s, graph": made - began, "CPU s, cut": time.process_time() - made, "tree nodes": len(tree),
+        "largest separator, images": max(len(o) for o, c in zip(tree.own, tree.children, strict=True) if c),
+        "peak MB": resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / 1024,
+    }  # fmt: skip
+
+
 def main() -> None:
     """Measure, and write the results."""
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
@@ -176,6 +211,7 @@ def main() -> None:
     parser.add_argument("--leaf", type=int, default=1000)
     parser.add_argument("--worth", type=float, default=WORTH, help="2: cut as long as leaves are larger than asked for")
     parser.add_argument("--large", type=int, default=0)
+    parser.add_argument("--graph", type=int, default=0)
     parser.add_argument("--folder", type=Path, default=HERE / "work/blocking")
     parser.add_argument("--worker", default="")
     given = parser.parse_args()
@@ -192,6 +228,9 @@ def main() -> None:
         for variant, made in (("free", block), ("control", with_control(block, read(kind, path, truth=True)))):
             results[f"{kind}{count} {variant}"] = compared(made, given.leaf, given.worth)
             print(f"{kind}{count} {variant}", json.dumps(results[f"{kind}{count} {variant}"]), flush=True)
+    if given.graph:
+        results[f"graph of {given.graph}"] = graph(given.graph, given.leaf, given.worth)
+        print(json.dumps(results[f"graph of {given.graph}"]))
     if given.large:
         results[f"uav{given.large}"] = large(given.large, given.folder)
         print(json.dumps(results[f"uav{given.large}"]))
