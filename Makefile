@@ -5,7 +5,7 @@
 #   make test-versions  the tests with every Python from 3.11 that is here, and with the oldest dependencies allowed
 #   make wheel   sdist and wheels as published, each installed into an empty environment and tried, for every Python here
 #   make check   the whole gate: format, lint, types, layers, generated files, docs
-#   make bench   benchmarks and long truth tests (figures into benchmarks/results)
+#   make bench   benchmarks (figures into benchmarks/results), long tests and those that take minutes
 PYTHON ?= python3
 VENV := .venv
 BIN := $(VENV)/bin
@@ -82,7 +82,7 @@ docs: setup-dev
 	$(BIN)/mkdocs build --strict --quiet --site-dir build/site
 
 bench: setup-dev
-	$(BIN)/python -m pytest -n 2 -m bench
+	$(BIN)/python -m pytest -n 2 -m "long or bench"
 	$(BIN)/python benchmarks/run.py
 
 clean:

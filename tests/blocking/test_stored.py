@@ -73,6 +73,7 @@ def products(folder):
     return {p.relative_to(folder): p.read_bytes() for p in folder.rglob("*.npz")}
 
 
+@pytest.mark.long
 def test_the_same_bits_by_whoever_does_the_tasks(tmp_path):
     block = flight()
     columns, free = InFiles.of(block, tmp_path / "columns"), free_of(block)

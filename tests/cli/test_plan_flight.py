@@ -103,6 +103,7 @@ def test_contradictions_are_told_in_python_as_python_writes_them():
         FlightSettings(gsd=0.02, height=80.0).flight()
 
 
+@pytest.mark.long
 def test_rows_are_called_what_they_are(capsys):
     _, arm, _ = run(capsys, "--free-lever-arm", "--cross", 30, "--tie-points", 8)
     assert " the same without RTK, lever arm held " in arm
@@ -127,6 +128,7 @@ def test_what_mends_is_told_for_each_that_hangs(capsys):
     assert re.search(r"Z x\d+, (c|K1) x1(\.\d+)? ", five), five
 
 
+@pytest.mark.long
 def test_metres_from_one_metre_on(capsys):
     assert [length(v) for v in (0.0161, 0.9994, 0.9996, 1.491, np.nan)] == [
         "16.1 mm",
@@ -144,6 +146,7 @@ def test_metres_from_one_metre_on(capsys):
     assert re.search(r"none +[\d.]+ m +[\d.]+ m +", none)
 
 
+@pytest.mark.long
 def test_a_mission_tells_metres_and_its_positions(capsys, tmp_path):
     area = "7.1 50.1, 7.102 50.1005, 7.1018 50.102, 7.0998 50.1015"
     words = ["plan", "mission", area, "--vehicle", "mavic-3e", "--predict"]

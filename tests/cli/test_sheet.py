@@ -98,6 +98,7 @@ def drawn_points(file):
     return found
 
 
+@pytest.mark.long
 def test_a_drawing_in_the_axes_of_a_picture_lies_on_it_within_a_pixel(wall, tmp_path):
     out = tmp_path / "wall.dxf"
     words = ["convert", str(wall / "result"), "--to", "dxf", "--in", str(wall / "wall.toml"), "--out", str(out)]

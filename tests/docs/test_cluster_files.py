@@ -92,6 +92,7 @@ done
 """A queue that does the jobs of an array one after the other, in an order of its own"""
 
 
+@pytest.mark.long
 @pytest.mark.skipif(os.name == "nt", reason="there is no bash here")
 def test_the_files_for_slurm_work_with_a_queue(tmp_path):
     (tmp_path / "stand_in.py").write_text(STAND_IN)

@@ -160,6 +160,7 @@ def test_pictures_without_texture_are_not_known():
     assert not blur.other.any()
 
 
+@pytest.mark.long
 @needs_uav
 @pytest.mark.data
 def test_real_photographs_of_a_flight_whose_blur_is_known():

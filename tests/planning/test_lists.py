@@ -117,6 +117,7 @@ def test_a_list_that_looks_the_same_from_no_other_side_needs_no_order(tmp_path, 
     assert not found.alike
 
 
+@pytest.mark.long
 def test_a_list_that_looks_the_same_after_a_turn_says_so():
     stations = views("cipa", "box:12,8,6", around=15.0)
     kept = np.setdiff1d(np.arange(len(stations)), [0, 5])
@@ -147,6 +148,7 @@ def test_another_list_is_not_ticked_off():
         ticked(cipa, turned(others, np.arange(20), rng))
 
 
+@pytest.mark.long
 def test_a_result_is_ticked_off(tmp_path, capsys):
     assert listed(tmp_path, "cipa") == 0
     assert main(["simulate", str(tmp_path / "list"), "--out", str(tmp_path / "taken")]) == 0
@@ -182,6 +184,7 @@ def test_photographs_are_ticked_off_by_what_they_show(tmp_path, capsys):
     assert "missing 06" in said
 
 
+@pytest.mark.long
 def test_a_ring_goes_round_any_footprint(tmp_path, capsys):
     (tmp_path / "foot.csv").write_text("X,Y\n0,0\n14,0\n14,6\n8,6\n8,11\n0,11\n")
     for name, text in (("l", f"building:{tmp_path / 'foot.csv'},6"), ("round", "cylinder:9,6")):
@@ -204,7 +207,9 @@ def test_a_ring_goes_round_any_footprint(tmp_path, capsys):
         ("cipa", ("--focus", "2"), "is photographed from"),
         ("calibration", ("--focus", "1", "--f-number", "4"), "the lens is sharp from"),
         ("turntable", ("--steps", "5"), "at least 8 overlap"),
-        ("targets", ("--across", "200", "--count", "400"), "take fewer targets"),
+        pytest.param(
+            "targets", ("--across", "200", "--count", "400"), "take fewer targets", marks=pytest.mark.long
+        ),
         ("targets", ("--stations", "none.csv"), "none.csv"),
     ],
 )  # fmt: skip

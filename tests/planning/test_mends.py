@@ -76,8 +76,10 @@ def test_positions_as_poor_as_a_plain_receivers_are_no_rtk():
     ("pattern", "more", "arm", "expected"),
     [
         ("nadir", {}, False, (Mend(kind="control", control=1), Mend(kind="tilted-grid"))),
-        ("nadir", {}, True, (Mend(kind="oblique-grid"),)),
-        ("double-grid", {"tilt": np.radians(20)}, True, (Mend(kind="oblique-grid"),)),
+        pytest.param("nadir", {}, True, (Mend(kind="oblique-grid"),), marks=pytest.mark.long),
+        pytest.param(
+            "double-grid", {"tilt": np.radians(20)}, True, (Mend(kind="oblique-grid"),), marks=pytest.mark.long
+        ),
         ("corridor", {}, False, (Mend(kind="control", control=1), Mend(kind="again"))),
         ("corridor", {}, True, (Mend(kind="again"),)),
         ("facade", {}, False, (Mend(kind="turned"),)),
@@ -93,6 +95,7 @@ def test_each_pattern_has_remedies_of_its_own(pattern, more, arm, expected):
         assert forecast.mends[-1] == expected[-1]
 
 
+@pytest.mark.long
 def test_what_the_pattern_that_is_named_determines_is_what_was_promised():
     """The remedy is tried on the photographs of the plan; the pattern itself, planned anew, keeps the promise."""
     assert "c" in mission_forecast(mission("nadir"), LEVEL).lost_even

@@ -47,13 +47,22 @@ def test_the_block_of_a_plan_is_adjusted_to_what_was_promised(tmp_path, capsys):
     assert stations[0]["what_for"].split(";")[0] in page
 
 
-@pytest.mark.parametrize("kind", object_kinds.values(), ids=lambda k: k.name)
+QUICK = {"facade", "box"}
+"""Kinds that every run of the tests plans; the others take longer together than all other commands"""
+
+
+@pytest.mark.parametrize(
+    "kind",
+    [pytest.param(k, marks=() if name in QUICK else pytest.mark.long) for name, k in object_kinds.items()],
+    ids=lambda k: k.name,
+)
 def test_every_kind_of_object_is_planned(tmp_path, kind, capsys):
     size = ",".join(f"{v:g}" for v in kind.example)
     assert plan(tmp_path, f"{kind.name}:{size}", "--photographs", "10", "--rays", "2", "--hold-camera") == 0
     assert f"of {kind.name}" in capsys.readouterr().out
 
 
+@pytest.mark.long
 def test_meshes_are_objects(tmp_path, capsys):
     machine = trimesh.creation.box(bounds=[[0, 0, 0], [2000, 1000, 1500]])
     machine.export(tmp_path / "machine.stl")
@@ -88,7 +97,7 @@ def test_meshes_are_objects(tmp_path, capsys):
         (("facade:6,4", "--photographs", "8", "--around", "1"), "one may go 1 m away"),
         (("facade:6,4", "--photographs", "8", "--forbid", *EVERYWHERE), "fill what is allowed"),
         (("box:4,3,2", "--photographs", "3", "--incidence", "20"), "points of the object"),
-        (("facade:60,40", "--sigma", "0.000001"), "beyond reach"),
+        pytest.param(("facade:60,40", "--sigma", "0.000001"), "beyond reach", marks=pytest.mark.long),
     ],
 )  # fmt: skip
 def test_bad_input_is_told_what_to_do(tmp_path, capsys, words, said):
@@ -127,6 +136,7 @@ def test_in_python_alike(tmp_path):
     assert (tmp_path / "p/network.html").exists()
 
 
+@pytest.mark.long
 def test_outlines_and_axes_are_objects(tmp_path, capsys):
     (tmp_path / "gable.csv").write_text("X,Z\n0,0\n8,0\n8,5\n4,8\n0,5\n")
     assert plan(tmp_path, f"facade:{tmp_path / 'gable.csv'}", "--photographs", "9", "--rays", "2") == 0
@@ -147,6 +157,7 @@ def test_outlines_and_axes_are_objects(tmp_path, capsys):
         assert said in capsys.readouterr().err
 
 
+@pytest.mark.long
 def test_rasters_of_heights_are_objects(tmp_path, capsys):
     pytest.importorskip("rasterio")
     raster = str(Path(__file__).parents[1] / "missions/jacksboro.tif")
@@ -159,6 +170,7 @@ def test_rasters_of_heights_are_objects(tmp_path, capsys):
     assert "is in degrees" in capsys.readouterr().err
 
 
+@pytest.mark.long
 def test_results_are_objects_and_their_stations_are_judged(tmp_path, capsys):
     assert plan(tmp_path, "facade:6,4", "--photographs", "10", "--rays", "2", "--scale-bars", "2") == 0
     assert "with 2 scale bars (" in capsys.readouterr().out

@@ -94,6 +94,7 @@ def planned(tmp_path_factory):
     return folder / "plan"
 
 
+@pytest.mark.long
 def test_the_page_of_a_plan_has_what_was_wanted(planned):
     html = (planned / "network.html").read_text(encoding="utf-8")
     data = json.loads(re.search(r'id="network-data">(.*?)</script>', html, re.DOTALL).group(1))
