@@ -201,6 +201,7 @@ def test_results_are_objects_and_their_stations_are_judged(tmp_path, capsys):
     assert "has its own control and scale bars" in capsys.readouterr().err
 
 
+@pytest.mark.long
 def test_whole_surfaces_and_photographs_once_more(tmp_path, capsys):
     words = ("facade:6,4", "--sigma", "0.3", "--rays", "2", "--hold-camera", "--measured", "natural", "--everywhere")
     assert plan(tmp_path, *words, "--repeat", "2") == 0

@@ -191,6 +191,7 @@ def test_photographs_without_targets_are_calibrated_by_natural_points(tmp_path):
     assert done.quality[0].grade != "good"
 
 
+@pytest.mark.long
 @pytest.mark.skipif(not CERN.is_dir(), reason=f"{CERN} is absent")
 def test_coded_targets_and_two_cameras_mixed():
     """Photographs of two cameras, whose metadata do not tell them apart; MicMac's bundle has 0.0144 px."""

@@ -96,6 +96,7 @@ def test_a_stopped_run_continues(photos, done, tmp_path, monkeypatch, capsys, me
     assert numbers(out) == numbers(done)
 
 
+@pytest.mark.long
 def test_other_options_take_what_was_measured(photos, done, tmp_path, measured, capsys):
     out = Path(shutil.copytree(done, tmp_path / "again"))
     assert main(command(photos, out, "--parameters", "c,x0,y0,K1")) == 0

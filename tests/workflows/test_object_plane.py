@@ -135,6 +135,7 @@ def test_the_errors_of_plumb_lines_go_into_it(wall):
     assert found.lean.sigma == pytest.approx(np.std(leans), rel=0.15)
 
 
+@pytest.mark.long
 def test_the_standard_deviation_by_scatter_is_true(wall):
     block, _ = wall
     rng = np.random.default_rng(4)

@@ -79,11 +79,8 @@ class FieldSystem:
         return self.H.T @ nodes - condensed[self.columns]
 
 
-def reason_against(normals: Normals) -> str:
+def reason_against(system: System) -> str:
     """Why no fields are looked for in this block; "" where they can be."""
-    system = normals.system
-    if not normals.one_piece:
-        return "the normal equations were reduced in parts, and fields need them in one piece"
     nodes = system.image_node[system.images_used]
     nodes = nodes[nodes >= 0]
     if len(np.unique(nodes)) < len(nodes):

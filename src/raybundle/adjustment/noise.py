@@ -171,7 +171,8 @@ def noise_of(
     variance  sigma0^2
     returns   white noise with its reason and the cofactors as they are where fields cannot be told
     """
-    reason = reason_against(normals)
+    in_parts = "the normal equations were reduced in parts, and fields need them in one piece"
+    reason = reason_against(normals.system) if normals.one_piece else in_parts
     if reason:
         return replace(WHITE, reason=reason), found, None
     fields = field_system(normals, state)

@@ -18,7 +18,7 @@ import numpy as np
 
 from raybundle.errors import InputError
 from raybundle.io.cells import Column, Problem, converted, fail, numbers_good, texts_good
-from raybundle.io.digits import EVERY, Digits, rounded
+from raybundle.io.digits import EVERY, Digits, exact, rounded
 from raybundle.io.reading import words
 from raybundle.io.reading.files import opened
 from raybundle.io.reading.parquet_pages import BadPage, pages
@@ -230,7 +230,7 @@ def _part(
         bounded = words.bounded(numbers.copy())
         if bounded is not None and numbers_good(column, bounded):
             return bounded
-        cells = ["" if e else repr(v) for v, e in zip(numbers.tolist(), empty.tolist(), strict=True)]
+        cells = ["" if e else exact(v) for v, e in zip(numbers.tolist(), empty.tolist(), strict=True)]
         return converted(column, cells, first_line, seen, problems)
     codes, different = _texts(pa, values)
     if column.kind in {"id", "text"} or not texts_good(column, different, len(codes)):
