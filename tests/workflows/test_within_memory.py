@@ -137,10 +137,18 @@ def test_what_is_free_decides_where_nothing_is_asked_for(tmp_path, monkeypatch):
     block = flight()
     assert 1e7 < available_memory() < 1e14
     need = BASE + IN_MEMORY * len(block.observations)
+    monkeypatch.setattr("raybundle.workflows.within_memory.ALWAYS", 0.0)
     for free, parts in ((0.5 * need, True), (2.0 * need + 1e9, False)):
         monkeypatch.setattr("raybundle.workflows.within_memory.available_memory", lambda free=free: free)
         with within_memory(block, tmp_path / "out", 0.0) as (kept, room):
             assert bool(adjust(kept, OPTIONS, factoring=room.factoring) and room.parts) == parts
+
+
+def test_a_small_block_is_one_piece_however_little_is_free(tmp_path, monkeypatch):
+    monkeypatch.setattr("raybundle.workflows.within_memory.available_memory", lambda: 1e6)
+    with within_memory(flight(), tmp_path / "out", 0.0) as (kept, room):
+        assert adjust(kept, OPTIONS, factoring=room.factoring).converged
+        assert not room.parts
 
 
 def test_a_limit_of_a_container_counts(tmp_path, monkeypatch):

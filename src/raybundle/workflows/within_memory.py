@@ -34,6 +34,8 @@ from raybundle.settings import option
 
 SHARE = 0.8
 """Of the memory that is free, what is taken where nothing is asked for."""
+ALWAYS = 1e9
+"""Bytes that are taken unasked whatever is free: on a machine so short of memory, less would help nobody."""
 BASE = 150e6
 """Bytes of the program itself."""
 IN_MEMORY, IN_FILES, IN_PARTS = 800.0, 420.0, 260.0
@@ -139,10 +141,10 @@ def within_memory(
     source     the block, or its folder; image observations of a large one are read in pieces where they stand in
                observations.parquet
     out        where the result is to stand
-    memory_gb  what the adjustment may take; 0: four fifths of what is free
+    memory_gb  what the adjustment may take; 0: four fifths of what is free, 1 GB at least
     raises     InputError, for a folder as `read_block`
     """
-    allowed = memory_gb * 1e9 or SHARE * available_memory()
+    allowed = memory_gb * 1e9 or max(ALWAYS, SHARE * available_memory())
     count = image_points_in(source) if isinstance(source, Path) else len(source.observations)
     if isinstance(source, Path) and (count is None or not _beyond(count, allowed)):
         source = read_block(source, progress=progress)
