@@ -35,8 +35,8 @@ class AdjustSettings(AdjustmentOptions):
     all_coordinates: bool = setting(False, COORDINATES_HELP)
     language: str = setting("en", LANGUAGE_HELP, metavar="CODE")
     memory: float = setting(
-        0.0, "Memory that the adjustment may take, in GB; 0: four fifths of what is free, 1 at least.  What does not fit lies in "
-        "files beside the result meanwhile, and normal equations are reduced in parts.", metavar="GB",
+        0.0, "Memory that the adjustment may take, in GB; 0: four fifths of what is free, 1 at least.  What does not "
+        "fit lies in files beside the result meanwhile, and normal equations are reduced in parts.", metavar="GB",
         limits=NOT_NEGATIVE,
     )  # fmt: skip
 
