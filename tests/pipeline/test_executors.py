@@ -13,8 +13,9 @@ from raybundle.errors import InputError
 from raybundle.pipeline.executors import Processes, Threads
 from raybundle.pipeline.keys import key_of
 from raybundle.pipeline.store import Folder
-from raybundle.pipeline.tasks import Task, function_of, read_task, written
+from raybundle.pipeline.tasks import Task, do_written, function_of, read_task, written
 from raybundle.settings import on_the_command_line, option
+from tests.pipeline.graph import executions, tasks_of
 
 HERE = "tests.pipeline.test_executors"
 
@@ -124,6 +125,21 @@ def test_messages_of_processes_name_settings_as_those_of_their_parent(store):
 def test_a_task_can_be_written_down():
     given = task(2.5, task(1), memory=3e9, cost=2.0)
     assert read_task(written(given)) == given
+
+
+def test_a_worker_makes_no_product_that_is_there_already(store, tmp_path):
+    """One that was killed after its product was kept, and before anybody was told."""
+    log = tmp_path / "log"
+    tasks = tasks_of(2, log=log)
+    for task in (*tasks, *tasks):
+        done = do_written(written(task), store)
+        assert not done.failed
+        assert done.task.key == task.key
+        assert bool(done.product) == task.small
+    assert executions(log) == {str(t.options.number): 1 + t.small for t in tasks}
+    store.forget(tasks[0].key)
+    do_written(written(tasks[0]), store)
+    assert executions(log)["0"] == 2
 
 
 def test_tasks_that_wait_for_each_other_are_named(store):
