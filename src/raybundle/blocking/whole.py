@@ -37,6 +37,9 @@ class WholeNormals(Normals):
     """The last state that was asked for, and what the parts have of it"""
     tried: tuple[State, PartsState] | None = field(default=None, kw_only=True)
     """The last trial"""
+    touched: dict[int, tuple[Index, Index, Index]] = field(
+        default_factory=dict[int, tuple[Index, Index, Index]], kw_only=True
+    )
 
     @classmethod
     def whole(cls, system: System, network: Network, store: Store, executor: Executor) -> WholeNormals:
@@ -58,12 +61,9 @@ class WholeNormals(Normals):
         """A state as the parts keep it."""
         parts = self.parts
         keys = [""] * len(parts.network.tree)
-        for t, work in self._works():
+        for t, (images, points, interior) in self._touched().items():
             keys[t] = unique("state")
-            images, points = work.part.images, work.part.points
-            mine = State(
-                state.rotation[images], state.centre[images], state.interior[work.of.interior], state.xyz[points]
-            )
+            mine = State(state.rotation[images], state.centre[images], state.interior[interior], state.xyz[points])
             parts.parts.store.store(keys[t], sweeps.kept_state(mine))
         at = parts.network.skeleton.points
         return PartsState(state.rotation, state.centre, state.interior, state.xyz[at], state.own, keys=tuple(keys))
@@ -71,11 +71,17 @@ class WholeNormals(Normals):
     def gathered(self, state: PartsState) -> State:
         """A state of the parts as a whole."""
         xyz = np.zeros((len(self.system.block.points), 3))
-        for t, work in self._works():
-            xyz[work.part.points] = self.parts.parts.store.wanted(state.keys[t], ("xyz",))["xyz"]
+        for t, (_, points, _) in self._touched().items():
+            xyz[points] = self.parts.parts.store.wanted(state.keys[t], ("xyz",))["xyz"]
         with_node = self.parts.network.skeleton.system.point_node >= 0
         xyz[self.parts.network.skeleton.points[with_node]] = state.xyz[with_node]
         return State(state.rotation, state.centre, state.interior, xyz, state.own)
+
+    def _touched(self) -> dict[int, tuple[Index, Index, Index]]:
+        """By part, which images, object points and interior orientations it touches; known without making it anew."""
+        if not self.touched:
+            self.touched = {t: (w.part.images, w.part.points, w.of.interior) for t, w in self._works()}
+        return self.touched
 
     def _works(self) -> Iterator[tuple[int, PartWork]]:
         """The parts with observations, one after the other: no more are ready at once than the network says."""
@@ -196,9 +202,9 @@ class WholeNormals(Normals):
         right[self._held_unknowns()] = 0.0
 
         keys = [""] * len(self.parts.network.tree)
-        for t, work in self._works():
+        for t, (_, mine, _) in self._touched().items():
             keys[t] = unique("points")
-            self.parts.parts.store.store(keys[t], {"points": points[work.part.points]})
+            self.parts.parts.store.store(keys[t], {"points": points[mine]})
         self._of(state)
         found = self.parts.solved(right, keys)
         self.parts.parts.forget(keys)
