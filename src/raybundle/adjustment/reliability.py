@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import itertools
 from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, fields
 from functools import cache
 
 import numpy as np
@@ -34,7 +34,8 @@ def image_statistics(
     does not): the test is decided by P Qvv P alone.
     """
     count = len(system.block.observations)
-    pairs = ("residuals_px", "redundancy", "w", "t", "mdb_px", "external")
+    single = {"least_control", "rejected"}
+    pairs = [f.name for f in fields(ObservationStatistics) if f.name not in single]
     made = {name: large.full((count, 2), np.nan) for name in (pairs if found is not None else pairs[:1])}
     made["least_control"] = large.full(count, np.nan)
     for piece in large.pieces(len(system.rows)):

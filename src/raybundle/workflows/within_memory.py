@@ -122,7 +122,8 @@ class Within:
         )
         least = BASE + IN_PARTS * self.observations
         if least > self.allowed:
-            message += f". Even so it takes about {least / 1e9:.3g} GB"
+            more = f"Even so it takes about {least / 1e9:.3g} GB"
+            message = f"{message}. {more}"
         return (Notice(code="in_parts", message=message),)
 
 
