@@ -38,7 +38,7 @@ ALWAYS = 1e9
 """Bytes that are taken unasked whatever is free: on a machine so short of memory, less would help nobody."""
 BASE = 150e6
 """Bytes of the program itself."""
-IN_MEMORY, IN_FILES, IN_PARTS = 800.0, 420.0, 260.0
+IN_MEMORY, IN_FILES, IN_PARTS = 800.0, 420.0, 300.0
 """Bytes for each image observation: all in memory; large arrays in files; and normal equations in parts besides."""
 FACTOR = 3.0
 """Times its own size that a factor takes while it is made and inverted."""
