@@ -18,6 +18,7 @@ from raybundle.blocking.part import Part, PartSystem, part_of, system_of_part
 from raybundle.blocking.skeleton import Skeleton, skeleton_of
 from raybundle.blocking.tree import WORTH, Tree
 from raybundle.numerics.arrays import Array, Index, Mask
+from raybundle.numerics.rows import rows_of_each
 
 BYTES = 350.0
 """Memory of a part that is ready for use, for each of its image observations: arrays and structure of its equations."""
@@ -76,9 +77,7 @@ class Network:
         home, level = self.tree.home, self.tree.level
         a, b = home[first], home[second]
         at = np.where(level[a] >= level[b], a, b)
-        order = np.argsort(at, kind="stable")
-        bounds = np.searchsorted(at[order], np.arange(len(self.tree) + 1))
-        return tuple(order[bounds[t] : bounds[t + 1]] for t in range(len(self.tree)))
+        return tuple(rows_of_each(at, len(self.tree)))
 
     def work(self, t: int) -> PartWork | None:
         """The part of a tree node as its front takes it; None where it has no observations."""
@@ -147,14 +146,13 @@ def cut(
     images[o.image[taken]], points[o.point[taken]] = True, True
     skeleton = skeleton_of(block, options, free, images, points, shift)
     found = cut_of(skeleton, o.image[taken], o.point[taken], leaf, worth)
-    order = np.argsort(found.at, kind="stable")
-    bounds = np.searchsorted(found.at[order], np.arange(len(found.tree) + 1))
-    of_node = [taken[order[bounds[t] : bounds[t + 1]]] for t in range(len(found.tree))]
+    of_node = [taken[rows] for rows in rows_of_each(found.at, len(found.tree))]
+    counts = np.array([len(rows) for rows in of_node])
 
     def part(t: int) -> tuple[Part, Mask]:
         return part_of(block, of_node[t]), np.zeros(len(of_node[t]), bool)
 
     return Network(
         key=f"network-{uuid4().hex}", skeleton=skeleton, tree=found.tree, boundary=found.boundary,
-        counts=np.diff(bounds), part=part, keep=_kept(np.diff(bounds), ready),
+        counts=counts, part=part, keep=_kept(counts, ready),
     )  # fmt: skip

@@ -92,12 +92,12 @@ def _parts(graph: Any, sizes: Array, places: Array, ids: Index, worth: float) ->
     between[_cover(part, side)] = True
     found = ids[between], ids[~between & ~side], ids[~between & side]
     separator, first, second = (float(sizes[x].sum()) for x in found)
-    pieces = _work(first, separator) + _work(second, separator) + _work(separator, 0.0)
-    return found if pieces < worth * _work(separator + first + second, 0.0) else None
+    pieces = multiplications(first, separator) + multiplications(second, separator) + multiplications(separator, 0.0)
+    return found if pieces < worth * multiplications(separator + first + second, 0.0) else None
 
 
-def _work(own: float, boundary: float) -> float:
-    """Multiplications that eliminate own unknowns of a front."""
+def multiplications(own: float, boundary: float) -> float:
+    """That eliminate own unknowns of a front with a boundary."""
     return own**3 / 3 + own**2 * boundary + own * boundary**2
 
 

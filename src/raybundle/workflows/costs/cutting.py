@@ -11,7 +11,7 @@ import math
 from dataclasses import dataclass, replace
 
 from raybundle.blocking.network import LEAF
-from raybundle.blocking.tree import WORTH
+from raybundle.blocking.tree import WORTH, multiplications
 
 IMAGE, INTERIOR = 6, 8
 """Unknowns of an image, and of the interior orientation that all images share, as of Brown's model"""
@@ -83,11 +83,6 @@ def reach_of(overlap: float) -> float:
     overlap  photographs that show a place
     """
     return BAND * math.sqrt(overlap)
-
-
-def multiplications(own: float, boundary: float) -> float:
-    """That eliminate own unknowns of a front with a boundary, as `blocking.tree` counts them."""
-    return own**3 / 3 + own**2 * boundary + own * boundary**2
 
 
 def cut_flight(images: int, overlap: float, points: float, *, leaf: int = LEAF, shape: float = 1.0) -> tuple[Size, ...]:
