@@ -8,7 +8,7 @@ the projections of points of the ground, with noise, some of them missing, some 
 its descriptor wherever it is seen.  Pairs that overlap are kept in the project as verified, one match in fifty to a
 wrong feature, so that the stage `matching` chooses them, and matches those that it tries beside, with its own code.
 Each stage is run by the code that `orient` uses, alone: what stands in memory before it is what `orient` holds then.
-The start is made twice, by growing and by averaging.  What the flight does not have: least-squares matching, whose
+The start is made in several ways, in parts last.  What the flight does not have: least-squares matching, whose
 tasks are pixels; features by the thousand, of which a photograph has 120 here.  Each number of photographs has a
 process of its own.
 """
@@ -23,6 +23,7 @@ import pstats
 import shutil
 import sys
 import time
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 
@@ -37,6 +38,7 @@ from raybundle.matching.features import Features
 from raybundle.matching.methods import feature_method
 from raybundle.matching.verify import FEWEST, VerifiedPair
 from raybundle.numerics.rotation import rotation_from_vector
+from raybundle.pipeline.executors import Threads
 from raybundle.pipeline.keys import key_of
 from raybundle.pipeline.project import Project
 from raybundle.pipeline.stage import Run, Stage
@@ -206,7 +208,7 @@ class Watch:
         return result
 
 
-def stages(images: int, profiled: str = "", *, averaging: bool = True) -> dict:
+def stages(images: int, profiled: str, ways: Sequence[str]) -> dict:
     """Figures of all stages for so many photographs."""
     rng = np.random.default_rng(18)
     folder = WORK / str(images)
@@ -222,7 +224,7 @@ def stages(images: int, profiled: str = "", *, averaging: bool = True) -> dict:
         options = OrientOptions(precise=False)
         asked = Asked(inputs=(), name="flight", options=options, given=Given(), method=method)
         state = OrientState(asked=asked, given=Given(), method=method, photos=photos, features=found)
-        run = Run(project=project)
+        run = Run(project=project, executor=Threads(1))  # so that one process does all that is counted
 
         def done(name: str, state: OrientState) -> OrientState:
             stage: Stage = ORIENT.stages[name]
@@ -230,9 +232,13 @@ def stages(images: int, profiled: str = "", *, averaging: bool = True) -> dict:
 
         state = done("cameras", state)
         state = watch("matching", lambda: done("matching", state))
-        at_once = replace(state, asked=replace(asked, options=replace(options, start="averaging")))
-        averaged = watch("start by averaging", lambda: done("start", at_once).oriented) if averaging else None
-        state = watch("start by growing", lambda: done("start", state))
+
+        def by(way: str) -> OrientState:
+            started = replace(state, asked=replace(asked, options=replace(options, start=way)))
+            return watch(f"start, {way}", lambda: done("start", started))
+
+        oriented = {way: by(way).oriented for way in ways}
+        state = done("start", replace(state, asked=replace(asked, options=replace(options, start="parts"))))
         state = watch("adjustment", lambda: done("adjustment", state))
         result = _orientation(state, project.records)
         watch("results and report", lambda: write_orientation(result, folder / "result", report="html", progress=_no))
@@ -241,7 +247,7 @@ def stages(images: int, profiled: str = "", *, averaging: bool = True) -> dict:
         project.close()
         shutil.rmtree(folder, ignore_errors=True)
     return {
-        "images": images, "oriented": state.oriented, "oriented by averaging": averaged, "pairs": len(state.pairs),
+        "images": images, "oriented": oriented, "pairs": len(state.pairs),
         "image points": len(result.adjustment.given.observations), "sigma0": round(result.adjustment.sigma0, 4),
         "report_mb": round(report, 1), "stages": watch.figures,
     }  # fmt: skip
@@ -284,14 +290,13 @@ def main() -> int:
     parser.add_argument("--images", type=int, nargs="+", default=IMAGES)
     parser.add_argument("--one", type=int, help="so many photographs in this process")
     parser.add_argument("--profile", default="", metavar="STAGE", help="print where a stage spends its time")
-    parser.add_argument("--no-averaging", action="store_true", help="leave the start by averaging out")
+    parser.add_argument("--starts", nargs="+", default=["parts", "growing"], help="kinds of start")
     asked = parser.parse_args()
     if asked.one:
-        print(json.dumps(stages(asked.one, asked.profile, averaging=not asked.no_averaging)))
+        print(json.dumps(stages(asked.one, asked.profile, asked.starts)))
         return 0
-    left = ["--no-averaging"] if asked.no_averaging else []
     for n in asked.images:
-        command = [sys.executable, __file__, "--one", str(n), *left]
+        command = [sys.executable, __file__, "--one", str(n), "--starts", *asked.starts]
         row = json.loads(measured(command, cpus=1)["output"].splitlines()[-1])
         RESULTS.write_text(json.dumps(kept([row]), indent=1) + "\n")
         print(json.dumps(row), flush=True)

@@ -120,9 +120,9 @@ class OrientSettings:
         "rootsift", "rootsift; for wide baselines, with the extra [learned]: xfeat or disk.", metavar="METHOD"
     )
     feature_count: int = setting(10_000, "Features of a photograph.", limits=Range(low=100))
-    start: Literal["auto", "growing", "averaging"] = setting(
-        "auto", "Image by image, or all pairs at once; auto: the second where the first leaves photographs or the view "
-        "is narrow.",
+    start: Literal["auto", "growing", "averaging", "parts"] = setting(
+        "auto", "Image by image, all pairs at once, or in parts that are joined; auto: parts of very many photographs, "
+        "all pairs where the first way leaves photographs or the view is narrow.",
     )  # fmt: skip
     precise: bool = setting(True, "Leave out least-squares matching: several times less precise.", flag="quick")
     jobs: int = setting(0, "How many processors; 0: all.", limits=NOT_NEGATIVE)

@@ -16,7 +16,7 @@ from typing import Any, Generic, TypeVar
 from raybundle.errors import InputError
 from raybundle.numerics.arrays import Array
 from raybundle.numerics.progress import Counted, Progress, silent
-from raybundle.pipeline.executors import Executor, Threads
+from raybundle.pipeline.executors import Executor, Processes, Threads
 from raybundle.pipeline.keys import key_of
 from raybundle.pipeline.project import Project, Timed
 from raybundle.pipeline.store import Folder, Product
@@ -86,10 +86,12 @@ class Means:
         """Where the products of tasks are."""
         return self.project.products
 
-    def do(self, tasks: Sequence[Task], what: str) -> dict[str, str]:
+    def do(self, tasks: Sequence[Task], what: str, *, apart: bool = False) -> dict[str, str]:
         """Do the tasks whose products are not kept yet; keys of those that failed, and why.
 
-        what  the work in words, for the progress.  Products lie in the store, small ones are at hand (`small`).
+        what   the work in words, for the progress
+        apart  they keep the interpreter to themselves: processes do them where threads of this one would
+        Products lie in the store, small ones are at hand (`small`).
         """
         self.asked = (self.asked or 0) + len(tasks)
         self._small |= self.project.small([t.key for t in tasks if t.small])
@@ -99,8 +101,11 @@ class Means:
         told = Counting(self.progress, what, total=len(tasks), done=len(tasks) - len(missing), costs=missing)
         failed: dict[str, str] = {}
         again: list[Done] = []
+        executor = self.executor
+        if apart and isinstance(executor, Threads) and executor.jobs != 1 and len(missing) > 1:
+            executor = Processes(executor.jobs, executor.memory)
         for _ in range(MENDS):
-            again = self._once(missing, told, failed)
+            again = self._once(missing, told, failed, executor)
             if not again:
                 break
             for key in {done.lost for done in again}:
@@ -111,13 +116,13 @@ class Means:
             failed |= {done.task.key: done.failed for done in again}
         return failed
 
-    def _once(self, missing: Sequence[Task], told: Counting, failed: dict[str, str]) -> list[Done]:
+    def _once(self, missing: Sequence[Task], told: Counting, failed: dict[str, str], executor: Executor) -> list[Done]:
         """Do tasks; those that found a product damaged that can be made again."""
         waiting: list[tuple[str, Product]] = []
         again: list[Done] = []
         saved = time.perf_counter()
         try:
-            for done in self.executor.run(missing, self.store):
+            for done in executor.run(missing, self.store):
                 if done.lost in self.store.makers:
                     again.append(done)
                 elif done.failed:

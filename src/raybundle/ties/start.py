@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import replace
+from functools import partial
 from itertools import combinations
 from typing import Literal
 
@@ -46,6 +47,10 @@ sight (Schweighofer and Pinz 2006), and a free camera constant takes up what tel
 to others may take the wrong one, and the rays that contradict it leave.  All pairs at once outvote it.
 """
 
+StartMethod = Literal["auto", "growing", "averaging", "parts"]
+Found = tuple[Block, Index, dict[str, str]]
+"""A block, its rows among those that were given, and the images that are left with the reasons."""
+
 
 def start(
     raw: Block,
@@ -53,17 +58,22 @@ def start(
     angle: Array,
     threads: int,
     progress: Progress = silent,
-    method: Literal["auto", "growing", "averaging"] = "auto",
+    method: StartMethod = "auto",
+    in_parts: Callable[[Block], Found] | None = None,
 ) -> TieBlock:
     """Approximate values of a block of tracks; wrong rays and images that cannot be oriented leave.
 
-    method  growing: image by image; averaging: all pairs at once; auto: growing, and others where images or many
-            rays are left or the view is narrow: averaging, then growing with the camera constants that nothing tells
-            one standard deviation shorter or longer; the likeliest is taken (see `likelihood`)
+    method    growing: image by image; averaging: all pairs at once; parts: leaves that are grown by themselves; auto:
+              parts where there are so many images that it is worth while, else growing, and others where images or
+              many rays are left or the view is narrow: averaging, then growing with the camera constants that nothing
+              tells one standard deviation shorter or longer; the likeliest is taken (see `likelihood`)
+    in_parts  the way of leaves (`ties.parts.by_parts`); None: not in parts, whatever is asked
     """
     block = replace(raw, cameras=tuple(replace(c, estimate=free_at_start(c)) for c in raw.cameras))
-    ways: list[Callable[[], tuple[Block, Index, dict[str, str]]]] = []
-    if method in ("growing", "auto"):
+    ways: list[Callable[[], Found]] = []
+    if in_parts is not None and method in ("parts", "auto"):
+        ways.append(partial(in_parts, block))
+    if method in ("growing", "auto") or (not ways and method == "parts"):
         ways.append(lambda: by_growing(block, progress))
     if method in ("averaging", "auto"):
         ways.append(lambda: by_averaging(block, progress))
@@ -71,7 +81,7 @@ def start(
         ways += [lambda sign=sign: by_growing(_scaled(block, untold, sign), progress) for sign in (-1, 1)]
     loose: dict[str, str] = {}
     _connected(block, loose)
-    best: tuple[Block, Index, dict[str, str]] | None = None
+    best: Found | None = None
     problem: NoOrientation | None = None
     for way in ways:
         try:
@@ -101,7 +111,7 @@ def start(
     )
 
 
-def likelihood(found: tuple[Block, Index, dict[str, str]]) -> float:
+def likelihood(found: Found) -> float:
     """Logarithm of the likelihood of all rays, but for what is the same for every start of a block.
 
     Rays that are kept are normally distributed about where they should be, with the standard deviation that their
@@ -145,12 +155,12 @@ def _narrow(block: Block) -> bool:
     return any(symbol and c.values[symbol] > NARROW * float(c.size_mm.max()) for c, symbol in scales)
 
 
-def by_growing(block: Block, progress: Progress) -> tuple[Block, Index, dict[str, str]]:
+def by_growing(block: Block, progress: Progress) -> Found:
     """Orientations image by image; the block, its rows, and the images that are left with the reasons."""
     rows = np.arange(len(block.observations))
     failed: dict[str, str] = {}
     while True:
-        block, rows = _kept(block, rows, failed)
+        block, rows = kept_part(block, rows, failed)
         try:
             return approximate_values(block, progress).block, rows, failed
         except NoOrientation as error:
@@ -160,20 +170,20 @@ def by_growing(block: Block, progress: Progress) -> tuple[Block, Index, dict[str
             failed.update(new)
 
 
-def by_averaging(block: Block, progress: Progress) -> tuple[Block, Index, dict[str, str]]:
+def by_averaging(block: Block, progress: Progress) -> Found:
     """Orientations of all images at once; as `by_growing`."""
     rows = np.arange(len(block.observations))
     failed: dict[str, str] = {}
-    block, rows = _kept(block, rows, failed)
+    block, rows = kept_part(block, rows, failed)
     found = average_start(checked_by_pairs(block), progress)
     seen = np.bincount(block.observations.image, minlength=len(block.images)) > 0
     for i in np.flatnonzero(seen & ~found.images.oriented):
         failed[found.images.ids[i]] = "its relative orientations contradict those of the other photographs"
-    found, rows = _kept(found, rows, failed)
+    found, rows = kept_part(found, rows, failed)
     return possible_values(found, progress).block, rows, failed
 
 
-def _kept(block: Block, rows: Index, failed: dict[str, str]) -> tuple[Block, Index]:
+def kept_part(block: Block, rows: Index, failed: dict[str, str]) -> tuple[Block, Index]:
     """The largest connected part of a block and its rows."""
     keep = _connected(block, failed)
     block, rows = with_rows(block, keep), rows[keep]
@@ -186,9 +196,7 @@ def _kept(block: Block, rows: Index, failed: dict[str, str]) -> tuple[Block, Ind
     return block, rows
 
 
-def cleaned(
-    raw: Block, found: tuple[Block, Index, dict[str, str]], threads: int, progress: Progress
-) -> tuple[Block, Index, dict[str, str]]:
+def cleaned(raw: Block, found: Found, threads: int, progress: Progress) -> Found:
     """The block without wrong rays, points without depth, and images that lose all of theirs."""
     block, rows, failed = found
     options = AdjustmentOptions(jobs=threads, statistics=False)

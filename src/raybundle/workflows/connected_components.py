@@ -2,9 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
-from typing import Literal
 
 import numpy as np
 
@@ -20,7 +19,7 @@ from raybundle.placing.georeference import Georeferenced, Surroundings, georefer
 from raybundle.placing.marks import Given
 from raybundle.placing.positions import without_idle
 from raybundle.ties.block import TieBlock
-from raybundle.ties.start import start
+from raybundle.ties.start import Found, StartMethod, start
 
 FEWEST_IMAGES = 3
 """Photographs of a component that is worth a result of its own."""
@@ -42,13 +41,14 @@ def start_components(
     angle: Array,
     threads: int,
     progress: Progress = silent,
-    method: Literal["auto", "growing", "averaging"] = "auto",
+    method: StartMethod = "auto",
+    in_parts: Callable[[Block], Found] | None = None,
 ) -> tuple[TieBlock, ...]:
     """Approximate values of every connected component, the largest first; what is in none is listed with the first.
 
     raises  NoOrientation where not even two photographs fit
     """
-    components = [start(raw, scale_px, angle, threads, progress, method)]
+    components = [start(raw, scale_px, angle, threads, progress, method, in_parts)]
     left, reasons = _left(raw, components[0]), dict(components[0].not_oriented)
     while left.sum() >= FEWEST_IMAGES:
         rows = np.flatnonzero(left[raw.observations.image])

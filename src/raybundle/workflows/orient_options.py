@@ -9,6 +9,7 @@ from typing import Literal
 from raybundle.adjustment.options import NoiseModel
 from raybundle.placing.attitudes import Convention
 from raybundle.scenes.bias import BiasKind
+from raybundle.ties.start import StartMethod
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -19,8 +20,9 @@ class OrientOptions:
     """feature method"""
     feature_count: int = 10_000
     """features of a photograph, at most"""
-    start: Literal["auto", "growing", "averaging"] = "auto"
-    """growing: image by image; averaging: all pairs at once; auto: growing, averaging where that leaves images"""
+    start: StartMethod = "auto"
+    """growing: image by image; averaging: all pairs at once; parts: leaves by growing, joined; auto: growing, parts
+    where there are very many photographs, averaging where that leaves images"""
     precise: bool = True
     """False leaves out least-squares matching: quick, and several times less precise"""
     jobs: int = 0

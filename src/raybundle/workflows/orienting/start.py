@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
-from typing import Literal
+from functools import partial
 
 import numpy as np
 
@@ -19,8 +19,10 @@ from raybundle.numerics.rows import rows_of_each
 from raybundle.pipeline.stage import Codec, Means, Stage
 from raybundle.ties.block import TieBlock, block_of_tracks
 from raybundle.ties.missing import missing_notices
+from raybundle.ties.parts import MANY, by_parts
 from raybundle.ties.points import FeatureStore
 from raybundle.ties.repeated import sound_pairs
+from raybundle.ties.start import StartMethod
 from raybundle.workflows.connected_components import start_components
 from raybundle.workflows.dropped import Dropped
 from raybundle.workflows.kept import (
@@ -43,7 +45,7 @@ class Inputs:
     camera_of_photo: Index
     pairs: tuple[VerifiedPair, ...]
     features: FeatureStore
-    method: Literal["auto", "growing", "averaging"]
+    method: StartMethod
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -87,7 +89,8 @@ def begin(i: Inputs, means: Means) -> Started:
         scale, angle = np.empty(len(tracks.image)), np.empty(len(tracks.image))
         for f, mine in zip(features, rows_of_each(tracks.image, len(features)), strict=True):
             scale[mine], angle[mine] = f.scale_px[tracks.feature[mine]], f.angle[tracks.feature[mine]]
-        return start_components(raw, scale, angle, means.jobs, means.progress, i.method)
+        parts = None if i.method == "auto" and len(i.photos) < MANY else partial(by_parts, means=means)
+        return start_components(raw, scale, angle, means.jobs, means.progress, i.method, parts)
 
     names, n = [p.name for p in i.photos], len(i.photos)
     diagonals = np.array([float(np.hypot(p.width_px, p.height_px)) for p in i.photos])
@@ -136,7 +139,7 @@ def _product(a: Mapping[str, Array]) -> Started:
 STAGE = ORIENT.register(
     Stage(
         name="start",
-        version=18,
+        version=19,
         after=("scene_matching",),
         inputs=_inputs,
         function=begin,
