@@ -1,6 +1,7 @@
 """Tracks measured again: references, affine maps to begin with, and points at their true places."""
 
 from dataclasses import replace
+from functools import partial
 
 import numpy as np
 import pytest
@@ -108,7 +109,7 @@ def tracks(places, noise, seed=1):
 def test_tracks_are_measured_again_ten_times_better(three):
     images, places = three
     p, _ = tracks(places, 0.4)
-    r = refine_tracks(p, levels(images), threads=2)
+    r = refine_tracks(p, partial(match_candidates, image=levels(images), threads=2))
     n = len(places[0])
     assert r.reference[:n].mean() > 0.97
     assert not r.reference[n:].any()
@@ -129,7 +130,7 @@ def test_tracks_are_measured_again_ten_times_better(three):
 def test_the_number_of_threads_changes_nothing(three):
     images, places = three
     p, _ = tracks(places, 0.3)
-    a, b = (refine_tracks(p, levels(images), threads=k) for k in (1, 3))
+    a, b = (refine_tracks(p, partial(match_candidates, image=levels(images), threads=k)) for k in (1, 3))
     for name in ("xy_px", "cov_px2", "measured", "reference", "correlation", "level"):
         np.testing.assert_array_equal(getattr(a, name), getattr(b, name))
 
@@ -138,7 +139,7 @@ def test_what_shows_something_else_is_not_measured(three):
     images, places = three
     other = smoothed(Texture(77).image(360, 320))
     p, _ = tracks(places, 0.2)
-    r = refine_tracks(p, levels([images[0], images[1], other]))
+    r = refine_tracks(p, partial(match_candidates, image=levels([images[0], images[1], other])))
     n = len(places[0])
     assert r.measured[:n].mean() > 0.95
     assert r.measured[2 * n :].mean() < 0.05
@@ -206,7 +207,7 @@ def test_however_soft_and_noisy_points_are_measured_and_the_covariance_is_true(m
     n, true = len(xy), xy @ AFFINE.T + MOVE
     begin = true + np.random.default_rng(0).normal(0, 0.4, true.shape)
     p = points(np.repeat([0, 1], n), np.tile(np.arange(n), 2), np.vstack([xy, begin]), scale=np.repeat([3.0, 2.0], n))
-    r = refine_tracks(p, levels(images))
+    r = refine_tracks(p, partial(match_candidates, image=levels(images)))
     assert r.measured.mean() > 0.97
     chi2 = ((r.xy_px - np.vstack([xy, true])) ** 2 / np.maximum(r.cov_px2[:, :2], 1e-12))[n:][r.measured[n:]]
     assert 0.3 < np.median(chi2) / 0.455 < 3.2  # of first-order covariances at full size: up to 30
@@ -214,7 +215,7 @@ def test_however_soft_and_noisy_points_are_measured_and_the_covariance_is_true(m
     if blur > 1:
         assert np.median(r.level[n:]) >= 1
         monkeypatch.setattr(refine, "LEVELS", 1)
-        fine = refine_tracks(p, levels(images))
+        fine = refine_tracks(p, partial(match_candidates, image=levels(images)))
         error = [np.sqrt(((f.xy_px[n:] - true) ** 2)[f.measured[n:]].mean()) for f in (r, fine)]
         assert fine.measured[n:].mean() < 0.9 or error[0] < 0.7 * error[1]
 

@@ -47,7 +47,7 @@ def matching(monkeypatch, block, truth, failing, share=0.0):
     """Least-squares matching that measures to 0.1 px, and in some images next to nothing."""
     rng = np.random.default_rng(1)
 
-    def refined(points, image, *, threads, progress):
+    def refined(points, match):
         m = len(points.image)
         reference = choose_references(points)
         good = ~np.isin(points.image, failing) | (rng.random(m) < share)
@@ -67,7 +67,7 @@ def matching(monkeypatch, block, truth, failing, share=0.0):
             level=np.zeros(m, int),
         )
 
-    def nothing(points, places, image, *, threads, progress):
+    def nothing(points, places):
         k = len(places.image)
         return CandidateMatches(
             good=np.zeros(k, bool),
@@ -78,8 +78,7 @@ def matching(monkeypatch, block, truth, failing, share=0.0):
         )
 
     monkeypatch.setattr(precise, "refine_tracks", refined)
-    monkeypatch.setattr(precise, "match_candidates", nothing)
-    return refine(tie_of(block), lambda *_: np.zeros((2, 2)), 1)
+    return refine(tie_of(block), nothing, 1)
 
 
 def test_a_photograph_that_matching_does_not_measure_keeps_its_features_with_their_own_sigma(monkeypatch):

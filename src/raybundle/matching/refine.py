@@ -80,39 +80,6 @@ def choose_references(points: TrackPoints) -> Index:
     return best[np.searchsorted(points.point[best], points.point)]
 
 
-def refine_tracks(
-    points: TrackPoints,
-    image: Levels,
-    *,
-    threads: int = 1,
-    progress: Progress = silent,
-) -> Refined:
-    """Measure the points of tracks again."""
-    m = len(points.image)
-    reference = choose_references(points)
-    rows = np.flatnonzero(reference != np.arange(m))
-    start = Candidates(
-        reference=reference[rows],
-        image=points.image[rows],
-        point=points.point[rows],
-        xy_px=points.xy_px[rows],
-        row=rows,
-    )
-    found = match_candidates(points, start, image, threads=threads, progress=progress)
-    xy, cov = points.xy_px.copy(), np.zeros((m, 3))
-    measured, correlation, level = np.zeros(m, bool), np.zeros(m), np.full(m, LEVELS)
-    xy[rows[found.good]], cov[rows[found.good]] = found.xy_px[found.good], found.cov_px2[found.good]
-    measured[rows], correlation[rows], level[rows] = found.good, found.correlation, found.level
-    references = np.unique(reference[measured])
-    np.minimum.at(level, reference[measured], level[measured])
-    measured[references], correlation[references] = True, 1.0
-    is_reference = np.zeros(m, bool)
-    is_reference[references] = True
-    return Refined(
-        xy_px=xy, cov_px2=cov, measured=measured, reference=is_reference, correlation=correlation, level=level
-    )
-
-
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Candidates:
     """Places where a point of a reference row is looked for."""
@@ -148,6 +115,37 @@ class CandidateMatches:
     correlation: Array
     level: Index
     """(k,) of the pyramid; `LEVELS` where nothing was found"""
+
+
+Matcher = Callable[[TrackPoints, Candidates], CandidateMatches]
+"""Looks for candidates among track points"""
+
+
+def refine_tracks(points: TrackPoints, match: Matcher) -> Refined:
+    """Measure the points of tracks again; `match` finds candidates, as `match_candidates` does."""
+    m = len(points.image)
+    reference = choose_references(points)
+    rows = np.flatnonzero(reference != np.arange(m))
+    start = Candidates(
+        reference=reference[rows],
+        image=points.image[rows],
+        point=points.point[rows],
+        xy_px=points.xy_px[rows],
+        row=rows,
+    )
+    found = match(points, start)
+    xy, cov = points.xy_px.copy(), np.zeros((m, 3))
+    measured, correlation, level = np.zeros(m, bool), np.zeros(m), np.full(m, LEVELS)
+    xy[rows[found.good]], cov[rows[found.good]] = found.xy_px[found.good], found.cov_px2[found.good]
+    measured[rows], correlation[rows], level[rows] = found.good, found.correlation, found.level
+    references = np.unique(reference[measured])
+    np.minimum.at(level, reference[measured], level[measured])
+    measured[references], correlation[references] = True, 1.0
+    is_reference = np.zeros(m, bool)
+    is_reference[references] = True
+    return Refined(
+        xy_px=xy, cov_px2=cov, measured=measured, reference=is_reference, correlation=correlation, level=level
+    )
 
 
 def match_candidates(

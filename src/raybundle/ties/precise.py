@@ -24,9 +24,8 @@ from raybundle.matching.refine import (
     NEIGHBOURS_FROM,
     WINDOWS,
     Candidates,
-    Levels,
+    Matcher,
     TrackPoints,
-    match_candidates,
     refine_tracks,
 )
 from raybundle.numerics.arrays import Array, Index, Mask
@@ -122,19 +121,22 @@ class _Work:
 
 def refine(
     tie: TieBlock,
-    image: Levels,
+    match: Matcher,
     threads: int,
     progress: Progress = silent,
     visible: Visible | None = None,
 ) -> PreciseBlock:
     """Measure every track again, also where no feature was found, and weigh the measurements by their residuals.
 
+    match    least-squares matching of candidates
+    threads  of the adjustments
+
     An image in which matching measures less than its features tell, or too little to hold it, keeps the features as
     well; one that even they do not hold is left out by name.
     """
     o = tie.block.observations
     points = TrackPoints(image=o.image, point=o.point, xy_px=o.xy_px, scale_px=tie.scale_px, angle=tie.angle)
-    found = refine_tracks(points, image, threads=threads, progress=progress)
+    found = refine_tracks(points, match)
     seen = found.measured if visible is None else found.measured & visible(o.image, found.xy_px, reach(found.level))
     keep, left = seen, ~seen
     block = with_rows(replace(tie.block, observations=replace(o, xy_px=found.xy_px)), keep)
@@ -154,7 +156,7 @@ def refine(
     options = AdjustmentOptions(jobs=threads, tolerance=1e-2)
     _settle(work, options, first=31)
     progress("weights", 1 / 3)
-    added = _complete(work, image, threads, progress, visible)
+    added = _complete(work, match, visible)
     for k in range(2):
         _settle(work, options, first=7.0)
         progress("weights", (k + 2) / 3)
@@ -306,7 +308,7 @@ def reach(level: Index) -> Array:
     return np.sqrt(2) * WINDOWS[-1].half * 2.0 ** np.asarray(level)
 
 
-def _complete(work: _Work, image: Levels, threads: int, progress: Progress, visible: Visible | None) -> int:
+def _complete(work: _Work, match: Matcher, visible: Visible | None) -> int:
     """Measure points in images that should see them and where no feature was found; the number of rays gained."""
     block, o = work.block, work.block.observations
     used = ~work.rejected
@@ -319,7 +321,7 @@ def _complete(work: _Work, image: Levels, threads: int, progress: Progress, visi
     places = replace(places, coarsest=work.level[used][places.reference])
     if visible is not None:
         places = places.rows(visible(places.image, places.xy_px, reach(np.zeros(len(places.image), int))))
-    found = match_candidates(points, places, image, threads=threads, progress=progress)
+    found = match(points, places)
     near = np.linalg.norm(found.xy_px - places.xy_px, axis=1) < NEAR_PX
     good = found.good & near & (found.correlation > SURE)
     if visible is not None:

@@ -2,10 +2,9 @@
 
 from __future__ import annotations
 
-from collections import OrderedDict
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
-from threading import Lock
+from functools import partial
 
 import numpy as np
 
@@ -13,13 +12,12 @@ from raybundle.block import Block
 from raybundle.io.block.arrays import arrays_of_block, block_of_arrays
 from raybundle.io.photos.masks import Masks
 from raybundle.io.photos.photo import Photo
-from raybundle.matching.refine import pyramid, smoothed
 from raybundle.numerics.arrays import Array, Index, Mask
 from raybundle.numerics.rows import rows_of_each
 from raybundle.pipeline.stage import Codec, Means, Stage
 from raybundle.ties.block import TieBlock
-from raybundle.ties.points import grey_of
 from raybundle.ties.precise import PreciseBlock, Visible, Weights, refine
+from raybundle.ties.windows import greys, matched
 from raybundle.workflows.kept import Reasons, numbered, reasons_as_array, reasons_of_array, texts, unpacked
 from raybundle.workflows.orient_state import ORIENT, OrientState
 
@@ -52,10 +50,13 @@ def _inputs(state: OrientState) -> Inputs:
 
 
 def measure(i: Inputs, means: Means) -> Measured:
-    """Least-squares matching of each part, photographs held in memory as far as they may."""
-    cache = _GreyCache(i.photos, means.memory)
+    """Least-squares matching of each part by tasks, photographs held in memory as far as they may."""
     visible = None if i.masks is None else _visible(i.masks, i.photos)
-    found: list[PreciseBlock] = [refine(tie, cache.of, means.jobs, means.progress, visible) for tie in i.ties]
+    match = partial(matched, means, i.photos)
+    try:
+        found: list[PreciseBlock] = [refine(tie, match, means.jobs, means.progress, visible) for tie in i.ties]
+    finally:
+        greys.forget()
     return Measured(
         blocks=tuple(f.block for f in found),
         weights=tuple(f.weights for f in found),
@@ -108,29 +109,6 @@ def _visible(masks: Masks, photos: Sequence[Photo]) -> Visible:
         return found
 
     return visible
-
-
-class _GreyCache:
-    """Smoothed photographs with their pyramids, the latest used ones within a limit of memory."""
-
-    def __init__(self, photos: Sequence[Photo], limit: float) -> None:
-        self.photos = photos
-        self.limit = limit
-        self.held: OrderedDict[int, tuple[Array, ...]] = OrderedDict()
-        self.lock = Lock()
-
-    def of(self, i: int, level: int) -> Array:
-        """Photograph i at a level of its pyramid, uint16."""
-        with self.lock:
-            if i in self.held:
-                self.held.move_to_end(i)
-                return self.held[i][level]
-        levels = pyramid(smoothed(grey_of(self.photos[i])))
-        with self.lock:
-            self.held[i] = levels
-            while len(self.held) > 2 and sum(a.nbytes for p in self.held.values() for a in p) > self.limit:
-                self.held.popitem(last=False)
-        return levels[level]
 
 
 def _arrays(m: Measured) -> dict[str, Array]:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import tempfile
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
+from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, cast
 
@@ -18,7 +19,7 @@ from raybundle.block import Block, Camera, Role
 from raybundle.block.select import with_rows
 from raybundle.errors import NoOrientation
 from raybundle.io.block.scenes import with_views
-from raybundle.matching.refine import LEVELS, halved
+from raybundle.matching.refine import LEVELS, halved, match_candidates
 from raybundle.matching.tracks import Tracks, tracks_of
 from raybundle.numerics.arrays import Array
 from raybundle.numerics.counting import counted
@@ -174,7 +175,9 @@ def refined(folder: Path, scenes: SceneSet, tie: TieBlock, jobs: int, progress: 
     (folder / "00").mkdir(parents=True, exist_ok=True)  # where a killed run may leave files: the next one sweeps it
     with tempfile.TemporaryDirectory(prefix=".pixels-", dir=folder / "00") as place:
         held = [_smoothed_files(s, Path(place) / f"{k}") for k, s in enumerate(scenes.images)]
-        precise = refine(tie, lambda i, level: held[i][level], jobs, progress)
+        match = partial(match_candidates, image=lambda i, level: held[i][level], threads=jobs, progress=progress)
+        precise = refine(tie, match, jobs, progress)
+        del match
         held.clear()
     return replace(precise, block=weighed(precise.block, jobs))
 
