@@ -16,6 +16,7 @@ Of a format of a million pixels a pair of points taken by chance lies as near wi
 photograph more than not (of two or more) never; what one matching measures lies within some tenths of a pixel of what
 another does."""
 _AUTOMATIC = re.compile(r"t[0-9]+")
+_DOT = re.compile(r"dot ([1-9][0-9]*)")
 
 
 def automatic_name(k: int) -> str:
@@ -37,3 +38,14 @@ def automatic(names: Iterable[str]) -> Mask:
     """Which of these points (n,) have a name that a program gave them."""
     matches = _AUTOMATIC.fullmatch
     return np.array([matches(name) is not None for name in names], bool)
+
+
+def dot_name(k: int) -> str:
+    """Name of the k-th dot without a code (from 0): a running number of one measurement, another in the next."""
+    return f"dot {k + 1}"
+
+
+def dot_number(name: str) -> int:
+    """Which dot (from 0) has this name; -1 for another name."""
+    found = _DOT.fullmatch(name)
+    return int(found[1]) - 1 if found else -1

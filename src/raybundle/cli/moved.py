@@ -10,10 +10,14 @@ import click
 from raybundle.cli.common import FOLDER, NEW_FOLDER, SeveralNames, common_options
 from raybundle.cli.settings import options_of, values_of
 from raybundle.commands.moved import MovedSettings, faults_in, run_moved
+from raybundle.numerics.counting import counted_are
 from raybundle.settings import made
 
 if TYPE_CHECKING:
     from raybundle.metrology.congruence import Congruence
+
+LINES = 20
+"""Moved points that are told, the farthest first."""
 
 
 @click.command("moved", cls=SeveralNames)
@@ -78,13 +82,21 @@ def words_of(done: Congruence) -> list[str]:
             "caution: points that stayed differ by more than their standard deviations say: they are too small, or "
             "many points moved a little"
         )
+    if done.by_place:
+        dots = counted_are(len(done.by_place), "dot")
+        lines.append(
+            f"{dots} the same by their place, not by a name: one that moved by more than half of the way to the next "
+            "is another, or none"
+        )
     std = np.sqrt(np.maximum(np.diagonal(done.covariance, axis1=2, axis2=3), 0))
     length = np.linalg.norm(done.displacement, axis=2).max(axis=0)
-    for k in sorted(np.flatnonzero(done.moved).tolist(), key=lambda k: -length[k]):
+    for k in sorted(np.flatnonzero(done.moved).tolist(), key=lambda k: -length[k])[:LINES]:
         j = int(np.linalg.norm(done.displacement[:, k], axis=1).argmax())
         d, s = 1000 * done.displacement[j, k], 1000 * std[j, k]
         by = ", ".join(f"{a} {v:+.3g} ± {u:.2g}" for a, v, u in zip("XYZ", d, s, strict=True))
         lines.append(f"{done.ids[k]} moved by {1000 * length[k]:.3g} mm ({by} mm), {p_words(float(done.p_value[k]))}")
+    if moved > LINES:
+        lines.append(f"and {moved - LINES} more, in points.csv")
     extent = 1000 * float(np.linalg.norm(np.ptp(done.xyz, axis=0)))
     lines.append(
         f"displacements from {least[0]:.2g} mm on are found with 80 % (median; {least[1]:.2g} mm at worst)"

@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import MISSING, dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from raybundle.errors import InputError, NotSolvable
 from raybundle.io.folders import check_free
+from raybundle.numerics.counting import counted, counted_are
 from raybundle.numerics.progress import Progress, silent
 from raybundle.settings import Range, made, setting
 
@@ -38,7 +39,8 @@ def merge_projects(
 ) -> Joined:
     """Merge results, projects or blocks of one object into one block folder, which is adjusted as any other.
 
-    sources   folders; points are common by the names that people, codes or tables gave them
+    sources   folders; points are common by the names that people, codes or tables gave them, dots without a code by
+              their place
     out       new block folder
     settings  as of the command line, by the names of `MergeSettings`
     raises    InputError for fewer than three common points without a common datum
@@ -64,16 +66,44 @@ def run_merge(s: MergeSettings, progress: Progress = silent) -> Joined:
         blocks.append(block)
         tested.append(block if raw else source)
     names = short_names(s.sources)
-    carriers, remarks = _carriers(tested, blocks, names, s.significance, progress)
+    blocks, called, told = _with_dots_alike(blocks, names)
+    carriers, remarks = _carriers(tested, blocks, names, s.significance, progress, called)
     done = join_blocks(blocks, names, carriers=carriers, same_camera=s.same_camera)
     write_block(done.block, s.out)
     progress("writing", 1.0)
-    return replace(done, remarks=(*done.remarks, *remarks))
+    return replace(done, remarks=(*done.remarks, *told, *remarks))
+
+
+def _with_dots_alike(
+    blocks: Sequence[Block], names: Sequence[str]
+) -> tuple[list[Block], list[dict[str, str]], list[str]]:
+    """Blocks in which dots without a code are called alike where they are one by their place; what each was called."""
+    from raybundle.block.joined import frame_of  # noqa: PLC0415
+    from raybundle.metrology.dots import Dots  # noqa: PLC0415
+
+    first = frame_of(blocks)
+    known = Dots.of(blocks[first].points.ids, blocks[first].points.xyz)
+    found, called = list(blocks), [dict[str, str]() for _ in blocks]
+    for k, block in enumerate(blocks):
+        if k == first:
+            continue
+        called[k] = known.names(block.points.ids, block.points.xyz)
+        ids = tuple(called[k].get(i, i) for i in block.points.ids)
+        found[k] = replace(block, points=replace(block.points, ids=ids))
+    if not any(called):
+        return found, called, []
+    one = counted_are(len(known.by_place), "dot")
+    rest = counted(sum(len(c) for c in called) - len(known.by_place), "other")
+    whose = ", ".join(n for n, c in zip(names, called, strict=True) if c)
+    told = (
+        f"dots without a code are numbered anew in each measurement: {one} the same by their place, {rest} of {whose} "
+    )
+    return found, called, [told + "got new numbers"]
 
 
 def _carriers(
     sources: Sequence[Block | Path], blocks: Sequence[Block], names: Sequence[str], significance: float,
-    progress: Progress,
+    progress: Progress, called: Sequence[Mapping[str, str]],
 ) -> tuple[list[dict[str, float] | None], list[str]]:  # fmt: skip
     """For each block the common points that stayed, by the congruence test against the block of the frame."""
     import numpy as np  # noqa: PLC0415
@@ -97,6 +127,7 @@ def _carriers(
         progress("testing common points", k / len(sources))
         try:
             mine = point_set(adjusted_as_free(source), names[k])
+            mine = replace(mine, ids=tuple(called[k].get(i, i) for i in mine.ids))
             if len(set(mine.ids) & set(base.ids)) < LEAST:
                 remarks.append(
                     f"{names[k]} has fewer than {LEAST} points in common with {names[first]}: none is tested"

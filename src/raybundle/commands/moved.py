@@ -35,7 +35,11 @@ class MovedSettings:
         (), "Points that are known to have stayed.  [default: found by the test]", metavar="A,B,C,...", joined=True
     )
     points: tuple[str, ...] = setting(
-        (), "Take these points alone.  [default: all that have a name of their own]", metavar="A,B,C,...", joined=True
+        (),
+        "Take these points alone; dots by their names in the first measurement.  [default: all that have a name, and "
+        "dots]",
+        metavar="A,B,C,...",
+        joined=True,
     )
     significance: float = setting(
         0.05, "Probability that any point is called moved where none did.", limits=Range(low=1e-6, high=0.5)
@@ -65,7 +69,8 @@ def moved_points(
 ) -> Congruence:
     """Test which points moved between results of the same points, and write what came of it.
 
-    epochs    two or more results (folders, or adjustments), in the order of time; points are the same by their names
+    epochs    two or more results (folders, or adjustments), in the order of time; points are the same by their names,
+              dots without a code by their place
     out       new folder: report.html, points.csv (displacements with standard deviations), moved.json
     settings  as of the command line, by the names of `MovedSettings`
     raises    InputError for fewer than four common points, or points that are held without error
@@ -84,11 +89,13 @@ def run_moved(settings: MovedSettings, progress: Progress = silent) -> Congruenc
 def _moved(s: MovedSettings, epochs: Sequence[Adjustment | str | Path], progress: Progress) -> Congruence:
     from raybundle.adjustment.again import block_again  # noqa: PLC0415
     from raybundle.adjustment.result import Adjustment  # noqa: PLC0415  (what computes is loaded after the help)
+    from raybundle.block.points import dot_number  # noqa: PLC0415
     from raybundle.io.folders import check_new_folder, short_names  # noqa: PLC0415
     from raybundle.measuring.point_sets import point_set  # noqa: PLC0415
     from raybundle.measuring.session import adjusted_as_free  # noqa: PLC0415
     from raybundle.metrology.best_fit import best_fit  # noqa: PLC0415
     from raybundle.metrology.congruence import congruence  # noqa: PLC0415
+    from raybundle.metrology.dots import dots_alike  # noqa: PLC0415
 
     if len(epochs) < 2:
         raise InputError("two or more measurements are held against each other; one is given")
@@ -102,13 +109,18 @@ def _moved(s: MovedSettings, epochs: Sequence[Adjustment | str | Path], progress
     for k, (name, epoch) in enumerate(zip(short_names(s.epochs), epochs, strict=True)):
         progress("reading measurements", k / len(epochs))
         found = adjusted_as_free(block_again(epoch) if isinstance(epoch, Adjustment) else epoch)
-        sets.append(point_set(found, name, s.points))
+        # dots have a number of their own in each measurement: which are asked for is known when they are called alike
+        sets.append(point_set(found, name, () if any(dot_number(p) >= 0 for p in s.points) else s.points))
         if told := _faults(epoch):
             faults[name] = told
     if s.free_scale:
         sets = [replace(e, free_scale=True) for e in sets]
     progress("testing", 0.9)
+    sets, by_place = dots_alike(sets)
+    if s.points:
+        sets = [e.rows([k for k, i in enumerate(e.ids) if i in set(s.points)]) for e in sets]
     done = congruence(sets, significance=s.significance, datum=s.datum_points)
+    done = replace(done, by_place=tuple(i for i in by_place if i in set(done.ids)))
     fit = None
     if nominal is not None:
         by = s.by or tuple(i for i, m in zip(done.ids, done.moved, strict=True) if not m and i in set(nominal.ids))
@@ -176,7 +188,7 @@ def _write(
     told = {
         "epochs": done.epochs, "points": len(done.ids), "moved": [done.ids[k] for k in np.flatnonzero(done.moved)],
         "significance": done.significance, "limit_of_one_point": done.limit, "degrees_of_freedom": done.freedom,
-        "scale_free": done.scale,
+        "scale_free": done.scale, "dots_by_place": list(done.by_place),
         "axes": None if fit is None or s.axes is None else {
             "of": s.axes.name, "fitted_by": [i for i, f in zip(fit.ids, fit.fitted, strict=True) if f],
             "rms_m": fit.rms,

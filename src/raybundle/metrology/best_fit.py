@@ -7,12 +7,14 @@ tolerances after ISO 14253-1: a deviation proves to be within or beyond its tole
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Literal
 
 import numpy as np
 
+from raybundle.block.points import dot_number
 from raybundle.errors import InputError
+from raybundle.metrology.dots import Dots
 from raybundle.metrology.point_set import PointSet, datum_directions
 from raybundle.numerics.arrays import Array, Mask
 from raybundle.numerics.statistics import joint_test
@@ -96,17 +98,31 @@ class BestFit:
         return self.p_value < self.limit
 
 
+def _called(measured: PointSet, nominal: Nominal) -> dict[str, str]:
+    """Measured names of nominal dots; one that lies at no measured one says that it is of the file."""
+    if not any(dot_number(i) >= 0 for i in nominal.ids):
+        return {}
+    names = Dots.of(measured.ids, measured.xyz).names(nominal.ids, nominal.xyz)
+    there = set(measured.ids)
+    return {old: new if new in there else f"{old} (nominal)" for old, new in names.items()}
+
+
 def best_fit(
     measured: PointSet, nominal: Nominal, *, by: Sequence[str] = (), scale: bool = False,
     weighting: Weighting = "covariance", significance: float = 0.05,
 ) -> BestFit:  # fmt: skip
     """Fit measured points onto nominal ones.
 
-    by      points by which axes are fitted; (): all that both have
+    by      points by which axes are fitted, by their names in `nominal`; (): all that both have
     scale   whether the scale is fitted as well
+    Dots without a code, numbered anew in each measurement, are the same by their place (`dots`), under their measured
+    names.
     raises  InputError for fewer than three points in common, or points in a line
     What it does not tell: by which points axes ought to be fitted; a deviation of few fitted points spreads over all.
     """
+    called = _called(measured, nominal)
+    nominal = replace(nominal, ids=tuple(called.get(i, i) for i in nominal.ids))
+    by = [called.get(i, i) for i in by]
     names = tuple(i for i in nominal.ids if i in set(measured.ids))
     missing = tuple(i for i in nominal.ids if i not in set(measured.ids))
     strange = [i for i in by if i not in names]

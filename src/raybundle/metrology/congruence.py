@@ -65,6 +65,8 @@ class Congruence:
     """Whether epochs may differ in scale"""
     transforms: tuple[SimilarityTransform, ...]
     """Of each epoch after the first into the axes of the first, by the points that stayed"""
+    by_place: tuple[str, ...] = ()
+    """Dots without a code that were told to be one by their place, not by a name (`metrology.dots`)"""
 
     @property
     def stayed(self) -> Mask:

@@ -9,6 +9,7 @@ import numpy as np
 
 from raybundle.adjustment.predict import predicted_px
 from raybundle.block import Block, Camera, Images, Observations, Points
+from raybundle.block.points import dot_name
 from raybundle.block.select import with_rows
 from raybundle.calibration.eccentricity import circle_images
 from raybundle.errors import InputError
@@ -213,7 +214,7 @@ def with_dots(
         cov_px2=covariance_rows(np.array([bare[i][1][d] for i, _, d in rows])),
     )
     k, none = len(groups), np.full((len(groups), 3), np.nan)
-    dots = Points(ids=tuple(f"dot {p + 1}" for p in range(k)), role=np.zeros(k, np.int32), xyz=none, sigma=none)
+    dots = Points(ids=tuple(dot_name(p) for p in range(k)), role=np.zeros(k, np.int32), xyz=none, sigma=none)
     radii = np.append(radius_px, [bare[i][2][d] for i, _, d in rows])
     return replace(block, observations=o.append(more), points=block.points.append(dots)), radii, k
 
