@@ -290,7 +290,7 @@ def test_a_headline_tells_no_height_that_nobody_measured(flight):
     told = replace(flight, notices=(Notice(code="levelled", message="levelled", ids=(block.points.ids[0],)),))
     view = view_of(told)
     size = np.sqrt(np.nanmean(view.std[:, :2] ** 2))
-    assert f"of {significant(size, 2)} mm rms in X and Y." in verdict(view).headline
+    assert f"of {significant(size, 2)} mm rms in X and Y; heights are relative." in verdict(view).headline
 
 
 def test_a_plan_without_a_height_is_compared_where_it_was_given():

@@ -7,6 +7,7 @@ from dataclasses import replace
 
 import numpy as np
 
+from raybundle.adjustment.accuracy import levelled
 from raybundle.adjustment.bar_tests import bar_notice, wrong_bar
 from raybundle.adjustment.components import NAMES, differs, without_known_before
 from raybundle.adjustment.control_notices import control_notices
@@ -24,7 +25,7 @@ from raybundle.block import Role
 from raybundle.block.frames import stored_ways
 from raybundle.block.points import automatic
 from raybundle.block.rejection import WORDS, RejectionKind, counts
-from raybundle.numerics.counting import counted, counted_are
+from raybundle.numerics.counting import counted, counted_are, significant
 from raybundle.numerics.statistics import global_test
 
 UNCHECKED = 0.01
@@ -370,6 +371,8 @@ def _open_beside_given(result: Adjustment) -> list[Notice]:
     centres = [images.ids[k] for k in dict.fromkeys(result.given.stations.image.tolist())]
     if not (control or centres) or not result.datum_defect:
         return []
+    if control and not centres and levelled(result).issuperset(control):
+        return []  # what is open is how it lies tilted, which the notice of its unknown heights says
     names = control + centres
     kinds = [("control", control), ("observed projection centres", centres)]
     given = " and ".join(kind for kind, of in kinds if of)
@@ -378,9 +381,7 @@ def _open_beside_given(result: Adjustment) -> list[Notice]:
         for kind, of in [("Control points", control), ("Projection centres", centres)]
         if of
     )
-    line = ABOUT_LINE in result.datum_defect
-    beside = "measure control beside it" if centres else "measure one beside it"
-    why = f"they lie on one straight line; {beside}" if line else "measure more"
+    why = _why_open(result, centred=bool(centres))
     return [
         Notice(
             code="control_leaves_open",
@@ -390,6 +391,35 @@ def _open_beside_given(result: Adjustment) -> list[Notice]:
             ids=tuple(names[:100]),
         )
     ]
+
+
+def _why_open(result: Adjustment, *, centred: bool) -> str:
+    """Why control or projection centres leave a part of the datum open, and what to do."""
+    from scipy.special import chdtri  # noqa: PLC0415
+
+    if ABOUT_LINE not in result.datum_defect:
+        return "measure more"
+    points, stations = result.given.points, result.given.stations
+    fixed = points.is_control.any(axis=1)
+    given = np.concatenate([points.xyz[fixed], stations.xyz])
+    sigma = np.concatenate([points.sigma[fixed], stations.sigma])
+    given = given[np.isfinite(given).all(axis=1)]
+    width = float(np.linalg.svd(given - given.mean(axis=0), compute_uv=False)[1]) if len(given) > 1 else 0.0
+    width /= np.sqrt(max(len(given), 1))
+    unit = result.given.length_unit
+    poor = float(np.nanmax(np.sqrt(np.nanmean(sigma**2, axis=0)))) if np.isfinite(sigma).any() else 0.0
+    chance = np.sqrt(chdtri(len(given), LINE) / max(len(given), 1))  # how far errors alone put them off a line
+    if width > chance * poor:
+        return (
+            f"they lie {significant(width, 2)} {unit} rms off one straight line, but standard deviations of "
+            f"{significant(poor, 2)} {unit} tell too little about a turn around it; measure them better, heights "
+            "above all"
+        )
+    return f"they lie on one straight line; measure {'control' if centred else 'one'} beside it"
+
+
+LINE = 0.01
+"""Probability of lying as far off a line by errors of measurement, below which points do not lie on it."""
 
 
 def _unchecked_scale(result: Adjustment) -> list[Notice]:

@@ -333,9 +333,9 @@ def _guess_heights(state: Placing) -> None:
     state.block = replace(block, points=replace(block.points, sigma=sigma))
     state.tell(
         "levelled",
-        f"heights of the control are not known: the block is levelled by the viewing direction of the photographs, "
-        f"their heights are observed with {LEVEL * extent:.3g} m. Heights of the result are relative; "
-        "three heights would level it",
+        f"heights of the control are not known: the block is levelled by the viewing direction of the photographs, to "
+        f"about {np.degrees(LEVEL):.0f} degrees; to that end they are observed with {LEVEL * extent:.3g} m, whatever "
+        "they were given. Heights of the result are relative and tilted by as much; three heights would level it",
         *(block.points.ids[k] for k in np.flatnonzero(plan)),
     )
 
