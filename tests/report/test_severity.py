@@ -17,6 +17,7 @@ from raybundle.report.text.summary import SHOWN, summary_lines
 from raybundle.report.text.words import verdict
 from raybundle.report.view import view_of
 from raybundle.results.contents import result_json
+from raybundle.results.state import state_line, state_words
 
 SOURCE = Path(raybundle.__file__).parent
 REMARK, CAUTION, FAULT = (
@@ -116,3 +117,12 @@ def test_commands_grade_what_they_print_with_the_same_three_words():
         assert [t for t in texts if isinstance(t, str) and t.lstrip().startswith(("warning:", "note:"))] == [], (
             path.name
         )
+
+
+def test_heights_that_nobody_measured_travel_with_what_is_made_of_a_result():
+    levelled = {"code": "levelled", "message": "heights of the control are not known", "severity": "caution"}
+    assert "heights are relative" in state_words({"warnings": [levelled]})
+    assert state_line(state_words({"warnings": [levelled]})).startswith("caution: its heights")
+    wrong = {"code": "control_contradicts", "message": "P1", "severity": "fault"}
+    assert state_line(state_words({"warnings": [levelled, wrong]})).startswith("fault: not to be used yet")
+    assert state_words({"warnings": [{"code": "model", "message": "x", "severity": "caution"}]}) == ""

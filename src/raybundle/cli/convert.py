@@ -77,7 +77,9 @@ def command(source: Path, progress: str, **given: Any) -> None:
     click.echo(f" {counted(int(b.images.oriented.sum()), 'oriented image')}, {counted(len(b.points), 'point')}, "
                f"{counted(len(b.observations), 'image observation')}")  # fmt: skip
     if done.state:
-        click.echo(f" fault: {done.state}")
+        from raybundle.results.state import state_line  # noqa: PLC0415
+
+        click.echo(f" {state_line(done.state)}")
     for remark in done.remarks:
         click.echo(f" remark: {remark}")
     if done.deviation_px > 0:

@@ -51,6 +51,7 @@ def command(source: Path, progress: str, **given: Any) -> None:
 
 def _lines(done: Rectification, settings: RectifySettings) -> list[str]:
     """What the command prints."""
+    from raybundle.results.state import state_line  # noqa: PLC0415
     from raybundle.workflows.object_plane import Plane  # noqa: PLC0415
 
     source, grid = done.source, done.grid
@@ -60,7 +61,7 @@ def _lines(done: Rectification, settings: RectifySettings) -> list[str]:
         *told,
         f"{settings.out}: {grid.width} x {grid.height} px of {grid.pixel:g} {done.unit}".rstrip()
         + f", {covered:.0f} % covered from {counted(len(done.picture.shares), 'photograph')}",
-        *([f"fault: {done.state}"] if done.state else []),
+        *([state_line(done.state)] if done.state else []),
         *(f"remark: {r}" for r in done.remarks),
     ]
 

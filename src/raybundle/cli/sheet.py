@@ -46,11 +46,13 @@ def command(sources: tuple[Path, ...], progress: str, **given: Any) -> None:
 
 def _lines(done: DrawingSheet) -> list[str]:
     """What the command prints."""
+    from raybundle.results.state import state_line  # noqa: PLC0415
+
     of = f", {done.columns} x {done.rows}" if done.sheets > 1 else ""
     drawn = [(done.pictures, "picture"), (done.points, "point"), (done.lines, "line")]
     return [
         f"{done.file}: 1 : {done.scale} on {done.paper}, {counted(done.sheets, 'sheet')}{of}; "
         + ", ".join(counted(n, word) for n, word in drawn if n),
-        *([f"fault: {done.state}"] if done.state else []),
+        *([state_line(done.state)] if done.state else []),
         *(f"remark: {r}" for r in done.remarks),
     ]

@@ -13,6 +13,13 @@ from raybundle.numerics.counting import counted
 
 LONG = 160
 """Characters of the first fault that are told"""
+RELATIVE = "its heights are relative and tilted: those of the control were not measured"
+"""What does not forbid the use of a result."""
+
+
+def state_line(words: str) -> str:
+    """What `state_words` gave as a line of a command's output."""
+    return f"{'caution' if words.lower().rstrip('.') == RELATIVE else 'fault'}: {words}"
 
 
 def state_words(result: Mapping[str, Any]) -> str:
@@ -28,6 +35,8 @@ def state_words(result: Mapping[str, Any]) -> str:
     wanted = result.get("accuracy_class")
     if isinstance(wanted, dict) and wanted.get("kept") is False:
         told.append("the accuracy that was asked for is not kept")
+    if any(n.get("code") == "levelled" for n in _notices(result)):
+        told.append(RELATIVE)
     return "; ".join(told)
 
 
@@ -44,8 +53,12 @@ def faults_of(folder: Path) -> tuple[str, ...]:
 
 
 def _faults(result: Mapping[str, Any]) -> list[Mapping[str, Any]]:
+    return [n for n in _notices(result) if _fault(n)]
+
+
+def _notices(result: Mapping[str, Any]) -> list[Mapping[str, Any]]:
     notices = result.get("warnings")
-    return [n for n in notices if isinstance(n, dict) and _fault(n)] if isinstance(notices, list) else []
+    return [n for n in notices if isinstance(n, dict)] if isinstance(notices, list) else []
 
 
 def _fault(notice: Mapping[str, Any]) -> bool:

@@ -83,7 +83,10 @@ def _gained(view: View) -> str:
         return _resection(view).removeprefix("All object points are held. ")
     if any(n.code == "levelled" for n in view.adjustment.notices):  # heights that nobody measured have no accuracy
         size = significant(rms(std[:, :2]), 2)
-        return f"{counted(len(std), 'object point')} with a standard deviation of {size} {view.unit} rms in X and Y; heights are relative."
+        return (
+            f"{counted(len(std), 'object point')} with a standard deviation of {size} {view.unit} rms in X and Y; "
+            "heights are relative."
+        )
     each = significant(rms(std), 2)
     n = (
         ""
