@@ -14,6 +14,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 import numpy as np
+from scipy.spatial import KDTree
 
 from raybundle.adjustment.predict import predicted_px
 from raybundle.block import Block, Camera
@@ -21,8 +22,9 @@ from raybundle.errors import InputError
 from raybundle.io.geo.parsed_systems import system_name
 from raybundle.io.pictures.rectified import Rectified
 from raybundle.io.pictures.undistort import camera_plane, pixels_of_plane
-from raybundle.numerics.arrays import Array
+from raybundle.numerics.arrays import Array, Index
 from raybundle.numerics.progress import Progress, silent
+from raybundle.numerics.rows import rows_of_each
 from raybundle.scenes.empirical import EmpiricalFit, fit_empirical
 from raybundle.settings import option
 from raybundle.workflows.object_plane import FLAT, MapLevel, Plane, axes_of, pixel_at
@@ -33,6 +35,13 @@ LARGEST_PX = 4e8
 """Pixels that a picture may have."""
 STEEPEST = 0.26
 """Cosine of the angle between ray and normal below which a photograph is not used (75 degrees)."""
+BEFORE = 0.02
+"""Distance before the plane, as a share of the photograph's, at which one that looks past it with pixels twice as large
+is preferred: the relief of a facade is below, a tree before it far beyond."""
+NEAREST, AROUND = 5, 0.03
+"""Object points that tell what a photograph shows at a place, and how near they are [diagonals of the format]"""
+WORTH_A_WORD = 0.02
+"""Share of the picture from which on it is said that something stands before the plane."""
 FEW = 0.5
 """Share of the points in a plane below which most of what the picture shows is not in it."""
 
@@ -118,14 +127,15 @@ def rectify_block(
 ) -> tuple[Rectified, tuple[str, ...]]:
     """The picture of a plane from all oriented photographs, or from those named, and remarks.
 
-    Of several photographs that show a place the one that looks at it most squarely with small pixels is taken; what
-    hides the plane from it is not known.
+    Of several photographs that show a place the one that looks at it most squarely with small pixels is taken, and that
+    object points around it say to be looking at the plane, not at what stands before it.  What it does not tell: what
+    hides the plane and has no object points, as a lamp post.
     """
     names = [f or i for f, i in zip(block.images.file, block.images.ids, strict=True)]
     images = _photographs(block, names, only)
     places, shape = grid.coarse()
     xyz = plane.places(places)
-    maps, choice = _best_views(block, images, plane, xyz, shape, progress)
+    maps, choice, before = _best_views(block, images, plane, xyz, shape, progress)
     picture = Rectified.empty(grid.height, grid.width)
     remarks: list[str] = []
     used = [k for k in maps if (choice == k).any()]
@@ -150,6 +160,7 @@ def rectify_block(
             f"{option('extent')}",
             file=folders[0] if folders else None,
         )
+    remarks += _hidden(before[choice >= 0])
     every = np.concatenate(slopes)
     picture.slope = float(np.sqrt((every**2).mean())), float(every.max())
     return picture, tuple(remarks)
@@ -169,9 +180,13 @@ def _photographs(block: Block, names: Sequence[str], only: Sequence[str]) -> lis
 
 def _best_views(
     block: Block, images: Sequence[int], plane: Plane, xyz: Array, shape: tuple[int, int], progress: Progress
-) -> tuple[dict[int, Array], Array]:
-    """Where in each photograph the places (n, 3) lie (n, 2), and for each place the photograph to take; -1: none."""
-    best, choice = np.full(len(xyz), np.inf), np.full(len(xyz), -1)
+) -> tuple[dict[int, Array], Array, Array]:
+    """Where in each photograph the places (n, 3) lie (n, 2), and for each place the photograph to take, -1: none.
+
+    Also how far (n,) what it shows there stands before the plane, as a share of the distance.
+    """
+    best, choice, hides = np.full(len(xyz), np.inf), np.full(len(xyz), -1), np.zeros(len(xyz))
+    rows_of = rows_of_each(block.observations.image, len(block.images))
     maps: dict[int, Array] = {}
     for done, k in enumerate(images):
         progress("places in the photographs", done / len(images))
@@ -188,10 +203,47 @@ def _best_views(
         scale = float(np.mean(camera.pixel_mm)) / camera.sensor.camera_constant(camera.parameters)
         # the pixel's size on the plane, once more over the cosine: relief is displaced less by square views
         size = np.where(inside, distance * scale / np.maximum(facing, 1e-3) ** 2, np.inf) * np.where(margin, 1e6, 1.0)
-        choice[size < best] = k
+        before = np.zeros(len(xyz))
+        before[inside] = _before(block, rows_of[k], plane, at[inside], camera) / distance[inside]
+        size *= 1 + (before / BEFORE) ** 2
+        better = size < best
+        choice[better], hides[better] = k, before[better]
         best = np.minimum(best, size)
         maps[k] = at.astype(np.float32)
-    return maps, choice
+    return maps, choice, hides
+
+
+def _before(block: Block, rows: Index, plane: Plane, at: Array, camera: Camera) -> Array:
+    """How far before the plane the object points lie that a photograph shows around places (n, 2) [px]; 0: none there.
+
+    rows  its image observations
+    The median of the nearest, so that a wrong point hides nothing.
+    """
+    xyz = block.points.xyz[block.observations.point[rows]]
+    rows, xyz = rows[known := np.isfinite(xyz).all(axis=1)], xyz[known]
+    if len(rows) < NEAREST:
+        return np.zeros(len(at))
+    off = np.maximum((xyz - plane.origin) @ plane.axes[2], 0.0)
+    tree = KDTree(block.observations.xy_px[rows])
+    reach = AROUND * float(np.hypot(camera.width_px, camera.height_px))
+    distance, nearest = tree.query(at, k=NEAREST, distance_upper_bound=reach)
+    there = np.isfinite(distance).all(axis=1)
+    found = np.zeros(len(at))
+    found[there] = np.median(off[nearest[there]], axis=1)
+    return found
+
+
+def _hidden(before: Array) -> list[str]:
+    """What there is to say where photographs look at something before the plane, and none looks past it."""
+    share = float(np.mean(before > 2 * BEFORE)) if len(before) else 0.0
+    if share < WORTH_A_WORD:
+        return []
+    told = (
+        f"{share:.0%} of the picture shows what stands before the plane by more than {2 * BEFORE:.0%} of the distance, "
+        f"as trees or another wall, and is displaced: no photograph looks past it there; a smaller {option('extent')} "
+        f"leaves it out, {option('only')} takes photographs by name"
+    )
+    return [told]
 
 
 def _within(inside: Array) -> Array:

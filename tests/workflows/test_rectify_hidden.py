@@ -1,0 +1,58 @@
+"""What stands before the plane: photographs that look past it are preferred, and where none does it is said."""
+
+from dataclasses import replace
+from types import SimpleNamespace
+
+import numpy as np
+import pytest
+
+from raybundle.numerics.progress import silent
+from raybundle.planning.scenes import TargetField, brown_camera, field_scene
+from raybundle.planning.simulate import Survey, simulate
+from raybundle.workflows.rectify import BEFORE, _best_views, _hidden, grid_over
+
+RNG = np.random.default_rng(1)
+
+
+@pytest.fixture(scope="module")
+def view():
+    """Five stations in a row above a level wall, and a tree of 1.2 m over its middle."""
+    wall = np.column_stack([RNG.uniform(-2, 2, (900, 2)), RNG.normal(0, 0.01, 900)])
+    tree = np.column_stack([RNG.uniform(-0.2, 0.2, (150, 2)), RNG.uniform(1.1, 1.2, 150)])
+    shadow = np.abs(wall[:, :2]).max(axis=1) > 0.2
+    scene = field_scene(TargetField(stations=8, frontal=0, camera=brown_camera(estimate=())))
+    centre = np.column_stack([np.linspace(-1.4, 1.4, 5), np.zeros(5), np.full(5, 4.0)])
+    scene = replace(
+        scene, xyz=np.concatenate([wall[shadow], tree]), centre=centre, rotation=np.tile(np.eye(3), (5, 1, 1)),
+        normal=None,
+    )  # fmt: skip
+    exact = Survey(orientation="exact", points="exact", interior="exact", image_sigma_px=0.1)
+    block = simulate(scene, exact).observed
+    plane = SimpleNamespace(origin=np.zeros(3), axes=np.eye(3))
+    return block, plane
+
+
+def views(block, plane, images):
+    grid = grid_over(np.array([-1.0, -0.8, 1.0, 0.8]), 0.01)
+    places, shape = grid.coarse()
+    xyz = np.column_stack([places, np.zeros(len(places))])
+    _, choice, before = _best_views(block, images, plane, xyz, shape, silent)
+    return places, choice, before
+
+
+def test_a_photograph_that_looks_past_is_preferred(view):
+    places, choice, before = views(*view, range(5))
+    behind = np.abs(places).max(axis=1) < 0.15
+    assert (choice[behind] != 2).all()  # the one straight above shows the tree
+    assert before[behind].max() < BEFORE
+    beside = np.abs(places[:, 0]) > 0.8
+    assert set(choice[beside & (places[:, 0] > 0)].tolist()) <= {3, 4}
+    assert _hidden(before) == []
+
+
+def test_where_none_looks_past_it_is_said(view):
+    _, choice, before = views(*view, [2])
+    assert (choice == 2).any()
+    (told,) = _hidden(before[choice >= 0])
+    assert "stands before the plane" in told
+    assert before.mean() > 0.02
