@@ -205,7 +205,7 @@ def test_a_wrong_mark_is_named(wall, tmp_path, capsys):
         "rectify", str(folder / "photos" / "0.png"), "--control", str(tmp_path / "c.csv"), "--out",
         str(tmp_path / "one.jpg"), "--calibration", str(calibration),
     ]) == 0  # fmt: skip
-    assert f"the largest residual is that of {ids[3]}" in capsys.readouterr().out
+    assert f"the largest is that of {ids[3]}" in capsys.readouterr().out
 
 
 @pytest.mark.parametrize(
@@ -215,6 +215,7 @@ def test_a_wrong_mark_is_named(wall, tmp_path, capsys):
         (["{r}", "--out", "{o}/a.png"], "--photos FOLDER"),
         (["{r}", "--out", "{o}/a.png", "--photos", "{p}", "--plane", "nobody,1,2"], "nobody"),
         (["{r}", "--out", "{o}/a.png", "--photos", "{p}", "--pixel", "1e-6"], "take --pixel"),
+        (["{r}", "--out", "{o}/a.png", "--photos", "{p}", "--pixel", "100"], "larger than the area"),
         (
             ["{r}", "--out", "{o}/a.png", "--photos", "{p}", "--extent", "50", "50", "51", "51"],
             "choose another --extent",

@@ -73,7 +73,9 @@ def _of_plane(plane: Plane, done: Rectification) -> list[str]:
     of = f" of {plane.of}" if plane.of > plane.points else ""
     off = f"{significant(plane.rms)} {done.unit or 'units'}"
     exact = plane.kind == "vertical" and plane.of == 2
-    told = [f"plane of {plane.points}{of} points" + (", plumb" if exact else f", which lie {off} off it (rms)")]
+    level = plane.kind == "horizontal"
+    by = f"level plane through the middle height of {plane.points}{of} points" if level else None
+    told = [(by or f"plane of {plane.points}{of} points") + (", plumb" if exact else f", which lie {off} off it (rms)")]
     if plane.points < FEW * plane.of:
         told.append(
             f"caution: {100 * plane.points / plane.of:.0f} % of the points lie in this plane, so that most of what the "
@@ -110,9 +112,20 @@ def _of_photo(single: SinglePhoto, sigma_px: float) -> list[str]:
         lines.append(f"sigma0 {fit.sigma0:.2f} (1 = marks as good as {sigma_px:g} px), redundancy {fit.redundancy}")
         if not fit.adequate:
             worst = names[int(np.linalg.norm(fit.residuals_px, axis=1).argmax())]
-            lines.append(f"caution: {fit.reason}; the largest residual is that of {worst}")
+            x, y = np.sqrt(np.mean(fit.residuals_px**2, axis=0))
+            lines.append(
+                f"caution: residuals of {x:.3g}, {y:.3g} px (rms) are {fit.sigma0:.3g} times what marks of "
+                f"{sigma_px:g} px explain; the largest is that of {worst}. A mark or a coordinate is wrong, two names "
+                "are exchanged, a point does not lie in the plane, or the lens bends straight lines (a calibrated "
+                "camera takes that off)"
+            )
     else:
         lines.append("caution: just enough points; one more would show whether they are right")
+    if single.mirrored:
+        lines.append(
+            "caution: the picture is mirrored: the control runs the other way round in the photograph than in the "
+            "plane. Is right taken for left, an axis for its opposite, or the film turned over?"
+        )
     if single.off_plane > 0:
         lines.append(f"the control points lie {significant(single.off_plane)} off their plane (rms)")
     return lines

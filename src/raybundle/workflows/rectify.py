@@ -40,6 +40,8 @@ BEFORE = 0.02
 is preferred: the relief of a facade is below, a tree before it far beyond."""
 NEAREST, AROUND = 5, 0.03
 """Object points that tell what a photograph shows at a place, and how near they are [diagonals of the format]"""
+STRAIGHT, FEWEST_OFF = 1e-3, 3
+"""Width of points in shares of their length below which they lie on a line, and how many must be left for that."""
 WORTH_A_WORD = 0.02
 """Share of the picture from which on it is said that something stands before the plane."""
 FEW = 0.5
@@ -75,6 +77,11 @@ def grid_over(extent: Array, pixel: float, *, most: float = LARGEST_PX) -> Grid:
     left, bottom, right, top = (float(v) for v in extent)
     if not (pixel > 0 and right > left and top > bottom):
         raise InputError(f"an area of {right - left:g} by {top - bottom:g} with a pixel of {pixel:g} holds no picture")
+    if pixel > min(right - left, top - bottom):
+        raise InputError(
+            f"a pixel of {pixel:g} is larger than the area of {right - left:.4g} by {top - bottom:.4g}; take a smaller "
+            f"{option('pixel')}"
+        )
     width, height = int(np.ceil((right - left) / pixel - 1e-6)), int(np.ceil((top - bottom) / pixel - 1e-6))
     if width * height > most:
         need = pixel * np.sqrt(width * height / most)
@@ -275,6 +282,13 @@ class SinglePhoto:
         return at if self.camera is None else pixels_of_plane(self.camera, at)
 
     @property
+    def mirrored(self) -> bool:
+        """Whether the plane is seen from behind, as where right and left of the control are exchanged."""
+        left, bottom, right, top = self.extent
+        middle = np.array([[(left + right) / 2, (bottom + top) / 2, 0.0]])
+        return bool(np.linalg.det(self.fit.project_with_partials(middle)[1][0, :, :2]) > 0)
+
+    @property
     def usual_pixel(self) -> float:
         """The size of the photograph's pixel in the middle of the control points, in two digits."""
         left, bottom, right, top = self.extent
@@ -289,9 +303,10 @@ def fit_photo(
     """Fit the plane of control points (n, 3) to their pixels (n, 2); where Z is unknown (NaN) X and Y are the plane.
 
     camera  its distortion is taken off first; None: a lens without distortion
-    raises  InputError with too few points, RankDefect where they lie on a line
+    raises  InputError for points on a line, with which the parameters are not determined, and for too few
     """
     places, off = _flattened(xyz)
+    _refuse_a_line(places, names)
     straight = xy_px if camera is None else camera_plane(camera, xy_px)
     flat = np.concatenate([places, np.zeros((len(places), 1))], axis=1)
     fit = fit_empirical(f"plane-{model}", flat, straight, sigma_px=sigma_px)
@@ -302,6 +317,19 @@ def fit_photo(
         fit=fit, camera=camera, names=tuple(names), plane_xy=places, differences=differences,
         extent=np.array([*low, *high]), off_plane=off,
     )  # fmt: skip
+
+
+def _refuse_a_line(places: Array, names: Sequence[str]) -> None:
+    """Raise InputError where all points but one, or all, lie on one straight line: no picture of a plane follows."""
+    for leave in (None, *range(len(places))) if len(places) > FEWEST_OFF else (None,):
+        some = places if leave is None else np.delete(places, leave, axis=0)
+        size = np.linalg.svd(some - some.mean(axis=0), compute_uv=False)
+        if size[1] < STRAIGHT * size[0]:
+            but = "" if leave is None else f", all but {names[leave]}"
+            raise InputError(
+                f"the control points lie on one straight line{but} (to {STRAIGHT:.0%} of its length), which tells "
+                "nothing of what stands beside it; measure points all around what the picture is to show"
+            )
 
 
 def _flattened(xyz: Array) -> tuple[Array, float]:

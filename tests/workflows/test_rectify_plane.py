@@ -6,10 +6,12 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 
+from raybundle.cli.rectify import _of_photo
+from raybundle.errors import InputError
 from raybundle.numerics.progress import silent
 from raybundle.planning.scenes import TargetField, brown_camera, field_scene
 from raybundle.planning.simulate import Survey, simulate
-from raybundle.workflows.rectify import BEFORE, _best_views, _hidden, grid_over
+from raybundle.workflows.rectify import BEFORE, _best_views, _hidden, fit_photo, grid_over
 
 RNG = np.random.default_rng(1)
 
@@ -56,3 +58,36 @@ def test_where_none_looks_past_it_is_said(view):
     (told,) = _hidden(before[choice >= 0])
     assert "stands before the plane" in told
     assert before.mean() > 0.02
+
+
+SQUARE = np.array([[0, 0, 0], [4, 0, 0], [4, 3, 0], [0, 3, 0], [2, 1.5, 0]], float)
+
+
+def pixels(xy, sign=1.0):
+    """Where a photograph shows places of a plane, seen a little from the side."""
+    w = 1 + 0.05 * xy[:, 0]
+    return np.column_stack([500 + sign * 100 * xy[:, 0] / w, 400 - 100 * xy[:, 1] / w])
+
+
+@pytest.mark.parametrize(("sign", "mirrored"), [(1.0, False), (-1.0, True)])
+def test_a_picture_from_behind_is_told(sign, mirrored):
+    single = fit_photo(list("abcde"), SQUARE, pixels(SQUARE, sign), model="projective", sigma_px=0.5, camera=None)
+    assert single.mirrored == mirrored
+    assert any("mirrored" in line for line in _of_photo(single, 0.5)) == mirrored
+
+
+@pytest.mark.parametrize("off", [0.0, 2.0])
+def test_control_on_a_line_is_refused_with_the_reason(off):
+    line = np.column_stack([np.arange(5.0), 0.5 * np.arange(5.0), np.zeros(5)])
+    line[3, 1] += off
+    with pytest.raises(InputError, match="on one straight line" + (", all but d" if off else " ")):
+        fit_photo(list("abcde"), line, pixels(line), model="projective", sigma_px=0.5, camera=None)
+
+
+def test_a_wrong_mark_of_a_wall_is_told_in_words_of_walls():
+    xy = pixels(SQUARE)
+    xy[4] += 30
+    single = fit_photo(list("abcde"), SQUARE, xy, model="projective", sigma_px=0.5, camera=None)
+    (told,) = [line for line in _of_photo(single, 0.5) if "caution" in line]
+    assert "RPC" not in told
+    assert "exchanged" in told
