@@ -1,14 +1,16 @@
 """Variance factors of groups of observations: what the residuals tell, and nothing of what they do not."""
 
 from dataclasses import replace
+from pathlib import Path
 
 import numpy as np
 import pytest
 
 from raybundle import AdjustmentOptions, adjust
+from raybundle.adjustment.variance_groups import chance_to_see
 from raybundle.block import Distances
 from raybundle.errors import InputError
-from raybundle.planning.scenes import AerialStrips, aerial_scene
+from raybundle.planning.scenes import AerialStrips, TargetField, aerial_scene, field_scene
 from raybundle.planning.simulate import Survey, simulate
 
 GROUPS = AdjustmentOptions(variance_groups=True, jobs=1)
@@ -138,3 +140,29 @@ def test_positions_that_share_an_error_make_a_fault():
     stations = Stations(image=np.arange(n, dtype=np.int32), xyz=centre + place, sigma=np.full((n, 3), 0.02))
     result = adjust(block.adding(stations), GROUPS)
     assert any(n.severity == "fault" for n in result.notices), [n.message for n in result.notices]
+
+
+@pytest.mark.parametrize(("bars", "least"), [(2, 0.35), (3, 0.5)])
+def test_few_certificates_that_contradict_each_other_get_a_factor(bars, least):
+    """Bars five times worse than stated: as often as their redundancy can see, no more."""
+    scene = field_scene(TargetField(rows=5, columns=6, stations=8))
+    told = []
+    for k in range(8):
+        block = simulate(
+            scene, Survey(seed=100 + k, image_sigma_px=0.1, scale_bars=bars, scale_bar_sigma=5e-4)
+        ).observed
+        d = block.distances
+        block = block.having(replace(d, sigma=np.full_like(d.sigma, 1e-4)))
+        a = adjust(block, AdjustmentOptions(jobs=1, datum="inner", variance_groups=True))
+        (own,) = [g for g in a.group_factors if g.kind == "distances"]
+        named = any(n.code == "distance_suspect" for n in a.notices)
+        told.append(own.factor > 2 or named)
+        assert not (own.estimated and own.factor < 1)  # so few tell no certificate to be better than it says
+    assert np.mean(told) >= least
+
+
+def test_the_chances_of_the_docs():
+    page = (Path(__file__).parents[2] / "docs" / "how-to" / "scale-bars.md").read_text()
+    for factor in (2, 5):
+        row = " | ".join(f"{100 * chance_to_see(factor, r):.0f} %" for r in (1, 2, 4, 10))
+        assert f"| a factor of {factor} | {row} |" in page

@@ -11,6 +11,8 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import replace
 
+import numpy as np
+
 from raybundle.adjustment.components import FARTHEST, LARGE, LEAST, LEVEL, NAMES, weighted
 from raybundle.adjustment.engine import started
 from raybundle.adjustment.options import AdjustmentOptions
@@ -24,6 +26,8 @@ from raybundle.numerics.statistics import chi_square_tails
 SETTLED = 1e-3
 """Relative change of a factor at which the iteration ends."""
 ROUNDS = 15
+FEW = 0.5
+"""Redundancy from which on values of a group can contradict each other: two bars have 1 between them."""
 
 Key = tuple[str, str]
 """Kind and group of a variance component."""
@@ -36,13 +40,16 @@ def by_groups(block: Block, options: AdjustmentOptions, adjusted: Adjust) -> Adj
     options   `variance_groups` is on
     adjusted  the adjustment itself
     Image points of a camera have the factor that their residuals tell; control, distances and others one only where
-    their residuals contradict what was stated (chi-square, 1 %, two-sided) with a redundancy of LEAST or more, and no
-    single values of them stand out, which are named instead.  A factor above 1 is a caution, above POOR_FIT a fault:
-    errors so much larger than stated are seldom random, and no factor makes those true that values have in common.
+    their residuals contradict what was stated (chi-square, 1 %, two-sided): upwards with a redundancy of FEW or more,
+    as certificates that contradict each other are not to be believed however few they are, downwards with LEAST.  Where
+    one value alone explains it, and the rest of its group agrees, it is named instead.  A factor above 1 is a caution,
+    above POOR_FIT a fault: errors so much larger than stated are seldom random, and no factor makes those true that
+    values have in common.
     Where the factors do not settle, observations contradict each other: all have one factor, and a caution says so.
     raises    InputError without statistics
 
-    What it does not tell: a group without redundancy is taken at its word.
+    What it does not tell: a group without redundancy is taken at its word, and little redundancy seldom sees a factor
+    of 2 (`chance_to_see`).
     """
     if not options.statistics:
         raise InputError("variance factors of groups come from redundancy numbers; adjust with statistics")
@@ -51,8 +58,10 @@ def by_groups(block: Block, options: AdjustmentOptions, adjusted: Adjust) -> Adj
         return replace(first, options=options)
     others = frozenset(key for key in _steps(first) if key[0] in NAMES.values())
     found = _settled(block, options, adjusted, first, others)
-    if found is not None and others and not _single_values(found[0]):
-        found = _without_right(block, options, adjusted, found[0])
+    if found is not None and others:
+        single = frozenset(key for key in others if _one_explains(found[0], key))
+        if single != others:
+            found = _without_right(block, options, adjusted, found[0], single)
     if found is None:
         return replace(first, notices=(*first.notices, _unsettled()))
     result, factors = found
@@ -61,16 +70,37 @@ def by_groups(block: Block, options: AdjustmentOptions, adjusted: Adjust) -> Adj
     return replace(result, given=weighted(block, factors), group_factors=told, notices=notices)
 
 
-def _single_values(result: Adjustment) -> bool:
-    """Whether single values of the other groups contradict the rest: a factor for their group would hide them."""
-    return any(n.code in {f"{kind}_suspect" for kind in NAMES} for n in result.notices)
+def chance_to_see(factor: float, redundancy: float) -> float:
+    """Probability that errors so many times as large as stated give their group a factor, by its redundancy."""
+    from scipy.special import gammaincc, gammainccinv  # noqa: PLC0415
+
+    return float(gammaincc(redundancy / 2, gammainccinv(redundancy / 2, LEVEL / 2) / factor**2))
+
+
+def _one_explains(result: Adjustment, key: Key) -> bool:
+    """Whether a single value makes a group contradict what was stated: a factor for all would hide it."""
+    kind = next(k for k, name in NAMES.items() if name == key[0])
+    if not any(n.code == f"{kind}_suspect" for n in result.notices):
+        return False
+    for g in result.groups:
+        if g.kind != kind:
+            continue
+        weighted_ = g.sigma > 0
+        w2 = np.nan_to_num(g.w[weighted_]) ** 2
+        rest = float(np.nansum(g.redundancy[weighted_])) - 1.0
+        left = float(g.square[weighted_].sum()) - float(w2.max(initial=0.0))
+        if rest >= FEW and chi_square_tails(max(left, 0.0), rest)[1] >= LEVEL / 2:
+            return True
+    return False
 
 
 def _without_right(
-    block: Block, options: AdjustmentOptions, adjusted: Adjust, result: Adjustment
+    block: Block, options: AdjustmentOptions, adjusted: Adjust, result: Adjustment, kept: frozenset[Key]
 ) -> tuple[Adjustment, dict[Key, float]] | None:
-    """Factors of all groups but those whose residuals do not contradict what was stated; None: they do not settle."""
-    kept: frozenset[Key] = frozenset()
+    """Factors of all groups but those that are `kept` and whose residuals do not contradict what was stated.
+
+    None where they do not settle.
+    """
     while True:
         found = _settled(block, options, adjusted, result, kept)
         if found is None:
@@ -119,7 +149,7 @@ def _steps(result: Adjustment) -> dict[Key, VarianceComponent]:
 
 def _contradicts(factor: float, component: VarianceComponent | None) -> bool:
     """Whether residuals contradict a given standard deviation of which they make `factor` times as much."""
-    if component is None or component.redundancy < LEAST:
+    if component is None or component.redundancy < (FEW if factor > 1 else LEAST):
         return False
     r = component.redundancy
     return 2 * min(chi_square_tails(factor**2 * r, r)) < LEVEL
@@ -143,8 +173,8 @@ def _changes(steps: dict[Key, VarianceComponent], before: dict[Key, float]) -> d
         if own is not None and own.redundancy >= LEAST and own.ratio > 0:
             change[key] = own.ratio
     for key, c in steps.items():
-        if key[0] in NAMES.values() and c.redundancy >= LEAST and c.ratio > 0:
-            change[key] = c.ratio
+        if key[0] in NAMES.values() and c.redundancy >= (LEAST if c.ratio <= 1 and key not in before else FEW):
+            change[key] = c.ratio or 1.0
     return change if not before else {key: c for key, c in change.items() if key in before}
 
 
