@@ -66,7 +66,7 @@ def trace(store: Folder, options: Node):
     return {"trace": np.array(np.trace(a)), "matches": np.array([[options.number, len(a)]], np.int32)}
 
 
-def tasks_of(leaves, *, log=None, seconds=0.0, crash=None, small=True):
+def tasks_of(leaves, *, log=None, seconds=0.0, crash=None, small=True, cost=1.0):
     """The tasks of a graph; `crash`: what goes wrong by numbers of leaves."""
     crash = crash or {}
 
@@ -76,7 +76,7 @@ def tasks_of(leaves, *, log=None, seconds=0.0, crash=None, small=True):
         )
         key = key_of(kind, number, options.below, leaves)
         return Task(
-            key=key, function=f"{HERE}:{kind}", options=options, inputs=options.below, small=is_small,
+            key=key, function=f"{HERE}:{kind}", options=options, inputs=options.below, small=is_small, cost=cost,
             name=f"{kind} {number}",
         )  # fmt: skip
 

@@ -9,6 +9,7 @@ import subprocess
 import sys
 import threading
 import time
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -65,6 +66,12 @@ def test_one_worker_and_the_ways_in_which_it_is_refused(machines, tmp_path, expe
     assert "some error" in (tmp_path / "t/failed-tasks.log").read_text()
     assert ended["node 4"].startswith("needs what could not be made")
     assert not ended["node 5"]
+    # tasks of which many go in one message: the same bits, and one that kills its process costs itself alone
+    assert done_by(on(machines.folder), tasks_of(LEAVES, cost=0.02), Folder(tmp_path / "m/s")) == expected
+    tasks = tasks_of(4, crash={2: "exit"}, small=False, cost=0.02)
+    ended = {d.task.name: d.failed for d in on(machines.folder).run(tasks, Folder(tmp_path / "d/s"))}
+    assert ended["leaf 2"].startswith("leaf 2: failed 3 times (the process that did it died")
+    assert not ended["leaf 0"] + ended["leaf 1"] + ended["leaf 3"]
     # another folder under the same name
     other = Folder(tmp_path / "u" / "s")
     token = token_of(other)
@@ -74,7 +81,7 @@ def test_one_worker_and_the_ways_in_which_it_is_refused(machines, tmp_path, expe
     hands = on_dask._Workers(cluster_at(str(machines.folder)), other, token, 30.0)
     try:
         monkeypatch.setattr("raybundle.pipeline.clusters.APPEAR_S", 0.0)
-        found = on_dask._elsewhere(b"", str(other.path), token, False, ".")
+        found = on_dask._elsewhere([b""], str(other.path), token, False, ".")
         with pytest.raises(InputError, match="does not see this folder as this machine does"):
             hands._checked(tasks[0], *found)
     finally:
@@ -96,6 +103,17 @@ def test_one_worker_and_the_ways_in_which_it_is_refused(machines, tmp_path, expe
     monkeypatch.setattr("raybundle.pipeline.clusters.ANSWER_S", 1.0)
     with pytest.raises(InputError, match="does not answer within"):
         list(on(f"tcp://127.0.0.1:{machines.port}").run(tasks, store))
+
+
+def test_short_tasks_go_together_and_long_ones_by_themselves():
+    from raybundle.pipeline.on_dask import MOST_TOGETHER, together
+
+    tasks = [replace(t, cost=cost) for t, cost in zip(tasks_of(4), (0.4, 0.4, 0.4, 2.0, 0.1, 0.1), strict=False)]
+    assert [len(m) for m in together(tasks)] == [2, 1, 1, 2]
+    assert [t for m in together(tasks) for t in m] == tasks
+    many = [replace(tasks[0], cost=0.0)] * (MOST_TOGETHER + 1)
+    assert [len(m) for m in together(many)] == [MOST_TOGETHER, 1]
+    assert together([]) == []
 
 
 def test_a_worker_of_another_version_gets_nothing_and_is_named(machines, tmp_path, monkeypatch):

@@ -44,6 +44,9 @@ from raybundle.settings import read_with_flags, with_flags
 
 AHEAD_BY_DASK = 16
 """Tasks handed over for each worker: several go over the network at once, and none waits for the next."""
+MESSAGE_S, MOST_TOGETHER = 1.0, 500
+"""CPU seconds of the tasks that go in one message, and how many they are at most: a message takes 2 to 5 ms of the
+scheduler, which is much for a pair of photographs, and what a killed worker loses is one message's work."""
 LOOK_S = 1.0
 """Between two looks at which workers there are."""
 PATIENCE_S = 120.0
@@ -54,7 +57,7 @@ CONFIGURED = {
     "distributed.comm.timeouts.connect": "10s",
     "distributed.comm.timeouts.tcp": "30s",
     # deaths are counted by `queues`, which tells the task that kills from those beside it
-    "distributed.scheduler.allowed-failures": 100,
+    "distributed.scheduler.allowed-failures": 0,
     "distributed.scheduler.worker-ttl": "60s",
     # a task's memory is its own affair: what Dask takes for too much would be killed
     "distributed.worker.memory.terminate": False,
@@ -118,11 +121,13 @@ class _Workers:
     token: str
     patience: float
     client: Client = field(init=False)
-    futures: dict[Future, Task] = field(default_factory=dict[Future, Task])
+    futures: dict[Future, tuple[Task, ...]] = field(default_factory=dict[Future, tuple[Task, ...]])
     waiting: list[Task] = field(default_factory=list[Task])
     """taken, and not sent yet"""
     done: SimpleQueue[Future] = field(default_factory=SimpleQueue)
     threads: int = 1
+    cost: float = MESSAGE_S
+    """CPU seconds of a task, of those that were taken last"""
     looked: float = 0.0
     seen: float = field(default_factory=time.monotonic)
     """when a worker was seen that can do our tasks"""
@@ -143,26 +148,29 @@ class _Workers:
         """How many tasks may be in work or wait for it."""
         if time.monotonic() > self.looked + LOOK_S:
             self._look()
-        return AHEAD_BY_DASK * self.threads
+        together = min(max(MESSAGE_S / max(self.cost, 1e-6), 1.0), MOST_TOGETHER)
+        return int(AHEAD_BY_DASK * self.threads * together)
 
     def submit(self, task: Task) -> None:
         """Take a task; it goes out with others when the next is waited for."""
         self.waiting.append(task)
+        self.cost = 0.9 * self.cost + 0.1 * task.cost
 
     def _send(self) -> None:
         """Send what was taken; the key of each attempt is its own, so that Dask takes none for one of another run."""
-        tasks, self.waiting = self.waiting, []
-        if not tasks:
+        messages = together(self.waiting)
+        self.waiting = []
+        if not messages:
             return
-        keys = [f"{t.key}-{self.name}-{self.count + k}" for k, t in enumerate(tasks)]
-        self.count += len(tasks)
+        keys = [f"{m[0].key}-{self.name}-{self.count + k}" for k, m in enumerate(messages)]
+        self.count += len(messages)
         about = (str(self.store.path.absolute()), self.token, with_flags(), str(Path.cwd()))
         futures: Any = self.client.map(
-            _elsewhere, [written(t) for t in tasks], *([part] * len(tasks) for part in about),
+            _elsewhere, [[written(t) for t in m] for m in messages], *([part] * len(messages) for part in about),
             key=keys, resources={signature(): 1}, pure=False,
         )  # fmt: skip
-        for future, task in zip(futures, tasks, strict=True):
-            self.futures[future] = task
+        for future, message in zip(futures, messages, strict=True):
+            self.futures[future] = message
             future.add_done_callback(self.done.put)
 
     def ended(self) -> list[tuple[str, Done | None]]:
@@ -190,15 +198,16 @@ class _Workers:
             results = dict(zip(finished, found_there, strict=True))
         again: list[Task] = []
         for future in batch:
-            task = self.futures.pop(future, None)
-            if task is None:
-                continue
+            tasks = self.futures.pop(future, ())
             if future in results:
-                found.append((task.key, self._checked(task, *results[future])))
+                told, host, refused = results[future]
+                found += [
+                    (task.key, self._checked(task, done, host, refused)) for task, done in zip(tasks, told, strict=True)
+                ]
             elif future.status == "error":  # its worker died; what a task raises is handed back as what became of it
-                found.append((task.key, None))
+                found += [(task.key, None) for task in tasks]
             else:
-                again.append(task)
+                again += tasks
         if again:
             self._connected()
             for task in again:
@@ -261,21 +270,34 @@ class _Workers:
             )
 
 
+def together(tasks: Sequence[Task]) -> list[tuple[Task, ...]]:
+    """Tasks in their order, those that go in one message together; all of them can be done now."""
+    messages: list[tuple[Task, ...]] = []
+    message: list[Task] = []
+    for task in tasks:
+        if message and (sum(t.cost for t in message) + task.cost > MESSAGE_S or len(message) >= MOST_TOGETHER):
+            messages.append(tuple(message))
+            message = []
+        message.append(task)
+    return [*messages, tuple(message)] if message else messages
+
+
 def _elsewhere(
-    text: bytes,
+    texts: Sequence[bytes],
     folder: str,
     token: str,
     flags: bool,  # noqa: FBT001  (as Dask hands it over)
     here: str,
-) -> tuple[Done, str, str]:
-    """Do a task in a worker: what became of it, the machine, and why it does not see the store (empty: it does)."""
+) -> tuple[list[Done], str, str]:
+    """Do tasks in a worker: what became of each, the machine, and why it does not see the store (empty: it does)."""
     read_with_flags(flags)
     refused = unseen(folder, token)
     if refused:
-        return Done(task=Task(key="", function="", options=None)), socket.gethostname(), refused
+        nothing = Done(task=Task(key="", function="", options=None))
+        return [nothing] * len(texts), socket.gethostname(), refused
     with suppress(OSError):  # where it is not, the files were given with their whole paths, or are named as missing
         os.chdir(here)
-    return do_written(text, store_at(folder)), socket.gethostname(), ""
+    return [do_written(text, store_at(folder)) for text in texts], socket.gethostname(), ""
 
 
 def dask_setup(worker: DaskWorker) -> None:
