@@ -92,6 +92,7 @@ if TYPE_CHECKING:
     from raybundle.commands.scenes.ortho import Orthophoto, RpcOrthoSettings, rpc_ortho
     from raybundle.commands.sheet import DrawingSheet, DrawingSheetSettings, drawing_sheet
     from raybundle.commands.show import show
+    from raybundle.commands.spreadsheet import Spreadsheet, SpreadsheetSettings, spreadsheet
     from raybundle.commands.target_settings import (
         ChooseSettings,
         DetectSettings,
@@ -166,6 +167,8 @@ _HOME = {
     "MeasureSettings": "commands.measure",
     "MissionSettings": "commands.planning.mission",
     "MergeSettings": "commands.merge",
+    "Spreadsheet": "commands.spreadsheet",
+    "SpreadsheetSettings": "commands.spreadsheet",
     "MovedSettings": "commands.moved",
     "NotSolvable": "errors",
     "Observations": "block",
@@ -220,6 +223,7 @@ _HOME = {
     "marks": "commands.marks",
     "measure": "commands.measure",
     "merge_projects": "commands.merge",
+    "spreadsheet": "commands.spreadsheet",
     "moved_points": "commands.moved",
     "merge_blocks": "block.merge",
     "orient": "commands.orient",
@@ -323,6 +327,8 @@ __all__ = [
     "RpcProjectSettings",
     "SheetSettings",
     "SimilarityTransform",
+    "Spreadsheet",
+    "SpreadsheetSettings",
     "Stations",
     "StraightFilm",
     "ZoomSettings",
@@ -381,6 +387,7 @@ __all__ = [
     "rpc_ortho",
     "rpc_project",
     "show",
+    "spreadsheet",
     "table",
     "table_names",
     "transform_block",

@@ -38,6 +38,7 @@ COMMANDS = {
     "moved": "What has moved between measurements of the same points.",
     "merge": "Merge projects of one object into one block over their common points.",
     "convert": "Convert to and from the formats of other programs.",
+    "spreadsheet": "The tables of a result as one workbook (.xlsx).",
     "studio": "Look, measure and adjust in the browser.",
     "record": "The recording sheet of a project: object, place, client, operator, rights.",
     "sheet": "A drawing sheet true to scale: pictures, points and lines, as PDF.",

@@ -1,0 +1,39 @@
+"""`raybundle spreadsheet`."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+import click
+
+from raybundle.cli.common import FOLDER, NEW_FILE, Command, common_options, facts
+from raybundle.cli.settings import options_of, values_of
+from raybundle.commands.spreadsheet import SpreadsheetSettings, run_spreadsheet
+from raybundle.settings import made
+
+
+@click.command("spreadsheet", cls=Command)
+@click.argument("source", type=FOLDER, metavar="RESULT")
+@options_of(SpreadsheetSettings, out=NEW_FILE)
+@common_options
+def command(source: Path, progress: str, **given: Any) -> None:
+    """Write the tables of a result as sheets of one workbook (.xlsx).
+
+    A spreadsheet of any language opens it with numbers as numbers, where a table with commas and decimal points may
+    come as one column. RESULT is a result folder, a project, or what `moved` wrote.
+
+    \b
+    Example:
+      raybundle spreadsheet part-7 --out part-7.xlsx
+      raybundle spreadsheet flight --tables map,check --out flight.xlsx
+    """  # noqa: D301
+    from raybundle.cli.progress import reporting  # noqa: PLC0415
+
+    settings = made(SpreadsheetSettings, {"source": source, **values_of(SpreadsheetSettings, given)})
+    with reporting(progress) as tell:
+        done = run_spreadsheet(settings, tell)
+    facts(sheets=list(done.sheets))
+    click.echo("\n".join(f" {line}" for line in (
+        f"{done.file}: {', '.join(done.sheets)}", *(f"remark: {r}" for r in done.left_out)
+    )))  # fmt: skip
