@@ -66,12 +66,8 @@ def test_one_worker_and_the_ways_in_which_it_is_refused(machines, tmp_path, expe
     assert "some error" in (tmp_path / "t/failed-tasks.log").read_text()
     assert ended["node 4"].startswith("needs what could not be made")
     assert not ended["node 5"]
-    # tasks of which many go in one message: the same bits, and one that kills its process costs itself alone
+    # tasks of which many go in one message
     assert done_by(on(machines.folder), tasks_of(LEAVES, cost=0.02), Folder(tmp_path / "m/s")) == expected
-    tasks = tasks_of(4, crash={2: "exit"}, small=False, cost=0.02)
-    ended = {d.task.name: d.failed for d in on(machines.folder).run(tasks, Folder(tmp_path / "d/s"))}
-    assert ended["leaf 2"].startswith("leaf 2: failed 3 times (the process that did it died")
-    assert not ended["leaf 0"] + ended["leaf 1"] + ended["leaf 3"]
     # another folder under the same name
     other = Folder(tmp_path / "u" / "s")
     token = token_of(other)
@@ -127,6 +123,17 @@ def test_a_worker_of_another_version_gets_nothing_and_is_named(machines, tmp_pat
     facts.write_text(json.dumps({**json.loads(facts.read_text()), "raybundle": "raybundle 0.0.9 (123)"}))
     with pytest.raises(AssertionError, match=r"the scheduler runs raybundle 0\.0\.9 \(123\), this is raybundle"):
         machines.worker()
+
+
+@pytest.mark.long
+def test_a_task_that_kills_its_worker_costs_itself_alone(machines, tmp_path):
+    """Beside others in one message: each worker that dies takes all of them with it, and they are done again."""
+    machines.scheduler()
+    machines.worker()
+    tasks = tasks_of(4, crash={2: "exit"}, small=False, cost=0.02)
+    ended = {d.task.name: d.failed for d in on(machines.folder).run(tasks, Folder(tmp_path / "d/s"))}
+    assert ended["leaf 2"].startswith("leaf 2: failed 3 times (the process that did it died")
+    assert not ended["leaf 0"] + ended["leaf 1"] + ended["leaf 3"]
 
 
 @pytest.mark.long

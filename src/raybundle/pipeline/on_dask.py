@@ -56,8 +56,8 @@ BLIND = 3
 CONFIGURED = {
     "distributed.comm.timeouts.connect": "10s",
     "distributed.comm.timeouts.tcp": "30s",
-    # deaths are counted by `queues`, which tells the task that kills from those beside it
-    "distributed.scheduler.allowed-failures": 0,
+    # a line that is cut looks like a death: `queues` is told of it when it has happened so often to the same tasks
+    "distributed.scheduler.allowed-failures": 5,
     "distributed.scheduler.worker-ttl": "60s",
     # a task's memory is its own affair: what Dask takes for too much would be killed
     "distributed.worker.memory.terminate": False,

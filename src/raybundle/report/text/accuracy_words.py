@@ -40,7 +40,7 @@ def judged_words(j: Judged) -> str:
             f"{what}: {wanted} wanted: not kept, as the standard deviations of half of the object points are beyond it "
             f"(median {length_words(j.stated)})"
         )
-    if j.why == "left out":
+    if j.why == "left out" or (j.why == "none" and math.isfinite(j.left_out)):
         return (
             f"{what}: {wanted} wanted, not judged, as no check point is compared in it; control left out is off by "
             f"{length_words(j.left_out)} rms"
