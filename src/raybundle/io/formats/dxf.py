@@ -31,8 +31,9 @@ FORBIDDEN = '<>/\\":;?*|=`,'
 LONGEST_LAYER = 255
 CROSS = 3
 """$PDMODE: points are shown as crosses."""
-LETTER, SMALLEST, LARGEST = 0.25, 1 / 500, 1 / 60
-"""Height of letters by the median distance between neighbours that have a name, and by the whole drawing."""
+LETTER, SMALLEST, LARGEST = 0.25, 1 / 500, 1 / 150
+"""Height of letters by the median distance between neighbours that have a name, and by their extent: on a sheet of 60
+cm letters are 1 to 4 mm high."""
 
 
 def write(export: Export, path: Path) -> Draft:
@@ -148,7 +149,10 @@ def _add_figures(sheet: _Sheet, s: Surveyed) -> None:
 def _sizes(s: Surveyed) -> tuple[float, float]:
     """Height of letters and size of crosses [unit of the drawing]: neither hides its neighbours."""
     every = np.vstack([s.xyz, s.stations])[:, :2]
-    extent = float(np.ptp(every, axis=0).max())
+    # what has a name is what is drawn and plotted; stations and far tie points lie around it
+    named = s.xyz[s.named][:, :2]
+    low, high = np.percentile(named if len(named) > 2 else every, (0, 100) if len(named) > 2 else (5, 95), axis=0)
+    extent = float((high - low).max()) or float(np.ptp(every, axis=0).max())
     apart = _apart(np.vstack([s.xyz[s.named], s.stations])[:, :2]) or extent / 20
     letter = float(np.clip(LETTER * apart, SMALLEST * extent, LARGEST * extent)) or 1.0
     return letter, min(letter, _apart(every) or letter) / 2
