@@ -94,9 +94,8 @@ class LocalFrame:
 
     def wgs84_from_local(self, xyz: Array) -> Array:
         """Longitude, latitude [deg] and height [m] (n, 3) in WGS 84; a datum shift is pyproj's best without grids."""
-        geographic = _geographic_from_geocentric(
-            _rows(xyz) @ self.geocentric[1] + self.geocentric[0], _horizontal(self.crs)
-        )
+        centre, R = self.geocentric
+        geographic = _geographic_from_geocentric(_rows(xyz) @ R + centre, _horizontal(self.crs))
         return _transformed(_to_wgs84(self.crs), geographic)
 
     def local_from_wgs84(self, geographic: Array) -> Array:
@@ -105,8 +104,7 @@ class LocalFrame:
         unknown = np.isnan(rows[:, 2])
         height = self.wgs84_from_local(np.zeros((1, 3)))[0, 2]
         filled = np.where(unknown[:, None] & [False, False, True], height, rows)
-        own = _converted(_to_wgs84(self.crs), *filled.T, inverse=True)
-        own = _checked(own, rows, "WGS 84")
+        own = _checked(_converted(_to_wgs84(self.crs), *filled.T, inverse=True), rows, "WGS 84")
         local = (_geocentric_from_geographic(own, _horizontal(self.crs)) - self.geocentric[0]) @ self.geocentric[1].T
         local[unknown, 2] = np.nan
         return local
