@@ -129,10 +129,10 @@ folder = 12
         assert line in file.read_text(encoding="utf-8")
 
 
-def test_an_entry_has_one_name_everywhere(project):
+def test_how_control_was_measured_has_the_name_of_its_entry_too(project):
     assert main(["record", str(project), "--control", "total station"]) == 0
     assert rb.record(project).record == Record(control="total station")
-    assert main(["record", str(project), "--georeferencing", "tape"]) == 0  # as it was called before
+    assert main(["record", str(project), "--georeferencing", "tape"]) == 0
     assert rb.record(project).record == Record(control="tape")
 
 

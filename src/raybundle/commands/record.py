@@ -44,7 +44,7 @@ class RecordSettings:
     instruments: str | None = _entry("Cameras, lenses, receivers, bars.  [default: as the photographs say]")
     conditions: str | None = _entry("Weather, light and access.")
     control: str | None = setting(
-        None, "How scale, control and vertical were measured.", metavar="TEXT", also=("georeferencing",)
+        None, "How scale, control and vertical were measured.", metavar="TEXT", flag="georeferencing", also=("control",)
     )
     rights: str | None = _entry("Licence or owner of the result.")
     archive: str | None = _entry("Who keeps the recording, and where.")
