@@ -182,7 +182,7 @@ def test_control_that_contradicts_itself_is_refused(whole):
         whole, points=replace(whole.points, xyz=np.array([truth.get(n, np.full(3, np.nan)) for n in whole.points.ids]))
     )
     join_blocks([fixed(one, 0.0), fixed(other, 0.0)], ["one", "other"], same_camera=True)
-    with pytest.raises(InputError, match="has other coordinates in other"):
+    with pytest.raises(InputError, match="other coordinates in other"):
         join_blocks([fixed(one, 0.0), fixed(other, 100.0)], ["one", "other"], same_camera=True)
 
 

@@ -15,8 +15,10 @@ import raybundle as rb
 from raybundle import adjust
 from raybundle.block import Distances
 from raybundle.cli.convert import command
+from raybundle.cli.main import main
 from raybundle.errors import InputError
 from raybundle.io.block.folder import read_block, write_block
+from raybundle.io.block.scenes import local_in
 from raybundle.planning.scenes import AerialStrips, TargetField, aerial_scene, brown_camera, field_scene
 from raybundle.planning.simulate import Survey, simulate
 from raybundle.report.write import write_result
@@ -239,6 +241,26 @@ def test_pictures_and_model_are_written_together_or_not_at_all(photographs, tmp_
     assert list(out.iterdir()) == []
     convert(tmp_path / "b", *words)
     assert sorted(p.name for p in out.iterdir()) == ["images", "model"]
+
+
+def test_of_several_formats_what_can_be_written_is(folder, tmp_path, capsys):
+    block = rb.read_block(folder)
+    placed = replace(block, place=local_in("EPSG:4326", (10.0, 50.0, 100.0)))
+    rb.write_block(placed, tmp_path / "degrees")
+    out = tmp_path / "delivery"
+    assert main(["convert", str(tmp_path / "degrees"), "--to", "gpkg,dxf,las,ply", "--out", str(out)]) == 2
+    told = " ".join(capsys.readouterr().err.split())
+    assert "dxf is not written: dxf holds lengths" in told
+    assert "written: " in told
+    for suffix, there in ((".gpkg", True), (".dxf", False), (".las", True), (".ply", True)):
+        assert out.with_suffix(suffix).exists() == there
+
+
+def test_a_file_gets_the_ending_of_its_format(folder, tmp_path):
+    for name, file in (("plan", "plan.ply"), ("plan-1.2", "plan-1.2.ply"), ("own.ply", "own.ply")):
+        done = rb.convert(folder, tmp_path / name, to="ply")
+        assert done.written[0][1] == tmp_path / file
+        assert (tmp_path / file).is_file()
 
 
 CASES = {

@@ -47,9 +47,10 @@ def result_in(project, record=None):
 def test_a_record_begins_a_project_that_orient_goes_on_with(tmp_path, capsys):
     folder = tmp_path / "begun"
     assert main(["record", str(folder)]) == 2
-    assert "nothing is recorded yet; an entry, as --object NAME, begins it" in capsys.readouterr().err
+    assert "there is no such project; an entry, as --object NAME, with --new begins one" in capsys.readouterr().err
+    assert main(["record", str(folder), "--object", "Portal"]) == 2
     assert not folder.exists()
-    assert main(["record", str(folder), "--object", "Portal", "--client", "Monument office"]) == 0
+    assert main(["record", str(folder), "--new", "--object", "Portal", "--client", "Monument office"]) == 0
     assert "the report has it when orient has run there" in capsys.readouterr().out
     keep_settings(OrientSettings(photos=(tmp_path / "photos",), out=folder, title="Front"))
     assert rb.record(folder).record == Record(object="Portal", client="Monument office")
@@ -71,7 +72,7 @@ def test_a_record_is_not_put_into_what_is_no_project(tmp_path, capsys, what):
 
 
 def test_a_begun_record_alone_has_a_status(tmp_path, capsys):
-    assert main(["record", str(tmp_path / "begun"), "--object", "Portal"]) == 0
+    assert main(["record", str(tmp_path / "begun"), "--new", "--object", "Portal"]) == 0
     capsys.readouterr()
     assert main(["status", str(tmp_path / "begun")]) in {0, 2}
     assert "internal error" not in capsys.readouterr().err
@@ -89,6 +90,50 @@ def test_it_is_written_and_shown(project, capsys):
     assert re.search(r"object +Portal", told)
     assert main(["record", str(project), "--client", ""]) == 0
     assert rb.record(project).record == Record(object="Portal", place="Ελλάδα")
+
+
+def test_a_mistyped_project_is_refused_with_the_one_that_is_meant(project, capsys):
+    wrong = project.with_name("projet")
+    assert main(["record", str(wrong), "--client", "x"]) == 2
+    told = capsys.readouterr().err
+    assert f"is it {project}?" in " ".join(told.split())
+    assert not wrong.exists()
+
+
+def test_comments_and_order_of_the_table_stay(project):
+    file = project / "project.toml"
+    mine = """# who and what
+[record]
+# by hand, 3 May
+client = "Amt"  # see letter
+place = \"\"\"
+Market # 3,
+Göttingen\"\"\"
+
+# the object
+object = 'Portal'
+
+[office]
+folder = 12
+"""
+    before = file.read_text()
+    file.write_text(f"{mine}\n{before}", encoding="utf-8")
+    rb.record(project, client="Office", rights="CC BY 4.0")
+    text = file.read_text(encoding="utf-8")
+    changed = mine.replace('"Amt"', '"Office"').replace("'Portal'\n", "'Portal'\nrights = \"CC BY 4.0\"\n")
+    assert text.startswith(changed)
+    rb.record(project, object="", place="Leer")
+    told = tomllib.loads(file.read_text(encoding="utf-8"))
+    assert told["record"] == {"client": "Office", "place": "Leer", "rights": "CC BY 4.0"}
+    for line in ("# who and what", "# by hand, 3 May", "# see letter", "# the object"):
+        assert line in file.read_text(encoding="utf-8")
+
+
+def test_how_control_was_measured_has_the_name_of_its_entry_too(project):
+    assert main(["record", str(project), "--control", "total station"]) == 0
+    assert rb.record(project).record == Record(control="total station")
+    assert main(["record", str(project), "--georeferencing", "tape"]) == 0
+    assert rb.record(project).record == Record(control="tape")
 
 
 def test_every_entry_can_be_written(project):

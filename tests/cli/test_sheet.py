@@ -217,6 +217,17 @@ def test_words_of_all_letters_stand_in_the_title_block_with_their_fonts(tmp_path
     assert not any("title" in r for r in done.remarks)
 
 
+def test_letters_that_the_font_lacks_are_told(tmp_path):
+    done = rb.drawing_sheet(
+        [chart(tmp_path)[0]], tmp_path / "s.pdf", operator="\u05e9\u05dc\u05d5\u05dd", client="Weiß"
+    )
+    (told,) = [r for r in done.remarks if "question marks" in r]
+    assert told.endswith("\u05e9 \u05dc \u05d5 \u05dd")
+    assert "????" in text_of(tmp_path / "s.pdf")
+    done = rb.drawing_sheet([chart(tmp_path, "b.png")[0]], tmp_path / "t.pdf", operator="Ω Ж ß")
+    assert not any("question marks" in r for r in done.remarks)
+
+
 def test_words_that_are_too_long_are_cut_and_that_is_told(tmp_path):
     picture, _ = chart(tmp_path)
     long = "Donaudampfschifffahrtsgesellschaft" * 40

@@ -14,7 +14,7 @@ from raybundle.io.folders import exchange, new_folder
 
 
 def write(path, content):
-    with new_folder(path) as folder:
+    with new_folder(path, replacing=True) as folder:
         for k in range(5):
             (folder / str(k)).write_text(content)
 
@@ -45,9 +45,41 @@ def test_an_error_in_the_body_changes_nothing(tmp_path):
 
 
 def write_half(path):
-    with new_folder(path) as folder:
+    with new_folder(path, replacing=True) as folder:
         (folder / "0").write_text("new")
         raise ZeroDivisionError
+
+
+def test_of_two_writers_of_one_new_folder_the_second_is_told(tmp_path):
+    path = tmp_path / "a"
+    with pytest.raises(InputError, match="while this was being made"), new_folder(path) as late:  # noqa: PT012
+        (late / "0").write_text("late")
+        write(path, "early")
+    assert read(path) == "early"
+    assert [p.name for p in tmp_path.iterdir()] == ["a"]
+    with pytest.raises(InputError, match="while this was being made"), new_folder(path):
+        pass
+    assert read(path) == "early"
+
+
+@pytest.mark.parametrize("can_exchange", [True, False])
+def test_of_two_that_replace_one_folder_the_second_is_told(tmp_path, monkeypatch, can_exchange):
+    if not can_exchange:
+        monkeypatch.setattr(folders, "exchange", lambda _a, _b: False)
+    path = tmp_path / "a"
+    write(path, "old")
+    with pytest.raises(InputError, match="while this was being made"), new_folder(path, replacing=True) as late:  # noqa: PT012
+        (late / "0").write_text("late")
+        write(path, "early")
+    assert read(path) == "early"
+    assert [p.name for p in tmp_path.iterdir()] == ["a"]
+
+
+def test_an_empty_folder_is_filled(tmp_path):
+    (tmp_path / "a").mkdir()
+    with new_folder(tmp_path / "a") as folder:
+        (folder / "0").write_text("new")
+    assert (tmp_path / "a" / "0").read_text() == "new"
 
 
 def test_where_nothing_can_be_written_is_an_input_error(tmp_path):

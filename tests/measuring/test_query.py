@@ -313,3 +313,11 @@ def test_numbers_of_numpy_are_numbers(tmp_path):
     assert isinstance(x, np.float64)
     assert rb.mark(tmp_path / "block", "put", image=image, point="new", x_px=x, y_px=y, clicked=np.array([x, y])) == 1
     assert rb.marks(tmp_path / "block").marks[image, "new"].clicked == (x, y)
+
+
+def test_points_of_a_list_stand_apart_or_with_commas_between():
+    from raybundle.cli.settings import values_of
+    from raybundle.commands.marks_settings import QuerySettings
+
+    for typed in (("1,5,7,12",), ("1", "5", "7", "12"), ("1,5", "7, 12")):
+        assert values_of(QuerySettings, {"plane": typed})["plane"] == ("1", "5", "7", "12")

@@ -60,6 +60,17 @@ def test_what_moved_is_told_and_written(epochs, tmp_path, capsys):
     assert "5, 17 moved: 2 of" in page or "17, 5 moved: 2 of" in page
 
 
+def test_blocks_that_are_not_adjusted_yet_are_taken(epochs, tmp_path):
+    raw = []
+    for epoch in epochs:
+        block = rb.read_block(epoch / "block")
+        raw.append(tmp_path / epoch.name)
+        nowhere = np.full_like(block.points.xyz, np.nan)
+        rb.write_block(replace(block, points=replace(block.points, xyz=nowhere)), raw[-1])
+    done = rb.moved_points(raw, tmp_path / "m", report=False)
+    assert {i for i, m in zip(done.ids, done.moved, strict=True) if m} == {*MOVED}
+
+
 def test_a_report_for_print(epochs, tmp_path):
     rb.moved_points(epochs, tmp_path / "m", report=False, pdf=True)
     assert (tmp_path / "m/report.pdf").read_bytes()[:5] == b"%PDF-"

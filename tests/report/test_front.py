@@ -9,6 +9,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
+from raybundle.adjustment.accuracy import Compared
 from raybundle.adjustment.accuracy_class import accuracy_class
 from raybundle.adjustment.engine import adjust_block
 from raybundle.adjustment.options import AdjustmentOptions
@@ -32,7 +33,7 @@ from raybundle.report.text.numbers import significant
 from raybundle.report.text.words import verdict
 from raybundle.report.view import view_of
 from raybundle.report.write import write_result
-from raybundle.results.map_table import map_table
+from raybundle.results.map_table import map_control_table, map_table
 from raybundle.results.record import Record
 
 OPTIONS = AdjustmentOptions(jobs=1, noise="white")
@@ -101,6 +102,18 @@ def test_the_statement_of_asprs_is_that_of_the_tables(flight, tmp_path):
     for s in statements:
         assert s.startswith(f"This data set was tested to meet {STANDARD} for a ")
         assert s in page
+
+
+def test_given_coordinates_of_the_map_stand_as_they_were_given(flight):
+    """To the local frame and back rounds the last digits away."""
+    frame = local_frame(*PLACE)
+    given = np.round(frame.crs_from_local(np.array([[12.345, -67.891, 5.0], [310.2, 4.5, -8.125]])), 3)
+    back = frame.crs_from_local(frame.local_from_crs(given))
+    assert (back != given).any()
+    compared = Compared(rows=np.arange(2), given=back, difference=np.zeros((2, 3)), sigma=np.full((2, 3), 0.02))
+    columns, digits = map_control_table(flight, frame, [("control", compared)])
+    for k, axis in enumerate("XYZ"):
+        assert digits[axis].of(columns[axis]).tolist() == given[:, k].tolist()
 
 
 def test_with_fewer_check_points_it_is_produced_to_meet():

@@ -11,12 +11,12 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from raybundle.block.block import Block
+from raybundle.block.block import Block, Points
 from raybundle.block.merge import PER_M, merge_blocks
 from raybundle.block.points import automatic, automatic_name, automatic_number
 from raybundle.block.transform import transform_block
 from raybundle.errors import InputError
-from raybundle.numerics.arrays import Mask
+from raybundle.numerics.arrays import Array, Index, Mask
 from raybundle.numerics.counting import counted, significant
 from raybundle.numerics.transform import SimilarityTransform, similarity
 
@@ -52,11 +52,28 @@ class Joined:
     """The block whose frame all stand in"""
     joints: tuple[Joint, ...]
     remarks: tuple[str, ...]
+    cautions: tuple[str, ...] = ()
+    """What may make the adjustment of the block wrong"""
+
+
+def fixed(block: Block) -> int:
+    """2: control or positions fix the frame; 1: the scale is known; 0: neither."""
+    if block.points.is_control.any() or len(block.stations) or block.place is not None:
+        return 2
+    return 0 if block.free_scale else 1
+
+
+def in_own_frame(block: Block) -> Array:
+    """(p, 3) coordinates of the points in the frame of the block; NaN where there are none.
+
+    Check points of a block that nothing fixes are given in another frame, that of who surveyed them.
+    """
+    return block.points.xyz if fixed(block) == 2 else np.where(block.points.is_check, np.nan, block.points.xyz)
 
 
 def frame_of(blocks: Sequence[Block]) -> int:
     """Which of several blocks gives the frame: the first that control or positions fix, else of a known scale."""
-    return max(range(len(blocks)), key=lambda k: (_fixed(blocks[k]), -k))
+    return max(range(len(blocks)), key=lambda k: (fixed(blocks[k]), -k))
 
 
 def join_blocks(
@@ -74,6 +91,8 @@ def join_blocks(
 
     The frame is that of `frame_of`.  Coordinates of the others are approximate values afterwards, the adjustment of
     what comes out has the rest to say.
+    Blocks that control, positions or a place on the earth fix stand in one frame already.  Given coordinates of control
+    and check points are of the frame in which they were surveyed: they stay as they are.
     What it does not tell: whether points of one name are one point (`raybundle.metrology.congruence`).
     """
     if len(blocks) < 2:
@@ -82,7 +101,7 @@ def join_blocks(
     order = [first, *(k for k in range(len(blocks)) if k != first)]
     base, joints, remarks = blocks[first], list[Joint](), list[str]()
     if first != 0:
-        why = "control or positions" if _fixed(base) == 2 else "a scale"
+        why = "control or positions" if fixed(base) == 2 else "a scale"
         remarks.append(f"the frame is that of {names[first]}, which has {why}")
     taken = replace(base, name=names[first])
     for k in order[1:]:
@@ -99,33 +118,27 @@ def join_blocks(
     return Joined(block=replace(taken, name=name), first=names[first], joints=tuple(joints), remarks=tuple(remarks))
 
 
-def _fixed(block: Block) -> int:
-    """2: control or positions fix the frame; 1: the scale is known; 0: neither."""
-    if block.points.is_control.any() or len(block.stations) or block.place is not None:
-        return 2
-    return 0 if block.free_scale else 1
-
-
 def _brought(
     block: Block, base: Block, name: str, carriers: Mapping[str, float] | None, *, same_camera: bool
 ) -> tuple[Block, Joint, list[str]]:
     """A block in the frame of another, nothing in it called as something else there."""
     common = _common(block, base)
-    mine = np.array([block.points.ids.index(c) for c in common], np.int64)
-    theirs = np.array([base.points.ids.index(c) for c in common], np.int64)
-    source, target = block.points.xyz[mine], base.points.xyz[theirs]
+    mine, theirs = _rows(block, common), _rows(base, common)
+    source, target = in_own_frame(block)[mine], in_own_frame(base)[theirs]
+    known: Mask = np.asarray(np.isfinite(source).all(axis=1) & np.isfinite(target).all(axis=1), bool)
     weight = np.array([1.0 if carriers is None else carriers.get(c, 0.0) for c in common])
-    fits: Mask = np.asarray(weight > 0, bool)
     kept: list[bool] = [w > 0 for w in weight.tolist()]
+    fits: Mask = np.asarray((weight > 0) & known, bool)
     transform: SimilarityTransform | None = None
-    if _fixed(block) == 2 and _fixed(base) == 2:
+    _check_given(block, base, [c for c, k in zip(common, kept, strict=True) if k], name)
+    if fixed(block) == 2 and fixed(base) == 2:
         distance = np.linalg.norm(PER_M[base.length_unit] / PER_M[block.length_unit] * source - target, axis=1)
-        _check_control(block, base, common, name)
     else:
         if fits.sum() < FEWEST:
+            few = [c for c, k in zip(common, known.tolist(), strict=True) if k][:5]
             raise InputError(
                 f"{name} and {base.name} have {counted(int(fits.sum()), 'common point')} with coordinates "
-                f"({', '.join(common[:5]) or 'none'}); {FEWEST} or more are needed, named by hand or by their codes"
+                f"({', '.join(few) or 'none'}); {FEWEST} or more are needed, named by hand or by their codes"
             )
         transform = similarity(source[fits], target[fits], weight[fits])
         distance = np.linalg.norm(transform.points(source) - target, axis=1)
@@ -138,31 +151,43 @@ def _brought(
     return block, Joint(name=name, common=carry, apart=apart, transform=transform, rms=float(np.sqrt(mean))), remarks
 
 
-def _check_control(block: Block, base: Block, common: Sequence[str], name: str) -> None:
-    """Raise InputError where two blocks that stand in one frame by their control contradict each other in it."""
+def _check_given(block: Block, base: Block, common: Sequence[str], name: str) -> None:
+    """Raise InputError where coordinates that are given for points of two blocks contradict each other."""
     factor = PER_M[base.length_unit] / PER_M[block.length_unit]
-    worst: tuple[float, str, float, float] | None = None
-    for point in common:
-        i, j = block.points.ids.index(point), base.points.ids.index(point)
-        both = block.points.is_control[i] & base.points.is_control[j]
-        d = np.abs(factor * block.points.xyz[i] - base.points.xyz[j])[both]
-        s = np.hypot(factor * block.points.sigma[i], base.points.sigma[j])[both]
-        limit = CONTRADICTS * s + 1e-9 * np.abs(base.points.xyz[j][both]) + 1e-9
-        if len(d) and float((d / limit).max()) > max(1.0, worst[0] if worst else 0.0):
-            k = int((d / limit).argmax())
-            worst = float(d[k] / limit[k]), point, float(d[k]), float(limit[k])
-    if worst is not None:
-        raise InputError(
-            f"control point {worst[1]} has other coordinates in {name}: {significant(worst[2])} {base.length_unit} "
-            f"apart, {significant(worst[3])} at most by their standard deviations. Blocks that control fixes have to "
-            "stand in one frame: bring one into that of the other, or take its control away"
-        )
+    i, j = _rows(block, common), _rows(base, common)
+    both = _given(block.points)[i] & _given(base.points)[j]
+    d = np.abs(factor * block.points.xyz[i] - base.points.xyz[j])
+    s = np.hypot(factor * block.points.sigma[i], base.points.sigma[j])
+    limit = CONTRADICTS * s + 1e-9 * np.abs(base.points.xyz[j]) + 1e-9
+    with np.errstate(invalid="ignore"):
+        ratio = np.where(both, d / limit, 0.0)
+    count = int((ratio > 1).any(axis=1).sum())
+    if not count:
+        return
+    k, axis = divmod(int(ratio.argmax()), 3)
+    more = f", and {counted(count - 1, 'other point')} too" if count > 1 else ""
+    raise InputError(
+        f"point {common[k]} is given with other coordinates in {name} than in {base.name}{more}: "
+        f"{significant(float(d[k, axis]))} {base.length_unit} apart, {significant(float(limit[k, axis]))} at most by "
+        "their standard deviations. Correct what is wrong; if they are told in two systems, bring one into the other, "
+        "or take its control away"
+    )
+
+
+def _rows(block: Block, points: Sequence[str]) -> Index:
+    at = {name: k for k, name in enumerate(block.points.ids)}
+    return np.array([at[name] for name in points], np.int64)
+
+
+def _given(points: Points) -> Mask:
+    """(p, 3) coordinates of control and check points that are given with their standard deviations."""
+    return np.asarray((points.is_control | points.is_check) & np.isfinite(points.sigma), bool)
 
 
 def _common(block: Block, base: Block) -> list[str]:
     """Names of the points that both have, with coordinates, and that no program made up."""
-    named: Mask = np.asarray(~automatic(block.points.ids) & np.isfinite(block.points.xyz).all(axis=1), bool)
-    placed: Mask = np.asarray(np.isfinite(base.points.xyz).all(axis=1), bool)
+    named: Mask = np.asarray(~automatic(block.points.ids) & np.isfinite(block.points.xyz).any(axis=1), bool)
+    placed: Mask = np.asarray(np.isfinite(base.points.xyz).any(axis=1), bool)
     known = {n for k, n in enumerate(base.points.ids) if placed[k]}
     return [n for k, n in enumerate(block.points.ids) if named[k] and n in known]
 
@@ -181,7 +206,9 @@ def _moved(block: Block, by: SimilarityTransform, base: Block, name: str) -> Blo
         unit = SimilarityTransform(scale=factor)
         block = replace(transform_block(block, unit, observed="follow"), length_unit=base.length_unit)
         by = SimilarityTransform(scale=by.scale / factor, rotation=by.rotation, translation=by.translation)
-    return replace(transform_block(block, by, observed="stay"), free_scale=base.free_scale)
+    moved = transform_block(block, by, observed="stay")
+    xyz = np.where(block.points.is_check, block.points.xyz, moved.points.xyz)
+    return replace(moved, points=replace(moved.points, xyz=xyz), free_scale=base.free_scale)
 
 
 def _renamed(block: Block, base: Block, name: str, apart: set[str], *, same_camera: bool, remarks: list[str]) -> Block:
@@ -238,10 +265,10 @@ def words_of(joint: Joint, unit: str) -> list[str]:
         how = "stands in the same frame"
     else:
         how = f"brought there by {counted(n, 'common point')}, scale {joint.transform.scale:.6g}"
-    off = f"; a coordinate of these is off by {significant(joint.rms)} {unit} (rms)" if n > 0 else ""
+    off = f"; a coordinate of these is off by {significant(joint.rms)} {unit} (rms)" if np.isfinite(joint.rms) else ""
     lines = [f"{joint.name}: {how}{off}"]
     if joint.apart:
-        names = ", ".join(f"{p} ({significant(d)} {unit})" for p, d in joint.apart[:8])
+        names = ", ".join(f"{p} ({significant(d)} {unit})" if np.isfinite(d) else p for p, d in joint.apart[:8])
         more = " ..." if len(joint.apart) > 8 else ""
         lines.append(
             f"caution: {counted(len(joint.apart), 'point')} of one name lie apart and are kept as two: {names}{more}; "

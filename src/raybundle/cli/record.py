@@ -21,8 +21,8 @@ def command(project: Path, **given: Any) -> None:
 
     They stand in the table [record] of PROJECT/project.toml, which may be edited by hand and which runs of `orient`
     keep; in record.toml of the result, in its report, in drawings, maps and sheets made from it. What the photographs
-    know (camera, dates, number) is filled in by itself. An empty TEXT takes an entry away. A PROJECT that is not there
-    yet is begun, so that the first report has it all.
+    know (camera, dates, number) is filled in by itself. An empty TEXT takes an entry away. With --new a PROJECT that
+    is not there yet is begun, so that the first report has it all.
 
     \b
     Example:

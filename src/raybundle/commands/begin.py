@@ -170,7 +170,7 @@ def _write(block: Block, project: Path) -> None:
     from raybundle.io.block.folder import write_block_files  # noqa: PLC0415
     from raybundle.io.folders import new_folder  # noqa: PLC0415
 
-    with new_folder(project / "block") as folder:
+    with new_folder(project / "block", replacing=True) as folder:
         write_block_files(block, folder)
 
 
@@ -182,5 +182,5 @@ def _keep_film(s: BeginSettings) -> None:
     scans = _scans(s)
     if s.film is None or scans is None:
         return
-    with new_folder(s.out / FOLDER) as folder:
+    with new_folder(s.out / FOLDER, replacing=True) as folder:
         write_scans(scans, s.film, folder)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from contextlib import ExitStack
 from dataclasses import MISSING, dataclass, replace
 from pathlib import Path
@@ -29,9 +30,11 @@ class ConvertSettings:
     read_as: str | None = setting(None, "Format of INPUT.  [default: recognised]", flag="from")
     to: str = setting(
         MISSING, "Format to write. Several with commas between, as gpkg,dxf,las: {out} NAME is then the beginning of "
-        "their names, NAME.gpkg and so on.",
+        "their names, NAME.gpkg and so on; what can be written is, and what cannot is named at the end.",
     )  # fmt: skip
-    out: Path = setting(MISSING, "New file or folder; nothing is overwritten.", metavar="PATH")
+    out: Path = setting(
+        MISSING, "New file or folder; nothing is overwritten. A file gets the ending of its format.", metavar="PATH"
+    )
     crs: str | None = setting(
         None, "Coordinate system: EPSG:25832, EPSG:25832+7837 or a PROJ string.", metavar="SYSTEM"
     )
@@ -93,11 +96,21 @@ def convert(source: str | Path, out: str | Path, *, to: str, progress: Progress 
 
 def run_convert(settings: ConvertSettings, progress: Progress = silent) -> Converted:
     """Read, bring to the frame asked for, and write: one format after the other."""
+    from raybundle.workflows.convert import named_for  # noqa: PLC0415  (what computes is loaded after the help)
+
     each = tuple(dict.fromkeys(name.strip() for name in settings.to.split(",")))
     if len(each) == 1:
-        return _to_one(settings, progress)
+        return _to_one(replace(settings, out=named_for(settings.out, settings.to)), progress)
     places = _places(settings.out, each)
-    done = [_to_one(replace(settings, to=to, out=place), progress) for to, place in places]
+    done: list[Converted] = []
+    failed: list[tuple[str, InputError]] = []
+    for to, place in places:
+        try:
+            done.append(_to_one(replace(settings, to=to, out=place), progress))
+        except InputError as error:
+            failed.append((to, error))
+    if failed:
+        raise _not_all([d.written[0] for d in done], failed)
     return replace(
         done[-1],
         files=sum(d.files for d in done),
@@ -105,6 +118,14 @@ def run_convert(settings: ConvertSettings, progress: Progress = silent) -> Conve
         remarks=tuple(dict.fromkeys(r for d in done for r in d.remarks)),
         deviation_px=max(d.deviation_px for d in done),
     )
+
+
+def _not_all(written: Sequence[tuple[str, Path]], failed: Sequence[tuple[str, InputError]]) -> InputError:
+    """What became of formats of which some cannot be written."""
+    if not written and len({str(error) for _, error in failed}) == 1:
+        return failed[0][1]
+    why = "; ".join(f"{to} is not written: {error}" for to, error in failed)
+    return InputError(f"{why}; written: {', '.join(str(place) for _, place in written) or 'nothing'}")
 
 
 def _places(out: Path, each: tuple[str, ...]) -> tuple[tuple[str, Path], ...]:

@@ -65,9 +65,8 @@ def drawn(s: DrawingSheetSettings, progress: Progress) -> tuple[Drawing, tuple[s
     remarks = list[str]()
     export: Export | None = None
     if folder is not None:
-        export, more = read_source(folder)
+        export, _ = read_source(folder)  # what was rejected is no part of a drawing
         export = replace(export, block=in_file_frames(export.block))
-        remarks += more
     if planes:
         where, more = _of_picture(planes[0], export)
     elif export is not None and folder is not None:

@@ -120,7 +120,7 @@ def transform_to_points(result: Adjustment | str | Path, out: str | Path, **give
     moved = in_axes(adjustment, s.origin, s.axis, s.plane, level=s.level)
     C, std = moved.covariance, np.sqrt(np.maximum(np.diagonal(moved.covariance, axis1=1, axis2=2), 0))
     role = dict(zip(adjustment.adjusted.points.ids, np.asarray(adjustment.adjusted.points.role).tolist(), strict=True))
-    with new_folder(out) as folder:
+    with new_folder(out, replacing=True) as folder:
         write_table(folder / "points.csv", {
             "point": moved.ids, "role": [Role(role[p]).word for p in moved.ids],
             **{c: moved.xyz[:, k] for k, c in enumerate("XYZ")},

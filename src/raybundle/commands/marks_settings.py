@@ -11,29 +11,37 @@ from raybundle.settings import NOT_NEGATIVE, setting
 class QuerySettings:
     """Questions to a result."""
 
-    coordinates: tuple[str, ...] = setting((), "Coordinates of each of these points.", metavar="POINT...")
+    coordinates: tuple[str, ...] = setting((), "Coordinates of each of these points.", metavar="POINT...", joined=True)
     distance: tuple[tuple[str, str], ...] = setting(
         (), "Distance between two points; may be repeated.", metavar="A B", limits=("text", "text")
     )
     angle: tuple[tuple[str, str, str], ...] = setting(
         (), "Angle at B between A and C; may be repeated.", metavar="A B C", limits=("text", "text", "text")
     )
-    area: tuple[str, ...] = setting((), "Area of the polygon through these points, in order.", metavar="A B C...")
-    length: tuple[str, ...] = setting((), "Length of the line from point to point, in order.", metavar="A B C...")
+    area: tuple[str, ...] = setting(
+        (), "Area of the polygon through these points, in order.", metavar="A B C...", joined=True
+    )
+    length: tuple[str, ...] = setting(
+        (), "Length of the line from point to point, in order.", metavar="A B C...", joined=True
+    )
     plane: tuple[str, ...] = setting(
         (),
         "Flatness of four or more points: from the lowest to the highest about their best plane, and the deviation "
         "of each from it.",
         metavar="A B C D...",
+        joined=True,
     )
     line: tuple[str, ...] = setting(
-        (), "Largest distance of three or more points from their best line, and that of each.", metavar="A B C..."
+        (),
+        "Largest distance of three or more points from their best line, and that of each.",
+        metavar="A B C...",
+        joined=True,
     )
     to_plane: tuple[str, ...] = setting(
-        (), "Distance of the first point from the best plane through the others.", metavar="P A B C..."
+        (), "Distance of the first point from the best plane through the others.", metavar="P A B C...", joined=True
     )
     to_line: tuple[str, ...] = setting(
-        (), "Distance of the first point from the best line through the others.", metavar="P A B..."
+        (), "Distance of the first point from the best line through the others.", metavar="P A B...", joined=True
     )  # fmt: skip
 
 
@@ -48,7 +56,7 @@ class DatumSettings:
     plane: str = setting("", "Point in the XY plane: Z = 0, Y above 0.", metavar="POINT")
     level: tuple[str, ...] = setting(
         (), "Point at the height of the others that are given so, three or more: the surface of water, a floor. They "
-        "tell the XY plane instead of a plane point. Several times.", metavar="POINT",
+        "tell the XY plane instead of a plane point. Several times, or with commas.", metavar="POINT", joined=True,
     )  # fmt: skip
 
 

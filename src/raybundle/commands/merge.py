@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from dataclasses import MISSING, dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -16,6 +16,7 @@ from raybundle.settings import Range, made, setting
 if TYPE_CHECKING:
     from raybundle.block import Block
     from raybundle.block.joined import Joined
+    from raybundle.commands.merge_tests import Member
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -43,7 +44,8 @@ def merge_projects(
               their place
     out       new block folder
     settings  as of the command line, by the names of `MergeSettings`
-    raises    InputError for fewer than three common points without a common datum
+    raises    InputError for fewer than three common points without a common datum, given coordinates, scales, cameras
+              or places on the earth that contradict each other, a project that is given twice
     What it does not tell: whether common points stayed where they were; `moved_points` does.
     """
     given = {"sources": tuple(Path(s) for s in sources), "out": Path(out), **settings}
@@ -52,26 +54,38 @@ def merge_projects(
 
 def run_merge(s: MergeSettings, progress: Progress = silent) -> Joined:
     """Merge what the settings ask for, and write it."""
-    from raybundle.block.joined import join_blocks  # noqa: PLC0415  (what computes is loaded after the help)
+    from raybundle.block.joined import frame_of, join_blocks  # noqa: PLC0415  (what computes is loaded after the help)
+    from raybundle.commands.merge_tests import Member, measured_once  # noqa: PLC0415
     from raybundle.commands.planning.objects import adjusted_block_in  # noqa: PLC0415
     from raybundle.io.block.folder import write_block  # noqa: PLC0415
     from raybundle.io.folders import short_names  # noqa: PLC0415
+    from raybundle.workflows.block_frame import in_frame_of  # noqa: PLC0415
 
+    if len(s.sources) < 2:
+        raise InputError("two or more projects are merged; one is given")
     check_free(s.out)
-    blocks: list[Block] = []
-    tested: list[Block | Path] = []
+    names = short_names(s.sources)
+    read: list[tuple[Block, bool]] = []
     for k, source in enumerate(s.sources):
         progress("reading blocks", k / len(s.sources))
         block, raw = adjusted_block_in(source)
-        blocks.append(block)
-        tested.append(block if raw else source)
-    names = short_names(s.sources)
-    blocks, called, told = _with_dots_alike(blocks, names)
-    carriers, remarks = _carriers(tested, blocks, names, s.significance, progress, called)
+        read.append((replace(block, name=names[k]), raw))
+    base = read[frame_of([b for b, _ in read])][0]
+    placed = [in_frame_of(b, base) for b, _ in read]
+    blocks, called, told = _with_dots_alike([p.block for p in placed], names)
+    members = [
+        Member(name=name, block=block, source=b if raw else source, brought=p.by, called=c)
+        for name, block, (b, raw), source, p, c in zip(names, blocks, read, s.sources, placed, called, strict=True)
+    ]
+    carriers, remarks, more = _carriers(members, s, progress)
     done = join_blocks(blocks, names, carriers=carriers, same_camera=s.same_camera)
+    cautions = measured_once(blocks, names)
     write_block(done.block, s.out)
     progress("writing", 1.0)
-    return replace(done, remarks=(*done.remarks, *told, *remarks))
+    brought = [p.told for p in placed if p.told]
+    return replace(
+        done, remarks=(*done.remarks, *brought, *told, *remarks), cautions=(*done.cautions, *cautions, *more)
+    )
 
 
 def _with_dots_alike(
@@ -102,52 +116,46 @@ def _with_dots_alike(
 
 
 def _carriers(
-    sources: Sequence[Block | Path], blocks: Sequence[Block], names: Sequence[str], significance: float,
-    progress: Progress, called: Sequence[Mapping[str, str]],
-) -> tuple[list[dict[str, float] | None], list[str]]:  # fmt: skip
-    """For each block the common points that stayed, by the congruence test against the block of the frame."""
+    members: Sequence[Member], s: MergeSettings, progress: Progress
+) -> tuple[list[dict[str, float] | None], list[str], list[str]]:
+    """For each block the common points that stayed, by the congruence test against the block of the frame.
+
+    Remarks and cautions beside it: about points, scales, frames and cameras of the same id.
+    """
     import numpy as np  # noqa: PLC0415
 
     from raybundle.block.joined import frame_of  # noqa: PLC0415
-    from raybundle.measuring.point_sets import point_set  # noqa: PLC0415
-    from raybundle.measuring.session import adjusted_as_free  # noqa: PLC0415
-    from raybundle.metrology.congruence import LEAST, congruence  # noqa: PLC0415
+    from raybundle.commands.merge_tests import check_cameras, check_frames, stayed_of  # noqa: PLC0415
 
-    first = frame_of(blocks)
-    found: list[dict[str, float] | None] = [None] * len(blocks)
+    first = frame_of([m.block for m in members])
+    base = members[first]
+    found: list[dict[str, float] | None] = [None] * len(members)
     remarks: list[str] = []
+    cautions: list[str] = []
     try:
         progress("testing common points", 0.0)
-        base = point_set(adjusted_as_free(sources[first]), names[first])
+        base.shape  # noqa: B018  (adjusted once, for all)
     except (InputError, NotSolvable) as error:
-        return found, [f"common points were not tested, as {names[first]} cannot be adjusted by itself: {error}"]
-    for k, source in enumerate(sources):
+        told = f"common points were not tested, as {base.name} cannot be adjusted by itself: {error}"
+        return found, [told], []
+    for k, member in enumerate(members):
         if k == first:
             continue
-        progress("testing common points", k / len(sources))
-        try:
-            mine = point_set(adjusted_as_free(source), names[k])
-            mine = replace(mine, ids=tuple(called[k].get(i, i) for i in mine.ids))
-            if len(set(mine.ids) & set(base.ids)) < LEAST:
-                remarks.append(
-                    f"{names[k]} has fewer than {LEAST} points in common with {names[first]}: none is tested"
-                )
-                continue
-            tested = congruence([base, replace(mine, free_scale=True)], significance=significance)
-        except (InputError, NotSolvable) as error:
-            remarks.append(f"common points of {names[k]} were not tested: {error}")
+        progress("testing common points", k / len(members))
+        if s.same_camera:
+            cautions += check_cameras(base, member)
+        tested = stayed_of(base, member, s.significance)
+        if isinstance(tested, str):
+            remarks.append(tested)
             continue
         std = np.sqrt(np.trace(tested.covariance[0], axis1=1, axis2=2))
         stayed = zip(tested.ids, tested.moved.tolist(), std.tolist(), strict=True)
-        found[k] = {name: std**-2 for name, moved, std in stayed if not moved}
-        if 2 * int(tested.moved.sum()) > len(tested.ids):
-            raise InputError(
-                f"{int(tested.moved.sum())} of {len(tested.ids)} points that {names[k]} and {names[first]} call alike "
-                "are not one point: are the names those of another object, or exchanged?"
-            )
-        if tested.after[1] < significance:
+        carry = {name: sigma**-2 for name, moved, sigma in stayed if not moved}
+        found[k] = carry
+        cautions += check_frames(base, member, list(carry))
+        if tested.after[1] < s.significance:
             remarks.append(
-                f"common points of {names[k]} that stayed differ by more than their standard deviations say (F "
+                f"common points of {member.name} that stayed differ by more than their standard deviations say (F "
                 f"{tested.after[0]:.3g}): these are too small, or many points moved a little"
             )
-    return found, remarks
+    return found, remarks, cautions

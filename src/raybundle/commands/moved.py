@@ -18,6 +18,7 @@ from raybundle.settings import Range, made, option, setting
 
 if TYPE_CHECKING:
     from raybundle.adjustment.result import Adjustment
+    from raybundle.block import Block
     from raybundle.io.digits import Digits
     from raybundle.metrology.best_fit import BestFit
     from raybundle.metrology.congruence import Congruence
@@ -108,7 +109,7 @@ def _moved(s: MovedSettings, epochs: Sequence[Adjustment | str | Path], progress
     faults: dict[str, tuple[str, ...]] = {}
     for k, (name, epoch) in enumerate(zip(short_names(s.epochs), epochs, strict=True)):
         progress("reading measurements", k / len(epochs))
-        found = adjusted_as_free(block_again(epoch) if isinstance(epoch, Adjustment) else epoch)
+        found = adjusted_as_free(block_again(epoch) if isinstance(epoch, Adjustment) else _with_coordinates(epoch))
         # dots have a number of their own in each measurement: which are asked for is known when they are called alike
         sets.append(point_set(found, name, () if any(dot_number(p) >= 0 for p in s.points) else s.points))
         if told := _faults(epoch):
@@ -128,6 +129,14 @@ def _moved(s: MovedSettings, epochs: Sequence[Adjustment | str | Path], progress
         done = done.in_axes(fit.transform)
     _write(s, done, fit, faults)
     return done
+
+
+def _with_coordinates(folder: str | Path) -> Block | Path:
+    """The folder, or its block where coordinates had to be found first."""
+    from raybundle.commands.planning.objects import adjusted_block_in  # noqa: PLC0415
+
+    block, raw = adjusted_block_in(Path(folder))
+    return block if raw else Path(folder)
 
 
 def faults_in(epochs: Sequence[Path]) -> dict[str, tuple[str, ...]]:

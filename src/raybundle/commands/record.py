@@ -8,15 +8,15 @@ from typing import TYPE_CHECKING, Any
 
 from raybundle.commands.record_settings import record_in
 from raybundle.errors import InputError
-from raybundle.results.record import NAMES, RECORD, RECORD_FILE, Record, checked, record_lines
+from raybundle.results.record import NAMES, RECORD, RECORD_FILE, Record, checked
 from raybundle.settings import made, option, path_of, setting
 
 if TYPE_CHECKING:
     from raybundle.results.recorded import KnownByPhotographs
 
 
-def _entry(words: str, flag: str = "") -> Any:
-    return setting(None, words, metavar="TEXT", flag=flag)
+def _entry(words: str) -> Any:
+    return setting(None, words, metavar="TEXT")
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -24,7 +24,8 @@ class RecordSettings:
     """Entries to write; an empty text takes one away, what is not named stays."""
 
     project: Path
-    """project folder of `orient`, or a name for one that it will make"""
+    """project folder of `orient`, or with `new` a name for one that it will make"""
+    new: bool = setting(False, "Begin a project that is not there yet.")
     title: str | None = _entry("Title of the delivery.")
     object: str | None = _entry("Name of what was photographed.")
     place: str | None = _entry("Where it stands: address, parish, country.")
@@ -42,7 +43,9 @@ class RecordSettings:
     date: str | None = _entry("When it was photographed.  [default: as the photographs say]")
     instruments: str | None = _entry("Cameras, lenses, receivers, bars.  [default: as the photographs say]")
     conditions: str | None = _entry("Weather, light and access.")
-    control: str | None = _entry("How scale, control and vertical were measured.", "georeferencing")
+    control: str | None = setting(
+        None, "How scale, control and vertical were measured.", metavar="TEXT", flag="georeferencing", also=("control",)
+    )
     rights: str | None = _entry("Licence or owner of the result.")
     archive: str | None = _entry("Who keeps the recording, and where.")
 
@@ -61,7 +64,8 @@ class Recorded:
 def record(project: str | Path, **entries: Any) -> Recorded:
     """The recording sheet of a project, with these entries written into project.toml, table [record].
 
-    project  project folder of `orient`, or a name for one that it will make; a result there gets record.toml
+    project  project folder of `orient`, or with new=True a name for one that it will make; a result there gets
+             record.toml
     entries  by the names of `Record`: client="Monument office", place="Göttingen"; "" takes an entry away
     raises   InputError where something else stands there, or project.toml cannot be read
 
@@ -76,7 +80,7 @@ def run_record(settings: RecordSettings) -> Recorded:
 
     folder = settings.project
     given = {n: checked(n, v) for n in NAMES if (v := getattr(settings, n)) is not None}
-    _check_project(folder, begins=any(given.values()))
+    _check_project(folder, begins=settings.new and any(given.values()))
     told = record_in(folder)
     result = folder / "result"
     _, known = read_recorded(result)
@@ -102,21 +106,29 @@ def _check_project(folder: Path, *, begins: bool) -> None:
             file=folder,
         )
     if not begins:
-        raise InputError(
-            f"there is no such project, so that nothing is recorded yet; an entry, as {option('object', 'NAME')}, "
-            "begins it",
-            file=folder,
-        )
+        near = _projects_like(folder)
+        meant = f"is it {near[0]}? " if near else ""
+        how = f"an entry, as {option('object', 'NAME')}, with {option('new', True)} begins one"
+        raise InputError(f"there is no such project; {meant}{how}", file=folder)
+
+
+def _projects_like(folder: Path) -> list[Path]:
+    """Projects beside a folder that is none, those of the most similar names first."""
+    from difflib import get_close_matches  # noqa: PLC0415
+
+    parent = folder.absolute().parent
+    names = [p.name for p in parent.iterdir() if (p / "project.db").is_file()] if parent.is_dir() else []
+    return [folder.with_name(name) for name in get_close_matches(folder.name, names)]
 
 
 def _write(folder: Path, told: Record) -> Path:
     from raybundle.pipeline.project import Project  # noqa: PLC0415
-    from raybundle.pipeline.settings_file import with_table  # noqa: PLC0415
+    from raybundle.pipeline.settings_file import with_entries  # noqa: PLC0415
 
     file = folder / "project.toml"
     project = Project.open(folder)
     try:
-        project.write_settings(with_table(file, RECORD, "\n".join(record_lines(told)) if told.as_mapping() else ""))
+        project.write_settings(with_entries(file, RECORD, told.as_mapping()))
     finally:
         project.close()
     return file

@@ -45,7 +45,7 @@ class RectifySettings(PlaneSettings):
     photos: tuple[Path, ...] = setting(
         (), "Where the photographs are.  [default: as the project knows]", metavar="FOLDER"
     )
-    only: tuple[str, ...] = setting((), "Take this photograph alone, or these.", metavar="NAME")
+    only: tuple[str, ...] = setting((), "Take these photographs alone.", metavar="A,B,C,...", joined=True)
     control: Path | None = setting(
         None, "For a PHOTO: points of the plane and their places in it, as for orient.", metavar="FILE"
     )

@@ -16,6 +16,7 @@ from raybundle.settings import ANY, NOT_NEGATIVE, Range, made, option, other_tha
 
 if TYPE_CHECKING:
     from raybundle.numerics.arrays import Array
+    from raybundle.report.drawing.content import Drawing
     from raybundle.report.drawing.sheet import Sheets
 
 PaperName = Literal["A4", "A3", "A2", "A1", "A0"]
@@ -123,7 +124,7 @@ def run_drawing_sheet(settings: DrawingSheetSettings, progress: Progress = silen
     progress("drawing", 1.0)
     return _answer(s, sheets, drawing.millimetres, (
         len(drawing.pictures), sum(len(p.xy) for p in drawing.points), len(drawing.lines)
-    ), (*remarks, *_shortened(sheets)), state)  # fmt: skip
+    ), (*remarks, *_shortened(sheets), *_lacking(drawing)), state)  # fmt: skip
 
 
 def _answer(
@@ -151,6 +152,19 @@ def _answer(
 def _shortened(sheets: Sheets) -> tuple[str, ...]:
     cut = sheets.block.shortened
     return (f"shortened in the title block: {', '.join(cut)}",) if cut else ()
+
+
+def _lacking(drawing: Drawing) -> tuple[str, ...]:
+    """A remark about letters that are question marks on the sheet."""
+    from raybundle.report.drawing.fonts import lacking  # noqa: PLC0415
+
+    texts = [drawing.title, *(f.text for f in drawing.fields), *drawing.notes, *(n.words for n in drawing.lines)]
+    names = [name for group in drawing.points for name in group.names]
+    letters = lacking(" ".join([*texts, *names]))
+    if not letters:
+        return ()
+    more = " ..." if len(letters) > 10 else ""
+    return (f"letters that a sheet cannot hold are question marks on it: {' '.join(letters[:10])}{more}",)
 
 
 def _check(s: DrawingSheetSettings) -> None:

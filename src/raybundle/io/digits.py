@@ -26,6 +26,8 @@ LEAST = 1e-12
 """Least eigenvalue of a correlation matrix that is taken for more than rounding."""
 EXACT = 2.0**53
 """Above it floating-point numbers are whole, and there is nothing to round."""
+EARTH_M = 6378137.0
+"""Largest geocentric coordinate of a point on the earth"""
 ROUNDING = 2.0**-48
 """Of the largest of several numbers, by which some ten operations may be wrong in each"""
 FINEST = 22
@@ -163,6 +165,14 @@ def computed(rules: Sequence[Within], values: Array) -> list[Within]:
     """The same rules for numbers (n, k) that were computed: what is below the rounding of the largest is lost."""
     least = ROUNDING * float(np.nanmax(np.abs(values), initial=0.0))
     return [Within(np.maximum(rule.limit, least)) for rule in rules]
+
+
+def brought(count: int, unit: float) -> Within:
+    """Coordinates that were brought from a system of the earth to a local frame and back; one is `unit` metres.
+
+    What was given stands there again: geocentric coordinates on the way lose what is below their rounding.
+    """
+    return Within(np.full(count, ROUNDING * EARTH_M / unit))
 
 
 def of_correlations(covariance: Array) -> Array:

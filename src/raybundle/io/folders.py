@@ -26,19 +26,26 @@ _SIBLING = r"\.[0-9a-f]{8}\.(?:partial|old)"
 
 
 @contextmanager
-def new_folder(path: Path) -> Generator[Path]:
+def new_folder(path: Path, *, replacing: bool = False) -> Generator[Path]:
     """A temporary sibling of `path` that takes its name when the body ends without an error.
 
-    What stands at `path` is replaced only then; whether it may be is for the caller to find out before.  A
-    process that is killed leaves `path` as it was, and a folder `.NAME.*.partial` beside it, which the next one that
-    writes there deletes.  Raises InputError where nothing can be written there.
+    replacing  what stands at `path` when the body begins is replaced then; whether it may be is for the caller to find
+               out before.  Otherwise nothing but an empty folder may stand there
+    raises     InputError where nothing can be written there, and where something has come to stand there meanwhile,
+               as of another run: it stays, and nothing is left of this one
+    A process that is killed leaves `path` as it was, and a folder `.NAME.*.partial` beside it, which the next one that
+    writes there deletes.
     """
     path = place_of(path)
     make_parent(path)
+    stood = _identity(path) if replacing else None
     with _sibling(path) as temporary:
         yield temporary
         with _told(path):
-            _take_name(temporary, path)
+            if stood is None:
+                _take_free_name(temporary, path)
+            else:
+                _take_name(temporary, path, stood)
 
 
 @contextmanager
@@ -232,19 +239,55 @@ def unlock(lock: int | None) -> None:
             os.close(lock)
 
 
-def _take_name(new: Path, path: Path) -> None:
-    if not path.exists():
+def _identity(path: Path) -> tuple[int, int] | None:
+    """Which folder stands under a name; None where none does."""
+    try:
+        found = path.stat()
+    except FileNotFoundError:
+        return None
+    return found.st_dev, found.st_ino
+
+
+def _meanwhile(path: Path) -> InputError:
+    return InputError(
+        "has come to stand there while this was being made, by another run, it seems; it stays, and nothing of this "
+        "one is kept: choose another name",
+        file=path,
+    )
+
+
+def _take_free_name(new: Path, path: Path) -> None:
+    """The system refuses to rename onto a folder that holds something, or onto a file."""
+    if os.name == "nt" and path.is_dir():
+        with contextlib.suppress(OSError):
+            path.rmdir()
+    try:
+        new.rename(path)
+    except OSError:
+        if path.exists():
+            raise _meanwhile(path) from None
+        raise
+
+
+def _take_name(new: Path, path: Path, stood: tuple[int, int]) -> None:
+    """Replace the folder that stood there, and no other."""
+    if _identity(path) is None:
         new.rename(path)
     elif not exchange(new, path):
         # two steps where the system has no exchange: for an instant only the old one under its other name exists
         old = new.with_suffix(".old")
         path.rename(old)
         try:
+            if _identity(old) != stood:
+                raise _meanwhile(path)
             new.rename(path)
-        except OSError:
+        except (OSError, InputError):
             old.rename(path)
             raise
         shutil.rmtree(old, ignore_errors=True)
+    elif _identity(new) != stood:
+        exchange(new, path)
+        raise _meanwhile(path)
 
 
 def exchange(a: Path, b: Path) -> bool:

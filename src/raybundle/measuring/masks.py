@@ -161,7 +161,7 @@ def write_masks(folder: Path, photos: Sequence[Photo], drawn: Mapping[str, list[
     masks = Masks(photos=()) if given is None else find_masks(given, photos)
     refused = {name for name, _ in masks.refused}
     count = 0
-    with new_folder(folder) as made:
+    with new_folder(folder, replacing=True) as made:
         for photo in photos:
             polygons = drawn.get(photo.name, [])
             free = masks.of(photo) if photo.name in masks.files else None

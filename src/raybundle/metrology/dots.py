@@ -88,8 +88,8 @@ def _pairs(here: Array, there: Array) -> list[tuple[int, int]]:
 
     if not len(here) or not len(there):
         return []
-    d, at = KDTree(there).query(here)
-    _, back = KDTree(here).query(there)
+    d, nearest = KDTree(there).query(here)
+    at, back = np.asarray(nearest, np.int64), np.asarray(KDTree(here).query(there)[1], np.int64)
     own, other = _spacing(here), _spacing(there)
     mutual = back[at] == np.arange(len(here))
     near = mutual & (d < WITHIN * np.minimum(own, other[at]))

@@ -2,15 +2,18 @@
 
 from __future__ import annotations
 
+import json
 import re
+from collections.abc import Mapping
 from pathlib import Path
-from typing import Any
+from typing import Any, cast
 
 from raybundle.errors import InputError
 from raybundle.io.reading.files import read_text
 from raybundle.io.reading.trees import TOML_BYTES, read_toml, toml_of
 
 _TABLE = re.compile(r"""^\s*\[\[?\s*(?:([A-Za-z0-9_-]+)|"([^"\\]+)"|'([^']+)')""")
+_ENTRY = re.compile(r"""^\s*(?:([A-Za-z0-9_-]+)|"([^"\\]+)"|'([^']+)')\s*=""")
 _STRINGS = re.compile(
     r"""(?P<basic>\"\"\")|(?P<literal>''')|"(?:[^"\\]|\\.)*"|'[^']*'|(?P<comment>\#.*)|\\.|.""", re.DOTALL
 )
@@ -80,9 +83,12 @@ def with_table(path: Path, name: str, text: str) -> str:
     raises  InputError where the others would not be the same afterwards: nothing is lost then
     """
     tables = tables_of(path)
-    tables.pop(name, None)
     ours = {name: text.strip("\n")} if text else {}
-    every = {**ours, **tables} if name == "orient" else {**tables, **ours}
+    if name in tables and text:
+        every = {**tables, **ours}  # where it stands
+    else:
+        tables.pop(name, None)
+        every = {**ours, **tables} if name == "orient" else {**tables, **ours}
     done = "\n\n".join(t for t in every.values() if t) + "\n"
     if _others(done, name) != (_others(read_text(path, TOML_BYTES), name) if path.is_file() else {}):
         raise InputError(
@@ -91,6 +97,68 @@ def with_table(path: Path, name: str, text: str) -> str:
             file=path,
         )
     return done
+
+
+def with_entries(path: Path, name: str, entries: Mapping[str, str]) -> str:
+    """The file with these texts for the entries of one table: what stands in it keeps its order and its comments.
+
+    entries  all that the table is to hold; a table without any is taken away
+    raises   InputError where other tables would not be the same afterwards: nothing is lost then
+    """
+    before = tables_of(path).get(name, "")
+    written = {key: f"{key} = {json.dumps(value, ensure_ascii=False)}" for key, value in entries.items()}
+    plain = "\n".join([f"[{name}]", *written.values()])  # a JSON text is one of TOML
+    if not entries:
+        return with_table(path, name, "")
+    told = toml_of(before, path).values.get(name, {}) if before else {}
+    edited = _edited(before, told, entries, written) if isinstance(told, dict) and told else ""
+    kept = _texts(edited, name) == dict(entries)
+    return with_table(path, name, edited if kept else plain)
+
+
+def _edited(before: str, told: Mapping[str, Any], entries: Mapping[str, str], written: Mapping[str, str]) -> str:
+    """The lines of a table with other texts for some of its entries, new ones behind the last."""
+    lines: list[str] = []
+    key, inside, last = "", "", 0
+    for line in before.splitlines():
+        found = None if inside else _ENTRY.match(line)
+        inside = _within(line, inside)
+        if found is not None:
+            key = found[1] or found[2] or found[3]
+        elif not key or not line.strip() or line.lstrip().startswith("#"):
+            key = key if inside else ""
+        same = key not in told or (key in entries and str(told[key]) == entries[key])
+        if not key or same:
+            lines.append(line)
+        elif found is not None and key in written:
+            lines.append(written[key] + _comment(line))
+        if key:
+            last = len(lines)
+            key = key if inside else ""
+    new = [text for entry, text in written.items() if entry not in told]
+    at = last or len(lines)
+    return "\n".join([*lines[:at], *new, *lines[at:]])
+
+
+def _comment(line: str) -> str:
+    """The comment behind an entry of one line."""
+    at = 0
+    while at < len(line):
+        found = _STRINGS.match(line, at)
+        if found is None or found["basic"] or found["literal"]:
+            return ""
+        if found["comment"]:
+            return f"  {found['comment']}"
+        at = found.end()
+    return ""
+
+
+def _texts(text: str, name: str) -> dict[str, str] | None:
+    try:
+        told = toml_of(text, Path(name)).values.get(name)
+    except InputError:
+        return None
+    return {k: str(v) for k, v in cast("dict[str, Any]", told).items()} if isinstance(told, dict) else None
 
 
 def _others(text: str, name: str) -> dict[str, Any] | None:

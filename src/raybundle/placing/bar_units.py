@@ -8,20 +8,14 @@ from raybundle.adjustment.result import Notice
 from raybundle.block import Block
 from raybundle.block.block import Distances
 from raybundle.numerics.arrays import Mask
-
-UNITS = {"mm": 1e-3, "cm": 1e-2, "inches": 0.0254, "feet": 0.3048, "km": 1e3}
-BEYOND = 2.0
-"""Ratio of a bar's length to what a placed block shows, or its inverse, from which on the bar is left out.
-
-Units differ by more (an inch is 2.5 cm), and the tests of the adjustment find less: beyond it the bar pulls its ends
-behind the photographs, whose right measurements are rejected then."""
-LIKELY = 1.1
-"""Ratio of what is left in a unit up to which that unit is named."""
+from raybundle.numerics.length_units import BEYOND, unit_of
 
 
 def without_strange_bars(block: Block) -> tuple[Block, list[Notice]]:
     """A block that control has placed without the scale bars that contradict it by more than BEYOND, each a fault.
 
+    The tests of the adjustment find less: beyond it a bar pulls its ends behind the photographs, whose right
+    measurements are rejected then.
     What it does not tell: whether control or the bar has the wrong unit, where there is one bar alone.
     """
     d, xyz = block.distances, block.points.xyz
@@ -50,7 +44,6 @@ def without_strange_bars(block: Block) -> tuple[Block, list[Notice]]:
 def _unit(ratio: float) -> str:
     """What may explain a factor: the unit in which the bar, or the control, was given."""
     for what, of in (("the bar's length is", ratio), ("the control's coordinates are", 1 / ratio)):
-        for name, metres in UNITS.items():
-            if 1 / LIKELY < of * metres < LIKELY:
-                return f": {what} in {name}, it seems; give metres"
+        if name := unit_of(of):
+            return f": {what} in {name}, it seems; give metres"
     return "; look at its length, at the names of its ends and at the unit of the control"

@@ -121,7 +121,7 @@ def written_folder(
     raises      InputError where something else stands at `path`
     """
     check_target(path)
-    with new_folder(Path(path)) as folder:
+    with new_folder(Path(path), replacing=True) as folder:
         progress("writing tables", 0.0)
         (folder / "block").mkdir()
         write_block_files(block_again(adjustment), folder / "block", tables)

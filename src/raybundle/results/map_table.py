@@ -9,7 +9,7 @@ import numpy as np
 from raybundle.adjustment.accuracy import Compared
 from raybundle.adjustment.result import Adjustment
 from raybundle.block import Role
-from raybundle.io.digits import EVERY, STD, Digits, by_sigma, in_network, jointly
+from raybundle.io.digits import EVERY, STD, Digits, brought, by_sigma, in_network, jointly
 from raybundle.io.geo.coordinate_systems import LocalFrame
 from raybundle.io.geo.parsed_systems import system_name
 from raybundle.numerics.arrays import Array
@@ -70,4 +70,6 @@ def map_control_table(
     sigma = np.vstack([np.zeros((0, 3)), *(c.sigma for _, c in compared)])
     both = np.hypot(np.nan_to_num(std), np.nan_to_num(sigma))
     named = zip(("dE_m", "dN_m", "dh_m"), both.T, strict=True)
-    return columns, {**dict.fromkeys("XYZ", EVERY), **{n: by_sigma(s) for n, s in named}}
+    plan, height = frame.units_m
+    least = (brought(len(rows), unit) for unit in (plan, plan, height))
+    return columns, {**dict(zip("XYZ", least, strict=True)), **{n: by_sigma(s) for n, s in named}}

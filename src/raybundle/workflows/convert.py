@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Generator
 from contextlib import contextmanager
 from dataclasses import replace
@@ -32,6 +33,17 @@ WRITABLE = (BLOCK, RPC, *sorted(n for n, f in formats.items() if f.write))
 POINTS, MAPS, STATIONS = ("las", "ply"), ("dxf", "gpkg"), ("geojson", "kml")
 """Formats that take the points of satellite scenes; those of them that hold photographs, too; and formats of stations
 on a map, which scenes are not."""
+
+
+def named_for(out: Path, target: str) -> Path:
+    """A name with the ending of a format that is one file, where it has none.
+
+    What stands after a point may be no ending: facade-1.2.
+    """
+    suffix = "" if target in {BLOCK, RPC} else format_named(target).suffix
+    if not suffix or re.fullmatch(r"\.[a-z][a-z0-9]+", out.suffix.lower()):
+        return out
+    return out.with_name(f"{out.name}{suffix}")
 
 
 def check_new(out: Path, target: str) -> None:

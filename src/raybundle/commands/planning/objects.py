@@ -67,17 +67,21 @@ def block_in(folder: Path) -> Block:
 
 
 def adjusted_block_in(folder: Path, threads: int = 0) -> tuple[Block, bool]:
-    """The same with coordinates of all that was seen, and whether they had to be found for it."""
+    """The same with coordinates of all that was seen, and whether they had to be found for it.
+
+    They stand in the frame of what was given, control and positions first; what was given stays as it was given.
+    """
     import numpy as np  # noqa: PLC0415
 
     block = block_in(folder)
     seen = np.unique(block.observations.point)
     if np.isfinite(block.points.xyz[seen]).all():
         return block, False
+    from raybundle.adjustment.again import block_again  # noqa: PLC0415
     from raybundle.adjustment.options import AdjustmentOptions  # noqa: PLC0415
     from raybundle.workflows.adjust import adjust  # noqa: PLC0415
 
-    return adjust(block, AdjustmentOptions(datum="inner", statistics=False, jobs=threads)).adjusted, True
+    return block_again(adjust(block, AdjustmentOptions(statistics=False, jobs=threads))), True
 
 
 def example(name: str) -> str:

@@ -81,7 +81,7 @@ def projected(crs: str, origin: tuple[float, float, float]) -> Projected:
     from raybundle.io.geo.coordinate_systems import local_frame  # noqa: PLC0415  (pyproj only where it is used)
 
     frame = local_frame(crs, origin)
-    centre, R = frame._place  # noqa: SLF001
+    centre, R = frame.geocentric
 
     def to_geographic(xyz: Array) -> Array:
         return geographic_from_geocentric(frame.local_from_crs(xyz) @ R + centre)

@@ -72,7 +72,7 @@ class LocalFrame:
         xyz = _rows(xyz)
         unknown = np.isnan(xyz[:, 2])
         filled = np.where(unknown[:, None] & [False, False, True], self.origin[2], xyz)
-        local = (_geocentric_from_crs(self, filled) - self._place[0]) @ self._place[1].T
+        local = (_geocentric_from_crs(self, filled) - self.geocentric[0]) @ self.geocentric[1].T
         local[unknown, 2] = np.nan
         return local
 
@@ -82,19 +82,20 @@ class LocalFrame:
         unknown = np.isnan(xyz[:, 2])
         filled = xyz.copy()
         # without a height: on the surface through the origin that runs parallel to the ellipsoid
-        radius = np.linalg.norm(self._place[0])
+        radius = np.linalg.norm(self.geocentric[0])
         square = np.sum(xyz[:, :2] ** 2, axis=1)
         filled[unknown, 2] = (np.sqrt(np.maximum(radius**2 - square, 0)) - radius)[unknown]
         for _ in range(3 if unknown.any() else 0):
-            height = _crs_from_geocentric(self, filled @ self._place[1] + self._place[0])[:, 2]
+            height = _crs_from_geocentric(self, filled @ self.geocentric[1] + self.geocentric[0])[:, 2]
             filled[unknown, 2] -= (height[unknown] - self.origin[2]) * _unit(self.crs)[1]
-        result = _crs_from_geocentric(self, filled @ self._place[1] + self._place[0])
+        result = _crs_from_geocentric(self, filled @ self.geocentric[1] + self.geocentric[0])
         result[unknown, 2] = np.nan
         return result
 
     def wgs84_from_local(self, xyz: Array) -> Array:
         """Longitude, latitude [deg] and height [m] (n, 3) in WGS 84; a datum shift is pyproj's best without grids."""
-        geographic = _geographic_from_geocentric(_rows(xyz) @ self._place[1] + self._place[0], _horizontal(self.crs))
+        centre, R = self.geocentric
+        geographic = _geographic_from_geocentric(_rows(xyz) @ R + centre, _horizontal(self.crs))
         return _transformed(_to_wgs84(self.crs), geographic)
 
     def local_from_wgs84(self, geographic: Array) -> Array:
@@ -103,9 +104,8 @@ class LocalFrame:
         unknown = np.isnan(rows[:, 2])
         height = self.wgs84_from_local(np.zeros((1, 3)))[0, 2]
         filled = np.where(unknown[:, None] & [False, False, True], height, rows)
-        own = _converted(_to_wgs84(self.crs), *filled.T, inverse=True)
-        own = _checked(own, rows, "WGS 84")
-        local = (_geocentric_from_geographic(own, _horizontal(self.crs)) - self._place[0]) @ self._place[1].T
+        own = _checked(_converted(_to_wgs84(self.crs), *filled.T, inverse=True), rows, "WGS 84")
+        local = (_geocentric_from_geographic(own, _horizontal(self.crs)) - self.geocentric[0]) @ self.geocentric[1].T
         local[unknown, 2] = np.nan
         return local
 
@@ -138,7 +138,7 @@ class LocalFrame:
     def local_from_enu(self, xyz: Array) -> Array:
         """Rotations (n, 3, 3) from east, north, up at points (n, 3) of the system to the axes of this frame."""
         geographic = _geographic(self, _rows(xyz))
-        return self._place[1] @ np.swapaxes(_enu_from_geocentric(geographic), -1, -2)
+        return self.geocentric[1] @ np.swapaxes(_enu_from_geocentric(geographic), -1, -2)
 
     def crs_from_local_rotation(self, xyz: Array) -> Array:
         """Rotations (n, 3, 3) from the axes of this frame to those of the system's grid, at points (n, 3) of it.
@@ -179,8 +179,8 @@ class LocalFrame:
         return "" if found is None else found[1]
 
     @property
-    def _place(self) -> tuple[Array, Array]:
-        """Geocentric coordinates (3,) of the origin, and the rotation (3, 3) to east, north, up there."""
+    def geocentric(self) -> tuple[Array, Array]:
+        """Geocentric coordinates (3,) of the origin, and the rotation (3, 3) to the axes, in its own datum."""
         return _place(self.crs, self.origin, self.undulation_m)
 
 

@@ -164,7 +164,7 @@ def _trajectory(section: Section) -> tuple[Path3d, tuple[float | None, float | N
     if crs is None:
         section.fail("crs", 'positions X, Y, Z need their coordinate system: crs = "EPSG:25832"')
     frame = local_frame(crs, given.xyz[len(given) // 2])
-    centre, to_local = frame._place  # noqa: SLF001
+    centre, to_local = frame.geocentric
     turned = given if apart is None else _at_times_of(_table(apart, "attitudes"), given)
     boresight = rotation_from_vector(np.radians(_three(section, "boresight_deg")))
     R = boresight @ rotations_in(turned, frame) @ to_local

@@ -5,6 +5,7 @@ from __future__ import annotations
 from functools import lru_cache
 from pathlib import Path
 from typing import Any
+from unicodedata import bidirectional
 
 from raybundle.errors import InputError
 
@@ -30,15 +31,21 @@ def _known() -> frozenset[int]:
     from reportlab.pdfbase import pdfmetrics  # noqa: PLC0415
 
     face: Any = pdfmetrics.getFont(PLAIN)
-    return frozenset(face.face.charToGlyph)
+    # letters that are read from right to left would stand in the wrong order
+    return frozenset(c for c in face.face.charToGlyph if bidirectional(chr(c)) not in {"R", "AL"})
 
 
 def shown(text: str) -> str:
-    """A text of one line in letters that the font has; any other becomes "?"."""
+    """A text of one line in letters that can be set; any other becomes "?"."""
+    line = " ".join(text.split())
+    return line.translate(dict.fromkeys(map(ord, lacking(line)), "?"))
+
+
+def lacking(text: str) -> str:
+    """The letters of a text that cannot be set, each once: the font does not have them, or not from right to left."""
     load_fonts()
     known = _known()
-    line = " ".join(text.split())
-    return "".join(c if ord(c) in known and c.isprintable() else "?" for c in line)
+    return "".join(dict.fromkeys(c for c in text if not c.isspace() and not (ord(c) in known and c.isprintable())))
 
 
 def width(text: str, size: float, font: str = PLAIN) -> float:
