@@ -67,6 +67,37 @@ BESIDE = (
     "workflows/orienting/*.py", "workflows/scenes/*.py", "workflows/calibrating/*.py",
 )  # fmt: skip
 """Modules that make texts for reports without making a notice"""
+REMARKS = re.compile(r"\bremarks?\b")
+"""A module with a word of these tells its caller something, which becomes a notice as a rule"""
+SENTENCE = re.compile(r"(?:\S+ ){4}")
+"""What such a module tells has more than four words; its other texts are names and keys"""
+SAID_ELSEWHERE = {
+    "cli/": "printed on the command line",
+    "commands/": "the same; what is none makes a notice",
+    "studio/": "shown in the studio",
+    "measuring/": "answers of the studio and of `query`",
+    "planning/": "answers of `plan`",
+    "missions/": "the same",
+    "io/missions/": "the same",
+    "io/formats/": "remarks of `convert`",
+    "io/calibrations/": "of `calibration`",
+    "io/pictures/": "of `rectify` and of `convert`",
+    "io/scene_export.py": "of `convert`",
+    "io/photos/video.py": "of `frames`",
+    "io/cameras/one_instant.py": "of `convert`",
+    "block/zoom.py": "of `camera`",
+    "block/joined.py": "of `merge`",
+    "workflows/convert.py": "of `convert`",
+    "workflows/sources.py": "the same",
+    "workflows/object_plane.py": "of `rectify` and `sheet`",
+    "workflows/rectify.py": "the same",
+    "io/film/": "of `film`",
+    "io/geo/rasters.py": "of `rpc ortho`",
+    "workflows/bare.py": "an error that ends a run",
+    "objects/": "of `plan`",
+    "workflows/scenes/ortho.py": "of `rpc ortho`",
+}
+"""Modules whose remarks reach no report, and who reads them"""
 CODES = frozenset(
     """
     CalibratedFocalLength DewarpData Found Gps JpegImageFile JpegImagePlugin LineSensor Metadata
@@ -82,9 +113,13 @@ CODES = frozenset(
 """Names within the program and its formats, which no reader sees"""
 ENDING = (
     "usable photograph{}", "one photograph alone cannot", "1 satellite scene and no photograph",
-    "give a folder of photographs",
+    "give a folder of photographs", "this line has no name of a point", "has other coordinates in line",
+    "this point stands in image", "is not one of control, check, tie", "give the coordinate too", "has no coordinate; give",
+    "longitude {} to {}, latitude", "a frame camera, whose", "a push-frame camera", "a radar, which", "or leave {} out",
 )  # fmt: skip
 """Errors that end a run, made in parts: there is no report then"""
+FORMATS = re.compile(r"ISD|DIMAP [12]|GeoTIFF with|metadata XML|RPC as text|MRK file|PhotoModeler's|apriltag-36h11")
+"""What formats and targets are called in lists of the command line"""
 STANDARD = "report/text/accuracy_words.py"
 """Statements of ASPRS, which stand in the words of the standard in every language"""
 
@@ -114,6 +149,7 @@ def excused(t: Text) -> bool:
         or t.template in {"Libertinus Serif", "no residual", "vector bold"}
         or re.fullmatch(r"\{\}:\w+_of", t.template) is not None
         or any(words in t.template for words in ENDING)
+        or FORMATS.search(t.template) is not None
     )
 
 
@@ -128,9 +164,11 @@ def sources() -> tuple[Text, ...]:
         if (
             name.startswith("report/")
             or any(PurePath(name).match(p) for p in BESIDE)
-            or "Notice(" in path.read_text(encoding="utf-8")
+            or "Notice(" in (text := path.read_text(encoding="utf-8"))
         ):
             found += texts_of(path)
+        elif REMARKS.search(text) and not name.startswith(tuple(SAID_ELSEWHERE)):
+            found += (t for t in texts_of(path) if SENTENCE.search(t.template))
     return tuple(found)
 
 
@@ -277,6 +315,55 @@ def test_a_text_that_is_not_covered_is_noticed(tmp_path):
     adjustment = replace(made("rich"), notices=(Notice(code="gps", message="somebody moved the tripod"),))
     left = english_atoms(language_of("de"), lambda: write_report(adjustment, tmp_path / "r.html", language="de"))
     assert any("tripod" in words for words in left)
+
+
+def test_a_sentence_without_translation_stays_english_whole():
+    german = language_of("de", ["mill.csv"])
+    lost = (
+        "mill.csv: all 4 wheels are perfectly round and are taken as unknown, not measured: the miller or check alone"
+    )
+    known = "12 images"
+    assert german.text(lost) == lost
+    assert german.left(lost) >= 1
+    assert german.text(f"{lost}. Reports are written in German. {known}") == (
+        f"{lost}. Reports are written in German. 12 Bilder"
+    )
+    # a name that nobody announced stays within its sentence
+    assert german.text("control points with a single ray: obelisk") == "Passpunkte mit nur einem Strahl: obelisk"
+
+
+def test_remarks_of_a_control_file_are_german():
+    german = language_of("de", ["gcp_list.txt"])
+    remark = (
+        "gcp_list.txt: all 10 heights are exactly 0 and are taken as unknown, not measured: the points control or check "
+        "plan alone. If they were measured, a CSV with a column sZ says so"
+    )
+    assert german.left(remark) == 0
+    assert german.text(remark).startswith("gcp_list.txt: alle 10 Höhen sind genau 0 und gelten als unbekannt")
+    assert any(t.file == "io/geo/control_files.py" for t in sources())
+
+
+def test_german_of_counts_within_sentences():
+    german = language_of("de")
+    for english, told in (
+        (
+            "; median 16 mm: 70 % of the variance is that of 1 point",
+            "; Median 16 mm: 70 % der Varianz entfallen auf 1 Punkt",
+        ),
+        (
+            "Their medians are X 13.0, Y 12.9, Z 18.2 mm: 70 % of the variance is that of 1 point of 11 024, far away as a rule.",
+            "Ihre Mediane sind X 13,0; Y 12,9; Z 18,2 mm: 70 % der Varianz entfallen auf 1 Punkt von 11 024, in der Regel "
+            "weit entfernt.",
+        ),
+        (
+            "171 of 64 301 image observations rejected: blunder (102), blunder in one of the point's rays (69)",
+            "171 von 64 301 Bildbeobachtungen verworfen: grober Fehler (102), grober Fehler in einem der Strahlen des "
+            "Punktes (69)",
+        ),
+        ("7 that least-squares matching did not measure", "7 ohne Messung durch Kleinste-Quadrate-Zuordnung"),
+    ):
+        assert german.text(english) == told
+    assert german.cell("general") == "räumlich"
 
 
 def test_numbers_dates_counts_and_names():
