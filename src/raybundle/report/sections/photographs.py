@@ -268,6 +268,7 @@ def _parts_of(joined: Array) -> int:
     return int(connected_components(csr_array(joined), directed=False)[0]) if len(joined) else 0
 
 
+YES_NO = {"yes", "no"}
 GEOMETRIES = {
     "general": "seen from different positions",
     "planar": "a plane, or nearly one",
@@ -431,7 +432,7 @@ def _settings_table(settings: Sequence[tuple[str, str]]) -> Table:
     """What was asked for beside the defaults."""
     return table(
         (text("setting"), text("value")),
-        ([Said(name) for name, _ in settings], [Said(value) for _, value in settings]),
+        ([Said(name) for name, _ in settings], [value if value in YES_NO else Said(value) for _, value in settings]),
         note="Settings that are not as by default, by the names in project.toml and in Python.",
     )  # fmt: skip
 

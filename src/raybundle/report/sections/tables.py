@@ -31,7 +31,7 @@ from raybundle.report.parts import (
 )
 from raybundle.report.text.numbers import NONE, cells, column_decimals, counted, grouped
 from raybundle.report.view import View
-from raybundle.settings import option
+from raybundle.settings import in_words, option
 
 MOST_CORRELATED = 200
 """Points up to which a list tells correlations of coordinates: one that is read, point by point"""
@@ -129,9 +129,7 @@ def provenance_section(view: View) -> Section:
     names = [f.name for f in fields(AdjustmentOptions)]
     values = [getattr(options, n) for n in names]
     changed = ["" if v == getattr(default, n) else "not the default" for n, v in zip(names, values, strict=True)]
-    settings = table(
-        (text("setting"), text("value"), text("")), (said(names), said(_shown(v) for v in values), changed)
-    )
+    settings = table((text("setting"), text("value"), text("")), (said(names), [_shown(v) for v in values], changed))
     prints = fingerprints(view.given)
     hashes = table((text("input"), text("rows"), text("SHA-256 of the values")), zip(*prints, strict=True))
     found = versions()
@@ -150,7 +148,7 @@ def provenance_section(view: View) -> Section:
 
 def _shown(value: object) -> str:
     if isinstance(value, tuple):
-        return ", ".join(str(v) for v in value[:50]) + (" …" if len(value) > 50 else "") or NONE
+        return Said(", ".join(str(v) for v in value[:50]) + (" …" if len(value) > 50 else "") or NONE)
     if isinstance(value, bool):
-        return "yes" if value else "no"
-    return str(value)
+        return in_words(value)  # to be translated
+    return Said(in_words(value))
