@@ -292,7 +292,7 @@ def other_than_usual(values: Any) -> dict[str, object]:
 
 
 def in_words(value: object) -> str:
-    """A value as it is printed: files by their names, yes and no, of several values those of each between semicolons."""
+    """A value as it is printed: files by their names, yes and no, of several values each."""
     if isinstance(value, bool):
         return "yes" if value else "no"
     if isinstance(value, PurePath):

@@ -107,8 +107,8 @@ def _fit(result: Adjustment) -> list[Notice]:
             code="global_test",
             measured=grave if more else Severity.REMARK,
             message=f"sigma0 {result.sigma0:.3g} differs from 1 (weighted square sum {_sum(value)}, 95 % limits "
-            f"{_sum(lower)} .. {_sum(upper)}): {_meaning(result, more=more)}. Standard deviations carry the a-posteriori "
-            "sigma0.",
+            f"{_sum(lower)} .. {_sum(upper)}): {_meaning(result, more=more)}. Standard deviations carry the "
+            "a-posteriori sigma0.",
         )
     ]
 

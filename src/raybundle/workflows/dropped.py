@@ -70,8 +70,8 @@ class Dropped:
         }
         why = [f"{grouped(n)} {words[r]}" for r, n in self.reasons.items() if n and r in words]
         message = (
-            f"before the adjustment {100 * self.share:.0f} % of the image points were dropped: of {grouped(self.features)} "
-            f"features {grouped(self.matched)} have a partner in another photograph"
+            f"before the adjustment {100 * self.share:.0f} % of the image points were dropped: of "
+            f"{grouped(self.features)} features {grouped(self.matched)} have a partner in another photograph"
             + (f", {grouped(self.added)} rays were added" if self.added else "")
             + (f"; dropped are {', '.join(why)}" if why else "")
             + (f". Left are {grouped(self.adjusted)}" if given != self.adjusted else "")
