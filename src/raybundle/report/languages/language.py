@@ -24,7 +24,7 @@ LIST = re.compile(r"(,\d+(?:[ \u00a0]\w{1,2})?), (?=(?:[A-Za-z][ \u00a0])?[\u221
 COUNT = re.compile(rf"({VALUE})[ \u00a0](\S.*)", re.DOTALL)
 SEPARATORS = re.compile(r"((?<=\.)\s+|; |: |, | \(|\) |\)|\( |\(| \[|\]| … | and | or | – | / |\n+| = )")
 CODE = re.compile(
-    r"--[\w-]+|[\w.-]*\w[._/\\][\w./\\-]*\w|[\w-]+=\S*|\w*\d\w*(?:[-.]\w*\d\w*)*|\w+:\d\w*|[A-Z0-9]{2,}s?|\w+_\w+|[a-z][A-Z]|\w+(?:-\w*\d\w*)+"
+    r"--[\w-]+|[\w.-]*\w[._/\\][\w./\\-]*\w|[\w-]+=\S*|\w*\d\w*(?:[-.]\w*\d\w*)*|\w+:\d\w*(?:\+\w+)*|[A-Z0-9]{2,}s?|\w+_\w+|[a-z][A-Z]|\w+(?:-\w*\d\w*)+"
 )
 FLAG = re.compile(r"--[\w-]+(?: \S+){0,4}|\w+=(?:\([^)]*\)|\S*)")
 """A setting with its values, as messages name it"""

@@ -112,7 +112,8 @@ def _facts(p: Facts) -> Copy:
 
 
 def _statements(p: Statements) -> Copy:
-    return {"statements": [[broken(_clean(word), 11.0), _words(sentence)] for word, sentence in p.statements]}
+    told = [[broken(_clean(word), 11.0), _words(sentence)] for word, sentence in p.statements]
+    return {"statements": told, "rest": _words(p.rests[len(told)]) if p.rests else ""}
 
 
 def _folded(p: Folded) -> Copy:
@@ -141,6 +142,7 @@ def _figure(f: Figure) -> Copy:
 
 
 def _table(t: Table) -> Copy:
+    t = t.printed or t
     laid = laid_out(t)
     rows = [[_clean(cell) for cell in row] for row in t.rows]
     stacked = len(rows) > STACKED and laid.natural and not any("\n" in cell for row in rows for cell in row)

@@ -24,8 +24,10 @@ from raybundle.report.figures.photographs import (
     ray_map,
     taken_images,
 )
+from raybundle.report.figures.svg import spread_rows
 from raybundle.report.languages import Said
 from raybundle.report.parts import (
+    PRINTED,
     Fact,
     Facts,
     Figure,
@@ -38,6 +40,7 @@ from raybundle.report.parts import (
     Statements,
     Table,
     number,
+    on_a_page,
     table,
     text,
     whole,
@@ -302,6 +305,11 @@ def _pair_table(facts: PhotographFacts) -> Folded:
             [grouped(p.verified) for p in best], [p.geometry for p in best],
         ),
         most=300,
+    )  # fmt: skip
+    shown = spread_rows(len(listing.rows), PRINTED)
+    listing = on_a_page(
+        listing, shown,
+        f"{grouped(len(shown))} of {grouped(len(best))} pairs, evenly chosen from the strongest to the weakest.",
     )  # fmt: skip
     return Folded(summary=f"{counted(len(facts.pairs), 'compared pair')}", parts=(kinds, listing))
 
