@@ -25,7 +25,7 @@ from raybundle.report.parts import (
     Statements,
     Table,
 )
-from raybundle.report.text.widths import WORDS, advance, broken, lines, longest_word, packed, shared_out
+from raybundle.report.text.widths import WORDS, advance, broken, kept_together, lines, longest_word, packed, shared_out
 
 if TYPE_CHECKING:
     from raybundle.report.document import Document
@@ -251,7 +251,7 @@ def _clean(text: str) -> str:
     Words of right-to-left scripts keep their way without it; with it a name can pass for another one, and typst 0.13.0
     breaks down.
     """
-    return _TURNING.sub("", text).encode("utf-8", "replace").decode("utf-8")
+    return kept_together(_TURNING.sub("", text).encode("utf-8", "replace").decode("utf-8"))
 
 
 COPIES: dict[type, Callable[[Any], Copy]] = {
