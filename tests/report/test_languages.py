@@ -260,7 +260,8 @@ MADE = {
     "differences", "coordinates", ", kept on {}", "image observations times {}", "image observations as given",
     "is observed with its covariance", "is held: its covariance is not known",
     "; it was called {}", "the calibration {} of the camera library{} {}{} ({}: estimate it)",
-    "across the plane {}", "origin {}, right level", "no photograph has a position", "{} found, {} are needed{}",
+    "Plane", "straight line", "across the plane {}", "origin {}, right level",
+    "no photograph has a position", "{} found, {} are needed{}",
 }  # fmt: skip
 """Entries for what is put together of words, or is an error that a notice quotes, and stands nowhere as it is read"""
 
