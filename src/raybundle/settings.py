@@ -14,7 +14,7 @@ from contextlib import contextmanager
 from dataclasses import MISSING, dataclass, field
 from functools import cache
 from os import PathLike
-from pathlib import Path
+from pathlib import Path, PurePath
 from shlex import quote
 from typing import Any, Literal, TypeVar, cast, get_args, get_origin, get_type_hints
 
@@ -289,6 +289,19 @@ def other_than_usual(values: Any) -> dict[str, object]:
         for s in settings_of(type(values))
         if s.default is MISSING or getattr(values, s.name) != s.default
     }
+
+
+def in_words(value: object) -> str:
+    """A value as it is printed: files by their names, yes and no, of several values each."""
+    if isinstance(value, bool):
+        return "yes" if value else "no"
+    if isinstance(value, PurePath):
+        return value.name or str(value)
+    if isinstance(value, list | tuple):
+        parts = [*cast("Any", value)]
+        nested = any(isinstance(p, list | tuple) for p in parts)
+        return ("; " if nested else " ").join(in_words(p) for p in parts)
+    return repr(value).removesuffix(".0") if isinstance(value, float) else str(value)
 
 
 def as_typed(values: Any) -> list[str]:

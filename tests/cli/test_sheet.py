@@ -268,6 +268,31 @@ def test_a_sheet_says_who_made_it_and_when(tmp_path, monkeypatch):
     assert abs((datetime.now(UTC) - made).total_seconds()) < 86_400
 
 
+def test_a_sheet_is_in_the_language_of_its_project(wall, tmp_path):
+    project = tmp_path / "project"
+    shutil.copytree(wall / "result", project / "result")
+    asked = {"vertical": True, "date": "2026-05-01", "object": "Mill, the old one", "client": "Control & Sons"}
+
+    def words(name, **more):
+        rb.drawing_sheet(project / "result", tmp_path / name, **asked, **more)
+        return " ".join(page.extract_text() for page in PdfReader(tmp_path / name).pages)
+
+    english = words("en.pdf")
+    assert "landscape" in english
+    assert "2026-05-01" in english
+    (project / "project.toml").write_text('[orient]\nlanguage = "de"\n', encoding="utf-8")
+    german = words("de.pdf")
+    for told in ("Querformat", "01.05.2026", "Auftraggeber", "Maßstab", "1 von 1", "Lotrechte Ebene", "X nach rechts"):
+        assert told in german
+    for kept in ("Mill, the old one", "Control & Sons"):
+        assert kept in german
+    for left in ("landscape", "client", "Plumb plane", "degrees", "Standard deviation", "X right"):
+        assert left not in german
+    assert "landscape" in words("again.pdf", language="en")
+    with pytest.raises(InputError, match="en, de"):
+        rb.drawing_sheet(project / "result", tmp_path / "x.pdf", language="xx", **asked)
+
+
 @pytest.mark.parametrize(
     ("settings", "told"),
     [

@@ -17,7 +17,7 @@ SILENT_CALLS = {
     "astype", "searchsorted", "removeprefix", "removesuffix", "write_table", "meshgrid", "query", "progress",
     "InputError", "NotSolvable", "NoOrientation", "DatumDefect", "RankDefect", "TypeError", "ValueError", "KeyError",
     "chapter", "section", "get", "pop", "norm", "label_style", "stage", "with_name", "glob", "with_suffix", "line_of",
-    "NoConvergence", "TooFewObservations",
+    "NoConvergence", "TooFewObservations", "fail",
 }  # fmt: skip
 """Calls whose texts nobody reads: patterns, names of files and of registered things, errors"""
 TOLD_ERRORS = {"Unusable"}

@@ -11,7 +11,9 @@ from raybundle.report.arrangement import LONG, Measure, all_sections, arranged, 
 from raybundle.report.chapters import Occasion, chapter
 from raybundle.report.document import document_of, write_report
 from raybundle.report.figures.svg import drawing
+from raybundle.report.paper.copy import part_copies
 from raybundle.report.parts import (
+    PRINTED,
     Fact,
     Facts,
     Figure,
@@ -22,6 +24,7 @@ from raybundle.report.parts import (
     Pointer,
     Section,
     number,
+    on_a_page,
     table,
     text,
 )
@@ -59,13 +62,32 @@ def test_sections_are_numbered_by_their_part():
         ("client", section("front")),
         ("specialist", section("two")),
         ("specialist", section("three", Folded(summary="more", parts=(rows(1),)))),
+        ("specialist", section("four", Paragraph(text="."), rows(LONG + 1))),
     )
     client, body, appendix = arranged(made)
     assert [(p.number, p.section.anchor) for p in client.sections] == [("", "front")]
-    assert [(p.number, p.section.anchor) for p in body.sections] == [("1", "one"), ("2", "two"), ("3", "three")]
+    assert [(p.number, p.section.anchor) for p in body.sections] == [("1", "two"), ("2", "four")]
+    # of what nothing is read where it stands is no chapter for the specialist
     assert [(p.number, p.section.anchor) for p in appendix.sections] == [
-        ("A1", "one-appendix"), ("A3", "three-appendix"), ("A4", "points"),
+        ("A2", "four-appendix"), ("A3", "one-appendix"), ("A4", "three-appendix"), ("A5", "points"),
     ]  # fmt: skip
+
+
+def test_a_heading_above_nothing_but_its_own_name_is_left_out():
+    parts = (
+        Paragraph(text="."), Heading(text="Left out"), rows(LONG + 1), Heading(text="Where"), figure(),
+        Heading(text="More"), Folded(summary="Held", parts=(rows(2),)), Heading(text="Last: 4 px"), rows(LONG + 1),
+    )  # fmt: skip
+    body, _ = arranged([("specialist", section("one", *parts))], Measure(figures=frozenset()))
+    told = [p.text if not isinstance(p, Pointer) else p.items for p in body.sections[0].section.parts]
+    assert told == [
+        ".",
+        (f"Left out, {LONG + 1} rows", "Where, 1 figure"),
+        "More",
+        ("Held",),
+        "Last: 4 px",
+        (f"Last, {LONG + 1} rows",),
+    ]
 
 
 def test_what_is_folded_or_long_is_looked_up_and_named_where_it_was():
@@ -103,7 +125,7 @@ def test_figures_that_come_first_stay_longest():
     sections = (section("one", figure(), figure()), section("two", figure(), figure(first=True)))
     assert rows_of_figures(sections) == [(1, 1), (0, 0), (1, 0), (0, 1)]
     body, _ = arranged([("specialist", s) for s in sections], Measure(figures=frozenset({0})))
-    assert [[p.kind for p in s.section.parts] for s in body.sections] == [["pointer"], ["pointer", "figures"]]
+    assert [[p.kind for p in s.section.parts] for s in body.sections] == [["pointer", "figures"]]
 
 
 @pytest.mark.parametrize(
@@ -112,9 +134,15 @@ def test_figures_that_come_first_stay_longest():
 def test_nothing_is_lost_whatever_the_measure(any_case, measure):
     view = view_of(any_case)
     made = [(c.part, s) for c in rooms.chapters() for s in c.make(Occasion(view=view, told=verdict(view)))]
-    before = sorted(str(type(p)) for _, s in made for p in flat(s.parts))
+    before = [p for _, s in made for p in flat(s.parts)]
     after = [p for s in all_sections(arranged(made, measure)) for p in flat(s.section.parts)]
-    assert sorted(str(type(p)) for p in after if not isinstance(p, Pointer)) == before
+    assert sorted(str(type(p)) for p in after if not isinstance(p, Pointer | Heading)) == sorted(
+        str(type(p)) for p in before if not isinstance(p, Heading)
+    )
+    placed = [p for s in all_sections(arranged(made, measure)) for p in s.section.parts]
+    said = [p.text for p in after if isinstance(p, Heading)] + [p.summary for p in placed if isinstance(p, Folded)]
+    for p in before:
+        assert not isinstance(p, Heading) or any(w.startswith(p.text) for w in said)
     rows_before = sum(len(p.rows) for _, s in made for p in flat(s.parts) if p.kind == "table")
     assert sum(len(p.rows) for p in after if p.kind == "table") == rows_before
 
@@ -166,3 +194,39 @@ def test_points_stand_in_natural_order_and_all_where_asked(case, monkeypatch):
     at = {i: k for k, i in enumerate(view.adjusted.points.ids)}
     X = [float(row[2].replace("\u2212", "-")) for row in every.rows]
     assert np.allclose(X, view.adjusted.points.xyz[[at[i] for i in ids], 0], atol=1e-5)
+
+
+def test_paper_holds_a_page_of_points_with_the_known_and_the_worst(case):
+    from dataclasses import replace
+
+    view = view_of(case("rich"))
+    count = len(view.adjusted.points)
+    table_ = tables_section(view).parts[0].parts[0]
+    with pytest.MonkeyPatch.context() as patch:
+        from raybundle.report.sections import tables
+
+        patch.setattr(tables, "PRINTED", 12)
+        shorter = tables_section(view).parts[0].parts[0]
+        every = tables_section(view, all_coordinates=True).parts[0].parts[0]
+    assert count > 12
+    assert table_.printed is None or len(table_.printed.rows) <= PRINTED
+    assert every.printed is None
+    assert len(shorter.rows) == count
+    assert len(shorter.printed.rows) == 12
+    assert "12 of" in shorter.printed.note
+    assert "points.csv" in shorter.printed.note
+    worst = int(np.argmax(np.square(np.nan_to_num(view.std)).sum(axis=1)))
+    names = [row[0] for row in shorter.printed.rows]
+    assert view.given.points.ids[worst] in names
+    assert any(row[1] == "control" for row in shorter.printed.rows)
+    (copied,) = part_copies((shorter,))
+    assert len(copied["rows"]) == 12
+    assert replace(shorter, printed=None).rows == shorter.rows
+
+
+def test_a_long_list_is_printed_in_part_and_a_short_one_whole():
+    long = rows(10 * PRINTED, marked=(0, 5))
+    thin = on_a_page(long, range(0, 10 * PRINTED, 10), "some of them")
+    assert [len(thin.rows), len(thin.printed.rows), thin.printed.note] == [10 * PRINTED, PRINTED, "some of them"]
+    assert thin.printed.marked == {0}
+    assert on_a_page(rows(PRINTED), (), "").printed is None

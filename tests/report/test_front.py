@@ -209,8 +209,30 @@ def test_at_most_five_steps_the_gravest_first(flight):
     steps = next_steps(o)
     assert len(steps) == 5
     assert steps[0] == ("fault", "behind_camera.")
-    (note,) = [p.text for p in front(o)[0].parts if p.kind == "paragraph"]
-    assert note.startswith("2 more matters")
+    (told,) = [p for p in front(o)[0].parts if p.kind == "statements" and p.rests]
+    assert told.rests[-1].startswith("2 more matters")
+    assert told.first(3).statements == steps[:3]
+    assert told.first(3).rests[-1].startswith("4 more matters")
+
+
+def test_what_is_handed_over_stands_beside_what_is_to_be_done(flight):
+    warned = replace(flight, notices=(Notice(code="levelled", message="levelled"),))
+    told = parts_of(warned, "paragraph", files=("points.csv", "map.csv", "block"))[-1].text
+    assert told == "Handed over: points.csv, map.csv, block/."
+
+
+def test_the_weakest_point_is_named_with_its_rays():
+    free = adjust_block(
+        simulate(field_scene(TargetField()), Survey(orientation="exact", points="exact", interior="exact")).observed,
+        OPTIONS,
+    )
+    (shown,) = [p for p in parts_of(free, "table") if "largest" in [c.label for c in p.columns]]
+    view = view_of(free)
+    worst = int(np.unravel_index(np.nanargmax(view.std), view.std.shape)[0])
+    seen = int(view.rays[worst])
+    assert shown.note.endswith(
+        f"The largest is that of point {view.given.points.ids[worst]}, seen in {seen} photographs."
+    )
 
 
 def test_where_nothing_is_to_be_done_the_files_are_named(flight):

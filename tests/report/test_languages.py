@@ -37,13 +37,9 @@ APART = {
     "report/shared.py": "the same",
     "report/common_points.py": "a page of `merge`, which has no language",
     "report/photograph_list.py": "a list of `plan`, which has no language",
-    "report/network_page.py": "the view in three dimensions, which has no language",
     "report/text/summary.py": "printed on the command line",
     "report/show.py": "opens pages",
     "ties/pairs.py": "which pairs are matched: told in the line of a stage",
-    **dict.fromkeys(
-        (f"report/drawing/{f.name}" for f in (SOURCE / "report" / "drawing").glob("*.py")), "drawing sheets of `sheet`"
-    ),
     "report/tables.py": "tables for Python",
     "report/plotting.py": "figures of matplotlib for Python",
     **dict.fromkeys((f"report/plots/{f.name}" for f in (SOURCE / "report" / "plots").glob("*.py")), "the same"),
@@ -59,7 +55,8 @@ APART = {
 """Modules that make nothing of a report"""
 BESIDE = (
     "adjustment/*.py", "block/rejection.py", "block/known.py", "calibration/quality.py", "calibration/one_camera.py",
-    "commands/photograph_facts.py", "io/photos/cameras.py", "io/photos/start.py", "io/photos/container.py",
+    "commands/photograph_facts.py", "commands/drawn.py", "workflows/plumb.py", "workflows/object_plane.py",
+    "io/photos/cameras.py", "io/photos/start.py", "io/photos/container.py",
     "io/photos/photo.py", "io/photos/masks.py", "io/geo/coordinate_systems.py",
     "block/frames.py", "orientation/assembly.py", "orientation/projective.py",
     "orientation/start.py", "orientation/lacking.py", "planning/next_words.py", "results/recorded.py",
@@ -67,24 +64,72 @@ BESIDE = (
     "workflows/orienting/*.py", "workflows/scenes/*.py", "workflows/calibrating/*.py",
 )  # fmt: skip
 """Modules that make texts for reports without making a notice"""
+REMARKS = re.compile(r"\bremarks?\b")
+"""A module with a word of these tells its caller something, which becomes a notice as a rule"""
+SENTENCE = re.compile(r"(?:\S+ ){4}")
+"""What such a module tells has more than four words; its other texts are names and keys"""
+SAID_ELSEWHERE = {
+    "cli/": "printed on the command line",
+    "commands/": "the same; what is none makes a notice",
+    "studio/": "shown in the studio",
+    "measuring/": "answers of the studio and of `query`",
+    "planning/": "answers of `plan`",
+    "missions/": "the same",
+    "io/missions/": "the same",
+    "io/formats/": "remarks of `convert`",
+    "io/calibrations/": "of `calibration`",
+    "io/pictures/": "of `rectify` and of `convert`",
+    "io/scene_export.py": "of `convert`",
+    "io/photos/video.py": "of `frames`",
+    "io/cameras/one_instant.py": "of `convert`",
+    "block/zoom.py": "of `camera`",
+    "block/joined.py": "of `merge`",
+    "workflows/convert.py": "of `convert`",
+    "workflows/sources.py": "the same",
+    "workflows/rectify.py": "the same",
+    "io/film/": "of `film`",
+    "io/geo/rasters.py": "of `rpc ortho`",
+    "workflows/bare.py": "an error that ends a run",
+    "objects/": "of `plan`",
+    "workflows/scenes/ortho.py": "of `rpc ortho`",
+}
+"""Modules whose remarks reach no report, and who reads them"""
 CODES = frozenset(
     """
-    CalibratedFocalLength DewarpData Found Gps JpegImageFile JpegImagePlugin LineSensor Metadata
+    CalibratedFocalLength DejaVuSansCondensed
+    DejaVuSansCondensed-Bold DewarpData Found Gps JpegImageFile JpegImagePlugin LineSensor
+    Metadata
     PerspectiveFocalLength Photo PngImageFile PngImagePlugin RpcSensor SceneSensor TiffImageFile
-    TiffImagePlugin WebPImageFile WebPImagePlugin any approximate auto ax ay az big brown close csr decisions
-    descriptors end facts fields figures first fisheye folded ft general gnss gps heading heic html ignore
-    inner ins jpeg known last length lens levelled little middle minimal mwMW@%‰—…∞√≥≤ names nan natural
-    numpy order paragraph png pointer pushbroom rad rational raw rawpy raybundle rb recognised report scipy
+    TiffImagePlugin WebPImageFile WebPImagePlugin any approximate auto ax ay az best big brown
+    calibrate close csr decisions
+    descriptors end facts fields figures first fisheye folded fonts ft general gnss gps heading heic
+    horizontal html ignore
+    inner ins jpeg known language last length lens levelled little middle minimal mwMW@%‰—…∞√≥≤ named names nan natural
+    numpy order orient paragraph png pointer pushbroom rad rational raw rawpy raybundle rb recognised report scipy
     second sha256 shift snooping specialist spherical start statements stay sx sy sz table templates tiff
-    trouble upright values vx vy vz webp white wx wy wz xy
+    trouble upright values vertical vx vy vz webp white wx wy wz xy
     """.split()  # noqa: SIM905  (read like a text)
 )
 """Names within the program and its formats, which no reader sees"""
 ENDING = (
     "usable photograph{}", "one photograph alone cannot", "1 satellite scene and no photograph",
-    "give a folder of photographs",
+    "give a folder of photographs", "this line has no name of a point", "has other coordinates in line",
+    "this point stands in image", "is not one of control, check, tie", "give the coordinate too",
+    "has no coordinate; give", "longitude {} to {}, latitude", "a frame camera, whose",
+    "a push-frame camera", "a radar, which", "or leave {} out", "does not fit on", "for sheets that are joined",
+    "at any scale", "with {} sheets",
 )  # fmt: skip
 """Errors that end a run, made in parts: there is no report then"""
+FORMATS = re.compile(r"ISD|DIMAP [12]|GeoTIFF with|metadata XML|RPC as text|MRK file|PhotoModeler's|apriltag-36h11")
+"""What formats and targets are called in lists of the command line"""
+PRINTED = (
+    "the picture was made of block", "the unit of the picture is not told", "; two suffice for",
+    "its points lean {}, and",
+    "the wall is not plumb by", "the plane was made plumb as asked", "seen by less than two images",
+    "Wanted: a coordinate",
+    "Red is what would be worse",
+)  # fmt: skip
+"""What the command line or a page of `plan` says, of modules that make texts of sheets and reports"""
 STANDARD = "report/text/accuracy_words.py"
 """Statements of ASPRS, which stand in the words of the standard in every language"""
 
@@ -113,7 +158,8 @@ def excused(t: Text) -> bool:
         or (t.file == STANDARD and bool(re.search("checkpoints|data set|Accuracy|positional|thirty", t.template)))
         or t.template in {"Libertinus Serif", "no residual", "vector bold"}
         or re.fullmatch(r"\{\}:\w+_of", t.template) is not None
-        or any(words in t.template for words in ENDING)
+        or any(words in t.template for words in (*ENDING, *PRINTED))
+        or FORMATS.search(t.template) is not None
     )
 
 
@@ -128,9 +174,11 @@ def sources() -> tuple[Text, ...]:
         if (
             name.startswith("report/")
             or any(PurePath(name).match(p) for p in BESIDE)
-            or "Notice(" in path.read_text(encoding="utf-8")
+            or "Notice(" in (text := path.read_text(encoding="utf-8"))
         ):
             found += texts_of(path)
+        elif REMARKS.search(text) and not name.startswith(tuple(SAID_ELSEWHERE)):
+            found += (t for t in texts_of(path) if SENTENCE.search(t.template))
     return tuple(found)
 
 
@@ -212,6 +260,7 @@ MADE = {
     "differences", "coordinates", ", kept on {}", "image observations times {}", "image observations as given",
     "is observed with its covariance", "is held: its covariance is not known",
     "; it was called {}", "the calibration {} of the camera library{} {}{} ({}: estimate it)",
+    "Plane", "straight line", "across the plane {}", "origin {}, right level",
     "no photograph has a position", "{} found, {} are needed{}",
 }  # fmt: skip
 """Entries for what is put together of words, or is an error that a notice quotes, and stands nowhere as it is read"""
@@ -277,6 +326,62 @@ def test_a_text_that_is_not_covered_is_noticed(tmp_path):
     adjustment = replace(made("rich"), notices=(Notice(code="gps", message="somebody moved the tripod"),))
     left = english_atoms(language_of("de"), lambda: write_report(adjustment, tmp_path / "r.html", language="de"))
     assert any("tripod" in words for words in left)
+
+
+def test_a_sentence_without_translation_stays_english_whole():
+    german = language_of("de", ["mill.csv"])
+    lost = (
+        "mill.csv: all 4 wheels are perfectly round and are taken as unknown, not measured: the miller or check alone"
+    )
+    known = "12 images"
+    assert german.text(lost) == lost
+    assert german.left(lost) >= 1
+    assert german.text(f"{lost}. Reports are written in German. {known}") == (
+        f"{lost}. Reports are written in German. 12 Bilder"
+    )
+    # a name that nobody announced stays within its sentence
+    assert german.text("control points with a single ray: obelisk") == "Passpunkte mit nur einem Strahl: obelisk"
+
+
+def test_remarks_of_a_control_file_are_german():
+    german = language_of("de", ["gcp_list.txt"])
+    remark = (
+        "gcp_list.txt: all 10 heights are exactly 0 and are taken as unknown, not measured: the points control or "
+        "check plan alone. If they were measured, a CSV with a column sZ says so"
+    )
+    assert german.left(remark) == 0
+    assert german.text(remark).startswith("gcp_list.txt: alle 10 Höhen sind genau 0 und gelten als unbekannt")
+    assert any(t.file == "io/geo/control_files.py" for t in sources())
+
+
+def test_german_of_counts_within_sentences():
+    german = language_of("de")
+    for english, told in (
+        (
+            "; median 16 mm: 70 % of the variance is that of 1 point",
+            "; Median 16 mm: 70 % der Varianz entfallen auf 1 Punkt",
+        ),
+        (
+            (
+                "Their medians are X 13.0, Y 12.9, Z 18.2 mm: 70 % of the variance is that of 1 point of 11 024, far "
+                "away as a rule."
+            ),
+            (
+                "Ihre Mediane sind X 13,0; Y 12,9; Z 18,2 mm: 70 % der Varianz entfallen auf 1 Punkt von 11 024, in "
+                "der Regel weit entfernt."
+            ),
+        ),
+        (
+            "171 of 64 301 image observations rejected: blunder (102), blunder in one of the point's rays (69)",
+            (
+                "171 von 64 301 Bildbeobachtungen verworfen: grober Fehler (102), grober Fehler in einem der Strahlen "
+                "des Punktes (69)"
+            ),
+        ),
+        ("7 that least-squares matching did not measure", "7 ohne Messung durch Kleinste-Quadrate-Zuordnung"),
+    ):
+        assert german.text(english) == told
+    assert german.cell("general") == "räumlich"
 
 
 def test_numbers_dates_counts_and_names():

@@ -13,6 +13,8 @@ from raybundle.block import Role
 from raybundle.report import network_detail, network_page
 from raybundle.report.network_page import network_contents, write_network_page
 from raybundle.report.view import view_of
+from raybundle.report.write import write_result
+from raybundle.results.record import Record
 
 DATA = re.compile(r'<script type="application/json" id="network-data">(.*?)</script>', re.DOTALL)
 
@@ -104,3 +106,24 @@ def test_a_sample_by_cells_keeps_the_outline():
 def test_the_program_is_valid_script(tmp_path):
     (tmp_path / "program.js").write_text(network_page._program(), encoding="utf-8")
     subprocess.run(["node", "--check", "program.js"], cwd=tmp_path, check=True)
+
+
+def test_the_page_is_in_the_language_of_the_report_under_its_title(free_case, tmp_path):
+    write_result(free_case, tmp_path / "r", record=Record(title="Schloss, Südseite"), language="de")
+    html = (tmp_path / "r/network.html").read_text(encoding="utf-8")
+    assert '<html lang="de">' in html
+    assert "<title>Schloss, Südseite</title>" in html
+    assert "Farbe der Punkte" in html
+    data = json.loads(DATA.search(html).group(1))
+    assert data["decimal"] == ","
+    assert data["words"]["control point"] == "Passpunkt"
+    own = DATA.sub("", html[: html.index("<!-- The script")])
+    for english in ("Colour of", "object points", "Drag to turn", "Datum: inner", "Error ellipsoids"):
+        assert english not in own
+
+
+def test_all_that_the_script_says_is_handed_over_in_the_language():
+    """Every text that the built script looks up stands in the page's data."""
+    asked = re.findall(r'say\("([^"]+)"\)', network_page._program())
+    assert len(asked) >= 4
+    assert set(asked) <= set(network_page.SAID)

@@ -29,10 +29,10 @@ def test_the_reasons_add_up():
     for words in (
         "69 % of the image points",
         "16 744 have a partner",
-        "10 900 not measured",
+        "10 900 that least-squares matching did not measure",
         "given 5 300 image observations",
     ):
-        assert words.replace(" %", "%") in told.message
+        assert words in told.message
 
 
 def test_without_least_squares_matching_only_what_contradicts_is_dropped():

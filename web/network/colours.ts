@@ -32,7 +32,7 @@ export function byRole(net: Network): Colouring {
   const present = names.map((_, k) => net.role.includes(k));
   return {
     rgb: filled(net.points, (i) => colours[Math.min(net.role[i], 2)]),
-    legend: names.map((n, k): [string, string] => [ROLE_COLOURS[k], n]).filter((_, k) => present[k]),
+    legend: names.map((n, k): [string, string] => [ROLE_COLOURS[k], net.say(n)]).filter((_, k) => present[k]),
   };
 }
 
@@ -41,7 +41,7 @@ export function byRays(net: Network): Colouring {
   const classOf = (n: number) => RAY_CLASSES.findIndex(([low, high]) => n >= low && n <= high);
   return {
     rgb: filled(net.points, (i) => colours[classOf(net.rays[i])]),
-    legend: RAY_CLASSES.map(([, , c, words]): [string, string] => [c, words]),
+    legend: RAY_CLASSES.map(([, , c, words]): [string, string] => [c, net.say(words)]),
   };
 }
 

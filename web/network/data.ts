@@ -20,6 +20,9 @@ export interface Packed {
   bars: string;
   surface: { xyz: string; sigma: string } | null;
   classes: { points: Classes | null; surface: Classes | null };
+  /** What the page says by itself, in the reader's language, and its decimal sign. */
+  words: Record<string, string>;
+  decimal: string;
 }
 
 export const ROLES = ["tie", "control", "check"] as const;
@@ -104,6 +107,17 @@ export class Network {
 
   coordinates(point: number): string {
     const { origin, decimals } = this.packed;
-    return [0, 1, 2].map((a) => (this.xyz[3 * point + a] + origin[a]).toFixed(decimals)).join(", ");
+    return this.listed([0, 1, 2].map((a) => (this.xyz[3 * point + a] + origin[a]).toFixed(decimals)));
+  }
+
+  /** A text of the page in the reader's language. */
+  say(english: string): string {
+    return this.packed.words[english] ?? english;
+  }
+
+  /** Numbers in a row, as they are written. */
+  listed(numbers: string[]): string {
+    const { decimal } = this.packed;
+    return numbers.map((n) => n.replace(".", decimal)).join(decimal === "," ? "; " : ", ");
   }
 }

@@ -15,8 +15,9 @@ function start(): void {
   try {
     renderer = new THREE.WebGLRenderer({ antialias: true, preserveDrawingBuffer: true });
   } catch {
-    stage.textContent =
-      "This browser shows no 3D graphics (WebGL is switched off). The report and the PLY file hold the same network.";
+    stage.textContent = net.say(
+      "This browser shows no 3D graphics (WebGL is switched off). The report and the PLY file hold the same network.",
+    );
     return;
   }
   renderer.setPixelRatio(Math.min(devicePixelRatio, 2));
@@ -132,7 +133,7 @@ function panel(net: Network, drawn: Drawn, render: () => void, home: () => void)
   const scale = () => {
     const factor = start * 10 ** (Number(slider.value) / 10);
     drawn.enlarge(factor);
-    element("enlarged-words").textContent = `${Number(factor.toPrecision(2)).toLocaleString("en")} ×`;
+    element("enlarged-words").textContent = `${Number(factor.toPrecision(2)).toLocaleString(document.documentElement.lang)} ×`;
     render();
   };
   slider.addEventListener("input", scale);
@@ -157,13 +158,13 @@ function picking(net: Network, drawn: Drawn, camera: THREE.Camera, canvas: HTMLC
     if (image !== null) {
       drawn.selectImage(image);
       const words = net.packed.images.words?.[image];
-      told.textContent = `image ${net.packed.images.id[image]}${words ? `\n${words}` : ""}`;
+      told.textContent = `${net.say("image")} ${net.packed.images.id[image]}${words ? `\n${words}` : ""}`;
     } else if (point !== null) {
       drawn.select(point);
       told.textContent = pointWords(net, point);
     } else {
       drawn.select(null);
-      told.textContent = "Click a point or an image to see its rays.";
+      told.textContent = net.say("Click a point or an image to see its rays.");
     }
     render();
   });
@@ -173,10 +174,10 @@ function pointWords(net: Network, point: number): string {
   const { unit, sigmaUnit } = net.packed;
   const s = [0, 1, 2].map((a) => net.sigma[3 * point + a]);
   const lines = [
-    `${ROLES[Math.min(net.role[point], 2)]} point ${net.packed.points.id[point]}`,
+    `${net.say(`${ROLES[Math.min(net.role[point], 2)]} point`)} ${net.packed.points.id[point]}`,
     `X, Y, Z  ${net.coordinates(point)} ${unit}`,
-    s.every((v) => v >= 0) ? `sigma    ${s.map((v) => v.toPrecision(2)).join(", ")} ${sigmaUnit}` : "",
-    `${net.rays[point]} rays: ${[...net.imagesOf(point)].map((i) => net.packed.images.id[i]).join(", ")}`,
+    s.every((v) => v >= 0) ? `${net.say("sigma")}    ${net.listed(s.map((v) => v.toPrecision(2)))} ${sigmaUnit}` : "",
+    `${net.rays[point]} ${net.say("rays")}: ${[...net.imagesOf(point)].map((i) => net.packed.images.id[i]).join(", ")}`,
   ];
   return lines.filter((l) => l).join("\n");
 }

@@ -56,6 +56,7 @@ from raybundle.block import Block, Camera, Instrument
 from raybundle.block.rejection import Rejection, RejectionKind, Rejections
 from raybundle.errors import DatumDefect, NoConvergence, RankDefect, TooFewObservations
 from raybundle.numerics.arrays import Mask
+from raybundle.numerics.counting import grouped
 from raybundle.numerics.progress import Progress, silent
 from raybundle.numerics.statistics import family_wise_normal, family_wise_tau, global_test
 
@@ -433,7 +434,7 @@ def _datum_words(datum: Datum, options: AdjustmentOptions) -> str:
     if options.datum_points:
         over = f"{len(options.datum_points)} chosen object points"
     elif options.datum_over == "good":
-        over = f"the {int(datum.carriers.sum())} object points that are well determined"
+        over = f"the {grouped(int(datum.carriers.sum()))} object points that are well determined"
     if datum.defect == 7:
         return f"inner constraints over {over}"
     return f"inner constraints over {over} for {names}"

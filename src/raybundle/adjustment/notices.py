@@ -25,9 +25,11 @@ from raybundle.block import Role
 from raybundle.block.frames import stored_ways
 from raybundle.block.points import automatic
 from raybundle.block.rejection import WORDS, RejectionKind, counts
-from raybundle.numerics.counting import counted, counted_are, significant
+from raybundle.numerics.counting import counted, counted_are, grouped, significant
 from raybundle.numerics.statistics import global_test
 
+LONG = 1e4
+"""From which on a number stands in groups of three digits"""
 UNCHECKED = 0.01
 """Redundancy number below which an observation is not checked by the others (Förstner 1987): an error of forty
 standard deviations may pass."""
@@ -105,11 +107,16 @@ def _fit(result: Adjustment) -> list[Notice]:
         Notice(
             code="global_test",
             measured=grave if more else Severity.REMARK,
-            message=f"sigma0 {result.sigma0:.3g} differs from 1 (weighted square sum {value:.5g}, 95 % limits "
-            f"{lower:.5g} .. {upper:.5g}): {_meaning(result, more=more)}. Standard deviations carry the a-posteriori "
-            "sigma0.",
+            message=f"sigma0 {result.sigma0:.3g} differs from 1 (weighted square sum {_sum(value)}, 95 % limits "
+            f"{_sum(lower)} .. {_sum(upper)}): {_meaning(result, more=more)}. Standard deviations carry the "
+            "a-posteriori sigma0.",
         )
     ]
+
+
+def _sum(squares: float) -> str:
+    """A sum of squares with five digits."""
+    return grouped(round(float(f"{squares:.5g}"))) if squares >= LONG else f"{squares:.5g}"
 
 
 def _meaning(result: Adjustment, *, more: bool) -> str:
@@ -160,11 +167,11 @@ def _rejected(result: Adjustment) -> list[Notice]:
     def rows(kind: RejectionKind) -> list[int]:
         return [i for i, r in enumerate(rejected) if r is not None and r.kind is kind]
 
+    each = ", ".join(f"{WORDS[kind]} ({grouped(n)})" for kind, n in kinds.items())
     found = [
         Notice(
             code="rejected",
-            message=f"{sum(kinds.values())} of {len(o)} image observations rejected: "
-            + ", ".join(f"{n} {WORDS[kind]}" for kind, n in kinds.items()),
+            message=f"{grouped(sum(kinds.values()))} of {grouped(len(o))} image observations rejected: {each}",
         )
     ]
     lost = rows(RejectionKind.BLUNDER_NOT_LOCATED)

@@ -18,10 +18,14 @@ from raybundle.io.formats.surveyed import Surveyed, surveyed
 from raybundle.io.geo.parsed_systems import system_name
 from raybundle.io.geo.told_systems import plan_system, told_system
 from raybundle.io.pictures.plane_file import PICTURES, PlaneFile, axes_in, plane_file_of
+from raybundle.io.reading.trees import read_toml
 from raybundle.numerics.arrays import Array
 from raybundle.numerics.counting import counted
 from raybundle.report.drawing.content import Drawing, DrawnLine, DrawnPicture, DrawnPoints, Field
 from raybundle.report.drawing.pictures import size_of
+from raybundle.report.drawing.words import drawing_in
+from raybundle.report.languages import ENGLISH, Said, checked_language
+from raybundle.report.languages.language import language_of
 from raybundle.report.text.numbers import significant
 from raybundle.results.record import STATE, Record
 from raybundle.settings import option
@@ -36,6 +40,8 @@ METRES = {"m": 1000.0, "mm": 1.0}
 """Millimetres in units of a block"""
 VISIBLE_PX, BESIDE = 2.0, 5
 """Pixels from which on a point is seen to lie beside its image; points that are named then"""
+PROJECT_FILE, SECTIONS = "project.toml", ("orient", "calibrate")
+"""Where a project says in which language its reports are"""
 AIR = 0.05
 """Round points, as a share of their extent"""
 SAME = 1e-6
@@ -84,13 +90,32 @@ def drawn(s: DrawingSheetSettings, progress: Progress) -> tuple[Drawing, tuple[s
     record = _record(s, folder)
     title = record.title or record.object or s.sources[0].stem
     known = (*known, *(["Lengths at their lines are those in space."] if any(n.words for n in lines) else []))
-    return Drawing(
+    named = Drawing(
         title=title, author=record.operator, fields=_fields(record, where), low=low, high=high,
         millimetres=where.millimetres,
         unit=where.unit, axes=("E", "N") if where.system else ("X", "Y"), grid=s.grid, pictures=pictures,
         points=points, lines=lines, north=bool(where.system),
         notes=(*doubts, *_of_pixels(planes, where.millimetres), *where.notes, *known),
-    ), tuple(dict.fromkeys(remarks)), " ".join(doubts)  # fmt: skip
+    )  # fmt: skip
+    names = (
+        *(n for p in points for n in p.names),
+        *(n.name for n in lines),
+        *([] if export is None else [export.block.name]),
+    )
+    language = language_of(_language(s, folder), names)
+    return drawing_in(named, language), tuple(dict.fromkeys(remarks)), " ".join(doubts)
+
+
+def _language(s: DrawingSheetSettings, folder: Path | None) -> str:
+    """Of the sheet: as asked for, else that of the reports of the project to which the result belongs."""
+    if s.language:
+        return s.language
+    project = None if folder is None else folder.parent / PROJECT_FILE
+    if project is None or not project.is_file():
+        return ENGLISH
+    tree = read_toml(project).tree()
+    found = [tree.get(n).get("language").text() for n in SECTIONS if tree.has(n) and tree.get(n).has("language")]
+    return checked_language(found[0]) if found else ENGLISH
 
 
 def _pictures(files: Sequence[Path]) -> tuple[list[PlaneFile], tuple[DrawnPicture, ...]]:
@@ -192,8 +217,10 @@ def _plane_told(kind: str, points: int, rms: float, unit: str, lean: str, vertic
     """What a plane was made by, how far its points lie off it, and which way they lean."""
     by = {"vertical": "Plumb plane", "horizontal": "Level plane"}.get(kind, "Plane")
     off = f", {significant(rms, 2)} {unit} off it (rms)" if np.isfinite(rms) and points > 2 else ""
-    leans = f" Its points lean {lean}." if lean else ""
-    return f"{by} by {counted(points, 'point')}{off}.{leans}" + (f" Vertical: {vertical}." if vertical else "")
+    told = [f"{by} by {counted(points, 'point')}{off}."]
+    told += [f"Its points lean {lean}."] if lean else []
+    told += [f"Vertical: {vertical}."] if vertical else []
+    return " ".join(told)
 
 
 def _notes_of(plane: Plane, unit: str) -> tuple[str, ...]:
@@ -223,9 +250,11 @@ def _of_pixels(planes: Sequence[PlaneFile], millimetres: float) -> tuple[str, ..
     if not planes:
         return ()
     sizes = sorted({p.pixel for p in planes})
-    of = f" from {counted(planes[0].photographs, 'photograph')}" if planes[0].photographs else ""
     words = " and ".join(f"{v * millimetres:.4g}" for v in sizes)
-    return (f"Pixel of the picture{'s' * (len(planes) > 1)} {words} mm{of}.",)
+    several = "s" * (len(planes) > 1)
+    if not planes[0].photographs:
+        return (f"Pixel of the picture{several} {words} mm.",)
+    return (f"Pixel of the picture{several} {words} mm from {counted(planes[0].photographs, 'photograph')}.",)
 
 
 def _measured(
@@ -315,10 +344,13 @@ def _record(s: DrawingSheetSettings, folder: Path | None) -> Record:
 
 def _fields(record: Record, where: _Where) -> tuple[Field, ...]:
     """The entries of the title block before scale, paper and number."""
+    # of the photographs, where nobody wrote it: its numbers are in the language of the sheet
+    instruments = record.instruments if " px, c = " in record.instruments else Said(record.instruments)
     told: list[tuple[str, str, int]] = [
-        ("object", "" if record.object == record.title else record.object, 1), ("place", record.place, 1),
-        ("reference", record.reference, 1), ("client", record.client, 1), ("operator", record.operator, 1),
-        ("date", record.date, 1), ("instruments", record.instruments, 1), ("rights", record.rights, 1),
+        ("object", Said("" if record.object == record.title else record.object), 1),
+        ("place", Said(record.place), 1), ("reference", Said(record.reference), 1),
+        ("client", Said(record.client), 1), ("operator", Said(record.operator), 1), ("date", record.date, 1),
+        ("instruments", instruments, 1), ("rights", Said(record.rights), 1),
         ("coordinates", where.words, 2),
     ]  # fmt: skip
     return tuple(Field(label=label, text=text, span=span) for label, text, span in told)

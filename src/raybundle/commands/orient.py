@@ -22,6 +22,7 @@ from raybundle.settings import (
     POSITIVE,
     Range,
     asked,
+    in_words,
     option,
     other_than_usual,
     setting,
@@ -241,7 +242,7 @@ def run_orient(settings: OrientSettings, progress: Progress = silent) -> Orienta
         if lost is not None:
             done = replace(done, adjustment=replace(done.adjustment, notices=(lost, *done.adjustment.notices)))
         with report_stage(out, done.stages):
-            asked = {name: str(value) for name, value in other_than_usual(settings).items()}
+            asked = {name: in_words(value) for name, value in other_than_usual(settings).items()}
             write_orientation(
                 done, result, report="html" if settings.report else "none", progress=progress, settings=asked,
                 wanted=wanted, record=record, pdf=settings.pdf, all_coordinates=settings.all_coordinates,

@@ -11,6 +11,7 @@ from raybundle.commands.plane_settings import OF_PLANE, PlaneSettings
 from raybundle.errors import InputError
 from raybundle.io.folders import check_free
 from raybundle.numerics.progress import Progress, silent
+from raybundle.report.languages import checked_language, language_codes
 from raybundle.results.record import Record
 from raybundle.settings import ANY, NOT_NEGATIVE, Range, made, option, other_than_usual, path_of, setting
 
@@ -49,6 +50,10 @@ class DrawingSheetSettings(PlaneSettings):
     )  # fmt: skip
     draw_points: Literal["named", "all", "none"] = setting("named", "Points that are drawn; all: tie points, too.")
     lengths: bool = setting(True, "Leave out the values of measured lengths at their lines.", flag="no-lengths")
+    language: str = setting(
+        "", f"Language of the sheet: {', '.join(language_codes())}.  [default: that of the project's reports]",
+        metavar="CODE",
+    )  # fmt: skip
     title: str = setting("", "Title.  [default: the object, or the name of the first source]", metavar="TEXT")
     object: str = setting("", "Entry of the title block, as are the others that follow.", metavar="TEXT")
     place: str = setting("", "Where it stands.", metavar="TEXT")
@@ -171,6 +176,8 @@ def _check(s: DrawingSheetSettings) -> None:
     """Raise InputError for what can be told before anything is read."""
     if not s.sources:
         raise InputError("nothing to draw; give a picture to scale, a result folder or a project")
+    if s.language:
+        checked_language(s.language)
     if s.out.suffix.lower() != ".pdf":
         raise InputError("a drawing sheet is a .pdf", file=s.out)
     check_free(s.out)

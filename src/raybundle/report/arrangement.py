@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass, replace
 from typing import Literal
 
@@ -81,7 +81,8 @@ def arranged(
     say      what is added here, in the language of the sections
 
     What goes to the appendix stands there under the title and the number of its section, A7 of section 7; a pointer
-    stays where it was.  A table that `stays` does so, whatever its length.
+    stays where it was.  A table that `stays` does so, whatever its length.  A section of which nothing stays is none of
+    the specialist's: it stands in the appendix alone, behind the others.
     """
     every, m = list(made), measure or Measure()
     client = [Placed(number="", section=s) for part, s in every if part == "client"]
@@ -91,12 +92,20 @@ def arranged(
         if m.figures is None
         else {at for k, at in enumerate(rows_of_figures(numbered)) if k not in m.figures}
     )
-    parted = [
-        _parted(s, k + 1, m.rows, {at for section, at in away if section == k}, say) for k, s in enumerate(numbered)
-    ]
-    body = [Placed(number=str(k), section=kept) for k, (kept, _) in enumerate(parted, 1)]
-    looked_up = [Placed(number=f"A{k}", section=moved) for k, (_, moved) in enumerate(parted, 1) if moved is not None]
-    others = [s for part, s in every if part == "appendix"]
+
+    def parted(k: int, number: int) -> tuple[Section, Section | None]:
+        return _parted(numbered[k], number, m.rows, {at for section, at in away if section == k}, say)
+
+    places = range(len(numbered))
+    empty = {k for k in places if all(isinstance(p, Pointer) for p in parted(k, 0)[0].parts)}
+    empty = {k for k in empty if numbered[k].parts}
+    body, looked_up, others = list[Placed](), list[Placed](), list[Section]()
+    for number, k in enumerate((k for k in places if k not in empty), 1):
+        kept, moved = parted(k, number)
+        body.append(Placed(number=str(number), section=kept))
+        looked_up += [] if moved is None else [Placed(number=f"A{number}", section=moved)]
+    others += [moved for k in places if k in empty and (moved := parted(k, 0)[1]) is not None]
+    others += [s for part, s in every if part == "appendix"]
     looked_up += [Placed(number=f"A{k}", section=s) for k, s in enumerate(others, len(body) + 1)]
     divisions: dict[PartName, list[Placed]] = {"client": client, "specialist": body, "appendix": looked_up}
     return tuple(
@@ -133,7 +142,30 @@ def _parted(
             kept.append(Pointer(anchor=anchor, number=f"A{number}", items=(folded.summary,)))
     if not moved:
         return section, None
-    return replace(section, parts=tuple(kept)), Section(anchor=anchor, title=section.title, parts=tuple(moved))
+    return replace(section, parts=_without_bare_headings(kept)), Section(
+        anchor=anchor, title=section.title, parts=tuple(moved)
+    )
+
+
+def _names(part: Part, heading: str) -> bool:
+    """Whether a pointer says what a heading says."""
+    return isinstance(part, Pointer) and any(i.startswith(heading) for i in part.items)
+
+
+def _without_bare_headings(parts: Sequence[Part]) -> tuple[Part, ...]:
+    """Parts without headings below which nothing but a pointer stands, which has their words; pointers in one."""
+    made: list[Part] = []
+    for k, part in enumerate(parts):
+        rest = parts[k + 1 : k + 3]
+        alone = len(rest) < 2 or isinstance(rest[1], Heading)
+        if isinstance(part, Heading) and alone and rest and _names(rest[0], part.text):
+            continue
+        before = made[-1] if made else None
+        if isinstance(part, Pointer) and isinstance(before, Pointer):
+            made[-1] = replace(before, items=tuple(dict.fromkeys((*before.items, *part.items))))
+        else:
+            made.append(part)
+    return tuple(made)
 
 
 def _folded(part: Part, heading: str, rows: int, say: Callable[[str], str], *, away: bool) -> Folded | None:

@@ -95,7 +95,10 @@ def _document(done: Congruence, about: MovedFacts, language: Language) -> Docume
     )
     doubtful = done.after[1] < done.significance
     if doubtful:
-        told += " But points that stayed differ by more than their standard deviations say."
+        told += (
+            " But points that stayed differ by more than their standard deviations say, which would have to be "
+            f"{_factor(done)} times as large (F {significant(done.after[0])}, p {probability(done.after[1])})."
+        )
     if about.faults:
         told += f" But {listed(list(about.faults))}: not to be used yet, by the own report; see below."
     made: list[tuple[PartName, Section]] = [
@@ -109,6 +112,11 @@ def _document(done: Congruence, about: MovedFacts, language: Language) -> Docume
         headline=say(told), grade="attention" if doubtful or about.faults else "remarks" if len(moved) else "good",
         made=tuple(made), divided=False, language=language,
     )  # fmt: skip
+
+
+def _factor(done: Congruence) -> str:
+    """By how much larger standard deviations would explain the points that stayed: the root of their variance ratio."""
+    return significant(float(np.sqrt(done.after[0])), 3)
 
 
 def _result(done: Congruence, about: MovedFacts, language: Language) -> Section:

@@ -19,6 +19,8 @@ from raybundle.io.folders import new_files
 from raybundle.numerics.arrays import Array, Index
 from raybundle.report.document import environment
 from raybundle.report.figures.svg import spread_rows
+from raybundle.report.languages import ENGLISH
+from raybundle.report.languages.language import language_of
 from raybundle.report.network_detail import Detail, detail_of, shown_images
 from raybundle.report.network_shape import frusta
 from raybundle.report.sigma_classes import sigma_classes
@@ -55,12 +57,26 @@ class Planned:
     """Standard deviation of a coordinate that was wanted, and of what, as "worst point"; None: none was"""
 
 
-def write_network_page(adjustment: Adjustment, path: str | Path, planned: Planned | None = None) -> None:
+SAID = (
+    "tie points", "control points", "check points", "2 rays or fewer", "3 rays", "4 to 5", "6 to 9", "10 and more",
+    "image",
+    "tie point", "control point", "check point", "sigma", "rays", "Click a point or an image to see its rays.",
+    "This browser shows no 3D graphics (WebGL is switched off). The report and the PLY file hold the same network.",
+)  # fmt: skip
+"""What the page's script says by itself"""
+
+
+def write_network_page(
+    adjustment: Adjustment, path: str | Path, planned: Planned | None = None, *, title: str = "",
+    language: str = ENGLISH,
+) -> None:  # fmt: skip
     """Write the network view: object points, images, control, scale bars, error ellipsoids and rays, to be turned.
 
     adjustment  any result; what it lacks (statistics, control, scale bars) is left out
     path        the HTML file; its folder exists; an older file is overwritten
     planned     of a plan: its object in colours of its precision, photographs that are to be taken yet
+    title       what the page is called; empty: after the block
+    language    of the page, as "de"; InputError for one that there is not
 
     Points beyond what a page of 10 MB can hold are thinned by a grid, the worst kept, images and ellipsoids evenly, and
     the page says so.  What it does not tell: an ellipsoid describes random errors in the datum of the result; one that
@@ -72,13 +88,18 @@ def write_network_page(adjustment: Adjustment, path: str | Path, planned: Planne
     contents = network_contents(view)
     if planned is not None:
         contents |= _of_plan(contents, planned, view)
+    say = language_of(language, [title, *view.given.points.ids, *view.given.images.ids, view.given.name])
     words: list[str] = contents.pop("remarks")
+    contents |= {"words": {w: say.text(w) for w in SAID}, "decimal": say.text("0.5")[1]}
+    for classes in filter(None, contents["classes"].values()):
+        classes["legend"] = [(colour, say.text(told)) for colour, told in classes["legend"]]
     html = (
         environment()
         .get_template("network.html.j2")
         .render(
-            title=title_of(view.given.name, planned),
-            remarks=words,
+            title=title or say.text(title_of(view.given.name, planned)),
+            remarks=[say.text(w) for w in words],
+            language=say,
             data=Markup(_json(contents)),  # noqa: S704  (what could end the element is escaped by _json)
             program=Markup(_program()),  # noqa: S704  (our own script, built from web/network)
         )

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import ClassVar
 
 from raybundle.report.figures.svg import Drawing
@@ -11,6 +11,8 @@ from raybundle.report.text.numbers import grouped
 
 MOST_ROWS = 2000
 """Rows of a table that a report shows; the rest stands in the result folder."""
+PRINTED = 70
+"""Rows of a long list that are printed: so many as a page holds"""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -38,6 +40,8 @@ class Table:
     """Rows that stand out."""
     stays: bool = False
     """Whether it stands where it is however long it is, as warnings do; other long tables go to the appendix."""
+    printed: Table | None = None
+    """What of it is printed on paper, where nobody reads row by row; None: all"""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -99,6 +103,14 @@ class Statements:
 
     kind: ClassVar[str] = "statements"
     statements: tuple[tuple[str, str], ...]
+    rests: tuple[str, ...] = ()
+    """Where the first k alone may be printed: what is said of the others, for each k; empty: nothing is left out"""
+
+    def first(self, most: int) -> Statements:
+        """So many of them, where they may be cut."""
+        if not self.rests or len(self.statements) <= most:
+            return self
+        return replace(self, statements=self.statements[:most], rests=self.rests[: most + 1])
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -167,6 +179,15 @@ def table(
         note = f"{note} {cut}".strip()
     rows = list(zip(*(c[:most] for c in by_column), strict=True))
     return Table(columns=tuple(columns), rows=rows, caption=caption, note=note, marked=frozenset(marked), stays=stays)
+
+
+def on_a_page(t: Table, rows: Iterable[int], note: str) -> Table:
+    """A long list of which paper holds these rows, which the note explains; one that fits a page is printed whole."""
+    if len(t.rows) <= PRINTED:
+        return t
+    kept = sorted({int(k) for k in rows})
+    marked = frozenset(i for i, k in enumerate(kept) if k in t.marked)
+    return replace(t, printed=replace(t, rows=[t.rows[k] for k in kept], note=note, marked=marked))
 
 
 def pick(rows: Iterable[int], values: Sequence[str]) -> list[str]:

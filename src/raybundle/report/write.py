@@ -104,7 +104,7 @@ def write_result(
         if report == "html":
             from raybundle.report.network_page import write_network_page  # noqa: PLC0415
 
-            write_network_page(adjustment, folder / "network.html")
+            write_network_page(adjustment, folder / "network.html", title=delivery.record.title, language=language)
 
 
 def _recorded(adjustment: Adjustment, record: Record, facts: PhotographFacts | None) -> str:

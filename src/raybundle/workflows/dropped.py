@@ -64,14 +64,14 @@ class Dropped:
         given  image observations of the adjustment, marks and scenes among them
         """
         words = {
-            "contradict_orientation": "contradict the approximate orientation or have no depth",
-            "not_measured_precisely": "not measured by least-squares matching",
-            "contradict_others": "contradict the other rays of their point, or measured twice",
+            "contradict_orientation": "that contradict the approximate orientation or have no depth",
+            "not_measured_precisely": "that least-squares matching did not measure",
+            "contradict_others": "that contradict the other rays of their point or were measured twice",
         }
         why = [f"{grouped(n)} {words[r]}" for r, n in self.reasons.items() if n and r in words]
         message = (
-            f"before the adjustment {self.share:.0%} of the image points were dropped: of {grouped(self.features)} "
-            f"features {grouped(self.matched)} have a partner in another photograph"
+            f"before the adjustment {100 * self.share:.0f} % of the image points were dropped: of "
+            f"{grouped(self.features)} features {grouped(self.matched)} have a partner in another photograph"
             + (f", {grouped(self.added)} rays were added" if self.added else "")
             + (f"; dropped are {', '.join(why)}" if why else "")
             + (f". Left are {grouped(self.adjusted)}" if given != self.adjusted else "")

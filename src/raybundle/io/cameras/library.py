@@ -291,7 +291,8 @@ def match(entry: LibraryEntry, photo: Photo) -> Match:
     base = entry.camera
     if entry.zoom is not None:
         base, remarks = _zoomed(entry.zoom, own)
-        reasons[1] += " within {:g} to {:g} mm of a calibrated zoom lens".format(*entry.zoom.range_mm)
+        low, high = entry.zoom.range_mm
+        reasons[1] += f" within {low:g} to {high:g} mm of a calibrated zoom lens"
         reasons += remarks
     same = [_same(mine.serial, own.serial), _same(mine.lens, own.lens)]
     for name, value, equal in (("serial number", mine.serial, same[0]), ("lens", mine.lens, same[1])):

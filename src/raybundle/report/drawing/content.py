@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from pathlib import Path
 
 import numpy as np
 
 from raybundle.numerics.arrays import Array, Mask
+from raybundle.report.languages.language import Language
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -90,6 +91,8 @@ class Drawing:
     """of whom the file says that they made it"""
     notes: tuple[str, ...] = ()
     """of precision and plane, for the legend"""
+    language: Language = field(default_factory=Language)
+    """of what the sheet adds by itself; all else is in it already"""
 
     @property
     def size(self) -> Array:

@@ -75,7 +75,7 @@ def draw_legend(c: Any, found: Legend, drawing: Drawing, scale: int, part: Part,
             draw_line(c, kind, [(at, line), (at + 8, line)], closed=False)
         c.setFillGray(0)
         c.setFont(PLAIN, LETTER)
-        c.drawString(at + 10.5, line - 0.35 * LETTER, WORDS.get(kind, kind))
+        c.drawString(at + 10.5, line - 0.35 * LETTER, drawing.language.text(WORDS.get(kind, kind)))
     y -= -(-len(found.items) // found.columns) * LINE + (PAD if found.notes else 0)
     c.setFont(PLAIN, SMALL)
     c.setFillGray(0.15)
@@ -97,7 +97,7 @@ def _scale_bar(c: Any, drawing: Drawing, scale: int, x: float, top: float, room:
     c.setFillGray(0)
     c.setFont(PLAIN, SMALL)
     for k in (0, 1, 2, 4) if long > 9 else (0, 2, 4) if long > 6 else (0, 4):
-        words = f"{k * part:.10g}"
+        words = drawing.language.text(f"{k * part:.10g}")
         at = x + k * long
         c.drawString(at, y + 2.5, words) if k == 0 else c.drawCentredString(at, y + 2.5, words)
     c.drawString(x + 4 * long + 0.5 * width(f"{4 * part:.10g}", SMALL) + 1, y + 2.5, drawing.unit)

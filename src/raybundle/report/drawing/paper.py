@@ -59,7 +59,7 @@ class Paper:
     @property
     def words(self) -> str:
         """As a title block says it."""
-        return f"{self.name} {'landscape' if self.width > self.height else 'portrait'}"
+        return f"{self.name} landscape" if self.width > self.height else f"{self.name} portrait"
 
 
 def usual_scales() -> list[int]:

@@ -137,10 +137,11 @@ def _furnished(
 
 
 def _fields(drawing: Drawing, paper: Paper, scale: int, number: int, of: int) -> Sequence[Field]:
+    say = drawing.language.text
     told = (
-        Field(label="scale", text=f"1 : {scale:,}".replace(",", " "), first=True),
-        Field(label="paper", text=paper.words),
-        Field(label="sheet", text=f"{number} of {of}"),
+        Field(label=say("scale"), text=f"1 : {scale:,}".replace(",", " "), first=True),
+        Field(label=say("paper"), text=say(paper.words)),
+        Field(label=say("sheet"), text=say(f"{number} of {of}")),
     )
     return (*drawing.fields, *told)
 
@@ -318,6 +319,7 @@ class _Page:
         for axis in (0, 1):
             for k, value in enumerate(self._lines(axis)):
                 words = f"{value:.{digits}f}".replace("-0", "0") if abs(value) < step / 2 else f"{value:.{digits}f}"
+                words = self.d.language.text(words)
                 words = f"{self.d.axes[axis]} {words}" if k == 0 else words
                 here = float(self.at(np.array([value, value]))[axis])
                 if axis == 0:
@@ -363,7 +365,7 @@ class _Page:
                 # at places of the object, so that they are the same on both sheets
                 x, y = (middle, self.bottom + share * tall) if axis == 0 else (self.left + share * wide, middle)
                 draw_register(c, x, y)
-            words = f"sheet {number}"
+            words = self.d.language.text(f"sheet {number}")
             if axis == 0:
                 c.saveState()
                 c.translate(middle + 0.4 * NAME, self.bottom + tall / 2)

@@ -11,7 +11,7 @@ from functools import cache
 from typing import Any
 
 from raybundle.report.languages import ENGLISH, Said, catalogue, checked_language
-from raybundle.report.languages.patterns import WORD, Template
+from raybundle.report.languages.patterns import PLACE, WORD, Template
 
 NUMBER = re.compile(r"(?<![\w.])(\d[\d\u202f]*)\.(\d+)(?=[eE][-+]\d|°|[^\w.]|\.(?!\d)|$)")
 VALUE = r"[\u2212-]?\d[\d\u202f ]*(?:[.,]\d+)?(?: × 10[⁻⁰¹²³⁴⁵⁶⁷⁸⁹]+)?"
@@ -24,7 +24,7 @@ LIST = re.compile(r"(,\d+(?:[ \u00a0]\w{1,2})?), (?=(?:[A-Za-z][ \u00a0])?[\u221
 COUNT = re.compile(rf"({VALUE})[ \u00a0](\S.*)", re.DOTALL)
 SEPARATORS = re.compile(r"((?<=\.)\s+|; |: |, | \(|\) |\)|\( |\(| \[|\]| … | and | or | – | / |\n+| = )")
 CODE = re.compile(
-    r"--[\w-]+|[\w.-]*\w[._/\\][\w./\\-]*\w|[\w-]+=\S*|\w*\d\w*(?:[-.]\w*\d\w*)*|\w+:\d\w*|[A-Z0-9]{2,}s?|\w+_\w+|[a-z][A-Z]|\w+(?:-\w*\d\w*)+"
+    r"--[\w-]+|[\w.-]*\w[._/\\][\w./\\-]*\w|[\w-]+=\S*|\w*\d\w*(?:[-.]\w*\d\w*)*|\w+:\d\w*(?:\+\w+)*|[A-Z0-9]{2,}s?|\w+_\w+|[a-z][A-Z]|\w+(?:-\w*\d\w*)+"
 )
 FLAG = re.compile(r"--[\w-]+(?: \S+){0,4}|\w+=(?:\([^)]*\)|\S*)")
 """A setting with its values, as messages name it"""
@@ -66,7 +66,26 @@ class Language:
             return english
         if english in self._book.exact:
             return Said(self._book.exact[english])
-        return Said(self._said(english.replace(BOUND, "± "))[0].replace("± ", BOUND))
+        return Said(self._sound(english.replace(BOUND, "± ")).replace("± ", BOUND))
+
+    def _sound(self, english: str) -> str:
+        """A text whose sentences are in the one language or in the other: none is translated word by word.
+
+        A sentence of which English words stay, and not names alone, has no translation, whatever joins its parts.
+        """
+        made, cost = self._said(english)
+        if cost < 1 or not self._mixed(english, made):
+            return made
+        parts = SENTENCES.split(english)
+        if len(parts) == 1:
+            return english
+        return "".join(self._sound(sentence) if sentence else "" for sentence in parts)
+
+    def _mixed(self, english: str, made: str) -> bool:
+        """Whether words stand in both texts that are English to the catalogue, and neither a name nor of the other."""
+        assert self._book is not None
+        stayed = set(WORD.findall(made)) & set(WORD.findall(english)) & self._book.words
+        return bool(stayed - self._book.others - self._parts - UNITS)
 
     def left(self, english: str) -> float:
         """Letters of a text that stay English."""
@@ -321,6 +340,8 @@ class Book:
     """words that stand alone in a table"""
     words: frozenset[str]
     """all that its English texts have"""
+    others: frozenset[str]
+    """all that its own texts have"""
     joints: Mapping[str, str]
     verbs: Mapping[str, str]
     """behind a number and its noun"""
@@ -356,7 +377,8 @@ def book_of(code: str) -> Book:
         index.setdefault(min(t.words, key=lambda w: frequent[w], default=""), []).append(t)
     return Book(
         decimal=c["decimal"], date=c["date"], exact={e: o for e, o in texts.items() if "{}" not in e},
-        cells=c["cells"], words=frozenset(w for e in texts for w in WORD.findall(e)), joints=c["joints"],
+        cells=c["cells"], words=frozenset(w for e in texts for w in WORD.findall(e)),
+        others=frozenset(w for o in texts.values() for w in WORD.findall(PLACE.sub(" ", o))), joints=c["joints"],
         verbs=c["verbs"], nouns={e: _forms(o) for e, o in c["nouns"].items()}, index=index,
         divided={w.replace("-", ""): w.replace("-", "\u00ad") for w in c["divided"]},
     )  # fmt: skip

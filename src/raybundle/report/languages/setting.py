@@ -47,7 +47,8 @@ def _part(p: Part, language: Language) -> Part:
             facts = (Fact(label=say(f.label), value=say(f.value), remark=say(f.remark)) for f in p.facts)
             return replace(p, facts=tuple(facts))
         case Statements():
-            return replace(p, statements=tuple((say(word), say(sentence)) for word, sentence in p.statements))
+            told = tuple((say(word), say(sentence)) for word, sentence in p.statements)
+            return replace(p, statements=told, rests=tuple(say(r) for r in p.rests))
         case Folded():
             return replace(p, summary=say(p.summary), parts=_parts(p.parts, language))
         case Figures():
@@ -63,7 +64,7 @@ def _table(t: Table, language: Language) -> Table:
     say, cell = language.text, language.cell
     return replace(
         t, caption=say(t.caption), note=say(t.note), columns=tuple(_column(c, language) for c in t.columns),
-        rows=[[cell(c) for c in row] for row in t.rows],
+        rows=[[cell(c) for c in row] for row in t.rows], printed=_table(t.printed, language) if t.printed else None,
     )  # fmt: skip
 
 

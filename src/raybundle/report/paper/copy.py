@@ -25,7 +25,7 @@ from raybundle.report.parts import (
     Statements,
     Table,
 )
-from raybundle.report.text.widths import WORDS, advance, broken, lines, longest_word, packed, shared_out
+from raybundle.report.text.widths import WORDS, advance, broken, kept_together, lines, longest_word, packed, shared_out
 
 if TYPE_CHECKING:
     from raybundle.report.document import Document
@@ -112,7 +112,8 @@ def _facts(p: Facts) -> Copy:
 
 
 def _statements(p: Statements) -> Copy:
-    return {"statements": [[broken(_clean(word), 11.0), _words(sentence)] for word, sentence in p.statements]}
+    told = [[broken(_clean(word), 11.0), _words(sentence)] for word, sentence in p.statements]
+    return {"statements": told, "rest": _words(p.rests[len(told)]) if p.rests else ""}
 
 
 def _folded(p: Folded) -> Copy:
@@ -141,6 +142,7 @@ def _figure(f: Figure) -> Copy:
 
 
 def _table(t: Table) -> Copy:
+    t = t.printed or t
     laid = laid_out(t)
     rows = [[_clean(cell) for cell in row] for row in t.rows]
     stacked = len(rows) > STACKED and laid.natural and not any("\n" in cell for row in rows for cell in row)
@@ -249,7 +251,7 @@ def _clean(text: str) -> str:
     Words of right-to-left scripts keep their way without it; with it a name can pass for another one, and typst 0.13.0
     breaks down.
     """
-    return _TURNING.sub("", text).encode("utf-8", "replace").decode("utf-8")
+    return kept_together(_TURNING.sub("", text).encode("utf-8", "replace").decode("utf-8"))
 
 
 COPIES: dict[type, Callable[[Any], Copy]] = {

@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Generator, Iterable
+from collections.abc import Generator, Iterable, Iterator
 from contextlib import contextmanager
+from dataclasses import replace
 from importlib.resources import as_file, files
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -14,6 +15,7 @@ from raybundle.io.reading.trees import json_of
 from raybundle.report.arrangement import LONG, Measure, rows_of_figures
 from raybundle.report.paper.copy import Copy, copy_of
 from raybundle.report.paper.needed import MISSING
+from raybundle.report.parts import Section, Statements
 
 if TYPE_CHECKING:
     from raybundle.report.document import Document
@@ -42,6 +44,7 @@ def fitted(document: Document) -> Copy:
     """
     if not document.divided:
         return copy_of(document)
+    document = with_client_page(document)
     count = len(rows_of_figures(s for part, s in document.made if part == "specialist"))
     for rows in ROWS:
         if _holds(document, rows, range(count)):
@@ -49,6 +52,31 @@ def fitted(document: Document) -> Copy:
         if _holds(document, rows, ()):
             return copy_of(document, Measure(rows=rows, figures=frozenset(_kept(document, rows, count))))
     return copy_of(document, Measure(rows=ROWS[-1], figures=frozenset()))
+
+
+def with_client_page(document: Document) -> Document:
+    """The document with as many next steps as the client's page holds; all of them where even one is too many."""
+    most = max((len(p.statements) for p in _cuttable(document)), default=0)
+    for steps in range(most, 0, -1):
+        made = tuple((part, _first(s, steps) if part == "client" else s) for part, s in document.made)
+        shorter = replace(document, made=made)
+        client = copy_of(replace(shorter, made=tuple((part, s) for part, s in made if part == "client")))
+        client["divisions"].append({"name": "appendix", "title": "", "sections": []})  # pages are counted before it
+        if body_pages(client) <= 1:
+            return shorter
+    return document
+
+
+def _cuttable(document: Document) -> Iterator[Statements]:
+    """Statements of the client's page of which some may be left to the warnings."""
+    for part, section in document.made:
+        if part == "client":
+            yield from (p for p in section.parts if isinstance(p, Statements) and p.rests)
+
+
+def _first(section: Section, most: int) -> Section:
+    parts = tuple(p.first(most) if isinstance(p, Statements) else p for p in section.parts)
+    return replace(section, parts=parts)
 
 
 def _kept(document: Document, rows: int, count: int) -> list[int]:

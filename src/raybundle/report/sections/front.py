@@ -359,18 +359,35 @@ def _standard_deviations(view: View, d: Delivery) -> list[Part]:
     )
     if view.lengths is not None:
         note = "Standard deviations of the object points; what lengths that took no part say of them is told above."
+    note += _weakest(view)
     return [Heading(text="Precision"), table(shape, zip(*rows, strict=True), note=note)]
 
 
+def _weakest(view: View) -> str:
+    """Which point has the largest standard deviation, and in how many photographs it is seen: a far one, mostly."""
+    if view.std is None or not np.isfinite(view.std).any():
+        return ""
+    k = int(np.unravel_index(int(np.nanargmax(view.std)), view.std.shape)[0])
+    seen = counted(int(view.rays[k]), "photograph")
+    return f" The largest is that of point {view.given.points.ids[k]}, seen in {seen}."
+
+
 def _next(o: Occasion, d: Delivery) -> list[Part]:
-    steps = next_steps(o)
+    """What to do next, and what is handed over all the same."""
+    steps, files = next_steps(o), handed_over(d.files)
     if steps:
-        left = steps_left(o)
-        more = [Paragraph(text=f"{counted(left, 'more matter')}: see the warnings.", note=True)] if left else []
-        return [Heading(text="What to do next"), Statements(statements=steps), *more]
-    files = "; ".join(f"{name} ({words})" for name, words in handed_over(d.files))
+        every = len(steps) + steps_left(o)
+        rests = tuple(f"{counted(every - k, 'more matter')}: see the warnings." if k < every else ""
+                      for k in range(len(steps) + 1))  # fmt: skip
+        listed_ = f"Handed over: {', '.join(name for name, _ in files)}." if files else ""
+        return [
+            Heading(text="What to do next"), Statements(statements=steps, rests=rests),
+            *([Heading(text="What is handed over"), Paragraph(text=listed_)] if listed_ else []),
+        ]  # fmt: skip
     settled = "Nothing has to be settled."
     if any(x.kept is False for x in d.outcomes):
         settled = "What was asked for is not kept, as told above; the measurement itself has nothing to be settled."
-    told = f"{settled} Handed over: {files}." if files else settled
-    return [Heading(text="What is handed over"), Paragraph(text=told)]
+    told = "; ".join(f"{name} ({words})" for name, words in files)
+    return [
+        Heading(text="What is handed over"), Paragraph(text=f"{settled} Handed over: {told}." if told else settled),
+    ]  # fmt: skip

@@ -196,7 +196,7 @@ def _length_table(test: LengthTest, known: Array) -> Table:
     fine = column_decimals(MM * test.error_sigma)
     strange = test.significant.tolist()
     columns = [
-        whole("from"), whole("to"), number("known", "m"), number("measured", "m"), number("error", "mm"),
+        whole("from"), whole("to"), number("given", "m"), number("measured", "m"), number("error", "mm"),
         number("sigma", "mm"), number("p"),
     ]  # fmt: skip
     values: list[Sequence[str]] = [

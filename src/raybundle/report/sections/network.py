@@ -11,8 +11,22 @@ from raybundle.numerics.arrays import Array
 from raybundle.report.chapters import Occasion, chapter, section
 from raybundle.report.figures.network import angle_histogram, network_views, ray_histogram, roll_rose
 from raybundle.report.figures.residuals import image_columns
-from raybundle.report.figures.svg import histogram
-from raybundle.report.parts import Figure, Figures, Folded, Paragraph, Part, Section, Table, number, pick, table, text
+from raybundle.report.figures.svg import histogram, spread_rows
+from raybundle.report.parts import (
+    PRINTED,
+    Figure,
+    Figures,
+    Folded,
+    Paragraph,
+    Part,
+    Section,
+    Table,
+    number,
+    on_a_page,
+    pick,
+    table,
+    text,
+)
 from raybundle.report.text.numbers import NONE, cells, column_decimals, counted, fixed, grouped, per_cent, significant
 from raybundle.report.view import View, rms, with_near_viewpoints
 
@@ -223,7 +237,9 @@ def _pairs(view: View, n: NetworkFigures) -> list[Part]:
         ),
         note=f"Pairs in the order of their common points.{cut}",
     )  # fmt: skip
-    return [Folded(summary=f"{counted(count, 'image pair')}", parts=(body,))]
+    shown = spread_rows(len(order), PRINTED)
+    note = f"{grouped(len(shown))} of {grouped(count)} pairs, evenly chosen from the strongest to the weakest."
+    return [Folded(summary=f"{counted(count, 'image pair')}", parts=(on_a_page(body, shown, note),))]
 
 
 def _coverage(view: View, n: NetworkFigures) -> list[Part]:

@@ -24,8 +24,10 @@ from raybundle.report.figures.photographs import (
     ray_map,
     taken_images,
 )
+from raybundle.report.figures.svg import spread_rows
 from raybundle.report.languages import Said
 from raybundle.report.parts import (
+    PRINTED,
     Fact,
     Facts,
     Figure,
@@ -38,6 +40,7 @@ from raybundle.report.parts import (
     Statements,
     Table,
     number,
+    on_a_page,
     table,
     text,
     whole,
@@ -268,6 +271,7 @@ def _parts_of(joined: Array) -> int:
     return int(connected_components(csr_array(joined), directed=False)[0]) if len(joined) else 0
 
 
+YES_NO = {"yes", "no"}
 GEOMETRIES = {
     "general": "seen from different positions",
     "planar": "a plane, or nearly one",
@@ -301,6 +305,11 @@ def _pair_table(facts: PhotographFacts) -> Folded:
             [grouped(p.verified) for p in best], [p.geometry for p in best],
         ),
         most=300,
+    )  # fmt: skip
+    shown = spread_rows(len(listing.rows), PRINTED)
+    listing = on_a_page(
+        listing, shown,
+        f"{grouped(len(shown))} of {grouped(len(best))} pairs, evenly chosen from the strongest to the weakest.",
     )  # fmt: skip
     return Folded(summary=f"{counted(len(facts.pairs), 'compared pair')}", parts=(kinds, listing))
 
@@ -431,7 +440,7 @@ def _settings_table(settings: Sequence[tuple[str, str]]) -> Table:
     """What was asked for beside the defaults."""
     return table(
         (text("setting"), text("value")),
-        ([Said(name) for name, _ in settings], [Said(value) for _, value in settings]),
+        ([Said(name) for name, _ in settings], [value if value in YES_NO else Said(value) for _, value in settings]),
         note="Settings that are not as by default, by the names in project.toml and in Python.",
     )  # fmt: skip
 

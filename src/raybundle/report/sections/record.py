@@ -8,6 +8,14 @@ from raybundle.report.parts import Heading, Paragraph, Part, Section, table, tex
 from raybundle.results.record import PARTS, WORDS, Record
 from raybundle.results.recorded import known_by_photographs, rows_of
 
+LABELS = {
+    "title": "Title", "client": "Client", "operator": "Operator", "object": "Object", "place": "Place", "date": "Date",
+    "instruments": "Instruments", "rights": "Rights", "reference": "Reference", "kind": "Kind", "dating": "Dating",
+    "persons": "Persons", "materials": "Materials", "condition": "Condition", "protection": "Protection",
+    "description": "Description", "purpose": "Purpose", "conditions": "Conditions", "control": "Control and scale",
+    "archive": "Archive",
+}  # fmt: skip
+"""Entries as they are printed"""
 TITLES = {"object": "Object", "recording": "Recording", "delivery": "Delivery"}
 ON_FRONT = {"title", "client", "operator", "object", "place", "date", "instruments", "rights"}
 """Entries of the first page; a sheet that says no more is not printed again"""
@@ -38,5 +46,5 @@ def recording_sheet(o: Occasion) -> tuple[Section, ...]:
 
 
 def _rows(record: Record, part: str) -> list[tuple[str, str, str]]:
-    # names of entries, as record.toml and the command have them, are the same in every language
-    return [(Said(n), WORDS[n], " / ".join(v.splitlines())) for n, v in record.as_mapping().items() if PARTS[n] == part]
+    said = record.as_mapping().items()
+    return [(LABELS[n], WORDS[n], Said(" / ".join(v.splitlines()))) for n, v in said if PARTS[n] == part]

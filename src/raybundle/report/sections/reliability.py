@@ -10,8 +10,9 @@ from raybundle.numerics.statistics import ALPHA, CRITICAL_W, DELTA0, POWER
 from raybundle.report.chapters import section
 from raybundle.report.detectable import UNTESTED, controlled_share, detectable
 from raybundle.report.figures.residuals import image_columns, redundancy_map
-from raybundle.report.figures.svg import histogram
+from raybundle.report.figures.svg import histogram, spread_rows
 from raybundle.report.parts import (
+    PRINTED,
     Figure,
     Figures,
     Folded,
@@ -21,6 +22,7 @@ from raybundle.report.parts import (
     Section,
     Table,
     number,
+    on_a_page,
     pick,
     table,
     text,
@@ -235,6 +237,9 @@ def _rejected(view: View) -> list[Part]:
         most=MOST_REJECTED,
         rest="observations.csv",
     )
+    shown = spread_rows(len(listed.rows), PRINTED)
+    note = f"{grouped(len(shown))} of {grouped(len(rows))} rows, evenly chosen; all are in observations.csv."
+    listed = on_a_page(listed, shown, note)
     share = per_cent(len(rows) / len(view.used))
     words = Paragraph(text=f"{counted(len(rows), 'image observation')} ({share}) took no part.")
     heading = Heading(text="Rejected observations")

@@ -16,7 +16,7 @@ from raybundle.observations import observation_kinds
 from raybundle.report.chapters import Occasion, chapter, section
 from raybundle.report.parts import Column, Fact, Facts, Heading, Paragraph, Part, Section, Statements, table, text
 from raybundle.report.text.numbers import NONE, counted, fixed, grouped, listed, significant, unbroken
-from raybundle.report.text.words import Verdict, datum_words, free_std, not_told, open_datum, relative_words
+from raybundle.report.text.words import Verdict, datum_words, free_std, held_by, not_told, open_datum, relative_words
 from raybundle.report.view import View, rms
 
 
@@ -44,8 +44,7 @@ def _median(std: Array, unit: str) -> str:
     few = few_hold(std)
     if few is None:
         return ""
-    held = f"{counted(few.points, 'point')} hold{'s' * (few.points == 1)} {100 * few.share:.0f} % of the variance"
-    return f"; median {significant(few.coordinate, 2)} {unit}: {held}"
+    return f"; median {significant(few.coordinate, 2)} {unit}: {held_by(few)}"
 
 
 def _key_figures(view: View) -> tuple[Fact, ...]:

@@ -11,13 +11,15 @@ import numpy as np
 from raybundle.adjustment.options import AdjustmentOptions
 from raybundle.block import Role
 from raybundle.io.block.folder import angles_deg
-from raybundle.numerics.arrays import Array
+from raybundle.numerics.arrays import Array, Index
 from raybundle.numerics.natural import natural_order
 from raybundle.report.chapters import Occasion, chapter, section
+from raybundle.report.figures.svg import spread_rows
 from raybundle.report.fingerprint import fingerprints, versions
 from raybundle.report.languages import Said
 from raybundle.report.parts import (
     MOST_ROWS,
+    PRINTED,
     Folded,
     Heading,
     Paragraph,
@@ -31,7 +33,7 @@ from raybundle.report.parts import (
 )
 from raybundle.report.text.numbers import NONE, cells, column_decimals, counted, grouped
 from raybundle.report.view import View
-from raybundle.settings import option
+from raybundle.settings import in_words, option
 
 MOST_CORRELATED = 200
 """Points up to which a list tells correlations of coordinates: one that is read, point by point"""
@@ -39,7 +41,13 @@ MOST_CORRELATED = 200
 
 def tables_section(view: View, *, all_coordinates: bool = False) -> Section:
     """Points and images in natural order: as many as can be read, or every point."""
-    points, images = _points(view, len(view.adjusted.points) if all_coordinates else MOST_ROWS), _images(view)
+    count = len(view.adjusted.points)
+    order = natural_order(view.adjusted.points.ids)
+    points = _points(view, np.array(order[: count if all_coordinates else MOST_ROWS], np.int32))
+    if not all_coordinates and count > PRINTED:
+        rows = printed_points(view, np.array(order, np.int32))
+        points = replace(points, printed=replace(_points(view, rows), note=_printed_note(len(rows), count)))
+    images = _images(view)
     return Section(
         anchor="tables",
         title="Coordinates and orientations",
@@ -50,15 +58,39 @@ def tables_section(view: View, *, all_coordinates: bool = False) -> Section:
     )
 
 
-def _points(view: View, most: int) -> Table:
+def printed_points(view: View, order: Index) -> Index:
+    """Rows of the points that paper holds, so many as a page: known and named ones, the worst, and a sample.
+
+    order  (n,) all rows in natural order
+    Half of the page is for known and named points, evenly chosen where they are more, a quarter for the worst of all.
+    """
+    role = np.asarray(view.given.points.role)
+    known = order[(role[order] != Role.TIE) | np.asarray(view.given.points_named)[order]]
+    chosen = set(known[spread_rows(len(known), PRINTED // 2)].tolist())
+    if view.std is not None:
+        size = np.nan_to_num(np.square(view.std)).sum(axis=1)
+        chosen |= set(np.argsort(-size, kind="stable")[: PRINTED // 4].tolist())
+    rest = order[~np.isin(order, list(chosen))]
+    chosen |= set(rest[spread_rows(len(rest), PRINTED - len(chosen))].tolist())
+    return order[np.isin(order, list(chosen))]
+
+
+def _printed_note(shown: int, count: int) -> str:
+    return (
+        f"{grouped(shown)} of {grouped(count)} points: known and named ones, those with the largest standard "
+        f"deviations, and a sample. All are in points.csv, and here with {option('all_coordinates', True)}."
+    )
+
+
+def _points(view: View, rows: Index) -> Table:
+    """A list of these points."""
     p, a = view.adjusted.points, view.adjustment
-    rows = np.array(natural_order(p.ids)[:most], np.int32)
     std = np.full((len(p), 3), np.nan) if view.std is None else view.std
     fine = column_decimals(std)
     coarse = fine + round(math.log10(view.factor))
     angle = np.full(len(p), np.nan) if a.network is None else np.degrees(a.network.intersection_angle)
     total = grouped(len(p))
-    shown = len(rows) <= MOST_CORRELATED and a.precision is not None
+    shown = len(p) <= MOST_CORRELATED and a.precision is not None
     r = correlation_of(a.precision.object_points[rows]) if shown and a.precision is not None else np.zeros((0, 3))
     return table(
         (
@@ -73,9 +105,9 @@ def _points(view: View, most: int) -> Table:
             *(cells(r[:, k].tolist(), 2) for k in range(3) if shown),
             [grouped(float(k)) for k in view.rays[rows]], cells(angle[rows].tolist(), 1),
         ),
-        note=f"The first {grouped(most)} of {total} points; all are in points.csv, and here with "
-        f"{option('all_coordinates', True)}." if len(p) > most else "",
-        most=max(most, 1),
+        note=f"The first {grouped(len(rows))} of {total} points; all are in points.csv, and here with "
+        f"{option('all_coordinates', True)}." if len(p) > len(rows) else "",
+        most=max(len(rows), 1),
     )  # fmt: skip
 
 
@@ -129,9 +161,7 @@ def provenance_section(view: View) -> Section:
     names = [f.name for f in fields(AdjustmentOptions)]
     values = [getattr(options, n) for n in names]
     changed = ["" if v == getattr(default, n) else "not the default" for n, v in zip(names, values, strict=True)]
-    settings = table(
-        (text("setting"), text("value"), text("")), (said(names), said(_shown(v) for v in values), changed)
-    )
+    settings = table((text("setting"), text("value"), text("")), (said(names), [_shown(v) for v in values], changed))
     prints = fingerprints(view.given)
     hashes = table((text("input"), text("rows"), text("SHA-256 of the values")), zip(*prints, strict=True))
     found = versions()
@@ -150,7 +180,7 @@ def provenance_section(view: View) -> Section:
 
 def _shown(value: object) -> str:
     if isinstance(value, tuple):
-        return ", ".join(str(v) for v in value[:50]) + (" …" if len(value) > 50 else "") or NONE
+        return Said(", ".join(str(v) for v in value[:50]) + (" …" if len(value) > 50 else "") or NONE)
     if isinstance(value, bool):
-        return "yes" if value else "no"
-    return str(value)
+        return in_words(value)  # to be translated
+    return Said(in_words(value))

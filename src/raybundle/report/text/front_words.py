@@ -107,7 +107,7 @@ def steps_left(o: Occasion) -> int:
 def _steps(o: Occasion) -> tuple[tuple[str, str], ...]:
     """Faults, what to photograph next for a calibration, cautions."""
     say = o.language.text
-    told = [(n.severity, _sentence(say(n.message))) for n in as_told(o.view.adjustment.notices)]
+    told = [(n.severity, _sentence(say(unbroken(n.message)))) for n in as_told(o.view.adjustment.notices)]
     next_ = [("next", _sentence(say(f"camera {q.camera}: {q.advice[0].words}"))) for q in o.qualities if q.advice]
     faults, cautions = ([(s.value, w) for s, w in told if s is of] for of in (Severity.FAULT, Severity.CAUTION))
     return (*faults, *next_, *cautions)
@@ -141,7 +141,8 @@ def _sentence(message: str) -> Said:
                 break
             begin = f"{begin} {clause}"
         end = clauses[-1] if len(clauses[-1]) <= LONG else ""
-        message = f"{begin.rstrip('.;:,')} … {end}".strip()
+        stop = message[: len(message) - len(clauses[-1])].rstrip()[-1]  # the last clause is a sentence, or ends one
+        message = f"{begin.rstrip('.;:,')} (…){stop} {end}" if end else f"{begin.rstrip('.;:,')} (…)"
     first = message.partition(" ")[0]
     if first.rstrip(",:;").isalpha() and len(first) > 1:  # names of files and symbols stay as they are
         message = message[:1].upper() + message[1:]

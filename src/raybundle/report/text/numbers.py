@@ -23,8 +23,13 @@ def grouped(number: float) -> str:
 
 
 def unbroken(words: str) -> str:
-    """A sentence whose numbers stay on one line: no break between groups of digits and after the sign of a sigma."""
-    return re.sub(r"(?<=\d) (?=\d{3}(?!\d))", NARROW, words).replace("± ", "±\u00a0")
+    """A sentence whose numbers stay on one line, as they are printed: 8 % and 2 × 10⁻⁴ for the 8% and 2e-04 of a log.
+
+    No break between groups of digits, and after the sign of a sigma.
+    """
+    words = re.sub(r"(?<=\d) (?=\d{3}(?!\d))", NARROW, words).replace("± ", "±\u00a0")
+    words = re.sub(r"(?<=\d)%", " %", words)
+    return re.sub(r"(?<![\w.])(\d+(?:\.\d+)?)e([-+]\d+)(?!\w)", lambda m: f"{m[1]} × {power(int(m[2]))}", words)
 
 
 def counted(number: int, noun: str) -> str:

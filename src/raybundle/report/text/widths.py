@@ -18,6 +18,12 @@ STEPS, MOST_WEIGHED = 60, 100
 POWER = 8
 """Of the mean that stands for the largest of a row's cells: of columns that are equally high both have to be wider."""
 NARROW_ONES = frozenset(" .,:;'|!()[]ijlftI/-\u202f\u00a0·")
+SOFT = "\u00ad"
+"""Where a word may be divided, with a hyphen"""
+JOINTS = "-_/"
+"""Behind which a name may be broken"""
+UNIT = re.compile(r"(?<=\d) (?=(?:µm|um|mm|cm|km|m|px|ms|s|min|h|MB|GB|gon|rad|deg|°|%)(?![\w²³⁻]))")
+"""Blank before a unit"""
 WIDE_ONES = frozenset("mwMW@%‰—…∞√≥≤")
 
 
@@ -90,20 +96,31 @@ def lines(cells: Array, widths: Array) -> float:
 
 
 def broken(text: str, width: float) -> str:
-    """A text in which a word that is wider than a column [em] may be broken anywhere."""
-    return " ".join(_pieces(w, width) if advance(w) > width else w for w in text.split(" "))
+    """A text in which a word that is wider than a column [em] may be broken: where it may be divided, else anywhere.
+
+    A name is broken behind its last hyphen that the line holds, where there is one.
+    """
+    return " ".join(SOFT.join(_narrow(p, width) for p in w.split(SOFT)) for w in text.split(" "))
+
+
+def _narrow(part: str, width: float) -> str:
+    return _pieces(part, width) if advance(part) > width else part
 
 
 def _pieces(word: str, width: float) -> str:
-    parts, line, room = list[str](), "", 0.0
+    parts, line = list[str](), ""
     for c in word:
-        wide = _character(c)
-        if line and room + wide > width:
-            parts.append(line)
-            line, room = "", 0.0
+        if line and advance(line + c) > width:
+            at = max(line.rfind(j) for j in JOINTS) + 1 or len(line)
+            parts.append(line[:at])
+            line = line[at:]
         line += c
-        room += wide
     return "\u200b".join([*parts, line])
+
+
+def kept_together(text: str) -> str:
+    """A text in which no line ends between a number and its unit."""
+    return UNIT.sub("\u00a0", text)
 
 
 def packed(widths: Iterable[float], room: float, gap: float) -> list[list[int]]:

@@ -105,12 +105,12 @@ def _gained(view: View) -> str:
     if (few := few_hold(std)) is not None:
         deviation = (
             f"{significant(few.coordinate, 2)} {view.unit} a coordinate in the median ({each} {view.unit} rms, "
-            f"{_held_by(few)})"
+            f"{held_by(few)})"
         )
     return f"{counted(len(std), 'object point')} with a standard deviation of {deviation}{n}."
 
 
-def _held_by(few: FewHold) -> str:
+def held_by(few: FewHold) -> str:
     """Whose the variance is."""
     return f"{100 * few.share:.0f} % of the variance is that of {counted(few.points, 'point')}"
 
@@ -235,7 +235,7 @@ def _precision(view: View) -> str:
     )
     if (few := few_hold(std)) is not None:
         middle = ", ".join(f"{axis} {significant(m)}" for axis, m in zip("XYZ", few.median, strict=True))
-        text += f" Their medians are {middle} {view.unit}: {_held_by(few)}, far ones as a rule, of {few.of}."
+        text += f" Their medians are {middle} {view.unit}: {held_by(few)} of {grouped(few.of)}, far away as a rule."
     network = a.network
     if network is not None and math.isfinite(network.relative_precision):
         text += f" Relative precision {_relative(network.relative_precision)}: {relative_words(view)}"
