@@ -40,6 +40,8 @@ APART = {
     "report/text/summary.py": "printed on the command line",
     "report/show.py": "opens pages",
     "ties/pairs.py": "which pairs are matched: told in the line of a stage",
+    "ties/parts.py": "tasks of a start in parts, told while it goes on",
+    "ties/windows.py": "tasks of least-squares matching, told while it goes on",
     "report/tables.py": "tables for Python",
     "report/plotting.py": "figures of matplotlib for Python",
     **dict.fromkeys((f"report/plots/{f.name}" for f in (SOURCE / "report" / "plots").glob("*.py")), "the same"),

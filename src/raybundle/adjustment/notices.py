@@ -422,7 +422,8 @@ def _why_open(result: Adjustment, *, centred: bool) -> str:
             f"{significant(poor, 2)} {unit} tell too little about a turn around it; measure them better, heights "
             "above all"
         )
-    return f"they lie on one straight line; measure {'control' if centred else 'one'} beside it"
+    beside = "measure control beside it" if centred else "measure one beside it"
+    return f"they lie on one straight line; {beside}"
 
 
 LINE = 0.01
