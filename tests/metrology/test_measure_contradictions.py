@@ -125,9 +125,9 @@ def test_control_in_a_line_or_another_unit_is_told_with_its_file(field, tmp_path
 
 
 def test_what_is_asked_of_a_table_that_is_not_given_is_refused(field, tmp_path):
-    with pytest.raises(InputError, match="allowed goes with"):
+    with pytest.raises(InputError, match="allowed= goes with"):
         measured(field, tmp_path / "m", allowed=(1.0, 0.0))
-    with pytest.raises(InputError, match="by goes with"):
+    with pytest.raises(InputError, match="by= goes with"):
         measured(field, tmp_path / "m", by=("1", "2", "3"))
 
 
