@@ -48,7 +48,7 @@ def known_lengths(path: Path, unit: float) -> list[KnownLength]:
 
 def without_doubles(known: Sequence[KnownLength], what: str) -> tuple[list[KnownLength], tuple[Notice, ...]]:
     """Lengths of which each counts once, though one was given twice, its ends exchanged or not; and what is told."""
-    from raybundle.adjustment.result import Notice  # noqa: PLC0415
+    from raybundle.metrology.notices import given_twice  # noqa: PLC0415
 
     found: dict[tuple[frozenset[str], float], KnownLength] = {}
     twice: list[str] = []
@@ -59,8 +59,7 @@ def without_doubles(known: Sequence[KnownLength], what: str) -> tuple[list[Known
         found.setdefault(key, k)
     if not twice:
         return list(known), ()
-    message = f"{what} given twice, counted once: {', '.join(twice[:10])}; it checks nothing"
-    return list(found.values()), (Notice(code="given_twice", message=message, ids=tuple(twice[:100])),)
+    return list(found.values()), given_twice(what, twice)
 
 
 def check_lengths(points: PointSet, known: Sequence[KnownLength], path: Path | None) -> None:

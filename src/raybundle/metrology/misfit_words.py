@@ -72,8 +72,8 @@ def factor_words(found: Misfit, what: str) -> str:
 def wrong_words(found: Misfit, names: Sequence[str]) -> str:
     """Which points do not agree with the others, by how much, and which names look exchanged."""
     each = [f"{names[k]} by {significant(MM * float(found.distance[k]), 3)} mm" for k in found.wrong[:FEW]]
-    told = f"{', '.join([*each, *['...'] * (len(found.wrong) > FEW)])} (the others agree to "
-    told += f"{significant(MM * found.rms, 2)} mm rms)"
+    some = ", ".join([*each, *["..."] * (len(found.wrong) > FEW)])
+    told = f"{some} (the others agree to {significant(MM * found.rms, 2)} mm rms)"
     if found.exchanged:
         pairs = some_of([f"{names[a]} and {names[b]}" for a, b in found.exchanged], FEW)
         told += f". With the names exchanged they fit: {pairs}"

@@ -147,6 +147,12 @@ def control_lost(names: Sequence[str]) -> tuple[Notice, ...]:
     return (Notice(code="control_file", message=message, ids=tuple(names[:100])),)
 
 
+def given_twice(what: str, names: Sequence[str]) -> tuple[Notice, ...]:
+    """Of lengths or scale bars that were given more than once, and count once."""
+    message = f"{what} given twice, counted once: {some_of(names)}; it checks nothing"
+    return (Notice(code="given_twice", message=message, ids=tuple(names[:100])),)
+
+
 def tolerances_ignored(file: str) -> Notice:
     """Of a column of a file of control that is for nominal coordinates."""
     message = f"{file}: the column tolerance is for nominal coordinates, and control has none: it is not used"
