@@ -41,6 +41,9 @@ def test_a_common_factor_is_told_where_the_scale_was_known_better():
     assert found.rms < 2 * SIGMA < 100 * SIGMA < found.rms_kept
     assert misfit(source, 1.0005 * target).factor == pytest.approx(1.0005, abs=4 * found.factor_sigma)
     assert not misfit(source, 1.0005 * target, scale_sigma=1e-3).scaled
+    free = misfit(source, 1.7 * target, scale_sigma=None)  # nobody said that it is 1
+    assert free.sound
+    assert free.factor == pytest.approx(1.7, rel=1e-4)
     assert unit_of(25.41) == "millimetres for inches"
     assert unit_of(1.7) == ""
 

@@ -39,6 +39,8 @@ class Misfit:
 
     mirrored: bool
     """A reflection fits far better"""
+    scaled: bool
+    """Another scale fits far better than the one that is kept"""
     factor: float
     """Target lengths over source lengths; 1 where the scale is kept and nothing contradicts that"""
     factor_sigma: float
@@ -65,11 +67,6 @@ class Misfit:
         """Points that do not agree with the others, the farthest first."""
         at = np.flatnonzero(~self.fits)
         return at[np.argsort(-self.distance[at], kind="stable")].tolist()
-
-    @property
-    def scaled(self) -> bool:
-        """Whether another scale fits far better than the one that is kept."""
-        return self.factor != 1.0
 
     @property
     def scattered(self) -> bool:
@@ -114,7 +111,7 @@ def misfit(source: Array, target: Array, *, scale_sigma: float | None = 0.0, flo
     with_scale = similarity(source[fits], target[fits], scale=1.0)
     limit = float(np.sqrt(_spread(fit.residuals, scale, floor) * _critical(3 * int(fits.sum()) - 7, n)))
     return Misfit(
-        mirrored=mirrored, factor=1.0 if scale is not None else fit.scale,
+        mirrored=mirrored, scaled=far, factor=1.0 if scale is not None else fit.scale,
         factor_sigma=float(fit.sigma0 / max(size, 1e-300)) * fit.scale if int(fits.sum()) > 2 else 0.0, fits=fits,
         distance=distance, exchanged=_exchanged(fit.points(source), target, fits, limit),
         instead=_instead(source, target, fits, scale), rms=float(np.sqrt(np.mean(fit.residuals**2))),
