@@ -362,7 +362,7 @@ def _alternatives(
     """
     found: list[Alternative] = []
     each, dof = model.rows(np.arange(model.points)), 3 * model.later
-    for i in np.flatnonzero(moved):
+    for i in np.flatnonzero(moved).tolist():
         back = moved.copy()
         back[i] = False
         s = model.stayed(back)
@@ -373,7 +373,7 @@ def _alternatives(
         place[s.rows] = np.arange(len(s.rows))
         d = model.d[s.rows]
         v, mine = s.weights @ d, place[each[i]]
-        for j in np.flatnonzero(~back & ~fixed & (np.arange(model.points) != i)):
+        for j in np.flatnonzero(~back & ~fixed & (np.arange(model.points) != i)).tolist():
             r = place[each[j]]
             gain = s.weights[np.ix_(mine, r)] @ np.linalg.pinv(s.weights[np.ix_(r, r)], rcond=1e-10, hermitian=True)
             u = v[mine] - gain @ v[r]
