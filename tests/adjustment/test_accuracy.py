@@ -2,9 +2,11 @@
 
 import math
 from dataclasses import replace
+from pathlib import Path
 
 import numpy as np
 import pytest
+from scipy.special import chdtrc
 
 from raybundle.adjustment.accuracy import Accuracy, required_check_points
 from raybundle.adjustment.accuracy_class import AccuracyClass, accuracy_class, all_kept, judged
@@ -223,3 +225,10 @@ def test_too_few_check_points_are_not_called_kept(block):
     assert kept is None
     assert {p.why for p in parts} == {"few"}
     assert told(few, 1e-4, 1e-4)[1] is False
+
+
+def test_the_chances_that_the_page_tells_are_those_of_chi_square():
+    page = " ".join((Path(__file__).parents[2] / "docs/how-to/uav.md").read_text(encoding="utf-8").split())
+    chance = {(n, share): round(100 * float(chdtrc(n, n / share**2))) for n in (5, 30) for share in (1.0, 0.8)}
+    assert f"{chance[5, 1.0]} % of sets of 5 check points in height, and by {chance[30, 1.0]} % of sets of 30" in page
+    assert f"0.8 times the class by {chance[5, 0.8]} % and {chance[30, 0.8]} %" in page

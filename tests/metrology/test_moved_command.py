@@ -176,3 +176,98 @@ def test_measurements_that_are_not_to_be_used_yet_are_told(epochs, tmp_path, cap
 def test_a_probability_of_nothing_is_a_bound():
     assert p_words(0.0) == "p < 1e-16"
     assert p_words(0.031) == "p 0.031"
+
+
+def in_axes_of(epochs, file, out, capsys, *more):
+    words = ["moved", *map(str, epochs), "--axes", str(file), *more, "--no-report", "--progress", "none"]
+    status = main([*words, "--out", str(out)])
+    said = capsys.readouterr()
+    return status, said.out, said.err
+
+
+def test_axes_that_are_none_of_the_measurement_are_refused(epochs, tmp_path, capsys):
+    names = [str(k) for k in range(1, 60)]
+    file = nominal(tmp_path, np.eye(3), np.zeros(3), names)
+    status, _, said = in_axes_of(epochs, file, tmp_path / "m", capsys)
+    assert status == 2
+    assert "times as far apart as the measured ones" in said
+    assert "millimetres for metres" in said
+    file = nominal(tmp_path, np.diag([-1.0, 1.0, 1.0]), np.zeros(3), names)
+    status, _, said = in_axes_of(epochs, file, tmp_path / "m", capsys, "--unit", "0.001")
+    assert status == 2
+    assert "those of a mirror image" in said
+    assert not (tmp_path / "m").exists()
+
+
+def test_exchanged_names_bend_no_axes_and_their_fit_is_told(epochs, tmp_path, capsys):
+    names = [str(k) for k in range(1, 60)]
+    file = nominal(tmp_path, np.eye(3), np.zeros(3), names, off=set(MOVED))
+    lines = file.read_text().splitlines()
+    at = [k for k, line in enumerate(lines) if line.split(",")[0] in {"8", "30"}]
+    a, b = (lines[k].split(",", 1) for k in at)
+    lines[at[0]], lines[at[1]] = f"{a[0]},{b[1]}", f"{b[0]},{a[1]}"
+    file.write_text("\n".join(lines) + "\n")
+    status, said, _ = in_axes_of(epochs, file, tmp_path / "m", capsys, "--unit", "0.001")
+    assert status == 0
+    assert "With the names exchanged they fit: 8 and 30" in said
+    assert "mm rms; their turn is known to" in said
+    told = json.loads((tmp_path / "m/moved.json").read_text())["axes"]
+    assert sorted(told["did_not_fit"]) == ["30", "8"]
+    assert told["rms_m"] < 1e-3
+    assert 0 < told["turn_sigma_rad"] < 1e-3
+
+
+def renamed(epoch, folder, names=lambda i: i, **more):
+    """The measurement of a result again, its points called otherwise."""
+    block = rb.read_block(epoch / "block")
+    points = replace(block.points, ids=tuple(names(i) for i in block.points.ids))
+    write_result(rb.adjust(replace(block, points=points, **more), rb.AdjustmentOptions(jobs=1)), folder, report="none")
+    return folder
+
+
+def test_one_measurement_given_twice_is_refused(epochs, tmp_path, capsys):
+    assert main(["moved", str(epochs[0]), str(epochs[0]), "--out", str(tmp_path / "m")]) == 2
+    assert "are of the same observations" in capsys.readouterr().err
+
+
+def test_scales_that_contradict_each_other_are_a_fault_with_their_bars(epochs, tmp_path, capsys):
+    block = rb.read_block(epochs[1] / "block")
+    longer = replace(block.distances, length=block.distances.length * 1.001)
+    other = tmp_path / "other"
+    write_result(rb.adjust(block.having(longer), rb.AdjustmentOptions(jobs=1)), other, report="none")
+    done = rb.moved_points([epochs[0], other], tmp_path / "m")
+    assert {i for i, m in zip(done.ids, done.moved, strict=True) if m} == set(MOVED)
+    (told,) = [n for n in done.told if n.code == "epochs_scale"]
+    assert told.severity == "fault"
+    assert "scale bars of" in told.message
+    page = (tmp_path / "m/report.html").read_text(encoding="utf-8")
+    assert 'class="verdict attention"' in page
+    mm = rb.transform_block(block, rb.SimilarityTransform(scale=1000.0), observed="follow")
+    write_result(
+        rb.adjust(mm, rb.AdjustmentOptions(jobs=1)), tmp_path / "mm", report="none"
+    )  # and says it is in metres
+    assert main(["moved", str(epochs[0]), str(tmp_path / "mm"), "--out", str(tmp_path / "n")]) == 2
+    assert "is the length unit of one another than it says (metres for millimetres)" in capsys.readouterr().err
+    assert main(["moved", str(epochs[0]), str(other), "--points", "nope", "--out", str(tmp_path / "n")]) == 2
+    assert "has none of nope" in capsys.readouterr().err
+
+
+def test_names_shifted_by_one_are_a_fault(epochs, tmp_path):
+    ids = list(rb.read_block(epochs[1] / "block").points.ids)
+    after = dict(zip(ids, [*ids[1:], ids[0]], strict=True))
+    done = rb.moved_points([epochs[0], renamed(epochs[1], tmp_path / "e", after.get)], tmp_path / "m", report=False)
+    (told,) = [n for n in done.told if n.code == "epochs_names"]
+    assert told.severity == "fault"
+    assert "more than half: are the names those of another object" in told.message
+
+
+def test_of_four_points_those_that_may_have_moved_instead_are_told(epochs, tmp_path, capsys):
+    words = ["moved", *map(str, epochs), "--points", "1", "2", "3", "5", "--no-report", "--out", str(tmp_path / "m")]
+    assert main(words) == 0
+    told = json.loads((tmp_path / "m/moved.json").read_text())
+    may = {*told["moved"], *(a["other"] for a in told["may_have_moved_instead"])}
+    assert "5" in may
+    if told["moved"] != ["5"]:
+        assert "caution: in place of" in capsys.readouterr().out
+    all_points = rb.moved_points(epochs, tmp_path / "n", report=False)
+    assert not all_points.alternatives

@@ -219,13 +219,34 @@ def _points(result: Adjustment) -> list[Notice]:
                 code="one_ray_control", message=f"control points with a single ray: {', '.join(lone)}", ids=tuple(lone)
             )
         )
-    unseen = [points.ids[i] for i in np.flatnonzero((points.role == Role.CONTROL) & (rays == 0))]
-    if unseen:
+    given = np.bincount(result.given.observations.point, minlength=len(points))
+    silent = (points.role == Role.CONTROL) & (rays == 0)
+    for why, some in (
+        ("that no image shows", silent & (given == 0)),
+        ("whose image points were all rejected", silent & (given > 0)),
+    ):
+        unseen = [points.ids[i] for i in np.flatnonzero(some)]
+        if unseen:
+            found.append(
+                Notice(
+                    code="control_not_observed",
+                    message=f"control points {why}: {', '.join(unseen[:10])}; they take no part",
+                    ids=tuple(unseen),
+                )
+            )
+    ends = result.given.distances
+    cut = [
+        f"{points.ids[a]} - {points.ids[b]}"
+        for a, b in zip(ends.start.tolist(), ends.end.tolist(), strict=True)
+        if any(rays[k] == 0 and given[k] > 0 for k in (a, b))
+    ]
+    if cut:
         found.append(
             Notice(
-                code="control_not_observed",
-                message=f"control points that no image shows: {', '.join(unseen[:10])}; they take no part",
-                ids=tuple(unseen),
+                code="distance_lost",
+                message=f"distances that take no part, as image points of their ends were rejected: "
+                f"{', '.join(cut[:10])}",
+                ids=tuple(cut[:100]),
             )
         )
     lost = [points.ids[i] for i in np.flatnonzero((points.role == Role.CHECK) & (rays < 2))]

@@ -23,8 +23,8 @@ _CODES = {
     Severity.FAULT: (
         "attitudes_contradict bars_contradict behind_camera camera_contradicts control_contradicts "
         "control_exchanged control_identical control_left_out control_mirrored control_not_located control_rejected "
-        "control_unit group_less_precise "
-        "image_contradicts mark_contradicts no_redundancy not_determinable positions_exchanged redundancy_sum "
+        "control_unit epochs_names epochs_scale group_less_precise image_contradicts mark_contradicts no_redundancy "
+        "nominal_mirrored nominal_names nominal_scale not_determinable positions_exchanged redundancy_sum "
         "snooping_unfinished weak_convergence"
     ),
     Severity.CAUTION: (
@@ -32,20 +32,21 @@ _CODES = {
         "attitudes_steep blunder_not_located board_alike calibration_contradicted calibration_outweighed "
         "camera_constant camera_kept_apart camera_projection check_points_apart check_unseen control_file "
         "control_leaves_open control_not_observed control_sigma errors_independent "
-        "control_without_photograph coordinate_system correlation datum_lost global_test gps_too_near "
+        "control_without_photograph coordinate_system correlation datum_lost distance_lost global_test gps_too_near "
         "held_not_determinable identical_images image_left_out lengths_contradict levelled little_redundancy "
         "mark_rejected marked_lost marked_once marks_reduced marks_turned mask_orientation mask_refused "
-        "mask_uniform no_targets nominal_missing one_ray_control outside_format parts_apart pixel_shape "
+        "mask_uniform moved_ambiguous no_targets nominal_missing nominal_wrong one_ray_control outside_format "
+        "parts_apart pixel_shape given_twice "
         "points_left_out rays_diverge read_out_unused relative_control repeated_structure residual_structure "
         "result_unsettled rolling_shutter scale_unchecked scene_datum scene_prior small_angle start_behind "
         "start_parallel static_background systematic_residuals "
         "target_without_normal two_cameras unstable_camera up_ambiguous up_uncertain weak_photographs"
     ),
     Severity.REMARK: (
-        "attitudes camera camera_joined check_points_open control_unchecked dropped given_rejected gps in_parts "
-        "masks model not_significant parallel_rays parts_joined photographs read_out reduced_features rejected "
-        "relative_positions scale_checked scene_joins stored_turned target_eccentricity target_radius up_by_edges "
-        "up_without_edges variance_groups"
+        "attitudes axes_fitted camera camera_joined check_points_open control_unchecked dropped given_rejected gps "
+        "in_parts masks model not_significant parallel_rays parts_joined photographs read_out reduced_features "
+        "rejected relative_positions scale_checked scene_joins stored_turned target_eccentricity target_radius "
+        "up_by_edges up_without_edges variance_groups"
     ),
 }
 

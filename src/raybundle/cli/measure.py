@@ -26,6 +26,8 @@ if TYPE_CHECKING:
     from raybundle.metrology.lengths import LengthTest
 
 SHOWN = 10
+UNFIT = frozenset({"nominal_names", "nominal_mirrored", "nominal_scale", "nominal_wrong"})
+"""What makes all deviations meaningless, or bends them: it is told before them"""
 
 
 @click.command("measure", cls=SeveralNames)
@@ -84,13 +86,16 @@ def lines(done: Measured) -> list[str]:
     where = f"{counted(len(done.points.ids), 'point')} in {images}{of} photograph{'s' * (done.given != 1)}"
     text = [
         f"{where}, sigma0 {a.sigma0:.3g}, redundancy {a.redundancy}",
-        f"standard deviation of a coordinate: {rms} {unit} in the mean, {worst} at worst (point {weakest})",
+        f"standard deviation of a coordinate: {rms} {unit} rms, {worst} at worst (point {weakest})",
     ]
+    grave = [n for n in as_told(a.notices) if n.severity in {Severity.FAULT, Severity.CAUTION}]
+    first = [n for n in grave if n.code in UNFIT]
+    text = [*(f"{n.severity.value}: {n.message}" for n in first), *text]
+    grave = [n for n in grave if n.code not in UNFIT]
     if done.fit is not None:
         text += _fit_lines(done.fit)
     if done.lengths is not None:
         text += _length_lines(done.lengths)
-    grave = [n for n in as_told(a.notices) if n.severity in {Severity.FAULT, Severity.CAUTION}]
     text += [f"{n.severity.value}: {n.message}" for n in grave[:SHOWN]]
     return text + ["more stands in the report, and in result.json"] * (len(grave) > SHOWN)
 
@@ -98,6 +103,7 @@ def lines(done: Measured) -> list[str]:
 def _fit_lines(f: BestFit) -> list[str]:
     import numpy as np  # noqa: PLC0415
 
+    from raybundle.metrology.notices import p_words  # noqa: PLC0415
     from raybundle.report.text.metrology_words import tolerances_told  # noqa: PLC0415
 
     scale = "" if not f.scale_sigma else f", scale {f.transform.scale:.7f} ± {f.scale_sigma:.1g}"
@@ -105,11 +111,15 @@ def _fit_lines(f: BestFit) -> list[str]:
     by, farthest = counted(int(f.fitted.sum()), "point"), f.ids[int(f.length.argmax())]
     text = [f"fitted to nominal by {by}{scale}: rms {rms} mm, largest {largest} mm (point {farthest})"]
     off = np.flatnonzero(f.significant)
-    share = f"{len(off)} of {len(f.ids)} deviations are more than errors of measurement explain"
+    verb = "is" if len(off) == 1 else "are"
+    share = f"{len(off)} of {len(f.ids)} deviations {verb} more than errors of measurement explain"
     text.append(share if len(off) else "no deviation is more than errors of measurement explain")
     for k in off[np.argsort(-f.length[off])][:SHOWN].tolist():
-        d = ", ".join(f"{a} {1000 * v:+.3g}" for a, v in zip("XYZ", f.deviation[k], strict=True))
-        text.append(f"{f.ids[k]}: {1000 * f.length[k]:.3g} ± {1000 * f.length_sigma[k]:.2g} mm ({d})")
+        # a length may be less than twice its deviation, and one component far beyond its own: that one is to be seen
+        std = np.sqrt(np.maximum(np.diagonal(f.covariance[k]), 0))
+        each = zip("XYZ", f.deviation[k], std, strict=True)
+        d = ", ".join(f"{a} {1000 * v:+.3g} ± {1000 * u:.2g}" for a, v, u in each)
+        text.append(f"{f.ids[k]}: {1000 * f.length[k]:.3g} mm ({d}), {p_words(float(f.p_value[k]))}")
     if np.isfinite(f.tolerance).any():
         text.append(f"tolerances: {tolerances_told(f)} by the uncertainty (ISO 14253-1, two standard deviations)")
     return text

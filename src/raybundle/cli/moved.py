@@ -44,11 +44,8 @@ def command(epochs: tuple[Path, ...], progress: str, **given: Any) -> None:
         done = run_moved(settings, tell)
     told = [*fault_words(settings.epochs), *words_of(done)]
     if settings.axes is not None:
-        told.append(
-            f"X, Y, Z are those of {settings.axes.name}, fitted by points that stayed"
-            if not settings.by
-            else (f"X, Y, Z are those of {settings.axes.name}, fitted by {', '.join(settings.by)}")
-        )
+        by = ", ".join(settings.by) or "points that stayed"
+        told.append(f"X, Y, Z are those of {settings.axes.name}, fitted by {by}")
     click.echo("\n".join(f" {line}" for line in told))
     pages = "report.html, " * settings.report + "report.pdf, " * settings.pdf
     click.echo(f" {settings.out}: {pages}points.csv, moved.json")
@@ -67,6 +64,7 @@ def words_of(done: Congruence) -> list[str]:
     """What is told of the test."""
     import numpy as np  # noqa: PLC0415
 
+    from raybundle.adjustment.severity import Severity  # noqa: PLC0415
     from raybundle.metrology.notices import p_words  # noqa: PLC0415
 
     n, moved = len(done.ids), int(done.moved.sum())
@@ -74,6 +72,7 @@ def words_of(done: Congruence) -> list[str]:
     told = f"{n} common points of {' and '.join(done.epochs)}: {moved or 'none'} moved"
     (F0, p0), (F1, p1) = done.before, done.after
     lines = [
+        *(f"{n.severity.value}: {n.message}" for n in done.told if n.severity is not Severity.REMARK),
         f"{told}, at {100 * done.significance:g} % for any false alarm",
         f"as if none had moved F {F0:.2f} ({p_words(p0)}); those that stayed F {F1:.2f} ({p_words(p1)})",
     ]
@@ -111,4 +110,4 @@ def words_of(done: Congruence) -> list[str]:
             "caution: epochs may differ in scale, so that a growth of all is none: lengths are those of the first (to "
             f"it {ppm}). Control is free in this test; a scale bar in each epoch keeps its scale"
         )
-    return lines
+    return lines + [n.message for n in done.told if n.severity is Severity.REMARK]

@@ -8,7 +8,18 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any, Literal
 
 from raybundle.adjustment.options import NOISE_HELP, NoiseModel
-from raybundle.commands.measure_files import LENGTHS, LIST, NOMINAL, known_lengths, nominal_points, write_tables
+from raybundle.commands.measure_files import (
+    LENGTHS,
+    LIST,
+    NOMINAL,
+    check_lengths,
+    check_unit,
+    fitted_to,
+    known_lengths,
+    nominal_points,
+    without_doubles,
+    write_tables,
+)
 from raybundle.commands.measure_scale import bars_of, controlled, scaled, with_bars_compared
 from raybundle.commands.pages import COORDINATES_HELP, LANGUAGE_HELP, NO_REPORT_HELP, PDF_HELP, check_pages
 from raybundle.commands.record_settings import CLIENT, OPERATOR, TITLE, record_of
@@ -19,15 +30,15 @@ from raybundle.settings import NOT_NEGATIVE, POSITIVE, Range, asked, option, set
 if TYPE_CHECKING:
     from raybundle.adjustment.result import Adjustment, Notice
     from raybundle.block import Block
-    from raybundle.metrology.best_fit import BestFit, Nominal
+    from raybundle.metrology.best_fit import BestFit
     from raybundle.metrology.lengths import KnownLength, LengthTest
     from raybundle.metrology.point_set import PointSet
     from raybundle.workflows.calibrate import Calibration
 
 __all__ = ["LENGTHS", "LIST", "NOMINAL", "MeasureSettings", "Measured", "measure", "run_measure"]
 
-OTHER_UNIT = 2.0
-"""Ratio of sizes from which on nominal points are in another unit: an inch in centimetres has 2.54"""
+
+NOISE_HELP_HERE = NOISE_HELP.partition("; auto:")[0] + "; auto: fields from five photographs on, of a result as well."
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -84,7 +95,7 @@ class MeasureSettings:
         limits=Range(low=1e-6, high=0.5),
     )  # fmt: skip
     jobs: int = setting(0, "How many processors; 0: all.", limits=NOT_NEGATIVE)
-    noise: NoiseModel = setting("auto", NOISE_HELP)
+    noise: NoiseModel = setting("auto", NOISE_HELP_HERE)
     title: str = setting("", TITLE, metavar="TEXT")
     client: str = setting("", CLIENT, metavar="TEXT")
     operator: str = setting("", OPERATOR, metavar="TEXT")
@@ -128,30 +139,50 @@ def measure(
 def run_measure(s: MeasureSettings, progress: Progress = silent) -> Measured:
     """Measure what the settings ask for, and write it."""
     from raybundle.measuring.point_sets import point_set  # noqa: PLC0415  (what computes is loaded after the help)
-    from raybundle.metrology.best_fit import best_fit  # noqa: PLC0415
+    from raybundle.metrology.misfit_words import nominal_contradicted  # noqa: PLC0415
     from raybundle.metrology.notices import length_notices, nominal_notices, of_a_tool  # noqa: PLC0415
     from raybundle.results.folder import check_target  # noqa: PLC0415
 
     check_target(s.out)
     check_pages(s)
+    _check_asked(s)
     nominal = None if s.nominal is None else nominal_points(s.nominal, s.unit)
     known = [*_check_lengths(s), *(known_lengths(s.lengths, s.unit) if s.lengths is not None else ())]
+    known, twice = without_doubles(known, "length")
     source = _source(s, progress)
     result, notices = _adjusted(s, source.block, progress)
     points = point_set(result, "the measurement")
     fit = None
     if nominal is not None:
-        _check_unit(points, nominal, s)
-        fit = best_fit(points, nominal, by=s.by, scale=s.fit_scale, weighting=s.weighting, significance=s.significance)
+        if not s.fit_scale:
+            check_unit(points, nominal, s.nominal or Path())
+        fit = fitted_to(
+            points, nominal, s.nominal or Path(), by=s.by, scale=s.fit_scale, weighting=s.weighting,
+            significance=s.significance,
+        )  # fmt: skip
     tested = _length_test(s, points, known, result) if known else None
-    own = (*source.notices, *notices, *length_notices(tested), *nominal_notices(fit))
+    unfit = () if fit is None else nominal_contradicted(fit)
+    own = (*unfit, *source.notices, *notices, *twice, *length_notices(tested), *nominal_notices(fit))
     result = of_a_tool(result, tested)
     done = Measured(
-        adjustment=replace(result, notices=(*result.notices, *own)), points=points, fit=fit, lengths=tested,
-        remarks=tuple(n.message for n in own), given=source.given, left_out=source.left_out,
+        adjustment=replace(result, notices=(*unfit, *result.notices, *own[len(unfit) :])), points=points, fit=fit,
+        lengths=tested, remarks=tuple(n.message for n in own), given=source.given,
+        left_out=source.left_out,
     )  # fmt: skip
     _write(s, done, source, progress)
     return done
+
+
+def _check_asked(s: MeasureSettings) -> None:
+    """Raise InputError for what is asked of a table or a length that is not given."""
+    given = (
+        (bool(s.by), s.nominal, "by", "nominal"), (s.fit_scale, s.nominal, "fit-scale", "nominal"),
+        (s.allowed is not None, s.lengths or s.check_length, "allowed", "lengths"),
+    )  # fmt: skip
+    for asked_for, there, name, other in given:
+        if asked_for and not there:
+            more = f" or {option('check-length')}" if other == "lengths" else ""
+            raise InputError(f"{option(name)} goes with {option(other)}{more}")
 
 
 def _write(s: MeasureSettings, done: Measured, source: _Source, progress: Progress) -> None:
@@ -174,28 +205,8 @@ def _length_test(s: MeasureSettings, points: PointSet, known: Sequence[KnownLeng
     from raybundle.metrology.lengths import length_test  # noqa: PLC0415
 
     allowed = None if s.allowed is None else (s.allowed[0] / 1000, s.allowed[1] / 1000)
+    check_lengths(points, known, s.lengths)
     return length_test(points, known, allowed=allowed, significance=s.significance, bars=bars_of(result.given))
-
-
-def _check_unit(points: PointSet, nominal: Nominal, s: MeasureSettings) -> None:
-    """Raise InputError where nominal points lie so far apart against the measured ones that their unit is another."""
-    import numpy as np  # noqa: PLC0415
-
-    at = {name: k for k, name in enumerate(points.ids)}
-    both = [(at[name], k) for k, name in enumerate(nominal.ids) if name in at]
-    if len(both) < 2 or points.free_scale or s.fit_scale:
-        return
-    measured, wanted = (
-        xyz[[*rows]] for xyz, rows in zip((points.xyz, nominal.xyz), zip(*both, strict=True), strict=True)
-    )
-    sizes = [float(np.linalg.norm(xyz - xyz.mean(axis=0))) for xyz in (wanted, measured)]
-    if not sizes[1] / OTHER_UNIT < sizes[0] < OTHER_UNIT * sizes[1]:
-        raise InputError(
-            f"nominal points lie {sizes[0] / sizes[1]:.4g} times as far apart as the measured ones: are they, or the "
-            f"scale bars, in another unit? Scale bars are in metres; {option('unit', '0.001')} reads files in "
-            "millimetres",
-            file=s.nominal,
-        )
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -237,6 +248,7 @@ def _adjusted(s: MeasureSettings, block: Block, progress: Progress) -> tuple[Adj
     from raybundle.adjustment.engine import started  # noqa: PLC0415
     from raybundle.adjustment.options import AdjustmentOptions, noise_of_photographs  # noqa: PLC0415
     from raybundle.adjustment.variance_groups import by_groups  # noqa: PLC0415
+    from raybundle.metrology.lengths import KnownLength  # noqa: PLC0415
     from raybundle.metrology.notices import bar_notices  # noqa: PLC0415
 
     if s.calibration is not None:
@@ -247,8 +259,12 @@ def _adjusted(s: MeasureSettings, block: Block, progress: Progress) -> tuple[Adj
         weights="residuals", jobs=s.jobs,
     )  # fmt: skip
     alone = replace(options, datum="inner", variance_groups=False)
-    block, bars = with_bars_compared(scaled(block, s.scale_bar), lambda free: decide(free, alone, progress))
-    notices = bar_notices(bars)
+    given, twice = without_doubles(
+        [KnownLength(start=a, end=b, length=d, sigma=e) for a, b, d, e in s.scale_bar], "scale bar"
+    )
+    block = scaled(block, [(k.start, k.end, k.length, k.sigma) for k in given])
+    block, bars = with_bars_compared(block, lambda free: decide(free, alone, progress))
+    notices = (*twice, *bar_notices(bars))
     if s.control is not None:
         # what control is held against is the network as measured, not the coordinates that it begins with
         shape = decide(block, replace(alone, datum="auto", reject="none", statistics=False), progress).adjusted
@@ -294,4 +310,7 @@ def _with_calibration(block: Block, path: Path) -> Block:
 def _check_lengths(s: MeasureSettings) -> list[KnownLength]:
     from raybundle.metrology.lengths import KnownLength  # noqa: PLC0415
 
+    for a, b, d in s.check_length:
+        if a == b:
+            raise InputError(f"{option('check-length')} {a} {b} {d:g}: both ends are one point")
     return [KnownLength(start=a, end=b, length=d) for a, b, d in s.check_length]

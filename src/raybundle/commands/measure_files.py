@@ -6,13 +6,20 @@ import math
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+from raybundle.errors import InputError
 from raybundle.numerics.natural import natural_order
+from raybundle.settings import option
 
 if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    from raybundle.adjustment.result import Notice
     from raybundle.metrology.best_fit import BestFit, Nominal
     from raybundle.metrology.lengths import KnownLength, LengthTest
     from raybundle.metrology.point_set import PointSet
 
+OTHER_UNIT = 2.0
+"""Ratio of sizes from which on nominal points are in another unit: an inch in centimetres has 2.54"""
 LIST, NOMINAL, LENGTHS = "coordinate_list.csv", "nominal.csv", "lengths.csv"
 
 
@@ -29,7 +36,94 @@ def known_lengths(path: Path, unit: float) -> list[KnownLength]:
     table = read_table(path, columns)
     length, sigma = table.numbers("length", "sigma").T * unit
     rows = zip(table.text["from"], table.text["to"], length.tolist(), sigma.tolist(), strict=True)
-    return [KnownLength(start=a, end=b, length=d, sigma=0.0 if math.isnan(e) else e) for a, b, d, e in rows]
+    found = [
+        KnownLength(start=a, end=b, length=d, sigma=0.0 if math.isnan(e) else e, line=line)
+        for line, (a, b, d, e) in enumerate(rows, table.first_line)
+    ]
+    for k in found:
+        if k.start == k.end:
+            raise InputError(f"the length {k.start} - {k.end}: both ends are one point", file=path, line=k.line)
+    return found
+
+
+def without_doubles(known: Sequence[KnownLength], what: str) -> tuple[list[KnownLength], tuple[Notice, ...]]:
+    """Lengths of which each counts once, though one was given twice, its ends exchanged or not; and what is told."""
+    from raybundle.metrology.notices import given_twice  # noqa: PLC0415
+
+    found: dict[tuple[frozenset[str], float], KnownLength] = {}
+    twice: list[str] = []
+    for k in known:
+        key = frozenset((k.start, k.end)), k.length
+        if key in found:
+            twice.append(f"{k.start} - {k.end}")
+        found.setdefault(key, k)
+    if not twice:
+        return list(known), ()
+    return list(found.values()), given_twice(what, twice)
+
+
+def check_lengths(points: PointSet, known: Sequence[KnownLength], path: Path | None) -> None:
+    """Raise InputError for ends that were not measured, with the file and its line, and lengths in another unit."""
+    import numpy as np  # noqa: PLC0415
+
+    place = {name: k for k, name in enumerate(points.ids)}
+    for k in known:
+        missing = [end for end in (k.start, k.end) if end not in place]
+        if missing:
+            file, line = (path, k.line) if k.line is not None else (None, None)
+            raise InputError(f"no point {' and no point '.join(missing)} was measured", file=file, line=line)
+    if points.free_scale:
+        return
+    way = points.xyz[[place[k.end] for k in known]] - points.xyz[[place[k.start] for k in known]]
+    ratio = float(np.median(np.array([k.length for k in known]) / np.maximum(np.linalg.norm(way, axis=1), 1e-300)))
+    if not 1 / OTHER_UNIT < ratio < OTHER_UNIT:
+        read = f"; {option('unit', '0.001')} reads files in millimetres" if path is not None else ""
+        raise InputError(
+            f"known lengths are {ratio:.4g} times as long as the measured ones: {unit_asked(ratio)}Scale bars are in "
+            f"metres{read}",
+            file=path,
+        )
+
+
+def fitted_to(points: PointSet, nominal: Nominal, path: Path, **how: Any) -> BestFit:
+    """Measured points fitted onto those of a file (`best_fit`); raises InputError with the file."""
+    from raybundle.metrology.best_fit import best_fit  # noqa: PLC0415
+
+    try:
+        return best_fit(points, nominal, **how)
+    except InputError as error:
+        raise InputError(str(error), file=path) from None
+
+
+def check_unit(points: PointSet, nominal: Nominal, path: Path) -> None:
+    """Raise InputError where nominal points lie so far apart against the measured ones that their unit is another."""
+    import numpy as np  # noqa: PLC0415
+
+    at = {name: k for k, name in enumerate(points.ids)}
+    both = [(at[name], k) for k, name in enumerate(nominal.ids) if name in at]
+    if len(both) < 2 or points.free_scale:
+        return
+    measured, wanted = (
+        xyz[[*rows]] for xyz, rows in zip((points.xyz, nominal.xyz), zip(*both, strict=True), strict=True)
+    )
+    # by the median distance from the middle: few wrong points do not make another unit
+    sizes = [float(np.median(np.linalg.norm(xyz - np.median(xyz, axis=0), axis=1))) for xyz in (wanted, measured)]
+    if sizes[0] <= 1e-9 * sizes[1] or sizes[1] / OTHER_UNIT < sizes[0] < OTHER_UNIT * sizes[1]:
+        return  # those that are all one point lie in one line, as the fit tells
+    raise InputError(
+        f"nominal points lie {sizes[0] / sizes[1]:.4g} times as far apart as the measured ones: "
+        f"{unit_asked(sizes[0] / sizes[1])}Scale bars are in metres; {option('unit', '0.001')} reads files in "
+        "millimetres",
+        file=path,
+    )
+
+
+def unit_asked(factor: float) -> str:
+    """What is asked where lengths differ by a factor: whether one is in another unit, and in which."""
+    from raybundle.metrology.misfit_words import unit_of  # noqa: PLC0415
+
+    unit = unit_of(factor)
+    return f"are they, or the scale bars, in another unit{f' ({unit})' if unit else ''}? "
 
 
 def nominal_points(path: Path, unit: float) -> Nominal:

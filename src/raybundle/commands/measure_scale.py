@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Collection, Mapping, Sequence
 from dataclasses import replace
 from itertools import combinations
 from pathlib import Path
@@ -14,7 +14,9 @@ from raybundle.settings import option
 if TYPE_CHECKING:
     from raybundle.adjustment.result import Adjustment, Notice
     from raybundle.block import Block
+    from raybundle.io.geo.control_files import ControlFile
     from raybundle.metrology.bars import BarTest
+    from raybundle.metrology.misfit import Misfit
     from raybundle.numerics.arrays import Array
 
 BEYOND = 2.0
@@ -23,8 +25,6 @@ FAR_OFF = 1.05
 """Ratio of the scales of bars and control from which on they are not of one object"""
 CONTROL_M = 5e-5
 """Standard deviation of control that states none [m]: that of a good total station or laser tracker at some metres"""
-COARSE = 0.02
-"""Share of the extent within which control fits a network, to begin with; tests of the adjustment tell the rest"""
 
 
 def scaled(block: Block, bars: Sequence[tuple[str, str, float, float]]) -> Block:
@@ -44,6 +44,12 @@ def scaled(block: Block, bars: Sequence[tuple[str, str, float, float]]) -> Block
     missing = sorted({p for a, b, _, _ in bars for p in (a, b) if p not in place})
     if missing:
         raise InputError(f"scale bars end at points that were not measured: {', '.join(missing[:10])}")
+    for a, b, length, sigma in bars:
+        if sigma >= length:
+            raise InputError(
+                f"scale bar {a} - {b}: {length:g} m with a standard deviation of {sigma:g} m tells no scale; both are "
+                "in metres"
+            )
     start = np.array([place[a] for a, _, _, _ in bars], np.int32)
     end = np.array([place[b] for _, b, _, _ in bars], np.int32)
     length = np.array([bar[2] for bar in bars])
@@ -127,6 +133,13 @@ def with_bars_compared(block: Block, free: Callable[[Block], Adjustment]) -> tup
     return block.having(replace(d, sigma=sigma)), test
 
 
+def bar_names(block: Block) -> list[str]:
+    """The distances of a block by their ends and lengths: "1 - 20 0.96108 m"."""
+    ids, d = block.points.ids, block.distances
+    rows = zip(d.start.tolist(), d.end.tolist(), d.length.tolist(), strict=True)
+    return [f"{ids[a]} - {ids[b]} {length:.6g} {block.length_unit}" for a, b, length in rows]
+
+
 def bars_of(block: Block) -> frozenset[frozenset[str]]:
     """The pairs of points between which a distance was observed."""
     ids, d = block.points.ids, block.distances
@@ -137,65 +150,123 @@ def controlled(block: Block, path: Path, unit: float) -> tuple[Block, tuple[Noti
     """A block with control and check points of a file, brought to their axes, and what is to be told.
 
     unit    metres of one unit of the file
-    raises  InputError for fewer than three control points that were measured, and where they fit no network
+    raises  InputError for fewer than three control points that were measured, or points in a line
+    Control that contradicts the network as a whole (mirrored, another scale, other names) takes no part: nothing that
+    was measured is bent by it. A single point that contradicts the others is compared as a check point.
     """
     import numpy as np  # noqa: PLC0415
 
-    from raybundle.block import Role  # noqa: PLC0415
     from raybundle.block.transform import transform_block  # noqa: PLC0415
     from raybundle.io.geo.control_files import NO_TOLERANCE, ControlDefaults, assumed_words, read_control  # noqa: PLC0415
+    from raybundle.metrology.misfit import in_one_line, misfit  # noqa: PLC0415
+    from raybundle.metrology.misfit_words import control_contradicted, control_wrong  # noqa: PLC0415
     from raybundle.metrology.notices import (  # noqa: PLC0415
         control_assumed,
-        control_far,
         control_lost,
         control_remarks,
         tolerances_ignored,
     )
-    from raybundle.numerics.transform import robust_similarity  # noqa: PLC0415
+    from raybundle.numerics.transform import similarity  # noqa: PLC0415
 
-    usual = ControlDefaults(plan=CONTROL_M / unit, height=CONTROL_M / unit)
+    usual = ControlDefaults(plan=CONTROL_M / unit, height=CONTROL_M / unit, unit=_unit_name(unit))
     given = read_control(path, defaults=usual)
     place = {name: k for k, name in enumerate(block.points.ids)}
-    here = [k for k, name in enumerate(given.ids) if name in place]
-    full = [k for k in here if given.role[k] == Role.CONTROL and np.isfinite(given.xyz[k]).all()]
-    if len(full) < 3:
+    full = _measured_control(given, place, path)
+    names = [given.ids[k] for k in full]
+    source, target = block.points.xyz[[place[n] for n in names]], unit * given.xyz[full]
+    if in_one_line(source) or in_one_line(target):
         raise InputError(
-            f"{len(full)} of {len(given.ids)} points are control with X, Y and Z and were measured; three give a "
-            f"datum. Names are the codes of the targets{''.join(f'; {r}' for r in given.remarks)}",
+            f"the {len(names)} control points that were measured ({', '.join(names[:5])}) lie in one line, or are one "
+            "point: a datum needs three that are not in one line",
             file=path,
         )
-    at = np.array([place[given.ids[k]] for k in full])
-    source, target = block.points.xyz[at], unit * given.xyz[full]
-    extent = float(np.linalg.norm(np.ptp(target, axis=0)))
     known = len(block.distances) > 0
-    fit, fits = robust_similarity(source, target, COARSE * extent)
-    if known and abs(np.log(fit.scale)) > np.log(FAR_OFF):
-        raise InputError(
-            f"the scale bars make the network {1 / fit.scale:.4g} times as large as the control: is one of them in "
-            f"another unit? {option('unit')} is that of the file",
-            file=path,
-        )
+    floor = float(np.sqrt(np.mean(np.nan_to_num(unit * given.sigma[full]) ** 2)))
+    found = misfit(source, target, scale_sigma=_scale_sigma(block) if known else None, floor=floor)
+    _check_scale(found, path)
+    against = control_contradicted(found, path.name, names)
+    if against:
+        turned = similarity(source[found.fits], target[found.fits], scale=1.0 if known else None)
+        if not found.mirrored and not found.scattered:
+            block = transform_block(block, turned, observed="stay")
+        return block, against
+    fits = np.ones(len(full), bool) if found.instead else found.fits
+    fit = similarity(source[fits], target[fits], scale=None)
     block = replace(transform_block(block, fit, observed="stay"), length_unit="m", free_scale=False)
-    apart = (fit.points(source) - target)[fits]
-    off = float(np.sqrt((apart**2).sum() / max(3 * len(apart) - 7, 1)))
+    off = float(np.sqrt((fit.residuals**2).sum() / max(3 * int(fits.sum()) - 7, 1)))
     assumed = np.ones(len(given.ids), bool) if given.stated is None else ~given.stated
     own, remarks = unit * given.sigma, list(given.remarks)
-    told: list[Notice] = [tolerances_ignored(path.name)] if NO_TOLERANCE in remarks else []
+    told: list[Notice] = [*control_wrong(found, path.name, names)]
+    told += [tolerances_ignored(path.name)] if NO_TOLERANCE in remarks else []
     remarks = [r for r in remarks if r != NO_TOLERANCE]
     if assumed[full].any() and off > CONTROL_M:
         own = np.where(assumed[:, None], off, own)
         remarks = [r for r in remarks if assumed_words(usual) not in r]
         told.append(control_assumed(path.name, 1000 * off))
     told += control_remarks(path.name, remarks)
-    xyz, sigma, role = block.points.xyz.copy(), block.points.sigma.copy(), np.array(block.points.role)
-    for k in here:
-        p = place[given.ids[k]]
-        ok = np.isfinite(given.xyz[k])
-        xyz[p, ok], sigma[p], role[p] = (
-            unit * given.xyz[k, ok],
-            np.where(ok, own[k], np.nan),
-            given.role[k],
-        )
+    out = {n for n, f in zip(names, fits.tolist(), strict=True) if not f}
     told += control_lost([n for n in given.ids if n not in place])
-    told += control_far([given.ids[k] for k, f in zip(full, fits.tolist(), strict=True) if not f])
-    return replace(block, points=replace(block.points, xyz=xyz, sigma=sigma, role=role)), tuple(told)
+    return _with_control(block, given, unit, own, out), tuple(told)
+
+
+def _with_control(block: Block, given: ControlFile, unit: float, own: Array, out: Collection[str]) -> Block:
+    """The block with the coordinates of a file; those of `out` are check points."""
+    import numpy as np  # noqa: PLC0415
+
+    from raybundle.block import Role  # noqa: PLC0415
+
+    place = {name: k for k, name in enumerate(block.points.ids)}
+    xyz, sigma, role = block.points.xyz.copy(), block.points.sigma.copy(), np.array(block.points.role)
+    for k, name in enumerate(given.ids):
+        if name not in place:
+            continue
+        p, ok = place[name], np.isfinite(given.xyz[k])
+        xyz[p, ok], sigma[p] = unit * given.xyz[k, ok], np.where(ok, own[k], np.nan)
+        role[p] = Role.CHECK if name in out else given.role[k]
+    return replace(block, points=replace(block.points, xyz=xyz, sigma=sigma, role=role))
+
+
+def _measured_control(given: ControlFile, place: Mapping[str, int], path: Path) -> list[int]:
+    """Rows of control with three coordinates that was measured; raises InputError for fewer than three."""
+    import numpy as np  # noqa: PLC0415
+
+    from raybundle.block import Role  # noqa: PLC0415
+
+    full = [
+        k for k, name in enumerate(given.ids)
+        if name in place and given.role[k] == Role.CONTROL and np.isfinite(given.xyz[k]).all()
+    ]  # fmt: skip
+    if len(full) < 3:
+        raise InputError(
+            f"{len(full)} of {len(given.ids)} points are control with X, Y and Z and were measured; three give a "
+            f"datum. Names are the codes of the targets{''.join(f'; {r}' for r in given.remarks)}",
+            file=path,
+        )
+    return full
+
+
+def _check_scale(found: Misfit, path: Path) -> None:
+    """Raise InputError where control is in another unit than bars."""
+    import numpy as np  # noqa: PLC0415
+
+    from raybundle.metrology.misfit_words import unit_of  # noqa: PLC0415
+
+    if found.scaled and not found.scattered and abs(np.log(found.factor)) > np.log(FAR_OFF):
+        unit = unit_of(found.factor)
+        raise InputError(
+            f"the scale bars make the network {1 / found.factor:.4g} times as large as the control"
+            f"{f' ({unit})' if unit else ''}: is one of them in another unit? {option('unit')} is that of the file",
+            file=path,
+        )
+
+
+def _scale_sigma(block: Block) -> float:
+    """Standard deviation of the scale by the bars of a block, as a share."""
+    import numpy as np  # noqa: PLC0415
+
+    d = block.distances
+    return float(1 / np.sqrt(np.sum((d.length / np.maximum(d.sigma, 1e-12)) ** 2)))
+
+
+def _unit_name(unit: float) -> str:
+    return {1.0: "m", 0.01: "cm", 0.001: "mm", 0.0254: "inches"}.get(unit, f"units of {unit:g} m")

@@ -8,7 +8,8 @@ from dataclasses import MISSING, dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from raybundle.commands.measure_files import nominal_points
+from raybundle.commands.measure_files import check_unit, fitted_to, nominal_points
+from raybundle.commands.measure_scale import bar_names
 from raybundle.commands.pages import LANGUAGE_HELP, PDF_HELP, check_pages
 from raybundle.commands.record_settings import CLIENT, OPERATOR, TITLE, record_of
 from raybundle.errors import InputError
@@ -23,6 +24,9 @@ if TYPE_CHECKING:
     from raybundle.metrology.best_fit import BestFit
     from raybundle.metrology.congruence import Congruence
     from raybundle.metrology.point_set import PointSet
+
+OTHER_SCALE = 0.05
+"""Difference of scales, as a share, from which on axes are not those of the object: no part shrinks so much"""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -94,9 +98,10 @@ def _moved(s: MovedSettings, epochs: Sequence[Adjustment | str | Path], progress
     from raybundle.io.folders import check_new_folder, short_names  # noqa: PLC0415
     from raybundle.measuring.point_sets import point_set  # noqa: PLC0415
     from raybundle.measuring.session import adjusted_as_free  # noqa: PLC0415
-    from raybundle.metrology.best_fit import best_fit  # noqa: PLC0415
     from raybundle.metrology.congruence import congruence  # noqa: PLC0415
     from raybundle.metrology.dots import dots_alike  # noqa: PLC0415
+    from raybundle.metrology.epochs import comparable, most_moved, others_as_well  # noqa: PLC0415
+    from raybundle.metrology.misfit_words import axes_notices  # noqa: PLC0415
 
     if len(epochs) < 2:
         raise InputError("two or more measurements are held against each other; one is given")
@@ -106,12 +111,17 @@ def _moved(s: MovedSettings, epochs: Sequence[Adjustment | str | Path], progress
         raise InputError(f"{option('by')} goes with {option('axes')}")
     nominal = None if s.axes is None else nominal_points(s.axes, s.unit)
     sets: list[PointSet] = []
+    bars: dict[str, list[str]] = {}
     faults: dict[str, tuple[str, ...]] = {}
     for k, (name, epoch) in enumerate(zip(short_names(s.epochs), epochs, strict=True)):
         progress("reading measurements", k / len(epochs))
         found = adjusted_as_free(block_again(epoch) if isinstance(epoch, Adjustment) else _with_coordinates(epoch))
         # dots have a number of their own in each measurement: which are asked for is known when they are called alike
-        sets.append(point_set(found, name, () if any(dot_number(p) >= 0 for p in s.points) else s.points))
+        bars[name] = bar_names(found.given)
+        dots = any(dot_number(p) >= 0 for p in s.points)
+        if s.points and not dots and not set(s.points) & set(found.given.points.ids):
+            raise InputError(f"{option('points')}: {name} has none of {', '.join(s.points[:10])}")
+        sets.append(point_set(found, name, () if dots else s.points))
         if told := _faults(epoch):
             faults[name] = told
     if s.free_scale:
@@ -120,13 +130,22 @@ def _moved(s: MovedSettings, epochs: Sequence[Adjustment | str | Path], progress
     sets, by_place = dots_alike(sets)
     if s.points:
         sets = [e.rows([k for k, i in enumerate(e.ids) if i in set(s.points)]) for e in sets]
+        _check_there(s.points, sets)
+    sets, told = comparable(sets, bars)
     done = congruence(sets, significance=s.significance, datum=s.datum_points)
-    done = replace(done, by_place=tuple(i for i in by_place if i in set(done.ids)))
+    told = (*told, *most_moved(done), *others_as_well(done))
+    done = replace(done, told=told, by_place=tuple(i for i in by_place if i in set(done.ids)))
     fit = None
     if nominal is not None:
-        by = s.by or tuple(i for i, m in zip(done.ids, done.moved, strict=True) if not m and i in set(nominal.ids))
-        fit = best_fit(sets[0], nominal, by=by)
-        done = done.in_axes(fit.transform)
+        if not s.by:
+            stayed = {i for i, m in zip(done.ids, done.moved, strict=True) if not m}
+            nominal = nominal.rows([k for k, i in enumerate(nominal.ids) if i in stayed])
+        path = s.axes or Path()
+        check_unit(sets[0], nominal, path)
+        fit = fitted_to(sets[0], nominal, path, by=s.by)
+        _check_axes(fit, path)
+        done = done.in_axes(fit.transform, fit.turn)
+        done = replace(done, told=(*done.told, *axes_notices(fit, path.name, done.largest)))
     _write(s, done, fit, faults)
     return done
 
@@ -137,6 +156,26 @@ def _with_coordinates(folder: str | Path) -> Block | Path:
 
     block, raw = adjusted_block_in(Path(folder))
     return block if raw else Path(folder)
+
+
+def _check_there(points: Sequence[str], sets: Sequence[PointSet]) -> None:
+    """Raise InputError for points that were asked for and that no measurement has."""
+    missing = [p for p in points if not any(p in e.ids for e in sets)]
+    if missing:
+        raise InputError(f"{option('points')}: no measurement has {', '.join(missing[:10])}")
+
+
+def _check_axes(fit: BestFit, path: Path) -> None:
+    """Raise InputError where the axes of a file are no axes of the measurement: mirrored, of another scale."""
+    from raybundle.metrology.misfit_words import factor_words, mirrored_words, scattered_words  # noqa: PLC0415
+
+    m = fit.misfit
+    if m.scattered:
+        raise InputError(scattered_words(m, "measured and nominal points"), file=path)
+    if m.mirrored:
+        raise InputError(f"{mirrored_words(m, 'nominal coordinates')}: mend the file", file=path)
+    if m.scaled and abs(m.factor - 1) > OTHER_SCALE:
+        raise InputError(factor_words(m, "nominal and measured points"), file=path)
 
 
 def faults_in(epochs: Sequence[Path]) -> dict[str, tuple[str, ...]]:
@@ -200,8 +239,11 @@ def _write(
         "scale_free": done.scale, "dots_by_place": list(done.by_place),
         "axes": None if fit is None or s.axes is None else {
             "of": s.axes.name, "fitted_by": [i for i, f in zip(fit.ids, fit.fitted, strict=True) if f],
-            "rms_m": fit.rms,
+            "rms_m": fit.rms, "turn_sigma_rad": float(np.sqrt(max(float(np.linalg.eigvalsh(fit.turn)[-1]), 0.0))),
+            "scale": fit.misfit.factor, "did_not_fit": [fit.asked[k] for k in fit.misfit.wrong],
         },
+        "may_have_moved_instead": [{"point": a.point, "other": a.other, "F": a.F, "p": a.p} for a in done.alternatives],
+        "warnings": [{"code": n.code, "severity": n.severity.value, "message": n.message} for n in done.told],
         "record": record_of(s).as_mapping(),
         "not_to_be_used_yet": {name: list(messages) for name, messages in faults.items()},
         "all_points": {"F": done.before[0], "p": done.before[1]},

@@ -15,8 +15,10 @@ import numpy as np
 from raybundle.block.points import dot_number
 from raybundle.errors import InputError
 from raybundle.metrology.dots import Dots
+from raybundle.metrology.misfit import Misfit, in_one_line, misfit
 from raybundle.metrology.point_set import PointSet, datum_directions
 from raybundle.numerics.arrays import Array, Mask
+from raybundle.numerics.counting import counted, some_of
 from raybundle.numerics.statistics import joint_test
 from raybundle.numerics.transform import SimilarityTransform, similarity
 
@@ -41,6 +43,13 @@ class Nominal:
     """(n,) largest length of a deviation [m]; NaN where none is asked for"""
     sigma: Array
     """(n, 3) standard deviations of the nominal coordinates themselves [m]; 0: they are exact"""
+
+    def rows(self, at: Sequence[int]) -> Nominal:
+        """Some of the points."""
+        k = list(at)
+        return Nominal(
+            ids=tuple(self.ids[i] for i in k), xyz=self.xyz[k], tolerance=self.tolerance[k], sigma=self.sigma[k]
+        )
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -73,6 +82,20 @@ class BestFit:
     missing: tuple[str, ...]
     """Nominal points that were not measured"""
     freedom: float
+    asked: tuple[str, ...]
+    """Points by which the axes were to be fitted; those of them that do not agree with the others took no part, unless
+    they were named"""
+    misfit: Misfit
+    """How the points of `asked`, in their order, fit"""
+
+    @property
+    def turn(self) -> Array:
+        """(3, 3) covariance of the rotation vector about the nominal axes, by the misfit of the fitted points [rad^2].
+
+        What it does not tell: the part of it that an error shared by all nominal points has.
+        """
+        target = self.xyz - self.deviation
+        return similarity(self.xyz[self.fitted], target[self.fitted], scale=1.0).covariance[3:6, 3:6]
 
     @property
     def length(self) -> Array:
@@ -115,6 +138,7 @@ def best_fit(
 
     by      points by which axes are fitted, by their names in `nominal`; (): all that both have
     scale   whether the scale is fitted as well
+    Points that do not agree with the others, by the scatter of these, take no part in the fit unless `by` names them.
     Dots without a code, numbered anew in each measurement, are the same by their place (`dots`), under their measured
     names.
     raises  InputError for fewer than three points in common, or points in a line
@@ -123,31 +147,26 @@ def best_fit(
     called = _called(measured, nominal)
     nominal = replace(nominal, ids=tuple(called.get(i, i) for i in nominal.ids))
     by = [called.get(i, i) for i in by]
-    names = tuple(i for i in nominal.ids if i in set(measured.ids))
-    missing = tuple(i for i in nominal.ids if i not in set(measured.ids))
-    strange = [i for i in by if i not in names]
-    if strange:
-        raise InputError(
-            f"points of the fit are not among both the measured and the nominal: {', '.join(strange[:10])}"
-        )
-    fitted = np.isin(names, list(by)) if by else np.ones(len(names), bool)
-    if fitted.sum() < LEAST:
-        raise InputError(
-            f"{int(fitted.sum())} of {len(nominal.ids)} nominal points are measured under the same name; a fit needs "
-            f"{LEAST} (missing: {', '.join(missing[:5]) or 'none'})"
-        )
+    names, missing, fitted = _in_both(measured, nominal, by)
     m = measured.named(names)
     place = {name: k for k, name in enumerate(nominal.ids)}
     at = np.array([place[i] for i in names])
     target, own = nominal.xyz[at], nominal.sigma[at]
-    here, transform, gain, G = _fit(m, target, own, fitted, scale=scale or m.free_scale, weighting=weighting)
-    n = len(names)
-    deviation = here.xyz - target
-    Q = here.covariance + np.diag((own**2).ravel())
-    S = np.eye(3 * n)
-    S[:, np.repeat(fitted, 3)] -= G @ gain
-    C = (S @ Q @ S.T).reshape(n, 3, n, 3)[np.arange(n), :, np.arange(n), :]
-    p = np.array([joint_test(d, c, m.freedom)[1] for d, c in zip(deviation, C, strict=True)])
+    free = scale or m.free_scale
+    asked = tuple(i for i, f in zip(names, fitted.tolist(), strict=True) if f)
+    _check_places(m.xyz[fitted], target[fitted], asked)
+    found = misfit(m.xyz[fitted], target[fitted], scale_sigma=None if free else _scale_sigma(m, own, fitted))
+    wrong: list[int] = [] if by or found.mirrored or found.scattered else np.flatnonzero(fitted)[found.wrong].tolist()
+    fitted[wrong] = False
+    here, transform, gain, G = _fit(m, target, own, fitted, scale=free, weighting=weighting)
+    C, p = _deviations(here, target, own, fitted, G, gain)
+    back = [k for k in wrong if not p[k] < significance / len(names)]
+    if back:  # as the others scatter they are far off, by what they state themselves they are not
+        fitted[back] = True
+        here, transform, gain, G = _fit(m, target, own, fitted, scale=free, weighting=weighting)
+        C, p = _deviations(here, target, own, fitted, G, gain)
+        found = replace(found, fits=found.fits | np.isin(asked, [names[k] for k in back]))
+    deviation, Q = here.xyz - target, here.covariance + np.diag((own**2).ravel())
     tolerance = nominal.tolerance[at]
     of_scale = G.shape[1] == 7
     size = float(np.sqrt(np.mean(np.sum((here.xyz[fitted] - here.xyz[fitted].mean(axis=0)) ** 2, axis=1))))
@@ -157,7 +176,58 @@ def best_fit(
         limit=significance / max(int(np.isfinite(p).sum()), 1), tolerance=tolerance, transform=transform,
         scale_sigma=float(np.sqrt(max(K[6, 6], 0.0))) / size if of_scale else 0.0,
         rms=float(np.sqrt(np.mean(deviation[fitted] ** 2))), weighting=weighting, missing=missing, freedom=m.freedom,
+        asked=asked, misfit=found,
     )  # fmt: skip
+
+
+def _in_both(
+    measured: PointSet, nominal: Nominal, by: Sequence[str]
+) -> tuple[tuple[str, ...], tuple[str, ...], Mask]:  # fmt: skip
+    """Names that both have, those that were not measured, and by which of the first (n,) axes are to be fitted."""
+    names = tuple(i for i in nominal.ids if i in set(measured.ids))
+    missing = tuple(i for i in nominal.ids if i not in set(measured.ids))
+    strange = [i for i in by if i not in names]
+    if strange:
+        raise InputError(
+            f"points of the fit are not among both the measured and the nominal: {', '.join(strange[:10])}"
+        )
+    if by and len(set(by)) < LEAST:
+        raise InputError(f"{counted(len(set(by)), 'point')} of the fit named ({some_of(by, 5)}); axes need {LEAST}")
+    if len(names) < LEAST:
+        raise InputError(
+            f"{len(names)} of {len(nominal.ids)} nominal points are measured under the same name; a fit needs "
+            f"{LEAST} (missing: {some_of(missing, 5) or 'none'})"
+        )
+    return names, missing, np.isin(names, list(by)) if by else np.ones(len(names), bool)
+
+
+def _check_places(measured: Array, nominal: Array, names: Sequence[str]) -> None:
+    for what, xyz in (("measured", measured), ("nominal", nominal)):
+        if in_one_line(xyz):
+            raise InputError(
+                f"the {counted(len(xyz), 'point')} by which axes are fitted ({some_of(names, 5)}) lie in one line, or "
+                f"are one point, as they are {what}: axes need three points or more that are not in one line"
+            )
+
+
+def _deviations(here: PointSet, target: Array, own: Array, fitted: Mask, G: Array, gain: Array) -> tuple[Array, Array]:
+    """(n, 3, 3) covariances of the deviations, and their probabilities (n,)."""
+    n = len(target)
+    Q = here.covariance + np.diag((own**2).ravel())
+    S = np.eye(3 * n)
+    S[:, np.repeat(fitted, 3)] -= G @ gain
+    C = (S @ Q @ S.T).reshape(n, 3, n, 3)[np.arange(n), :, np.arange(n), :]
+    d = here.xyz - target
+    return C, np.array([joint_test(e, c, here.freedom)[1] for e, c in zip(d, C, strict=True)])
+
+
+def _scale_sigma(m: PointSet, own: Array, some: Mask) -> float:
+    """Standard deviation of the scale of some points, as a share, by their joint covariance and that of the nominal."""
+    rows = np.repeat(some, 3)
+    p = (m.xyz[some] - m.xyz[some].mean(axis=0)).ravel()
+    p = p / max(float(p @ p), 1e-300)
+    Q = m.covariance[np.ix_(rows, rows)] + np.diag((own**2).ravel()[rows])
+    return float(np.sqrt(max(float(p @ Q @ p), 0.0)))
 
 
 def _verdict(length: float, uncertain: float, tolerance: float) -> Verdict:

@@ -12,9 +12,11 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
+from raybundle.adjustment.result import Notice
 from raybundle.errors import InputError
 from raybundle.metrology.point_set import PointSet, datum_directions
 from raybundle.numerics.arrays import Array, Index, Mask
+from raybundle.numerics.rotation import cross_matrix
 from raybundle.numerics.statistics import fisher_tail
 from raybundle.numerics.transform import SimilarityTransform, robust_similarity, similarity
 
@@ -28,6 +30,17 @@ AGREE = 5.0
 """Standard deviations by which points may differ in the search for those that stayed, before their datum is known"""
 ROUNDS = 4
 """Fits of the axes of an epoch to those of the first: turns are small after each"""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Alternative:
+    """A point that may have moved in place of one that is said to have: without it the rest agrees as well."""
+
+    point: str
+    other: str
+    F: float
+    """Global test of the points that stayed, if it was the other"""
+    p: float
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -65,6 +78,10 @@ class Congruence:
     """Whether epochs may differ in scale"""
     transforms: tuple[SimilarityTransform, ...]
     """Of each epoch after the first into the axes of the first, by the points that stayed"""
+    alternatives: tuple[Alternative, ...] = ()
+    """Points that may have moved in place of others"""
+    told: tuple[Notice, ...] = ()
+    """What is wrong with the epochs, or weak, as notices"""
     by_place: tuple[str, ...] = ()
     """Dots without a code that were told to be one by their place, not by a name (`metrology.dots`)"""
 
@@ -73,14 +90,26 @@ class Congruence:
         """(n,) the points that carry the datum."""
         return ~self.moved
 
-    def in_axes(self, by: SimilarityTransform) -> Congruence:
-        """The same in other axes, into which `by` leads those of the first epoch; it counts as free of error.
+    @property
+    def largest(self) -> float:
+        """Length of the largest displacement of a point that moved; of any where none did [m]."""
+        length = np.linalg.norm(self.displacement, axis=2).max(axis=0)
+        return float(length[self.moved].max() if self.moved.any() else length.max())
 
-        Tests do not change.  What it does not tell: how well the axes are known; a turn of them turns displacements.
+    def in_axes(self, by: SimilarityTransform, turn: Array | None = None) -> Congruence:
+        """The same in other axes, into which `by` leads those of the first epoch.
+
+        turn  (3, 3) covariance of its rotation vector about the new axes [rad^2]; None: free of error
+        Tests do not change.  Covariances of displacements get what an error of the turn does to each: it is the same
+        turn for all of them.
         """
         A = by.scale * by.rotation
+        d, C = self.displacement @ A.T, A @ self.covariance @ A.T
+        if turn is not None:
+            K = cross_matrix(d.reshape(-1, 3)).reshape(*d.shape, 3)
+            C = C + K @ turn @ np.swapaxes(K, -1, -2)
         return replace(
-            self, xyz=by.points(self.xyz), displacement=self.displacement @ A.T, covariance=A @ self.covariance @ A.T,
+            self, xyz=by.points(self.xyz), displacement=d, covariance=C,
             detectable=by.scale * self.detectable, transforms=tuple(_after(by, t) for t in self.transforms),
         )  # fmt: skip
 
@@ -124,6 +153,7 @@ def congruence(
         before=model.whole(np.zeros(n, bool)), after=model.whole(moved),
         freedom=model.freedom, significance=significance, scale=free_scale,
         transforms=tuple(_axes(s, first, ~moved, scale=free_scale) for s in sets[1:]),
+        alternatives=_alternatives(model, moved, known, ids, (alpha, significance)),
     )  # fmt: skip
 
 
@@ -321,6 +351,42 @@ class _Stayed:
     fill: float
     weights: Array
     """of differences, once the datum is free"""
+
+
+def _alternatives(
+    model: _Model, moved: Mask, fixed: Mask, ids: Sequence[str], levels: tuple[float, float]
+) -> tuple[Alternative, ...]:  # fmt: skip
+    """Points that explain as well what a moved one does: without them it, and all that stayed together, agree.
+
+    levels  of a single point, and of all together
+    """
+    found: list[Alternative] = []
+    each, dof = model.rows(np.arange(model.points)), 3 * model.later
+    for i in np.flatnonzero(moved).tolist():
+        back = moved.copy()
+        back[i] = False
+        s = model.stayed(back)
+        freedom = len(s.rows) - model.B.shape[1] - dof
+        if freedom <= 0:
+            continue
+        place = np.full(len(model.d), -1)
+        place[s.rows] = np.arange(len(s.rows))
+        d = model.d[s.rows]
+        v, mine = s.weights @ d, place[each[i]]
+        for j in np.flatnonzero(~back & ~fixed & (np.arange(model.points) != i)).tolist():
+            r = place[each[j]]
+            gain = s.weights[np.ix_(mine, r)] @ np.linalg.pinv(s.weights[np.ix_(r, r)], rcond=1e-10, hermitian=True)
+            u = v[mine] - gain @ v[r]
+            S = s.weights[np.ix_(mine, mine)] - gain @ s.weights[np.ix_(r, mine)]
+            own = float(u @ np.linalg.pinv(S, rcond=1e-8, hermitian=True) @ u) / dof
+            rest = float(d @ v) - float(
+                v[r] @ np.linalg.pinv(s.weights[np.ix_(r, r)], rcond=1e-10, hermitian=True) @ v[r]
+            )
+            F = max(rest, 0.0) / freedom
+            p = fisher_tail(F, freedom, model.freedom)
+            if fisher_tail(own, dof, model.freedom) >= levels[0] and p >= levels[1]:
+                found.append(Alternative(point=ids[i], other=ids[j], F=F, p=p))
+    return tuple(found)
 
 
 def _moved(model: _Model, start: Mask, alpha: float, fixed: Mask) -> Mask:

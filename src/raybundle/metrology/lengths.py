@@ -17,6 +17,8 @@ from raybundle.numerics.arrays import Array, Mask
 from raybundle.numerics.statistics import joint_test
 
 COVERAGE = 2.0
+CONTROLLED = 0.01
+"""Redundancy number from which on an observation is controlled at all (Förstner 1979)"""
 BOUND = 0.1
 """Share of the usual change of lengths by their points below which a combination of them is bound by geometry.
 
@@ -34,6 +36,8 @@ class KnownLength:
     """[m]"""
     sigma: float = 0.0
     """[m]"""
+    line: int | None = None
+    """of its file"""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -73,6 +77,14 @@ class LengthTest:
     def independent(self) -> int:
         """Number of lengths that took no part."""
         return int((~self.served).sum())
+
+    @property
+    def controlled(self) -> Mask:
+        """(k,) lengths that took no part and whose test can find an error of the measurement.
+
+        Their own certificates have part of the error: of a redundancy below `CONTROLLED` nothing is found.
+        """
+        return np.asarray(~self.served & (self.sigma**2 >= CONTROLLED * self.error_sigma**2), bool)
 
     @property
     def compared(self) -> Mask:

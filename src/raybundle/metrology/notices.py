@@ -12,11 +12,9 @@ from raybundle.adjustment.severity import POOR_FIT, Severity
 from raybundle.metrology.bars import BarTest
 from raybundle.metrology.best_fit import BestFit
 from raybundle.metrology.lengths import LengthTest
-from raybundle.numerics.counting import counted, decimals_for, significant
+from raybundle.numerics.counting import counted, decimals_for, significant, some_of
 
 MM = 1000.0
-NAMED = 10
-"""Objects that a notice names"""
 FEW = 5
 """Lengths that a notice names with their figures"""
 LEAST_P = 1e-16
@@ -26,11 +24,6 @@ LEAST_P = 1e-16
 def p_words(p: float) -> str:
     """A probability behind its letter: "p 0.35", "p < 1e-16"."""
     return f"p {p:.2g}" if p >= LEAST_P else f"p < {LEAST_P:g}"
-
-
-def some_of(names: Sequence[str]) -> str:
-    """The first of them."""
-    return f"{', '.join(names[:NAMED])}{' ...' * (len(names) > NAMED)}"
 
 
 def bar_notices(test: BarTest | None) -> tuple[Notice, ...]:
@@ -98,7 +91,8 @@ def length_notices(test: LengthTest | None) -> tuple[Notice, ...]:
     off, sigma = test.scale
     if test.strange[test.worst] and not test.without_worst[1] < test.significance:
         k = test.known[test.worst]
-        told.append(f"Without {k.start} - {k.end} the others agree: check its certificate and its ends first")
+        first = f"Without {k.start} - {k.end} the others agree: check its certificate and its ends first"
+        told.append(first if test.independent > 1 else "Check its certificate and its ends, and the scale bars")
     else:
         if abs(off) > 2 * sigma:
             told.append(
@@ -153,12 +147,10 @@ def control_lost(names: Sequence[str]) -> tuple[Notice, ...]:
     return (Notice(code="control_file", message=message, ids=tuple(names[:100])),)
 
 
-def control_far(names: Sequence[str]) -> tuple[Notice, ...]:
-    """Of control that does not fit the rest."""
-    if not names:
-        return ()
-    message = f"control far from where the others put it: {some_of(names)}"
-    return (Notice(code="control_file", message=message, ids=tuple(names[:100])),)
+def given_twice(what: str, names: Sequence[str]) -> tuple[Notice, ...]:
+    """Of lengths or scale bars that were given more than once, and count once."""
+    message = f"{what} given twice, counted once: {some_of(names)}; it checks nothing"
+    return (Notice(code="given_twice", message=message, ids=tuple(names[:100])),)
 
 
 def tolerances_ignored(file: str) -> Notice:
@@ -200,7 +192,7 @@ def of_a_tool(result: Adjustment, test: LengthTest | None) -> Adjustment:
                 "calibration for other photographs"
             )
             found.append(replace(n, message=message, measured=Severity.REMARK))
-        elif n.code == "scale_unchecked" and test is not None and test.independent:
+        elif n.code == "scale_unchecked" and test is not None and test.controlled.any():
             found += [] if test.contradicts else [_scale_checked(n, test)]
         else:
             found.append(n)

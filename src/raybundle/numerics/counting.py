@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 
 
 def grouped(number: int) -> str:
@@ -18,6 +19,11 @@ def counted(number: int, noun: str) -> str:
 def counted_are(number: int, noun: str) -> str:
     """The same as the subject of a sentence: "1 image is", "3 images are"."""
     return f"{counted(number, noun)} {'is' if number == 1 else 'are'}"
+
+
+def some_of(names: Sequence[str], most: int = 10) -> str:
+    """The first of them: "1, 2, 3 ..."."""
+    return f"{', '.join(names[:most])}{' ...' * (len(names) > most)}"
 
 
 def significant(value: float, digits: int = 3) -> str:

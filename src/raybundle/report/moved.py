@@ -8,6 +8,7 @@ from pathlib import Path
 
 import numpy as np
 
+from raybundle.adjustment.severity import Severity
 from raybundle.io.folders import new_files
 from raybundle.metrology.best_fit import BestFit
 from raybundle.metrology.congruence import POWER, Congruence
@@ -94,6 +95,9 @@ def _document(done: Congruence, about: MovedFacts, language: Language) -> Docume
         "false alarm."
     )
     doubtful = done.after[1] < done.significance
+    wrong = any(n.severity is Severity.FAULT for n in done.told)
+    if wrong:
+        told += " But the measurements contradict each other; see below."
     if doubtful:
         told += (
             " But points that stayed differ by more than their standard deviations say, which would have to be "
@@ -101,6 +105,7 @@ def _document(done: Congruence, about: MovedFacts, language: Language) -> Docume
         )
     if about.faults:
         told += f" But {listed(list(about.faults))}: not to be used yet, by the own report; see below."
+    grave = doubtful or wrong or bool(about.faults)
     made: list[tuple[PartName, Section]] = [
         ("client", section_in(_result(done, about, language), language)),
         ("specialist", section_in(_tests(done), language)),
@@ -109,7 +114,7 @@ def _document(done: Congruence, about: MovedFacts, language: Language) -> Docume
     return Document(
         title=about.record.title or say(f"What has moved: {' – '.join(done.epochs)}"),
         subtitle=say("Congruence test over common points, in the datum of those that stayed"),
-        headline=say(told), grade="attention" if doubtful or about.faults else "remarks" if len(moved) else "good",
+        headline=say(told), grade="attention" if grave else "remarks" if len(moved) else "good",
         made=tuple(made), divided=False, language=language,
     )  # fmt: skip
 
@@ -140,6 +145,7 @@ def _result(done: Congruence, about: MovedFacts, language: Language) -> Section:
     axes = about.axes or f"the axes of {done.epochs[0]}"
     faults = [(name, m) for name, messages in about.faults.items() for m in list(messages)[:MOST_FAULTS]]
     stated = [
+        *((n.severity.value, n.message) for n in done.told),
         *(("fault", Said(f"{name}: {language.text(m)}")) for name, m in faults), ("Client", about.record.client),
         ("Operator", about.record.operator), ("Measurements", " – ".join(done.epochs)), ("Axes", axes),
     ]  # fmt: skip
