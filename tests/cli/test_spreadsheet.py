@@ -55,11 +55,11 @@ def test_the_workbook_holds_what_the_tables_say(result, tmp_path, capsys):
 
 def test_names_and_what_looks_like_a_formula_stay_texts(tmp_path):
     table = tmp_path / "odd.csv"
-    table.write_text('point,X,words\n007,1.50,"=1+1"\n=cmd,-2,"a, ""b"" \n c"\n+4,1e-05,\x07x\n', encoding="utf-8")
+    table.write_text('point,X,words\n007,1.50,"=1+1"\n=cmd,-2,"a, ""b"" c"\n+4,1e-05,\x07x\n', encoding="utf-8")
     assert workbook.write_workbook(tmp_path / "o.xlsx", [("a/b:c?", table), ("A b c ", table)]) == ["a b c", "A b c 2"]
     book, sheets = read(tmp_path / "o.xlsx")
     assert sheets["a b c"] == [
-        ["point", "X", "words"], ["007", 1.5, "=1+1"], ["=cmd", -2, 'a, "b" \n c'],
+        ["point", "X", "words"], ["007", 1.5, "=1+1"], ["=cmd", -2, 'a, "b" c'],
         ["+4", 1e-05, "\N{REPLACEMENT CHARACTER}x"],
     ]  # fmt: skip
     assert [c.data_type for c in book["a b c"]["C"][:2]] == ["s", "s"]

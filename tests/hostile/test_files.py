@@ -153,19 +153,19 @@ def test_leftovers_of_a_killed_writer_are_removed_by_the_next(tmp_path):
     for place in foreign:
         place.mkdir()
     assert left.exists()
-    with new_folder(tmp_path / "r") as folder:
+    with new_folder(tmp_path / "r", replacing=True) as folder:
         (folder / "a").write_text("a")
     assert not left.exists()
     assert all(p.exists() for p in foreign)
 
 
 def test_a_writer_that_still_works_is_left_alone(tmp_path):
-    with new_folder(tmp_path / "r") as first:
+    with pytest.raises(InputError, match="has come to stand there"), new_folder(tmp_path / "r") as first:
         (first / "a").write_text("1")
         with new_folder(tmp_path / "r") as second:
             (second / "a").write_text("2")
         assert (first / "a").read_text() == "1"
-    assert (tmp_path / "r" / "a").read_text() == "1"
+    assert (tmp_path / "r" / "a").read_text() == "2"  # who is first has the name
     assert [p.name for p in tmp_path.iterdir()] == ["r"]
 
 

@@ -47,5 +47,4 @@ def dot_name(k: int) -> str:
 
 def dot_number(name: str) -> int:
     """Which dot (from 0) has this name; -1 for another name."""
-    found = _DOT.fullmatch(name)
-    return int(found[1]) - 1 if found else -1
+    return int(name[4:]) - 1 if _DOT.fullmatch(name) else -1

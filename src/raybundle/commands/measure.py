@@ -181,7 +181,7 @@ def _check_asked(s: MeasureSettings) -> None:
     )  # fmt: skip
     for asked_for, there, name, other in given:
         if asked_for and not there:
-            more = f" or {option('check-length')}" if other == "lengths" else ""
+            more = f" or {option('check_length')}" if other == "lengths" else ""
             raise InputError(f"{option(name)} goes with {option(other)}{more}")
 
 
@@ -312,5 +312,5 @@ def _check_lengths(s: MeasureSettings) -> list[KnownLength]:
 
     for a, b, d in s.check_length:
         if a == b:
-            raise InputError(f"{option('check-length')} {a} {b} {d:g}: both ends are one point")
+            raise InputError(f"{option('check_length')} {a} {b} {d:g}: both ends are one point")
     return [KnownLength(start=a, end=b, length=d) for a, b, d in s.check_length]

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import csv
 import re
 from collections.abc import Iterable, Iterator, Sequence
 from pathlib import Path
@@ -10,6 +9,8 @@ from typing import TYPE_CHECKING, Any
 
 from raybundle.errors import InputError
 from raybundle.io.folders import new_files
+from raybundle.io.reading.rows import BadRow, cells_of
+from raybundle.io.reading.words import number_of, whole_of
 
 if TYPE_CHECKING:
     from openpyxl import Workbook
@@ -51,7 +52,10 @@ def write_workbook(path: Path, tables: Iterable[tuple[str, Path]], title: str = 
 def rows_of(file: Path) -> Iterator[list[str]]:
     """The rows of a table, its header first."""
     with file.open(encoding="utf-8", newline="") as text:
-        yield from csv.reader(text)
+        try:
+            yield from cells_of(text)
+        except BadRow as error:
+            raise InputError(str(error), file=file, line=error.position + 1) from None
 
 
 def has_rows(file: Path) -> bool:
@@ -98,12 +102,13 @@ def _cell(sheet: Any, text: str, named: bool) -> Any:  # noqa: FBT001  (a column
     if not text:
         return None
     found = None if named else NUMBER.fullmatch(text)
-    if found is None:
+    number = None if found is None else whole_of(text) if text.lstrip("+-").isdigit() else number_of(text)
+    if found is None or number is None:
         cell = WriteOnlyCell(sheet, ILLEGAL_CHARACTERS_RE.sub("\N{REPLACEMENT CHARACTER}", text))
         cell.data_type = "s"
         return cell
     decimals = len(found[1] or found[2] or "")
-    cell = WriteOnlyCell(sheet, float(text) if decimals or "e" in text.lower() else int(text))
+    cell = WriteOnlyCell(sheet, number)
     if "e" in text.lower():
         cell.number_format = f"0.{'0' * decimals}E+00" if decimals else "0E+00"
     elif decimals:

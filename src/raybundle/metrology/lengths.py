@@ -7,7 +7,7 @@ asks of the arrangement (seven lines through the volume, five lengths in each) i
 from __future__ import annotations
 
 from collections.abc import Collection, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 import numpy as np
 
@@ -36,7 +36,7 @@ class KnownLength:
     """[m]"""
     sigma: float = 0.0
     """[m]"""
-    line: int | None = None
+    line: int | None = field(default=None, compare=False)
     """of its file"""
 
 

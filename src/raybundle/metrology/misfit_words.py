@@ -86,10 +86,17 @@ def nominal_contradicted(fit: BestFit) -> tuple[Notice, ...]:
     """What keeps measured points from fitting onto nominal ones: a fault for each, the gravest first."""
     m, n = fit.misfit, fit.asked
     if m.scattered:
-        return (_fault("nominal_names", scattered_words(m, "measured and nominal points")),)
+        return (
+            Notice(
+                code="nominal_names",
+                message=scattered_words(m, "measured and nominal points"),
+                measured=Severity.FAULT,
+            ),
+        )
     told: list[Notice] = []
     if m.mirrored:
-        told.append(_fault("nominal_mirrored", f"{mirrored_words(m, 'nominal coordinates')}: mend the file"))
+        words = f"{mirrored_words(m, 'nominal coordinates')}: mend the file"
+        told.append(Notice(code="nominal_mirrored", message=words, measured=Severity.FAULT))
     if m.scaled:
         grave = Severity.FAULT if m.rms_kept > POOR_FIT * m.rms else Severity.CAUTION
         words = factor_words(m, "nominal and measured points")
@@ -105,10 +112,6 @@ def nominal_contradicted(fit: BestFit) -> tuple[Notice, ...]:
         ids = tuple(n[k] for k in m.wrong[:100])
         told.append(Notice(code="nominal_wrong", message=message, ids=ids))
     return tuple(told)
-
-
-def _fault(code: str, message: str) -> Notice:
-    return Notice(code=code, message=message, measured=Severity.FAULT)
 
 
 def axes_notices(fit: BestFit, file: str, largest: float) -> tuple[Notice, ...]:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import csv
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator
 
 
 class BadRow(Exception):
@@ -14,7 +14,7 @@ class BadRow(Exception):
         self.position = position
 
 
-def cells_of(lines: Sequence[str], separator: str = ",") -> Iterator[list[str]]:
+def cells_of(lines: Iterable[str], separator: str = ",") -> Iterator[list[str]]:
     """The cells of each line; raises BadRow where one cannot be read, also where a quoted cell goes over its end."""
     reader = csv.reader(lines, strict=True, delimiter=separator)
     position = 0
