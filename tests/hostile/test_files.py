@@ -159,12 +159,17 @@ def test_leftovers_of_a_killed_writer_are_removed_by_the_next(tmp_path):
     assert all(p.exists() for p in foreign)
 
 
-def test_a_writer_that_still_works_is_left_alone(tmp_path):
-    with pytest.raises(InputError, match="has come to stand there"), new_folder(tmp_path / "r") as first:
+def two_at_once(path):
+    with new_folder(path) as first:
         (first / "a").write_text("1")
-        with new_folder(tmp_path / "r") as second:
+        with new_folder(path) as second:
             (second / "a").write_text("2")
         assert (first / "a").read_text() == "1"
+
+
+def test_a_writer_that_still_works_is_left_alone(tmp_path):
+    with pytest.raises(InputError, match="has come to stand there"):
+        two_at_once(tmp_path / "r")
     assert (tmp_path / "r" / "a").read_text() == "2"  # who is first has the name
     assert [p.name for p in tmp_path.iterdir()] == ["r"]
 
