@@ -7,6 +7,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from raybundle.errors import InputError
+from raybundle.numerics.length_units import is_other_unit
 from raybundle.numerics.natural import natural_order
 from raybundle.settings import option
 
@@ -18,8 +19,6 @@ if TYPE_CHECKING:
     from raybundle.metrology.lengths import KnownLength, LengthTest
     from raybundle.metrology.point_set import PointSet
 
-OTHER_UNIT = 2.0
-"""Ratio of sizes from which on nominal points are in another unit: an inch in centimetres has 2.54"""
 LIST, NOMINAL, LENGTHS = "coordinate_list.csv", "nominal.csv", "lengths.csv"
 
 
@@ -76,7 +75,7 @@ def check_lengths(points: PointSet, known: Sequence[KnownLength], path: Path | N
         return
     way = points.xyz[[place[k.end] for k in known]] - points.xyz[[place[k.start] for k in known]]
     ratio = float(np.median(np.array([k.length for k in known]) / np.maximum(np.linalg.norm(way, axis=1), 1e-300)))
-    if not 1 / OTHER_UNIT < ratio < OTHER_UNIT:
+    if is_other_unit(ratio):
         read = f"; {option('unit', '0.001')} reads files in millimetres" if path is not None else ""
         raise InputError(
             f"known lengths are {ratio:.4g} times as long as the measured ones: {unit_asked(ratio)}Scale bars are in "
@@ -108,7 +107,7 @@ def check_unit(points: PointSet, nominal: Nominal, path: Path) -> None:
     )
     # by the median distance from the middle: few wrong points do not make another unit
     sizes = [float(np.median(np.linalg.norm(xyz - np.median(xyz, axis=0), axis=1))) for xyz in (wanted, measured)]
-    if sizes[0] <= 1e-9 * sizes[1] or sizes[1] / OTHER_UNIT < sizes[0] < OTHER_UNIT * sizes[1]:
+    if sizes[0] <= 1e-9 * sizes[1] or not is_other_unit(sizes[0] / sizes[1]):
         return  # those that are all one point lie in one line, as the fit tells
     raise InputError(
         f"nominal points lie {sizes[0] / sizes[1]:.4g} times as far apart as the measured ones: "

@@ -17,7 +17,6 @@ if TYPE_CHECKING:
 
 ROWS = 1_048_576
 """Of a sheet, its header included."""
-NUMBER = re.compile(r"[+-]?(?:\d+(?:\.(\d*))?|\.(\d+))(?:[eE][+-]?\d+)?")
 WIDEST, SAMPLE = 40, 200
 """Width of a column at most, in characters, and rows by which it is told."""
 NAMES = re.compile(r"^(point|image|camera|name|from|to|target|id|start|end|group|model|file|kind|what)$")
@@ -101,15 +100,16 @@ def _cell(sheet: Any, text: str, named: bool) -> Any:  # noqa: FBT001  (a column
 
     if not text:
         return None
-    found = None if named else NUMBER.fullmatch(text)
-    number = None if found is None else whole_of(text) if text.lstrip("+-").isdigit() else number_of(text)
-    if found is None or number is None:
+    whole = None if named else whole_of(text)
+    number = number_of(text) if whole is None and not named else whole
+    if number is None:
         cell = WriteOnlyCell(sheet, ILLEGAL_CHARACTERS_RE.sub("\N{REPLACEMENT CHARACTER}", text))
         cell.data_type = "s"
         return cell
-    decimals = len(found[1] or found[2] or "")
+    mantissa, exponent, _ = text.lower().partition("e")
+    decimals = len(mantissa.partition(".")[2])
     cell = WriteOnlyCell(sheet, number)
-    if "e" in text.lower():
+    if exponent:
         cell.number_format = f"0.{'0' * decimals}E+00" if decimals else "0E+00"
     elif decimals:
         cell.number_format = f"0.{'0' * decimals}"

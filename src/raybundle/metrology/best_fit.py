@@ -155,7 +155,11 @@ def best_fit(
     free = scale or m.free_scale
     asked = tuple(i for i, f in zip(names, fitted.tolist(), strict=True) if f)
     _check_places(m.xyz[fitted], target[fitted], asked)
-    found = misfit(m.xyz[fitted], target[fitted], scale_sigma=None if free else _scale_sigma(m, own, fitted))
+    found = misfit(
+        m.xyz[fitted],
+        target[fitted],
+        scale_sigma=None if free else m.rows(np.flatnonzero(fitted)).scale_sigma(own[fitted]),
+    )
     wrong: list[int] = [] if by or found.mirrored or found.scattered else np.flatnonzero(fitted)[found.wrong].tolist()
     fitted[wrong] = False
     here, transform, gain, G = _fit(m, target, own, fitted, scale=free, weighting=weighting)
@@ -219,15 +223,6 @@ def _deviations(here: PointSet, target: Array, own: Array, fitted: Mask, G: Arra
     C = (S @ Q @ S.T).reshape(n, 3, n, 3)[np.arange(n), :, np.arange(n), :]
     d = here.xyz - target
     return C, np.array([joint_test(e, c, here.freedom)[1] for e, c in zip(d, C, strict=True)])
-
-
-def _scale_sigma(m: PointSet, own: Array, some: Mask) -> float:
-    """Standard deviation of the scale of some points, as a share, by their joint covariance and that of the nominal."""
-    rows = np.repeat(some, 3)
-    p = (m.xyz[some] - m.xyz[some].mean(axis=0)).ravel()
-    p = p / max(float(p @ p), 1e-300)
-    Q = m.covariance[np.ix_(rows, rows)] + np.diag((own**2).ravel()[rows])
-    return float(np.sqrt(max(float(p @ Q @ p), 0.0)))
 
 
 def _verdict(length: float, uncertain: float, tolerance: float) -> Verdict:

@@ -110,7 +110,7 @@ class Congruence:
             C = C + K @ turn @ np.swapaxes(K, -1, -2)
         return replace(
             self, xyz=by.points(self.xyz), displacement=d, covariance=C,
-            detectable=by.scale * self.detectable, transforms=tuple(_after(by, t) for t in self.transforms),
+            detectable=by.scale * self.detectable, transforms=tuple(by.after(t) for t in self.transforms),
         )  # fmt: skip
 
 
@@ -154,13 +154,6 @@ def congruence(
         freedom=model.freedom, significance=significance, scale=free_scale,
         transforms=tuple(_axes(s, first, ~moved, scale=free_scale) for s in sets[1:]),
         alternatives=_alternatives(model, moved, known, ids, (alpha, significance)),
-    )  # fmt: skip
-
-
-def _after(second: SimilarityTransform, first: SimilarityTransform) -> SimilarityTransform:
-    return SimilarityTransform(
-        scale=second.scale * first.scale, rotation=second.rotation @ first.rotation,
-        translation=second.points(first.translation[None])[0],
     )  # fmt: skip
 
 
@@ -375,13 +368,12 @@ def _alternatives(
         v, mine = s.weights @ d, place[each[i]]
         for j in np.flatnonzero(~back & ~fixed & (np.arange(model.points) != i)).tolist():
             r = place[each[j]]
-            gain = s.weights[np.ix_(mine, r)] @ np.linalg.pinv(s.weights[np.ix_(r, r)], rcond=1e-10, hermitian=True)
+            inverse = np.linalg.pinv(s.weights[np.ix_(r, r)], rcond=1e-10, hermitian=True)
+            gain = s.weights[np.ix_(mine, r)] @ inverse
             u = v[mine] - gain @ v[r]
             S = s.weights[np.ix_(mine, mine)] - gain @ s.weights[np.ix_(r, mine)]
             own = float(u @ np.linalg.pinv(S, rcond=1e-8, hermitian=True) @ u) / dof
-            rest = float(d @ v) - float(
-                v[r] @ np.linalg.pinv(s.weights[np.ix_(r, r)], rcond=1e-10, hermitian=True) @ v[r]
-            )
+            rest = float(d @ v) - float(v[r] @ inverse @ v[r])
             F = max(rest, 0.0) / freedom
             p = fisher_tail(F, freedom, model.freedom)
             if fisher_tail(own, dof, model.freedom) >= levels[0] and p >= levels[1]:

@@ -16,13 +16,12 @@ from raybundle.metrology.misfit import in_one_line, misfit
 from raybundle.metrology.misfit_words import factor_words, mirrored_words, scattered_words, unit_of
 from raybundle.metrology.point_set import PointSet
 from raybundle.numerics.counting import some_of
+from raybundle.numerics.length_units import is_other_unit
 from raybundle.numerics.transform import similarity
 
 ONE = 0.01
 """Differences in standard deviations below which two epochs are one measurement: the six degrees of freedom of four
 points are as small by chance once in 1e12"""
-OTHER_UNIT = 2.0
-"""Ratio of scales from which on one of two epochs is in another unit"""
 
 
 def comparable(
@@ -46,7 +45,7 @@ def comparable(
     _check_apart(sets)
     first, free = sets[0], False
     for e in sets[1:]:
-        known = None if first.free_scale or e.free_scale else float(np.hypot(_scale_sigma(first), _scale_sigma(e)))
+        known = None if first.free_scale or e.free_scale else float(np.hypot(first.scale_sigma(), e.scale_sigma()))
         m = misfit(e.xyz, first.xyz, scale_sigma=known)
         what = f"the points of {e.name} and {first.name}"
         if m.mirrored:
@@ -55,8 +54,7 @@ def comparable(
             raise InputError(scattered_words(m, what))
         if not m.scaled:
             continue
-        ratio = max(m.factor, 1 / m.factor)
-        if ratio > OTHER_UNIT:
+        if is_other_unit(m.factor):
             unit = unit_of(m.factor)
             raise InputError(
                 f"the points of {first.name} lie {m.factor:.6g} times as far apart as those of {e.name}: is the length "
@@ -85,13 +83,6 @@ def _check_apart(sets: Sequence[PointSet]) -> None:
                 f"{a.name} and {b.name} are of the same observations: their points differ by {1000 * apart:.2g} mm rms "
                 f"at standard deviations of {1000 * size:.2g} mm. One measurement held against itself tells nothing"
             )
-
-
-def _scale_sigma(e: PointSet) -> float:
-    """Standard deviation of the scale of the points, as a share, by their joint covariance."""
-    p = (e.xyz - e.xyz.mean(axis=0)).ravel()
-    p = p / max(float(p @ p), 1e-300)
-    return float(np.sqrt(max(float(p @ e.covariance @ p), 0.0)))
 
 
 def most_moved(done: Congruence) -> tuple[Notice, ...]:

@@ -68,6 +68,16 @@ class PointSet:
         """(n, 3) standard deviations of X, Y, Z [m]."""
         return np.sqrt(np.maximum(np.diagonal(self.covariance), 0)).reshape(-1, 3)
 
+    def scale_sigma(self, more: Array | None = None) -> float:
+        """Standard deviation of the scale of all points, as a share, by their joint covariance.
+
+        more  (n, 3) standard deviations of coordinates that they are held against [m]; None: these are exact
+        """
+        p = (self.xyz - self.xyz.mean(axis=0)).ravel()
+        p = p / max(float(p @ p), 1e-300)
+        Q = self.covariance if more is None else self.covariance + np.diag((more**2).ravel())
+        return float(np.sqrt(max(float(p @ Q @ p), 0.0)))
+
     @property
     def own(self) -> Array:
         """(n, 3, 3) covariances of the single points."""

@@ -40,6 +40,14 @@ class SimilarityTransform:
         R = self.rotation.T
         return SimilarityTransform(scale=1 / self.scale, rotation=R, translation=-(R @ self.translation) / self.scale)
 
+    def after(self, first: SimilarityTransform) -> SimilarityTransform:
+        """First the other, then this."""
+        return SimilarityTransform(
+            scale=self.scale * first.scale,
+            rotation=self.rotation @ first.rotation,
+            translation=self.points(first.translation[None])[0],
+        )
+
     @property
     def is_identity(self) -> bool:
         """Whether nothing moves."""

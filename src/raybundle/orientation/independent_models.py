@@ -9,7 +9,6 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
-from itertools import combinations
 
 import numpy as np
 from scipy.sparse import csr_array
@@ -83,14 +82,15 @@ def joined_models(models: Sequence[Model]) -> list[SimilarityTransform | None]:
 
 def _ties(models: Sequence[Model]) -> list[_Tie]:
     """Pairs of models of which one similarity brings common points and centres together."""
-    held: dict[int, list[int]] = {}
-    for k, m in enumerate(models):
-        for i in m.images.tolist():
-            held.setdefault(i, []).append(k)
-    for k, m in enumerate(models):
-        for p in m.points.tolist():
-            held.setdefault(-1 - p, []).append(k)
-    near = sorted({pair for ks in held.values() for pair in combinations(ks, 2)})
+    first = 1 + max((int(m.images.max(initial=-1)) for m in models), default=-1)
+    things = [np.concatenate([m.images, first + m.points]) for m in models]
+    each = np.cumsum([0, *map(len, things)])
+    among = np.concatenate(things)
+    shape = len(models), 1 + int(among.max(initial=0))
+    held = csr_array((np.ones(len(among), np.int64), among, each), shape=shape)
+    common = (held @ held.T).tocoo()
+    enough = (common.row < common.col) & (common.data >= FEWEST)
+    near = sorted(zip(common.row[enough].tolist(), common.col[enough].tolist(), strict=True))
     return [tie for a, b in near if (tie := _tie(models, a, b)) is not None]
 
 
@@ -137,17 +137,8 @@ def _along_tree(ties: Sequence[_Tie], n: int, root: int) -> list[SimilarityTrans
         parent = found[q]
         assert parent is not None
         step = of[k, q] if (k, q) in of else of[q, k].inverse
-        found[k] = _after(parent, step)
+        found[k] = parent.after(step)
     return found
-
-
-def _after(second: SimilarityTransform, first: SimilarityTransform) -> SimilarityTransform:
-    """First the one, then the other."""
-    return SimilarityTransform(
-        scale=second.scale * first.scale,
-        rotation=second.rotation @ first.rotation,
-        translation=second.scale * second.rotation @ first.translation + second.translation,
-    )
 
 
 def _adjusted(
@@ -157,7 +148,7 @@ def _adjusted(
     found = list(start)
     free = [k for k, t in enumerate(found) if t is not None and k != root]
     column = {k: 7 * j for j, k in enumerate(free)}
-    for _ in range(STEPS):
+    for _ in range(STEPS if free else 0):
         N, g = np.zeros((7 * len(free), 7 * len(free))), np.zeros(7 * len(free))
         for tie in ties:
             a, b = found[tie.first], found[tie.second]
@@ -176,8 +167,6 @@ def _adjusted(
                 g[i : i + 7] -= np.einsum("n,nij,ni->j", w, A, r)
                 for j, B in blocks:
                     N[i : i + 7, j : j + 7] += np.einsum("n,nij,nik->jk", w, A, B)
-        if not free:
-            break
         d = np.sqrt(np.maximum(np.diagonal(N), 1e-300))
         step = np.linalg.lstsq(N / np.outer(d, d), g / d, rcond=1e-12)[0] / d
         for k in free:

@@ -148,8 +148,8 @@ class _Workers:
         """How many tasks may be in work or wait for it."""
         if time.monotonic() > self.looked + LOOK_S:
             self._look()
-        together = min(max(MESSAGE_S / max(self.cost, 1e-6), 1.0), MOST_TOGETHER)
-        return int(AHEAD_BY_DASK * self.threads * together)
+        in_message = min(max(MESSAGE_S / max(self.cost, 1e-6), 1.0), MOST_TOGETHER)
+        return int(AHEAD_BY_DASK * self.threads * in_message)
 
     def submit(self, task: Task) -> None:
         """Take a task; it goes out with others when the next is waited for."""

@@ -170,6 +170,8 @@ class Stage(Generic[S, I, P]):
     """None: the product is made each time, as of products that tasks keep"""
     when: Callable[[S], bool] = lambda _: True
     """whether it has anything to do"""
+    kinds: tuple[str, ...] = ()
+    """first words of the keys of what its tasks keep, beside its own name"""
     little: bool = False
     """so little work that it is not counted as done again"""
 
@@ -325,4 +327,5 @@ class Run:
     def forget(self, stages: Sequence[Stage[S, Any, Any]]) -> None:
         """Remove what is kept of these stages: they are done again."""
         for stage in stages:
-            self.project.forget_kind(stage.name)
+            for kind in (stage.name, *stage.kinds):
+                self.project.forget_kind(kind)

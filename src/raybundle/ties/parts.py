@@ -8,9 +8,8 @@ height would bend the joints.  With them held each leaf is adjusted again, and a
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
-from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -21,6 +20,7 @@ from raybundle.errors import NoOrientation
 from raybundle.io.block.arrays import arrays_of_block, block_of_arrays
 from raybundle.numerics.arrays import Array, Index
 from raybundle.numerics.progress import silent
+from raybundle.numerics.rows import rows_of_each
 from raybundle.numerics.transform import SimilarityTransform
 from raybundle.orientation.assembly import possible_values
 from raybundle.orientation.cleaning import clean
@@ -33,10 +33,9 @@ from raybundle.pipeline.store import Folder, Product
 from raybundle.pipeline.tasks import Task
 from raybundle.ties.start import Found, by_growing, cleaned, kept_part
 
-if TYPE_CHECKING:
-    from collections.abc import Mapping
-
 VERSION = 1
+KINDS = ("leaf", "grown", "settled")
+"""First words of the keys of what is kept"""
 LEAF = 200
 """Images of a leaf's own: growing takes less than linearly fewer seconds of smaller ones, and the images around cost
 more."""
@@ -89,7 +88,8 @@ def by_parts(block: Block, means: Means) -> Found:
     block, rows = kept_part(block, rows, failed)
     o = block.observations
     leaves = leaves_of(o.image, o.point, len(block.images), len(block.points), LEAF)
-    pieces = [_piece(block, leaf, means.store) for leaf in leaves]
+    rows_of_image = rows_of_each(o.image, len(block.images))
+    pieces = [_piece(block, leaf, rows_of_image, means.store) for leaf in leaves]
     growing = [_task("grown", p, GrowTask(leaf=p.key), (p.key,), GROWING_S) for p in pieces]
     _do(means, growing, "orienting parts")
     interior = _agreed([means.store.wanted(t.key) for t in growing], block, pieces)
@@ -124,21 +124,19 @@ def _task(kind: str, piece: _Piece, options: GrowTask | SettleTask, inputs: tupl
     )  # fmt: skip
 
 
-def _piece(block: Block, leaf: ImageLeaf, store: Folder) -> _Piece:
+def _piece(block: Block, leaf: ImageLeaf, rows_of_image: Sequence[Index], store: Folder) -> _Piece:
     """A leaf's block, in the store."""
     o = block.observations
-    inside = np.zeros(len(block.images), bool)
-    inside[leaf.images] = True
-    mine = inside[o.image]
-    mine &= (np.bincount(o.point[mine], minlength=len(block.points)) > 1)[o.point]
-    points = np.unique(o.point[mine])
-    part = replace(block, observations=o.rows(mine))
+    rows = np.sort(np.concatenate([rows_of_image[i] for i in leaf.images.tolist()]))
+    points, which, rays = np.unique(o.point[rows], return_inverse=True, return_counts=True)
+    rows, points = rows[rays[which] > 1], points[rays > 1]
+    part = replace(block, observations=o.rows(rows))
     part = selected(selected(part, "image", leaf.images), "point", points)
     arrays = arrays_of_block(part)
     key = key_of("leaf", VERSION, arrays)
     if not store.has(key):
         store.store(key, arrays)
-    return _Piece(leaf=leaf, images=leaf.images, points=points, rows=np.flatnonzero(mine), key=key)
+    return _Piece(leaf=leaf, images=leaf.images, points=points, rows=rows, key=key)
 
 
 def grown(store: Folder, task: GrowTask) -> Product:
@@ -238,8 +236,8 @@ def _joined(
             centre[at] = t.points(product["centre"][mine])
             rotation[at] = t.rotations(product["rotation"][mine])
             if own:
-                mine_too = np.isin(block.observations.image[piece.rows], at)
+                of_own = np.isin(block.observations.image[piece.rows], at)
                 stays = np.zeros(len(piece.rows), bool)
                 stays[product["rows"]] = True
-                keep[piece.rows[mine_too & ~stays]] = False
+                keep[piece.rows[of_own & ~stays]] = False
     return replace(block, images=replace(block.images, centre=centre, rotation=rotation)), keep

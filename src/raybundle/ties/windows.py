@@ -25,6 +25,7 @@ from raybundle.matching.refine import (
     smoothed,
 )
 from raybundle.numerics.arrays import Array, Index
+from raybundle.numerics.rows import rows_of_each
 from raybundle.orientation.image_leaves import leaves_of
 from raybundle.pipeline.executors import Threads
 from raybundle.pipeline.keys import key_of
@@ -34,6 +35,8 @@ from raybundle.pipeline.tasks import Task
 from raybundle.ties.points import grey_of
 
 VERSION = 1
+KINDS = ("candidates", "windows")
+"""First words of the keys of what is kept"""
 SMALLEST, LARGEST, SHARE = 2, 16, 16
 """Photographs of a leaf: a sixteenth of all, within these limits.  Few tasks tell no progress; small ones of a large
 set read each photograph often where workers share no memory."""
@@ -73,12 +76,13 @@ def matched(means: Means, photos: Sequence[Photo], points: TrackPoints, wanted: 
     for number, each in enumerate(leaves):
         leaf[each.own] = number
     of = leaf[points.image[wanted.reference]]
-    groups = [rows for number in range(len(leaves)) if len(rows := np.flatnonzero(of == number))]
+    groups = [rows for rows in rows_of_each(of, len(leaves)) if len(rows)]
+    rows_of_image = rows_of_each(points.image, n)
     here = isinstance(means.executor, Threads)
     threads = max(1, means.jobs // max(len(groups), 1)) if here else 1
     tasks: list[Task] = []
     for rows in groups:
-        used, arrays = _taken(points, wanted, rows)
+        used, arrays = _taken(points, rows_of_image, wanted.rows(rows))
         own = tuple(photos[i] for i in used.tolist())
         inputs = key_of("candidates", VERSION, arrays)
         if not means.store.has(inputs):
@@ -103,22 +107,21 @@ def matched(means: Means, photos: Sequence[Photo], points: TrackPoints, wanted: 
     return replace(found, good=found.level < LEVELS)
 
 
-def _taken(points: TrackPoints, wanted: Candidates, rows: Index) -> tuple[Index, dict[str, Array]]:
-    """The images that some candidates need, ascending, and the candidates with all track points of these images."""
-    used = np.union1d(points.image[wanted.reference[rows]], wanted.image[rows])
-    mine = np.flatnonzero(np.isin(points.image, used))
-    number = np.full(len(points.image), -1)
-    number[mine] = np.arange(len(mine))
-    row = wanted.row[rows]
+def _taken(
+    points: TrackPoints, rows_of_image: Sequence[Index], wanted: Candidates
+) -> tuple[Index, dict[str, Array]]:  # fmt: skip
+    """The images that candidates need, ascending, and the candidates with all track points of these images."""
+    used = np.union1d(points.image[wanted.reference], wanted.image)
+    mine = np.sort(np.concatenate([rows_of_image[i] for i in used.tolist()]))
     arrays = {
         "image": np.searchsorted(used, points.image[mine]).astype(np.int32), "point": points.point[mine],
         "xy_px": points.xy_px[mine], "scale_px": points.scale_px[mine], "angle": points.angle[mine],
-        "of.reference": number[wanted.reference[rows]],
-        "of.image": np.searchsorted(used, wanted.image[rows]).astype(np.int32),
-        "of.point": wanted.point[rows], "of.xy_px": wanted.xy_px[rows], "of.row": np.where(row < 0, -1, number[row]),
+        "of.reference": np.searchsorted(mine, wanted.reference),
+        "of.image": np.searchsorted(used, wanted.image).astype(np.int32), "of.point": wanted.point,
+        "of.xy_px": wanted.xy_px, "of.row": np.where(wanted.row < 0, -1, np.searchsorted(mine, wanted.row)),
     }  # fmt: skip
     if wanted.coarsest is not None:
-        arrays["of.coarsest"] = wanted.coarsest[rows]
+        arrays["of.coarsest"] = wanted.coarsest
     return used, arrays
 
 

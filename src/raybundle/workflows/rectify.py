@@ -328,7 +328,7 @@ def _refuse_a_line(places: Array, names: Sequence[str]) -> None:
         if size[1] < STRAIGHT * size[0]:
             but = "" if leave is None else f", all but {names[leave]}"
             raise InputError(
-                f"the control points lie on one straight line{but} (to {STRAIGHT:.0%} of its length), which tells "
+                f"the control points lie on one straight line{but} (to {STRAIGHT:.1%} of its length), which tells "
                 "nothing of what stands beside it; measure points all around what the picture is to show"
             )
 

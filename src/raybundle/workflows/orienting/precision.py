@@ -17,7 +17,7 @@ from raybundle.numerics.rows import rows_of_each
 from raybundle.pipeline.stage import Codec, Means, Stage
 from raybundle.ties.block import TieBlock
 from raybundle.ties.precise import PreciseBlock, Visible, Weights, refine
-from raybundle.ties.windows import greys, matched
+from raybundle.ties.windows import KINDS, greys, matched
 from raybundle.workflows.kept import Reasons, numbered, reasons_as_array, reasons_of_array, texts, unpacked
 from raybundle.workflows.orient_state import ORIENT, OrientState
 
@@ -134,6 +134,7 @@ def _product(a: Mapping[str, Array]) -> Measured:
 STAGE = ORIENT.register(
     Stage(
         name="precision",
+        kinds=KINDS,
         version=25,
         after=("scene_start",),
         inputs=_inputs,

@@ -19,7 +19,7 @@ from raybundle.numerics.rows import rows_of_each
 from raybundle.pipeline.stage import Codec, Means, Stage
 from raybundle.ties.block import TieBlock, block_of_tracks
 from raybundle.ties.missing import missing_notices
-from raybundle.ties.parts import MANY, by_parts
+from raybundle.ties.parts import KINDS, MANY, by_parts
 from raybundle.ties.points import FeatureStore
 from raybundle.ties.repeated import sound_pairs
 from raybundle.ties.start import StartMethod
@@ -140,6 +140,7 @@ STAGE = ORIENT.register(
     Stage(
         name="start",
         version=19,
+        kinds=KINDS,
         after=("scene_matching",),
         inputs=_inputs,
         function=begin,
