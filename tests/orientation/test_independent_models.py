@@ -6,7 +6,7 @@ import pytest
 from raybundle.numerics.rotation import rotation_from_vector
 from raybundle.numerics.transform import SimilarityTransform, similarity
 from raybundle.orientation.image_leaves import leaves_of
-from raybundle.orientation.independent_models import TOLERANCE, Model, joined_models
+from raybundle.orientation.independent_models import Model, joined_models
 
 
 def seen_on_a_grid(rows, columns, reach=2):
@@ -157,4 +157,3 @@ def test_models_without_anything_in_common_are_not_joined():
     models = street(models=4)[0]
     transforms = joined_models([models[0], models[3]])
     assert sum(t is not None for t in transforms) == 1
-    assert TOLERANCE == 0.02  # as its derivation says

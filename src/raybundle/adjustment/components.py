@@ -107,6 +107,13 @@ def _tested(raw: list[Raw]) -> tuple[VarianceComponent, ...]:
     )  # fmt: skip
 
 
+def without_worst(g: ObservationGroup) -> tuple[float, float]:
+    """Weighted square sum and redundancy of a group without the value of the largest test value."""
+    weighted_ones = g.sigma > 0
+    worst = float((np.nan_to_num(g.w[weighted_ones]) ** 2).max(initial=0.0))
+    return float(g.square[weighted_ones].sum()) - worst, float(np.nansum(g.redundancy[weighted_ones])) - 1.0
+
+
 def differs(square: float, r: float, total: tuple[float, float]) -> bool:
     """Whether a group (weighted square sum, redundancy) differs from what is left of the total without it (F test)."""
     others, left = total[0] - square, total[1] - r

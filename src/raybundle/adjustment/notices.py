@@ -9,7 +9,7 @@ import numpy as np
 
 from raybundle.adjustment.accuracy import levelled
 from raybundle.adjustment.bar_tests import bar_notice, wrong_bar
-from raybundle.adjustment.components import NAMES, differs, without_known_before
+from raybundle.adjustment.components import NAMES, differs, without_known_before, without_worst
 from raybundle.adjustment.control_notices import control_notices
 from raybundle.adjustment.control_tests import Contradiction, ControlTests
 from raybundle.adjustment.datum import ABOUT_LINE
@@ -470,13 +470,9 @@ def _unchecked_scale(result: Adjustment) -> list[Notice]:
 
 def _without_worst(result: Adjustment, g: ObservationGroup) -> bool:
     """Whether a group still differs from the others when its largest test value is left out: it is not that one."""
-    weighted = g.sigma > 0
-    w2 = np.nan_to_num(g.w[weighted]) ** 2
-    square = float(g.square[weighted].sum())
-    r = float(np.nansum(g.redundancy[weighted]))
-    worst = float(w2.max(initial=0.0))
-    total = result.weighted_square_sum - worst, result.redundancy - 1.0
-    return differs(square - worst, r - 1.0, total)
+    square, r = without_worst(g)
+    worst = float(g.square[g.sigma > 0].sum()) - square
+    return differs(square, r, (result.weighted_square_sum - worst, result.redundancy - 1.0))
 
 
 def _group_notice(component: VarianceComponent, sigma0: float) -> Notice:

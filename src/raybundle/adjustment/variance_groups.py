@@ -11,9 +11,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import replace
 
-import numpy as np
-
-from raybundle.adjustment.components import FARTHEST, LARGE, LEAST, LEVEL, NAMES, weighted
+from raybundle.adjustment.components import FARTHEST, LARGE, LEAST, LEVEL, NAMES, weighted, without_worst
 from raybundle.adjustment.engine import started
 from raybundle.adjustment.options import AdjustmentOptions
 from raybundle.adjustment.result import Adjustment, GroupFactor, Notice, VarianceComponent
@@ -82,16 +80,8 @@ def _one_explains(result: Adjustment, key: Key) -> bool:
     kind = next(k for k, name in NAMES.items() if name == key[0])
     if not any(n.code == f"{kind}_suspect" for n in result.notices):
         return False
-    for g in result.groups:
-        if g.kind != kind:
-            continue
-        weighted_ = g.sigma > 0
-        w2 = np.nan_to_num(g.w[weighted_]) ** 2
-        rest = float(np.nansum(g.redundancy[weighted_])) - 1.0
-        left = float(g.square[weighted_].sum()) - float(w2.max(initial=0.0))
-        if rest >= FEW and chi_square_tails(max(left, 0.0), rest)[1] >= LEVEL / 2:
-            return True
-    return False
+    left = [without_worst(g) for g in result.groups if g.kind == kind]
+    return any(r >= FEW and chi_square_tails(max(square, 0.0), r)[1] >= LEVEL / 2 for square, r in left)
 
 
 def _without_right(
