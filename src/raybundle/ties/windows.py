@@ -130,7 +130,7 @@ def windows_of(store: Folder, task: WindowTask) -> Product:
     a = store.wanted(task.candidates)
     of = {name.removeprefix("of."): values for name, values in a.items() if name.startswith("of.")}
     points = TrackPoints(**{name: values for name, values in a.items() if not name.startswith("of.")})
-    greys.limit = task.memory
+    greys.bound(task.memory)
     found = match_candidates(
         points, Candidates(**of), lambda i, level: greys.of(task.photos[i], level), threads=task.threads
     )
@@ -158,9 +158,18 @@ class Greys:
         levels = pyramid(smoothed(grey_of(photo)))
         with self.lock:
             self.held[photo.sha256] = levels
-            while len(self.held) > 2 and sum(a.nbytes for p in self.held.values() for a in p) > self.limit:
-                self.held.popitem(last=False)
+            self._let_go()
         return levels[level]
+
+    def bound(self, limit: float) -> None:
+        """Hold so many bytes from now on."""
+        with self.lock:
+            self.limit = limit
+            self._let_go()
+
+    def _let_go(self) -> None:
+        while len(self.held) > 2 and sum(a.nbytes for p in self.held.values() for a in p) > self.limit:
+            self.held.popitem(last=False)
 
     def forget(self) -> None:
         """Let go of all of them."""
