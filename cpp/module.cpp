@@ -17,6 +17,7 @@
 #include "factor.hpp"
 #include "imaging.hpp"
 #include "problem.hpp"
+#include "sweep.hpp"
 #include "tables.hpp"
 #include "targets.hpp"
 
@@ -66,6 +67,15 @@ const TargetKernels& target_kernels() {
   if (chosen == Width::avx2) return avx2::targets;
 #endif
   return baseline::targets;
+}
+
+const SweepKernels& sweep_kernels() {
+  static const Width chosen = width();
+#ifdef RB_X86
+  if (chosen == Width::avx512) return avx512::sweep;
+  if (chosen == Width::avx2) return avx2::sweep;
+#endif
+  return baseline::sweep;
 }
 
 const CornerKernels& corner_kernels() {
@@ -235,6 +245,57 @@ nb::tuple fit_corners(Image image, Const xy, Const u, Const v, Const band, Const
   return nb::make_tuple(values, cofactor, variance, ended);
 }
 
+template <class T, int dimensions> using Swept = nb::ndarray<T, nb::ndim<dimensions>, nb::numpy, nb::c_contig, nb::device::cpu>;
+
+void require(bool fine, const char* what) {
+  if (!fine) throw std::invalid_argument(what);
+}
+
+constexpr size_t kMostCells = size_t(1) << 40, kLongestSide = 32767;
+
+Sweep sweep_of(const Swept<uint8_t, 3>& cost, int step, size_t rows, size_t columns) {
+  require(cost.shape(0) >= 1 && cost.shape(1) >= 1 && cost.shape(2) >= 1 && cost.shape(0) <= kLongestSide && cost.shape(1) <= kLongestSide &&
+              cost.shape(2) <= kLongestSide && cost.size() < kMostCells,
+          "costs have the wrong size");
+  return {int(cost.shape(1)), int(cost.shape(0)), int(cost.shape(2)), step, int(rows), int(columns)};
+}
+
+void census(Swept<const uint8_t, 2> image, Swept<uint64_t, 2> out) {
+  require(out.shape(0) == image.shape(0) && out.shape(1) == image.shape(1), "a census is of its image's size");
+  require(image.shape(0) <= kLongestSide && image.shape(1) <= kLongestSide, "an image is too large");
+  nb::gil_scoped_release release;
+  sweep_kernels().census(image.data(), int(image.shape(1)), int(image.shape(0)), out.data());
+}
+
+void sweep_costs(Swept<const uint64_t, 2> reference, const std::vector<Swept<const uint64_t, 2>>& sources,
+                 const std::vector<Swept<const int32_t, 4>>& tables, int step, Swept<uint8_t, 3> cost) {
+  require(!tables.empty() && tables.size() == sources.size() && step >= 1, "sources have no tables");
+  const size_t rows = tables[0].shape(1), columns = tables[0].shape(2);
+  const Sweep sweep = sweep_of(cost, step, rows, columns);
+  require(reference.shape(0) == cost.shape(0) && reference.shape(1) == cost.shape(1), "costs are not of the reference's size");
+  require(rows >= 2 && columns >= 2 && (rows - 1) * step >= cost.shape(0) && (columns - 1) * step >= cost.shape(1),
+          "tables do not cover the reference");
+  std::vector<SweepSource> given;
+  for (size_t k = 0; k < sources.size(); ++k) {
+    const auto& t = tables[k];
+    require(t.shape(0) == cost.shape(2) && t.shape(1) == rows && t.shape(2) == columns && t.shape(3) == 2, "a table has the wrong size");
+    require(sources[k].shape(0) <= kLongestSide && sources[k].shape(1) <= kLongestSide, "an image is too large");
+    given.push_back({sources[k].data(), int(sources[k].shape(1)), int(sources[k].shape(0)), t.data()});
+  }
+  nb::gil_scoped_release release;
+  sweep_kernels().costs(sweep, reference.data(), given.data(), int(given.size()), cost.data());
+}
+
+void aggregate(Swept<const uint8_t, 2> image, Swept<uint8_t, 3> cost, int slope, int jump, int least, Swept<uint16_t, 3> sum,
+               Swept<float, 2> level, Swept<float, 2> margin) {
+  const Sweep sweep = sweep_of(cost, 1, 0, 0);
+  const auto of_image = [&](const auto& a) { return a.shape(0) == cost.shape(0) && a.shape(1) == cost.shape(1); };
+  require(of_image(image) && of_image(sum) && of_image(level) && of_image(margin) && sum.shape(2) == cost.shape(2), "results are not of the image's size");
+  require(0 <= slope && slope <= least && least <= jump && jump <= 90, "penalties are not 0 <= slope <= least <= jump <= 90");
+  nb::gil_scoped_release release;
+  sweep_kernels().aggregate(sweep, image.data(), cost.data(), {slope, jump, least}, sum.data(), level.data(), margin.data());
+}
+
 struct Solver {
   Problem q;
   mutable std::unique_ptr<Factor> factor;  // ordered when it is first asked for
@@ -295,6 +356,9 @@ NB_MODULE(_native, m) {
   m.def("fit_masked_dots", &fit_masked_dots);
   m.def("cover_dots", &cover_dots);
   m.def("fit_corners", &fit_corners);
+  m.def("census", &census);
+  m.def("sweep_costs", &sweep_costs);
+  m.def("aggregate_costs", &aggregate);
   m.def("instruction_set", [] { return std::string(kernels().name); });
   m.def("sensor_models", [] {
     std::vector<std::string> names;

@@ -1,0 +1,164 @@
+// Census, costs over levels of depth and path aggregation (Hirschmueller 2008), compiled once for every instruction set.
+#include "sweep.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <cstdlib>
+#include <vector>
+
+namespace raybundle {
+namespace RB_ARCH {
+
+constexpr int kAcross = 4, kDown = 3;  // the window of the census: 9 x 7
+constexpr uint8_t kNobody = 255, kNeutral = 28, kWall = 200;
+
+static void census(const uint8_t* image, int width, int height, uint64_t* out) {
+  for (int y = 0; y < height; ++y)
+    for (int x = 0; x < width; ++x) {
+      uint64_t bits = kUnknown;
+      if (x >= kAcross && x < width - kAcross && y >= kDown && y < height - kDown) {
+        const uint8_t* p = image + int64_t(y) * width + x;
+        bits = 0;
+        for (int j = -kDown; j <= kDown; ++j)
+          for (int i = -kAcross; i <= kAcross; ++i)
+            if (i || j) bits = bits << 1 | uint64_t(p[int64_t(j) * width + i] < *p);
+      }
+      out[int64_t(y) * width + x] = bits;
+    }
+}
+
+// The smallest and the second smallest cost (levels, width) over the sources, of one row.
+static void row_costs(const Sweep& s, const uint64_t* reference, const SweepSource& o, int y, uint8_t* first, uint8_t* second) {
+  const int r = std::min(y / s.step, s.rows - 2), below = y - r * s.step;
+  const uint64_t* ref = reference + int64_t(y) * s.width;
+  for (int l = 0; l < s.levels; ++l) {
+    const int32_t* top = o.table + (int64_t(l) * s.rows + r) * s.columns * 2;
+    const int32_t* low = top + int64_t(s.columns) * 2;
+    uint8_t *a = first + int64_t(l) * s.width, *b = second + int64_t(l) * s.width;
+    for (int c = 0; c + 1 < s.columns; ++c) {
+      int32_t at[4];
+      bool seen = true;
+      for (int i = 0; i < 4; ++i) {
+        const int32_t from = top[2 * c + i], to = low[2 * c + i];
+        seen = seen && from != kNowhere && to != kNowhere;
+        at[i] = int32_t(from + (int64_t(to) - from) * below / s.step);
+      }
+      if (!seen) continue;
+      int64_t px = at[0], py = at[1];
+      const int64_t dx = (int64_t(at[2]) - at[0]) / s.step, dy = (int64_t(at[3]) - at[1]) / s.step;
+      const int end = std::min(s.width, (c + 1) * s.step);
+      for (int x = c * s.step; x < end; ++x, px += dx, py += dy) {
+        const int column = int(px >> kFraction), row = int(py >> kFraction);
+        if (unsigned(column) >= unsigned(o.width) || unsigned(row) >= unsigned(o.height)) continue;
+        const uint64_t differ = ref[x] ^ o.census[int64_t(row) * o.width + column];
+        if (differ & kUnknown) continue;
+        const uint8_t cost = uint8_t(std::popcount(differ)), worse = std::max(a[x], cost);
+        a[x] = std::min(a[x], cost);
+        b[x] = std::min(b[x], worse);
+      }
+    }
+  }
+}
+
+static void costs(const Sweep& s, const uint64_t* reference, const SweepSource* sources, int count, uint8_t* cost) {
+  const size_t size = size_t(s.levels) * size_t(s.width);
+  std::vector<uint8_t> first(size), second(size);
+  for (int y = 0; y < s.height; ++y) {
+    std::fill(first.begin(), first.end(), kNobody);
+    std::fill(second.begin(), second.end(), kNobody);
+    for (int k = 0; k < count; ++k) row_costs(s, reference, sources[k], y, first.data(), second.data());
+    for (size_t i = 0; i < size; ++i) {
+      const uint8_t a = first[i], b = second[i];
+      first[i] = a == kNobody ? kNeutral : b == kNobody ? a : uint8_t((int(a) + int(b) + 1) / 2);
+    }
+    uint8_t* out = cost + int64_t(y) * s.width * s.levels;
+    for (int x = 0; x < s.width; ++x)
+      for (int l = 0; l < s.levels; ++l) out[int64_t(x) * s.levels + l] = first[size_t(l) * s.width + x];
+  }
+}
+
+// A pixel of a path: cost + min(before, neighbours + slope, least + jump) - least; its smallest value.
+static inline uint8_t along(const uint8_t* cost, const uint8_t* before, uint8_t least, int levels, uint8_t slope, uint8_t jump,
+                            uint8_t* now, uint16_t* sum) {
+  uint8_t smallest = 255;
+  const uint8_t any = uint8_t(least + jump);
+  for (int l = 0; l < levels; ++l) {
+    const uint8_t beside = uint8_t(std::min(before[l - 1], before[l + 1]) + slope);
+    const uint8_t v = uint8_t(std::min(std::min(before[l], beside), any) - least + cost[l]);
+    now[l] = v;
+    sum[l] = uint16_t(sum[l] + v);
+    smallest = std::min(smallest, v);
+  }
+  return smallest;
+}
+
+// A path begins: its smallest value.
+static inline uint8_t begun(const uint8_t* cost, int levels, uint8_t* now, uint16_t* sum) {
+  for (int l = 0; l < levels; ++l) {
+    now[l] = cost[l];
+    sum[l] = uint16_t(sum[l] + cost[l]);
+  }
+  return *std::min_element(cost, cost + levels);
+}
+
+// The best level of a pixel, between levels by a parabola, and how much worse the best is that is no neighbour of it.
+static inline void chosen(const uint16_t* sum, int levels, float* level, float* margin) {
+  const int best = int(std::min_element(sum, sum + levels) - sum);
+  uint16_t other = 65535;
+  for (int l = 0; l < best - 2; ++l) other = std::min(other, sum[l]);
+  for (int l = best + 3; l < levels; ++l) other = std::min(other, sum[l]);
+  float at = float(best);
+  if (best > 0 && best + 1 < levels) {
+    const int before = sum[best - 1], behind = sum[best + 1], bend = before + behind - 2 * sum[best];
+    if (bend > 0) at += 0.5f * float(before - behind) / float(bend);
+  }
+  *level = at;
+  *margin = float(other) / float(std::max<int>(sum[best], 1));
+}
+
+static void aggregate(const Sweep& s, const uint8_t* image, const uint8_t* cost, const Penalties& p, uint16_t* sum, float* level,
+                      float* margin) {
+  const int w = s.width, h = s.height, levels = s.levels;
+  const size_t stride = size_t(levels) + 2;  // a wall on both sides
+  std::fill(sum, sum + size_t(w) * h * levels, uint16_t(0));
+  for (int way = 0; way < 2; ++way) {
+    const int forward = way ? -1 : 1;
+    std::vector<uint8_t> rows[2], least[2], side[2];
+    for (int i = 0; i < 2; ++i) {
+      rows[i].assign(stride * w * 3, kWall);
+      least[i].assign(size_t(w) * 3, 0);
+      side[i].assign(stride, kWall);
+    }
+    for (int n = 0; n < h; ++n) {
+      const int y = way ? h - 1 - n : n;
+      uint8_t least_beside = 0;
+      for (int m = 0; m < w; ++m) {
+        const int x = way ? w - 1 - m : m;
+        const int64_t at = int64_t(y) * w + x;
+        const uint8_t* c = cost + at * levels;
+        uint16_t* total = sum + at * levels;
+        const auto jump = [&](int64_t from) { return uint8_t(std::max(p.least, p.jump - std::abs(int(image[at]) - int(image[from])))); };
+        uint8_t* now = side[m & 1].data() + 1;
+        least_beside = m == 0 ? begun(c, levels, now, total)
+                              : along(c, side[(m + 1) & 1].data() + 1, least_beside, levels, uint8_t(p.slope), jump(at - forward), now, total);
+        for (int k = 0; k < 3; ++k) {
+          const int from = x + k - 1;
+          const size_t here = size_t(k) * w + x, there = size_t(k) * w + size_t(from);
+          uint8_t* to = rows[n & 1].data() + stride * here + 1;
+          least[n & 1][here] = n == 0 || from < 0 || from >= w
+                                   ? begun(c, levels, to, total)
+                                   : along(c, rows[(n + 1) & 1].data() + stride * there + 1, least[(n + 1) & 1][there], levels,
+                                           uint8_t(p.slope), jump(int64_t(y - forward) * w + from), to, total);
+        }
+        if (way) chosen(total, levels, level + at, margin + at);
+      }
+    }
+  }
+}
+
+extern const SweepKernels sweep;
+const SweepKernels sweep = {&census, &costs, &aggregate};
+
+}  // namespace RB_ARCH
+}  // namespace raybundle

@@ -1,0 +1,274 @@
+"""Approximate depths of a reference: grey values compared level by level of depth, smoothed along paths.
+
+Each level of the depth parameter puts every pixel of the reference somewhere into each source.  There the census of its
+surroundings (Zabih and Woodfill 1994) is compared with the reference's, the mean of the two best sources is the cost,
+and costs are added up along eight paths on which a change of level is penalised (Hirschmueller 2008, eq. 13).  All is
+done in the reference's own pixels by the tables of `transfer`: nothing is rectified, so rolled and convergent photographs,
+panoramas and line scanners are as good as any.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+
+import cv2
+import numpy as np
+
+from raybundle.errors import InputError
+from raybundle.numerics import native
+from raybundle.numerics.arrays import Array, Mask
+from raybundle.surface.census import FRACTION, NOWHERE, aggregate_twin, census_twin, costs_twin, fixed
+from raybundle.surface.transfer import Transfer, lagrange
+
+STEP_PX = 16
+"""Pixels of the reduced reference from node to node of the tables; between them places are linear."""
+FEWEST_LEVELS, MOST_LEVELS = 16, 256
+LANES = 16
+"""Levels are a multiple of it, so that paths fill a processor's vectors."""
+ALONG = 3
+"""Bytes that a pixel takes for each level: a cost, and a sum of costs."""
+SLOPE, JUMP, LEAST = 7, 50, 14
+"""Penalties in comparisons of 62: for one level, for more, and for more at an edge of the image."""
+UNIQUE = 1.05
+"""How much worse the best level has to be that is no neighbour of the chosen one."""
+SPECKLE_PX = 100
+"""Patches of fewer pixels that differ from all around are no surface."""
+APART_LEVELS = 2.0
+"""From pixel to pixel of one patch."""
+AROUND = 0.5
+"""How far a source is laid out beyond the reference, in shares of its size."""
+NEAR_PX = 200.0
+"""Beyond its format by which a source still takes part in the homography that turns it."""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Start:
+    """Depth parameters of a reduced reference."""
+
+    t: Array
+    """(height, width) float32, of the middle of each reduced pixel; NaN where none is told"""
+    scale: int
+    """Pixels of the photograph in one of the reduced"""
+    levels: int
+
+    def at_full_size(self, height: int, width: int) -> Array:
+        """(height, width) depth parameters of the photograph's pixels, linear between those of the reduced ones."""
+        if self.scale == 1:
+            return self.t
+        known = np.isfinite(self.t)
+        u, v = (((np.arange(n, dtype=np.float32) + 0.5) / self.scale - 0.5) for n in (width, height))
+        x, y = np.meshgrid(u, v)
+        weight = cv2.remap(known.astype(np.float32), x, y, cv2.INTER_LINEAR, borderMode=cv2.BORDER_REPLICATE)
+        value = cv2.remap(np.where(known, self.t, 0), x, y, cv2.INTER_LINEAR, borderMode=cv2.BORDER_REPLICATE)
+        low, high = _extremes(self.t)
+        nearest = cv2.remap(high - low, x, y, cv2.INTER_NEAREST, borderMode=cv2.BORDER_REPLICATE)
+        with np.errstate(invalid="ignore", divide="ignore"):
+            linear = value / weight
+        # where neighbours stand on different things, the nearest says it
+        own = cv2.remap(self.t, x, y, cv2.INTER_NEAREST, borderMode=cv2.BORDER_REPLICATE)
+        step = self.step_of_patch()
+        return np.where((weight > 0.99) & (nearest < step), linear, own).astype(np.float32)
+
+    def step_of_patch(self) -> float:
+        """Difference of t from pixel to pixel above which they stand on different things."""
+        low, high = np.nanmin(self.t, initial=np.inf), np.nanmax(self.t, initial=-np.inf)
+        return APART_LEVELS * max(float(high - low), 0.0) / max(self.levels - 1, 1)
+
+
+def reduction_for(width: int, height: int, levels: int, memory_bytes: float, least: int = 2) -> int:
+    """By how much photographs are reduced so that costs of so many levels fit; levels of the photograph at full size.
+
+    Raises InputError where that is more than 16 times.
+    """
+    for scale in range(least, 17):
+        n = min(MOST_LEVELS, max(FEWEST_LEVELS, levels // scale))
+        if width * height / scale**2 * n * ALONG <= memory_bytes:
+            return scale
+    raise InputError(
+        f"depths of {width} x {height} px take more than {memory_bytes / 1e9:.2g} GB; give it more memory, or reduce the "
+        "photographs"
+    )
+
+
+def levels_between(tables: Sequence[Transfer], width: int, height: int, scale: int) -> int:
+    """Levels of the tables' range from one of which to the next a point moves by a reduced pixel, in the median."""
+    v, u = (np.linspace(0.5, n - 0.5, 12) for n in (height, width))
+    moved = [0.0]
+    for table in tables:
+        t = table.t0 + table.dt * np.array([0.0, table.places.shape[2] - 1.0])
+        places = on_grid(table, v, u, t)
+        length = np.linalg.norm(places[1] - places[0], axis=-1) / scale
+        if np.isfinite(length).any():
+            moved.append(float(np.nanmedian(length)))
+    wanted = int(np.clip(np.ceil(max(moved)) + 1, FEWEST_LEVELS, MOST_LEVELS))
+    return -(-wanted // LANES) * LANES
+
+
+def swept(
+    reference: Array,
+    sources: Sequence[Array],
+    tables: Sequence[Transfer],
+    *,
+    scale: int,
+    slope: int = SLOPE,
+    jump: int = JUMP,
+) -> Start:
+    """Approximate depth parameters of a reference.
+
+    reference  (height, width) uint8 grey values, not reduced
+    sources    (height, width) uint8 each
+    tables     of each source, over one range of depth parameters
+    scale      by how much the photographs are reduced
+
+    What is not told by one level alone, or by a patch of a few pixels, is NaN.  What it does not tell: how good a depth
+    is; it errs by a third of a reduced pixel at best.
+    """
+    if not sources:
+        raise InputError("a surface needs two photographs of the same part at least")
+    small = _reduced(reference, scale)
+    h, w = small.shape
+    n = levels_between(tables, reference.shape[1], reference.shape[0], scale)
+    t = np.linspace(tables[0].t0, tables[0].t0 + tables[0].dt * (tables[0].places.shape[2] - 1), n)
+    v, u = (np.arange(0, size + STEP_PX, STEP_PX) + 0.5 for size in (h, w))
+    laid = [
+        _laid_out(_reduced(s, scale), on_grid(table, v * scale, u * scale, t) / scale, u, v, (h, w))
+        for s, table in zip(sources, tables, strict=True)
+    ]
+    cost = np.empty((h, w, n), np.uint8)
+    _costs(_census(small), [c for c, _ in laid], [places for _, places in laid], cost)
+    level, margin = _aggregated(small, cost, slope, jump)
+    known = (margin > UNIQUE) & _seen([places for _, places in laid], [c for c, _ in laid], (h, w))
+    whole = np.where(known, np.round(level * LANES), -LANES * LANES).astype(np.int16)
+    cv2.filterSpeckles(whole, -LANES * LANES, SPECKLE_PX, LANES * APART_LEVELS)
+    found = np.where(known & (whole >= 0), t[0] + level * (t[1] - t[0]), np.nan)
+    return Start(t=found.astype(np.float32), scale=scale, levels=n)
+
+
+def on_grid(table: Transfer, v_px: Array, u_px: Array, t: Array) -> Array:
+    """Places (levels, rows, columns, 2) in a source of a grid of the reference's pixels at levels of t; NaN where unseen."""
+    rows, columns, levels = table.places.shape[:3]
+    unseen = np.isnan(table.places[..., 0])
+    found = np.where(unseen[..., None], 0.0, table.places)
+    lost = unseen.astype(float)
+    # separable: along t, then rows, then columns
+    for axis, (at, count) in enumerate(
+        (
+            ((t - table.t0) / table.dt, levels),
+            ((v_px - table.v0_px) / table.step_px, rows),
+            ((u_px - table.u0_px) / table.step_px, columns),
+        )
+    ):
+        weights = _weights(at, count)
+        found = np.moveaxis(np.tensordot(weights, found, (1, (2, 1, 2)[axis])), 0, (0, 1, 2)[axis])
+        lost = np.moveaxis(np.tensordot(np.abs(weights), lost, (1, (2, 1, 2)[axis])), 0, (0, 1, 2)[axis])
+    return np.where((lost > 1e-9)[..., None], np.nan, found)
+
+
+def _weights(at: Array, count: int) -> Array:
+    """(m, count) cubic weights of nodes 0 .. count - 1 at places (m,)."""
+    first = np.clip(np.floor(at) - 1, 0, count - 4).astype(int)
+    weights = np.zeros((len(at), count))
+    np.put_along_axis(weights, first[:, None] + np.arange(4), lagrange(at - first)[0], axis=1)
+    return weights
+
+
+def _reduced(image: Array, scale: int) -> Array:
+    """The mean of scale x scale pixels each."""
+    if scale == 1:
+        return np.ascontiguousarray(image)
+    h, w = (n // scale for n in image.shape)
+    return cv2.resize(image[: h * scale, : w * scale], (w, h), interpolation=cv2.INTER_AREA)
+
+
+def _laid_out(source: Array, places: Array, u: Array, v: Array, size: tuple[int, int]) -> tuple[Array, Array]:
+    """The census of a source turned and scaled as the reference sees it, and the places (levels, rows, columns, 2) in it.
+
+    A census compares neighbours to the right and below: a source that is rolled, or nearer, has other neighbours there.
+    A homography at the middle level brings it near enough; places stay exact.
+    """
+    middle = places[len(places) // 2].reshape(-1, 2)
+    target = np.stack(np.meshgrid(u, v), axis=-1).reshape(-1, 2)
+    limit = np.array(source.shape[::-1]) + NEAR_PX
+    with np.errstate(invalid="ignore"):
+        good = (np.isfinite(middle) & (middle > -NEAR_PX) & (middle < limit)).all(axis=1)
+    nothing = np.full((1, 1), UNKNOWN, np.uint64), np.full(places.shape, NOWHERE, np.int32)
+    if good.sum() < 4:
+        return nothing
+    H, _ = cv2.findHomography(middle[good], target[good], 0)
+    if H is None:
+        return nothing
+    moved = np.full(places.shape, np.nan)
+    seen = np.isfinite(places).all(axis=-1)
+    homogeneous = np.concatenate([places[seen], np.ones((int(seen.sum()), 1))], axis=1) @ H.T
+    with np.errstate(all="ignore"):
+        moved[seen] = np.where(homogeneous[:, 2:] > 0, homogeneous[:, :2] / homogeneous[:, 2:], np.nan)
+    room = AROUND * np.array(size[::-1])
+    inside = np.isfinite(moved).all(axis=-1)
+    inside &= (np.where(inside[..., None], moved, -np.inf) >= -room).all(axis=-1)
+    inside &= (np.where(inside[..., None], moved, np.inf) <= size[::-1] + room).all(axis=-1)
+    if not inside.any():
+        return nothing
+    origin = np.floor(moved[inside].min(axis=0)) - 8
+    across, down = (np.ceil(moved[inside].max(axis=0)) + 8 - origin).astype(int).tolist()
+    half = np.array([[1, 0, 0.5], [0, 1, 0.5], [0, 0, 1]])  # OpenCV counts from the middle of the first pixel
+    shift = np.array([[1, 0, -origin[0]], [0, 1, -origin[1]], [0, 0, 1]])
+    M = np.linalg.inv(half) @ shift @ H @ half
+    laid = cv2.warpPerspective(source, M, (across, down), flags=cv2.INTER_LINEAR)
+    whole = cv2.warpPerspective(np.full(source.shape, 255, np.uint8), M, (across, down), flags=cv2.INTER_NEAREST)
+    shown = cv2.erode(whole, np.ones((7, 9), np.uint8), borderType=cv2.BORDER_CONSTANT, borderValue=0) > 0
+    census = _census(laid)
+    census[~shown] = UNKNOWN
+    return census, fixed(moved - origin)
+
+
+UNKNOWN = np.uint64(1) << np.uint64(63)
+
+
+def _seen(places: Sequence[Array], census: Sequence[Array], size: tuple[int, int]) -> Mask:
+    """(height, width) where a source shows the reference's pixel at any level."""
+    found = np.zeros(size, bool)
+    for p, c in zip(places, census, strict=True):
+        inside = ((p >= 0) & (p < np.array(c.shape[::-1]) << FRACTION)).all(axis=-1).any(axis=0)
+        at = (
+            np.minimum(np.arange(size[0]) // STEP_PX, len(inside) - 1),
+            np.minimum(np.arange(size[1]) // STEP_PX, inside.shape[1] - 1),
+        )
+        found |= inside[at[0]][:, at[1]]
+    return found
+
+
+def _extremes(t: Array) -> tuple[Array, Array]:
+    """Smallest and largest of a pixel and its eight neighbours; where one is not known, none."""
+    kernel = np.ones((3, 3), np.uint8)
+    filled = np.where(np.isfinite(t), t, 0).astype(np.float32)
+    return cv2.erode(filled, kernel), cv2.dilate(filled, kernel)
+
+
+def _census(image: Array) -> Array:
+    module = native.module()
+    if module is None:
+        return census_twin(image)
+    out = np.empty(image.shape, np.uint64)
+    module.census(np.ascontiguousarray(image), out)
+    return out
+
+
+def _costs(reference: Array, sources: Sequence[Array], places: Sequence[Array], cost: Array) -> None:
+    module = native.module()
+    if module is None:
+        cost[:] = costs_twin(reference, sources, places, STEP_PX)
+    else:
+        module.sweep_costs(reference, list(sources), list(places), STEP_PX, cost)
+
+
+def _aggregated(image: Array, cost: Array, slope: int, jump: int) -> tuple[Array, Array]:
+    """Level and margin (height, width) of the smallest sum of costs along paths."""
+    module = native.module()
+    if module is None:
+        return aggregate_twin(image, cost, slope, jump, LEAST)
+    level, margin = np.empty(image.shape, np.float32), np.empty(image.shape, np.float32)
+    module.aggregate_costs(
+        np.ascontiguousarray(image), cost, slope, jump, LEAST, np.empty(cost.shape, np.uint16), level, margin
+    )
+    return level, margin
