@@ -20,7 +20,7 @@ WAYS = ((1, 0), (-1, 1), (0, 1), (1, 1), (-1, 0), (1, -1), (0, -1), (-1, -1))
 
 
 def census_twin(image: Array) -> Array:
-    """(height, width) uint64: 62 comparisons with the neighbours; the highest bit alone where the window has no room."""
+    """(height, width) uint64: 62 comparisons with neighbours; the highest bit alone where there is no room."""
     h, w = image.shape
     found = np.full((h, w), 1 << 63, np.uint64)
     if h <= 2 * DOWN or w <= 2 * ACROSS:

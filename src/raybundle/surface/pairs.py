@@ -21,8 +21,8 @@ FLATTEST_DEG = 1.5
 """Median angle between the rays of common points below which a pair is refused: at 1.5 degrees a depth is 38 times as
 uncertain as a place across the ray."""
 BEST_RAD, WIDTH = 0.35, 0.5
-"""Angle at which two photographs measure a surface best, and the logarithm's standard deviation about it: smaller angles
-say little of the depth, at larger ones the windows look unlike (../shared/prototypes: the angle of least errors)."""
+"""Angle at which two photographs measure a surface best, and the logarithm's standard deviation about it: smaller
+angles say little of the depth, at larger ones the windows look unlike."""
 LARGEST_SCALE = 2.0
 """Ratio of the sizes of a pixel on the object above which one photograph has not the detail of the other."""
 WORTH = 0.02
@@ -47,8 +47,8 @@ class PairOfImages:
         """Why depths are not measured with this pair; empty where they are."""
         if self.angle_deg < FLATTEST_DEG:
             return (
-                f"their rays meet at {self.angle_deg:.2g} deg in the median, {FLATTEST_DEG:g} are needed: the base is too "
-                "short or lies along the viewing direction"
+                f"their rays meet at {self.angle_deg:.2g} deg in the median, {FLATTEST_DEG:g} are needed: the base is "
+                "too short or lies along the viewing direction"
             )
         if not 1 / LARGEST_SCALE <= self.scale <= LARGEST_SCALE:
             return f"their scales differ {max(self.scale, 1 / self.scale):.2g} times, {LARGEST_SCALE:g} is the limit"

@@ -86,8 +86,8 @@ def reduction_for(width: int, height: int, levels: int, memory_bytes: float, lea
         if width * height / scale**2 * n * ALONG <= memory_bytes:
             return scale
     raise InputError(
-        f"depths of {width} x {height} px take more than {memory_bytes / 1e9:.2g} GB; give it more memory, or reduce the "
-        "photographs"
+        f"depths of {width} x {height} px take more than {memory_bytes / 1e9:.2g} GB; give it more memory, or reduce "
+        "the photographs"
     )
 
 
