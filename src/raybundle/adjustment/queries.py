@@ -28,6 +28,8 @@ if TYPE_CHECKING:
 
 SUSPECTS = 20
 """Largest number of suspects whose separability is listed."""
+TOGETHER = 16
+"""Right sides that the kernels solve at once."""
 
 
 def covariance_between(result: Adjustment, first: str, second: str) -> Array:
@@ -44,25 +46,91 @@ def covariance_between(result: Adjustment, first: str, second: str) -> Array:
     system = work.system
     a, Da = _selection(system, state, first)
     b, Db = _selection(system, state, second)
-    nodes = np.zeros((int(system.offsets[-1]), len(a)))
-    points = np.zeros((*state.xyz.shape, len(a)))
-    for k, (kind, at, axis) in enumerate(a):
+    nodes, points = _cofactors_with(work, state, a)
+    C = np.array([points[at, axis] if kind == "point" else nodes[at] for kind, at, axis in b]).T
+    return _variance(result) * Da @ C @ Db.T
+
+
+def _cofactors_with(work: Work, state: State, chosen: list[tuple[str, int, int]]) -> tuple[Array, Array]:
+    """Columns of the inverse: cofactors (u, k) of all nodes and (p, 3, k) of all points with chosen unknowns."""
+    system = work.system
+    nodes = np.zeros((int(system.offsets[-1]), len(chosen)))
+    points = np.zeros((*state.xyz.shape, len(chosen)))
+    for k, (kind, at, axis) in enumerate(chosen):
         if kind == "point":
             points[at, axis, k] = 1
         else:
             nodes[at, k] = 1
     solve = work.spread.solve if work.spread is not None else partial(work.normals.solve, state)
-    nodes, points = solve(nodes, points)
+    for start in range(0, len(chosen), TOGETHER):
+        part = slice(start, start + TOGETHER)
+        nodes[:, part], points[:, :, part] = solve(
+            np.ascontiguousarray(nodes[:, part]), np.ascontiguousarray(points[:, :, part])
+        )
     found = work.under_noise or work.found
     t = found.transformation if found else None
     if t is not None:
-        Ga, Ha = _gauge(system, t, a)
+        Ga, Ha = _gauge(system, t, chosen)
         nodes, points = (
             Q - G @ t.middle @ Ha.T - H @ t.middle.T @ Ga.T + G @ (t.middle @ t.inner @ t.middle.T) @ Ga.T
             for Q, G, H in ((nodes, t.nodes, t.nodes_h), (points, t.points, t.points_h))
         )
-    C = np.array([points[at, axis] if kind == "point" else nodes[at] for kind, at, axis in b]).T
-    return _variance(result) * Da @ C @ Db.T
+    return nodes, points
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Step:
+    """One unknown of an orientation, as the adjustment steps along it."""
+
+    images: tuple[int, ...]
+    """whose projection it changes, of those that were asked for"""
+    axis: int = -1
+    """0 to 2: the projection centre; 3 to 5: a small rotation on the left, exp([step]x) R [rad]; -1: interior"""
+    symbol: str = ""
+    """of an interior orientation's parameter"""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class JointOrientation:
+    """How exterior and interior orientations of some images are uncertain together."""
+
+    steps: tuple[Step, ...]
+    """(k,) what is free; what is held is not among them"""
+    covariance: Array
+    """(k, k) a-posteriori, in the result's datum"""
+
+
+def joint_orientation(result: Adjustment, images: Sequence[int]) -> JointOrientation:
+    """The joint covariance of all that projects into some images: exterior and interior orientations.
+
+    images  rows of the block's images that took part
+    raises  InputError for an image that did not
+
+    In the steps of the adjustment, not in angles: nothing is singular where an axis lies along X.
+    """
+    work, state = _work(result)
+    system, block = work.system, work.system.block
+    unknowns, steps = list[int](), list[Step]()
+    of_row = dict[int, list[int]]()
+    for i in images:
+        if not system.images_used[i]:
+            raise InputError(f"image {block.images.ids[i]} took no part in the adjustment; leave it out")
+        if system.exterior_free[i]:
+            unknowns.extend(image_unknowns(system, i).tolist())
+            steps.extend(Step(images=(i,), axis=axis) for axis in range(6))
+        row = int(system.interior_of_image[i])
+        while row >= 0:
+            of_row.setdefault(row, []).append(i)
+            row = system.interior[row].parent
+    for r, mine in sorted(of_row.items()):
+        row = system.interior[r]
+        if row.node >= 0:
+            unknowns.extend(interior_unknowns(system, row).tolist())
+            names = row.sensor.symbols
+            steps.extend(Step(images=tuple(mine), symbol=names[k]) for k in row.free)
+    nodes, _ = _cofactors_with(work, state, [("node", u, 0) for u in unknowns])
+    Q = nodes[unknowns]
+    return JointOrientation(steps=tuple(steps), covariance=_variance(result) * (Q + Q.T) / 2)
 
 
 def own_values(result: Adjustment, name: str) -> Array:
@@ -214,8 +282,8 @@ def _residual_cofactor(work: Work, state: State, chosen: Array, axis: Array) -> 
         nodes[at, k] = values
         points[point, :, k] = by_point
     result = np.eye(len(chosen))
-    for start in range(0, len(chosen), 16):
-        part = slice(start, start + 16)
+    for start in range(0, len(chosen), TOGETHER):
+        part = slice(start, start + TOGETHER)
         x, y = normals.solve(state, np.ascontiguousarray(nodes[:, part]), np.ascontiguousarray(points[:, :, part]))
         result[:, part] -= nodes.T @ x + np.einsum("pek,pel->kl", points, y)
     return result

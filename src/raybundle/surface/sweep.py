@@ -3,8 +3,8 @@
 Each level of the depth parameter puts every pixel of the reference somewhere into each source.  There the census of its
 surroundings (Zabih and Woodfill 1994) is compared with the reference's, the mean of the two best sources is the cost,
 and costs are added up along eight paths on which a change of level is penalised (Hirschmueller 2008, eq. 13).  All is
-done in the reference's own pixels by the tables of `transfer`: nothing is rectified, so rolled and convergent photographs,
-panoramas and line scanners are as good as any.
+done in the reference's own pixels by the tables of `transfer`: nothing is rectified, so rolled and convergent
+photographs, panoramas and line scanners are as good as any.
 """
 
 from __future__ import annotations
@@ -146,7 +146,7 @@ def swept(
 
 
 def on_grid(table: Transfer, v_px: Array, u_px: Array, t: Array) -> Array:
-    """Places (levels, rows, columns, 2) in a source of a grid of the reference's pixels at levels of t; NaN where unseen."""
+    """Places (levels, rows, columns, 2) in a source of a grid of pixels at levels of t; NaN where unseen."""
     rows, columns, levels = table.places.shape[:3]
     unseen = np.isnan(table.places[..., 0])
     found = np.where(unseen[..., None], 0.0, table.places)
@@ -182,7 +182,7 @@ def _reduced(image: Array, scale: int) -> Array:
 
 
 def _laid_out(source: Array, places: Array, u: Array, v: Array, size: tuple[int, int]) -> tuple[Array, Array]:
-    """The census of a source turned and scaled as the reference sees it, and the places (levels, rows, columns, 2) in it.
+    """The census of a source turned and scaled as the reference sees it, and places (levels, rows, columns, 2) in it.
 
     A census compares neighbours to the right and below: a source that is rolled, or nearer, has other neighbours there.
     A homography at the middle level brings it near enough; places stay exact.

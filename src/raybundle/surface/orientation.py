@@ -1,0 +1,173 @@
+"""What the uncertainty of orientation and calibration does to depths and object points.
+
+A depth follows the sources: where one shifts against what its table says, the depth gives way by the sensitivity that
+refinement found.  How the tables shift follows from the joint covariance of all exterior and interior
+orientations concerned, by differences of the projections themselves: so it holds for any sensor on any platform.
+Shifts change slowly over an image: they are kept at nodes.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from raybundle.adjustment.predict import image_points
+from raybundle.adjustment.queries import JointOrientation, Step
+from raybundle.block import Block, Camera
+from raybundle.numerics.arrays import Array, Index
+from raybundle.numerics.rotation import rotation_from_vector
+from raybundle.numerics.rows import rows_of_each
+from raybundle.surface.transfer import ReferenceRays
+
+NODES, LEVELS = 12, 4
+"""Nodes along the longer side of a reference, and levels of depth; between them shifts are linear."""
+SHARE = 0.1
+"""Of a standard deviation by which an unknown is changed for a difference of projections."""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class ShiftCovariance:
+    """How sources and rays of a reference shift together, at nodes of pixels and levels of depth.
+
+    Factors are kept, not covariances: the error of a ray and that of the depth along it may all but cancel, as those of
+    a flight's height and its depths do, and only factors can be interpolated then.
+    """
+
+    factors: Array
+    """(rows, columns, levels, 2s + 3, k): x and y of the place in each source [px], then the object point at a depth
+    parameter that is held; F F' is their covariance"""
+    steps_px: tuple[float, float]
+    """From row to row and from column to column; node (0, 0) stands at the corner of the first pixel"""
+    t0: float
+    dt: float
+
+    def of_depths(self, xy_px: Array, t: Array, sensitivity: Array) -> Array:
+        """Variances (n,) of depth parameters from orientation and calibration.
+
+        xy_px        (n, 2) pixels of the reference
+        t            (n,)
+        sensitivity  (n, s, 2) of t to a shift of what each source shows [1 / px], 0 where it was not used
+        """
+        found = np.zeros(len(t))
+        k = sensitivity.reshape(len(t), -1)
+        for mine, F in self._factors(xy_px, t):
+            found[mine] = (np.einsum("ni,nij->nj", k[mine], F[:, :-3]) ** 2).sum(axis=1)
+        return found
+
+    def of_points(self, xy_px: Array, t: Array, sensitivity: Array, by_t: Array) -> Array:
+        """Covariances (n, 3, 3) of object points from orientation and calibration, in the datum of the adjustment.
+
+        by_t  (n, 3) derivative of the object point by t; a point moves with its ray, and along it with its depth
+        """
+        found = np.zeros((len(t), 3, 3))
+        k = sensitivity.reshape(len(t), -1)
+        for mine, F in self._factors(xy_px, t):
+            # where a table shifts by d, what is shown shifts by -d against it
+            along = np.einsum("ni,nij->nj", k[mine], F[:, :-3])
+            point = F[:, -3:] - by_t[mine, :, None] * along[:, None]
+            found[mine] = point @ point.transpose(0, 2, 1)
+        return found
+
+    def _factors(self, xy_px: Array, t: Array) -> Iterator[tuple[Index, Array]]:
+        """Pixels of one cell after the other, and their factors, linear between the nodes."""
+        rows, columns, levels, width, k = self.factors.shape
+        v, u = xy_px[:, 1] / self.steps_px[0], xy_px[:, 0] / self.steps_px[1]
+        j, i = (np.clip(np.floor(x), 0, n - 2).astype(int) for x, n in ((v, rows), (u, columns)))
+        level = np.clip((t - self.t0) / self.dt, 0, levels - 1)
+        at = np.clip(np.floor(level), 0, levels - 2).astype(int)
+        for cell, mine in enumerate(rows_of_each(j * (columns - 1) + i, (rows - 1) * (columns - 1))):
+            if not len(mine):
+                continue
+            row, column = divmod(cell, columns - 1)
+            nodes = self.factors[row : row + 2, column : column + 2].reshape(4 * levels, width * k)
+            weights = np.zeros((len(mine), 4, levels))
+            down, right, deep = v[mine] - row, u[mine] - column, level[mine] - at[mine]
+            across = np.stack([(1 - down) * (1 - right), (1 - down) * right, down * (1 - right), down * right], axis=1)
+            each = np.arange(len(mine))
+            weights[each, :, at[mine]] = across * (1 - deep)[:, None]
+            weights[each, :, at[mine] + 1] = across * deep[:, None]
+            yield mine, (weights.reshape(len(mine), -1) @ nodes).reshape(len(mine), width, k)
+
+
+def shift_covariance(
+    block: Block, joint: JointOrientation, reference: int, sources: Sequence[int], t_range: tuple[float, float]
+) -> ShiftCovariance:
+    """How the places of a reference's points in its sources are uncertain together.
+
+    block    the adjusted one, whose orientations `joint` is of
+    joint    of the reference and all its sources at least
+    t_range  smallest and largest depth parameter
+
+    Raises InputError for a reference that is a satellite scene or has no orientation.
+    """
+    rays = ReferenceRays.of(block, reference)
+    width, height = rays.camera.width_px, rays.camera.height_px
+    step = max(width, height) / (NODES - 1)
+    columns, rows = (max(2, int(np.ceil(n / step)) + 1) for n in (width, height))
+    steps = height / (rows - 1), width / (columns - 1)
+    v, u, t = np.meshgrid(
+        np.arange(rows) * steps[0], np.arange(columns) * steps[1], np.linspace(*t_range, LEVELS), indexing="ij"
+    )
+    xy, levels = np.stack([u.ravel(), v.ravel()], axis=1), t.ravel()
+    std = np.sqrt(np.maximum(np.diagonal(joint.covariance), 0.0))
+    views = {
+        i: _View(camera=_camera(block, i), rotation=block.images.rotation[i], centre=block.images.centre[i])
+        for i in (reference, *sources)
+    }
+    xyz, places = _seen(rays, views, reference, sources, xy, levels)
+    J = np.zeros((len(xy), 2 * len(sources), len(std)))
+    A = np.zeros((len(xy), 3, len(std)))
+    for k, one in enumerate(joint.steps):
+        moved = [i for i in one.images if i in views]
+        if not moved or std[k] == 0:
+            continue
+        changed = {**views, **{i: views[i].stepped(one, SHARE * std[k]) for i in moved}}
+        at, there = _seen(rays, changed, reference, sources, xy, levels)
+        A[:, :, k] = (at - xyz) / (SHARE * std[k])
+        J[:, :, k] = (there - places) / (SHARE * std[k])
+    # a place that a source does not see has no shift that matters
+    J = np.where(np.isfinite(J), J, 0.0)
+    values, vectors = np.linalg.eigh(joint.covariance) if len(std) else (std, np.zeros((0, 0)))
+    root = vectors * np.sqrt(np.maximum(values, 0.0))
+    factors = np.concatenate([J, A], axis=1) @ root
+    return ShiftCovariance(
+        factors=factors.reshape(rows, columns, LEVELS, *factors.shape[1:]), steps_px=steps, t0=t_range[0],
+        dt=(t_range[1] - t_range[0]) / (LEVELS - 1),
+    )  # fmt: skip
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class _View:
+    camera: Camera
+    rotation: Array
+    centre: Array
+
+    def stepped(self, step: Step, by: float) -> _View:
+        """One unknown changed."""
+        if step.axis < 0:
+            values = {**self.camera.values, step.symbol: self.camera.values[step.symbol] + by}
+            return replace(self, camera=replace(self.camera, values=values))
+        vector = np.zeros(3)
+        vector[step.axis % 3] = by
+        if step.axis < 3:
+            return replace(self, centre=self.centre + vector)
+        return replace(self, rotation=rotation_from_vector(vector[None])[0] @ self.rotation)
+
+
+def _seen(
+    rays: ReferenceRays, views: dict[int, _View], reference: int, sources: Sequence[int], xy: Array, t: Array
+) -> tuple[Array, Array]:
+    """Object points (n, 3) of a reference's pixels, and their places (n, 2s) in the sources."""
+    own = views[reference]
+    xyz = replace(rays, camera=own.camera, rotation=own.rotation, centre=own.centre).points(xy, t)
+    places = [image_points(views[i].camera, views[i].rotation, views[i].centre, xyz) for i in sources]
+    return xyz, np.concatenate(places, axis=1)
+
+
+def _camera(block: Block, image: int) -> Camera:
+    """The camera of an image, with the values that the image has for itself."""
+    camera = block.cameras[int(block.images.camera[image])]
+    own = block.images.interior.get(image)
+    return camera if own is None else replace(camera, values={**camera.values, **own})
