@@ -1,0 +1,107 @@
+"""Depth maps against each other: a plane seen by three photographs of a flight."""
+
+import numpy as np
+import pytest
+from scipy.spatial import KDTree
+
+from raybundle.planning.scenes import AerialStrips, aerial_scene
+from raybundle.planning.simulate import Survey, simulate
+from raybundle.surface.fusion import MapView, agreement
+from raybundle.surface.transfer import ReferenceRays, transfer
+
+IMAGES, STRIDE, SIGMA = (3, 4, 5), 250, 1e-7
+
+
+@pytest.fixture(scope="module")
+def block():
+    return simulate(aerial_scene(AerialStrips(images_per_strip=7, points_per_image=40)), Survey(seed=3)).truth
+
+
+def plane_map(block, image, rng, height=0.0):
+    """A map of a level plane with noise of the standard deviation that it states."""
+    rays = ReferenceRays.of(block, image)
+    rows, columns = (n // STRIDE for n in (rays.camera.height_px, rays.camera.width_px))
+    x0 = y0 = STRIDE // 2
+    empty = np.zeros((rows, columns))
+    made = MapView(
+        rays=rays, x0=x0, y0=y0, stride=STRIDE, t=empty, slopes=np.zeros((2, rows, columns)), sigma=empty + SIGMA
+    )
+    xy = made.xy_px.reshape(-1, 2)
+
+    def exact(at):
+        origin, direction = rays.rays(at)
+        return direction[:, 2] / (height - origin[:, 2])
+
+    t = exact(xy)
+    slopes = [(exact(xy + d) - exact(xy - d)) / 2 for d in ([1.0, 0.0], [0.0, 1.0])]
+    noisy = (t + rng.normal(0, SIGMA, len(t))).reshape(rows, columns)
+    return MapView(
+        rays=rays, x0=x0, y0=y0, stride=STRIDE, t=noisy, sigma=empty + SIGMA,
+        slopes=np.array(slopes).reshape(2, rows, columns),
+    )  # fmt: skip
+
+
+@pytest.fixture(scope="module")
+def maps(block):
+    rng = np.random.default_rng(1)
+    return {i: plane_map(block, i, rng) for i in IMAGES}
+
+
+def compared(block, maps, k, mine=None):
+    others = [i for i in IMAGES if i != k]
+    mine = mine or maps[k]
+    low, high = np.nanmin(mine.t) * 0.9, np.nanmax(mine.t) * 1.1
+    tables = [transfer(block, mine.rays, i, (low, high)) for i in others]
+    return agreement(mine, [maps[i] for i in others], tables, others, own=k)
+
+
+def test_maps_of_one_plane_agree_as_often_as_chance_says(block, maps):
+    found = compared(block, maps, 4)
+    seen = found.agree + found.against + found.behind
+    assert (seen == 2).mean() > 0.15
+    assert (seen == 0).mean() < 0.3
+    wrong = (found.against.sum() + found.behind.sum()) / seen.sum()
+    assert wrong < 0.01  # three standard deviations: 0.3 %
+
+
+def test_of_estimates_that_agree_one_is_kept(block, maps):
+    found = {k: compared(block, maps, k) for k in IMAGES}
+    xyz = {k: maps[k].rays.points(maps[k].xy_px.reshape(-1, 2), maps[k].t.ravel()) for k in IMAGES}
+    confirmed = sum(int((f.agree > f.against).sum()) for f in found.values())
+    kept = np.concatenate([xyz[k][f.kept] for k, f in found.items()])
+    assert 0.3 < len(kept) / confirmed < 0.6  # two or three maps see each place
+    dropped = np.concatenate([xyz[k][(f.agree > f.against) & ~f.best] for k, f in found.items()])
+    pixel = np.linalg.norm(xyz[3][1] - xyz[3][0])
+    near, _ = KDTree(kept[:, :2]).query(dropped[:, :2])
+    assert np.quantile(near, 0.99) < 2 * pixel
+
+
+def test_a_point_that_others_see_through_is_not_kept(block, maps):
+    k = 4
+    mine = maps[k]
+    t = mine.t.copy()
+    t[5:8, 10:14] *= 1.02  # stands before the plane by a fiftieth of the distance
+    t[12, 20] *= 0.98  # lies behind it
+    shifted = MapView(
+        rays=mine.rays, x0=mine.x0, y0=mine.y0, stride=mine.stride, t=t, slopes=mine.slopes, sigma=mine.sigma
+    )
+    found = compared(block, maps, k, shifted)
+
+    def of(a):
+        return a.reshape(t.shape)
+
+    assert of(found.against)[5:8, 10:14].sum() > 0
+    assert not of(found.kept)[5:8, 10:14].any()
+    assert of(found.agree)[5:8, 10:14].sum() == 0
+    assert of(found.behind)[12, 20] > 0
+    assert of(found.against)[12, 20] == 0
+
+
+def test_pixels_without_a_depth_say_nothing(block, maps):
+    k, mine = 4, maps[4]
+    t = mine.t.copy()
+    t[::2] = np.nan
+    half = MapView(rays=mine.rays, x0=mine.x0, y0=mine.y0, stride=STRIDE, t=t, slopes=mine.slopes, sigma=mine.sigma)
+    assert len(compared(block, maps, k, half).agree) == np.isfinite(t).sum()
+    away = {**maps, 5: half}
+    assert compared(block, away, 3).agree.sum() < compared(block, maps, 3).agree.sum()
