@@ -8,7 +8,7 @@ Shifts change slowly over an image: they are kept at nodes.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -42,6 +42,16 @@ class ShiftCovariance:
     """From row to row and from column to column; node (0, 0) stands at the corner of the first pixel"""
     t0: float
     dt: float
+
+    def as_arrays(self) -> dict[str, Array]:
+        """What a store keeps."""
+        return {"factors": self.factors, "grid": np.array([*self.steps_px, self.t0, self.dt])}
+
+    @classmethod
+    def of_arrays(cls, a: Mapping[str, Array]) -> ShiftCovariance:
+        """That of `as_arrays`."""
+        down, across, t0, dt = a["grid"].tolist()
+        return cls(factors=np.asarray(a["factors"]), steps_px=(down, across), t0=t0, dt=dt)
 
     def of_depths(self, xy_px: Array, t: Array, sensitivity: Array) -> Array:
         """Variances (n,) of depth parameters from orientation and calibration.

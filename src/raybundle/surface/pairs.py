@@ -5,6 +5,7 @@ Tie points tell it all before a pixel is read: what two photographs both see, at
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -73,15 +74,20 @@ class Sources:
         return tuple(p for p in self.pairs if p.refusal)
 
 
-def sources_of_each(block: Block, *, most: int = MOST_SOURCES) -> list[Sources]:
+def sources_of_each(block: Block, *, most: int = MOST_SOURCES, among: Sequence[int] | None = None) -> list[Sources]:
     """For each image of an oriented block the sources with which its depths are measured; images (n,), in their order.
+
+    most   sources of a reference
+    among  images that can be sources; None: all
 
     The first source is the one that tells most of the depths at the reference's tie points, each further one that which
     adds most to what is known: so sources on all sides of a reference go before several on one.  What it does not tell:
     places without tie points, and what hides the object from a source.
     """
     o = block.observations
-    known = np.isfinite(block.points.xyz).all(axis=1)[o.point]
+    known = np.isfinite(block.points.xyz).all(axis=1)[o.point] & block.images.oriented[o.image]
+    if among is not None:
+        known &= np.isin(o.image, list(among))
     rows, point = rows_of_each(np.where(known, o.image, -1), len(block.images)), np.asarray(o.point)
     images_of = rows_of_each(np.where(known, o.point, -1), len(block.points))
     mine = [np.unique(point[r]) for r in rows]

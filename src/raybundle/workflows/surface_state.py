@@ -1,0 +1,84 @@
+"""What a run of `surface` knows, stage by stage; each stage of `workflows.surfacing` gives some of it."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+
+import numpy as np
+
+from raybundle.adjustment.result import Adjustment
+from raybundle.block import Block
+from raybundle.io.photos.photo import Photo
+from raybundle.numerics.arrays import Array
+from raybundle.pipeline.stage import Workflow
+from raybundle.surface.pairs import Sources
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class SurfaceOptions:
+    """How dense a surface is measured."""
+
+    density: int = 1
+    """every so many pixels of a photograph, along rows and columns"""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Cloud:
+    """Points of a surface, each with what is known of it; arrays (n, ...)."""
+
+    xyz: Array
+    """(n, 3) in the block's frame"""
+    sigma: Array
+    """(n, 3) float32 standard deviations of x, y, z, all parts"""
+    parts: Array
+    """(n, 3) float32 standard deviations along the ray: noise, roughness, orientation and calibration"""
+    views: Array
+    """(n,) uint8 photographs that measured it, its reference included"""
+    confirmed: Array
+    """(n,) uint8 depth maps that agree"""
+    incidence: Array
+    """(n,) float32 cosine between ray and normal"""
+    colour: Array
+    """(n, 3) uint8"""
+    image: Array
+    """(n,) int32 its reference, a row of the block's images"""
+
+    def __len__(self) -> int:
+        """How many points."""
+        return len(self.xyz)
+
+    def as_arrays(self) -> dict[str, Array]:
+        """What the store keeps."""
+        return {name: getattr(self, name) for name in self.__slots__}
+
+    @classmethod
+    def joined(cls, clouds: list[Cloud]) -> Cloud:
+        """Several as one, in their order."""
+        return cls(**{name: np.concatenate([getattr(c, name) for c in clouds]) for name in cls.__slots__})
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class SurfaceState:
+    """Of a run; empty where a stage has not been done."""
+
+    adjustment: Adjustment
+    photos: Mapping[int, Photo]
+    """by image; those that are not there are no references and no sources"""
+    options: SurfaceOptions
+    chosen: tuple[Sources, ...] = ()
+    """of the references, in the order of the images"""
+    maps: Mapping[int, str] = field(default_factory=dict[int, str])
+    """key of the depth map of each reference"""
+    clouds: Mapping[int, str] = field(default_factory=dict[int, str])
+    """key of what each reference gives to the cloud"""
+    left_out: tuple[tuple[str, str], ...] = ()
+    """photographs and pairs without a part in the surface, and why"""
+
+    @property
+    def block(self) -> Block:
+        """With adjusted values."""
+        return self.adjustment.adjusted
+
+
+SURFACE = Workflow[SurfaceState]("surface")

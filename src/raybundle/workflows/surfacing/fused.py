@@ -1,0 +1,193 @@
+"""Stage: maps against each other; each reference gives the cloud those points that it knows best."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from raybundle.adjustment.result import Adjustment
+from raybundle.errors import InputError
+from raybundle.io.block.arrays import arrays_of_block, block_of_arrays
+from raybundle.io.photos.photo import Photo, read_colour
+from raybundle.numerics.arrays import Array
+from raybundle.pipeline.keys import key_of
+from raybundle.pipeline.stage import Means, Stage
+from raybundle.pipeline.store import Folder, Product
+from raybundle.pipeline.tasks import Task
+from raybundle.surface.depth_map import DepthMap
+from raybundle.surface.fusion import MapView, agreement
+from raybundle.surface.orientation import ShiftCovariance
+from raybundle.surface.pairs import Sources
+from raybundle.surface.transfer import ReferenceRays, transfer
+from raybundle.workflows.surface_state import SURFACE, Cloud, SurfaceState
+from raybundle.workflows.surfacing.maps import PART, SHIFTS, part_of, shifts_of
+
+VERSION = 1
+SIGMA, CLOUD = "surface sigma", "surface points"
+"""First words of the keys of what is kept"""
+MOST_MAPS = 8
+"""Maps that a map is compared with, those that share most tie points: more cost time and confirm no better."""
+CHUNK = 200_000
+"""Points whose covariances are made at once."""
+PIXEL_S = 4e-6
+"""CPU seconds of a pixel and map, for the order and the time that is left."""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Inputs:
+    """What the cloud depends on."""
+
+    adjustment: Adjustment
+    photos: Mapping[int, Photo]
+    chosen: tuple[Sources, ...]
+    maps: Mapping[int, str]
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class SigmaTask:
+    """The standard deviations of a map, all parts together."""
+
+    map: str
+    shifts: str
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class CloudTask:
+    """What a reference gives to the cloud."""
+
+    block: str
+    """key of the part of the block with its image and those of the maps it is compared with"""
+    photo: Photo
+    image: int
+    """its number in the block"""
+    own: int
+    """its row in the part"""
+    others: tuple[int, ...]
+    maps: tuple[str, ...]
+    """keys of its map and of the others'"""
+    sigmas: tuple[str, ...]
+    shifts: str
+
+
+def fuse(i: Inputs, means: Means) -> Mapping[int, str]:
+    """Keys of what each reference gives to the cloud."""
+    of = {s.reference: s for s in i.chosen if s.reference in i.maps}
+    shifts, sigma = dict[int, str](), list[Task]()
+    for k, s in of.items():
+        t_range = DepthMap.of_arrays(means.store.wanted(i.maps[k])).t_range
+        shifts[k] = shifts_of(means, i.adjustment, s, t_range)
+        sigma.append(
+            Task(
+                key=key_of(SIGMA, VERSION, i.maps[k], shifts[k]), function=f"{__name__}:sigma_of",
+                options=SigmaTask(map=i.maps[k], shifts=shifts[k]), inputs=(i.maps[k], shifts[k]),
+                name=i.adjustment.adjusted.images.ids[k],
+            )
+        )  # fmt: skip
+    _done(means, sigma, "standard deviations of depths")
+    sigmas = {k: t.key for k, t in zip(of, sigma, strict=True)}
+    tasks = [_task(i, means, of[k], shifts[k], sigmas) for k in of]
+    _done(means, tasks, "maps against each other")
+    return {k: t.key for k, t in zip(of, tasks, strict=True)}
+
+
+def _done(means: Means, tasks: Sequence[Task], what: str) -> None:
+    for reason in means.do(tasks, what, apart=True).values():
+        raise InputError(reason)
+
+
+def _task(i: Inputs, means: Means, s: Sources, shifts: str, sigmas: Mapping[int, str]) -> Task:
+    """The task of a reference."""
+    block, k = i.adjustment.adjusted, s.reference
+    pairs = sorted((p for p in s.pairs if p.source in i.maps), key=lambda p: (-p.points, p.source))
+    others = sorted(p.source for p in pairs[:MOST_MAPS])
+    images = sorted([k, *others])
+    part = arrays_of_block(part_of(block, images))
+    own = key_of(PART, VERSION, part)
+    if not means.store.has(own):
+        means.store.store(own, part)
+    place = {image: n for n, image in enumerate(images)}
+    maps, sigma = tuple(i.maps[j] for j in (k, *others)), tuple(sigmas[j] for j in (k, *others))
+    options = CloudTask(
+        block=own, photo=i.photos[k], image=k, own=place[k], others=tuple(place[j] for j in others), maps=maps,
+        sigmas=sigma, shifts=shifts,
+    )  # fmt: skip
+    return Task(
+        key=key_of(CLOUD, VERSION, own, i.photos[k].content, k, maps, sigma, shifts), function=f"{__name__}:cloud_of",
+        options=options, inputs=(own, *maps, *sigma, shifts), name=block.images.ids[k],
+        cost=(1 + len(others)) * i.photos[k].width_px * i.photos[k].height_px * PIXEL_S,
+    )  # fmt: skip
+
+
+def sigma_of(store: Folder, task: SigmaTask) -> Product:
+    """The task: standard deviations of the depth parameter (rows, columns), noise, roughness and orientation together."""
+    found = DepthMap.of_arrays(store.wanted(task.map))
+    shifts = ShiftCovariance.of_arrays(store.wanted(task.shifts))
+    return {"sigma": np.sqrt(found.variance(shifts)).astype(np.float32)}
+
+
+def cloud_of(store: Folder, task: CloudTask) -> Product:
+    """The task: the points of a reference that other maps confirm and none knows better."""
+    block = block_of_arrays(store.wanted(task.block))
+    maps = [DepthMap.of_arrays(store.wanted(key)) for key in task.maps]
+    sigmas = [store.wanted(key)["sigma"] for key in task.sigmas]
+    images = (task.own, *task.others)
+    views = [_view(ReferenceRays.of(block, j), m, s) for j, m, s in zip(images, maps, sigmas, strict=True)]
+    mine, found = views[0], maps[0]
+    known = np.isfinite(mine.t)
+    if not task.others or not known.any():
+        return _cloud(store, task, found, mine, np.zeros(0, int), np.zeros(0, np.uint8))
+    between = float(np.nanmin(mine.t)), float(np.nanmax(mine.t)) * (1 + 1e-6)
+    tables = [transfer(block, mine.rays, j, between) for j in task.others]
+    told = agreement(mine, views[1:], tables, task.others, own=task.own)
+    at = np.flatnonzero(known)[told.kept]
+    return _cloud(store, task, found, mine, at, told.agree[told.kept])
+
+
+def _view(rays: ReferenceRays, found: DepthMap, sigma: Array) -> MapView:
+    """A map as others look into it."""
+    grid = found.grid
+    return MapView(
+        rays=rays, x0=grid.x0, y0=grid.y0, stride=grid.stride, t=found.t, slopes=found.slopes, sigma=sigma
+    )  # fmt: skip
+
+
+def _cloud(store: Folder, task: CloudTask, found: DepthMap, mine: MapView, at: Array, confirmed: Array) -> Product:
+    """Points of a map by their places in it."""
+    xy, t = mine.xy_px.reshape(-1, 2)[at], np.asarray(found.t, float).ravel()[at]
+    by_t, xyz = mine.rays.by_t(xy, t), mine.rays.points(xy, t)
+    length = np.linalg.norm(by_t, axis=1)
+    shifts = ShiftCovariance.of_arrays(store.wanted(task.shifts))
+    sensitivity = found.shift.reshape(-1, found.shift.shape[2], 2)[at]
+    noise, rough = (np.asarray(v, float).ravel()[at] for v in (found.noise, found.roughness))
+    sigma, along = np.zeros((len(at), 3)), np.zeros(len(at))
+    for begin in range(0, len(at), CHUNK):
+        part = slice(begin, begin + CHUNK)
+        C = shifts.of_points(xy[part], t[part], sensitivity[part], by_t[part])
+        own = (noise + rough)[part, None] * by_t[part] ** 2
+        sigma[part] = np.sqrt(np.diagonal(C, axis1=1, axis2=2) + own)
+        along[part] = np.sqrt(shifts.of_depths(xy[part], t[part], sensitivity[part]))
+    used = (np.asarray(found.views).ravel()[at, None] >> np.arange(found.shift.shape[2])) & 1
+    pixels = read_colour(task.photo)
+    colour = pixels[np.floor(xy[:, 1]).astype(int), np.floor(xy[:, 0]).astype(int)]
+    if colour.dtype != np.uint8:
+        colour = (colour / 257).astype(np.uint8)
+    if colour.ndim == 1:
+        colour = np.repeat(colour[:, None], 3, axis=1)
+    parts = np.stack([np.sqrt(noise) * length, np.sqrt(rough) * length, along * length], axis=1)
+    return Cloud(
+        xyz=xyz, sigma=sigma.astype(np.float32), parts=parts.astype(np.float32),
+        views=(1 + used.sum(axis=1)).astype(np.uint8), confirmed=confirmed.astype(np.uint8),
+        incidence=np.asarray(found.incidence, np.float32).ravel()[at], colour=colour[:, :3],
+        image=np.full(len(at), task.image, np.int32),
+    ).as_arrays()  # fmt: skip
+
+
+STAGE = SURFACE.register(
+    Stage(
+        name="fusion", after=("depth maps",), function=fuse, kinds=(SIGMA, CLOUD, SHIFTS),
+        put=lambda s, clouds: replace(s, clouds=clouds),
+        inputs=lambda s: Inputs(adjustment=s.adjustment, photos=s.photos, chosen=s.chosen, maps=s.maps),
+    )
+)  # fmt: skip

@@ -1,0 +1,147 @@
+"""Stage: a depth map of each reference, and what orientation and calibration do to it; each map is a task."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from raybundle.adjustment.queries import joint_orientation
+from raybundle.adjustment.result import Adjustment
+from raybundle.block import Block
+from raybundle.block.select import selected
+from raybundle.errors import InputError
+from raybundle.io.block.arrays import arrays_of_block, block_of_arrays
+from raybundle.io.photos.photo import Photo
+from raybundle.pipeline.executors import Threads
+from raybundle.pipeline.keys import key_of
+from raybundle.pipeline.stage import Means, Stage
+from raybundle.pipeline.store import Folder, Product
+from raybundle.pipeline.tasks import Task
+from raybundle.surface.depth_map import DepthOptions, depth_map
+from raybundle.surface.orientation import shift_covariance
+from raybundle.surface.pairs import Sources
+from raybundle.ties.points import grey_of
+from raybundle.workflows.surface_state import SURFACE, SurfaceOptions, SurfaceState
+
+VERSION = 1
+PART, MAP, SHIFTS = "surface part", "depth map", "surface shifts"
+"""First words of the keys of what is kept"""
+PIXEL_S = 2.5e-5
+"""CPU seconds of a pixel of a map, for the order and the time that is left."""
+PIXEL_BYTES = 450.0
+"""Bytes that a map takes for a pixel of its photographs at density 1 while it is made."""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Inputs:
+    """What depth maps depend on."""
+
+    adjustment: Adjustment
+    photos: Mapping[int, Photo]
+    chosen: tuple[Sources, ...]
+    options: SurfaceOptions
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class MapTask:
+    """The depth map of a reference."""
+
+    block: str
+    """key of the part of the block that shows it: its own image and its sources"""
+    photos: tuple[Photo, ...]
+    """of these, in the order of the part's images"""
+    reference: int
+    """row of the part's images"""
+    sources: tuple[int, ...]
+    density: int
+    threads: int
+    """what is found does not depend on them"""
+    memory: float
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Maps:
+    """Keys of the maps that could be made, and why others could not."""
+
+    keys: Mapping[int, str]
+    failed: tuple[tuple[int, str], ...]
+
+
+def measure(i: Inputs, means: Means) -> Maps:
+    """All maps by tasks; raises InputError where none can be made."""
+    here = isinstance(means.executor, Threads)
+    block = i.adjustment.adjusted
+    tasks = list[Task]()
+    for s in i.chosen:
+        images = np.sort(np.array([s.reference, *s.sources]))
+        part = arrays_of_block(part_of(block, images))
+        own = key_of(PART, VERSION, part)
+        if not means.store.has(own):
+            means.store.store(own, part)
+        place = {int(image): k for k, image in enumerate(images)}
+        photos = tuple(i.photos[int(image)] for image in images)
+        options = MapTask(
+            block=own, photos=photos, reference=place[s.reference], sources=tuple(place[j] for j in s.sources),
+            density=i.options.density, threads=max(1, means.jobs // len(i.chosen)) if here else 1, memory=means.memory,
+        )  # fmt: skip
+        pixels = block.cameras[int(block.images.camera[s.reference])]
+        size = pixels.width_px * pixels.height_px
+        tasks.append(
+            Task(
+                key=key_of(MAP, VERSION, own, [p.content for p in photos], s.reference, s.sources, i.options.density),
+                function=f"{__name__}:map_of", options=options, inputs=(own,), name=block.images.ids[s.reference],
+                cost=size * PIXEL_S / i.options.density**2, memory=size * PIXEL_BYTES,
+            )
+        )  # fmt: skip
+    failed = means.do(tasks, "depth maps", apart=True)
+    made = {s.reference: t.key for s, t in zip(i.chosen, tasks, strict=True) if t.key not in failed}
+    if not made:
+        raise InputError(f"no depth map could be made: {next(iter(failed.values()))}")
+    lost = tuple((s.reference, failed[t.key]) for s, t in zip(i.chosen, tasks, strict=True) if t.key in failed)
+    return Maps(keys=made, failed=lost)
+
+
+def part_of(block: Block, images: Sequence[int]) -> Block:
+    """Some images of a block, ascending, and the points that they see."""
+    inside = np.zeros(len(block.images), bool)
+    inside[np.asarray(images)] = True
+    part = selected(block, "image", inside)
+    return selected(part, "point", np.bincount(part.observations.point, minlength=len(part.points)) > 0)
+
+
+def map_of(store: Folder, task: MapTask) -> Product:
+    """The task: a depth map as arrays."""
+    block = block_of_arrays(store.wanted(task.block))
+    chosen = Sources(reference=task.reference, sources=task.sources, pairs=(), seen=0.0)
+    options = DepthOptions(density=task.density, threads=task.threads, memory=task.memory)
+    return depth_map(block, chosen, lambda image: grey_of(task.photos[image]), options).as_arrays()
+
+
+def shifts_of(means: Means, adjustment: Adjustment, s: Sources, t_range: tuple[float, float]) -> str:
+    """The key of how sources and rays of a reference shift together; made where it is not kept."""
+    block = adjustment.adjusted
+    key = key_of(
+        SHIFTS, VERSION, arrays_of_block(block), adjustment.options, adjustment.sigma0, s.reference, s.sources, t_range
+    )
+    if not means.store.has(key):
+        joint = joint_orientation(adjustment, (s.reference, *s.sources))
+        made = shift_covariance(block, joint, s.reference, s.sources, t_range)
+        means.store.store(key, made.as_arrays())
+    return key
+
+
+def _put(state: SurfaceState, found: Maps) -> SurfaceState:
+    ids = state.block.images.ids
+    lost = tuple((ids[k], why) for k, why in found.failed)
+    return replace(state, maps=found.keys, left_out=(*state.left_out, *lost))
+
+
+STAGE = SURFACE.register(
+    Stage(
+        name="depth maps", after=("sources",), function=measure, put=_put, kinds=(PART, MAP),
+        told=lambda s: f"{len(s.maps)} of {len(s.chosen)}",
+        inputs=lambda s: Inputs(adjustment=s.adjustment, photos=s.photos, chosen=s.chosen, options=s.options),
+    )
+)  # fmt: skip
