@@ -15,10 +15,8 @@ namespace raybundle {
 namespace RB_ARCH {
 
 #if defined(__GNUC__)
-#if defined(__AVX512F__)
-constexpr int kBytes = 64;
-#elif defined(__AVX2__)
-constexpr int kBytes = 32;
+#if defined(__AVX2__)
+constexpr int kBytes = 32;  // windows of 49 pixels fill vectors of 8 better than those of 16
 #else
 constexpr int kBytes = 16;
 #endif
@@ -31,7 +29,7 @@ static inline Whole floored(V x) {
   return i + (x < __builtin_convertvector(i, V));
 }
 static inline V real(Whole i) { return __builtin_convertvector(i, V); }
-static inline V smaller(V a, V b) { return a < b ? a : b; }
+
 static inline float lane(const V& v, int i) { return v[i]; }
 #else
 constexpr int kLanes = 1;
@@ -39,7 +37,7 @@ typedef float V;
 typedef int32_t Whole;
 static inline Whole floored(V x) { return int32_t(std::floor(x)); }
 static inline V real(Whole i) { return float(i); }
-static inline V smaller(V a, V b) { return a < b ? a : b; }
+
 static inline float lane(const V& v, int) { return v; }
 struct Quad {
   float a[4];
@@ -82,6 +80,21 @@ static inline void transpose(Quad& a, Quad& b, Quad& c, Quad& d) {
 #endif
 }
 
+// Quad of the sums of four vectors.
+static inline Quad folded(const V& v) {
+  float a[kPad] = {};
+  std::memcpy(a, &v, sizeof v);
+  Quad sum = load<Quad>(a);
+  for (int i = 4; i < kPad; i += 4) sum = sum + load<Quad>(a + i);
+  return sum;
+}
+static inline void sums(const V& a, const V& b, const V& c, const V& d, double* into) {
+  Quad p = folded(a), q = folded(b), r = folded(c), s = folded(d);
+  transpose(p, q, r, s);
+  const Quad all = (p + q) + (r + s);
+  for (int i = 0; i < 4; ++i) into[i] = all[i];
+}
+
 // ---- where a source shows a window
 
 // Weights of four nodes 0..3 at f, and of the first and second derivative by f (Lagrange).
@@ -93,11 +106,39 @@ static inline void lagrange(double f, double w[3][4]) {
   w[2][0] = -(q + r + s) / 3, w[2][1] = p + r + s, w[2][2] = -(p + q + s), w[2][3] = (p + q + r) / 3;
 }
 
+// x and y at four levels.
+#if defined(__GNUC__)
+typedef double Eight __attribute__((vector_size(64)));
+struct Levels {
+  Eight a;
+  static Levels of(const double* p) {
+    Levels v;
+    std::memcpy(&v.a, p, sizeof v.a);
+    return v;
+  }
+  void add(double w, const Levels& x) { a += w * x.a; }
+  double operator[](int i) const { return a[i]; }
+};
+#else
+struct Levels {
+  double a[8];
+  static Levels of(const double* p) {
+    Levels v;
+    std::memcpy(v.a, p, sizeof v.a);
+    return v;
+  }
+  void add(double w, const Levels& x) {
+    for (int i = 0; i < 8; ++i) a[i] += w * x.a[i];
+  }
+  double operator[](int i) const { return a[i]; }
+};
+#endif
+
 enum Derivative { kValue, kU, kV, kUU, kUV, kVV, kDerivatives };
 
 // The table at one pixel of the reference: place and its derivatives by u and v as cubics of f = (t - level) / dt.
 struct Column {
-  double c[kDerivatives][2][4];  // coefficients of 1, f, f^2, f^3
+  double c[4][2 * kDerivatives];  // coefficients of 1, f, f^2, f^3, by derivative and x, y
   int level = -1;
   bool seen = false;
 
@@ -116,36 +157,31 @@ struct Column {
     double wu[3][4], wv[3][4];
     lagrange(gu - iu, wu);
     lagrange(gv - iv, wv);
-    double sums[kDerivatives][8] = {};  // by level and x, y
+    Levels sums[kDerivatives] = {};
     for (int j = 0; j < 4; ++j) {
-      double line[3][8] = {};
+      Levels line[3] = {};
       for (int i = 0; i < 4; ++i) {
-        const double* p = table.xy + ((int64_t(iv + j) * table.columns + iu + i) * table.levels + level) * 2;
-        for (int k = 0; k < 8; ++k) {
-          line[0][k] += wu[0][i] * p[k];
-          line[1][k] += wu[1][i] * p[k];
-          line[2][k] += wu[2][i] * p[k];
-        }
+        const Levels p = Levels::of(table.xy + ((int64_t(iv + j) * table.columns + iu + i) * table.levels + level) * 2);
+        for (int d = 0; d < 3; ++d) line[d].add(wu[d][i], p);
       }
-      for (int k = 0; k < 8; ++k) {
-        sums[kValue][k] += wv[0][j] * line[0][k];
-        sums[kU][k] += wv[0][j] * line[1][k];
-        sums[kV][k] += wv[1][j] * line[0][k];
-        sums[kUU][k] += wv[0][j] * line[2][k];
-        sums[kUV][k] += wv[1][j] * line[1][k];
-        sums[kVV][k] += wv[2][j] * line[0][k];
-      }
+      sums[kValue].add(wv[0][j], line[0]);
+      sums[kU].add(wv[0][j], line[1]);
+      sums[kV].add(wv[1][j], line[0]);
+      sums[kUU].add(wv[0][j], line[2]);
+      sums[kUV].add(wv[1][j], line[1]);
+      sums[kVV].add(wv[2][j], line[0]);
     }
     const double scale[kDerivatives] = {1, 1 / table.step, 1 / table.step, 1 / (table.step * table.step), 1 / (table.step * table.step), 1 / (table.step * table.step)};
     seen = true;
     for (int d = 0; d < kDerivatives; ++d)
       for (int k = 0; k < 2; ++k) {
         const double y0 = sums[d][k] * scale[d], y1 = sums[d][2 + k] * scale[d], y2 = sums[d][4 + k] * scale[d], y3 = sums[d][6 + k] * scale[d];
-        c[d][k][0] = y0;
-        c[d][k][1] = -11.0 / 6 * y0 + 3 * y1 - 1.5 * y2 + y3 / 3;
-        c[d][k][2] = y0 - 2.5 * y1 + 2 * y2 - 0.5 * y3;
-        c[d][k][3] = (y3 - y0) / 6 + (y1 - y2) / 2;
-        seen = seen && std::isfinite(c[d][k][0] + c[d][k][3]);
+        const int e = 2 * d + k;
+        c[0][e] = y0;
+        c[1][e] = -11.0 / 6 * y0 + 3 * y1 - 1.5 * y2 + y3 / 3;
+        c[2][e] = y0 - 2.5 * y1 + 2 * y2 - 0.5 * y3;
+        c[3][e] = (y3 - y0) / 6 + (y1 - y2) / 2;
+        seen = seen && std::isfinite(c[0][e] + c[3][e]);
       }
   }
 };
@@ -158,22 +194,25 @@ struct Local {
 
   Local(const Column& column, const TransferTable& table, double t, double a, double b) {
     const double f = (t - table.t0) / table.dt - column.level, by = 1 / table.dt;
+    constexpr int n = 2 * kDerivatives;
+    double value[n], slope[n];
+    for (int e = 0; e < n; ++e) {
+      value[e] = column.c[0][e] + f * (column.c[1][e] + f * (column.c[2][e] + f * column.c[3][e]));
+      slope[e] = by * (column.c[1][e] + f * (2 * column.c[2][e] + 3 * f * column.c[3][e]));
+    }
     for (int k = 0; k < 2; ++k) {
-      const auto value = [&](int d) { const double* c = column.c[d][k]; return c[0] + f * (c[1] + f * (c[2] + f * c[3])); };
-      const auto slope = [&](int d) { const double* c = column.c[d][k]; return by * (c[1] + f * (2 * c[2] + 3 * f * c[3])); };
-      const double* c = column.c[kValue][k];
-      const double Ft = slope(kValue), Ftt = by * by * (2 * c[2] + 6 * f * c[3]), Fut = slope(kU), Fvt = slope(kV);
-      middle[k] = value(kValue);
-      cu[k] = float(value(kU) + a * Ft);
-      cv[k] = float(value(kV) + b * Ft);
-      cuu[k] = float(0.5 * value(kUU) + a * Fut + 0.5 * a * a * Ftt);
-      cuv[k] = float(value(kUV) + b * Fut + a * Fvt + a * b * Ftt);
-      cvv[k] = float(0.5 * value(kVV) + b * Fvt + 0.5 * b * b * Ftt);
+      const double Ft = slope[k], Ftt = by * by * (2 * column.c[2][k] + 6 * f * column.c[3][k]), Fut = slope[2 * kU + k], Fvt = slope[2 * kV + k];
+      middle[k] = value[k];
+      cu[k] = float(value[2 * kU + k] + a * Ft);
+      cv[k] = float(value[2 * kV + k] + b * Ft);
+      cuu[k] = float(0.5 * value[2 * kUU + k] + a * Fut + 0.5 * a * a * Ftt);
+      cuv[k] = float(value[2 * kUV + k] + b * Fut + a * Fvt + a * b * Ftt);
+      cvv[k] = float(0.5 * value[2 * kVV + k] + b * Fvt + 0.5 * b * b * Ftt);
       t0[k] = float(Ft);
       tu[k] = float(Fut + a * Ftt);
       tv[k] = float(Fvt + b * Ftt);
     }
-    reach = std::hypot(double(t0[0]), double(t0[1]));
+    reach = std::sqrt(slope[0] * slope[0] + slope[1] * slope[1]);
   }
 };
 
@@ -185,17 +224,13 @@ struct Scratch {
   double total, effective;  // sum of the weights, and how many equal ones are worth as much
   std::vector<float> memory;
   float *u, *v, *w, *T, *S, *gm, *mean, *padded;
-  float *wx[4], *wy[4], *dx[4], *dy[4];
   float *g[kMostSources], *gx[kMostSources], *gy[kMostSources], *J[kMostSources], *a[kMostSources + 1];
-  std::vector<int32_t> offset;
 
-  Scratch(int half, double sigma) : side(2 * half + 1), count(side * side), filled((count + kPad - 1) / kPad * kPad), offset(filled) {
-    const int arrays = 7 + 16 + 5 * kMostSources + 1, wide = (side + kLag) * (side + 2 * kLag) + 2 * kPad;
+  Scratch(int half, double sigma) : side(2 * half + 1), count(side * side), filled((count + kPad - 1) / kPad * kPad) {
+    const int arrays = 7 + 5 * kMostSources + 1, wide = (side + kLag) * (side + 2 * kLag) + 2 * kPad;
     memory.assign(size_t(arrays) * filled + wide, 0.0f);
     float* next = memory.data();
     for (float** p : {&u, &v, &w, &T, &S, &gm, &mean}) *p = next, next += filled;
-    for (auto* four : {&wx, &wy, &dx, &dy})
-      for (float*& p : *four) p = next, next += filled;
     for (auto* all : {&g, &gx, &gy, &J})
       for (float*& p : *all) p = next, next += filled;
     for (float*& p : a) p = next, next += filled;
@@ -213,78 +248,104 @@ struct Scratch {
   }
 };
 
-// Weights of the four neighbours for a fraction, cubic convolution (Keys 1981, a = -1/2), and their derivatives.
-static inline void cubic(V f, float* const w[4], int i) {
-  store(w[0] + i, f * (-0.5f + f * (1.0f - 0.5f * f)));
-  store(w[1] + i, 1.0f + f * f * (-2.5f + 1.5f * f));
-  store(w[2] + i, f * (0.5f + f * (2.0f - 1.5f * f)));
-  store(w[3] + i, f * f * (-0.5f + 0.5f * f));
+// Weights of the four neighbours for a fraction, cubic convolution (Keys 1981, a = -1/2), and their derivatives: four
+// vectors one behind the other.
+static inline void cubic(V f, float* w) {
+  store(w, f * (-0.5f + f * (1.0f - 0.5f * f)));
+  store(w + kPad, 1.0f + f * f * (-2.5f + 1.5f * f));
+  store(w + 2 * kPad, f * (0.5f + f * (2.0f - 1.5f * f)));
+  store(w + 3 * kPad, f * f * (-0.5f + 0.5f * f));
 }
-static inline void cubic_slope(V f, float* const d[4], int i) {
-  store(d[0] + i, -0.5f + f * (2.0f - 1.5f * f));
-  store(d[1] + i, f * (-5.0f + 4.5f * f));
-  store(d[2] + i, 0.5f + f * (4.0f - 4.5f * f));
-  store(d[3] + i, f * (-1.0f + 1.5f * f));
+static inline void cubic_slope(V f, float* d) {
+  store(d, -0.5f + f * (2.0f - 1.5f * f));
+  store(d + kPad, f * (-5.0f + 4.5f * f));
+  store(d + 2 * kPad, 0.5f + f * (4.0f - 4.5f * f));
+  store(d + 3 * kPad, f * (-1.0f + 1.5f * f));
+}
+static inline Quad along(const float* w, const Quad* c) {
+  return (load<Quad>(w) * c[0] + load<Quad>(w + kPad) * c[1]) + (load<Quad>(w + 2 * kPad) * c[2] + load<Quad>(w + 3 * kPad) * c[3]);
+}
+
+// Where windows lie about the whole pixel (bx, by): x, y of a position in the window.
+struct Placed {
+  const Local& at;
+  int bx, by;
+  float fx, fy;
+  V x(V u, V v) const { return fx + u * (at.cu[0] + at.cuu[0] * u + at.cuv[0] * v) + v * (at.cv[0] + at.cvv[0] * v); }
+  V y(V u, V v) const { return fy + u * (at.cu[1] + at.cuu[1] * u + at.cuv[1] * v) + v * (at.cv[1] + at.cvv[1] * v); }
+};
+
+// Whether all of the window is so far within an image that four neighbours are there.
+static bool within(const Scratch& o, const SurfaceSource& source, const Placed& place) {
+  const float low[2] = {float(1 - place.bx), float(1 - place.by)};
+  const float high[2] = {float(source.width - 2 - place.bx), float(source.height - 2 - place.by)};
+  const float f[2] = {place.fx, place.fy}, h = 0.5f * float(o.side - 1);
+  bool surely = true;
+  for (int k = 0; k < 2; ++k) {
+    const Local& at = place.at;
+    const float most = h * (std::abs(at.cu[k]) + std::abs(at.cv[k])) + h * h * (std::abs(at.cuu[k]) + std::abs(at.cuv[k]) + std::abs(at.cvv[k]));
+    surely = surely && f[k] - most > low[k] + 0.01f && f[k] + most < high[k] - 0.01f;
+  }
+  if (surely) return true;
+  for (int i = 0; i < o.filled; i += kLanes) {
+    const V u = load<V>(o.u + i), v = load<V>(o.v + i), x = place.x(u, v), y = place.y(u, v);
+    for (int k = 0; k < kLanes; ++k)
+      if (!(lane(x, k) >= low[0] && lane(y, k) >= low[1] && lane(x, k) < high[0] && lane(y, k) < high[1])) return false;
+  }
+  return true;
 }
 
 // Grey values g of the window in a source, with mean 0, and gradients on request; false where it leaves the image.
-template <bool gradients> static bool sample(Scratch& o, const SurfaceSource& source, const Local& at, int s) {
+template <bool gradients> static bool sample(const Scratch& o, const SurfaceSource& source, const Local& at, float* g, float* gx, float* gy) {
   const double mx = at.middle[0] - 0.5, my = at.middle[1] - 0.5;
   if (!(mx >= 1 && my >= 1 && mx < source.width - 2 && my < source.height - 2)) return false;
   const int bx = int(mx), by = int(my);
-  const float fx = float(mx - bx), fy = float(my - by);
-  constexpr float far = std::numeric_limits<float>::max();
-  V low_x = V{} + far, low_y = low_x, high_x = low_x, high_y = low_x;
-  for (int i = 0; i < o.filled; i += kLanes) {
-    const V u = load<V>(o.u + i), v = load<V>(o.v + i);
-    const V x = fx + u * (at.cu[0] + at.cuu[0] * u + at.cuv[0] * v) + v * (at.cv[0] + at.cvv[0] * v);
-    const V y = fy + u * (at.cu[1] + at.cuu[1] * u + at.cuv[1] * v) + v * (at.cv[1] + at.cvv[1] * v);
-    low_x = smaller(low_x, x), high_x = smaller(high_x, -x), low_y = smaller(low_y, y), high_y = smaller(high_y, -y);
-    const Whole ix = floored(x), iy = floored(y);
-    const V px = x - real(ix), py = y - real(iy);
-    cubic(px, o.wx, i);
-    cubic(py, o.wy, i);
-    if (gradients) {
-      cubic_slope(px, o.dx, i);
-      cubic_slope(py, o.dy, i);
-    }
-    const Whole offset = iy * source.width + ix;
-    std::memcpy(o.offset.data() + i, &offset, sizeof offset);
-  }
-  float range[4] = {far, far, far, far};
-  for (int k = 0; k < kLanes; ++k) {
-    range[0] = std::min(range[0], lane(low_x, k)), range[1] = std::min(range[1], lane(high_x, k));
-    range[2] = std::min(range[2], lane(low_y, k)), range[3] = std::min(range[3], lane(high_y, k));
-  }
-  if (!(range[0] + bx >= 1 && range[2] + by >= 1 && bx - range[1] < source.width - 2 && by - range[3] < source.height - 2)) return false;
+  const Placed place{at, bx, by, float(mx - bx), float(my - by)};
+  if (!within(o, source, place)) return false;
   const int64_t width = source.width;
-  const float* base = source.grey + int64_t(by - 1) * width + bx - 1;
+  const float* const base = source.grey + int64_t(by - 1) * width + bx - 1;
   const float level = base[width + 1];  // differences of grey values keep more digits
-  float *g = o.g[s], *gx = o.gx[s], *gy = o.gy[s];
+  const float *us = o.u, *vs = o.v, *ws = o.w;
+  const int filled = o.filled, whole = source.width;
+  alignas(64) float wx[4 * kPad], wy[4 * kPad], dx[4 * kPad], dy[4 * kPad];
+  alignas(64) int32_t offsets[kPad];
   Quad sum = {};
-  for (int i = o.count; i < o.filled; ++i) g[i] = 0;
-  for (int i = 0; i < o.count; i += 4) {
-    Quad c[4], e[4];
-    for (int k = 0; k < 4; ++k) {
-      const float* p = base + o.offset[i + k];
-      const Quad r0 = load<Quad>(p), r1 = load<Quad>(p + width), r2 = load<Quad>(p + 2 * width), r3 = load<Quad>(p + 3 * width);
-      c[k] = (o.wy[0][i + k] * r0 + o.wy[1][i + k] * r1) + (o.wy[2][i + k] * r2 + o.wy[3][i + k] * r3);
-      if (gradients) e[k] = (o.dy[0][i + k] * r0 + o.dy[1][i + k] * r1) + (o.dy[2][i + k] * r2 + o.dy[3][i + k] * r3);
+  const Quad back = {-level, -level, -level, -level};
+  for (int i = 0; i < filled; i += kPad) {
+    for (int part = 0; part < kPad; part += kLanes) {
+      const V u = load<V>(us + i + part), v = load<V>(vs + i + part), x = place.x(u, v), y = place.y(u, v);
+      const Whole ix = floored(x), iy = floored(y);
+      const V px = x - real(ix), py = y - real(iy);
+      cubic(px, wx + part);
+      cubic(py, wy + part);
+      if (gradients) {
+        cubic_slope(px, dx + part);
+        cubic_slope(py, dy + part);
+      }
+      const Whole offset = iy * whole + ix;
+      std::memcpy(offsets + part, &offset, sizeof offset);
     }
-    transpose(c[0], c[1], c[2], c[3]);
-    const Quad w0 = load<Quad>(o.wx[0] + i), w1 = load<Quad>(o.wx[1] + i), w2 = load<Quad>(o.wx[2] + i), w3 = load<Quad>(o.wx[3] + i);
-    const Quad offset = {-level, -level, -level, -level};
-    const Quad value = ((w0 * c[0] + w1 * c[1]) + (w2 * c[2] + w3 * c[3])) + offset;
-    store(g + i, value);
-    sum = sum + load<Quad>(o.w + i) * value;
-    if (gradients) {
-      transpose(e[0], e[1], e[2], e[3]);
-      store(gy + i, (w0 * e[0] + w1 * e[1]) + (w2 * e[2] + w3 * e[3]));
-      store(gx + i, (load<Quad>(o.dx[0] + i) * c[0] + load<Quad>(o.dx[1] + i) * c[1]) + (load<Quad>(o.dx[2] + i) * c[2] + load<Quad>(o.dx[3] + i) * c[3]));
+    for (int q = 0; q < kPad; q += 4) {
+      Quad c[4], e[4];
+      for (int k = 0; k < 4; ++k) {
+        const float *p = base + offsets[q + k], *w = wy + q + k, *d = dy + q + k;
+        const Quad r0 = load<Quad>(p), r1 = load<Quad>(p + width), r2 = load<Quad>(p + 2 * width), r3 = load<Quad>(p + 3 * width);
+        c[k] = (w[0] * r0 + w[kPad] * r1) + (w[2 * kPad] * r2 + w[3 * kPad] * r3);
+        if (gradients) e[k] = (d[0] * r0 + d[kPad] * r1) + (d[2 * kPad] * r2 + d[3 * kPad] * r3);
+      }
+      transpose(c[0], c[1], c[2], c[3]);
+      const Quad value = along(wx + q, c) + back;
+      store(g + i + q, value);
+      sum = sum + load<Quad>(ws + i + q) * value;
+      if (gradients) {
+        transpose(e[0], e[1], e[2], e[3]);
+        store(gy + i + q, along(wx + q, e));
+        store(gx + i + q, along(dx + q, c));
+      }
     }
   }
-  const float mean = float(double(sum[0] + sum[1] + (sum[2] + sum[3])) / o.total);
-  for (int i = 0; i < o.filled; i += kLanes) store(g + i, load<V>(g + i) - mean);
+  const float mean = float(double((sum[0] + sum[1]) + (sum[2] + sum[3])) / o.total);
+  for (int i = 0; i < filled; i += kLanes) store(g + i, load<V>(g + i) - mean);
   return true;
 }
 
@@ -306,28 +367,33 @@ struct Normal {
 
 // Sums of a source over the window; false where it shows no texture.
 static bool sums_of(Scratch& o, const Local& at, int s, double contrast, View& view, double N[6]) {
-  float *g = o.g[s], *J = o.J[s];
-  const float *gx = o.gx[s], *gy = o.gy[s];
+  const float *g = o.g[s], *gx = o.gx[s], *gy = o.gy[s], *us = o.u, *vs = o.v, *ws = o.w, *T = o.T;
+  float* J = o.J[s];
+  const int filled = o.filled;
   V gg = {}, gT = {}, j0 = {}, ju = {}, jv = {}, k0 = {}, ku = {}, kv = {}, n0 = {}, nu = {}, nv = {}, nuu = {}, nuv = {}, nvv = {};
-  for (int i = 0; i < o.filled; i += kLanes) {
-    const V u = load<V>(o.u + i), v = load<V>(o.v + i), w = load<V>(o.w + i), x = load<V>(g + i), wx = w * x;
+  for (int i = 0; i < filled; i += kLanes) {
+    const V u = load<V>(us + i), v = load<V>(vs + i), w = load<V>(ws + i), x = load<V>(g + i), wx = w * x;
     const V j = load<V>(gx + i) * (at.t0[0] + at.tu[0] * u + at.tv[0] * v) + load<V>(gy + i) * (at.t0[1] + at.tu[1] * u + at.tv[1] * v);
     store(J + i, j);
     const V wj = w * j, wju = wj * u, wjv = wj * v, p = wj * j, pu = p * u, pv = p * v;
     gg += wx * x;
-    gT += wx * load<V>(o.T + i);
+    gT += wx * load<V>(T + i);
     j0 += wj, ju += wju, jv += wjv;
     k0 += wj * x, ku += wju * x, kv += wjv * x;
     n0 += p, nu += pu, nv += pv, nuu += pu * u, nuv += pu * v, nvv += pv * v;
   }
-  const double variance = summed(gg) / o.total;
+  double m[4], q[4], n[8];
+  sums(gg, gT, j0, ju, m);
+  const double variance = m[0] / o.total;
   if (!(variance > contrast * contrast)) return false;
   const double k = 1 / std::sqrt(variance), k2 = k * k;
   view.scale = k;
-  view.correlation = summed(gT) * k / o.total;
-  const double m[3] = {summed(j0), summed(ju), summed(jv)}, q[3] = {summed(k0), summed(ku), summed(kv)};
-  for (int i = 0; i < 3; ++i) view.mean[i] = m[i] * k / o.total, view.on_grey[i] = q[i] * k2 / o.total;
-  const double n[6] = {summed(n0), summed(nu), summed(nuu), summed(nv), summed(nuv), summed(nvv)};
+  view.correlation = m[1] * k / o.total;
+  sums(jv, k0, ku, kv, q);
+  sums(n0, nu, nuu, nv, n);
+  sums(nuv, nvv, nuv, nvv, n + 4);
+  const double means[3] = {m[2], m[3], q[0]};
+  for (int i = 0; i < 3; ++i) view.mean[i] = means[i] * k / o.total, view.on_grey[i] = q[i + 1] * k2 / o.total;
   for (int i = 0, e = 0; i < 3; ++i)
     for (int j = 0; j <= i; ++j, ++e) N[e] = n[e] * k2 - o.total * (view.mean[i] * view.mean[j] + view.on_grey[i] * view.on_grey[j]);
   return true;
@@ -337,30 +403,43 @@ static bool sums_of(Scratch& o, const Local& at, int s, double contrast, View& v
 static void without_patch(Scratch& o, const View* views, uint32_t used, int count, int nv, Normal& n) {
   V t0 = {}, t1 = {}, t2 = {}, t3 = {}, t4 = {}, t5 = {}, b0 = {}, b1 = {}, b2 = {}, square = {};
   double m[3] = {};
+  struct {
+    const float *g, *J;
+    float scale, on_grey[3];
+  } of[kMostSources];
+  int n_of = 0;
   for (int s = 0; s < count; ++s)
-    if (used >> s & 1)
+    if (used >> s & 1) {
       for (int p = 0; p < 3; ++p) m[p] += views[s].mean[p];
-  const float m0 = float(m[0]), m1 = float(m[1]), m2 = float(m[2]), inverse = 1.0f / float(nv + 1);
-  for (int i = 0; i < o.filled; i += kLanes) {
-    V patch = load<V>(o.T + i), j = {}, c0 = {}, c1 = {}, c2 = {};
-    for (int s = 0; s < count; ++s)
-      if (used >> s & 1) {
-        const V g = load<V>(o.g[s] + i) * float(views[s].scale);
-        patch += g;
-        j += load<V>(o.J[s] + i) * float(views[s].scale);
-        c0 += g * float(views[s].on_grey[0]), c1 += g * float(views[s].on_grey[1]), c2 += g * float(views[s].on_grey[2]);
-      }
-    const V w = load<V>(o.w + i);
-    c0 = (j - m0 - c0), c1 = (j * load<V>(o.u + i) - m1 - c1), c2 = (j * load<V>(o.v + i) - m2 - c2);
+      const double k = views[s].scale;
+      of[n_of++] = {o.g[s], o.J[s], float(k), {float(k * views[s].on_grey[0]), float(k * views[s].on_grey[1]), float(k * views[s].on_grey[2])}};
+    }
+  const float m0 = float(m[0]), m1 = float(m[1]), m2 = float(m[2]);
+  const double inverse = 1.0 / (nv + 1);
+  const float *us = o.u, *vs = o.v, *ws = o.w, *T = o.T;
+  const int filled = o.filled;
+  for (int i = 0; i < filled; i += kLanes) {
+    V patch = load<V>(T + i), j = {}, c0 = {}, c1 = {}, c2 = {};
+    for (int s = 0; s < n_of; ++s) {
+      const V g = load<V>(of[s].g + i);
+      patch += g * of[s].scale;
+      j += load<V>(of[s].J + i) * of[s].scale;
+      c0 += g * of[s].on_grey[0], c1 += g * of[s].on_grey[1], c2 += g * of[s].on_grey[2];
+    }
+    const V w = load<V>(ws + i);
+    c0 = (j - m0 - c0), c1 = (j * load<V>(us + i) - m1 - c1), c2 = (j * load<V>(vs + i) - m2 - c2);
     const V w0 = w * c0, w1 = w * c1, w2 = w * c2;
     t0 += w0 * c0, t1 += w1 * c0, t2 += w1 * c1, t3 += w2 * c0, t4 += w2 * c1, t5 += w2 * c2;
     b0 += w0 * patch, b1 += w1 * patch, b2 += w2 * patch;
     square += w * patch * patch;
   }
-  const double t[6] = {summed(t0), summed(t1), summed(t2), summed(t3), summed(t4), summed(t5)};
+  double t[8], b[4];
+  sums(t0, t1, t2, t3, t);
+  sums(t4, t5, t4, t5, t + 4);
+  sums(b0, b1, b2, square, b);
   for (int e = 0; e < 6; ++e) n.N[e] -= t[e] * inverse;
-  n.B[0] = -summed(b0) * inverse, n.B[1] = -summed(b1) * inverse, n.B[2] = -summed(b2) * inverse;
-  const double left = (nv + 1) * o.total - double(summed(square)) * inverse;  // weighted squares of the residuals
+  for (int p = 0; p < 3; ++p) n.B[p] = -b[p] * inverse;
+  const double left = (nv + 1) * o.total - b[3] * inverse;  // weighted squares of the residuals
   const double worth = nv * o.effective;
   n.s2 = std::max(left, 0.0) / o.total / nv * worth / std::max(worth - 2 * nv - 3, 1.0);
 }
@@ -373,6 +452,12 @@ static bool inverse(const double N[6], double Q[6]) {
   Q[0] = A / det, Q[1] = B / det, Q[3] = C / det, Q[2] = (a * f - c * c) / det, Q[4] = (b * c - a * e) / det, Q[5] = (a * d - b * b) / det;
   return true;
 }
+
+// Variance of a gradient in units of that of a grey value: 2.9 for white noise through cubic convolution, less the smoother it
+// is.  How fast the iteration goes depends on it, not where to.
+constexpr double kGradientNoise = 1.2, kLeastShare = 0.4;
+constexpr double kLongest = 2;  // most that acceleration adds to a step, in steps
+constexpr double kLoose = 0.2;  // by how much less a source may correlate in the first iteration, far from its place yet
 
 class Pixel {
  public:
@@ -389,6 +474,8 @@ class Pixel {
     for (int s = 0; s < images_.count; ++s) columns_[s].level = -1;
     used = (1u << images_.count) - 1;
     const double start = t, given_a = a, given_b = b;
+    double before[3] = {}, made[3] = {};  // correction and step of the last iteration
+    uint32_t with = 0;                    // and its sources; 0: none to go on from
     for (iterations = 1; iterations <= fit_.iterations; ++iterations) {
       if (const SurfaceReason bad = evaluate()) return bad;
       // the slopes are observations, too
@@ -398,21 +485,37 @@ class Pixel {
       if (!inverse(normal_.N, Q)) return no_texture;
       const double* B = normal_.B;
       double d[3] = {-(Q[0] * B[0] + Q[1] * B[1] + Q[3] * B[2]), -(Q[1] * B[0] + Q[2] * B[1] + Q[4] * B[2]), -(Q[3] * B[0] + Q[4] * B[1] + Q[5] * B[2])};
-      const double move = std::abs(d[0]) * reach_;
+      // what noise adds to the normal matrix makes corrections too short
+      const double noisy = kGradientNoise * normal_.s2 * o_.total * squares_ / normal_.N[0], longer = 1 / std::max(1 - noisy, kLeastShare);
+      const double move = longer * length(d);
       if (!(move < 1e9)) return no_convergence;
       if (move < fit_.step) {
         const SurfaceReason bad = observe_curvature();
         last_[0] = d[0], last_[1] = d[1], last_[2] = d[2];
         return bad;
       }
-      const double part = move > 1 ? 1 / move : 1;
-      t += part * d[0], a += part * d[1], b += part * d[2];
+      // noise in the gradients makes corrections too small, one after the other by the same share: Anderson's acceleration
+      for (double& x : d) x *= longer;
+      double step[3] = {d[0], d[1], d[2]};
+      if (with == used) {
+        double change = 0, along = 0;
+        for (int p = 0; p < 3; ++p) {
+          const double size = p ? fit_.sigma * fit_.sigma : 1.0, difference = d[p] - before[p];
+          change += size * difference * difference, along += size * d[p] * difference;
+        }
+        const double gamma = change > 0 ? std::clamp(along / change, -kLongest, 0.5) : 0.0;
+        for (int p = 0; p < 3; ++p) step[p] -= gamma * (made[p] + d[p] - before[p]);
+      }
+      const double far = length(step), part = far > 1 ? 1 / far : 1;
+      for (int p = 0; p < 3; ++p) before[p] = d[p], made[p] = part * step[p];
+      with = used;
+      t += made[0], a += made[1], b += made[2];
       if (!(std::abs(t - start) * reach_ <= fit_.reach)) return moved_far;
     }
     return no_convergence;
   }
 
-  // Variances and what goes with them; the last step is taken here.
+  // Variances and what goes with them; the last step is taken here, as the observed curvature has it.
   void finish(float* shift, float* response) {
     combine(shift, response);
     s2 = normal_.s2;
@@ -421,7 +524,7 @@ class Pixel {
     for (int s = 0; s < images_.count; ++s)
       if (used >> s & 1) correlation += views_[s].correlation, ++nv;
     correlation /= nv;
-    t += last_[0], a += last_[1], b += last_[2];
+    t += last_[0] * inflation, a += last_[1] * inflation, b += last_[2] * inflation;
   }
 
  private:
@@ -432,8 +535,11 @@ class Pixel {
   View views_[kMostSources];
   double steep_[kMostSources][4];  // derivatives of place by u and v
   Normal normal_;
-  double reach_ = 0, last_[3];
+  double reach_ = 0, squares_ = 0, last_[3];
   int x_ = 0, y_ = 0;
+
+  // Shift of a step in the most sensitive source, about where the window's weight stands [px].
+  double length(const double d[3]) const { return reach_ * std::sqrt(d[0] * d[0] + fit_.sigma * fit_.sigma * (d[1] * d[1] + d[2] * d[2])); }
 
   SurfaceReason reference() {
     const int half = fit_.half;
@@ -460,7 +566,7 @@ class Pixel {
   // Normal equations at t, a, b; sources that leave or look otherwise are used no more.
   SurfaceReason evaluate() {
     normal_ = {};
-    reach_ = 0;
+    reach_ = squares_ = 0;
     int nv = 0;
     SurfaceReason bad = left_image;
     for (int s = 0; s < images_.count; ++s) {
@@ -471,13 +577,12 @@ class Pixel {
       bool fine = false;
       if (columns_[s].seen) {
         const Local at(columns_[s], source.transfer, t, a, b);
-        if (sample<true>(o_, source, at, s)) {
+        if (sample<true>(o_, source, at, o_.g[s], o_.gx[s], o_.gy[s])) {
           fine = sums_of(o_, at, s, fit_.contrast, views_[s], N);
           if (!fine && bad == left_image) bad = no_texture;
-          // far from the place the correlation grows yet
-          if (fine && views_[s].correlation < fit_.correlation - (iterations == 1 ? 0.2 : 0.0)) fine = false, bad = no_correlation;
+          if (fine && views_[s].correlation < fit_.correlation - (iterations == 1 ? kLoose : 0.0)) fine = false, bad = no_correlation;
           steep_[s][0] = at.cu[0], steep_[s][1] = at.cv[0], steep_[s][2] = at.cu[1], steep_[s][3] = at.cv[1];
-          if (fine) reach_ = std::max(reach_, at.reach);
+          if (fine) reach_ = std::max(reach_, at.reach), squares_ += at.reach * at.reach;
         }
       }
       if (!fine) {
@@ -509,9 +614,7 @@ class Pixel {
         float scale = float(views_[s].scale);
         if (side) {
           const Local at(columns_[s], source.transfer, t + along, a + along * Q[1] / Q[0], b + along * Q[3] / Q[0]);
-          std::swap(o_.g[s], o_.mean);  // the grey values of the middle stay
-          const bool inside = sample<false>(o_, source, at, s);
-          std::swap(o_.g[s], o_.mean);
+          const bool inside = sample<false>(o_, source, at, o_.mean, nullptr, nullptr);
           if (!inside) return left_image;
           g = o_.mean;
           V square = {};

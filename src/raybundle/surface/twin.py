@@ -19,6 +19,8 @@ BATCH = 2000
 """Pixels at once: 30 MB for windows of 49 pixels in four sources."""
 LOOSE = 0.2
 """By how much less a source may correlate in the first iteration, far from its place yet."""
+GRADIENT_NOISE, LEAST_SHARE, LONGEST = 1.2, 0.4, 2.0
+"""Of the steps of the iteration: see cpp/surface.cpp."""
 REFINED, NO_START, NO_TEXTURE, LEFT_IMAGE, NO_CORRELATION, NO_CURVATURE, NO_CONVERGENCE, MOVED_FAR = range(8)
 
 
@@ -118,6 +120,8 @@ class _State:
     steep: Array
     """(sources, n, 2, 2) derivatives of place by u and v"""
     reach: Array
+    squares: Array
+    """(n,) sum of the squared reaches of all sources"""
     s2: Array
     Q: Array
     """(n, 3, 3)"""
@@ -154,7 +158,7 @@ def _batch(shared: _Shared, found: Refined, rows: Index, columns: Index) -> None
     noise, shift, response = _combined(shared, at)
     inflation = 1 / at.Q[:, 0, 0] / curvature[keep]
     correlation = np.where(at.used, at.correlation, 0).sum(axis=0) / np.maximum(at.used.sum(axis=0), 1)
-    values = [*(at.p + step[:, good[keep]]), at.Q[:, 0, 0], noise, inflation, at.s2, correlation, at.contrast]
+    values = [*(at.p + inflation * step[:, good[keep]]), at.Q[:, 0, 0], noise, inflation, at.s2, correlation, at.contrast]
     found.numbers[:, *place] = np.stack(values)
     found.views[place] = (at.used.T * (1 << np.arange(len(at.used)))).sum(axis=1)
     found.shift[place] = shift
@@ -175,21 +179,21 @@ def _begun(shared: _Shared, x: Index, y: Index, p: Array) -> tuple[_State, Mask]
     state = _State(
         x=x[~flat], y=y[~flat], p=p[:, ~flat], T=T, contrast=contrast, used=np.ones((count, n), bool), g=windows[0],
         gx=windows[1], gy=windows[2], J=windows[3], correlation=np.zeros((count, n)), steep=np.zeros((count, n, 2, 2)),
-        reach=np.zeros(n), s2=np.zeros(n), Q=np.zeros((n, 3, 3)),
+        reach=np.zeros(n), squares=np.zeros(n), s2=np.zeros(n), Q=np.zeros((n, 3, 3)),
     )  # fmt: skip
     return state, flat
 
 
 def _subset(o: _State, rows: Index) -> _State:
     over = {name: getattr(o, name)[:, rows] for name in ("p", "used", "g", "gx", "gy", "J", "correlation", "steep")}
-    each = {name: getattr(o, name)[rows] for name in ("x", "y", "T", "contrast", "reach", "s2", "Q")}
+    each = {name: getattr(o, name)[rows] for name in ("x", "y", "T", "contrast", "reach", "squares", "s2", "Q")}
     return _State(**over, **each)
 
 
 def _put(o: _State, rows: Index, part: _State) -> None:
     for name in ("p", "used", "g", "gx", "gy", "J", "correlation", "steep"):
         getattr(o, name)[:, rows] = getattr(part, name)
-    for name in ("reach", "s2", "Q"):
+    for name in ("reach", "squares", "s2", "Q"):
         getattr(o, name)[rows] = getattr(part, name)
 
 
@@ -197,45 +201,73 @@ def _iterate(shared: _Shared, state: _State) -> tuple[Index, Index, Array]:
     """Outcome, iterations and the last step (3, n) of each pixel; the state is that before the last step."""
     o, n = shared.options, len(state.x)
     outcome, iterations, step = np.full(n, NO_CONVERGENCE), np.full(n, o.iterations + 1), np.zeros((3, n))
-    start = state.p.copy()
-    rows = np.arange(n)
+    start, rows = state.p.copy(), np.arange(n)
+    before, made, used = np.zeros((3, n)), np.zeros((3, n)), np.zeros(state.used.shape, bool)
     for k in range(1, o.iterations + 1):
         part = _subset(state, rows)
         bad, N, B = _evaluate(shared, part, k)
-        prior = np.maximum(part.s2, 1e-4) * part.reach**2 / o.slope**2
-        for i in (1, 2):
-            N[:, i, i] += prior
-            B[:, i] += prior * (part.p[i] - start[i, rows])
-        fine = bad == REFINED
-        diagonal = N[:, 0, 0] * N[:, 1, 1] * N[:, 2, 2]
-        singular = fine & ~(np.linalg.det(np.where(fine[:, None, None], N, np.eye(3))) > 1e-12 * diagonal)
-        bad = np.where(singular, NO_TEXTURE, bad)
-        fine = bad == REFINED
-        part.Q = np.linalg.inv(np.where(fine[:, None, None], N, np.eye(3)))
-        d = -np.einsum("nij,nj->in", part.Q, B)
-        move = np.abs(d[0]) * part.reach
-        ends = fine & (move < o.step)
-        bad = np.where(fine & ~(move < 1e9), NO_CONVERGENCE, bad)
+        _with_slopes(shared, part, N, B, start[:, rows])
+        bad, d, longer = _solved(shared, part, bad, N, B)
         _put(state, rows, part)
+        ends = (bad == REFINED) & (longer * _length(shared, part, d) < o.step)
         iterations[rows] = k
         outcome[rows] = np.where(ends | (bad != REFINED), bad, NO_CONVERGENCE)
         step[:, rows] = np.where(ends, d, step[:, rows])
         on = np.flatnonzero((bad == REFINED) & ~ends)
-        state.p[:, rows[on]] += np.where(move[on] > 1, 1 / np.maximum(move[on], 1), 1) * d[:, on]
-        moved = ~(np.abs(state.p[0, rows[on]] - start[0, rows[on]]) * part.reach[on] <= o.reach)
-        outcome[rows[on[moved]]] = MOVED_FAR
-        rows = rows[on[~moved]]
+        rows, part, d = rows[on], _subset(part, on), (longer * d)[:, on]
+        again = (used[:, rows] == part.used).all(axis=0)
+        move = d - np.where(again, _accelerated(o.sigma, d, before[:, rows], made[:, rows]), 0)
+        move /= np.maximum(_length(shared, part, move), 1)
+        before[:, rows], made[:, rows], used[:, rows] = d, move, part.used
+        state.p[:, rows] += move
+        moved = ~(np.abs(state.p[0, rows] - start[0, rows]) * part.reach <= o.reach)
+        outcome[rows[moved]] = MOVED_FAR
+        rows = rows[~moved]
         if not len(rows):
             break
     iterations[rows] = o.iterations + 1
     return outcome, iterations, step
 
 
+def _with_slopes(shared: _Shared, part: _State, N: Array, B: Array, start: Array) -> None:
+    """Add to the normal equations that the slopes were given, too."""
+    prior = np.maximum(part.s2, 1e-4) * part.reach**2 / shared.options.slope**2
+    for i in (1, 2):
+        N[:, i, i] += prior
+        B[:, i] += prior * (part.p[i] - start[i])
+
+
+def _solved(shared: _Shared, part: _State, bad: Index, N: Array, B: Array) -> tuple[Index, Array, Array]:
+    """Outcome (n,), correction (3, n), and by what it is lengthened since noise makes the normal matrix larger."""
+    fine = bad == REFINED
+    diagonal = N[:, 0, 0] * N[:, 1, 1] * N[:, 2, 2]
+    singular = fine & ~(np.linalg.det(np.where(fine[:, None, None], N, np.eye(3))) > 1e-12 * diagonal)
+    bad = np.where(singular, NO_TEXTURE, bad)
+    part.Q = np.linalg.inv(np.where((bad == REFINED)[:, None, None], N, np.eye(3)))
+    d = -np.einsum("nij,nj->in", part.Q, B)
+    longer = 1 / np.maximum(1 - GRADIENT_NOISE * part.s2 * shared.total * part.squares / N[:, 0, 0], LEAST_SHARE)
+    lost = (bad == REFINED) & ~(longer * _length(shared, part, d) < 1e9)
+    return np.where(lost, NO_CONVERGENCE, bad), d, longer
+
+
+def _length(shared: _Shared, part: _State, d: Array) -> Array:
+    """Shift (n,) of steps (3, n) in the most sensitive source, about where the window's weight stands [px]."""
+    return part.reach * np.sqrt(d[0] ** 2 + shared.options.sigma**2 * (d[1] ** 2 + d[2] ** 2))
+
+
+def _accelerated(sigma: float, d: Array, before: Array, made: Array) -> Array:
+    """What is taken off a correction (3, n) since the one before was followed by it (Anderson 1965)."""
+    size, difference = np.array([[1.0], [sigma**2], [sigma**2]]), d - before
+    change, along = (size * difference**2).sum(axis=0), (size * d * difference).sum(axis=0)
+    gamma = np.where(change > 0, np.clip(along / np.where(change > 0, change, 1), -LONGEST, 0.5), 0)
+    return gamma * (made + difference)
+
+
 def _evaluate(shared: _Shared, o: _State, iteration: int) -> tuple[Index, Array, Array]:
     """Outcome (n,), normal matrix (n, 3, 3) and right side (n, 3); sources that leave or look otherwise are dropped."""
     n, w, least = len(o.x), shared.w, shared.options.correlation - (LOOSE if iteration == 1 else 0)
     bad = np.full(n, LEFT_IMAGE)
-    o.reach = np.zeros(n)
+    o.reach, o.squares = np.zeros(n), np.zeros(n)
     columns = np.zeros((len(shared.sources), 3, n, len(w)))
     for s, source in enumerate(shared.sources):
         at = _Local.of(source.transfer, o, o.p)
@@ -253,6 +285,7 @@ def _evaluate(shared: _Shared, o: _State, iteration: int) -> tuple[Index, Array,
         o.J[s] = np.where(o.used[s][:, None], gx * k * at.by_t(0, shared) + gy * k * at.by_t(1, shared), 0)
         o.correlation[s], o.steep[s] = correlation, at.steep
         o.reach = np.where(o.used[s], np.maximum(o.reach, at.reach), o.reach)
+        o.squares += np.where(o.used[s], at.reach**2, 0)
         full = o.J[s] * shared.columns[:, None]
         mean, along = full @ w / shared.total, (full * o.g[s]) @ w / shared.total
         columns[s] = full - mean[..., None] - along[..., None] * o.g[s]
