@@ -8,7 +8,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
-#include <limits>
 #include <vector>
 
 namespace raybundle {
@@ -457,6 +456,7 @@ static bool inverse(const double N[6], double Q[6]) {
 // is.  How fast the iteration goes depends on it, not where to.
 constexpr double kGradientNoise = 1.2, kLeastShare = 0.4;
 constexpr double kLongest = 2;  // most that acceleration adds to a step, in steps
+constexpr double kUnknown = 40;  // by how much less is known of slopes that are not given
 constexpr double kLoose = 0.2;  // by how much less a source may correlate in the first iteration, far from its place yet
 
 class Pixel {
@@ -468,7 +468,8 @@ class Pixel {
   int iterations;
   uint32_t used;
 
-  SurfaceReason refine(int x, int y) {
+  // slopes: whether they are known.
+  SurfaceReason refine(int x, int y, bool slopes) {
     x_ = x, y_ = y;
     if (const SurfaceReason bad = reference()) return bad;
     for (int s = 0; s < images_.count; ++s) columns_[s].level = -1;
@@ -479,7 +480,7 @@ class Pixel {
     for (iterations = 1; iterations <= fit_.iterations; ++iterations) {
       if (const SurfaceReason bad = evaluate()) return bad;
       // the slopes are observations, too
-      const double prior = std::max(normal_.s2, 1e-4) * reach_ * reach_ / (fit_.slope * fit_.slope);
+      const double known = slopes ? fit_.slope : kUnknown * fit_.slope, prior = std::max(normal_.s2, 1e-4) * reach_ * reach_ / (known * known);
       normal_.N[2] += prior, normal_.N[5] += prior;
       normal_.B[1] += prior * (a - given_a), normal_.B[2] += prior * (b - given_b);
       if (!inverse(normal_.N, Q)) return no_texture;
@@ -739,7 +740,7 @@ static void refine(const SurfaceImages& images, const SurfaceFit& fit, const Sur
       pixel.t = t;
       pixel.a = std::isnan(a) ? 0 : a;
       pixel.b = std::isnan(b) ? 0 : b;
-      const SurfaceReason reason = pixel.refine(grid.x0 + column * grid.stride, grid.y0 + row * grid.stride);
+      const SurfaceReason reason = pixel.refine(grid.x0 + column * grid.stride, grid.y0 + row * grid.stride, !std::isnan(a) && !std::isnan(b));
       found.reason[at] = reason;
       found.iterations[at] = uint8_t(std::min(pixel.iterations, 255));
       if (reason != refined) continue;

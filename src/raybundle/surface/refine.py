@@ -57,19 +57,22 @@ class RefineOptions:
     """window of (2 half + 1)^2 pixels of the reference"""
     sigma: float = 1.9
     """of its Gaussian weight [px]"""
-    iterations: int = 12
+    iterations: int = 6
+    """what takes longer wanders along a valley of the cost: added noise moves such pixels by more than they state"""
     step: float = 0.05
     """shift below which the iteration ends [px]; the last step goes by the observed curvature, to a hundredth"""
     reach: float = 4.0
     """largest shift from the start [px]"""
-    slope: float = 4.0
-    """standard deviation of the given slopes, as shift per pixel of the reference [px]: they are observations, too"""
+    slope: float = 0.1
+    """standard deviation of the given slopes, as shift per pixel of the reference: they are observations, too (as the
+    affine map of least-squares matching is)"""
     correlation: float = 0.6
     """least correlation of a source with the reference"""
     contrast: float = 0.3
     """standard deviation of grey values in a window that is no texture: that of the rounding to whole numbers"""
-    share: float = 0.2
-    """least ratio of the observed curvature of the cost to that of the normal matrix (as in least-squares matching)"""
+    share: float = 1 / 3
+    """least ratio of the observed curvature of the cost to that of the normal matrix: flatter ones are no parabola over
+    the width of the noise"""
     apart: float = 0.4
     """half the distance over which curvature is observed [px]"""
 

@@ -19,7 +19,7 @@ BATCH = 2000
 """Pixels at once: 30 MB for windows of 49 pixels in four sources."""
 LOOSE = 0.2
 """By how much less a source may correlate in the first iteration, far from its place yet."""
-GRADIENT_NOISE, LEAST_SHARE, LONGEST = 1.2, 0.4, 2.0
+GRADIENT_NOISE, LEAST_SHARE, LONGEST, UNKNOWN = 1.2, 0.4, 2.0, 40.0
 """Of the steps of the iteration: see cpp/surface.cpp."""
 REFINED, NO_START, NO_TEXTURE, LEFT_IMAGE, NO_CORRELATION, NO_CURVATURE, NO_CONVERGENCE, MOVED_FAR = range(8)
 
@@ -106,6 +106,8 @@ class _State:
     y: Index
     p: Array
     """(3, n) t, a, b"""
+    slope: Array
+    """(n,) standard deviation of the given slopes [px / px]"""
     T: Array
     contrast: Array
     used: Mask
@@ -135,13 +137,14 @@ def _batch(shared: _Shared, found: Refined, rows: Index, columns: Index) -> None
     p = found.numbers[:3, rows, columns].astype(float)
     found.views[rows, columns], found.iterations[rows, columns] = 0, 0
     reason = np.where(np.isnan(p[0]), NO_START, REFINED)
+    known = np.isfinite(p[1:]).all(axis=0)
     p[1:] = np.nan_to_num(p[1:])
     x, y = grid.x0 + grid.stride * columns, grid.y0 + grid.stride * rows
     height, width = shared.reference.shape
     beyond = (x < half) | (y < half) | (x + half >= width) | (y + half >= height)
     reason = np.where((reason == REFINED) & beyond, LEFT_IMAGE, reason)
     go = np.flatnonzero(reason == REFINED)
-    state, flat = _begun(shared, x[go], y[go], p[:, go])
+    state, flat = _begun(shared, x[go], y[go], p[:, go], known[go])
     reason[go[flat]] = NO_TEXTURE
     go = go[~flat]
     with np.errstate(invalid="ignore", divide="ignore"):
@@ -166,7 +169,7 @@ def _batch(shared: _Shared, found: Refined, rows: Index, columns: Index) -> None
         found.response[place] = response
 
 
-def _begun(shared: _Shared, x: Index, y: Index, p: Array) -> tuple[_State, Mask]:
+def _begun(shared: _Shared, x: Index, y: Index, p: Array, known: Mask) -> tuple[_State, Mask]:
     """Pixels whose window has texture, ready for the iteration, and which have none."""
     half, count = shared.options.half, len(shared.sources)
     side = np.arange(-half, half + 1)
@@ -177,7 +180,7 @@ def _begun(shared: _Shared, x: Index, y: Index, p: Array) -> tuple[_State, Mask]
     T, contrast, n = T[~flat] / contrast[~flat, None], contrast[~flat], int((~flat).sum())
     windows = np.zeros((4, count, n, len(shared.w)))
     state = _State(
-        x=x[~flat], y=y[~flat], p=p[:, ~flat], T=T, contrast=contrast, used=np.ones((count, n), bool), g=windows[0],
+        x=x[~flat], y=y[~flat], p=p[:, ~flat], slope=np.where(known[~flat], 1, UNKNOWN) * shared.options.slope, T=T, contrast=contrast, used=np.ones((count, n), bool), g=windows[0],
         gx=windows[1], gy=windows[2], J=windows[3], correlation=np.zeros((count, n)), steep=np.zeros((count, n, 2, 2)),
         reach=np.zeros(n), squares=np.zeros(n), s2=np.zeros(n), Q=np.zeros((n, 3, 3)),
     )  # fmt: skip
@@ -186,7 +189,7 @@ def _begun(shared: _Shared, x: Index, y: Index, p: Array) -> tuple[_State, Mask]
 
 def _subset(o: _State, rows: Index) -> _State:
     over = {name: getattr(o, name)[:, rows] for name in ("p", "used", "g", "gx", "gy", "J", "correlation", "steep")}
-    each = {name: getattr(o, name)[rows] for name in ("x", "y", "T", "contrast", "reach", "squares", "s2", "Q")}
+    each = {name: getattr(o, name)[rows] for name in ("x", "y", "slope", "T", "contrast", "reach", "squares", "s2", "Q")}
     return _State(**over, **each)
 
 
@@ -206,7 +209,7 @@ def _iterate(shared: _Shared, state: _State) -> tuple[Index, Index, Array]:
     for k in range(1, o.iterations + 1):
         part = _subset(state, rows)
         bad, N, B = _evaluate(shared, part, k)
-        _with_slopes(shared, part, N, B, start[:, rows])
+        _with_slopes(part, N, B, start[:, rows])
         bad, d, longer = _solved(shared, part, bad, N, B)
         _put(state, rows, part)
         ends = (bad == REFINED) & (longer * _length(shared, part, d) < o.step)
@@ -229,9 +232,9 @@ def _iterate(shared: _Shared, state: _State) -> tuple[Index, Index, Array]:
     return outcome, iterations, step
 
 
-def _with_slopes(shared: _Shared, part: _State, N: Array, B: Array, start: Array) -> None:
+def _with_slopes(part: _State, N: Array, B: Array, start: Array) -> None:
     """Add to the normal equations that the slopes were given, too."""
-    prior = np.maximum(part.s2, 1e-4) * part.reach**2 / shared.options.slope**2
+    prior = np.maximum(part.s2, 1e-4) * part.reach**2 / part.slope**2
     for i in (1, 2):
         N[:, i, i] += prior
         B[:, i] += prior * (part.p[i] - start[i])
