@@ -21,6 +21,7 @@ from raybundle.errors import InputError
 from raybundle.numerics import native
 from raybundle.numerics.arrays import Array, Index, Mask
 from raybundle.surface.transfer import Transfer
+from raybundle.surface.twin import cubic, refine_rows
 
 LAG = 3
 """Pixels up to which grey values are correlated."""
@@ -133,6 +134,9 @@ class Refined:
     """int32, bit s: source s was used"""
     shift: Array
     """(rows, columns, sources, 2) change of t where a source's picture lies one pixel further in x and y [t / px]"""
+    left: Array
+    """(1 + sources,) share of the variance of a view's grey values that is left when they are interpolated, by their
+    autocovariance, on average over the places between pixels; 1 of the reference"""
     response: Array | None
     """(rows, columns, side^2) change of t where the surface alone changes by 1 at a pixel of the window, row by row: a
     plane comes out as it is, so they sum to 1; None where it was not asked for"""
@@ -172,8 +176,9 @@ class Refined:
 
     @property
     def grey_variance(self) -> Array:
-        """Variance of a normalised grey value by the residuals."""
-        return self.numbers[6]
+        """Variance of a normalised grey value of a pixel by the residuals, which are those of interpolated ones."""
+        used = (self.views[..., None] >> np.arange(len(self.left) - 1)) & 1
+        return self.numbers[6] * (1 + used.sum(axis=-1)) / (self.left[0] + used @ self.left[1:])
 
     @property
     def correlation(self) -> Array:
@@ -212,9 +217,9 @@ def refine(
 
     The same to the last bit for any number of threads.  Raises InputError where arrays do not fit each other.
     """
-    found = _empty(sources, grid, start, options or RefineOptions(), response=response)
-    todo = np.ones((grid.rows, grid.columns), np.uint8)
-    _run(_Work.of(reference, sources, grid, options, autocovariance, threads), found, todo, 0)
+    work = _Work.of(reference, sources, grid, options, autocovariance, threads)
+    found = _empty(work, start, response=response)
+    _run(work, found, np.ones((grid.rows, grid.columns), np.uint8), 0)
     return found
 
 
@@ -237,7 +242,7 @@ def grow(
     work = _Work.of(reference, sources, grid, options, autocovariance, threads)
     grown = Refined(
         numbers=found.numbers.copy(), reason=found.reason.copy(), iterations=found.iterations.copy(),
-        views=found.views.copy(), shift=found.shift.copy(),
+        views=found.views.copy(), shift=found.shift.copy(), left=found.left,
         response=None if found.response is None else found.response.copy(),
     )  # fmt: skip
     fresh = grown.found.copy()
@@ -309,28 +314,39 @@ class _Work:
         )  # fmt: skip
 
 
-def _empty(
-    sources: Sequence[Source], grid: PixelGrid, start: Array, options: RefineOptions, *, response: bool
-) -> Refined:
-    shape = (grid.rows, grid.columns)
+def _empty(work: _Work, start: Array, *, response: bool) -> Refined:
+    sources = work.sources
+    shape = (work.grid.rows, work.grid.columns)
     if start.shape != (3, *shape):
         raise InputError(f"starts are {start.shape}, not {(3, *shape)} as the grid of pixels")
     numbers = np.full((len(NUMBERS), *shape), np.nan, np.float32)
     numbers[:3] = start
-    side = 2 * options.half + 1
+    side = 2 * work.options.half + 1
     return Refined(
         numbers=numbers, reason=np.full(shape, Reason.NO_START, np.uint8), iterations=np.zeros(shape, np.uint8),
         views=np.zeros(shape, np.int32), shift=np.zeros((*shape, len(sources), 2), np.float32),
+        left=left_by_interpolation(work.autocovariance, len(sources) + 1),
         response=np.zeros((*shape, side * side), np.float32) if response else None,
     )  # fmt: skip
+
+
+def left_by_interpolation(autocovariance: Array | None, views: int) -> Array:
+    """(views,) mean variance of interpolated grey values, that of grey values being 1; the first view is not interpolated.
+
+    autocovariance  (views, 7, 7) by lag; None: white
+    """
+    f = (np.arange(64) + 0.5) / 64
+    w = np.pad(cubic(f)[0], ((0, 0), (LAG, LAG)))
+    lags = np.array([np.mean(np.sum(w * np.roll(w, k, axis=1), axis=1)) for k in range(-LAG, LAG + 1)])
+    if autocovariance is None:
+        return np.append(1.0, np.full(views - 1, lags[LAG] ** 2))
+    return np.append(1.0, np.einsum("vji,j,i->v", autocovariance[1:].astype(float), lags, lags))
 
 
 def _run(work: _Work, found: Refined, todo: Array, chain: int) -> None:
     """Refine in place; chain 1 or -1: a pixel without a start goes on from its left or right neighbour."""
     module: Any = native.module()
     if module is None:
-        from raybundle.surface.twin import refine_rows  # noqa: PLC0415  (for who has no compiled kernels)
-
         return refine_rows(work.reference, work.sources, work.grid, work.options, work.autocovariance, found, todo, chain)
     o, grid = work.options, work.grid
     fit = (o.half, o.sigma, o.iterations, o.step, o.reach, o.slope, o.correlation, o.contrast, o.share, o.apart)

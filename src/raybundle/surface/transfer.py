@@ -22,6 +22,8 @@ TOLERANCE_PX = 0.005
 """Largest error of interpolation: a tenth of what least-squares matching measures at best."""
 COARSEST_PX, FINEST_PX = 64, 2
 FEWEST_LEVELS, MOST_LEVELS = 8, 512
+LOST = 0.01
+"""Share of what a source sees that may have no place in the table before it is made finer"""
 MIDDLES = 6000
 """Middles of cells at which a table is compared with the models."""
 WIDEST = np.cos(np.radians(80.0))
@@ -145,12 +147,16 @@ def transfer(block: Block, rays: ReferenceRays, source: int, t_range: tuple[floa
     low, high = t_range
     if not 0 < low < high < np.inf:
         raise InputError(f"depths from {1 / low if low else np.inf:g} to {1 / high:g} are no range of depths")
-    step, levels = float(COARSEST_PX), FEWEST_LEVELS
+    smaller = min(rays.camera.width_px, rays.camera.height_px)
+    step, levels = min(float(COARSEST_PX), smaller / (NODES - 1)), FEWEST_LEVELS
     while True:
         made = _tabulated(block, rays, source, t_range, (step, levels))
-        across, along = _errors(block, rays, source, made)
-        if max(across, along) < TOLERANCE_PX:
+        across, along, lost = _errors(block, rays, source, made)
+        # what lies beyond a format may have no place, and takes its neighbours along
+        if max(across, along) < TOLERANCE_PX and (lost < LOST or step < 2 * FINEST_PX):
             return replace(made, error_px=max(across, along))
+        if lost >= LOST and across < TOLERANCE_PX:
+            step /= 2
         # errors go with the fourth power of a step
         if across >= TOLERANCE_PX / 2:
             step /= 2.0 ** max(1, np.ceil(np.log2(2 * across / TOLERANCE_PX) / 4))
@@ -195,13 +201,16 @@ def _without_jumps(places: Array, width_px: int) -> Array:
     return found
 
 
-def _errors(block: Block, rays: ReferenceRays, source: int, table: Transfer) -> tuple[float, float]:
-    """Largest error within the source's format in the middles of cells, across at levels and along from level to level."""
+def _errors(block: Block, rays: ReferenceRays, source: int, table: Transfer) -> tuple[float, float, float]:
+    """Largest error within the source's format in the middles of cells, across at levels and along from level to level.
+
+    And the share of them that the table does not know.
+    """
     rows, columns, levels = table.places.shape[:3]
     size = np.array([_camera(block, source).width_px, _camera(block, source).height_px])
     every = max(1, int(np.ceil(np.sqrt(rows * columns * levels / MIDDLES))))
     iu, iv = _some(columns - 1, every), _some(rows - 1, every)
-    worst = []
+    worst, unknown, count = [], 0, 0
     for half_uv, half_t in ((0.5, 0.0), (0.0, 0.5)):
         u, v, k = np.meshgrid(iu + half_uv, iv + half_uv, np.arange(levels - 1) + half_t)
         xy = np.stack([u.ravel(), v.ravel()], axis=1) * table.step_px
@@ -210,8 +219,10 @@ def _errors(block: Block, rays: ReferenceRays, source: int, table: Transfer) -> 
         with np.errstate(invalid="ignore"):
             inside = ((exact >= 0) & (exact <= size)).all(axis=1) & (xy <= [rays.camera.width_px, rays.camera.height_px]).all(axis=1)
         e = np.abs(table.at(xy[inside], t[inside]) - exact[inside])
-        worst.append(float(np.nanmax(e, initial=0.0)) if len(e) else 0.0)
-    return worst[0], worst[1]
+        known = np.isfinite(e).all(axis=1)
+        worst.append(float(e[known].max(initial=0.0)))
+        unknown, count = unknown + int((~known).sum()), count + len(e)
+    return worst[0], worst[1], unknown / max(count, 1)
 
 
 def _some(count: int, every: int) -> Array:

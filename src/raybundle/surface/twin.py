@@ -357,7 +357,7 @@ class _Local:
     @property
     def steep(self) -> Array:
         """(n, 2, 2) derivatives of x, y by u, v."""
-        return np.stack([self.c[1], self.c[2]], axis=2)
+        return np.nan_to_num(np.stack([self.c[1], self.c[2]], axis=2))
 
     @property
     def reach(self) -> Array:
@@ -372,7 +372,7 @@ def _sampled(shared: _Shared, source: Source, at: _Local) -> tuple[Array, Array,
     inside = ((x >= 1) & (x < width - 2) & (y >= 1) & (y < height - 2)).all(axis=1)
     x, y = (np.where(inside[:, None], q, 1) for q in (x, y))
     ix, iy = np.floor(x).astype(int), np.floor(y).astype(int)
-    (wx, dx), (wy, dy) = _cubic(x - ix), _cubic(y - iy)
+    (wx, dx), (wy, dy) = cubic(x - ix), cubic(y - iy)
     four = np.arange(-1, 3)
     grey = source.grey[(iy[..., None] + four)[..., :, None], (ix[..., None] + four)[..., None, :]].astype(float)
     return (
@@ -383,7 +383,8 @@ def _sampled(shared: _Shared, source: Source, at: _Local) -> tuple[Array, Array,
     )
 
 
-def _cubic(f: Array) -> tuple[Array, Array]:
+def cubic(f: Array) -> tuple[Array, Array]:
+    """Weights (..., 4) of the four neighbours for fractions (...), and of the derivative (Keys 1981, a = -1/2)."""
     f2, f3 = f**2, f**3
     w = [-0.5 * f3 + f2 - 0.5 * f, 1.5 * f3 - 2.5 * f2 + 1, -1.5 * f3 + 2 * f2 + 0.5 * f, 0.5 * f3 - 0.5 * f2]
     d = [-1.5 * f2 + 2 * f - 0.5, 4.5 * f2 - 5 * f, -4.5 * f2 + 4 * f + 0.5, 1.5 * f2 - f]
