@@ -1,15 +1,19 @@
 // Python bindings.
 #include <nanobind/nanobind.h>
 #include <nanobind/ndarray.h>
+#include <nanobind/stl/array.h>
+#include <nanobind/stl/optional.h>
 #include <nanobind/stl/pair.h>
 #include <nanobind/stl/string.h>
 #include <nanobind/stl/vector.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <cstdlib>
 #include <memory>
+#include <optional>
 #include <stdexcept>
 #include <string>
 
@@ -18,6 +22,7 @@
 #include "imaging.hpp"
 #include "problem.hpp"
 #include "sweep.hpp"
+#include "surface.hpp"
 #include "tables.hpp"
 #include "targets.hpp"
 
@@ -85,6 +90,15 @@ const CornerKernels& corner_kernels() {
   if (chosen == Width::avx2) return avx2::corners;
 #endif
   return baseline::corners;
+}
+
+const SurfaceKernels& surface_kernels() {
+  static const Width chosen = width();
+#ifdef RB_X86
+  if (chosen == Width::avx512) return avx512::surface;
+  if (chosen == Width::avx2) return avx2::surface;
+#endif
+  return baseline::surface;
 }
 
 }  // namespace raybundle
@@ -294,6 +308,50 @@ void aggregate(Swept<const uint8_t, 2> image, Swept<uint8_t, 3> cost, int slope,
   require(0 <= slope && slope <= least && least <= jump && jump <= 90, "penalties are not 0 <= slope <= least <= jump <= 90");
   nb::gil_scoped_release release;
   sweep_kernels().aggregate(sweep, image.data(), cost.data(), {slope, jump, least}, sum.data(), level.data(), margin.data());
+template <class T, int dimensions> using In = nb::ndarray<const T, nb::ndim<dimensions>, nb::numpy, nb::c_contig, nb::device::cpu>;
+template <class T, int dimensions> using Into = nb::ndarray<T, nb::ndim<dimensions>, nb::numpy, nb::c_contig, nb::device::cpu>;
+
+// Rows of a grid of pixels; fit: half, sigma, iterations, step, reach, slope, correlation, contrast, share, apart; grid: x0, y0,
+// stride; tables: u0, v0, step, t0, dt of each.  numbers, reason, iterations and views are written where todo says so.
+void refine_surface(In<float, 2> reference, const std::vector<In<float, 2>>& grey, const std::vector<In<double, 4>>& places,
+                    const std::vector<std::array<double, 5>>& tables, const std::array<double, 10>& fit, const std::array<int, 3>& grid, int begin,
+                    int end, int chain, const std::optional<In<float, 3>>& autocovariance, Into<float, 3> numbers, In<uint8_t, 2> todo,
+                    Into<uint8_t, 2> reason, Into<uint8_t, 2> iterations, Into<int32_t, 2> views, const std::optional<Into<float, 4>>& shift,
+                    const std::optional<Into<float, 3>>& response) {
+  const size_t count = grey.size(), rows = todo.shape(0), columns = todo.shape(1);
+  const auto check = [](bool fine, const char* what) {
+    if (!fine) throw std::invalid_argument(what);
+  };
+  const auto of_grid = [&](const auto& a) { return a.shape(0) == rows && a.shape(1) == columns; };
+  const auto small = [](size_t n) { return n < (size_t(1) << 30); };
+  check(count >= 1 && count <= size_t(kMostSources) && places.size() == count && tables.size() == count, "the number of sources is not from 1 to 16");
+  check(fit[0] >= 1 && fit[0] <= kLargestWindow && fit[1] > 0 && fit[2] >= 1 && fit[2] <= 255 && fit[5] > 0 && fit[9] > 0, "a window or its iteration is not as it can be");
+  check(small(rows) && small(columns) && grid[0] >= 0 && grid[1] >= 0 && grid[2] >= 1 && (!rows || grid[1] + (double(rows) - 1) * grid[2] < double(reference.shape(0))) &&
+            (!columns || grid[0] + (double(columns) - 1) * grid[2] < double(reference.shape(1))),
+        "pixels lie beyond the reference image");
+  check(begin >= 0 && begin <= end && size_t(end) <= rows && chain >= -1 && chain <= 1, "rows are not those of the grid");
+  check(numbers.shape(0) == kSurfaceQuantities && numbers.shape(1) == rows && numbers.shape(2) == columns && of_grid(reason) && of_grid(iterations) && of_grid(views),
+        "results have the wrong size");
+  check(!autocovariance || (autocovariance->shape(0) == count + 1 && autocovariance->shape(1) == 2 * kLag + 1 && autocovariance->shape(2) == 2 * kLag + 1),
+        "autocovariances are not (views, 7, 7)");
+  check(!shift || (of_grid(*shift) && shift->shape(2) == count && shift->shape(3) == 2), "shifts have the wrong size");
+  const size_t side = 2 * size_t(fit[0]) + 1;
+  check(!response || (of_grid(*response) && response->shape(2) == side * side), "responses have the wrong size");
+  check(reference.size() < (size_t(1) << 31), "the reference image is too large");
+  std::vector<SurfaceSource> sources;
+  for (size_t s = 0; s < count; ++s) {
+    const auto& [u0, v0, step, t0, dt] = tables[s];
+    const auto& p = places[s];
+    check(grey[s].size() < (size_t(1) << 31) && p.shape(3) == 2 && step > 0 && dt != 0, "a source has the wrong size");
+    check(p.shape(0) >= 4 && p.shape(1) >= 4 && p.shape(2) >= 4 && small(p.shape(0)) && small(p.shape(1)) && small(p.shape(2)), "a table has fewer than 4 nodes in a direction");
+    sources.push_back({grey[s].data(), int(grey[s].shape(1)), int(grey[s].shape(0)),
+                       {p.data(), int(p.shape(0)), int(p.shape(1)), int(p.shape(2)), u0, v0, step, t0, dt}});
+  }
+  const SurfaceImages images{reference.data(), int(reference.shape(1)), int(reference.shape(0)), sources.data(), int(count), autocovariance ? autocovariance->data() : nullptr};
+  const SurfaceFit settings{int(fit[0]), fit[1], int(fit[2]), fit[3], fit[4], fit[5], fit[6], fit[7], fit[8], fit[9]};
+  const SurfaceFound found{numbers.data(), todo.data(), reason.data(), iterations.data(), views.data(), shift ? shift->data() : nullptr, response ? response->data() : nullptr};
+  nb::gil_scoped_release release;
+  surface_kernels().refine(images, settings, {int(rows), int(columns), grid[0], grid[1], grid[2]}, begin, end, chain, found);
 }
 
 struct Solver {
@@ -359,6 +417,8 @@ NB_MODULE(_native, m) {
   m.def("census", &census);
   m.def("sweep_costs", &sweep_costs);
   m.def("aggregate_costs", &aggregate);
+  m.def("refine_surface", &refine_surface, nb::arg(), nb::arg(), nb::arg(), nb::arg(), nb::arg(), nb::arg(), nb::arg(), nb::arg(), nb::arg(),
+        nb::arg().none(), nb::arg(), nb::arg(), nb::arg(), nb::arg(), nb::arg(), nb::arg().none(), nb::arg().none());
   m.def("instruction_set", [] { return std::string(kernels().name); });
   m.def("sensor_models", [] {
     std::vector<std::string> names;

@@ -1,0 +1,241 @@
+"""Where a source shows what each pixel of a reference shows, by depth: tables that stand for any sensor on any platform.
+
+A place in the source is a function of three numbers, the pixel (u, v) of the reference and the depth parameter t.  It is
+tabulated with the block's own models, exactly, at the nodes of a grid, and taken from four nodes in each direction; so
+what refines depths knows neither distortion nor projection nor motion.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from raybundle.adjustment.predict import image_points
+from raybundle.block import Block, Camera
+from raybundle.errors import InputError
+from raybundle.numerics.arrays import Array
+from raybundle.orientation.rays import camera_rays
+from raybundle.platforms.carried import Carried
+
+TOLERANCE_PX = 0.005
+"""Largest error of interpolation: a tenth of what least-squares matching measures at best."""
+COARSEST_PX, FINEST_PX = 64, 2
+FEWEST_LEVELS, MOST_LEVELS = 8, 512
+LOST = 0.01
+"""Share of what a source sees that may have no place in the table before it is made finer"""
+MIDDLES = 6000
+"""Middles of cells at which a table is compared with the models."""
+WIDEST = np.cos(np.radians(80.0))
+"""Beyond this angle off the axis the depth along the axis says little of the distance."""
+NODES = 4
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class ReferenceRays:
+    """Object points along the rays of a reference image: X = origin + direction / t.
+
+    t is the inverse depth along the axis [1 / length] where all rays are within 80 degrees of it: a plane is then linear in
+    the pixels of a picture without distortion.  Else it is the inverse distance.
+    """
+
+    camera: Camera
+    rotation: Array
+    """(3, 3) object axes to image axes"""
+    centre: Array
+    """(3,)"""
+    axis: Array | None
+    """(3,) in the image frame; None: t is the inverse distance"""
+
+    @classmethod
+    def of(cls, block: Block, image: int) -> ReferenceRays:
+        """Those of an oriented image.  Raises InputError for a satellite scene or an image without orientation."""
+        camera = _camera(block, image)
+        if camera.is_scene:
+            raise InputError(f"image {block.images.ids[image]}: depths along rays are not those of a satellite scene")
+        if not block.images.oriented[image]:
+            raise InputError(f"image {block.images.ids[image]}: has no orientation; orient it first")
+        R, centre = block.images.rotation[image], block.images.centre[image]
+        free = cls(camera=camera, rotation=R, centre=centre, axis=None)
+        size = np.array([camera.width_px, camera.height_px])
+        side = np.linspace(0, 1, 17)
+        everywhere = np.stack(np.meshgrid(side, side), axis=-1).reshape(-1, 2) * size
+        d = free.in_sensor(everywhere)[1]
+        axis = free.in_sensor(size[None] / 2.0)[1][0] if isinstance(camera.sensor, Carried) else np.array([0, 0, -1.0])
+        return free if (d @ axis).min() < WIDEST else replace(free, axis=axis)
+
+    def in_sensor(self, xy_px: Array) -> tuple[Array, Array]:
+        """Origins and directions (n, 3) in the image frame of points (n, 2) [px]."""
+        model, values = self.camera.sensor, self.camera.parameters
+        if isinstance(model, Carried):
+            image = self.camera.image_from_pixel(xy_px).T
+            origin = model.point_on_ray(image, values, 0.0)
+            d = (model.point_on_ray(image, values, 1.0) - origin).T
+        else:
+            d = camera_rays(self.camera, xy_px)
+            origin = np.zeros((3, len(d)))
+        return origin.T, d if self.axis is None else d / (d @ self.axis)[:, None]
+
+    def rays(self, xy_px: Array) -> tuple[Array, Array]:
+        """Origins and directions (n, 3) in object space."""
+        origin, direction = self.in_sensor(xy_px)
+        return self.centre + origin @ self.rotation, direction @ self.rotation
+
+    def points(self, xy_px: Array, t: Array) -> Array:
+        """Object points (n, 3) at depth parameters (n,)."""
+        origin, direction = self.rays(xy_px)
+        return origin + direction / t[:, None]
+
+    def parameter(self, xy_px: Array, xyz: Array) -> Array:
+        """Depth parameters (n,) of object points (n, 3) that stand on the rays of (n, 2)."""
+        origin, direction = self.rays(xy_px)
+        return (direction**2).sum(axis=1) / ((xyz - origin) * direction).sum(axis=1)
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Transfer:
+    """The table of one source."""
+
+    places: Array
+    """(rows, columns, levels, 2) pixel frame of the source; NaN where it does not see the place"""
+    u0_px: float
+    v0_px: float
+    """The node (0, 0) in the pixel frame of the reference"""
+    step_px: float
+    t0: float
+    dt: float
+    error_px: float = 0.0
+    """Largest error that was found in the middles of cells"""
+
+    def at(self, xy_px: Array, t: Array) -> Array:
+        """Places (n, 2) [px] in the source of pixels (n, 2) at depth parameters (n,); NaN where it does not see them."""
+        first, where = [], []
+        for x, n in zip(self.nodes(xy_px, t), self.places.shape, strict=False):
+            first.append(np.clip(np.floor(x) - 1, 0, n - NODES).astype(int))
+            where.append(lagrange(x - first[-1])[0])
+        four = np.arange(NODES)
+        j, i, k = (f[:, None] + four for f in first)
+        nodes = self.places[j[:, :, None, None], i[:, None, :, None], k[:, None, None, :]]
+        return np.einsum("nj,ni,nk,njikc->nc", *where, nodes)
+
+    def nodes(self, xy_px: Array, t: Array) -> tuple[Array, Array, Array]:
+        """Row, column and level (n,) in the table, with fractions."""
+        u, v = xy_px[:, 0] - self.u0_px, xy_px[:, 1] - self.v0_px
+        return v / self.step_px, u / self.step_px, (t - self.t0) / self.dt
+
+
+def lagrange(f: Array) -> tuple[Array, Array, Array]:
+    """Weights (n, 4) of nodes 0 to 3 at places f (n,), and those of the first and second derivative by f."""
+    p, q, r, s = f, f - 1, f - 2, f - 3
+    value = [-q * r * s / 6, p * r * s / 2, -p * q * s / 2, p * q * r / 6]
+    first = [-(r * s + q * s + q * r) / 6, (r * s + p * s + p * r) / 2, -(q * s + p * s + p * q) / 2]
+    first.append((q * r + p * r + p * q) / 6)
+    second = [-(q + r + s) / 3, p + r + s, -(p + q + s), (p + q + r) / 3]
+    return np.stack(value, axis=1), np.stack(first, axis=1), np.stack(second, axis=1)
+
+
+def transfer(block: Block, rays: ReferenceRays, source: int, t_range: tuple[float, float]) -> Transfer:
+    """The table of a source over a reference and a range of depth parameters.
+
+    rays     of the reference
+    source   row of `block.images`
+    t_range  smallest and largest depth parameter that is asked for
+
+    The table is made finer until it errs by less than 0.005 px in the middles of its cells.  Raises InputError where that
+    is not reached with steps of 2 px, as for a projection that turns back within the format.
+    """
+    low, high = t_range
+    if not 0 < low < high < np.inf:
+        raise InputError(f"depths from {1 / low if low else np.inf:g} to {1 / high:g} are no range of depths")
+    smaller = min(rays.camera.width_px, rays.camera.height_px)
+    step, levels = min(float(COARSEST_PX), smaller / (NODES - 1)), FEWEST_LEVELS
+    while True:
+        made = _tabulated(block, rays, source, t_range, (step, levels))
+        across, along, lost = _errors(block, rays, source, made)
+        # what lies beyond a format may have no place, and takes its neighbours along
+        if max(across, along) < TOLERANCE_PX and (lost < LOST or step < 2 * FINEST_PX):
+            return replace(made, error_px=max(across, along))
+        if lost >= LOST and across < TOLERANCE_PX:
+            step /= 2
+        # errors go with the fourth power of a step
+        if across >= TOLERANCE_PX / 2:
+            step /= 2.0 ** max(1, np.ceil(np.log2(2 * across / TOLERANCE_PX) / 4))
+        if along >= TOLERANCE_PX / 2:
+            levels = int(levels * max(1.25, 1.05 * (2 * along / TOLERANCE_PX) ** 0.25)) + 1
+        if step < FINEST_PX or levels > MOST_LEVELS:
+            raise InputError(
+                f"image {block.images.ids[source]}: a table of its projection errs by {max(across, along):.3g} px "
+                f"(limit {TOLERANCE_PX:g} px); leave it out as a source"
+            )
+
+
+def _tabulated(
+    block: Block, rays: ReferenceRays, source: int, t_range: tuple[float, float], size: tuple[float, int]
+) -> Transfer:
+    step, levels = size
+    camera = rays.camera
+    columns, rows = (max(NODES, int(np.ceil(n / step)) + 1) for n in (camera.width_px, camera.height_px))
+    u, v = np.meshgrid(np.arange(columns) * step, np.arange(rows) * step)
+    t = np.linspace(*t_range, levels)
+    origin, direction = rays.rays(np.stack([u.ravel(), v.ravel()], axis=1))
+    places = np.empty((len(origin), levels, 2))
+    for k in range(levels):
+        places[:, k] = _seen(block, source, origin + direction / t[k])
+    places = places.reshape(rows, columns, levels, 2)
+    return Transfer(
+        places=_without_jumps(places, _camera(block, source).width_px), u0_px=0.0, v0_px=0.0, step_px=step,
+        t0=t_range[0], dt=(t_range[1] - t_range[0]) / (levels - 1),
+    )  # fmt: skip
+
+
+def _without_jumps(places: Array, width_px: int) -> Array:
+    """Nodes between which a picture begins anew, as a panorama does, see nothing."""
+    found = places.copy()
+    for axis in range(3):
+        a, b = [slice(None)] * 3, [slice(None)] * 3
+        a[axis], b[axis] = slice(None, -1), slice(1, None)
+        with np.errstate(invalid="ignore"):
+            jump = np.abs(places[tuple(b)] - places[tuple(a)]).max(axis=-1) > width_px / 2
+        found[tuple(a)][jump] = np.nan
+        found[tuple(b)][jump] = np.nan
+    return found
+
+
+def _errors(block: Block, rays: ReferenceRays, source: int, table: Transfer) -> tuple[float, float, float]:
+    """Largest error within the source's format in the middles of cells, across at levels and along from level to level.
+
+    And the share of them that the table does not know.
+    """
+    rows, columns, levels = table.places.shape[:3]
+    size = np.array([_camera(block, source).width_px, _camera(block, source).height_px])
+    every = max(1, int(np.ceil(np.sqrt(rows * columns * levels / MIDDLES))))
+    iu, iv = _some(columns - 1, every), _some(rows - 1, every)
+    worst, unknown, count = [], 0, 0
+    for half_uv, half_t in ((0.5, 0.0), (0.0, 0.5)):
+        u, v, k = np.meshgrid(iu + half_uv, iv + half_uv, np.arange(levels - 1) + half_t)
+        xy = np.stack([u.ravel(), v.ravel()], axis=1) * table.step_px
+        t = table.t0 + table.dt * k.ravel()
+        exact = _seen(block, source, rays.points(xy, t))
+        with np.errstate(invalid="ignore"):
+            inside = ((exact >= 0) & (exact <= size)).all(axis=1) & (xy <= [rays.camera.width_px, rays.camera.height_px]).all(axis=1)
+        e = np.abs(table.at(xy[inside], t[inside]) - exact[inside])
+        known = np.isfinite(e).all(axis=1)
+        worst.append(float(e[known].max(initial=0.0)))
+        unknown, count = unknown + int((~known).sum()), count + len(e)
+    return worst[0], worst[1], unknown / max(count, 1)
+
+
+def _some(count: int, every: int) -> Array:
+    """Cells of a direction: the first, the last and some between."""
+    return np.unique(np.append(np.arange(0, count, every), count - 1))
+
+
+def _camera(block: Block, image: int) -> Camera:
+    camera = block.cameras[int(block.images.camera[image])]
+    own = block.images.interior.get(image)
+    return camera if own is None else replace(camera, values={**camera.values, **own})
+
+
+def _seen(block: Block, image: int, xyz: Array) -> Array:
+    camera = _camera(block, image)
+    return image_points(camera, block.images.rotation[image], block.images.centre[image], xyz)

@@ -1,0 +1,243 @@
+"""Refined depths: right, as precise as they say, the kernel as its twin, and a reason where there is none."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from raybundle.errors import InputError
+from raybundle.numerics import native
+from raybundle.surface import refine as module
+from raybundle.surface.refine import NUMBERS, PixelGrid, Reason, RefineOptions, Source, grow, refine
+from tests.surface import scene
+
+needs_kernel = pytest.mark.skipif(not native.available(), reason="the kernels are not built")
+OPTIONS = RefineOptions(step=0.01, iterations=12)
+
+
+@pytest.fixture(scope="module")
+def ground():
+    return scene.scene()
+
+
+def errors_px(s, grid, found):
+    return ((found.t - grid.of(s.t)) * s.reach())[found.found]
+
+
+def noisy(s, sigma, seed):
+    """Reference and sources with white noise."""
+    rng = np.random.default_rng(seed)
+    more = [g + sigma * rng.standard_normal(g.shape).astype(np.float32) for g in s.grey]
+    return more[0], [Source(grey=g, transfer=q.transfer) for g, q in zip(more[1:], s.sources, strict=True)]
+
+
+@pytest.mark.parametrize("model", scene.VALUES)
+def test_depths_are_found_with_every_sensor(model):
+    s = scene.scene(model)
+    grid = s.grid(3, 10)
+    found = refine(s.grey[0], s.sources, grid, s.start(grid, 0.3))
+    e = errors_px(s, grid, found)
+    assert found.found.mean() > 0.9
+    # interpolation of grey values and the curvature of the ground are left
+    assert np.sqrt(np.mean(e**2)) < 0.04
+    slopes = (found.slopes - [grid.of(q) for q in s.slopes])[:, found.found] * s.reach()
+    assert np.sqrt(np.mean(slopes**2)) < 0.02
+
+
+@needs_kernel
+@pytest.mark.parametrize("chain", [0, 1, -1])
+@pytest.mark.parametrize("coloured", [False, True])
+def test_kernel_is_its_twin(ground, monkeypatch, chain, coloured):
+    grey, sources = noisy(ground, 3.0, 1)
+    sources[2] = replace(sources[2], grey=sources[2].grey[:, ::-1])  # shows something else
+    grid = ground.grid(9)
+    start = ground.start(grid, 1.5)
+    if chain:
+        start[:, :, 3:6] = np.nan
+    start[1:, 2] = np.nan
+    lag = np.abs(np.arange(-3, 4.0))
+    cov = np.tile(0.5 ** np.add.outer(lag, lag), (5, 1, 1)) if coloured else None
+    work = module._Work.of(grey, sources, grid, OPTIONS, cov, 1)
+    found = []
+    for on in (True, False):
+        result = module._empty(work, start, response=True)
+        if not on:
+            monkeypatch.setattr(native, "module", lambda: None)
+        module._run(work, result, np.ones((grid.rows, grid.columns), np.uint8), chain)
+        found.append(result)
+    kernel, twin = found
+    same = kernel.reason == twin.reason
+    # a limit may be met on one side in single precision
+    assert same.mean() > 0.99
+    good = kernel.found & twin.found & (kernel.views == twin.views) & (kernel.iterations == twin.iterations)
+    assert good.sum() > 0.5 * good.size
+    for k, name in enumerate(NUMBERS):
+        a, b = kernel.numbers[k][good], twin.numbers[k][good]
+        assert np.quantile(np.abs(a - b) / np.median(np.abs(b)), 0.98) < 1e-3, name
+    assert np.allclose(kernel.response[good], twin.response[good], atol=2e-3)
+    assert np.quantile(np.abs(kernel.shift - twin.shift)[good], 0.99) < 1e-4 * np.abs(twin.shift[good]).max()
+    assert len(set(kernel.reason.ravel())) > 2
+
+
+@needs_kernel
+def test_threads_make_the_same_bits(ground):
+    grid = ground.grid(2)
+    start = ground.start(grid, 0.5)
+    start[0, ::3, ::2] = np.nan
+    results = []
+    for threads in (1, 3):
+        first = refine(ground.grey[0], ground.sources, grid, start, response=True, threads=threads)
+        results.append(grow(ground.grey[0], ground.sources, grid, first, threads=threads))
+    one, many = results
+    for name in ("numbers", "reason", "views", "iterations", "shift", "response"):
+        assert np.array_equal(getattr(one, name), getattr(many, name), equal_nan=name == "numbers"), name
+
+
+def test_added_noise_moves_depths_as_much_as_is_stated(ground):
+    """And not as much as the normal matrix promises: noise in the gradients passes for information there."""
+    grid = ground.grid(2)
+    start = ground.start(grid, 0.2)
+    amplitude = 9.0
+    runs = [refine(*noisy(ground, amplitude, seed), grid, start) for seed in (1, 2)]
+    same = runs[0].found & runs[1].found & (runs[0].views == runs[1].views)
+    assert same.sum() > 1000
+    difference = (runs[0].t - runs[1].t)[same].astype(float)
+    stated = sum((amplitude / r.contrast) ** 2 * r.noise * r.inflation**2 for r in runs)[same]
+    promised = sum((amplitude / r.contrast) ** 2 * r.noise for r in runs)[same]
+    assert 0.9 < np.mean(difference**2 / stated) < 1.1
+    assert np.mean(difference**2 / promised) > 1.5
+    # the residuals tell how large the noise was
+    variance = (runs[0].grey_variance * runs[0].contrast**2)[same]
+    assert np.median(variance) == pytest.approx(amplitude**2, rel=0.15)
+
+
+def test_noise_that_is_correlated_weighs_more(ground):
+    import cv2
+
+    grid = ground.grid(3)
+    start = ground.start(grid, 0.2)
+    kernel = cv2.getGaussianKernel(7, 0.8) @ cv2.getGaussianKernel(7, 0.8).T
+    lags = cv2.filter2D(np.pad(kernel, 6), -1, kernel, borderType=cv2.BORDER_CONSTANT)[6:13, 6:13]
+    cov = np.tile(lags / lags[3, 3], (5, 1, 1))
+    amplitude = 4.0
+    runs = []
+    for seed in (1, 2):
+        rng = np.random.default_rng(seed)
+        noise = [cv2.filter2D(rng.standard_normal(g.shape), -1, kernel) for g in ground.grey]
+        grey = [(g + amplitude / np.sqrt((kernel**2).sum()) * n).astype(np.float32) for g, n in zip(ground.grey, noise, strict=True)]
+        sources = [Source(grey=g, transfer=q.transfer) for g, q in zip(grey[1:], ground.sources, strict=True)]
+        runs.append((refine(grey[0], sources, grid, start, autocovariance=cov), refine(grey[0], sources, grid, start)))
+    (a, white_a), (b, white_b) = runs
+    same = a.found & b.found & (a.views == b.views)
+    e2 = (a.t - b.t)[same].astype(float) ** 2
+    chi2, white = (
+        np.mean(e2 / sum((amplitude / r.contrast) ** 2 * r.noise * r.inflation**2 for r in pair)[same])
+        for pair in ((a, b), (white_a, white_b))
+    )
+    assert 0.85 < chi2 < 1.15
+    assert white > 1.5
+
+
+def test_white_noise_is_an_autocovariance_without_lags(ground):
+    grid = ground.grid(6)
+    one = np.zeros((5, 7, 7))
+    one[:, 3, 3] = 1
+    plain = refine(ground.grey[0], ground.sources, grid, ground.start(grid))
+    given = refine(ground.grey[0], ground.sources, grid, ground.start(grid), autocovariance=one)
+    f = plain.found
+    # turned lags take part of their neighbours
+    assert np.allclose(plain.noise[f], given.noise[f], rtol=0.3)
+    assert np.median(given.noise[f] / plain.noise[f]) == pytest.approx(1, abs=0.15)
+
+
+def test_a_source_that_lies_elsewhere_moves_depths_as_is_stated(ground):
+    grid = ground.grid(4, 12)
+    options = RefineOptions(step=1e-4, iterations=30)
+    before = refine(ground.grey[0], ground.sources, grid, ground.start(grid), options)
+    for k, s in ((0, 1), (1, 2)):
+        moved = list(ground.sources)
+        offset = np.zeros(2)
+        offset[k] = 0.05
+        moved[s] = replace(moved[s], transfer=replace(moved[s].transfer, places=moved[s].transfer.places + offset))
+        after = refine(ground.grey[0], moved, grid, ground.start(grid), options)
+        good = before.found & after.found & (before.views == after.views) & (before.views >> s & 1 == 1)
+        expected, seen = 0.05 * before.shift[good][:, s, k], (after.t - before.t)[good]
+        assert np.corrcoef(expected, seen)[0, 1] > 0.98
+        assert (expected @ seen) / (expected @ expected) == pytest.approx(1, abs=0.05)
+
+
+def test_responses_leave_planes_as_they_are(ground):
+    grid = ground.grid(5)
+    found = refine(ground.grey[0], ground.sources, grid, ground.start(grid), replace(OPTIONS, slope=1e3), response=True)
+    h = found.response[found.found].reshape(-1, 7, 7)
+    u = np.arange(-3, 4)
+    assert np.allclose(h.sum(axis=(1, 2)), 1, atol=1e-4)
+    assert np.abs((h * u).sum(axis=(1, 2))).max() < 1e-3
+    assert np.abs((h * u[:, None]).sum(axis=(1, 2))).max() < 1e-3
+
+
+def test_pixels_without_a_start_take_their_neighbours_planes(ground):
+    grid = ground.grid(2, 12)
+    start = np.full((3, grid.rows, grid.columns), np.nan, np.float32)
+    start[:, ::12, ::12] = ground.start(grid, 0.3)[:, ::12, ::12]
+    first = refine(ground.grey[0], ground.sources, grid, start)
+    assert first.found.mean() < 0.02
+    grown = grow(ground.grey[0], ground.sources, grid, first, passes=16)
+    assert grown.found.mean() > 0.95
+    assert np.sqrt(np.mean(errors_px(ground, grid, grown) ** 2)) < 0.05
+    assert np.array_equal(grown.numbers[:, first.found], first.numbers[:, first.found])
+
+
+def test_a_reason_is_given_where_there_is_no_depth(ground):
+    grid = PixelGrid(x0=0, y0=60, stride=1, rows=1, columns=60)
+    start = ground.start(grid)
+    start[0, 0, 20] = np.nan
+    found = refine(ground.grey[0], ground.sources, grid, start)
+    assert (found.reason[0, :3] == Reason.LEFT_IMAGE).all()
+    assert found.reason[0, 20] == Reason.NO_START
+    middle = PixelGrid(x0=70, y0=50, stride=2, rows=10, columns=10)
+    start = ground.start(middle)
+    flat = np.full_like(ground.grey[0], 100.0)
+    rng = np.random.default_rng(1)
+    other = [replace(s, grey=rng.normal(120, 20, s.grey.shape)) for s in ground.sources]
+    dull = [replace(s, grey=flat[: len(s.grey)]) for s in ground.sources]
+
+    def reasons(reference, sources, start, options=None):
+        return refine(reference, sources, middle, start, options).reason
+
+    assert (reasons(flat, ground.sources, start) == Reason.NO_TEXTURE).all()
+    assert (reasons(ground.grey[0], dull, start) == Reason.NO_TEXTURE).all()
+    assert (reasons(ground.grey[0], other, start) == Reason.NO_CORRELATION).mean() > 0.9
+    beyond = start.copy()
+    beyond[0] = 0.5
+    assert (reasons(ground.grey[0], ground.sources, beyond) == Reason.LEFT_IMAGE).all()
+    far = ground.start(middle)
+    far[0] += 1.5 / ground.reach()
+    assert (reasons(ground.grey[0], ground.sources, far, RefineOptions(reach=0.5)) == Reason.MOVED_FAR).mean() > 0.5
+    hasty = RefineOptions(iterations=1, step=1e-6)
+    assert (reasons(ground.grey[0], ground.sources, start, hasty) == Reason.NO_CONVERGENCE).all()
+    strict = RefineOptions(share=1.5)
+    assert (reasons(ground.grey[0], ground.sources, start, strict) == Reason.NO_CURVATURE).all()
+
+
+def test_brightness_and_contrast_do_not_matter(ground):
+    grid = ground.grid(6)
+    darker = [replace(s, grey=(30 + 0.5 * s.grey).astype(np.float32)) for s in ground.sources]
+    a = refine(ground.grey[0], ground.sources, grid, ground.start(grid))
+    b = refine(ground.grey[0], darker, grid, ground.start(grid))
+    both = a.found & b.found
+    assert both.mean() > 0.9
+    assert np.abs(a.t - b.t)[both].max() * ground.reach() < 1e-3
+
+
+def test_arrays_that_do_not_fit_are_refused(ground):
+    grid = ground.grid(6)
+    start = ground.start(grid)
+    with pytest.raises(InputError, match="0 sources of a reference"):
+        refine(ground.grey[0], [], grid, start)
+    with pytest.raises(InputError, match="starts are"):
+        refine(ground.grey[0], ground.sources, grid, start[:, 1:])
+    with pytest.raises(InputError, match="autocovariances are"):
+        refine(ground.grey[0], ground.sources, grid, start, autocovariance=np.ones((2, 7, 7)))
+    with pytest.raises(InputError, match="lie beyond a reference"):
+        refine(ground.grey[0], ground.sources, replace(grid, x0=150), start)
