@@ -56,12 +56,17 @@ def scene(cache: Path) -> PortalScene:
     )
 
 
-def added_noise(s: PortalScene, grid: PixelGrid, sigma: float, options: RefineOptions | None = None) -> dict[str, float]:
+def added_noise(
+    s: PortalScene, grid: PixelGrid, sigma: float, options: RefineOptions | None = None
+) -> dict[str, float]:
     """White noise added twice: chi-square of the differences against the noise stated, pixels of two sources and more."""
     start, runs = s.start(grid, 0.3), []
     for seed in (1, 2):
         rng = np.random.default_rng(seed)
-        more = [g + sigma * rng.standard_normal(g.shape).astype(np.float32) for g in (s.reference, *(q.grey for q in s.sources))]
+        more = [
+            g + sigma * rng.standard_normal(g.shape).astype(np.float32)
+            for g in (s.reference, *(q.grey for q in s.sources))
+        ]
         sources = [Source(grey=g, transfer=q.transfer) for g, q in zip(more[1:], s.sources, strict=True)]
         runs.append(refine(more[0], sources, grid, start, options))
     a, b = runs

@@ -299,7 +299,9 @@ class _Work:
     ) -> _Work:
         side = 2 * LAG + 1
         if not 1 <= len(sources) <= MOST_SOURCES:
-            raise InputError(f"{len(sources)} sources of a reference; there can be 1 to {MOST_SOURCES}: choose the best")
+            raise InputError(
+                f"{len(sources)} sources of a reference; there can be 1 to {MOST_SOURCES}: choose the best"
+            )
         if autocovariance is not None and autocovariance.shape != (len(sources) + 1, side, side):
             raise InputError(f"autocovariances are {autocovariance.shape}, not ({len(sources) + 1}, {side}, {side})")
         last = grid.y0 + (grid.rows - 1) * grid.stride, grid.x0 + (grid.columns - 1) * grid.stride
@@ -347,7 +349,9 @@ def _run(work: _Work, found: Refined, todo: Array, chain: int) -> None:
     """Refine in place; chain 1 or -1: a pixel without a start goes on from its left or right neighbour."""
     module: Any = native.module()
     if module is None:
-        return refine_rows(work.reference, work.sources, work.grid, work.options, work.autocovariance, found, todo, chain)
+        return refine_rows(
+            work.reference, work.sources, work.grid, work.options, work.autocovariance, found, todo, chain
+        )
     o, grid = work.options, work.grid
     fit = (o.half, o.sigma, o.iterations, o.step, o.reach, o.slope, o.correlation, o.contrast, o.share, o.apart)
     tables = [(t.u0_px, t.v0_px, t.step_px, t.t0, t.dt) for t in (s.transfer for s in work.sources)]

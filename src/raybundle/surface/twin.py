@@ -161,7 +161,15 @@ def _batch(shared: _Shared, found: Refined, rows: Index, columns: Index) -> None
     noise, shift, response = _combined(shared, at)
     inflation = 1 / at.Q[:, 0, 0] / curvature[keep]
     correlation = np.where(at.used, at.correlation, 0).sum(axis=0) / np.maximum(at.used.sum(axis=0), 1)
-    values = [*(at.p + inflation * step[:, good[keep]]), at.Q[:, 0, 0], noise, inflation, at.s2, correlation, at.contrast]
+    values = [
+        *(at.p + inflation * step[:, good[keep]]),
+        at.Q[:, 0, 0],
+        noise,
+        inflation,
+        at.s2,
+        correlation,
+        at.contrast,
+    ]
     found.numbers[:, *place] = np.stack(values)
     found.views[place] = (at.used.T * (1 << np.arange(len(at.used)))).sum(axis=1)
     found.shift[place] = shift
@@ -189,7 +197,9 @@ def _begun(shared: _Shared, x: Index, y: Index, p: Array, known: Mask) -> tuple[
 
 def _subset(o: _State, rows: Index) -> _State:
     over = {name: getattr(o, name)[:, rows] for name in ("p", "used", "g", "gx", "gy", "J", "correlation", "steep")}
-    each = {name: getattr(o, name)[rows] for name in ("x", "y", "slope", "T", "contrast", "reach", "squares", "s2", "Q")}
+    each = {
+        name: getattr(o, name)[rows] for name in ("x", "y", "slope", "T", "contrast", "reach", "squares", "s2", "Q")
+    }
     return _State(**over, **each)
 
 
@@ -323,7 +333,10 @@ class _Local:
     def of(cls, table: Transfer, o: _State, p: Array) -> _Local:
         xy = np.stack([o.x + 0.5, o.y + 0.5], axis=1)
         where = table.nodes(xy, p[0])
-        first = [np.clip(np.floor(np.nan_to_num(x)) - 1, 0, n - NODES) for x, n in zip(where, table.places.shape, strict=False)]
+        first = [
+            np.clip(np.floor(np.nan_to_num(x)) - 1, 0, n - NODES)
+            for x, n in zip(where, table.places.shape, strict=False)
+        ]
         wv, wu, wt = (lagrange(x - f) for x, f in zip(where, first, strict=True))
         j, i, k = (f.astype(int)[:, None] + np.arange(NODES) for f in first)
         nodes = table.places[j[:, :, None, None], i[:, None, :, None], k[:, None, None, :]]
