@@ -9,7 +9,7 @@ import os
 import re
 import shutil
 import uuid
-from collections.abc import Generator, Iterator, Sequence
+from collections.abc import Callable, Generator, Iterator, Sequence
 from contextlib import contextmanager
 from contextvars import ContextVar
 from pathlib import Path
@@ -58,6 +58,30 @@ def work_folder(path: Path) -> Generator[Path]:
     make_parent(path)
     with _sibling(path) as temporary:
         yield temporary
+
+
+@contextmanager
+def continued_folder(path: Path, ended: Callable[[], bool]) -> Generator[Path]:
+    """A sibling `.NAME.parts` of `path` for what a run that is cut short leaves to the next one under the same name.
+
+    ended   whether, in the end, nothing is left to be continued: then it is deleted
+    raises  InputError where another run works there
+    """
+    path = place_of(path)
+    make_parent(path)
+    stem = os.fsdecode(os.fsencode(path.name)[:NAME_BYTES])
+    folder = path.parent / f".{stem}.parts"
+    with _told(path):
+        folder.mkdir(exist_ok=True)
+        lock = lock_of(folder)
+    if lock is None and os.name != "nt":
+        raise InputError("another run works on this result; wait for it, or choose another name", file=path)
+    try:
+        yield folder
+    finally:
+        unlock(lock)
+        if ended():
+            shutil.rmtree(folder, ignore_errors=True)
 
 
 def make_parent(path: Path) -> None:
