@@ -22,31 +22,32 @@ from raybundle.pipeline.executors import Executor
 
 
 def in_parts(
-    leaf: int = LEAF, *, worth: float = WORTH, store: Callable[[], Store] = Memory, executor: Executor | None = None,
-    ready: float = float("inf"), notes: Store | None = None,
+    leaf: int = LEAF, *, worth: float = WORTH, store: Callable[[], Store] | None = None,
+    executor: Executor | None = None, ready: float = float("inf"), notes: Store | None = None,
 ) -> Factoring:  # fmt: skip
     """The normal equations of a block in parts (Helmert 1880; Wolf 1978), as `adjust_block` takes them.
 
     leaf      unknowns of a leaf at most
     worth     as of `tree.dissect`
-    store     where products are kept
-    executor  who does the tasks; None: this process, one task after the other
+    store     where parts and products lie, for each system another one; None: in memory, parts with the block
+    executor  who does the tasks, where they lie in a store; None: this process, one task after the other
     ready     bytes of parts that each process holds ready for use; others are made whenever they are worked on
-    notes     where the numbers of each sweep stay, for a run that is started again; for tasks that others do
+    notes     where the numbers of each sweep stay, for a run that is started again
     """
     numbers = count()
 
     def factoring(
         system: System, options: AdjustmentOptions, free: Mapping[str, tuple[str, ...]], rejected: Mask
     ) -> Normals:
-        if executor is None:
+        if store is None:
             network = cut(system.block, options, free, rejected, leaf, shift=system.shift, worth=worth, ready=ready)
-            return WholeNormals.whole(system, Parts(network, store(), Serial()))
+            return WholeNormals.whole(system, Parts(network, Memory(), Serial()))
         kept = store()
         made = cut_columns(
             InMemory(system.block), options, free, rejected, kept, leaf=leaf, ready=ready, worth=worth, notes=notes,
             shift=system.shift, number=next(numbers),
         )  # fmt: skip
-        return WholeNormals.whole(system, Parts(made.network, kept, executor, begin=made.keep_parts, notes=notes))
+        parts = Parts(made.network, kept, executor or Serial(), begin=made.keep_parts, notes=notes)
+        return WholeNormals.whole(system, parts)
 
     return factoring

@@ -205,6 +205,7 @@ def lists(name: str, lists: Sequence[Index]) -> dict[str, Array]:
 
 
 def from_lists(name: str, found: Mapping[str, Array]) -> tuple[Index, ...]:
+    """The lists that `lists` put together."""
     values, first = found[name], found[f"{name}.first"].tolist()
     return tuple(values[a:b] for a, b in pairwise(first))
 

@@ -73,9 +73,7 @@ class Parts:
             self.planned[task.key] = task
         return tuple(keys[t] for t in range(count))
 
-    def each(
-        self, name: str, options: Callable[[int], Any], inputs: Callable[[Any], Sequence[str]]
-    ) -> tuple[str, ...]:
+    def each(self, name: str, options: Callable[[int], Any], inputs: Callable[[Any], Sequence[str]]) -> tuple[str, ...]:
         """A task of `answers` for each tree node, none behind another; keys of their products."""
         return self.plan(name, lambda t, _: options(t), inputs, upwards=True, module="answers")
 
@@ -89,7 +87,7 @@ class Parts:
         return [self.store.wanted(key, names) for key in self.do(keys)]
 
     def noted(self, name: str, about: object, find: Callable[[], dict[str, Array]]) -> dict[str, Array]:
-        """What was found about these products before, in this run or one that was cut short; else it is found, and kept.
+        """What was found about these products before, by this run or one that was cut short; else it is found and kept.
 
         Large arrays lie where large arrays do (`numerics.large`).
         """

@@ -38,8 +38,8 @@ def staying_for(cluster: str, jobs: int, memory: float) -> Executor:
     """
     if cluster == SHARDS:
         raise InputError(
-            f"{option('cluster', SHARDS)} is for tasks that do not wait for each other, and an adjustment has dozens of "
-            f"sweeps, one behind the other; start a scheduler and workers as jobs, and give their folder"
+            f"{option('cluster', SHARDS)} is for tasks that do not wait for each other, and an adjustment has dozens "
+            "of sweeps, one behind the other; start a scheduler and workers as jobs, and give their folder"
         )
     return executor_for(cluster, jobs, memory) if cluster else Staying(jobs, memory)
 

@@ -26,7 +26,7 @@ from raybundle.blocking.whole import WholeNormals
 from raybundle.errors import NotSolvable
 from raybundle.io.block.folder import read_block
 from raybundle.io.block.pieces import image_points_in, read_in_pieces
-from raybundle.io.folders import continued_folder, work_folder
+from raybundle.io.folders import continued_folder
 from raybundle.numerics import large
 from raybundle.numerics.arrays import Mask
 from raybundle.numerics.counting import counted
@@ -48,8 +48,7 @@ IN_MEMORY, IN_FILES, IN_PARTS = 800.0, 420.0, 300.0
 PROCESS = 2 * BASE
 """Bytes of a process that reduces parts: the program, and as much again for what it works on."""
 AT_WORKERS = 1e9
-"""Bytes of parts that a worker of a cluster holds ready for use: half of what the files of docs/how-to/cluster.md ask for
-for it."""
+"""Bytes of parts that a worker of a cluster holds ready: half of what docs/how-to/cluster.md asks for one."""
 FACTOR = 3.0
 """Times its own size that a factor takes while it is made and inverted."""
 ORDERED = 60_000
@@ -59,30 +58,31 @@ ORDERED = 60_000
 class Room:
     """A folder beside a result for what does not fit into memory, made when it is asked for.
 
-    It is gone with the last that holds it, at the latest with the process.
+    It is gone with the last that holds it, at the latest with the process; what a run that is cut short leaves there is
+    there for the next one with the same result.
     """
 
-    def __init__(self, out: Path, *, continued: bool = False) -> None:
-        """Beside this result.
-
-        continued  what a run that is cut short leaves there is there for the next
-        """
+    def __init__(self, out: Path) -> None:
+        """Beside this result."""
         self.out = out
-        self.continued = continued
-        self.cut_short: list[BaseException] = []
+        self._cut_short = [False]
+
+    def leave(self) -> None:
+        """Let it be there for the next run."""
+        self._cut_short[0] = True
 
     @cached_property
     def folder(self) -> Path:
         """The folder."""
-        stack, cut_short = ExitStack(), self.cut_short
-        how = continued_folder(self.out, lambda: not cut_short) if self.continued else work_folder(self.out)
-        found = stack.enter_context(how)
+        stack, cut_short = ExitStack(), self._cut_short
+        found = stack.enter_context(continued_folder(self.out, lambda: not cut_short[0]))
         finalize(self, stack.close)
         return found
 
     def forget(self, folder: Path) -> None:
-        """Delete a folder in it."""
-        shutil.rmtree(folder, ignore_errors=True)
+        """Delete a folder in it, unless the next run goes on from there."""
+        if not self._cut_short[0]:
+            shutil.rmtree(folder, ignore_errors=True)
 
 
 @dataclass(slots=True)
@@ -127,7 +127,7 @@ class Within:
         if self._in_parts is None:
             left = max(self.allowed - BASE - IN_PARTS * self.observations, 0.0)
             ready = AT_WORKERS if self.cluster else left / 2 / self.workers
-            notes = None if self.executor is None else Folder(self.room.folder / "notes")
+            notes = Folder(self.room.folder / "notes")
             self._in_parts = in_parts(store=self._next_store, ready=ready, executor=self.executor, notes=notes)
         made = self._in_parts(system, options, free, rejected)
         assert isinstance(made, WholeNormals)
@@ -146,8 +146,8 @@ class Within:
             return ()
         if self.cluster:
             message = (
-                f"the normal equations were reduced in {counted(self.parts, 'part')} (Helmert-Wolf) by the workers of a "
-                "cluster; all figures are those of one piece"
+                f"the normal equations were reduced in {counted(self.parts, 'part')} (Helmert-Wolf) by workers of "
+                "a cluster; all figures are those of one piece"
             )
             return (Notice(code="in_parts", message=message),)
         message = (
@@ -182,7 +182,7 @@ def within_memory(
     cluster    who reduces parts elsewhere, as `staying_for` takes it; empty: nobody
     raises     InputError, for a folder as `read_block`
 
-    Where others do it, sweeps that a killed run has finished are there for the next one with the same result.
+    Sweeps that a killed run has finished are there for the next one with the same result.
     """
     allowed = memory_gb * 1e9 or max(ALWAYS, SHARE * available_memory())
     count = image_points_in(source) if isinstance(source, Path) else len(source.observations)
@@ -193,7 +193,7 @@ def within_memory(
     left = allowed - BASE - IN_PARTS * count
     workers = max(1, min(jobs or os.cpu_count() or 1, int(left // PROCESS)))
     executor = staying_for(cluster, workers, left - workers * BASE) if cluster or workers > 1 else None
-    room = Room(out, continued=executor is not None)
+    room = Room(out)
     found = Within(allowed, room, count, executor=executor, workers=workers, cluster=cluster)
     try:
         with large.in_files(room.folder if found.arrays_in_files else None):
@@ -205,8 +205,9 @@ def within_memory(
                 yield replace(source, observations=replace(o, **columns)), found
     except NotSolvable:
         raise
-    except BaseException as error:
-        room.cut_short.append(error)
+    except BaseException:
+        if found.stores:  # sweeps, to go on from
+            room.leave()
         raise
     finally:
         if isinstance(executor, Staying):
