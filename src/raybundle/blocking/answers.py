@@ -10,6 +10,8 @@ from raybundle.adjustment import transformation
 from raybundle.adjustment.assemble import State
 from raybundle.adjustment.datum import point_generators
 from raybundle.adjustment.far_points import diverging
+from raybundle.adjustment.precision import Cofactors
+from raybundle.adjustment.reliability import image_statistics
 from raybundle.adjustment.transformation import Transformation
 from raybundle.blocking import sweeps
 from raybundle.blocking.network import PartWork
@@ -314,3 +316,28 @@ def stated(store: Store, o: Stated) -> Product:
         )
         points = change.apply_own(points)
     return {"cofactors": points, "index": index}
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Tested:
+    """What the tests of a part's observations depend on."""
+
+    network: str
+    node: int
+    state: str
+    told: str
+    sigma0: float
+
+
+def tested(store: Store, o: Tested) -> Product:
+    """T of a part's observations (NaN of rejected ones), and the adjusted points that it eliminates."""
+    part = part_at(store, o)
+    if part is None:
+        none = np.zeros(0, np.int64)
+        return {"rows": none, "t": np.zeros((0, 2)), "points": none, "xyz": np.zeros((0, 3))}
+    work, now = part
+    told, system = store.lent(o.told), work.of.system
+    found = Cofactors(np.zeros(0), None, told["points"], told["points"], told["hat"], told["effect"])
+    t = image_statistics(system, told["residuals"], found, o.sigma0, ()).t
+    mine = told["mine"]
+    return {"rows": work.part.rows, "t": t, "points": work.part.points[mine], "xyz": now.xyz[mine] + system.shift}

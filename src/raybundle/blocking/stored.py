@@ -27,7 +27,7 @@ from raybundle.blocking.normals import Parts, PartsNormals, PartsState
 from raybundle.blocking.similarity import onto
 from raybundle.blocking.tasks import Store
 from raybundle.errors import NoConvergence, NotSolvable, RankDefect, TooFewObservations
-from raybundle.numerics.arrays import Array, Mask
+from raybundle.numerics.arrays import Array, Index, Mask
 from raybundle.numerics.counting import counted
 from raybundle.numerics.progress import Progress, silent
 from raybundle.pipeline.executors import Executor
@@ -59,6 +59,18 @@ class StoredAdjustment:
     """By tree node: residuals, A Q A' and effects (`answers.told`)"""
     stated: tuple[str, ...]
     """By tree node: cofactors of the object points that it eliminates (`answers.stated`)"""
+
+
+class Astray(NotSolvable):
+    """Observations whose object point lies behind the camera, or has run away."""
+
+    def __init__(self, behind: Index, gone: Index) -> None:
+        rows = np.unique(np.concatenate([behind, gone]))
+        super().__init__(
+            f"of {counted(len(behind), 'image observation')} the object point lies behind the camera, of {len(gone)} "
+            f"it has run away, as rows {', '.join(str(r + 1) for r in rows[:5])} of the observations; leave them out"
+        )
+        self.behind, self.gone = behind, gone
 
 
 @dataclass(slots=True)
@@ -93,7 +105,7 @@ def adjust_columns(
     keep      parts that a process holds ready for use
     raises    InputError, DatumDefect, RankDefect, NoConvergence
 
-    What it does not do yet: reject blunders or choose parameters, and find approximate values.
+    What it does not do: reject blunders or choose parameters (`blocking.deciding`), and find approximate values.
     """
     rejected = np.zeros(columns.observations, bool) if rejected is None else rejected
     cut = cut_columns(columns, options, free, rejected, store, leaf=leaf, keep=keep)
@@ -136,11 +148,7 @@ def _refuse_astray(run: _Run, solution: Solution) -> None:
     found = run.parts.made(run.parts.each("astray", options, lambda o: (o.state,)))
     behind, gone = (np.concatenate([f[name] for f in found]) for name in ("behind", "diverging"))
     if len(behind) or len(gone):
-        rows = np.unique(np.concatenate([behind, gone]))
-        raise NotSolvable(
-            f"of {counted(len(behind), 'image observation')} the object point lies behind the camera, of {len(gone)} "
-            f"it has run away, as rows {', '.join(str(r + 1) for r in rows[:5])} of the observations; leave them out"
-        )
+        raise Astray(behind, gone)
 
 
 def _described(run: _Run, state: PartsState) -> Datum:
