@@ -122,7 +122,7 @@ class Network:
         return np.where(across, np.maximum(row, col), row), np.where(across, np.minimum(row, col), col), at
 
 
-def _kept(counts: Index, ready: float) -> int:
+def parts_ready(counts: Index, ready: float) -> int:
     """How many parts stay ready for use within so many bytes, the largest first."""
     total = np.cumsum(np.sort(counts)[::-1]) * BYTES
     return max(1, int(np.searchsorted(total, ready, side="right")))
@@ -154,5 +154,5 @@ def cut(
 
     return Network(
         key=f"network-{uuid4().hex}", skeleton=skeleton, tree=found.tree, boundary=found.boundary,
-        counts=counts, part=part, keep=_kept(counts, ready),
+        counts=counts, part=part, keep=parts_ready(counts, ready),
     )  # fmt: skip
