@@ -1,9 +1,9 @@
 """Depth and slopes of every pixel of a reference by least-squares matching in several sources at once.
 
-Unknowns of a pixel are the depth parameter t in the middle of a window and its slopes a and b; brightness and contrast of
-every source; and the patch itself, which is the mean of all views, the reference included (Gruen and Baltsavias 1988;
-Agouris and Schenk 1996).  Where a source shows the window is a matter of tables (`transfer`), so sensors and platforms
-are all alike.
+Unknowns of a pixel are the depth parameter t in the middle of a window and its slopes a and b; brightness and
+contrast of every source; and the patch itself, which is the mean of all views, the reference included (Gruen and
+Baltsavias 1988; Agouris and Schenk 1996).  Where a source shows the window is a matter of tables (`transfer`), so
+sensors and platforms are all alike.
 """
 
 from __future__ import annotations
@@ -211,8 +211,8 @@ def refine(
 
     reference       (h, w) grey values
     start           (3, rows, columns) t, a, b; t NaN where there is none, slopes NaN where they are not known
-    autocovariance  (1 + sources, 7, 7) of grey values by lag from -3 to 3 px in y and x, 1 in the middle, of the reference
-                    and each source; None: white noise
+    autocovariance  (1 + sources, 7, 7) of grey values by lag from -3 to 3 px in y and x, 1 in the middle, of the
+                    reference and each source; None: white noise
     response        whether the windows' responses are wanted: 4 side^2 bytes a pixel
 
     The same to the last bit for any number of threads.  Raises InputError where arrays do not fit each other.
@@ -333,7 +333,7 @@ def _empty(work: _Work, start: Array, *, response: bool) -> Refined:
 
 
 def left_by_interpolation(autocovariance: Array | None, views: int) -> Array:
-    """(views,) mean variance of interpolated grey values, that of grey values being 1; the first view is not interpolated.
+    """(views,) mean variance of interpolated grey values, that of grey values being 1; the first view stays as it is.
 
     autocovariance  (views, 7, 7) by lag; None: white
     """

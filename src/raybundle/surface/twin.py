@@ -155,7 +155,7 @@ def _batch(shared: _Shared, found: Refined, rows: Index, columns: Index) -> None
     reason[go] = outcome
     found.iterations[rows[go], columns[go]] = np.minimum(iterations, 255)
     found.reason[rows, columns] = reason
-    keep = outcome[good] == REFINED
+    keep = np.asarray(outcome[good] == REFINED)
     at, done = _subset(at, np.flatnonzero(keep)), go[good[keep]]
     place = rows[done], columns[done]
     noise, shift, response = _combined(shared, at)
@@ -188,9 +188,10 @@ def _begun(shared: _Shared, x: Index, y: Index, p: Array, known: Mask) -> tuple[
     T, contrast, n = T[~flat] / contrast[~flat, None], contrast[~flat], int((~flat).sum())
     windows = np.zeros((4, count, n, len(shared.w)))
     state = _State(
-        x=x[~flat], y=y[~flat], p=p[:, ~flat], slope=np.where(known[~flat], 1, UNKNOWN) * shared.options.slope, T=T, contrast=contrast, used=np.ones((count, n), bool), g=windows[0],
-        gx=windows[1], gy=windows[2], J=windows[3], correlation=np.zeros((count, n)), steep=np.zeros((count, n, 2, 2)),
-        reach=np.zeros(n), squares=np.zeros(n), s2=np.zeros(n), Q=np.zeros((n, 3, 3)),
+        x=x[~flat], y=y[~flat], p=p[:, ~flat], slope=np.where(known[~flat], 1, UNKNOWN) * shared.options.slope, T=T,
+        contrast=contrast, used=np.ones((count, n), bool), g=windows[0], gx=windows[1], gy=windows[2], J=windows[3],
+        correlation=np.zeros((count, n)), steep=np.zeros((count, n, 2, 2)), reach=np.zeros(n), squares=np.zeros(n),
+        s2=np.zeros(n), Q=np.zeros((n, 3, 3)),
     )  # fmt: skip
     return state, flat
 
@@ -379,7 +380,7 @@ class _Local:
 
 
 def _sampled(shared: _Shared, source: Source, at: _Local) -> tuple[Array, Array, Array, Mask]:
-    """Grey values and gradients (n, window) by cubic convolution (Keys 1981, a = -1/2), and which windows are inside."""
+    """Grey values and gradients (n, window) by cubic convolution, and which windows are inside."""
     height, width = source.grey.shape
     x, y = at.place(0, shared) - 0.5, at.place(1, shared) - 0.5
     inside = ((x >= 1) & (x < width - 2) & (y >= 1) & (y < height - 2)).all(axis=1)
