@@ -95,15 +95,25 @@ class Network:
         place = front.unknowns(of.nodes)
         return PartWork(part, of, normals, front, row, col, once, place)
 
+    def outside_of(self, t: int) -> dict[str, Array]:
+        """What the skeleton's normal equations, as they are now, bring to a front."""
+        normals, own = self.skeleton.normals, self._own_unknowns(t)
+        values = normals.values[self.outside_places(t)[2]]
+        return {"values": values, "right": normals.right[own], "diagonal": normals.diagonal[own]}
+
     def add_outside(self, t: int, e: Equations, values: Array, right: Array, diagonal: Array) -> None:
-        """Add what observations outside the images bring to a front; `values` and others as of the skeleton."""
-        front, system = self.fronts[t], self.skeleton.system
-        row, col, at = self.outside_places(t)
+        """Add what observations outside the images bring to a front, as `outside_of` says."""
+        o = self.fronts[t].columns
+        row, col, _ = self.outside_places(t)
         once = row >= col
-        e.add(row[once], col[once], values[at[once]])
-        own = spread(system.offsets[front.own], system.sizes[front.own].astype(np.int64))
-        e.right[: front.columns] += right[own]
-        e.diagonal[: front.columns] += diagonal[own]
+        e.add(row[once], col[once], values[once])
+        e.right[:o] += right
+        e.diagonal[:o] += diagonal
+
+    def _own_unknowns(self, t: int) -> Index:
+        """Those of a tree node's own nodes, among all of the network."""
+        front, system = self.fronts[t], self.skeleton.system
+        return spread(system.offsets[front.own], system.sizes[front.own].astype(np.int64))
 
     def outside_places(self, t: int) -> tuple[Index, Index, Index]:
         """Row and column in a front of the skeleton's values that stand in it, and which of all values each is.
