@@ -84,6 +84,29 @@ def entries(first: Index, second: Index, sizes: Array) -> tuple[Index, Index, In
     return local // sizes[second][block], local % sizes[second][block], block
 
 
+@dataclass(frozen=True, slots=True)
+class Placement:
+    """Where single elements of a front stand in its equations: of A, of B, of C which of them, and the place of each.
+
+    Places count down the columns, of which each is contiguous.
+    """
+
+    of: tuple[Index, Index, Index]
+    at: tuple[Index, Index, Index]
+
+    @classmethod
+    def in_front(cls, front: Front, row: Index, col: Index, which: Index) -> Placement:
+        """Of elements below the diagonal or on it, at rows and columns (k,); which (k,) they are of all given."""
+        o, b = front.columns, front.size - front.columns
+        own, outer = row < o, col >= o
+        inside = (own, ~own & ~outer, outer)
+        at = row + col * o, row - o + col * b, row - o + (col - o) * b
+        return cls(
+            tuple(which[m].astype(np.int32) for m in inside),  # pyright: ignore[reportArgumentType]
+            tuple(a[m] for a, m in zip(at, inside, strict=True)),  # pyright: ignore[reportArgumentType]
+        )
+
+
 @dataclass(slots=True)
 class Equations:
     """Normal equations of a front: the lower triangles of A and C, all of B, right sides and undamped diagonal."""
@@ -106,15 +129,11 @@ class Equations:
             np.zeros(n), np.zeros(n),
         )  # fmt: skip
 
-    def add(self, row: Index, col: Index, values: Array) -> None:
-        """Add single elements, each of one triangle of the whole; none stands twice."""
-        o = len(self.A)
-        low, high = np.minimum(row, col), np.maximum(row, col)
-        own, outer = high < o, low >= o
-        mixed = ~own & ~outer
-        self.A[high[own], low[own]] += values[own]
-        self.B[high[mixed] - o, low[mixed]] += values[mixed]
-        self.C[high[outer] - o, low[outer] - o] += values[outer]
+    def add(self, where: Placement, values: Array) -> None:
+        """Add single elements; none stands twice."""
+        for matrix, of, at in zip((self.A, self.B, self.C), where.of, where.at, strict=True):
+            if len(at):
+                matrix.reshape(-1, order="F")[at] += values[of]
 
     def add_reduced(self, at: Index, reduced: Array) -> None:
         """Add a child's reduced matrix, packed (k (k + 1) / 2,), at these unknowns (k,).

@@ -13,7 +13,7 @@ from raybundle.adjustment.normals import Normals
 from raybundle.adjustment.options import AdjustmentOptions
 from raybundle.block import Block
 from raybundle.blocking.cutting import cut_of
-from raybundle.blocking.front import Equations, Front, entries, spread
+from raybundle.blocking.front import Equations, Front, Placement, entries, spread
 from raybundle.blocking.part import Part, PartSystem, part_of, system_of_part
 from raybundle.blocking.skeleton import Skeleton, skeleton_of
 from raybundle.blocking.tree import WORTH, Tree
@@ -35,10 +35,10 @@ class PartWork:
     normals: Normals
     front: Front
     row: Index
-    """(v,) row of each value of the normal matrix in the front"""
+    """(v,) row of each value of the normal matrix in the lower triangle of the front"""
     col: Index
-    once: Mask
-    """(v,) whether it is the one of two equal ones that counts"""
+    into: Placement
+    """Where those stand that count, one of two equal ones"""
     place: Index
     """(u,) each unknown of the part in the front"""
 
@@ -91,9 +91,10 @@ class Network:
         row, col, block = entries(first, second, sizes)
         at = front.places(of.nodes)
         row, col = row + at[first][block], col + at[second][block]
-        once = (first[block] != second[block]) | (row >= col)
-        place = front.unknowns(of.nodes)
-        return PartWork(part, of, normals, front, row, col, once, place)
+        once = np.flatnonzero((first[block] != second[block]) | (row >= col))
+        row, col = np.maximum(row, col).astype(np.int32), np.minimum(row, col).astype(np.int32)
+        into = Placement.in_front(front, row[once].astype(np.int64), col[once].astype(np.int64), once)
+        return PartWork(part, of, normals, front, row, col, into, front.unknowns(of.nodes))
 
     def outside_of(self, t: int) -> dict[str, Array]:
         """What the skeleton's normal equations, as they are now, bring to a front."""
@@ -103,10 +104,9 @@ class Network:
 
     def add_outside(self, t: int, e: Equations, values: Array, right: Array, diagonal: Array) -> None:
         """Add what observations outside the images bring to a front, as `outside_of` says."""
-        o = self.fronts[t].columns
-        row, col, _ = self.outside_places(t)
-        once = row >= col
-        e.add(row[once], col[once], values[once])
+        front, (row, col, _) = self.fronts[t], self.outside_places(t)
+        o, once = front.columns, np.flatnonzero(row >= col)
+        e.add(Placement.in_front(front, row[once], col[once], once), values)
         e.right[:o] += right
         e.diagonal[:o] += diagonal
 

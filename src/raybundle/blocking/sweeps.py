@@ -65,7 +65,7 @@ def up(
         numbers[:3] = cost, behind, normals.excess(now, how.huber)
         weak = work.part.points[alone]
         _unheld(work)
-        e.add(work.row[work.once], work.col[work.once], normals.values[work.once])
+        e.add(work.into, normals.values)
         e.right[work.place] += normals.right
         e.diagonal[work.place] += normals.diagonal
     told = {"numbers": numbers, "weak": weak, "touched": e.diagonal.copy()}
@@ -195,7 +195,7 @@ def inverse_down(
     for c in network.tree.children[t]:
         found[below(c)] = fronts.packed_at(Q, front.unknowns(network.boundary[c]))
     if work is not None:
-        found["part"] = _lower(Q, work.row, work.col)
+        found["part"] = Q[work.row, work.col]
     return found
 
 
