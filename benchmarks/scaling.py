@@ -33,7 +33,7 @@ from simulated_workers import efficiencies
 from raybundle.blocking.columns import InFiles
 from raybundle.io.block.arrays import block_of_arrays
 from raybundle.workflows.costs import photographs
-from raybundle.workflows.costs.adjustment import KINDS, NAMES, adjustment, parts_of
+from raybundle.workflows.costs.adjustment import KINDS, NAMES, adjustment, kept_elements, parts_of
 from raybundle.workflows.costs.constants import SWEEPS, Constants
 from raybundle.workflows.costs.measure import SWEEP_OF, Fronts, measure, recorded, sweep_of
 from raybundle.workflows.costs.recording import TaskRecord
@@ -158,8 +158,7 @@ def shipped(run: dict, flight: dict, measured: Constants) -> Constants:
     """The constants that come with the package: those measured, bytes of a recorded run, stages of a made flight."""
     size, own, points = (np.array(run[k], float) for k in ("size", "own", "counts"))
     fronts = Fronts(own=own, size=size, points=points)
-    above = np.isin(np.arange(len(size)), run["parent"])
-    dense = 8 * ((size**2 - own * (size - own)).sum() + (size**2)[above].sum())
+    dense = 8 * sum(float(x.sum()) for x in kept_elements(own, size - own))
     sweeps = {}
     for sweep, tasks in KINDS.items():
         mine = [TaskRecord(**r) for r in run["records"] if SWEEP_OF[r["name"]] == sweep]

@@ -6,6 +6,7 @@ import pytest
 from raybundle.blocking.front import (
     Equations,
     Front,
+    Placement,
     cofactors,
     eliminate,
     forward,
@@ -85,3 +86,18 @@ def test_a_packed_triangle_is_the_lower_one(k):
     assert triangle.shape == (k * (k + 1) // 2,)
     assert np.array_equal(np.tril(unpacked(triangle)), np.tril(mine))
     assert np.array_equal(packed_at(whole, at), triangle)
+
+
+def test_single_elements_stand_where_they_belong():
+    front = Front(np.array([1, 3]), np.array([0, 2]), np.array([2, 3, 1, 2]))
+    rng = np.random.default_rng(4)
+    whole = np.tril(rng.standard_normal((8, 8)))
+    row, col = np.nonzero(whole)
+    order = rng.permutation(len(row))
+    given = np.append(np.nan, whole[row[order], col[order]])  # the first one is not asked for
+    e = Equations.empty(front)
+    for _ in range(2):
+        e.add(Placement.in_front(front, row[order], col[order], np.arange(1, len(given))), given)
+    assert np.array_equal(e.A, 2 * whole[:5, :5])
+    assert np.array_equal(e.B, 2 * whole[5:, :5])
+    assert np.array_equal(e.C, 2 * whole[5:, 5:])
