@@ -5,7 +5,7 @@
 --images          simulated photographs (benchmarks/stages_at_size.py), started in parts
 --strips, --each  made photographs (benchmarks/many_images.py), oriented with least-squares matching
 
-One process, one thread: tasks are told apart by the clock of their thread.  The figures are those of the constants
+One process that does one task at a time, while nothing else is done.  The figures are those of the constants
 `start_shared`, `precision_shared` and `photographs_of_window` of `raybundle.workflows.costs`.
 """
 
@@ -45,10 +45,10 @@ class Clock:
         self.photographs = 0
 
     def __call__(self, task: Task, store: object) -> Done:
-        began = time.thread_time()
+        began = time.process_time()
         done = do(task, store)
         name = task.function.rpartition(":")[2]
-        self.seconds[name] += time.thread_time() - began
+        self.seconds[name] += time.process_time() - began
         self.count[name] += 1
         if name == "windows_of":
             self.photographs += len(task.options.photos)

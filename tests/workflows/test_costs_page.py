@@ -12,10 +12,8 @@ from raybundle.numerics.counting import grouped, significant
 ROOT = Path(__file__).resolve().parents[2]
 PAGE = ROOT / "docs/explanation/scale.md"
 BEFORE = ("features", "choice of pairs", "matching", "tracks and start", "precision", "report")
-SHARES = (
-    "efficiency of the sweeps", "with the driver", "if fronts were in tiles", "if what is made stayed",
-    "without network", "if the work were shared evenly",
-)  # fmt: skip
+SHARES = "efficiency of the sweeps", "with the driver", "if the work were shared evenly"
+SECONDS = "sweeps s", "fronts in tiles s", "what is made stays s", "no network s", "least for the store s"
 DRIVER, FRONT = "memory of the driver", "memory of the largest front"
 
 
@@ -105,18 +103,14 @@ def workers():
     """Rows of many workers."""
     found = figures()["workers, from the tasks of 10000"]
     yield (
-        "| images a worker | workers | images | sweeps, s | efficiency | with the driver | in tiles | "
-        "what is made stays | without network | evenly shared | least for the store, s |"
+        "| images a worker | workers | images | efficiency | with the driver | evenly shared | sweeps, s | in tiles, s | "
+        "what is made stays, s | without network, s | least for the store, s |"
     )
     yield "|---|---|---|---|---|---|---|---|---|---|---|"
     for load in ("160 images a worker", "640 images a worker"):
         for w, of in found[load].items():
-            shares = [of[n] for n in SHARES]
-            least = f"{of['least for the store s']:.1f}"
-            yield row(
-                load.split()[0],
-                [w, grouped(of["images"]), f"{of['sweeps s']:.0f}", *(f"{s:.2f}" for s in shares), least],
-            )  # fmt: skip
+            shares, seconds = [f"{of[n]:.2f}" for n in SHARES], [f"{of[n]:.0f}" for n in SECONDS]
+            yield row(load.split()[0], [w, grouped(of["images"]), *shares, *seconds])
 
 
 @pytest.mark.parametrize("table", [measured, before, sizes, breaks, workers, walls], ids=lambda t: t.__name__)

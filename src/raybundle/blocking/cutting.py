@@ -60,8 +60,8 @@ def cut_of(skeleton: Skeleton, image: Index, point: Index, leaf: int, worth: flo
             continue
         place = np.minimum(np.searchsorted(named, row), len(named) - 1)
         at[mine] = np.where(named[place] == row, where[place], at[mine])
-        mine = _keys(where[np.searchsorted(named, rows)], nodes, count)
-        touched = distinct(np.concatenate([touched, mine]))
+        here = _keys(where[np.searchsorted(named, rows)], nodes, count)
+        touched = distinct(np.concatenate([touched, here]))
     return Cut(tree=tree, boundary=_boundaries(tree, touched // count, touched % count), at=at)
 
 

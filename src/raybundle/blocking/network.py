@@ -26,21 +26,43 @@ LEAF = 1000
 """Unknowns of a leaf: larger ones make dense matrices of what is sparse, smaller ones more separators."""
 
 
-@dataclass(slots=True)
+@dataclass
 class PartWork:
-    """A part with its normal equations and where they stand in its front."""
+    """A part, its normal equations and where they stand in its front; those are made when they are first asked for."""
 
     part: Part
     of: PartSystem
-    normals: Normals
     front: Front
-    row: Index
-    """(v,) row of each value of the normal matrix in the lower triangle of the front"""
-    col: Index
-    into: Placement
-    """Where those stand that count, one of two equal ones"""
-    place: Index
-    """(u,) each unknown of the part in the front"""
+
+    @cached_property
+    def normals(self) -> Normals:
+        """Its normal equations."""
+        return Normals.of(self.of.system, 1)
+
+    @cached_property
+    def elements(self) -> tuple[Index, Index]:
+        """(v,) row and column of each value of the normal matrix in the lower triangle of the front."""
+        row, col, _ = self._elements()
+        return np.maximum(row, col).astype(np.int32), np.minimum(row, col).astype(np.int32)
+
+    @cached_property
+    def into(self) -> Placement:
+        """Where those stand that count, one of two equal ones."""
+        row, col, across = self._elements()
+        once = np.flatnonzero(across | (row >= col))
+        return Placement.in_front(self.front, np.maximum(row, col)[once], np.minimum(row, col)[once], once)
+
+    def _elements(self) -> tuple[Index, Index, Mask]:
+        """(v,) row and column in the front, and whether the block of each is off the diagonal."""
+        first, second, _ = self.normals.solver.blocks()
+        row, col, block = entries(first, second, self.of.system.sizes.astype(np.int64))
+        at = self.front.places(self.of.nodes)
+        return row + at[first][block], col + at[second][block], first[block] != second[block]
+
+    @cached_property
+    def place(self) -> Index:
+        """(u,) each unknown of the part in the front."""
+        return self.front.unknowns(self.of.nodes)
 
 
 @dataclass(frozen=True)
@@ -84,17 +106,7 @@ class Network:
         if not self.counts[t]:
             return None
         part, rejected = self.part(t)
-        of = system_of_part(self.skeleton, part, rejected)
-        normals, front = Normals.of(of.system, 1), self.fronts[t]
-        first, second, _ = normals.solver.blocks()
-        sizes = of.system.sizes.astype(np.int64)
-        row, col, block = entries(first, second, sizes)
-        at = front.places(of.nodes)
-        row, col = row + at[first][block], col + at[second][block]
-        once = np.flatnonzero((first[block] != second[block]) | (row >= col))
-        row, col = np.maximum(row, col).astype(np.int32), np.minimum(row, col).astype(np.int32)
-        into = Placement.in_front(front, row[once].astype(np.int64), col[once].astype(np.int64), once)
-        return PartWork(part, of, normals, front, row, col, into, front.unknowns(of.nodes))
+        return PartWork(part, system_of_part(self.skeleton, part, rejected), self.fronts[t])
 
     def outside_of(self, t: int) -> dict[str, Array]:
         """What the skeleton's normal equations, as they are now, bring to a front."""

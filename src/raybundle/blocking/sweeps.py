@@ -195,7 +195,7 @@ def inverse_down(
     for c in network.tree.children[t]:
         found[below(c)] = fronts.packed_at(Q, front.unknowns(network.boundary[c]))
     if work is not None:
-        found["part"] = Q[work.row, work.col]
+        found["part"] = Q[work.elements]
     return found
 
 
