@@ -103,8 +103,8 @@ def workers():
     """Rows of many workers."""
     found = figures()["workers, from the tasks of 10000"]
     yield (
-        "| images a worker | workers | images | efficiency | with the driver | evenly shared | sweeps, s | in tiles, s | "
-        "what is made stays, s | without network, s | least for the store, s |"
+        "| images a worker | workers | images | efficiency | with the driver | evenly shared | sweeps, s | "
+        "in tiles, s | what is made stays, s | without network, s | least for the store, s |"
     )
     yield "|---|---|---|---|---|---|---|---|---|---|---|"
     for load in ("160 images a worker", "640 images a worker"):
