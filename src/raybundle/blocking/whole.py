@@ -205,7 +205,8 @@ class WholeNormals(Normals):
         for t, (_, mine, _) in self._touched().items():
             keys[t] = unique("points")
             self.parts.parts.store.store(keys[t], {"points": points[mine]})
-        self._of(state)
+        # the factor is that of these values; under which keys they were kept when it was made, they may be gone
+        self.parts.at = self._of(state)
         found = self.parts.solved(right, keys)
         self.parts.parts.forget(keys)
         return found
