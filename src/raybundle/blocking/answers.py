@@ -306,7 +306,7 @@ def stated(store: Store, o: Stated) -> Product:
     work = work_of(at, o.node)
     if work is None:
         return {"cofactors": np.zeros((0, 3, 3)), "index": np.zeros(0, np.int64)}
-    found = store.lent(o.told)
+    found = store.lent(o.told, ("points", "mine", "H") if o.middle else ("points", "mine"))
     points, index = found["points"], work.part.points[found["mine"]]
     if o.middle:
         by, G = store.lent(o.middle), store.lent(o.generators, ("G",))["G"][found["mine"]]

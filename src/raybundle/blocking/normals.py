@@ -175,13 +175,11 @@ class PartsNormals:
         assert isinstance(state, PartsState)
         network, normals = self.network, self.network.skeleton.normals
         outer, _, _ = normals.reduce(state)
-        outside = self.parts.put(
-            "outside", {"values": normals.values, "right": normals.right, "diagonal": normals.diagonal}
-        )
+        outside = [self.parts.put("outside", network.outside_of(t)) for t in range(len(network.tree))]
 
         def options(t: int, keys: dict[int, str]) -> tasks.Up:
             return tasks.Up(
-                network=network.key, node=t, state=state.keys[t], held=self.held, outside=outside, damping=damping,
+                network=network.key, node=t, state=state.keys[t], held=self.held, outside=outside[t], damping=damping,
                 children=tuple(keys[c] for c in network.tree.children[t]), huber=huber, added=added,
             )  # fmt: skip
 
@@ -307,11 +305,12 @@ class PartsNormals:
         """
         network, state = self.network, self.at
         assert state is not None
-        parent, given = network.tree.parent.tolist(), self.parts.put("given", {"nodes": nodes})
+        parent = network.tree.parent.tolist()
+        given = [self.parts.put("given", {"nodes": nodes[sweeps.rows_of(network, f.own)]}) for f in network.fronts]
 
         def rising(t: int, keys: dict[int, str]) -> tasks.RightUp:
             return tasks.RightUp(
-                network=network.key, node=t, state=state.keys[t], held=self.held, up=self.formed[t], nodes=given,
+                network=network.key, node=t, state=state.keys[t], held=self.held, up=self.formed[t], nodes=given[t],
                 points=points[t] if points else "", children=tuple(keys[c] for c in network.tree.children[t]),
             )  # fmt: skip
 
@@ -336,7 +335,7 @@ class PartsNormals:
             return {"x": found}
 
         found = self.parts.noted("solved", keys, find)["x"]
-        self.parts.forget([*halves, *keys, given])
+        self.parts.forget([*halves, *keys, *given])
         return found
 
     def selected_inverse(self) -> Array:

@@ -215,7 +215,8 @@ class WholeNormals(Normals):
         right[at] += points[kept]
         right[self._held_unknowns()] = 0.0
 
-        self._of(state)
+        # the factor is that of these values; under which keys they were kept when it was made, they may be gone
+        self.parts.at = self._of(state)
         keys = self._handed(points)
         found = self.parts.solved(right, keys)
         self.parts.parts.forget(keys)

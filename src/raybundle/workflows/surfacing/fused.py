@@ -21,7 +21,7 @@ from raybundle.surface.fusion import MapView, agreement
 from raybundle.surface.orientation import ShiftCovariance
 from raybundle.surface.pairs import Sources
 from raybundle.surface.transfer import ReferenceRays, transfer
-from raybundle.workflows.surface_state import SURFACE, Cloud, SurfaceState
+from raybundle.workflows.surface_state import SURFACE, Cloud
 from raybundle.workflows.surfacing.maps import PART, SHIFTS, part_of, shifts_of
 
 VERSION = 1
