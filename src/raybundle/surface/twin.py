@@ -137,7 +137,7 @@ def _batch(shared: _Shared, found: Refined, rows: Index, columns: Index) -> None
     p = found.numbers[:3, rows, columns].astype(float)
     found.views[rows, columns], found.iterations[rows, columns] = 0, 0
     reason = np.where(np.isnan(p[0]), NO_START, REFINED)
-    known = np.isfinite(p[1:]).all(axis=0)
+    known = np.asarray(np.isfinite(p[1:]).all(axis=0))
     p[1:] = np.nan_to_num(p[1:])
     x, y = grid.x0 + grid.stride * columns, grid.y0 + grid.stride * rows
     height, width = shared.reference.shape
