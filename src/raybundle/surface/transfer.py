@@ -14,6 +14,7 @@ import numpy as np
 from raybundle.adjustment.predict import image_points
 from raybundle.block import Block, Camera
 from raybundle.errors import InputError
+from raybundle.numerics import native
 from raybundle.numerics.arrays import Array
 from raybundle.orientation.rays import camera_rays
 from raybundle.platforms.carried import Carried
@@ -86,6 +87,10 @@ class ReferenceRays:
         origin, direction = self.rays(xy_px)
         return origin + direction / t[:, None]
 
+    def by_t(self, xy_px: Array, t: Array) -> Array:
+        """Derivatives (n, 3) of the object points by the depth parameters (n,)."""
+        return -self.rays(xy_px)[1] / t[:, None] ** 2
+
     def parameter(self, xy_px: Array, xyz: Array) -> Array:
         """Depth parameters (n,) of object points (n, 3) that stand on the rays of (n, 2)."""
         origin, direction = self.rays(xy_px)
@@ -109,6 +114,18 @@ class Transfer:
 
     def at(self, xy_px: Array, t: Array) -> Array:
         """Places (n, 2) [px] in the source of pixels (n, 2) at depth parameters (n,); NaN where it does not see them."""
+        module = native.module()
+        if module is not None:
+            found = np.empty((len(t), 2))
+            table = (self.u0_px, self.v0_px, self.step_px, self.t0, self.dt)
+            module.transfer_places(
+                self.places, table, np.ascontiguousarray(xy_px, float), np.ascontiguousarray(t, float), found
+            )
+            return found
+        return self.at_twin(xy_px, t)
+
+    def at_twin(self, xy_px: Array, t: Array) -> Array:
+        """The same with NumPy."""
         first, where = [], []
         for x, n in zip(self.nodes(xy_px, t), self.places.shape, strict=False):
             first.append(np.clip(np.floor(x) - 1, 0, n - NODES).astype(int))
@@ -217,7 +234,9 @@ def _errors(block: Block, rays: ReferenceRays, source: int, table: Transfer) -> 
         t = table.t0 + table.dt * k.ravel()
         exact = _seen(block, source, rays.points(xy, t))
         with np.errstate(invalid="ignore"):
-            inside = ((exact >= 0) & (exact <= size)).all(axis=1) & (xy <= [rays.camera.width_px, rays.camera.height_px]).all(axis=1)
+            inside = ((exact >= 0) & (exact <= size)).all(axis=1) & (
+                xy <= [rays.camera.width_px, rays.camera.height_px]
+            ).all(axis=1)
         e = np.abs(table.at(xy[inside], t[inside]) - exact[inside])
         known = np.isfinite(e).all(axis=1)
         worst.append(float(e[known].max(initial=0.0)))
