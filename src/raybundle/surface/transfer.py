@@ -87,6 +87,10 @@ class ReferenceRays:
         origin, direction = self.rays(xy_px)
         return origin + direction / t[:, None]
 
+    def by_t(self, xy_px: Array, t: Array) -> Array:
+        """Derivatives (n, 3) of the object points by the depth parameters (n,)."""
+        return -self.rays(xy_px)[1] / t[:, None] ** 2
+
     def parameter(self, xy_px: Array, xyz: Array) -> Array:
         """Depth parameters (n,) of object points (n, 3) that stand on the rays of (n, 2)."""
         origin, direction = self.rays(xy_px)

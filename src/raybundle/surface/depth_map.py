@@ -1,0 +1,374 @@
+"""A depth map of one reference: depth and slopes of its pixels, each with variances in their parts.
+
+Approximate depths of all levels, refined on a coarse grid, grown, and refined again at the density that is asked for by the
+noise that was measured on the way.  Nothing here reads or writes files.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
+from enum import IntFlag
+
+import numpy as np
+
+from raybundle.block import Block
+from raybundle.errors import InputError
+from raybundle.numerics.arrays import Array, Index, Mask
+from raybundle.surface import planes, roughness
+from raybundle.surface.noise import autocovariance, lost_freedom
+from raybundle.surface.orientation import ShiftCovariance
+from raybundle.surface.pairs import Sources
+from raybundle.surface.refine import PixelGrid, Reason, Refined, RefineOptions, Source, grow, refine
+from raybundle.surface.sweep import levels_between, reduction_for, swept
+from raybundle.surface.transfer import ReferenceRays, transfer
+
+COARSE = 4
+"""Pixels from one to the next of the grid that is refined first: windows of 7 px overlap there."""
+BEYOND = 0.1
+"""By how much depths may lie beyond those of the tie points, as a share of their range."""
+FEWEST_POINTS = 8
+"""Tie points that tell the range of depths."""
+STRIP_BYTES = 64e6
+"""Windows' responses that are in memory at once."""
+SIGMAS = 3.0
+"""Standard deviations of a difference up to which neighbours agree."""
+AGREE, AGAINST = 5, 2
+"""Of eight neighbours that have to, and that may speak against it: most of a straight edge of things stays, and what juts
+out of it, where a window shows more of the other side, goes."""
+GRAZING = 0.3
+"""Cosine between ray and normal below which a window shows hardly anything of the surface."""
+
+
+class Flag(IntFlag):
+    """What is to be known of a pixel."""
+
+    GRAZING = 1
+    STEP = 2
+    """A neighbour stands on another depth"""
+    FEW_SOURCES = 4
+    """Seen by one source only, where there are several: nothing checks it"""
+    LONELY = 8
+    """Its neighbours do not agree with it: taken out"""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class DepthOptions:
+    """How dense, and by which means."""
+
+    density: int = 1
+    """every so many pixels: 1, 2 or 4"""
+    threads: int = 1
+    memory: float = 2e9
+    """bytes that approximate depths may take"""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class DepthMap:
+    """Depths of a reference's pixels: arrays (rows, columns), float32 unless said otherwise; NaN where there is none.
+
+    What it does not tell: an error that all sources share, as a moving shadow or a reflection.
+    """
+
+    grid: PixelGrid
+    sources: tuple[int, ...]
+    t_range: tuple[float, float]
+    """smallest and largest depth parameter that was looked for"""
+    t: Array
+    slopes: Array
+    """(2, rows, columns) of t by column and row [1 / px]"""
+    noise: Array
+    """variance of t by the noise of grey values"""
+    roughness: Array
+    """variance of t by what the surface does within the window"""
+    shift: Array
+    """(rows, columns, sources, 2) change of t where a source's picture lies one pixel further [t / px]"""
+    views: Index
+    """int32, bit s: source s was used"""
+    reason: Array
+    """uint8 `Reason`"""
+    flags: Array
+    """uint8 `Flag`; also of pixels that were taken out"""
+    correlation: Array
+    contrast: Array
+    incidence: Array
+    """cosine of the angle between ray and normal"""
+    grey: Array
+    """(7, 7) autocovariance of the noise of grey values by lag, 1 in the middle"""
+    correlation_px: float
+    """distance at which the errors of two pixels, orientation apart, correlate by 1 / e"""
+
+    def variance(self, shifts: ShiftCovariance | None = None) -> Array:
+        """(rows, columns) of t: noise, roughness and, with `shifts`, orientation and calibration."""
+        found = self.noise.astype(float) + self.roughness
+        known = np.isfinite(self.t)
+        if shifts is not None and known.any():
+            found[known] += shifts.of_depths(self.grid.xy_px[known], self.t[known].astype(float), self.shift[known])
+        return found
+
+    def points(self, block: Block, reference: int) -> Array:
+        """(n, 3) object points of the pixels with a depth, row by row."""
+        known = np.isfinite(self.t)
+        return ReferenceRays.of(block, reference).points(self.grid.xy_px[known], self.t[known].astype(float))
+
+    def correlation_between(self, distance_px: Array) -> Array:
+        """Correlation (...) of the errors by noise and roughness of pixels so far apart."""
+        return np.exp(-((np.asarray(distance_px, float) / self.correlation_px) ** 2))
+
+    def as_arrays(self) -> dict[str, Array]:
+        """What a store keeps."""
+        g = self.grid
+        named = {name: getattr(self, name) for name in STORED}
+        return {
+            **named, "grid": np.array([g.x0, g.y0, g.stride, g.rows, g.columns]),
+            "sources": np.array(self.sources, np.int32), "t_range": np.array(self.t_range),
+            "correlation_px": np.array([self.correlation_px]),
+        }  # fmt: skip
+
+    @classmethod
+    def of_arrays(cls, a: Mapping[str, Array]) -> DepthMap:
+        """That of `as_arrays`."""
+        x0, y0, stride, rows, columns = (int(n) for n in a["grid"])
+        low, high = a["t_range"].tolist()
+        return cls(
+            grid=PixelGrid(x0=x0, y0=y0, stride=stride, rows=rows, columns=columns),
+            sources=tuple(a["sources"].tolist()), t_range=(low, high), correlation_px=float(a["correlation_px"][0]),
+            **{name: np.asarray(a[name]) for name in STORED},
+        )  # fmt: skip
+
+
+STORED = (
+    "t", "slopes", "noise", "roughness", "shift", "views", "reason", "flags", "correlation", "contrast", "incidence",
+    "grey",
+)  # fmt: skip
+"""Arrays of a map that are kept as they are"""
+
+
+def depth_map(
+    block: Block, chosen: Sources, greys: Callable[[int], Array], options: DepthOptions | None = None
+) -> DepthMap:
+    """Measure the depths of a reference.
+
+    block   oriented; `chosen` are rows of its images
+    greys   gives the grey values (h, w) uint8 of an image as stored
+
+    Raises InputError for a reference without sources or tie points, or whose depths do not fit the memory.
+    """
+    o = options or DepthOptions()
+    if o.density not in (1, 2, 4):
+        raise InputError(f"density {o.density}: a depth at every pixel, every second or every fourth: 1, 2 or 4")
+    rays = ReferenceRays.of(block, chosen.reference)
+    t_range = _range(block, rays, chosen.reference)
+    work = _Work.of(block, rays, chosen, greys, t_range, o)
+    found, coarse, noise = _approximate(work)
+    return _measured(work, found, coarse, noise)
+
+
+def _range(block: Block, rays: ReferenceRays, reference: int) -> tuple[float, float]:
+    """Depth parameters between which the object lies, by the tie points that the reference sees."""
+    o = block.observations
+    mine = np.flatnonzero((o.image == reference) & np.isfinite(block.points.xyz).all(axis=1)[o.point])
+    t = rays.parameter(np.asarray(o.xy_px)[mine], block.points.xyz[np.asarray(o.point)[mine]])
+    t = t[np.isfinite(t) & (t > 0)]
+    if len(t) < FEWEST_POINTS:
+        name = block.images.ids[reference]
+        raise InputError(f"image {name}: {len(t)} tie points tell no range of depths, {FEWEST_POINTS} are needed")
+    low, high = float(t.min()), float(t.max())
+    more = BEYOND * max(high - low, 0.05 * high)
+    return max(low - more, 0.5 * low), high + more
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class _Work:
+    """What all steps share."""
+
+    rays: ReferenceRays
+    reference: Array
+    """(h, w) uint8"""
+    photographs: Sequence[Array]
+    """(h, w) uint8 of each source"""
+    sources: Sequence[Source]
+    chosen: Sources
+    t_range: tuple[float, float]
+    options: DepthOptions
+
+    @classmethod
+    def of(
+        cls, block: Block, rays: ReferenceRays, chosen: Sources, greys: Callable[[int], Array],
+        t_range: tuple[float, float], options: DepthOptions,
+    ) -> _Work:  # fmt: skip
+        if not chosen.sources:
+            raise InputError(f"image {block.images.ids[chosen.reference]}: no other photograph is of use with it")
+        photographs = [greys(j) for j in chosen.sources]
+        sources = [
+            Source(grey=np.ascontiguousarray(g, np.float32), transfer=transfer(block, rays, j, t_range))
+            for j, g in zip(chosen.sources, photographs, strict=True)
+        ]
+        return cls(
+            rays=rays, reference=greys(chosen.reference), photographs=photographs, sources=sources, chosen=chosen,
+            t_range=t_range, options=options,
+        )  # fmt: skip
+
+    @property
+    def grey(self) -> Array:
+        """(h, w) float32 of the reference."""
+        return np.ascontiguousarray(self.reference, np.float32)
+
+
+def _approximate(work: _Work) -> tuple[Refined, PixelGrid, Array]:
+    """Refined pixels of a coarse grid, and the autocovariances of the noise."""
+    height, width = work.reference.shape
+    tables = [s.transfer for s in work.sources]
+    levels = levels_between(tables, width, height, 1)
+    scale = reduction_for(width, height, levels, work.options.memory)
+    start = swept(work.reference, work.photographs, tables, scale=scale)
+    coarse = PixelGrid.over(work.reference, COARSE, RefineOptions().half)
+    grey, threads = work.grey, work.options.threads
+    found = refine(grey, work.sources, coarse, planes.of_start(start, coarse), threads=threads)
+    found = grow(grey, work.sources, coarse, found, threads=threads)
+    return found, coarse, autocovariance(grey, work.sources, coarse, found)
+
+
+def _measured(work: _Work, found: Refined, coarse: PixelGrid, noise: Array) -> DepthMap:
+    """The map at the density that is asked for."""
+    grey, threads, stride = work.grey, work.options.threads, work.options.density
+    grid = PixelGrid.over(work.reference, stride, RefineOptions().half)
+    whole = roughness.variogram(np.where(found.found, found.t, np.nan), _noise_of(found, noise, work), COARSE)
+    start = planes.of_refined(found, coarse, grid)
+    fine, window = _in_strips(work, grid, start, noise, whole.power)
+    grown = grow(grey, work.sources, grid, fine, autocovariance=noise, threads=threads)
+    more = grown.found & ~fine.found
+    if more.any():
+        again = np.where(more, grown.numbers[:3], np.nan).astype(np.float32)
+        rest, at_rest = _in_strips(work, grid, again, noise, whole.power)
+        fine = _joined(fine, rest)
+        window = np.where(rest.found, at_rest, window)
+    by_noise = np.where(fine.found, _noise_of(fine, noise, work), np.nan)
+    theory = by_noise + whole.strength * window
+    return _map(work, grid, fine, by_noise, theory, noise[0])
+
+
+def _in_strips(work: _Work, grid: PixelGrid, start: Array, noise: Array, power: float) -> tuple[Refined, Array]:
+    """Refined pixels, and the variance of each for a roughness of 1; windows' responses stand in memory by strips."""
+    side = (2 * RefineOptions().half + 1) ** 2
+    rows = max(1, int(STRIP_BYTES / (4.0 * side * max(grid.columns, 1))))
+    parts, window = list[Refined](), np.zeros((grid.rows, grid.columns), np.float32)
+    for begin in range(0, grid.rows, rows):
+        n = min(rows, grid.rows - begin)
+        strip = PixelGrid(x0=grid.x0, y0=grid.y0 + begin * grid.stride, stride=grid.stride, rows=n, columns=grid.columns)
+        part = refine(
+            work.grey, work.sources, strip, start[:, begin : begin + n], autocovariance=noise, response=True,
+            threads=work.options.threads,
+        )  # fmt: skip
+        assert part.response is not None
+        window[begin : begin + n] = roughness.of_window(part.response, power)
+        parts.append(_without_response(part))
+    return _below_each_other(parts), window
+
+
+def _without_response(r: Refined) -> Refined:
+    return Refined(
+        numbers=r.numbers, reason=r.reason, iterations=r.iterations, views=r.views, shift=r.shift, left=r.left,
+        response=None,
+    )  # fmt: skip
+
+
+def _below_each_other(parts: Sequence[Refined]) -> Refined:
+    return Refined(
+        numbers=np.concatenate([p.numbers for p in parts], axis=1), reason=np.concatenate([p.reason for p in parts]),
+        iterations=np.concatenate([p.iterations for p in parts]), views=np.concatenate([p.views for p in parts]),
+        shift=np.concatenate([p.shift for p in parts]), left=parts[0].left, response=None,
+    )  # fmt: skip
+
+
+def _joined(first: Refined, second: Refined) -> Refined:
+    """The second where it was refined, else the first."""
+    new = second.found
+    return Refined(
+        numbers=np.where(new, second.numbers, first.numbers), reason=np.where(new, second.reason, first.reason),
+        iterations=np.where(new, second.iterations, first.iterations),
+        views=np.where(new, second.views, first.views),
+        shift=np.where(new[..., None, None], second.shift, first.shift), left=first.left, response=None,
+    )  # fmt: skip
+
+
+def _noise_of(found: Refined, noise: Array, work: _Work) -> Array:
+    """Variance of t by grey values, residuals of correlated ones being too small (fewer are independent)."""
+    used = _count(found.views, len(work.sources))
+    o = RefineOptions()
+    side = np.arange(-o.half, o.half + 1.0)
+    w = np.exp(-(side**2) / (2 * o.sigma**2))
+    effective = (w.sum() ** 2 / (w**2).sum()) ** 2
+    spent = 2 * used + 3
+    white = used * effective
+    lost = lost_freedom(noise[0], o)
+    correlated = white / lost
+    more = np.maximum(white - spent, 1) / np.maximum(correlated - spent, 1) / lost
+    return found.variance * more
+
+
+def _count(views: Index, sources: int) -> Index:
+    """Sources used, of each pixel."""
+    return ((views[..., None] >> np.arange(sources)) & 1).sum(axis=-1)
+
+
+def _map(work: _Work, grid: PixelGrid, fine: Refined, by_noise: Array, theory: Array, grey: Array) -> DepthMap:
+    """Local variances, and what neighbours say of a pixel."""
+    known = fine.found
+    t, slopes = np.where(known, fine.t, np.nan), np.where(known, fine.slopes, np.nan)
+    residual = fine.grey_variance * fine.contrast**2
+    apart = roughness.misfits(t, slopes, grid.stride)
+    factor = roughness.local_factor(
+        theory, roughness.of_neighbours(apart), residual, grid.of(work.reference).astype(float), grid.stride
+    )
+    variance = theory * factor
+    incidence = incidences(work.rays, grid, t, slopes)
+    flags = _flags(work, fine, apart, variance, incidence, grid.stride)
+    kept = known & (flags & np.uint8(Flag.LONELY) == 0)
+
+    def of_kept(values: Array) -> Array:
+        return np.where(kept, values, np.nan).astype(np.float32)
+
+    noise = np.minimum(by_noise, variance)
+    o = RefineOptions()
+    return DepthMap(
+        grid=grid, sources=work.chosen.sources, t_range=work.t_range, t=of_kept(t), slopes=of_kept(slopes),
+        noise=of_kept(noise), roughness=of_kept(variance - noise), shift=fine.shift, views=fine.views,
+        reason=fine.reason, flags=flags, correlation=of_kept(fine.correlation), contrast=of_kept(fine.contrast),
+        incidence=of_kept(incidence), grey=grey, correlation_px=2 * o.sigma,
+    )  # fmt: skip
+
+
+def _flags(work: _Work, fine: Refined, apart: Array, variance: Array, incidence: Array, stride: int) -> Array:
+    """uint8 `Flag` of each pixel, by a test of the map against itself."""
+    known = fine.found
+    few = (_count(fine.views, len(work.sources)) < 2) & (len(work.sources) > 1)
+    limit = SIGMAS * np.sqrt(variance + roughness.at_neighbours(np.where(known, variance, np.nan), stride))
+    with np.errstate(invalid="ignore"):
+        same, other = np.abs(apart) <= limit, np.abs(apart) > limit
+    kept: Mask = known & (same.sum(axis=0) >= AGREE) & (other.sum(axis=0) <= AGAINST)
+    flags = np.zeros(known.shape, np.uint8)
+    for flag, where in (
+        (Flag.GRAZING, ~(incidence >= GRAZING)), (Flag.STEP, other.any(axis=0)), (Flag.FEW_SOURCES, few),
+        (Flag.LONELY, ~kept),
+    ):  # fmt: skip
+        flags[known & where] |= np.uint8(flag)
+    return flags
+
+
+def incidences(rays: ReferenceRays, grid: PixelGrid, t: Array, slopes: Array) -> Array:
+    """(rows, columns) cosine of the angle between rays and the normals of planes of t."""
+    found = np.full(t.shape, np.nan, np.float32)
+    known = np.isfinite(t)
+    xy, tk, (a, b) = grid.xy_px[known], t[known].astype(float), slopes[:, known].astype(float)
+    if not len(tk):
+        return found
+    middle = rays.points(xy, tk)
+    half = 0.5
+    across = rays.points(xy + [half, 0], tk + half * a) - middle
+    down = rays.points(xy + [0, half], tk + half * b) - middle
+    normal = np.cross(across, down)
+    d = rays.rays(xy)[1]
+    size = np.linalg.norm(normal, axis=1) * np.linalg.norm(d, axis=1)
+    found[known] = np.abs((normal * d).sum(axis=1)) / np.maximum(size, 1e-300)
+    return found

@@ -1,0 +1,171 @@
+"""What a surface that is no plane within the window does to its depth, and how local variances follow from the map itself.
+
+Of a surface between its refined pixels increments grow with a power of the distance: E (t(x + r) - t(x))^2 / 2 = c |r|^p
+(Matheron 1963), of a map with c and p from second differences at lags beyond the window, which tilts do not touch.  A depth
+is the middle of the window seen through the window's response h; its error is the increment of weights delta - h, and has
+the variance -(delta - h)' c |r|^p (delta - h).
+
+That is the variance of a usual pixel of the map.  The local one is a factor of it, known from two witnesses: how well planes
+of neighbours agree (`misfit`), and residuals of grey values beyond the map's noise, which say that the plane does not fit.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from itertools import product
+
+import cv2
+import numpy as np
+
+from raybundle.numerics.arrays import Array
+
+NORMAL = 0.6745
+"""Median of the absolute value of a standard normal variable"""
+LAGS_PX = (8, 16)
+"""Both beyond windows of 7 px."""
+LEAST_POWER, MOST_POWER = 0.3, 1.9
+APART_PX = 4
+"""To neighbours whose windows have little in common: weights of 1.9 px overlap by a third."""
+FEWEST = 3
+"""Neighbours that have to be known; else there is no misfit."""
+MOST = 20.0
+"""Of the usual misfit, above which neighbours' misfits count no more."""
+BY_MISFIT, BY_MISFIT_AROUND, BY_RESIDUAL = 0.2, 0.2, 0.85
+"""Exponents by which the variance follows its witnesses: least squares of the logarithm of squared errors of exactly known
+surfaces (benchmarks/surface_truth.py), the same for every map within 0.05.  A logarithm of a variance that is known before,
+and of one observed with as few neighbours, has them as weights."""
+LEFT = 0.5
+"""Variance of the logarithm of a variance that witnesses leave, by the same least squares: 5.4 of squared errors, of which
+their normal distribution explains 4.93.  The mean of a variance is larger than its median by exp(LEFT / 2)."""
+BRIGHTNESSES = 8
+"""Classes of brightness: the noise of a sensor grows with it."""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Variogram:
+    """Roughness of a map."""
+
+    power: float
+    strength: float
+    """c, robust over the map [t^2 / px^power]"""
+
+
+def variogram(t: Array, noise: Array, stride: int) -> Variogram:
+    """Of refined depth parameters (rows, columns), NaN where there is none, whose noise has the variances `noise`."""
+    lags = [max(1, round(lag / stride)) for lag in LAGS_PX]
+    d = [np.concatenate([x[np.isfinite(x)] for x in second_differences(t, lag)]) for lag in lags]
+    if not min(len(x) for x in d):
+        return Variogram(power=1.0, strength=0.0)
+    middle = float(np.nanmedian(noise))
+    squares = [max(float(np.median(np.abs(x)) / NORMAL) ** 2 - 6 * middle, 0.05 * middle) for x in d]
+    if not min(squares) > 0:
+        return Variogram(power=1.0, strength=0.0)
+    power = float(np.clip(np.log(squares[1] / squares[0]) / np.log(lags[1] / lags[0]), LEAST_POWER, MOST_POWER))
+    lag = lags[0] * stride
+    return Variogram(power=power, strength=squares[0] / (8 * lag**power - 2 * (2 * lag) ** power))
+
+
+def second_differences(t: Array, lag: int) -> tuple[Array, Array]:
+    """t(+lag) - 2 t + t(-lag) along rows and columns (rows, columns) each; NaN where one of them is not known."""
+    found = np.full((2, *t.shape), np.nan, np.float32)
+    if t.shape[1] > 2 * lag:
+        found[0, :, lag:-lag] = t[:, 2 * lag :] + t[:, : -2 * lag] - 2 * t[:, lag:-lag]
+    if t.shape[0] > 2 * lag:
+        found[1, lag:-lag] = t[2 * lag :] + t[: -2 * lag] - 2 * t[lag:-lag]
+    return found[0], found[1]
+
+
+def of_window(response: Array, power: float) -> Array:
+    """(...,) variance of a depth parameter for c = 1, by the responses (..., side^2) of its window."""
+    side = round(response.shape[-1] ** 0.5)
+    v, u = (x.ravel() for x in np.mgrid[:side, :side].astype(np.float32))
+    r = np.hypot(u[:, None] - u, v[:, None] - v) ** np.float32(power)
+    weights = -response.reshape(-1, side * side)
+    weights[:, side * side // 2] += 1
+    return np.maximum(-((weights @ r) * weights).sum(axis=1), 0).reshape(response.shape[:-1])
+
+
+def misfits(t: Array, slopes: Array, stride: int) -> Array:
+    """(8, rows, columns) differences to eight neighbours 4 px away, less the mean of both slopes; NaN where unknown.
+
+    Of a surface of second degree they are 0.
+    """
+    a, b = at_neighbours(slopes[0], stride), at_neighbours(slopes[1], stride)
+    found = at_neighbours(t, stride) - t
+    for k, (v, u) in enumerate(_around_of(stride)):
+        found[k] -= 0.5 * stride * (u * (a[k] + slopes[0]) + v * (b[k] + slopes[1]))
+    return found
+
+
+def at_neighbours(values: Array, stride: int) -> Array:
+    """(8, rows, columns) float32 values of eight neighbours 4 px away; NaN beyond the map."""
+    far = max(1, round(APART_PX / stride))
+    rows, columns = values.shape
+    padded = np.pad(values.astype(np.float32), far, constant_values=np.nan)
+    return np.stack([padded[far + v : far + v + rows, far + u : far + u + columns] for v, u in _around_of(stride)])
+
+
+def _around_of(stride: int) -> list[tuple[int, int]]:
+    """Rows and columns of the grid to each neighbour."""
+    far = max(1, round(APART_PX / stride))
+    return [(v, u) for v, u in product((-far, 0, far), repeat=2) if u or v]
+
+
+def of_neighbours(found: Array) -> Array:
+    """(rows, columns) median of squared misfits (8, rows, columns) of each pixel; NaN where fewer than three are known."""
+    known = np.isfinite(found).sum(axis=0)
+    ordered = np.sort(found**2, axis=0)
+    low, high = np.maximum(known - 1, 0) // 2, np.maximum(known, 1) // 2
+    middle = [np.take_along_axis(ordered, np.minimum(k, len(found) - 1)[None], axis=0)[0] for k in (low, high)]
+    return np.where(known >= FEWEST, (middle[0] + middle[1]) / 2, np.nan)
+
+
+def local_factor(variance: Array, misfit: Array, residual: Array, brightness: Array, stride: int) -> Array:
+    """(rows, columns) by what the variance of a pixel differs from the one that theory gives; the mean, not the median.
+
+    variance    by noise and the map's roughness; NaN where a pixel has no depth
+    misfit      squared, by `of_neighbours`
+    residual    variance of grey values, by the residuals
+    brightness  of the reference
+    """
+    known = np.isfinite(variance)
+    around = _around(misfit, known, stride)
+    logarithm = np.zeros(variance.shape)
+    with np.errstate(invalid="ignore", divide="ignore"):
+        for values, exponent in ((misfit, BY_MISFIT), (around, BY_MISFIT_AROUND)):
+            ratio = np.log(values / variance)
+            there = np.isfinite(ratio) & known
+            usual = np.median(ratio[there]) if there.any() else 0.0
+            logarithm += np.where(there, exponent * (ratio - usual), 0)
+        ratio = np.log(residual / _usual(residual, brightness, known))
+    logarithm += np.where(np.isfinite(ratio) & known, BY_RESIDUAL * ratio, 0)
+    return np.where(known, np.exp(logarithm + LEFT / 2), np.nan)
+
+
+def _around(misfit: Array, known: Array, stride: int) -> Array:
+    """Mean of the misfits of a pixel and its neighbours."""
+    there = np.isfinite(misfit) & known
+    if not there.any():
+        return misfit
+    values = np.minimum(np.where(there, misfit, 0), MOST * np.median(misfit[there]))
+    size = 2 * round((3 * APART_PX / stride - 1) / 2) + 1
+    total, n = (
+        cv2.boxFilter(x.astype(np.float64), -1, (size, size), normalize=False, borderType=cv2.BORDER_CONSTANT)
+        for x in (values, there)
+    )
+    return np.where(n > 0, total / np.maximum(n, 1), np.nan)
+
+
+def _usual(residual: Array, brightness: Array, known: Array) -> Array:
+    """(rows, columns) median of the residuals' variances of pixels as bright."""
+    if not known.any():
+        return residual
+    edges = np.unique(np.quantile(brightness[known], np.linspace(0, 1, BRIGHTNESSES + 1)))
+    of = np.clip(np.searchsorted(edges, brightness, side="right") - 1, 0, max(len(edges) - 2, 0))
+    at, middle = list[float](), list[float]()
+    for k in range(max(len(edges) - 1, 1)):
+        mine = known & (of == k)
+        if mine.any():
+            at.append(float(np.median(brightness[mine])))
+            middle.append(float(np.median(residual[mine])))
+    return np.exp(np.interp(brightness, at, np.log(np.maximum(middle, 1e-12))))
