@@ -255,7 +255,9 @@ def _in_strips(work: _Work, grid: PixelGrid, start: Array, noise: Array, power: 
     parts, window = list[Refined](), np.zeros((grid.rows, grid.columns), np.float32)
     for begin in range(0, grid.rows, rows):
         n = min(rows, grid.rows - begin)
-        strip = PixelGrid(x0=grid.x0, y0=grid.y0 + begin * grid.stride, stride=grid.stride, rows=n, columns=grid.columns)
+        strip = PixelGrid(
+            x0=grid.x0, y0=grid.y0 + begin * grid.stride, stride=grid.stride, rows=n, columns=grid.columns
+        )
         part = refine(
             work.grey, work.sources, strip, start[:, begin : begin + n], autocovariance=noise, response=True,
             threads=work.options.threads,

@@ -81,4 +81,4 @@ class SurfaceState:
         return self.adjustment.adjusted
 
 
-SURFACE = Workflow[SurfaceState]("surface")
+SURFACE: Workflow[SurfaceState] = Workflow("surface")

@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable, Mapping
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 
+from raybundle.io.folders import new_files
 from raybundle.io.formats.base import Draft, Export, Format, register
 from raybundle.io.formats.surveyed import Surveyed, surveyed
 from raybundle.numerics.arrays import Array
@@ -20,29 +22,54 @@ def write_vertices(
     path: Path, xyz: Array, colours: Array, extra: dict[str, Array] | None = None, comments: tuple[str, ...] = ()
 ) -> None:
     """Write a binary PLY file of vertices (n, 3) with colours (n, 3) and more properties (n,) each, float."""
-    more = extra or {}
+    write_in_parts(path, len(xyz), [(xyz, colours, extra or {})], comments)
+
+
+def write_in_parts(
+    path: Path, count: int, parts: Iterable[tuple[Array, Array, Mapping[str, Array]]], comments: tuple[str, ...] = ()
+) -> None:
+    """Write a binary PLY file of `count` vertices that come part by part, all with the same properties.
+
+    The file appears when it is whole.
+    """
+    with new_files(path) as (temporary,), temporary.open("wb") as file:
+        begun = False
+        for xyz, colours, extra in parts:
+            rows = _rows(xyz, colours, extra)
+            if not begun:
+                file.write(_head(count, rows.dtype, comments))
+                begun = True
+            file.write(rows.tobytes())
+        if not begun:
+            nothing = np.zeros((0, 3))
+            file.write(_head(0, _rows(nothing, nothing, {}).dtype, comments))
+
+
+def _rows(xyz: Array, colours: Array, extra: Mapping[str, Array]) -> Array:
     layout: list[Any] = [(axis, "<f8") for axis in "xyz"]
     layout += [(name, "u1") for name in ("red", "green", "blue")]
-    layout += [(name, "<i4" if v.dtype.kind in "iu" else "<f4") for name, v in more.items()]
+    layout += [(name, "<i4" if v.dtype.kind in "iu" else "<f4") for name, v in extra.items()]
     rows = np.zeros(len(xyz), np.dtype(layout))
     for k, axis in enumerate("xyz"):
         rows[axis] = xyz[:, k]
     for k, name in enumerate(("red", "green", "blue")):
         rows[name] = colours[:, k]
-    for name, values in more.items():
+    for name, values in extra.items():
         rows[name] = values
-    properties = [f"property {TYPES[t.lstrip('<')]} {n}" for n, t in layout]
-    head = [
+    return rows
+
+
+def _head(count: int, layout: np.dtype[Any], comments: tuple[str, ...]) -> bytes:
+    names = layout.names or ()
+    lines = [
         "ply",
         "format binary_little_endian 1.0",
         *(f"comment {c}" for c in comments),
-        f"element vertex {len(rows)}",
-        *properties,
+        f"element vertex {count}",
+        *(f"property {TYPES[layout[n].str.lstrip('<|')]} {n}" for n in names),
         "end_header",
     ]
-    with path.open("wb") as file:
-        file.write(("\n".join(head) + "\n").encode("ascii"))
-        file.write(rows.tobytes())
+    return ("\n".join(lines) + "\n").encode("ascii", "replace")
 
 
 def write(export: Export, path: Path) -> Draft:

@@ -1,0 +1,126 @@
+"""The surface of an oriented block: dense points from its photographs, each with its standard deviations.
+
+The steps: tie points say which photographs measure the surface together; each reference gets a depth map; the maps are
+compared, and of what agrees the best estimate of each place goes into the cloud.
+"""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, field
+from pathlib import Path
+
+import numpy as np
+
+from raybundle.block import Block
+from raybundle.errors import InputError
+from raybundle.io.photos.photo import Photo, read_photo
+from raybundle.measuring.session import adjusted_again
+from raybundle.numerics.progress import Progress, silent
+from raybundle.pipeline.choosing import executor_for
+from raybundle.pipeline.project import Project, StageRecord
+from raybundle.pipeline.stage import Run
+from raybundle.pipeline.store import Folder
+from raybundle.settings import option
+from raybundle.workflows.surface_state import Cloud, SurfaceOptions, SurfaceState
+from raybundle.workflows.surfacing import SURFACE
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Surface:
+    """What was measured; the points are read one reference after the other."""
+
+    block: Block
+    """the adjusted one"""
+    store: Folder
+    clouds: tuple[tuple[int, str], ...]
+    """references, rows of the block's images, and the keys of their points"""
+    counts: tuple[int, ...]
+    """points of each"""
+    options: SurfaceOptions
+    left_out: tuple[tuple[str, str], ...]
+    """photographs and pairs without a part in it, and why"""
+    records: tuple[StageRecord, ...] = field(default=(), repr=False)
+
+    def __len__(self) -> int:
+        """How many points."""
+        return sum(self.counts)
+
+    def parts(self) -> Iterator[Cloud]:
+        """The points of one reference after the other."""
+        for _, key in self.clouds:
+            yield Cloud(**{name: np.asarray(values) for name, values in self.store.wanted(key).items()})
+
+
+def surface(
+    source: Path,
+    folder: Path,
+    options: SurfaceOptions,
+    *,
+    photos: Sequence[Path],
+    cluster: str = "",
+    jobs: int = 0,
+    memory: float = 2e9,
+    progress: Progress = silent,
+) -> Surface:
+    """Measure the surface that the photographs of a result show.
+
+    source  result folder: its block is adjusted once more, which ends at once, for all covariances
+    folder  project folder, where finished maps are kept and taken from
+    photos  folders in which the photographs are looked for
+    memory  bytes that the approximate depths of a photograph may take
+    raises  InputError where no two photographs show the same part, and where none is found
+
+    What it does not tell: errors that all photographs of a place share, as of reflections, water and moving shadows.
+    """
+    jobs = jobs or os.cpu_count() or 1
+    adjustment = adjusted_again(source, progress)
+    found, lost = _photographs(adjustment.adjusted, photos)
+    project = Project.open(folder)
+    try:
+        run = Run(
+            project=project, executor=executor_for(cluster, jobs, memory), progress=progress, jobs=jobs, memory=memory
+        )
+        state = run.workflow(SURFACE, SurfaceState(adjustment=adjustment, photos=found, options=options, left_out=lost))
+        clouds = tuple(sorted(state.clouds.items()))
+        counts = tuple(len(project.products.wanted(key, ("image",))["image"]) for _, key in clouds)
+        return Surface(
+            block=state.block, store=project.products, clouds=clouds, counts=counts, options=options,
+            left_out=state.left_out, records=tuple(project.records),
+        )  # fmt: skip
+    finally:
+        project.close()
+
+
+def _photographs(block: Block, folders: Sequence[Path]) -> tuple[dict[int, Photo], tuple[tuple[str, str], ...]]:
+    """The photographs of a block's oriented images, and why others take no part."""
+    found, lost = dict[int, Photo](), list[tuple[str, str]]()
+    for i, name in enumerate(block.images.file):
+        ident = block.images.ids[i]
+        if not block.images.oriented[i]:
+            continue
+        if i in block.images.frames:
+            lost.append(
+                (ident, "its file is turned or reduced against its camera; give the photograph as it was taken")
+            )
+            continue
+        path = next((f / name for f in folders if (f / name).is_file()), None)
+        if path is None:
+            lost.append((ident, f"{name} is in none of the folders of the photographs"))
+            continue
+        camera = block.cameras[int(block.images.camera[i])]
+        try:
+            photo = read_photo(path, name=name)
+        except InputError as error:
+            lost.append((ident, str(error)))
+            continue
+        if (photo.width_px, photo.height_px) != (camera.width_px, camera.height_px):
+            given, taken = f"{photo.width_px} x {photo.height_px}", f"{camera.width_px} x {camera.height_px}"
+            lost.append((ident, f"{name} has {given} px, its camera {taken}"))
+            continue
+        found[i] = photo
+    if not found:
+        why = f": {lost[0][1]}" if lost else ""
+        raise InputError(f"no photograph of the result was found{why}; say where they are with {option('photos')}")
+    return found, tuple(lost)

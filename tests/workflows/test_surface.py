@@ -1,0 +1,117 @@
+"""The surface of rendered photographs, from result to point cloud: three of the portal, at half their size."""
+
+from dataclasses import replace
+from pathlib import Path
+
+import cv2
+import numpy as np
+import pytest
+from scipy.spatial import KDTree
+
+from raybundle.block.select import selected
+from raybundle.commands.surface import surface
+from raybundle.errors import InputError
+from raybundle.io.block.folder import read_block, write_block
+from raybundle.workflows.surface import surface as measured
+from raybundle.workflows.surface_state import SurfaceOptions
+
+PORTAL = Path(__file__).parents[2] / "demo_data/portal"
+NAMES = ("portal_02.jpg", "portal_03.jpg", "portal_08.jpg")
+
+
+@pytest.fixture(scope="module")
+def half(tmp_path_factory):
+    """The block of three photographs at half their size, and the folder of these."""
+    folder = tmp_path_factory.mktemp("half")
+    block = read_block(PORTAL / "truth")
+    block = selected(block, "image", np.isin(block.images.file, NAMES))
+    rays = np.bincount(block.observations.point, minlength=len(block.points))
+    block = selected(block, "point", rays > 1)
+    o, (camera,) = block.observations, block.cameras
+    camera = replace(
+        camera, width_px=camera.width_px // 2, height_px=camera.height_px // 2,
+        pixel_mm=(2 * camera.pixel_mm[0], 2 * camera.pixel_mm[1]), estimate=(),
+    )  # fmt: skip
+    rng = np.random.default_rng(1)
+    xy = o.xy_px / 2 + rng.normal(0, 0.1, o.xy_px.shape)
+    cov = np.tile([0.01, 0.01, 0.0], (len(o), 1))
+    block = replace(block, cameras=(camera,), observations=replace(o, xy_px=xy, cov_px2=cov))
+    for name in NAMES:
+        grey = cv2.imread(str(PORTAL / "photos" / name), cv2.IMREAD_COLOR | cv2.IMREAD_IGNORE_ORIENTATION)
+        cv2.imwrite(
+            str(folder / name.replace(".jpg", ".png")),
+            cv2.resize(grey, None, fx=0.5, fy=0.5, interpolation=cv2.INTER_AREA),
+        )
+    images = replace(block.images, file=tuple(f.replace(".jpg", ".png") for f in block.images.file))
+    write_block(replace(block, images=images), folder / "block")
+    return folder
+
+
+@pytest.fixture(scope="module")
+def found(half, tmp_path_factory):
+    """Its surface, every fourth pixel."""
+    work = tmp_path_factory.mktemp("surface") / "work"
+    return measured(half / "block", work, SurfaceOptions(density=4), photos=[half], jobs=1), work
+
+
+def test_points_are_those_of_the_object(found):
+    done, _ = found
+    assert len(done) > 3000
+    assert not done.left_out
+    truth = read_block(PORTAL / "truth")
+    cloud = np.concatenate([c.xyz for c in done.parts()])
+    sigma = np.concatenate([np.linalg.norm(c.sigma, axis=1) for c in done.parts()])
+    assert (sigma > 0).all()
+    assert np.isfinite(sigma).all()
+    named = np.array([n.startswith("P") for n in truth.points.ids])
+    tree = KDTree(cloud)
+    near, _ = tree.query(truth.points.xyz[named], distance_upper_bound=0.03)
+    hit = np.isfinite(near)
+    assert hit.mean() > 0.3
+    # a pixel of four is 22 mm on the object: the nearest point lies within it, in depth by far nearer
+    assert np.median(near[hit]) < 0.012
+    for c in done.parts():
+        assert (c.confirmed >= 1).all()
+        assert (c.views >= 2).all()
+        assert (c.incidence <= 1).all()
+        assert len(np.unique(c.colour)) > 20
+
+
+def test_what_was_done_is_not_done_again_and_gives_the_same_bits(found, half):
+    done, work = found
+    again = measured(half / "block", work, SurfaceOptions(density=4), photos=[half], jobs=2)
+    assert again.clouds == done.clouds
+    assert all(r.from_cache for r in again.records)
+    key = done.clouds[0][1]
+    before = {k: np.array(v) for k, v in done.store.wanted(key).items()}
+    file = next(work.rglob(f"*{key.rsplit('-', 1)[1]}*.npz"))
+    file.write_bytes(file.read_bytes()[: file.stat().st_size // 2])  # as a full disk leaves it
+    third = measured(half / "block", work, SurfaceOptions(density=4), photos=[half], jobs=1)
+    after = third.store.wanted(key)
+    assert all(np.array_equal(before[k], after[k], equal_nan=before[k].dtype.kind == "f") for k in before)
+
+
+def test_photographs_that_are_not_there_are_named(half, tmp_path):
+    for name in list(NAMES)[:2]:
+        (tmp_path / name.replace(".jpg", ".png")).write_bytes((half / name.replace(".jpg", ".png")).read_bytes())
+    (tmp_path / NAMES[2].replace(".jpg", ".png")).write_bytes(b"no picture")
+    done = measured(half / "block", tmp_path / "w", SurfaceOptions(density=4), photos=[tmp_path], jobs=1)
+    assert len(done.clouds) == 2
+    (lost,) = done.left_out
+    assert lost[0] == "portal_08"
+    with pytest.raises(InputError, match="no photograph of the result was found"):
+        measured(half / "block", tmp_path / "v", SurfaceOptions(density=4), photos=[tmp_path / "w"], jobs=1)
+
+
+def test_one_photograph_has_no_surface(half, tmp_path):
+    name = NAMES[0].replace(".jpg", ".png")
+    (tmp_path / name).write_bytes((half / name).read_bytes())
+    with pytest.raises(InputError, match="two photographs that show the same part"):
+        measured(half / "block", tmp_path / "w", SurfaceOptions(density=4), photos=[tmp_path], jobs=1)
+
+
+def test_a_folder_with_other_things_is_left_alone(half, tmp_path):
+    (tmp_path / "letter.txt").write_text("dear")
+    with pytest.raises(InputError, match=r"holds letter.txt"):
+        surface(half / "block", tmp_path, photos=(half,))
+    assert [p.name for p in tmp_path.iterdir()] == ["letter.txt"]
