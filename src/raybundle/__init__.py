@@ -93,6 +93,7 @@ if TYPE_CHECKING:
     from raybundle.commands.sheet import DrawingSheet, DrawingSheetSettings, drawing_sheet
     from raybundle.commands.show import show
     from raybundle.commands.spreadsheet import Spreadsheet, SpreadsheetSettings, spreadsheet
+    from raybundle.commands.surface import MeasuredSurface, SurfaceSettings, surface
     from raybundle.commands.target_settings import (
         ChooseSettings,
         DetectSettings,
@@ -180,6 +181,7 @@ _HOME = {
     "PlannedMission": "commands.planning.mission",
     "Points": "block",
     "RaybundleError": "errors",
+    "MeasuredSurface": "commands.surface",
     "Rectification": "commands.rectify",
     "record": "commands.record",
     "Recorded": "commands.record",
@@ -188,6 +190,7 @@ _HOME = {
     "DrawingSheetSettings": "commands.sheet",
     "DrawingSheet": "commands.sheet",
     "RectifySettings": "commands.rectify",
+    "SurfaceSettings": "commands.surface",
     "Role": "block",
     "RpcBatchSettings": "commands.scenes.batch",
     "RpcCorrectSettings": "commands.scenes.correct",
@@ -246,6 +249,7 @@ _HOME = {
     "read_block": "io.block.folder",
     "read_result": "results.folder",
     "rectify": "commands.rectify",
+    "surface": "commands.surface",
     "rpc_batch": "commands.scenes.batch",
     "rpc_correct": "commands.scenes.correct",
     "rpc_fit": "commands.rpc",
@@ -298,6 +302,7 @@ __all__ = [
     "ListSettings",
     "Matrices",
     "MeasureSettings",
+    "MeasuredSurface",
     "MergeSettings",
     "MissionSettings",
     "MovedSettings",
@@ -331,6 +336,7 @@ __all__ = [
     "SpreadsheetSettings",
     "Stations",
     "StraightFilm",
+    "SurfaceSettings",
     "ZoomSettings",
     "__version__",
     "adjust",
@@ -388,6 +394,7 @@ __all__ = [
     "rpc_project",
     "show",
     "spreadsheet",
+    "surface",
     "table",
     "table_names",
     "transform_block",
