@@ -309,6 +309,7 @@ void aggregate(In<uint8_t, 2> image, Into<uint8_t, 3> cost, int slope, int jump,
   require(0 <= slope && slope <= least && least <= jump && jump <= 90, "penalties are not 0 <= slope <= least <= jump <= 90");
   nb::gil_scoped_release release;
   sweep_kernels().aggregate(sweep, image.data(), cost.data(), {slope, jump, least}, sum.data(), level.data(), margin.data());
+}
 
 // Rows of a grid of pixels; fit: half, sigma, iterations, step, reach, slope, correlation, contrast, share, apart; grid: x0, y0,
 // stride; tables: u0, v0, step, t0, dt of each.  numbers, reason, iterations and views are written where todo says so.
