@@ -326,7 +326,7 @@ def test_features_and_pairs_of_photographs_are_those_of_this_process(machines, t
             store, failed = find_features(means, found, method, 500)
             pairs = match_pairs(means, found, store, method, [(0, 1), (0, 2), (1, 2)])
             assert not failed
-            files = {k: project.products._path(k).read_bytes() for k in store.keys}
+            files = {k: project.products.place._path(k).read_bytes() for k in store.keys}
             products.append((files, [p.matches.tolist() for p in pairs]))
         finally:
             project.close()
