@@ -39,8 +39,8 @@ class AdjustSettings(AdjustmentOptions):
         "FOLDER` makes (extra [cluster]).", metavar="FOLDER",
     )  # fmt: skip
     store: str = setting(
-        "", "Where parts of the normal equations lie meanwhile: the URL of an object store, as s3://bucket/folder (extra "
-        "[cluster], and the package of the service).  [default: beside the result]", metavar="URL",
+        "", "Where parts of the normal equations lie meanwhile: the URL of an object store, as s3://bucket/folder "
+        "(extra [cluster], and the package of the service).  [default: beside the result]", metavar="URL",
     )  # fmt: skip
     memory: float = setting(
         0.0, "Memory that the adjustment may take, in GB; 0: four fifths of what is free, 1 at least.  What does not "

@@ -160,10 +160,11 @@ class OrientSettings:
 
         return OrientOptions(
             features=self.features, feature_count=self.feature_count, start=self.start, precise=self.precise,
-            jobs=self.jobs, cluster=self.cluster, store=self.store, memory_gb=self.memory, separate=self.own_camera, masks=self.masks,
-            library=library_folder() if self.library else None, redo_from=self.redo_from, scene_bias=self.scene_bias,
-            crs=self.crs, attitudes=self.attitudes, attitude_sigma_deg=self.attitude_sigma, relative=self.relative,
-            targets=self.target, noise=self.noise, read_out_s=None if self.read_out is None else self.read_out / 1000,
+            jobs=self.jobs, cluster=self.cluster, store=self.store, memory_gb=self.memory, separate=self.own_camera,
+            masks=self.masks, library=library_folder() if self.library else None, redo_from=self.redo_from,
+            scene_bias=self.scene_bias, crs=self.crs, attitudes=self.attitudes, attitude_sigma_deg=self.attitude_sigma,
+            relative=self.relative, targets=self.target, noise=self.noise,
+            read_out_s=None if self.read_out is None else self.read_out / 1000,
         )  # fmt: skip
 
     def given(self) -> Given:
@@ -216,12 +217,13 @@ def run_orient(settings: OrientSettings, progress: Progress = silent) -> Orienta
     from raybundle.io.photos.photo import shown  # noqa: PLC0415
     from raybundle.io.trajectories import read_trajectory  # noqa: PLC0415
     from raybundle.pipeline.project import discard_empty, store_given  # noqa: PLC0415
+    from raybundle.pipeline.store import whole_url  # noqa: PLC0415
     from raybundle.results.folder import check_target  # noqa: PLC0415
     from raybundle.workflows.earlier_result import less_fixed  # noqa: PLC0415
     from raybundle.workflows.orient import orient as oriented  # noqa: PLC0415
 
     out, result = settings.out, settings.out / "result"
-    settings = replace(settings, store=settings.store or store_given(out))
+    settings = replace(settings, store=whole_url(settings.store or store_given(out)))
     cameras = () if settings.calibration is None else read_cameras(settings.calibration)
     options, given = settings.options(), settings.given()
     wanted, record = accuracy_class(settings.accuracy_class), record_of(settings).over(record_in(out))

@@ -41,7 +41,7 @@ HEADS = 512
 TOKEN, TOKENS = "token", re.compile(r"[0-9a-f]{32}")
 OURS = re.compile(r"[A-Za-z0-9_ -]+-[0-9a-f]{40}\.npz|\.[A-Za-z0-9_. -]+\.[0-9a-f]{8}|token|tasks\.jsonl")
 """Names of what is kept in a store."""
-REFUSED = re.compile(r"credential|forbidden|unauthori[sz]ed|accessdenied|access denied|authentication|40[13]\b", re.IGNORECASE)
+REFUSED = re.compile(r"credential|forbidden|unauthori[sz]ed|access ?denied|authentication|\b40[13]\b", re.IGNORECASE)
 
 T = TypeVar("T")
 
@@ -109,7 +109,7 @@ class Objects:
             if here.stat().st_size != size:
                 raise ConnectionError(f"{here.stat().st_size} of {size} bytes came")
 
-        self._tried(get)
+        self._tried(get, writes_here=True)
 
     def damaged(self, key: str, again: bool) -> None:  # noqa: FBT001
         """Remove the copy; where it was got anew and is damaged again, the object."""
@@ -265,14 +265,19 @@ class Objects:
             self._copies = Copies(copies_folder(), token)
         return self._copies
 
-    def _tried(self, what: Callable[[], T]) -> T:
-        """Do something, after a pause again where it fails; raises StoreLost, FileNotFoundError."""
+    def _tried(self, what: Callable[[], T], *, writes_here: bool = False) -> T:
+        """Do something, after a pause again where it fails; raises StoreLost, FileNotFoundError.
+
+        writes_here  a full disk is that of the copies, which make room
+        """
         for attempt in range(TRIES):
             try:
                 return what()
             except (FileNotFoundError, IsADirectoryError, NotADirectoryError, InputError):
                 raise
-            except Exception as error:  # noqa: BLE001  (each service has its own)
+            except Exception as error:  # each service has its own
+                if writes_here and isinstance(error, OSError) and error.errno in FULL:
+                    raise
                 if attempt + 1 == TRIES:
                     raise self._lost(error) from None
                 time.sleep(PAUSE_S * 2**attempt)
@@ -282,7 +287,10 @@ class Objects:
         """What is wrong, and what to do."""
         said = f"{type(error).__name__}: {str(error).strip().partition(chr(10))[0]}".rstrip(": ")
         if isinstance(error, PermissionError) or REFUSED.search(said):
-            what = f"access is refused, or there are no credentials ({said}); give those of this service as its own tools take them"
+            what = (
+                f"access is refused, or there are no credentials ({said}); give those of this service as its own tools "
+                "take them"
+            )
         elif isinstance(error, OSError) and error.errno in FULL:
             what = f"no space is left there ({said}); free space"
         else:

@@ -218,10 +218,11 @@ class _Workers:
     def _checked(self, task: Task, done: Done, host: str, refused: str) -> Done:
         """What became of a task; raises InputError where its worker does not see what this machine sees."""
         if refused:
+            what = "store" if self.store.url else "folder"
             remedy = "give it access" if self.store.url else "mount it there under the same path"
             raise InputError(
-                f"the worker on {host} does not see this {'store' if self.store.url else 'folder'} as this machine does "
-                f"({refused}); {remedy}, or stop that worker",
+                f"the worker on {host} does not see this {what} as this machine does ({refused}); "
+                f"{remedy}, or stop that worker",
                 file=self.store.place.name,
             )
         if not done.failed or done.lost or done.trouble or done.stop:

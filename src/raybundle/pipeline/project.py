@@ -2,8 +2,8 @@
 
     PROJECT/project.toml     inputs and settings, as given
     PROJECT/project.db       stages, photographs, verified pairs (SQLite)
-    PROJECT/cache/xx/KEY.npz products of stages; a key holds the hash of everything that the product depends on.  Where a
-                             run was given an object store they lie there (`objects`), which project.toml remembers
+    PROJECT/cache/xx/KEY.npz products of stages; a key holds the hash of everything that the product depends on.
+                             Of a run with an object store they lie there (`objects`), which project.toml remembers
     PROJECT/result/          the result folder
     PROJECT/block/           the photographs alone, where they are measured by hand and `orient` made no result
     PROJECT/failed-tasks.log what tasks said that failed three times

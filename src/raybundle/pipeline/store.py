@@ -230,6 +230,13 @@ class Files:
         shutil.rmtree(self.path, ignore_errors=True)
 
 
+def whole_url(url: str) -> str:
+    """The same for processes that work in another folder: a path that is relative to this one is made whole."""
+    path = url.removeprefix("file://")
+    relative = path not in {"", url} and not path.startswith(("/", "~")) and not Path(path).is_absolute()
+    return f"file://{Path(path).absolute().as_posix()}" if relative else url
+
+
 def place_at(path: Path, url: str) -> Place:
     """Where products lie: at a URL, or in a folder where that is empty."""
     if not url:
@@ -262,14 +269,15 @@ class Folder:
 
     def __post_init__(self) -> None:
         """Where the archives lie."""
-        object.__setattr__(self, "place", place_at(self.path, self.url))  # the class is frozen
+        object.__setattr__(self, "url", whole_url(self.url))  # the class is frozen
+        object.__setattr__(self, "place", place_at(self.path, self.url))
 
     def check_shared(self) -> None:
         """Raise InputError where other processes do not see it."""
         if not self.place.shared:
             raise InputError(
-                "lies in the memory of this process, which others do not see; let threads of it do all tasks, or choose "
-                "another place",
+                "lies in the memory of this process, which others do not see; let threads of it do all tasks, or "
+                "choose another place",
                 file=self.place.name,
             )
 
