@@ -1,6 +1,8 @@
 """Stores at a URL: the same bits as in a folder, whatever fails, and copies that take no more than they may."""
 
 import contextlib
+import gc
+import json
 import os
 import shutil
 import signal
@@ -486,6 +488,23 @@ def test_workers_of_a_cluster_by_the_url_alone(tmp_path, url, expected):
         machines.close()
 
 
+@pytest.mark.long
+def test_parts_of_an_adjustment_lie_there_while_it_runs(tmp_path, url, copies):
+    """The same result, and nothing is left."""
+    main(["simulate", "aerial", "--out", str(tmp_path / "flight")])
+    words = ["adjust", str(tmp_path / "flight/block"), "--memory", "0.1", "--jobs", "2", "--no-report"]
+    assert main([*words, "--out", str(tmp_path / "here")]) == 0
+    assert main([*words, "--out", str(tmp_path / "there"), "--store", url]) == 0
+    gc.collect()
+    tables = [p.relative_to(tmp_path / "here") for p in (tmp_path / "here").rglob("*.csv")]
+    assert tables
+    for name in tables:
+        assert (tmp_path / "there" / name).read_bytes() == (tmp_path / "here" / name).read_bytes()
+    assert not [p for p in (tmp_path / "objects").rglob("*") if p.is_file()]
+    assert copies.is_dir(), "it was used"
+    assert not list(copies.rglob("*.npz"))
+
+
 def test_why_a_worker_does_not_see_a_store(tmp_path, url, monkeypatch):
     monkeypatch.setattr("raybundle.pipeline.clusters.APPEAR_S", 0.0)
     token = token_of(Folder(tmp_path / "s", url))
@@ -493,3 +512,62 @@ def test_why_a_worker_does_not_see_a_store(tmp_path, url, monkeypatch):
     assert unseen("s", url, "0" * 32) == "another one stands there"
     assert unseen("s", f"{url}-not", token) == "there is none"
     assert "Protocol not known" in unseen("s", "nowhere://x", token)
+
+
+S3 = """
+import json, os, sys
+from pathlib import Path
+from moto.server import ThreadedMotoServer
+from raybundle.errors import InputError
+from raybundle.pipeline.executors import Processes, Threads
+from raybundle.pipeline.store import Folder
+from tests.pipeline.graph import done_by, tasks_of
+if __name__ == "__main__":
+    server = ThreadedMotoServer(ip_address="127.0.0.1", port=0, verbose=False)
+    server.start()
+    os.environ["AWS_ENDPOINT_URL"] = "http://%s:%s" % server.get_host_and_port()
+    import boto3
+    boto3.client("s3").create_bucket(Bucket="surveys")
+    tasks, told = tasks_of(16), []
+    keys = [t.key for t in tasks if not t.small]
+    stores = [Folder(Path("s"), "s3://surveys/" + name) for name in ("threads", "processes")]
+    digests = [done_by(e, tasks, s) for e, s in zip((Threads(2), Processes(2)), stores)]
+    store = stores[0]
+    fs, path = store.place._fs(), store.place._path(keys[0])
+    fs.pipe_file(path, fs.cat_file(path)[:-40])
+    store.place._copies.forget(keys[0])
+    damaged = store.load(keys[0]) is None and not store.has(keys[0])
+    there = len(store.those(keys)), len(store.keys_of_kind("node"))
+    store.forget_kind("node")
+    there += (len(store.keys_of_kind("node")),)
+    store.place.clear()
+    there += (len(fs.find("surveys/threads")), len(fs.find("surveys/processes")))
+    for k, url in enumerate(("s3://nowhere/x", "s3://surveys/late")):
+        if k:
+            server.stop()
+        try:
+            Folder(Path("n"), url).place.check()
+        except InputError as error:
+            told.append(str(error))
+    print(json.dumps([digests, damaged, there, told]), flush=True)
+    os._exit(0)
+"""
+
+
+@pytest.mark.long
+def test_an_s3_on_this_machine(tmp_path, expected):
+    """By s3fs, against moto's server: requests as they go over a network."""
+    for name in ("moto", "s3fs"):
+        pytest.importorskip(name, reason=f"{name} is not installed")
+    (tmp_path / "s3.py").write_text(S3)
+    keys = dict.fromkeys(("AWS_ACCESS_KEY_ID", "AWS_SECRET_ACCESS_KEY"), "test")
+    env = {**os.environ, **keys, "AWS_DEFAULT_REGION": "us-east-1", "PYTHONPATH": str(ROOT), "NO_PROXY": "127.0.0.1"}
+    done = subprocess.run(
+        [sys.executable, tmp_path / "s3.py"], env=env, cwd=tmp_path, capture_output=True, text=True, check=True
+    )
+    digests, damaged, there, (no_bucket, no_server) = json.loads(done.stdout.splitlines()[-1])
+    assert digests == [expected, expected]
+    assert damaged
+    assert there == [30, 15, 0, 0, 32]  # 16 leaves and 15 nodes, one of them damaged; those and the token
+    assert no_bucket.startswith("s3://nowhere/x: there is no such bucket, or nothing can be written into it; create it")
+    assert no_server.startswith("s3://surveys/late: cannot be reached (EndpointConnectionError: Could not connect")

@@ -87,6 +87,10 @@ class Copies:
         with suppress(OSError):
             self._path(key).unlink()
 
+    def clear(self) -> None:
+        """Remove all copies of this store."""
+        shutil.rmtree(self.folder / self.store, ignore_errors=True)
+
     def make(self, key: str, size: int, write: Callable[[Path], None], then: Callable[[Path], None]) -> Path:
         """Make a copy.
 

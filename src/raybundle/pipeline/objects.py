@@ -223,8 +223,11 @@ class Objects:
         self._remove([f"{self._root()}/{name}"])
 
     def clear(self) -> None:
-        """Remove the objects that are ours, and no others."""
+        """Remove the objects that are ours, and no others, with their copies."""
         fs, root = self._fs(), self._root()
+        copies = self._copies_here(begin=False)
+        if copies is not None:
+            copies.clear()
         with suppress(FileNotFoundError):
             self._remove([p for p in self._tried(lambda: fs.find(root)) if OURS.fullmatch(p.rpartition("/")[2])])
         with suppress(Exception):  # elsewhere than in object stores folders are left
