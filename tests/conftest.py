@@ -1,6 +1,9 @@
 """Where the public data sets are."""
 
+import atexit
 import os
+import shutil
+import tempfile
 from pathlib import Path
 
 import pytest
@@ -12,6 +15,9 @@ os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
 """Tests run side by side: threads within small matrices only stand in each other's way."""
 os.environ["RAYBUNDLE_CAMERAS"] = str(Path(__file__).parent / "no-cameras")
 """No test finds the calibrations of whoever runs it."""
+os.environ["RAYBUNDLE_PRODUCTS"] = tempfile.mkdtemp(prefix="raybundle-products-")
+"""Nor leaves copies of products with them."""
+atexit.register(shutil.rmtree, os.environ["RAYBUNDLE_PRODUCTS"], ignore_errors=True)
 
 
 @pytest.fixture(scope="session")

@@ -167,7 +167,7 @@ def test_products_that_were_damaged_are_made_again_in_the_same_run(tmp_path, exp
         means = Means(project=project, executor=executor)
         assert means.do(leaves, "leaves") == {}
         for k, t in enumerate(leaves[:6]):
-            path = project.products._path(t.key)
+            path = project.products.place._path(t.key)
             data = bytearray(path.read_bytes())
             data[len(data) // 2] ^= 255
             path.write_bytes(data[:-30] if k % 2 else data)

@@ -77,7 +77,7 @@ def test_one_worker_and_the_ways_in_which_it_is_refused(machines, tmp_path, expe
     hands = on_dask._Workers(cluster_at(str(machines.folder)), other, token, 30.0)
     try:
         monkeypatch.setattr("raybundle.pipeline.clusters.APPEAR_S", 0.0)
-        found = on_dask._elsewhere([b""], str(other.path), token, False, ".")
+        found = on_dask._elsewhere([b""], str(other.path), "", token, False, ".")
         with pytest.raises(InputError, match="does not see this folder as this machine does"):
             hands._checked(tasks[0], *found)
     finally:
@@ -326,7 +326,7 @@ def test_features_and_pairs_of_photographs_are_those_of_this_process(machines, t
             store, failed = find_features(means, found, method, 500)
             pairs = match_pairs(means, found, store, method, [(0, 1), (0, 2), (1, 2)])
             assert not failed
-            files = {k: project.products._path(k).read_bytes() for k in store.keys}
+            files = {k: project.products.place._path(k).read_bytes() for k in store.keys}
             products.append((files, [p.matches.tolist() for p in pairs]))
         finally:
             project.close()

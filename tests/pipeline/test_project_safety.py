@@ -111,7 +111,7 @@ def test_a_damaged_product_is_never_taken_for_another(project):
     key = key_of("features", "x")
     product = {"xy": np.random.default_rng(1).normal(size=(60, 2)), "names": np.array(["a", "bc"])}
     project.products.store(key, product)
-    path = project.products._path(key)
+    path = project.products.place._path(key)
     whole = path.read_bytes()
     for what, data in damaged(whole):
         path.write_bytes(data)
@@ -127,7 +127,7 @@ def test_a_damaged_product_is_never_taken_for_another(project):
 
 def test_a_product_is_never_unpickled(project):
     key = key_of("features", "pickle")
-    path = project.products._path(key)
+    path = project.products.place._path(key)
     path.parent.mkdir(parents=True, exist_ok=True)
     with path.open("wb") as file:
         np.savez(file, a=np.array([{"an": "object"}], dtype=object))

@@ -110,7 +110,7 @@ def test_a_damaged_product_is_made_again_by_the_run_that_asks(tmp_path, expected
     store = Folder(tmp_path / "p/cache")
     asked(tmp_path / "p", tasks[:LEAVES])
     do_shard(tmp_path / "p", 0, 1)
-    path = store._path(tasks[0].key)
+    path = store.place._path(tasks[0].key)
     data = bytearray(path.read_bytes())
     data[len(data) // 2] ^= 1
     path.write_bytes(data)

@@ -3,12 +3,11 @@
 from __future__ import annotations
 
 import contextlib
-from pathlib import Path
 from typing import Any
 
 import click
 
-from raybundle.cli.common import FOLDER, Command, common_options, counted
+from raybundle.cli.common import Command, common_options, counted
 from raybundle.cli.settings import options_of, values_of
 from raybundle.commands.worker import WorkerSettings
 from raybundle.settings import made
@@ -18,14 +17,15 @@ WAITING = 5
 
 
 @click.command("worker", cls=Command)
-@click.argument("project", type=FOLDER, required=False)
+@click.argument("project", required=False)
 @options_of(WorkerSettings)
 @common_options
-def command(project: Path | None, progress: str, **given: Any) -> int:
+def command(project: str | None, progress: str, **given: Any) -> int:
     """Do tasks of runs on other machines: for the scheduler of a cluster, or a share of the tasks in PROJECT.
 
     Project and photographs lie in folders that all machines see under the same paths, and all have the same version of
-    raybundle. Which worker does a task makes no difference to the result.
+    raybundle. Where the products of a project lie in an object store, its URL is enough in place of PROJECT. Which
+    worker does a task makes no difference to the result.
 
     \b
     Exit status of a share: 0 all of it is done (what could not be is told by the run that wanted it); 2 bad input; 5
@@ -35,6 +35,7 @@ def command(project: Path | None, progress: str, **given: Any) -> int:
     Example:
       raybundle worker --cluster office-cluster --jobs 8
       raybundle worker facade-project --shard 0/4
+      raybundle worker s3://surveys/facade --shard 0/4
     """  # noqa: D301
     from raybundle.cli.progress import reporting  # noqa: PLC0415  (what computes is loaded after the help)
     from raybundle.commands.worker import run_worker  # noqa: PLC0415

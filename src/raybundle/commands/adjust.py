@@ -38,6 +38,10 @@ class AdjustSettings(AdjustmentOptions):
         "", "Reduce the normal equations in parts by the workers of a cluster: its folder, which `raybundle scheduler "
         "FOLDER` makes (extra [cluster]).", metavar="FOLDER",
     )  # fmt: skip
+    store: str = setting(
+        "", "Where parts of the normal equations lie meanwhile: the URL of an object store, as s3://bucket/folder "
+        "(extra [cluster], and the package of the service).  [default: beside the result]", metavar="URL",
+    )  # fmt: skip
     memory: float = setting(
         0.0, "Memory that the adjustment may take, in GB; 0: four fifths of what is free, 1 at least.  What does not "
         "fit lies in files beside the result meanwhile, and normal equations are reduced in parts.", metavar="GB",
@@ -66,7 +70,13 @@ def run_adjust(settings: AdjustSettings, progress: Progress = silent) -> Adjustm
     check_tables(settings.tables)
     wanted = accuracy_class(settings.accuracy_class)
     with within_memory(
-        Path(settings.block), settings.out, settings.memory, progress, jobs=settings.jobs, cluster=settings.cluster
+        Path(settings.block),
+        settings.out,
+        settings.memory,
+        progress,
+        jobs=settings.jobs,
+        cluster=settings.cluster,
+        store=settings.store,
     ) as (read, room):
         block, frame, remarks = in_block_frame(read)
         done = adjust(block, settings.options(), progress, factoring=room.factoring)

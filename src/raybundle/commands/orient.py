@@ -12,7 +12,7 @@ from raybundle.adjustment.options import NOISE_HELP, NoiseModel
 from raybundle.commands.camera_settings import APART, KNOWN, LIBRARY
 from raybundle.commands.pages import COORDINATES_HELP, LANGUAGE_HELP, NO_REPORT_HELP, PDF_HELP, check_pages
 from raybundle.commands.record_settings import ACCURACY_CLASS, CLIENT, OPERATOR, TITLE, record_in, record_of
-from raybundle.commands.worker import CLUSTER_HELP
+from raybundle.commands.worker import CLUSTER_HELP, STORE_HELP
 from raybundle.errors import InputError
 from raybundle.numerics.progress import Progress, silent
 from raybundle.report.languages import ENGLISH
@@ -128,6 +128,7 @@ class OrientSettings:
     precise: bool = setting(True, "Leave out least-squares matching: several times less precise.", flag="quick")
     jobs: int = setting(0, "How many processors; 0: all.", limits=NOT_NEGATIVE)
     cluster: str = setting("", CLUSTER_HELP, metavar="FOLDER|shards")
+    store: str = setting("", STORE_HELP, metavar="URL|project")
     memory: float = setting(
         4.0, "Memory that the pixels of photographs may take while points are measured.", metavar="GB",
         limits=Range(low=0.1, high=1e6),
@@ -159,10 +160,11 @@ class OrientSettings:
 
         return OrientOptions(
             features=self.features, feature_count=self.feature_count, start=self.start, precise=self.precise,
-            jobs=self.jobs, cluster=self.cluster, memory_gb=self.memory, separate=self.own_camera, masks=self.masks,
-            library=library_folder() if self.library else None, redo_from=self.redo_from, scene_bias=self.scene_bias,
-            crs=self.crs, attitudes=self.attitudes, attitude_sigma_deg=self.attitude_sigma, relative=self.relative,
-            targets=self.target, noise=self.noise, read_out_s=None if self.read_out is None else self.read_out / 1000,
+            jobs=self.jobs, cluster=self.cluster, store=self.store, memory_gb=self.memory, separate=self.own_camera,
+            masks=self.masks, library=library_folder() if self.library else None, redo_from=self.redo_from,
+            scene_bias=self.scene_bias, crs=self.crs, attitudes=self.attitudes, attitude_sigma_deg=self.attitude_sigma,
+            relative=self.relative, targets=self.target, noise=self.noise,
+            read_out_s=None if self.read_out is None else self.read_out / 1000,
         )  # fmt: skip
 
     def given(self) -> Given:
@@ -214,12 +216,14 @@ def run_orient(settings: OrientSettings, progress: Progress = silent) -> Orienta
     from raybundle.io.block.toml import read_cameras  # noqa: PLC0415
     from raybundle.io.photos.photo import shown  # noqa: PLC0415
     from raybundle.io.trajectories import read_trajectory  # noqa: PLC0415
-    from raybundle.pipeline.project import discard_empty  # noqa: PLC0415
+    from raybundle.pipeline.project import discard_empty, store_given  # noqa: PLC0415
+    from raybundle.pipeline.store import whole_url  # noqa: PLC0415
     from raybundle.results.folder import check_target  # noqa: PLC0415
     from raybundle.workflows.earlier_result import less_fixed  # noqa: PLC0415
     from raybundle.workflows.orient import orient as oriented  # noqa: PLC0415
 
     out, result = settings.out, settings.out / "result"
+    settings = replace(settings, store=whole_url(settings.store or store_given(out)))
     cameras = () if settings.calibration is None else read_cameras(settings.calibration)
     options, given = settings.options(), settings.given()
     wanted, record = accuracy_class(settings.accuracy_class), record_of(settings).over(record_in(out))

@@ -19,6 +19,12 @@ CLUSTER_HELP = (
     "[cluster]); or shards, to write the tasks down for `raybundle worker` and end."
 )
 """Of the setting `cluster`, which every command has whose stages can be done elsewhere"""
+STORE_HELP = (
+    "Where products of stages lie: the URL of an object store for this project alone, as s3://bucket/folder (extra "
+    "[cluster], and the package of the service), which the project remembers; project: in its folder.  [default: as "
+    "the last run, at first in the folder]"
+)
+"""Of the setting `store`"""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -49,7 +55,7 @@ class SchedulerSettings:
 
 
 def run_worker(
-    settings: WorkerSettings, project: Path | None, told: Callable[[str], None], progress: Progress = silent
+    settings: WorkerSettings, project: str | None, told: Callable[[str], None], progress: Progress = silent
 ) -> ShardDone | None:
     """Work for a cluster until interrupted (None), or do a share of the tasks in a project."""
     if bool(settings.cluster) == bool(settings.shard):

@@ -3,6 +3,8 @@
 keys        what a product depends on, as a hash
 archives    the files of products: arrays that can be mapped one by one, each with its check sum
 store       products of tasks and stages in files, whole or not at all
+objects     the same in an object store, by a URL; the only module that knows fsspec
+copies      copies of what lies there on this machine: so many bytes, those used last
 project     a project folder: store, small products and records of stages in SQLite, one run at a time
 tasks       what another process can do by itself: a function by name, plain options, keys of products
 queues      in which order tasks are handed over, and what becomes of those that fail

@@ -29,7 +29,7 @@ from urllib.parse import urlsplit
 
 from raybundle.errors import InputError
 from raybundle.io.reading.trees import read_json
-from raybundle.pipeline.store import Folder, writing
+from raybundle.pipeline.store import Folder, store_at, writing
 
 SCHEDULER = "scheduler.json"
 CERTIFICATES = ("ca.pem", "cert.pem", "key.pem")
@@ -181,25 +181,28 @@ def signature() -> str:
 
 def token_of(store: Folder) -> str:
     """What a store is known by, written the first time that it is asked for."""
-    file = store.path / TOKEN
-    if not file.is_file():
-        store.write_text(TOKEN, secrets.token_hex(16))
-    return file.read_text(encoding="utf-8")
+    found = store.place.text(TOKEN)
+    if found is None:
+        store.place.keep_text(TOKEN, secrets.token_hex(16))
+        found = store.place.text(TOKEN)
+    return found or ""
 
 
 @lru_cache
-def unseen(folder: str, token: str) -> str:
+def unseen(folder: str, url: str, token: str) -> str:
     """Why a worker does not see a store as others do; empty: it does."""
-    file, until = Path(folder) / TOKEN, time.monotonic() + APPEAR_S
+    until = time.monotonic() + APPEAR_S
     while True:
         try:
-            found = file.read_text(encoding="utf-8")
-        except OSError as error:
-            found, why = "", error.strerror or str(error)
+            found = store_at(folder, url).place.text(TOKEN)
+        except InputError as error:  # it was tried already
+            return str(error)
+        except (OSError, UnicodeDecodeError) as error:
+            found, why = "", getattr(error, "strerror", None) or str(error)
         else:
-            why = "another folder stands there"
+            why = "another one stands there" if found else "there is none"
         if found == token:
-            return "" if os.access(folder, os.W_OK) else "it cannot be written there"
+            return "" if url or os.access(folder, os.W_OK) else "it cannot be written there"
         if time.monotonic() > until:
             return why
         time.sleep(1.0)

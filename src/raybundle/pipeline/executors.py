@@ -12,13 +12,12 @@ from concurrent.futures import BrokenExecutor, Future, ProcessPoolExecutor, Thre
 from contextlib import contextmanager, suppress
 from dataclasses import dataclass, field
 from multiprocessing import get_context, parent_process
-from pathlib import Path
 from queue import SimpleQueue
 from threading import Thread
 from typing import Protocol
 
 from raybundle.pipeline.queues import drive
-from raybundle.pipeline.store import Folder
+from raybundle.pipeline.store import Folder, store_at
 from raybundle.pipeline.tasks import Done, Task, do, do_written, written
 from raybundle.settings import read_with_flags, with_flags
 
@@ -70,6 +69,7 @@ class Processes:
 
     def run(self, tasks: Sequence[Task], store: Folder) -> Iterator[Done]:
         """Do tasks and yield them as they end."""
+        store.check_shared()
         hands = _processes(min(self.jobs or os.cpu_count() or 1, max(len(tasks), 1)))
         with _one_thread_each(), hands.open(store):
             yield from drive(tasks, hands, store, self.memory)
@@ -85,6 +85,7 @@ class Staying:
 
     def run(self, tasks: Sequence[Task], store: Folder) -> Iterator[Done]:
         """Do tasks and yield them as they end."""
+        store.check_shared()
         if self._hands is None:
             self._hands = _processes(self.jobs or os.cpu_count() or 1)
         self._hands.store = store
@@ -107,7 +108,7 @@ def _processes(jobs: int) -> _Pool:
     return _Pool(
         AHEAD * jobs,
         lambda: ProcessPoolExecutor(jobs, get_context("spawn"), initializer=_begin, initargs=(with_flags(),)),
-        lambda pool, task, store: pool.submit(_elsewhere, written(task), str(store.path)),
+        lambda pool, task, store: pool.submit(_elsewhere, written(task), str(store.path), store.url),
     )
 
 
@@ -125,19 +126,9 @@ def _end_with_parent() -> None:
         os._exit(1)
 
 
-def _elsewhere(text: bytes, folder: str) -> Done:
+def _elsewhere(text: bytes, folder: str, url: str) -> Done:
     """Do a task in a process of its own."""
-    return do_written(text, store_at(folder))
-
-
-def store_at(folder: str) -> Folder:
-    """The store in a folder, the same one for all tasks of this process: what was verified need not be again."""
-    if folder not in _stores:
-        _stores[folder] = Folder(Path(folder))
-    return _stores[folder]
-
-
-_stores: dict[str, Folder] = {}
+    return do_written(text, store_at(folder, url))
 
 
 @contextmanager

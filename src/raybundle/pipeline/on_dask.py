@@ -36,9 +36,9 @@ from raybundle.pipeline.clusters import (
     unseen,
     write_scheduler,
 )
-from raybundle.pipeline.executors import ONE_THREAD, store_at
+from raybundle.pipeline.executors import ONE_THREAD
 from raybundle.pipeline.queues import drive
-from raybundle.pipeline.store import Folder, writing
+from raybundle.pipeline.store import Folder, store_at, writing
 from raybundle.pipeline.tasks import Done, Task, do, do_written, written
 from raybundle.settings import read_with_flags, with_flags
 
@@ -72,7 +72,7 @@ CONFIGURED = {
 
 @dataclass(frozen=True, slots=True)
 class Dask:
-    """The workers of a scheduler; the store lies in a folder that all of them see under the same path."""
+    """The workers of a scheduler; the store lies in a folder that all of them see under the same path, or at a URL."""
 
     cluster: Cluster
     memory: float = float("inf")
@@ -84,6 +84,7 @@ class Dask:
             return
         check_answers(self.cluster)
         _quiet()
+        store.check_shared()
         store.path.mkdir(parents=True, exist_ok=True)
         hands = _Workers(self.cluster, store, token_of(store), self.patience)
         try:
@@ -164,7 +165,7 @@ class _Workers:
             return
         keys = [f"{m[0].key}-{self.name}-{self.count + k}" for k, m in enumerate(messages)]
         self.count += len(messages)
-        about = (str(self.store.path.absolute()), self.token, with_flags(), str(Path.cwd()))
+        about = (str(self.store.path.absolute()), self.store.url, self.token, with_flags(), str(Path.cwd()))
         futures: Any = self.client.map(
             _elsewhere, [[written(t) for t in m] for m in messages], *([part] * len(messages) for part in about),
             key=keys, resources={signature(): 1}, pure=False,
@@ -217,10 +218,12 @@ class _Workers:
     def _checked(self, task: Task, done: Done, host: str, refused: str) -> Done:
         """What became of a task; raises InputError where its worker does not see what this machine sees."""
         if refused:
+            what = "store" if self.store.url else "folder"
+            remedy = "give it access" if self.store.url else "mount it there under the same path"
             raise InputError(
-                f"the worker on {host} does not see this folder as this machine does ({refused}); mount it there under "
-                f"the same path, or stop that worker",
-                file=self.store.path,
+                f"the worker on {host} does not see this {what} as this machine does ({refused}); "
+                f"{remedy}, or stop that worker",
+                file=self.store.place.name,
             )
         if not done.failed or done.lost or done.trouble or done.stop:
             return done
@@ -285,19 +288,20 @@ def together(tasks: Sequence[Task]) -> list[tuple[Task, ...]]:
 def _elsewhere(
     texts: Sequence[bytes],
     folder: str,
+    url: str,
     token: str,
     flags: bool,  # noqa: FBT001  (as Dask hands it over)
     here: str,
 ) -> tuple[list[Done], str, str]:
     """Do tasks in a worker: what became of each, the machine, and why it does not see the store (empty: it does)."""
     read_with_flags(flags)
-    refused = unseen(folder, token)
+    refused = unseen(folder, url, token)
     if refused:
         nothing = Done(task=Task(key="", function="", options=None))
         return [nothing] * len(texts), socket.gethostname(), refused
     with suppress(OSError):  # where it is not, the files were given with their whole paths, or are named as missing
         os.chdir(here)
-    return [do_written(text, store_at(folder)) for text in texts], socket.gethostname(), ""
+    return [do_written(text, store_at(folder, url)) for text in texts], socket.gethostname(), ""
 
 
 def dask_setup(worker: DaskWorker) -> None:

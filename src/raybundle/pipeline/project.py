@@ -2,7 +2,8 @@
 
     PROJECT/project.toml     inputs and settings, as given
     PROJECT/project.db       stages, photographs, verified pairs (SQLite)
-    PROJECT/cache/xx/KEY.npz products of stages; a key holds the hash of everything that the product depends on
+    PROJECT/cache/xx/KEY.npz products of stages; a key holds the hash of everything that the product depends on.
+                             Of a run with an object store they lie there (`objects`), which project.toml remembers
     PROJECT/result/          the result folder
     PROJECT/block/           the photographs alone, where they are measured by hand and `orient` made no result
     PROJECT/failed-tasks.log what tasks said that failed three times
@@ -42,6 +43,8 @@ from raybundle.pipeline.store import Folder, Product, writing
 from raybundle.settings import option
 
 SCHEMA = 1
+HERE = "project"
+"""Said of a store: the project folder itself."""
 OWN = {
     "project.db", "project.db-wal", "project.db-shm", "project.toml", "cache", "result", "block", "film",
     "measured.db", "measured.db-wal", "measured.db-shm", "measured-result", "measured-masks", "failed-tasks.log",
@@ -113,21 +116,24 @@ class Project:
 
     lock: int | None = None
     """file descriptor that holds the lock"""
+    store: str = ""
+    """where the products lie, as `store_given` says"""
     products: Folder = field(init=False)
 
     def __post_init__(self) -> None:
         """The store of this folder."""
-        self.products = Folder(self.folder / "cache")
+        self.products = products_of(self.folder, self.store)
 
     @classmethod
-    def open(cls, folder: Path, *, create: bool = True) -> Project:
+    def open(cls, folder: Path, *, create: bool = True, store: str = "") -> Project:
         """Open a project folder for a run, or begin one; `create=False` only looks at one, and changes nothing.
 
+        store   URL of the object store of its products; "project": they lie in the folder; empty: as the last run said
         raises  InputError where something else stands there, another run works there, or nothing can be written
         """
         file = folder / "project.db"
         if not create:
-            return cls(folder, _opened(file, _connection_to_read))
+            return cls(folder, _opened(file, _connection_to_read), store=store)
         if not file.exists() and folder.exists() and not _begun(folder):
             raise InputError(
                 f"exists and is neither empty nor a project folder; choose another {option('out')}", file=folder
@@ -143,7 +149,7 @@ class Project:
                 except BaseException:
                     db.close()
                     raise
-                return cls(folder, db, lock=lock)
+                return cls(folder, db, lock=lock, store=store)
             except BaseException:
                 _unlock(lock)
                 raise
@@ -447,6 +453,24 @@ def photographs_of(result: Path) -> tuple[Path, ...]:
             continue
         return tuple(dict.fromkeys(p if p.is_dir() else p.parent for p in paths if p.exists()))
     return ()
+
+
+def store_given(folder: Path) -> str:
+    """Where the products of a project lie, as its last run was told: a URL, HERE, or nothing."""
+    file = folder / "project.toml"
+    if not file.is_file():
+        return ""
+    try:
+        asked = read_toml(file).tree().get("orient")
+        return asked.get("store").text() if asked.has("store") else ""
+    except InputError:
+        return ""
+
+
+def products_of(folder: Path, store: str = "") -> Folder:
+    """The products of a project; `store` as for `Project.open`."""
+    url = store or store_given(folder)
+    return Folder(folder / "cache", "" if url == HERE else url)
 
 
 def masks_given(result: Path) -> Path | None:

@@ -1,6 +1,6 @@
 """Tasks without a scheduler: a list in the store, of which each job of an array does its share.
 
-    PROJECT/cache/tasks.jsonl  what the stage needs that is not kept yet: a line of facts, then a task a line
+    STORE/tasks.jsonl  what the stage needs that is not kept yet: a line of facts, then a task a line
 
 A run with this executor takes what shards have handed over and writes down what is still to be done; then it ends, and
 the same command goes on when the shards are through.  Which shard does what makes no difference to any product.
@@ -27,6 +27,7 @@ from raybundle.numerics.progress import Counted, Progress, silent
 from raybundle.pipeline.clusters import signature
 from raybundle.pipeline.executors import Processes
 from raybundle.pipeline.keys import key_of
+from raybundle.pipeline.project import products_of
 from raybundle.pipeline.queues import Queue
 from raybundle.pipeline.store import Folder
 from raybundle.pipeline.tasks import Done, Task, read_task, written
@@ -64,13 +65,12 @@ class Shards:
             if found or all(FAILED in product for product in products.values()):
                 store.forget(archive)  # kept by now; what failed is tried again by the next run
         if not wanted:
-            with suppress(OSError):
-                (store.path / TASKS).unlink()
+            store.place.forget_text(TASKS)
             return
         facts = {"raybundle": signature(), "tasks": len(wanted), "flags": with_flags(), "folder": str(Path.cwd())}
         lines = [json.dumps(facts), *(written(t).decode() for t in wanted.values())]
-        file = store.write_text(TASKS, "\n".join(lines) + "\n")
-        project = store.path.parent
+        file = store.place.keep_text(TASKS, "\n".join(lines) + "\n")
+        project = store.url or store.path.parent
         raise TasksWaiting(
             f"{counted(len(wanted), 'task')} to be done by shards, in {file}.\n"
             f"  Run `raybundle worker {option('shard', 'I/N')} {project}` for each I from 0 to N - 1, in any order, "
@@ -90,15 +90,18 @@ class ShardDone:
 
 
 def do_shard(
-    project: Path, number: int, of: int, *, jobs: int = 1, wait_s: float = 60.0, progress: Progress = silent
+    project: Path | str, number: int, of: int, *, jobs: int = 1, wait_s: float = 60.0, progress: Progress = silent
 ) -> ShardDone:
     """Do each task whose number modulo `of` is `number`, in the order of the list; what is made already is left.
 
+    project  its folder, or the URL of the store of its products
     jobs    processes, of one thread each
     wait_s  that others are waited for where nothing else is left to do
     raises  InputError where there is no list, or it is of another version of raybundle
     """
-    store = Folder((project / "cache").absolute())
+    of_url = isinstance(project, str) and "://" in project
+    store = Folder(Path.cwd() / "cache", str(project)) if of_url else products_of(Path(project).absolute())
+    store.check_shared()
     tasks = _listed(store)
     if tasks is None:
         return ShardDone(made=0, failed=(), waiting=0)
@@ -106,7 +109,8 @@ def do_shard(
     mine = tasks[number::of]
     failed: dict[str, str] = {}
     handed_over = _keys_handed(store)
-    waiting = [t for t in mine if not (t.key in handed_over if t.small else store.has(t.key))]
+    there = store.those([t.key for t in mine if not t.small])
+    waiting = [t for t in mine if t.key not in (handed_over if t.small else there)]
     begun, count = time.monotonic(), 0
     while waiting:
         ready = _ready(waiting, made, small, store)
@@ -139,14 +143,15 @@ def do_shard(
 
 def _listed(store: Folder) -> list[Task] | None:
     """The tasks of the list in a store; None: there is none, nothing is to be done."""
-    file = store.path / TASKS
-    if not store.path.is_dir():
+    file = f"{store.place.name}/{TASKS}"
+    if not (store.url or store.path.is_dir()):
         raise InputError("is no project folder, or no run has begun in it", file=store.path.parent)
     try:
-        first, *lines = file.read_bytes().splitlines()
+        text = store.place.text(TASKS)
+        if text is None:
+            return None
+        first, *lines = text.encode().splitlines()
         facts = msgspec.json.decode(first, type=dict[str, Any])
-    except FileNotFoundError:
-        return None
     except (OSError, ValueError) as error:
         raise InputError(f"cannot be read: {error}", file=file) from None
     if facts["raybundle"] != signature():
@@ -170,14 +175,11 @@ def _keys_handed(store: Folder) -> set[str]:
 def _ready(waiting: Sequence[Task], made: set[str], small: set[str], store: Folder) -> list[Task]:
     """Those that can be done now: what they need is kept, or made by one of them before."""
     ready: dict[str, Task] = {}
-    known: dict[str, bool] = {}
-    handed_over = _keys_handed(store) if small else set[str]()
+    needed = {key for t in waiting for key in (*t.inputs, *t.after)}
+    there = (needed - made) | (_keys_handed(store) if small else set[str]())
+    there |= store.those(sorted((needed & made) - small))
     for t in waiting:
-        for key in {*t.inputs, *t.after}:
-            if key not in known:
-                known[key] = key not in made or (key in handed_over if key in small else store.has(key))
-            known[key] |= key in ready
-        if all(known[key] for key in {*t.inputs, *t.after}):
+        if all(key in there or key in ready for key in (*t.inputs, *t.after)):
             ready[t.key] = t
     return [*ready.values()]
 

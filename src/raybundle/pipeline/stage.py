@@ -96,13 +96,15 @@ class Means:
         self.asked = (self.asked or 0) + len(tasks)
         self._small |= self.project.small([t.key for t in tasks if t.small])
         self.store.makers.update({t.key: partial(made, t, self.store) for t in tasks if not t.small})
-        missing = [t for t in tasks if (t.key not in self._small if t.small else not self.store.has(t.key))]
+        there = self.store.those([t.key for t in tasks if not t.small])
+        missing = [t for t in tasks if t.key not in (self._small if t.small else there)]
         self.made += len(missing)
         told = Counting(self.progress, what, total=len(tasks), done=len(tasks) - len(missing), costs=missing)
         failed: dict[str, str] = {}
         again: list[Done] = []
         executor = self.executor
-        if apart and isinstance(executor, Threads) and executor.jobs != 1 and len(missing) > 1:
+        alone = not self.store.place.shared or len(missing) < 2
+        if apart and isinstance(executor, Threads) and executor.jobs != 1 and not alone:
             executor = Processes(executor.jobs, executor.memory)
         for _ in range(MENDS):
             again = self._once(missing, told, failed, executor)

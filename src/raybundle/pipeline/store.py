@@ -1,7 +1,8 @@
-"""Where products are kept: archives of arrays in a folder, each whole or not there, under the hash of its inputs.
+"""Where products are kept: archives of arrays, each whole or not there, under the hash of its inputs.
 
-What is there is known by the length of its file; an array is verified by its check sum when a process reads it the
-first time.  A damaged product is removed, and made again by whoever wants it.
+Their files lie in a folder, or in an object store (`objects`): a `Place`.  What is there is known by the length of its
+file; an array is verified by its check sum when a process reads it the first time.  A damaged product is removed, and
+made again by whoever wants it.
 """
 
 from __future__ import annotations
@@ -9,6 +10,7 @@ from __future__ import annotations
 import contextlib
 import errno
 import os
+import shutil
 import sqlite3
 import uuid
 from collections import OrderedDict
@@ -17,7 +19,7 @@ from contextlib import contextmanager
 from dataclasses import dataclass, field
 from pathlib import Path
 from threading import Lock
-from typing import BinaryIO
+from typing import BinaryIO, Protocol
 
 import numpy as np
 
@@ -42,22 +44,216 @@ HELD = 256
 """Archives that tasks of one process have mapped, the latest ones: their memory is the system's to take back."""
 WRITES = 3
 """Times that a product is written whose file another process swept away while it was."""
+READS = 8
+"""Times that a file is opened that others take away before: copies of a store that is full of them come and go."""
 
 
 class ProductGone(InputError):
     """A product that was there is damaged or gone: the folder was changed meanwhile."""
 
-    def __init__(self, key: str, folder: Path) -> None:
-        kind = key.rpartition("-")[0]
-        super().__init__(f"a product of the {kind} stage is damaged or gone; run the same command again", file=folder)
+    def __init__(self, key: str, where: str) -> None:
+        super().__init__(
+            f"a product of the {kind_of(key)} stage is damaged or gone; run the same command again", file=where
+        )
         self.key = key
+
+
+class StoreLost(InputError):
+    """Products can be neither read nor written any more: no task can be done, and none is to blame."""
+
+
+class Place(Protocol):
+    """Where the files of products lie."""
+
+    @property
+    def name(self) -> str:
+        """As people know it."""
+        ...
+
+    @property
+    def shared(self) -> bool:
+        """Whether other processes see it."""
+        ...
+
+    def check(self) -> None:
+        """Raise InputError where it cannot be reached, or nothing can be kept there."""
+        ...
+
+    def has(self, key: str) -> bool:
+        """Whether a whole file of this product is there."""
+        ...
+
+    def those(self, keys: Sequence[str]) -> set[str]:
+        """Those of which a whole file is there."""
+        ...
+
+    def file(self, key: str) -> Path | None:
+        """A file on this machine; None: there is none.  Another process may take it away before it is opened."""
+        ...
+
+    def damaged(self, key: str, again: bool) -> None:  # noqa: FBT001  (which of two)
+        """Remove a file whose numbers are wrong; `again`: also the second one that was read."""
+        ...
+
+    def keep(self, key: str, product: Product) -> None:
+        """Keep a product; its file appears whole or not at all."""
+        ...
+
+    def keys_of_kind(self, kind: str) -> list[str]:
+        """Keys of all products whose key begins with this word, in order."""
+        ...
+
+    def forget(self, *keys: str) -> None:
+        """Remove files."""
+        ...
+
+    def text(self, name: str) -> str | None:
+        """A text that is no product; None: there is none."""
+        ...
+
+    def keep_text(self, name: str, text: str) -> str:
+        """Keep a text, whole or not at all; where."""
+        ...
+
+    def forget_text(self, name: str) -> None:
+        """Remove a text."""
+        ...
+
+    def clear(self) -> None:
+        """Remove everything that is ours."""
+        ...
+
+
+def kind_of(key: str) -> str:
+    """The word with which a key begins."""
+    return key.rpartition("-")[0]
+
+
+@dataclass(frozen=True, slots=True)
+class Files:
+    """Files in a folder that all who need them see."""
+
+    path: Path
+
+    @property
+    def name(self) -> str:
+        """The folder."""
+        return str(self.path)
+
+    @property
+    def shared(self) -> bool:
+        """By its path."""
+        return True
+
+    def check(self) -> None:
+        """Who opens a project has written there."""
+
+    def _path(self, key: str) -> Path:
+        return self.path / key[-2:] / f"{key}.npz"
+
+    def has(self, key: str) -> bool:
+        """Whether a file is there in its whole length; one that was cut is removed.  Its numbers are not read."""
+        if is_complete(self._path(key)):
+            return True
+        self.forget(key)
+        return False
+
+    def those(self, keys: Sequence[str]) -> set[str]:
+        """Those that are there."""
+        return {key for key in keys if self.has(key)}
+
+    def file(self, key: str) -> Path | None:
+        """The file itself."""
+        path = self._path(key)
+        return path if path.exists() else None
+
+    def damaged(self, key: str, again: bool) -> None:  # noqa: FBT001
+        """Remove it."""
+        del again
+        self.forget(key)
+
+    def keep(self, key: str, product: Product) -> None:
+        """Write beside its place, and rename."""
+        path = self._path(key)
+        with writing(self.path.parent):  # which people know
+            path.parent.mkdir(parents=True, exist_ok=True)
+            for left in reversed(range(WRITES)):
+                temporary = path.with_name(f".{key}.{uuid.uuid4().hex[:8]}")
+                try:
+                    with temporary.open("wb") as file:
+                        write_archive(file, product)
+                    temporary.replace(path)
+                    break
+                except FileNotFoundError:  # a run that began meanwhile took it for that of a killed one
+                    if not left:
+                        raise
+                finally:
+                    temporary.unlink(missing_ok=True)
+
+    def keys_of_kind(self, kind: str) -> list[str]:
+        """By the names of the files."""
+        return sorted(path.stem for path in self.path.glob(f"*/{kind}-*.npz"))
+
+    def forget(self, *keys: str) -> None:
+        """Remove files."""
+        for key in keys:
+            with contextlib.suppress(OSError):
+                self._path(key).unlink()
+
+    def text(self, name: str) -> str | None:
+        """Of a file in the folder; raises OSError, UnicodeDecodeError."""
+        try:
+            return (self.path / name).read_text(encoding="utf-8")
+        except FileNotFoundError:
+            return None
+
+    def keep_text(self, name: str, text: str) -> str:
+        """Write beside its place, and rename."""
+        path = self.path / name
+        with writing(self.path.parent):
+            self.path.mkdir(parents=True, exist_ok=True)
+            temporary = self.path / f".{name}.{uuid.uuid4().hex[:8]}"
+            try:
+                temporary.write_text(text, encoding="utf-8")
+                temporary.replace(path)
+            finally:
+                temporary.unlink(missing_ok=True)
+        return str(path)
+
+    def forget_text(self, name: str) -> None:
+        """Remove a file."""
+        with contextlib.suppress(OSError):
+            (self.path / name).unlink()
+
+    def clear(self) -> None:
+        """Remove the folder."""
+        shutil.rmtree(self.path, ignore_errors=True)
+
+
+def whole_url(url: str) -> str:
+    """The same for processes that work in another folder: a path that is relative to this one is made whole."""
+    path = url.removeprefix("file://")
+    relative = path not in {"", url} and not path.startswith(("/", "~")) and not Path(path).is_absolute()
+    return f"file://{Path(path).absolute().as_posix()}" if relative else url
+
+
+def place_at(path: Path, url: str) -> Place:
+    """Where products lie: at a URL, or in a folder where that is empty."""
+    if not url:
+        return Files(path)
+    from raybundle.pipeline.objects import objects_at  # noqa: PLC0415  (an extra)
+
+    return objects_at(url)
 
 
 @dataclass(frozen=True, slots=True)
 class Folder:
-    """A store of archives in a folder."""
+    """A store of archives in a folder, or with a folder for what belongs to it beside them."""
 
     path: Path
+    url: str = ""
+    """of the object store in which the archives lie; empty: they lie in the folder"""
+    place: Place = field(init=False, repr=False, compare=False)
     makers: dict[str, Callable[[], object]] = field(
         default_factory=dict[str, Callable[[], object]], repr=False, compare=False
     )
@@ -71,17 +267,27 @@ class Folder:
     """of each product its file (number, time, length), and where arrays begin whose sums were right"""
     _lock: Lock = field(default_factory=Lock, repr=False, compare=False)
 
-    def _path(self, key: str) -> Path:
-        return self.path / key[-2:] / f"{key}.npz"
+    def __post_init__(self) -> None:
+        """Where the archives lie."""
+        object.__setattr__(self, "url", whole_url(self.url))  # the class is frozen
+        object.__setattr__(self, "place", place_at(self.path, self.url))
+
+    def check_shared(self) -> None:
+        """Raise InputError where other processes do not see it."""
+        if not self.place.shared:
+            raise InputError(
+                "lies in the memory of this process, which others do not see; let threads of it do all tasks, or "
+                "choose another place",
+                file=self.place.name,
+            )
 
     def has(self, key: str) -> bool:
         """Whether a product is there in its whole length; one that was cut is removed.  Its numbers are not read."""
-        path = self._path(key)
-        if is_complete(path):
-            return True
-        with contextlib.suppress(OSError):
-            path.unlink()
-        return False
+        return self.place.has(key)
+
+    def those(self, keys: Sequence[str]) -> set[str]:
+        """Those of many products that are there."""
+        return self.place.those(keys)
 
     def load(self, key: str, names: Sequence[str] = ()) -> dict[str, Array] | None:
         """A product, or only some of its arrays, to be changed at will; None where it is missing or damaged."""
@@ -102,20 +308,24 @@ class Folder:
         self, key: str, names: Sequence[str], read: Callable[[BinaryIO, list[Member]], list[Array]]
     ) -> dict[str, Array] | None:
         """Arrays of a product, all where none is named, by this way to read them; a damaged product is removed."""
-        path = self._path(key)
-        try:
-            with path.open("rb") as file:
-                members = members_of(file)
-                if str(read_member(file, members[KEY])) != key:
-                    raise ValueError(path.name)  # another product under this name
-                wanted = [name for name in names or members if name != KEY]
-                return dict(zip(wanted, read(file, [members[name] for name in wanted]), strict=True))
-        except FileNotFoundError:
-            return None
-        except DAMAGED:
-            with contextlib.suppress(OSError):
-                path.unlink()
-            return None
+        damaged = False
+        for _ in range(READS):
+            path = self.place.file(key)
+            if path is None:
+                return None
+            try:
+                with path.open("rb") as file:
+                    members = members_of(file)
+                    if str(read_member(file, members[KEY])) != key:
+                        raise ValueError(path.name)  # another product under this name
+                    wanted = [name for name in names or members if name != KEY]
+                    return dict(zip(wanted, read(file, [members[name] for name in wanted]), strict=True))
+            except FileNotFoundError:
+                continue
+            except DAMAGED:
+                self.place.damaged(key, damaged)
+                damaged = True
+        return None
 
     def _known(self, key: str, number: int) -> set[int]:
         """Where the arrays of a file begin that this process has verified."""
@@ -156,7 +366,7 @@ class Folder:
             self.makers[key]()
             found = read()
         if found is None:
-            raise ProductGone(key, self.path)
+            raise ProductGone(key, self.place.name)
         return found
 
     def release(self) -> None:
@@ -166,48 +376,29 @@ class Folder:
 
     def store(self, key: str, product: Product) -> None:
         """Keep a product; it appears whole or not at all."""
-        path = self._path(key)
-        with writing(self.path.parent):  # which people know
-            path.parent.mkdir(parents=True, exist_ok=True)
-            for left in reversed(range(WRITES)):
-                temporary = path.with_name(f".{key}.{uuid.uuid4().hex[:8]}")
-                try:
-                    with temporary.open("wb") as file:
-                        write_archive(file, {**product, KEY: np.array(key)})
-                    temporary.replace(path)
-                    break
-                except FileNotFoundError:  # a run that began meanwhile took it for that of a killed one
-                    if not left:
-                        raise
-                finally:
-                    temporary.unlink(missing_ok=True)
-
-    def write_text(self, name: str, text: str) -> Path:
-        """Write a text that is no product, whole or not at all; the file."""
-        path = self.path / name
-        with writing(self.path.parent):
-            self.path.mkdir(parents=True, exist_ok=True)
-            temporary = self.path / f".{name}.{uuid.uuid4().hex[:8]}"
-            try:
-                temporary.write_text(text, encoding="utf-8")
-                temporary.replace(path)
-            finally:
-                temporary.unlink(missing_ok=True)
-        return path
+        self.place.keep(key, {**product, KEY: np.array(key)})
 
     def keys_of_kind(self, kind: str) -> list[str]:
         """Keys of all products whose key begins with this word, in order."""
-        return sorted(path.stem for path in self.path.glob(f"*/{kind}-*.npz"))
+        return self.place.keys_of_kind(kind)
 
     def forget(self, key: str) -> None:
         """Remove a product."""
-        with contextlib.suppress(OSError):
-            self._path(key).unlink()
+        self.place.forget(key)
 
     def forget_kind(self, kind: str) -> None:
         """Remove all products whose key begins with this word."""
-        for key in self.keys_of_kind(kind):
-            self.forget(key)
+        self.place.forget(*self.keys_of_kind(kind))
+
+
+def store_at(folder: str, url: str) -> Folder:
+    """A store, the same one for all tasks of this process: what was verified need not be again."""
+    if (folder, url) not in _stores:
+        _stores[folder, url] = Folder(Path(folder), url)
+    return _stores[folder, url]
+
+
+_stores: dict[tuple[str, str], Folder] = {}
 
 
 @contextmanager

@@ -16,7 +16,7 @@ from typing import Any, cast, get_type_hints
 import msgspec
 
 from raybundle.errors import InputError
-from raybundle.pipeline.store import Folder, Product, ProductGone
+from raybundle.pipeline.store import Folder, Product, ProductGone, StoreLost
 
 TaskFunction = Callable[[Folder, Any], Product]
 """(store, options) -> product; reads the products that the task names, and writes none."""
@@ -83,11 +83,13 @@ def options_of(name: str) -> type:
 
 
 def do(task: Task, store: Folder) -> Done:
-    """Do a task; whatever goes wrong costs this task alone, but where nothing can be written."""
+    """Do a task; whatever goes wrong costs this task alone, but where products can be neither read nor written."""
     try:
         product = function_of(task.function)(store, task.options)
     except ProductGone as error:
         return Done(task=task, failed=str(error), lost=error.key)
+    except StoreLost as error:
+        return Done(task=task, failed=str(error), stop=str(error))
     except InputError as error:
         return Done(task=task, failed=str(error))
     except Exception as error:  # noqa: BLE001  (it is told with its traceback in the log, after some attempts)
@@ -127,5 +129,8 @@ def do_written(text: bytes, store: Folder) -> Done:
     Where its product is there already, as where a process was killed before anybody was told, nothing is done again.
     """
     task = read_task(text)
-    done = Done(task=task) if not task.small and store.has(task.key) else do(task, store)
+    try:
+        done = Done(task=task) if not task.small and store.has(task.key) else do(task, store)
+    except StoreLost as error:
+        done = Done(task=task, failed=str(error), stop=str(error))
     return replace(done, task=replace(task, options=None))

@@ -15,7 +15,7 @@ from raybundle.io.photos.photo import Photo, read_grey
 from raybundle.measuring.frames import to_file
 from raybundle.numerics.arrays import Array, Mask
 from raybundle.pipeline.keys import key_of
-from raybundle.pipeline.store import Folder
+from raybundle.pipeline.project import products_of
 from raybundle.results.folder import PROJECT
 from raybundle.studio.answers import finite, numbers
 from raybundle.studio.desk import Desk, named
@@ -160,10 +160,10 @@ def targets_of(text: str) -> tuple[Target, ...]:
 
 def _kept(desk: Desk, photo: Photo, targets: Sequence[Target]) -> Sets | None:
     """What the stage of targets keeps of a photograph, with dots or without."""
-    folder = next((f for f in (desk.source / PROJECT / "cache", desk.source / "cache") if f.is_dir()), None)
+    folder = next((f for f in (desk.source / PROJECT, desk.source) if (f / "cache").is_dir()), None)
     if folder is None or not targets:
         return None
-    store = Folder(folder)
+    store = products_of(folder)
     for dots in (False, True):
         made = [Rings(rings=t.rings, dots=True) if dots and isinstance(t, Rings) else t for t in targets]
         plain = tuple(w for t in made if (w := wanted(t)) is not None)

@@ -151,13 +151,14 @@ def orient(
     jobs = options.jobs or os.cpu_count() or 1
     memory = options.memory_gb * 1e9
     executor = executor_for(options.cluster, jobs, memory)
-    project = Project.open(folder)
+    project = Project.open(folder, store=options.store)
     run = Run(project=project, executor=executor, progress=progress, jobs=jobs, memory=memory)
     asked = Asked(
         inputs=tuple(inputs), name=folder.name, options=options, calibration=tuple(calibration), given=given,
         positions=positions, method=method, earlier=earlier,
     )  # fmt: skip
     try:
+        project.products.place.check()
         if options.redo_from:
             run.forget(_to_be_redone(options.redo_from))
         return _orientation(run.workflow(ORIENT, OrientState(asked=asked, given=given, method=method)), project.records)

@@ -26,9 +26,11 @@ class OrientOptions:
     precise: bool = True
     """False leaves out least-squares matching: quick, and several times less precise"""
     jobs: int = 0
+    """photographs or pairs worked on at the same time; 0 = processors"""
     cluster: str = ""
     """who does features and pairs, as `pipeline.choosing` takes it; empty: this process"""
-    """photographs or pairs worked on at the same time; 0 = processors"""
+    store: str = ""
+    """where products lie, as `Project.open` takes it"""
     memory_gb: float = 4.0
     """memory that image pixels may take while points are measured"""
     separate: tuple[str, ...] = ()

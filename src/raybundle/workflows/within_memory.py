@@ -9,7 +9,7 @@ from __future__ import annotations
 import os
 import shutil
 from collections.abc import Generator, Mapping
-from contextlib import ExitStack, contextmanager
+from contextlib import ExitStack, contextmanager, suppress
 from dataclasses import dataclass, fields, replace
 from functools import cached_property
 from pathlib import Path
@@ -23,7 +23,7 @@ from raybundle.adjustment.result import Notice
 from raybundle.block import Block
 from raybundle.blocking.adjusted import in_parts
 from raybundle.blocking.whole import WholeNormals
-from raybundle.errors import NotSolvable
+from raybundle.errors import InputError, NotSolvable
 from raybundle.io.block.folder import read_block
 from raybundle.io.block.pieces import image_points_in, read_in_pieces
 from raybundle.io.folders import continued_folder
@@ -33,6 +33,7 @@ from raybundle.numerics.counting import counted
 from raybundle.numerics.machine import available_memory
 from raybundle.numerics.progress import Progress, silent
 from raybundle.pipeline.choosing import staying_for
+from raybundle.pipeline.clusters import token_of
 from raybundle.pipeline.executors import Executor, Staying
 from raybundle.pipeline.store import Folder
 from raybundle.settings import option
@@ -79,10 +80,12 @@ class Room:
         finalize(self, stack.close)
         return found
 
-    def forget(self, folder: Path) -> None:
-        """Delete a folder in it, unless the next run goes on from there."""
+    def forget(self, store: Folder) -> None:
+        """Delete a store in it, unless the next run goes on from there."""
         if not self._cut_short[0]:
-            shutil.rmtree(folder, ignore_errors=True)
+            with suppress(InputError):  # it cannot be reached any more
+                store.place.clear()
+            shutil.rmtree(store.path, ignore_errors=True)
 
 
 @dataclass(slots=True)
@@ -99,6 +102,8 @@ class Within:
     """processes here that do"""
     cluster: str = ""
     """where it is; whoever names one wants parts, whatever fits into memory"""
+    store: str = ""
+    """URL of the object store in which parts lie; empty: they lie in the room"""
     parts: int = 0
     """into which the normal equations were cut; 0: one piece"""
     needed: float = 0.0
@@ -127,18 +132,30 @@ class Within:
         if self._in_parts is None:
             left = max(self.allowed - BASE - IN_PARTS * self.observations, 0.0)
             ready = AT_WORKERS if self.cluster else left / 2 / self.workers
-            notes = Folder(self.room.folder / "notes")
-            self._in_parts = in_parts(store=self._next_store, ready=ready, executor=self.executor, notes=notes)
+            self._in_parts = in_parts(store=self._next_store, ready=ready, executor=self.executor, notes=self._notes)
         made = self._in_parts(system, options, free, rejected)
         assert isinstance(made, WholeNormals)
         # a result is asked questions later: its parts stay for as long as it does
-        finalize(made.parts.parts.known, self.room.forget, self.room.folder / f"parts-{self.stores}")
+        finalize(made.parts.parts.known, self.room.forget, self._store(self.stores))
         self.parts = sum(bool(n) for n in made.parts.network.counts.tolist())
         return made
 
     def _next_store(self) -> Folder:
         self.stores += 1
-        return Folder(self.room.folder / f"parts-{self.stores}")
+        made = self._store(self.stores)
+        made.place.check()
+        return made
+
+    @property
+    def _notes(self) -> Folder:
+        return Folder(self.room.folder / "notes")
+
+    def _store(self, number: int) -> Folder:
+        """One of the stores, at a URL by a name that no other result has."""
+        name = f"parts-{number}"
+        return Folder(
+            self.room.folder / name, self.store and f"{self.store.rstrip('/')}/{token_of(self._notes)}-{name}"
+        )
 
     def notices(self) -> tuple[Notice, ...]:
         """What was done, where anything was."""
@@ -171,6 +188,7 @@ def bytes_of(normals: Normals) -> float:
 @contextmanager
 def within_memory(
     source: Block | Path, out: Path, memory_gb: float, progress: Progress = silent, *, jobs: int = 1, cluster: str = "",
+    store: str = "",
 ) -> Generator[tuple[Block, Within]]:  # fmt: skip
     """A block and room for its adjustment; what does not fit into memory lies beside the result meanwhile.
 
@@ -180,6 +198,7 @@ def within_memory(
     memory_gb  what the adjustment may take; 0: four fifths of what is free, 1 GB at least
     jobs       processes that reduce parts, as far as memory allows; 0: as many as there are processors
     cluster    who reduces parts elsewhere, as `staying_for` takes it; empty: nobody
+    store      URL of the object store in which parts lie; empty: beside the result
     raises     InputError, for a folder as `read_block`
 
     Sweeps that a killed run has finished are there for the next one with the same result.
@@ -194,7 +213,7 @@ def within_memory(
     workers = max(1, min(jobs or os.cpu_count() or 1, int(left // PROCESS)))
     executor = staying_for(cluster, workers, left - workers * BASE) if cluster or workers > 1 else None
     room = Room(out)
-    found = Within(allowed, room, count, executor=executor, workers=workers, cluster=cluster)
+    found = Within(allowed, room, count, executor=executor, workers=workers, cluster=cluster, store=store)
     try:
         with large.in_files(room.folder if found.arrays_in_files else None):
             if isinstance(source, Path):
