@@ -246,7 +246,7 @@ def _parts(matches: Matches) -> tuple[Index, Index, Index, Index]:
     if not m:
         return nodes, first, second, np.zeros(0, np.int32)
     shape = len(nodes), len(nodes)
-    graph = csr_array((np.ones(m, np.int8), (first, second)), shape=shape)
+    graph = csr_array((np.ones(m, bool), (first, second)), shape=shape)
     _, label = connected_components(graph, directed=False)
     return nodes, first, second, label
 
