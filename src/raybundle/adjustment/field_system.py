@@ -251,8 +251,8 @@ def sparse_normals(normals: Normals, columns: Index | None = None) -> Any:
     for at, row, column in _pieces(normals):
         value = normals.values[at]
         apart = of_node[row] != of_node[column]
-        for r, c, chosen in ((row, column, value != 0), (column, row, apart & (value != 0))):
-            chosen &= place[c] >= 0
+        for r, c, there in ((row, column, value != 0), (column, row, apart & (value != 0))):
+            chosen = there & (place[c] >= 0)
             rows.append(r[chosen].astype(np.int32))
             places.append(place[c[chosen]].astype(np.int32))
             values.append(value[chosen])
