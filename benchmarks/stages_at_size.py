@@ -1,6 +1,6 @@
 """CPU seconds and peak memory of every stage of `orient` after the features, for 500 to 8000 simulated photographs.
 
-    python benchmarks/stages_at_size.py [--images 500 1000 2000 4000 8000] [--profile STAGE]
+    python benchmarks/stages_at_size.py [--images 500 1000 2000 4000 8000] [--profile STAGE ...]
 
 A flight in strips over a relief, as square as its number of photographs lets it be, by a camera whose constant and
 distortion differ from what the photographs state; positions with an error of 2 m.  There are no pixels: features are
@@ -185,12 +185,12 @@ def peak_mb(*, anew: bool = False) -> float:
 class Watch:
     """Takes the figures of stages."""
 
-    profiled: str
+    profiled: Sequence[str]
     figures: dict[str, dict[str, float]]
 
     def __call__(self, name: str, what):
         before = peak_mb(anew=True)
-        profile = cProfile.Profile() if name == self.profiled else None
+        profile = cProfile.Profile() if name in self.profiled else None
         began = time.process_time()
         if profile:
             profile.enable()
@@ -208,7 +208,7 @@ class Watch:
         return result
 
 
-def stages(images: int, profiled: str, ways: Sequence[str]) -> dict:
+def stages(images: int, profiled: Sequence[str], ways: Sequence[str]) -> dict:
     """Figures of all stages for so many photographs."""
     rng = np.random.default_rng(18)
     folder = WORK / str(images)
@@ -289,7 +289,7 @@ def main() -> int:
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--images", type=int, nargs="+", default=IMAGES)
     parser.add_argument("--one", type=int, help="so many photographs in this process")
-    parser.add_argument("--profile", default="", metavar="STAGE", help="print where a stage spends its time")
+    parser.add_argument("--profile", nargs="*", default=[], metavar="STAGE", help="print where stages spend their time")
     parser.add_argument("--starts", nargs="+", default=["parts", "growing"], help="kinds of start")
     asked = parser.parse_args()
     if asked.one:

@@ -7,12 +7,14 @@ import numpy as np
 import pytest
 from numpy.polynomial import legendre
 
+from raybundle.adjustment import field_system as field_system_module
 from raybundle.adjustment import noise
 from raybundle.adjustment.engine import adjust_block
 from raybundle.adjustment.field_system import field_system, reason_against
 from raybundle.adjustment.fields import Components, Scores, variance_components
 from raybundle.adjustment.handle import Handle
 from raybundle.adjustment.noise import spread_in_datum, spread_of
+from raybundle.adjustment.normals import Normals
 from raybundle.adjustment.options import AdjustmentOptions, noise_of_photographs
 from raybundle.adjustment.precision import angle_form, image_unknowns, interior_unknowns, precision
 from raybundle.adjustment.queries import covariance_between, design_row, precision_in_datum
@@ -462,3 +464,17 @@ def test_several_cameras_of_which_one_rolls():
     assert result.noise.images == len(block.images)
     for r in np.flatnonzero(np.isfinite(result.precision.images[:, 0, 0])):
         assert np.linalg.eigvalsh(result.precision.images[r][:3, :3]).min() > 0
+
+
+def test_some_columns_of_the_normal_matrix_are_those_of_the_whole(monkeypatch):
+    w = adjusted(next(iter(CASES))).handle.work
+    normals = Normals.of(w.system, 1)
+    normals.reduce(w.state)
+    whole = field_system_module.sparse_normals(normals).toarray()
+    row, column = field_system_module.entries(normals)
+    there = row >= 0
+    assert np.array_equal(whole[row[there], column[there]], normals.values[there])
+    assert np.array_equal(whole, whole.T)
+    some = np.arange(len(whole))[::-3]
+    monkeypatch.setattr(field_system_module, "BLOCKS", 3)
+    assert np.array_equal(field_system_module.sparse_normals(normals, some).toarray(), whole[:, some])

@@ -7,7 +7,7 @@ import pytest
 
 from raybundle.adjustment.options import AdjustmentOptions
 from raybundle.numerics.rotation import rotation_from_vector
-from raybundle.orientation import approximate_values
+from raybundle.orientation import approximate_values, rays
 from raybundle.orientation.bearings import is_wide, relative_bearings, resect_bearings
 from raybundle.orientation.rays import camera_rays
 from raybundle.planning.scenes import brown_camera
@@ -63,6 +63,15 @@ def test_rays_of_a_panorama_all_round():
     image = camera.image_from_pixel(xy).T
     assert np.abs(model.condition_at(image, d.T, values)).max() < 1e-9
     np.testing.assert_allclose(np.arctan2(d[:, 0], -d[:, 2]), image[0] / values[0], atol=1e-9)
+
+
+@pytest.mark.parametrize("camera", [panorama(), fisheye(), brown_camera()], ids=lambda c: c.model)
+def test_rays_do_not_depend_on_how_many_are_looked_for_together(camera, monkeypatch):
+    xy = np.random.default_rng(4).uniform((0, 0), (camera.width_px, camera.height_px), (100, 2))
+    together = camera_rays(camera, xy)
+    monkeypatch.setattr(rays, "AT_ONCE", 7)
+    np.testing.assert_allclose(camera_rays(camera, xy), together, atol=1e-15)
+    assert camera_rays(camera, xy[:0]).shape == (0, 3)
 
 
 def all_round(n, seed):

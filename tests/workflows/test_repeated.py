@@ -7,7 +7,7 @@ import pytest
 
 from raybundle.block import Camera
 from raybundle.errors import NoOrientation
-from raybundle.matching.tracks import tracks_of
+from raybundle.matching.tracks import numbers, placed, tracks_of
 from raybundle.matching.verify import VerifiedPair
 from raybundle.sensors import sensor_models
 from raybundle.ties.block import block_of_tracks
@@ -87,7 +87,8 @@ def orient_with(places):
     photos = [SimpleNamespace(name=f"p{k:02d}") for k in range(len(places))]
 
     def orient(tracks):
-        raw = block_of_tracks(photos, [camera], np.zeros(len(photos), int), places, tracks)
+        xy = placed(places)(numbers(tracks.image, tracks.feature))
+        raw = block_of_tracks(photos, [camera], np.zeros(len(photos), int), xy, tracks)
         n = len(tracks.image)
         return start_components(raw, np.full(n, 4.0), np.zeros(n), 1)
 
@@ -97,7 +98,7 @@ def orient_with(places):
 def found(scene):
     places, pairs, _ = scene
     names = [f"p{k:02d}" for k in range(len(places))]
-    return sound_pairs(pairs, places, names, DIAGONALS, orient_with(places))
+    return sound_pairs(pairs, places, names, DIAGONALS, orient_with(places), lambda some: tracks_of(some, places))
 
 
 def test_pairs_of_different_windows_are_left_out_by_name_and_the_others_stay(scene):
@@ -159,7 +160,9 @@ def test_what_cannot_be_told_apart_is_a_fault(scene):
     def nothing(_tracks):
         raise NoOrientation("no")
 
-    sound = sound_pairs(pairs, places, names, np.full(len(places), 1500.0), nothing)
+    sound = sound_pairs(
+        pairs, places, names, np.full(len(places), 1500.0), nothing, lambda some: tracks_of(some, places)
+    )
     assert sound.notices[0].severity.value == "fault"
     assert "cannot be told" in sound.notices[0].message
     assert len(sound.pairs) == len(pairs)

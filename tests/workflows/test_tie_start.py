@@ -1,6 +1,8 @@
 """Which of two starts is taken."""
 
+from collections import Counter
 from dataclasses import replace
+from itertools import combinations
 
 import numpy as np
 import pytest
@@ -98,3 +100,42 @@ def test_starts_that_leave_many_rays_are_begun_in_every_way(block, monkeypatch):
     c = block.cameras[0].values["c"]
     assert [name for name, _ in begun] == ["growing", "averaging", "growing", "growing"]
     assert [value / c for _, value in begun] == pytest.approx([1, 1, np.exp(-0.5), np.exp(0.5)])
+
+
+def observations(points):
+    """Of points by the images that see each, in any order."""
+    rows = np.array([(i, p) for p, images in enumerate(points) for i in images])
+    rows = np.random.default_rng(2).permutation(rows)
+    return rows[:, 0].astype(np.int32), rows[:, 1].astype(np.int32)
+
+
+def test_triples_are_those_that_points_show_one_by_one(monkeypatch):
+    rng = np.random.default_rng(5)
+    points = [rng.permutation(9)[: rng.integers(1, 6)].tolist() for _ in range(120)]
+    points += [list(range(20, 32))] * 4  # more rays than are looked at
+    monkeypatch.setattr(tie_start, "TOGETHER", 7)
+    count = Counter(t for p in points for t in combinations(sorted(p)[: tie_start.MOST_RAYS], 3))
+    wanted = {t for t, n in count.items() if n >= tie_start.FEWEST_TRIPLE}
+    found = tie_start._triples(*observations(points), 32)
+    assert len(wanted) > 50
+    assert {tuple(t) for t in found.tolist()} == wanted
+    assert len(found) == len(wanted)
+    assert not len(tie_start._triples(*observations([[0, 1], [1, 2]]), 3))
+
+
+@pytest.mark.parametrize(("joint", "left"), [(3, {"5", "6", "7"}), (4, set())])
+def test_two_bodies_are_one_where_three_images_carry_the_scale_across(block, joint, left):
+    """Images 0 to 4 and 5 to 7 see twenty points of their own each; 3, 4 and 5 so many together."""
+    points = [list(range(5))] * 20 + [[5, 6, 7]] * 20 + [[4, 5]] * 30 + [[3, 4, 5], [4, 5, 6]] * joint
+    image, point = observations(points)
+    m, p = len(image), len(points)
+    made = replace(
+        block,
+        images=replace(block.images.rows(np.arange(8)), ids=tuple("01234567")),
+        observations=replace(block.observations.rows(np.zeros(m, int)), image=image, point=point),
+        points=block.points.rows(np.zeros(p, int)),
+    )
+    failed = {}
+    keep = tie_start.rigid_part(made, failed)
+    assert failed.keys() == left
+    assert (keep == ~np.isin(image, [int(k) for k in left])).all()

@@ -7,6 +7,7 @@ unknown (J = Q U: nodes Q H, points behind them).
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from typing import Any
 
@@ -112,7 +113,7 @@ def field_system(base: Normals, state: State) -> FieldSystem:
     wide = Normals.of(wide_system, base.threads)
     _evaluate(wide, wide_state, base, state, images)
     wide.reduce(wide_state)
-    order = sparse_normals(wide)[:, columns]
+    order = sparse_normals(wide, columns)
     wide.values = np.zeros(0)
     H, own = order[unknowns], order[columns]
     del order
@@ -214,28 +215,46 @@ def _evaluate(wide: Normals, wide_state: State, base: Normals, state: State, ima
 
 def entries(normals: Normals) -> tuple[Array, Array]:
     """Rows and columns (values,) of the entries of the flat normal matrix, int32; -1 where the solver keeps its own."""
-    sizes, offsets, solver = normals.system.sizes.astype(np.int64), normals.system.offsets, normals.solver
-    first, second, starts = solver.blocks()
-    row, column = np.full(solver.values_size, -1, np.int32), np.full(solver.values_size, -1, np.int32)
+    size = normals.solver.values_size
+    row, column = np.full(size, -1, np.int32), np.full(size, -1, np.int32)
+    for at, r, c in _pieces(normals):
+        row[at], column[at] = r, c
+    return row, column
+
+
+def _pieces(normals: Normals) -> Iterator[tuple[Index, Index, Index]]:
+    """The entries of some blocks of the flat normal matrix after those of others: places, rows and columns."""
+    sizes, offsets = normals.system.sizes.astype(np.int64), normals.system.offsets
+    first, second, starts = normals.solver.blocks()
     for k in range(0, len(first), BLOCKS):
         a, b = first[k : k + BLOCKS], second[k : k + BLOCKS]
         count = sizes[a] * sizes[b]
         of = np.repeat(np.arange(len(a)), count)
         within = np.arange(len(of)) - np.repeat(np.cumsum(count) - count, count)
-        at = starts[k : k + BLOCKS][of] + within
-        row[at] = offsets[a[of]] + within // sizes[b[of]]
-        column[at] = offsets[b[of]] + within % sizes[b[of]]
-    return row, column
+        yield (
+            starts[k : k + BLOCKS][of] + within,
+            offsets[a[of]] + within // sizes[b[of]],
+            (offsets[b[of]] + within % sizes[b[of]]),
+        )
 
 
-def sparse_normals(normals: Normals) -> Any:
-    """The normal matrix of the last `reduce`, sparse and symmetric."""
+def sparse_normals(normals: Normals, columns: Index | None = None) -> Any:
+    """The normal matrix of the last `reduce`, sparse and symmetric; some of its columns alone, without the others."""
     from scipy.sparse import coo_matrix  # noqa: PLC0415
 
-    row, column = entries(normals)
-    at = np.flatnonzero((row >= 0) & (normals.values != 0))
-    of_node = np.repeat(np.arange(len(normals.system.sizes)), normals.system.sizes)
-    apart = at[of_node[row[at]] != of_node[column[at]]]
-    rows, columns = np.concatenate([row[at], column[apart]]), np.concatenate([column[at], row[apart]])
     N = int(normals.system.offsets[-1])
-    return coo_matrix((normals.values[np.concatenate([at, apart])], (rows, columns)), shape=(N, N)).tocsr()
+    place = np.arange(N) if columns is None else np.full(N, -1)
+    if columns is not None:
+        place[columns] = np.arange(len(columns))
+    of_node = np.repeat(np.arange(len(normals.system.sizes)), normals.system.sizes)
+    rows, places, values = [np.zeros(0, np.int32)], [np.zeros(0, np.int32)], [np.zeros(0)]
+    for at, row, column in _pieces(normals):
+        value = normals.values[at]
+        apart = of_node[row] != of_node[column]
+        for r, c, there in ((row, column, value != 0), (column, row, apart & (value != 0))):
+            chosen = there & (place[c] >= 0)
+            rows.append(r[chosen].astype(np.int32))
+            places.append(place[c[chosen]].astype(np.int32))
+            values.append(value[chosen])
+    shape = N, N if columns is None else len(columns)
+    return coo_matrix((np.concatenate(values), (np.concatenate(rows), np.concatenate(places))), shape=shape).tocsr()

@@ -54,8 +54,8 @@ PROBES = 256
 """Random combinations that stand for the coefficients beyond."""
 SINGULAR = 1e-12
 """Eigenvalue, of a normal matrix with a unit diagonal, below which its direction is not determined."""
-ENTRIES = 50_000
-"""Entries of the normal matrix that are formed together."""
+ENTRIES = 5_000
+"""Entries of the normal matrix that are formed together: of so many random combinations 20 MB."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

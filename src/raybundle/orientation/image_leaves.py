@@ -41,7 +41,12 @@ def leaves_of(image: Index, point: Index, images: int, points: int, most: int) -
     observations is of no leaf.
     """
     seen = np.bincount(image, minlength=images) > 0
-    pairs = common_counts(image, point, seen, points)
+    return leaves_of_pairs(common_counts(image, point, seen, points), seen, most)
+
+
+def leaves_of_pairs(pairs: Index, seen: Mask, most: int) -> tuple[ImageLeaf, ...]:
+    """The same by pairs of images (k, 3): first, second and how many points they share; seen (images,) those to cut."""
+    images = len(seen)
     first, second, common = pairs.T
     both = np.concatenate([first, second]), np.concatenate([second, first])
     graph = csr_array((np.tile(common.astype(float), 2), both), shape=(images, images))

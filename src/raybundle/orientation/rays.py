@@ -27,12 +27,22 @@ class Rays:
     """(m,) size of one pixel as an angle [rad]"""
 
 
+AT_ONCE = 20_000
+"""Places whose rays are looked for together: some 2 kB each, of partial derivatives and what they are made of."""
+
+
 def camera_rays(camera: Camera, xy_px: Array) -> Array:
     """Unit viewing directions (n, 3) in the sensor frame of image points (n, 2) [px].
 
     Where Newton's method from the central projection ends on the side that the sensor does not see, as for the
     back half of a panorama, it starts again from the nearest of a sphere of directions.
     """
+    parts = [_rays(camera, xy_px[k : k + AT_ONCE]) for k in range(0, max(len(xy_px), 1), AT_ONCE)]
+    return parts[0] if len(parts) == 1 else np.concatenate(parts)
+
+
+def _rays(camera: Camera, xy_px: Array) -> Array:
+    """The same of so many places that all partial derivatives of each fit into memory."""
     model = sensor_models[camera.model]
     values = camera.parameters
     image = camera.image_from_pixel(xy_px).T

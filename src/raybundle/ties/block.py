@@ -69,14 +69,14 @@ def block_of_tracks(
     photos: Sequence[Photo],
     cameras: Sequence[Camera],
     camera_of_photo: Index,
-    xy: Sequence[Array],
+    xy_px: Array,
     t: Tracks,
 ) -> Block:
-    """A block without orientation, coordinates and a name: what is made of it does not depend on the project's."""
+    """A block without orientation, coordinates and a name: what is made of it does not depend on the project's.
+
+    xy_px  (m, 2) of the features of the tracks
+    """
     n, p = len(photos), t.points
-    xy_px = np.empty((len(t.image), 2))
-    for i, mine in enumerate(rows_of_each(t.image, n)):
-        xy_px[mine] = xy[i][t.feature[mine]]
     nothing = np.full((p, 3), np.nan)
     return Block(
         name="",

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
+from typing import overload
 
 import numpy as np
 
@@ -13,8 +14,10 @@ from raybundle.io.photos.masks import MaskFile, Masks
 from raybundle.io.photos.photo import Photo, read_grey, stored_from_upright, upright, upright_from_stored
 from raybundle.matching.features import Described, FeatureMethod, Features, feature_number
 from raybundle.matching.methods import feature_method
+from raybundle.matching.tracks import Tracks
 from raybundle.matching.verify import VerifiedPair, beyond_chance, verify
 from raybundle.numerics.arrays import Array
+from raybundle.numerics.rows import rows_of_each
 from raybundle.pipeline.keys import key_of
 from raybundle.pipeline.stage import Means
 from raybundle.pipeline.store import Folder, Product
@@ -97,8 +100,45 @@ class FeatureStore:
         """Those of some photographs."""
         return FeatureStore(self.store, tuple(self.keys[i] for i in index))
 
+    def count(self, i: int) -> int:
+        """How many photograph i has."""
+        return len(self._loaded(i, "angle")["angle"])
+
+    def xy_px(self) -> Sequence[Array]:
+        """(n, 2) where those of each photograph lie, read anew whenever they are asked for."""
+        return _StoredPlaces(self)
+
+    def of_tracks(self, tracks: Tracks) -> Features:
+        """Those of tracks, row by row, without descriptors; one photograph in memory at a time."""
+        m = len(tracks.image)
+        xy, scale, angle = np.empty((m, 2)), np.empty(m), np.empty(m)
+        for i, mine in enumerate(rows_of_each(tracks.image, len(self.keys))):
+            if len(mine):
+                f = self.places(i).rows(tracks.feature[mine])
+                xy[mine], scale[mine], angle[mine] = f.xy_px, f.scale_px, f.angle
+        return Features(xy_px=xy, scale_px=scale, angle=angle, descriptors=np.zeros((m, 0), np.uint8))
+
     def _loaded(self, i: int, *names: str) -> dict[str, Array]:
         return self.store.wanted(self.keys[i], names)
+
+
+@dataclass(frozen=True, slots=True)
+class _StoredPlaces(Sequence[Array]):
+    """Where the features of photographs lie, read when one is asked for."""
+
+    features: FeatureStore
+
+    def __len__(self) -> int:
+        return len(self.features.keys)
+
+    @overload
+    def __getitem__(self, index: int) -> Array: ...
+    @overload
+    def __getitem__(self, index: slice) -> Sequence[Array]: ...
+    def __getitem__(self, index: int | slice) -> Array | Sequence[Array]:
+        if isinstance(index, slice):
+            return _StoredPlaces(FeatureStore(self.features.store, self.features.keys[index]))
+        return self.features.store.wanted(self.features.keys[index], ("xy_px",))["xy_px"]
 
 
 def features_from(a: Product) -> Features:

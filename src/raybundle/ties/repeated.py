@@ -20,7 +20,7 @@ from raybundle.adjustment.severity import Severity
 from raybundle.block import Block, Observations
 from raybundle.block.points import automatic_name
 from raybundle.errors import NoOrientation
-from raybundle.matching.tracks import Tracks, tracks_of
+from raybundle.matching.tracks import Tracks
 from raybundle.matching.verify import FEWEST, VerifiedPair
 from raybundle.numerics.arrays import Array, Index, Mask
 from raybundle.platforms.station import sensor_from_object
@@ -45,6 +45,7 @@ AGREEING = 0.5
 """Share of a pair's matches that must meet their object points."""
 
 Orient = Callable[[Tracks], tuple[TieBlock, ...]]
+Join = Callable[[Sequence[VerifiedPair]], Tracks]
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -57,8 +58,9 @@ class SoundPairs:
 
 
 def sound_pairs(
-    pairs: Sequence[VerifiedPair], features_xy: Sequence[Array], names: Sequence[str], diagonals: Array, orient: Orient
-) -> SoundPairs:
+    pairs: Sequence[VerifiedPair], features_xy: Sequence[Array], names: Sequence[str], diagonals: Array, orient: Orient,
+    join: Join,
+) -> SoundPairs:  # fmt: skip
     """The pairs without those that show different parts which look alike.
 
     pairs        trusted ones
@@ -66,16 +68,17 @@ def sound_pairs(
     names        of the photographs
     diagonals    (photographs,) of the formats [px]
     orient       approximate values of tracks
+    join         tracks of pairs
 
     What it does not tell: an object that looks the same from all sides, and repeated parts that lie closer together
     than a twentieth of the format, are not recognised.
     """
-    whole = tracks_of(pairs, features_xy)
+    whole = join(pairs)
     share = contradicted(pairs, whole, diagonals)
     if share <= CONTRADICTED:
         return SoundPairs(pairs=tuple(pairs), tracks=whole, notices=())
     strongest = spanning(pairs, len(features_xy))
-    tracks = tracks_of(strongest, features_xy)
+    tracks = join(strongest)
     try:
         parts = orient(tracks)
     except NoOrientation:
@@ -88,7 +91,7 @@ def sound_pairs(
         for p, a, out in zip(pairs, share_met.tolist(), astray, strict=True)
         if a >= AGREEING or (np.isnan(a) and p in strongest)
     )
-    tracks = tracks_of(kept, features_xy)
+    tracks = join(kept)
     notices = _notices(left, names, share, contradicted(kept, tracks, diagonals))
     return SoundPairs(pairs=kept, tracks=tracks, notices=notices)
 

@@ -31,6 +31,8 @@ FEWEST_TRIPLE = 4
 """Points that three images must share to carry the scale from two of them to the third."""
 MOST_RAYS = 8
 """Rays of a point that are looked at for that."""
+TOGETHER = 20_000
+"""Points whose triples of images are counted at once."""
 LEFT = 0.1
 """Share of the images left by a start from which on another kind is tried."""
 KEPT = 0.75
@@ -229,41 +231,48 @@ def rigid_part(block: Block, failed: dict[str, str]) -> Mask:
     Two images and their common points have a scale of their own.  It is carried on to a third image only by points
     that all three see.
     """
+    from scipy.sparse import csr_array  # noqa: PLC0415
+    from scipy.sparse.csgraph import connected_components  # noqa: PLC0415
+
     o, n = block.observations, len(block.images)
-    order = np.lexsort((o.image, o.point))
-    rows = np.split(o.image[order], np.flatnonzero(np.diff(o.point[order])) + 1) if len(o) else []
-    triples: dict[tuple[int, int, int], int] = {}
-    for images in rows:
-        for triple in combinations(images[:MOST_RAYS].tolist(), 3):
-            triples[triple] = triples.get(triple, 0) + 1
-    root = {pair: pair for triple in triples for pair in combinations(triple, 2)}
-
-    def find(pair: tuple[int, int]) -> tuple[int, int]:
-        while root[pair] != pair:
-            root[pair] = root[root[pair]]
-            pair = root[pair]
-        return pair
-
-    for (a, b, c), count in triples.items():
-        if count >= FEWEST_TRIPLE:
-            first = find((a, b))
-            root[find((a, c))] = first
-            root[find((b, c))] = first
-    members: dict[tuple[int, int], set[int]] = {}
-    for pair in root:
-        members.setdefault(find(pair), set()).update(pair)
-    largest = max(members.values(), key=len, default=set[int]())
     used = np.unique(o.image)
-    if len(used) < 3 or len(largest) < 3:
+    a, b, c = _triples(o.image, o.point, n).T
+    if len(used) < 3 or not len(a):
         return np.ones(len(o), bool)
+    pairs, of = np.unique(np.concatenate([a * n + b, a * n + c, b * n + c]), return_inverse=True)
+    ab, ac, bc = np.split(of, 3)
+    ends = np.concatenate([ab, ab]), np.concatenate([ac, bc])
+    graph = csr_array((np.ones(len(ends[0]), bool), ends), shape=(len(pairs), len(pairs)))
+    part = connected_components(graph, directed=False)[1].astype(np.int64)
+    part, image = np.divmod(np.unique(part * n + np.stack(np.divmod(pairs, n))), n)
     inside = np.zeros(n, bool)
-    inside[list(largest)] = True
+    inside[image[part == np.bincount(part).argmax()]] = True
     for i in used[~inside[used]]:
         failed[block.images.ids[i]] = (
             f"fewer than {FEWEST_TRIPLE} of its points are in two other photographs: its distance from them is not "
             "determined; overlap by 60 % or more"
         )
     return inside[o.image]
+
+
+def _triples(image: Index, point: Index, count: int) -> Index:
+    """(k, 3) images a < b < c that see `FEWEST_TRIPLE` points together, of observations (m,)."""
+    order = np.lexsort((image, point))
+    image, point = image[order].astype(np.int64), point[order]
+    begin = np.flatnonzero(np.diff(point, prepend=-1))
+    rays = np.minimum(np.diff(begin, append=len(point)), MOST_RAYS)
+    codes, times = [np.zeros(0, np.int64)], [np.zeros(0, np.int64)]
+    for r in range(3, MOST_RAYS + 1):
+        mine = begin[rays == r]
+        a, b, c = np.array(list(combinations(range(r), 3))).T
+        for k in range(0, len(mine), TOGETHER):
+            seen = image[mine[k : k + TOGETHER, None] + np.arange(r)]
+            code, number = np.unique((seen[:, a] * count + seen[:, b]) * count + seen[:, c], return_counts=True)
+            codes.append(code)
+            times.append(number)
+    code, of = np.unique(np.concatenate(codes), return_inverse=True)
+    code = code[np.bincount(of, np.concatenate(times), len(code)) >= FEWEST_TRIPLE]
+    return np.stack([code // count**2, code // count % count, code % count], axis=1)
 
 
 def _with_estimate(values: Sequence[Camera], wishes: Sequence[Camera]) -> tuple[Camera, ...]:

@@ -15,7 +15,6 @@ from raybundle.io.photos.photo import Photo
 from raybundle.matching.tracks import Tracks
 from raybundle.matching.verify import VerifiedPair, trusted
 from raybundle.numerics.arrays import Array, Index
-from raybundle.numerics.rows import rows_of_each
 from raybundle.pipeline.stage import Codec, Means, Stage
 from raybundle.ties.block import TieBlock, block_of_tracks
 from raybundle.ties.missing import missing_notices
@@ -23,6 +22,8 @@ from raybundle.ties.parts import KINDS, MANY, by_parts
 from raybundle.ties.points import FeatureStore
 from raybundle.ties.repeated import sound_pairs
 from raybundle.ties.start import StartMethod
+from raybundle.ties.tracks import KINDS as KINDS_OF_TRACKS
+from raybundle.ties.tracks import tracks_by_leaves
 from raybundle.workflows.connected_components import start_components
 from raybundle.workflows.dropped import Dropped
 from raybundle.workflows.kept import (
@@ -81,23 +82,20 @@ def cameras_of(groups: Sequence[CameraGroup], count: int) -> tuple[tuple[Camera,
 
 def begin(i: Inputs, means: Means) -> Started:
     """Tracks of the pairs that are sound, and the orientation of every part that hangs together."""
-    features = [i.features.places(k) for k in range(len(i.photos))]
-    places = [f.xy_px for f in features]
 
     def oriented_by(tracks: Tracks) -> tuple[TieBlock, ...]:
-        raw = block_of_tracks(i.photos, i.cameras, i.camera_of_photo, places, tracks)
-        scale, angle = np.empty(len(tracks.image)), np.empty(len(tracks.image))
-        for f, mine in zip(features, rows_of_each(tracks.image, len(features)), strict=True):
-            scale[mine], angle[mine] = f.scale_px[tracks.feature[mine]], f.angle[tracks.feature[mine]]
+        features = i.features.of_tracks(tracks)
+        raw = block_of_tracks(i.photos, i.cameras, i.camera_of_photo, features.xy_px, tracks)
         parts = None if i.method == "auto" and len(i.photos) < MANY else partial(by_parts, means=means)
-        return start_components(raw, scale, angle, means.jobs, means.progress, i.method, parts)
+        return start_components(raw, features.scale_px, features.angle, means.jobs, means.progress, i.method, parts)
 
     names, n = [p.name for p in i.photos], len(i.photos)
     diagonals = np.array([float(np.hypot(p.width_px, p.height_px)) for p in i.photos])
-    sound = sound_pairs(trusted(i.pairs, n), places, names, diagonals, oriented_by)
+    join = partial(tracks_by_leaves, means, i.features)
+    sound = sound_pairs(trusted(i.pairs, n), i.features.xy_px(), names, diagonals, oriented_by, join)
     return Started(
-        ties=oriented_by(sound.tracks), features=sum(len(f) for f in features), matched=len(sound.tracks.image),
-        notices=sound.notices,
+        ties=oriented_by(sound.tracks), features=sum(i.features.count(k) for k in range(n)),
+        matched=len(sound.tracks.image), notices=sound.notices,
     )  # fmt: skip
 
 
@@ -140,7 +138,7 @@ STAGE = ORIENT.register(
     Stage(
         name="start",
         version=19,
-        kinds=KINDS,
+        kinds=(*KINDS_OF_TRACKS, *KINDS),
         after=("scene_matching",),
         inputs=_inputs,
         function=begin,

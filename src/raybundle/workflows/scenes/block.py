@@ -25,7 +25,6 @@ from raybundle.numerics.arrays import Array
 from raybundle.numerics.counting import counted
 from raybundle.numerics.places import Local
 from raybundle.numerics.progress import Progress
-from raybundle.numerics.rows import rows_of_each
 from raybundle.orientation.cleaning import clean
 from raybundle.scenes.bias import BiasKind
 from raybundle.settings import option
@@ -125,15 +124,12 @@ def started(
 ) -> TieBlock:
     """Tracks of the scenes with approximate coordinates, wrong ones left out."""
     n = len(scenes.images)
-    features = [store.places(i) for i in range(n)]
-    tracks: Tracks = tracks_of([p.pair for p in pairs], [f.xy_px for f in features])
+    tracks: Tracks = tracks_of([p.pair for p in pairs], store.xy_px())
+    features = store.of_tracks(tracks)
     raw = block_of_tracks(
-        cast("Sequence[Photo]", scenes.images), scenes.cameras(), np.arange(n, dtype=np.int32),
-        [f.xy_px for f in features], tracks,
-    )  # fmt: skip
-    scale, angle = np.empty(len(tracks.image)), np.empty(len(tracks.image))
-    for f, mine in zip(features, rows_of_each(tracks.image, n), strict=True):
-        scale[mine], angle[mine] = f.scale_px[tracks.feature[mine]], f.angle[tracks.feature[mine]]
+        cast("Sequence[Photo]", scenes.images), scenes.cameras(), np.arange(n, dtype=np.int32), features.xy_px, tracks
+    )
+    scale, angle = features.scale_px, features.angle
     seen = np.bincount(tracks.image, minlength=n)
     lost = tuple(
         (s.name, _why_alone(int(count), pairs, i))
