@@ -10,6 +10,7 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from enum import IntFlag
 
+import cv2
 import numpy as np
 
 from raybundle.block import Block
@@ -36,6 +37,9 @@ SIGMAS = 3.0
 AGREE, AGAINST = 5, 2
 """Of eight neighbours that have to, and that may speak against it: most of a straight edge of things stays, and what juts
 out of it, where a window shows more of the other side, goes."""
+HOLE_PX, RIM_PX = 9, 2
+"""Holes larger than a window and a pixel on each side, and what is lost around them: of 3 px that half a window reaches,
+the outer one has no weight."""
 GRAZING = 0.3
 """Cosine between ray and normal below which a window shows hardly anything of the surface."""
 
@@ -50,6 +54,9 @@ class Flag(IntFlag):
     """Seen by one source only, where there are several: nothing checks it"""
     LONELY = 8
     """Its neighbours do not agree with it: taken out"""
+    EDGE = 16
+    """Beside a hole that is larger than a window: something begins there that hides the rest, and windows show both:
+    taken out"""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -324,7 +331,7 @@ def _map(work: _Work, grid: PixelGrid, fine: Refined, by_noise: Array, theory: A
     variance = theory * factor
     incidence = incidences(work.rays, grid, t, slopes)
     flags = _flags(work, fine, apart, variance, incidence, grid.stride)
-    kept = known & (flags & np.uint8(Flag.LONELY) == 0)
+    kept = known & (flags & np.uint8(Flag.LONELY | Flag.EDGE) == 0)
 
     def of_kept(values: Array) -> Array:
         return np.where(kept, values, np.nan).astype(np.float32)
@@ -347,13 +354,22 @@ def _flags(work: _Work, fine: Refined, apart: Array, variance: Array, incidence:
     with np.errstate(invalid="ignore"):
         same, other = np.abs(apart) <= limit, np.abs(apart) > limit
     kept: Mask = known & (same.sum(axis=0) >= AGREE) & (other.sum(axis=0) <= AGAINST)
+    edge = kept & _beside_holes(kept, stride)
     flags = np.zeros(known.shape, np.uint8)
     for flag, where in (
         (Flag.GRAZING, ~(incidence >= GRAZING)), (Flag.STEP, other.any(axis=0)), (Flag.FEW_SOURCES, few),
-        (Flag.LONELY, ~kept),
+        (Flag.LONELY, ~kept), (Flag.EDGE, edge),
     ):  # fmt: skip
         flags[known & where] |= np.uint8(flag)
     return flags
+
+
+def _beside_holes(kept: Mask, stride: int) -> Mask:
+    """Pixels beside what is missing over more than a window."""
+    size, rim = 2 * round((HOLE_PX / stride - 1) / 2) + 1, max(1, round(RIM_PX / stride))
+    missing = np.pad((~kept).astype(np.uint8), size, mode="edge")
+    holes = cv2.morphologyEx(missing, cv2.MORPH_OPEN, np.ones((max(size, 3),) * 2, np.uint8))
+    return cv2.dilate(holes, np.ones((2 * rim + 1,) * 2, np.uint8))[size:-size, size:-size] > 0
 
 
 def incidences(rays: ReferenceRays, grid: PixelGrid, t: Array, slopes: Array) -> Array:
