@@ -6,7 +6,8 @@
            is recorded; the estimate for its size stands beside it, with constants that are measured in the same run
 --record   the recorded tasks, to be used again, or where they are kept
 --orient   figures of a made flight, as benchmarks/many_images.py --strips 8 --each 10 prints them: the stages before
---ship     with all of these, write the constants that come with the package
+--ship     with all of these and benchmarks/results/stage_shares.json (benchmarks/stage_shares.py), write the constants
+           that come with the package
 
 Then the recorded tasks are done by 1 to 256 workers in a simulation: one store of 10 Gbit/s, 1 Gbit/s a worker, 0.5 ms
 (benchmarks/simulated_workers.py).  Peak memory is that of the process that adjusts, driver and worker in one.
@@ -33,7 +34,7 @@ from simulated_workers import efficiencies
 from raybundle.blocking.columns import InFiles
 from raybundle.io.block.arrays import block_of_arrays
 from raybundle.workflows.costs import photographs
-from raybundle.workflows.costs.adjustment import KINDS, NAMES, adjustment, parts_of
+from raybundle.workflows.costs.adjustment import KINDS, NAMES, adjustment, kept_elements, parts_of
 from raybundle.workflows.costs.constants import SWEEPS, Constants
 from raybundle.workflows.costs.measure import SWEEP_OF, Fronts, measure, recorded, sweep_of
 from raybundle.workflows.costs.recording import TaskRecord
@@ -158,8 +159,7 @@ def shipped(run: dict, flight: dict, measured: Constants) -> Constants:
     """The constants that come with the package: those measured, bytes of a recorded run, stages of a made flight."""
     size, own, points = (np.array(run[k], float) for k in ("size", "own", "counts"))
     fronts = Fronts(own=own, size=size, points=points)
-    above = np.isin(np.arange(len(size)), run["parent"])
-    dense = 8 * ((size**2 - own * (size - own)).sum() + (size**2)[above].sum())
+    dense = 8 * sum(float(x.sum()) for x in kept_elements(own, size - own))
     sweeps = {}
     for sweep, tasks in KINDS.items():
         mine = [TaskRecord(**r) for r in run["records"] if SWEEP_OF[r["name"]] == sweep]
@@ -167,6 +167,7 @@ def shipped(run: dict, flight: dict, measured: Constants) -> Constants:
         names = ("read_point", "read_element", "written_point", "written_element")
         sweeps[sweep] = replace(getattr(measured, sweep), **{n: getattr(of, n) for n in names})
     done = {s["name"]: s["cpu_seconds"] for s in flight["stages"]}
+    shares = json.loads((HERE / "results/stage_shares.json").read_text())
     observed, images = flight["observations"] / 2, flight["oriented"]
     pairs = photographs.pairs_of(images)
     chosen = images * (measured.signature_s + 1e-3 * measured.compare_ms * photographs.COMPARED)
@@ -176,6 +177,7 @@ def shipped(run: dict, flight: dict, measured: Constants) -> Constants:
         measured, **sweeps, measured=f"{dt.datetime.now(dt.UTC).date().isoformat()}, by benchmarks/scaling.py",
         stored_point=float((run["disk"] - dense) / points.sum()), verify_ms=1e6 * verified / pairs / features,
         start_point_ms=1e3 * done["start"] / observed, precision_point_ms=1e3 * done["precision"] / observed,
+        start_shared=round(shares["start"]["share"], 3), precision_shared=round(shares["precision"]["share"], 3),
         **MEMORY, **REPORT,
     )  # fmt: skip
 

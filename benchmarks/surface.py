@@ -1,14 +1,16 @@
-"""What a pixel of the surface costs: refinement in four sources, and its ratio to OpenCV's three-way SGBM in the same run.
+"""What a pixel of the surface costs: refinement in four sources, and its ratio to OpenCV's SGBM in the same run.
 
     python benchmarks/surface.py [--rounds 7]       figures into benchmarks/results/surface.json
 
-microseconds  processor time of one core for a pixel at every pixel of a part of portal_02 (tests/surface/truth.py makes its
-              exact depths, once), by four sources from starts that are off by 0.3 px; medians over the rounds
-sgbm          the same of OpenCV's three-way SGBM on a rectified pair of the same two photographs at full size, with as many
-              disparities as the depths of the portal ask for; a ratio to it belongs to the same round
-error_px      robust standard deviation of the refined depths against the exact ones, as shift in the most sensitive source
-noise         white noise added twice to the photographs: mean chi-square of the differences against the stated noise, with
-              and without the observed curvature
+microseconds  processor time of one core for a pixel at every pixel of a part of portal_02 (tests/surface/truth.py makes
+              its exact depths, once), by four sources from starts that are off by 0.3 px; medians over the rounds
+sgbm          the same of OpenCV's three-way SGBM of two photographs at full size, with as many disparities as the
+              depths of the portal ask for; they are not rectified, which its time does not depend on.  A ratio to it
+              belongs to the same round
+error_px      robust standard deviation of the refined depths against the exact ones, as shift in the most sensitive
+              source
+noise         white noise added twice to the photographs: mean chi-square of the differences against the stated noise,
+              with and without the observed curvature, pixels beyond 5 sigma counted apart
 """
 
 import argparse
@@ -73,7 +75,11 @@ def main() -> None:
         "found": round(float(found.found.mean()), 3),
         "error_px": round(float(np.median(np.abs(e)) / 0.6745), 3),
         "noise": portal.added_noise(scene, PixelGrid.over(scene.reference, 10, 8), NOISE),
-        "about": {"instruction_set": native.instruction_set(), "machine": platform.machine(), "opencv": cv2.__version__},
+        "about": {
+            "instruction_set": native.instruction_set(),
+            "machine": platform.machine(),
+            "opencv": cv2.__version__,
+        },
     }
     print(json.dumps(result, indent=1))
     (ROOT / "benchmarks/results/surface.json").write_text(json.dumps(result, indent=1) + "\n")

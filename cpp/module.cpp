@@ -259,7 +259,8 @@ nb::tuple fit_corners(Image image, Const xy, Const u, Const v, Const band, Const
   return nb::make_tuple(values, cofactor, variance, ended);
 }
 
-template <class T, int dimensions> using Swept = nb::ndarray<T, nb::ndim<dimensions>, nb::numpy, nb::c_contig, nb::device::cpu>;
+template <class T, int dimensions> using In = nb::ndarray<const T, nb::ndim<dimensions>, nb::numpy, nb::c_contig, nb::device::cpu>;
+template <class T, int dimensions> using Into = nb::ndarray<T, nb::ndim<dimensions>, nb::numpy, nb::c_contig, nb::device::cpu>;
 
 void require(bool fine, const char* what) {
   if (!fine) throw std::invalid_argument(what);
@@ -267,22 +268,22 @@ void require(bool fine, const char* what) {
 
 constexpr size_t kMostCells = size_t(1) << 40, kLongestSide = 32767;
 
-Sweep sweep_of(const Swept<uint8_t, 3>& cost, int step, size_t rows, size_t columns) {
+Sweep sweep_of(const Into<uint8_t, 3>& cost, int step, size_t rows, size_t columns) {
   require(cost.shape(0) >= 1 && cost.shape(1) >= 1 && cost.shape(2) >= 1 && cost.shape(0) <= kLongestSide && cost.shape(1) <= kLongestSide &&
               cost.shape(2) <= kLongestSide && cost.size() < kMostCells,
           "costs have the wrong size");
   return {int(cost.shape(1)), int(cost.shape(0)), int(cost.shape(2)), step, int(rows), int(columns)};
 }
 
-void census(Swept<const uint8_t, 2> image, Swept<uint64_t, 2> out) {
+void census(In<uint8_t, 2> image, Into<uint64_t, 2> out) {
   require(out.shape(0) == image.shape(0) && out.shape(1) == image.shape(1), "a census is of its image's size");
   require(image.shape(0) <= kLongestSide && image.shape(1) <= kLongestSide, "an image is too large");
   nb::gil_scoped_release release;
   sweep_kernels().census(image.data(), int(image.shape(1)), int(image.shape(0)), out.data());
 }
 
-void sweep_costs(Swept<const uint64_t, 2> reference, const std::vector<Swept<const uint64_t, 2>>& sources,
-                 const std::vector<Swept<const int32_t, 4>>& tables, int step, Swept<uint8_t, 3> cost) {
+void sweep_costs(In<uint64_t, 2> reference, const std::vector<In<uint64_t, 2>>& sources,
+                 const std::vector<In<int32_t, 4>>& tables, int step, Into<uint8_t, 3> cost) {
   require(!tables.empty() && tables.size() == sources.size() && step >= 1, "sources have no tables");
   const size_t rows = tables[0].shape(1), columns = tables[0].shape(2);
   const Sweep sweep = sweep_of(cost, step, rows, columns);
@@ -300,16 +301,15 @@ void sweep_costs(Swept<const uint64_t, 2> reference, const std::vector<Swept<con
   sweep_kernels().costs(sweep, reference.data(), given.data(), int(given.size()), cost.data());
 }
 
-void aggregate(Swept<const uint8_t, 2> image, Swept<uint8_t, 3> cost, int slope, int jump, int least, Swept<uint16_t, 3> sum,
-               Swept<float, 2> level, Swept<float, 2> margin) {
+void aggregate(In<uint8_t, 2> image, Into<uint8_t, 3> cost, int slope, int jump, int least, Into<uint16_t, 3> sum,
+               Into<float, 2> level, Into<float, 2> margin) {
   const Sweep sweep = sweep_of(cost, 1, 0, 0);
   const auto of_image = [&](const auto& a) { return a.shape(0) == cost.shape(0) && a.shape(1) == cost.shape(1); };
   require(of_image(image) && of_image(sum) && of_image(level) && of_image(margin) && sum.shape(2) == cost.shape(2), "results are not of the image's size");
   require(0 <= slope && slope <= least && least <= jump && jump <= 90, "penalties are not 0 <= slope <= least <= jump <= 90");
   nb::gil_scoped_release release;
   sweep_kernels().aggregate(sweep, image.data(), cost.data(), {slope, jump, least}, sum.data(), level.data(), margin.data());
-template <class T, int dimensions> using In = nb::ndarray<const T, nb::ndim<dimensions>, nb::numpy, nb::c_contig, nb::device::cpu>;
-template <class T, int dimensions> using Into = nb::ndarray<T, nb::ndim<dimensions>, nb::numpy, nb::c_contig, nb::device::cpu>;
+}
 
 // Rows of a grid of pixels; fit: half, sigma, iterations, step, reach, slope, correlation, contrast, share, apart; grid: x0, y0,
 // stride; tables: u0, v0, step, t0, dt of each.  numbers, reason, iterations and views are written where todo says so.
@@ -319,31 +319,28 @@ void refine_surface(In<float, 2> reference, const std::vector<In<float, 2>>& gre
                     Into<uint8_t, 2> reason, Into<uint8_t, 2> iterations, Into<int32_t, 2> views, const std::optional<Into<float, 4>>& shift,
                     const std::optional<Into<float, 3>>& response) {
   const size_t count = grey.size(), rows = todo.shape(0), columns = todo.shape(1);
-  const auto check = [](bool fine, const char* what) {
-    if (!fine) throw std::invalid_argument(what);
-  };
   const auto of_grid = [&](const auto& a) { return a.shape(0) == rows && a.shape(1) == columns; };
   const auto small = [](size_t n) { return n < (size_t(1) << 30); };
-  check(count >= 1 && count <= size_t(kMostSources) && places.size() == count && tables.size() == count, "the number of sources is not from 1 to 16");
-  check(fit[0] >= 1 && fit[0] <= kLargestWindow && fit[1] > 0 && fit[2] >= 1 && fit[2] <= 255 && fit[5] > 0 && fit[9] > 0, "a window or its iteration is not as it can be");
-  check(small(rows) && small(columns) && grid[0] >= 0 && grid[1] >= 0 && grid[2] >= 1 && (!rows || grid[1] + (double(rows) - 1) * grid[2] < double(reference.shape(0))) &&
+  require(count >= 1 && count <= size_t(kMostSources) && places.size() == count && tables.size() == count, "the number of sources is not from 1 to 16");
+  require(fit[0] >= 1 && fit[0] <= kLargestWindow && fit[1] > 0 && fit[2] >= 1 && fit[2] <= 255 && fit[5] > 0 && fit[9] > 0, "a window or its iteration is not as it can be");
+  require(small(rows) && small(columns) && grid[0] >= 0 && grid[1] >= 0 && grid[2] >= 1 && (!rows || grid[1] + (double(rows) - 1) * grid[2] < double(reference.shape(0))) &&
             (!columns || grid[0] + (double(columns) - 1) * grid[2] < double(reference.shape(1))),
         "pixels lie beyond the reference image");
-  check(begin >= 0 && begin <= end && size_t(end) <= rows && chain >= -1 && chain <= 1, "rows are not those of the grid");
-  check(numbers.shape(0) == kSurfaceQuantities && numbers.shape(1) == rows && numbers.shape(2) == columns && of_grid(reason) && of_grid(iterations) && of_grid(views),
+  require(begin >= 0 && begin <= end && size_t(end) <= rows && chain >= -1 && chain <= 1, "rows are not those of the grid");
+  require(numbers.shape(0) == kSurfaceQuantities && numbers.shape(1) == rows && numbers.shape(2) == columns && of_grid(reason) && of_grid(iterations) && of_grid(views),
         "results have the wrong size");
-  check(!autocovariance || (autocovariance->shape(0) == count + 1 && autocovariance->shape(1) == 2 * kLag + 1 && autocovariance->shape(2) == 2 * kLag + 1),
+  require(!autocovariance || (autocovariance->shape(0) == count + 1 && autocovariance->shape(1) == 2 * kLag + 1 && autocovariance->shape(2) == 2 * kLag + 1),
         "autocovariances are not (views, 7, 7)");
-  check(!shift || (of_grid(*shift) && shift->shape(2) == count && shift->shape(3) == 2), "shifts have the wrong size");
+  require(!shift || (of_grid(*shift) && shift->shape(2) == count && shift->shape(3) == 2), "shifts have the wrong size");
   const size_t side = 2 * size_t(fit[0]) + 1;
-  check(!response || (of_grid(*response) && response->shape(2) == side * side), "responses have the wrong size");
-  check(reference.size() < (size_t(1) << 31), "the reference image is too large");
+  require(!response || (of_grid(*response) && response->shape(2) == side * side), "responses have the wrong size");
+  require(reference.size() < (size_t(1) << 31), "the reference image is too large");
   std::vector<SurfaceSource> sources;
   for (size_t s = 0; s < count; ++s) {
     const auto& [u0, v0, step, t0, dt] = tables[s];
     const auto& p = places[s];
-    check(grey[s].size() < (size_t(1) << 31) && p.shape(3) == 2 && step > 0 && dt != 0, "a source has the wrong size");
-    check(p.shape(0) >= 4 && p.shape(1) >= 4 && p.shape(2) >= 4 && small(p.shape(0)) && small(p.shape(1)) && small(p.shape(2)), "a table has fewer than 4 nodes in a direction");
+    require(grey[s].size() < (size_t(1) << 31) && p.shape(3) == 2 && step > 0 && dt != 0, "a source has the wrong size");
+    require(p.shape(0) >= 4 && p.shape(1) >= 4 && p.shape(2) >= 4 && small(p.shape(0)) && small(p.shape(1)) && small(p.shape(2)), "a table has fewer than 4 nodes in a direction");
     sources.push_back({grey[s].data(), int(grey[s].shape(1)), int(grey[s].shape(0)),
                        {p.data(), int(p.shape(0)), int(p.shape(1)), int(p.shape(2)), u0, v0, step, t0, dt}});
   }
@@ -352,6 +349,16 @@ void refine_surface(In<float, 2> reference, const std::vector<In<float, 2>>& gre
   const SurfaceFound found{numbers.data(), todo.data(), reason.data(), iterations.data(), views.data(), shift ? shift->data() : nullptr, response ? response->data() : nullptr};
   nb::gil_scoped_release release;
   surface_kernels().refine(images, settings, {int(rows), int(columns), grid[0], grid[1], grid[2]}, begin, end, chain, found);
+}
+
+// table: u0, v0, step, t0, dt
+void transfer_places(In<double, 4> places, const std::array<double, 5>& table, In<double, 2> xy, In<double, 1> t, Into<double, 2> out) {
+  require(places.shape(3) == 2 && xy.shape(1) == 2 && out.shape(1) == 2 && t.shape(0) == xy.shape(0) && out.shape(0) == xy.shape(0), "places have the wrong size");
+  for (size_t axis = 0; axis < 3; ++axis) require(places.shape(axis) >= 4 && places.shape(axis) < (size_t(1) << 30), "a table has fewer than 4 nodes in a direction");
+  require(table[2] > 0 && table[4] != 0, "a table has no steps");
+  nb::gil_scoped_release release;
+  sweep_kernels().places({places.data(), int(places.shape(0)), int(places.shape(1)), int(places.shape(2)), table[0], table[1], table[2], table[3], table[4]},
+                         xy.data(), t.data(), int64_t(t.shape(0)), out.data());
 }
 
 struct Solver {
@@ -379,18 +386,18 @@ struct Solver {
   }
   const Factor& solved() const {
     ready();
-    check(factorised, "the matrix is not factorised: call factorise first, and solve only where it returns 0");
+    require(factorised, "the matrix is not factorised: call factorise first, and solve only where it returns 0");
     return *factor;
   }
   static void count(int threads) { check(threads >= 1 && threads <= 4096, "the number of threads is not from 1 to 4096"); }
   State state(const Const& rotation, const Const& centre, const Const& interior, const Const& xyz, double huber, double damping, int threads) const {
     ready();
     count(threads);
-    check(rotation.size() == size_t(9 * q.images) && centre.size() == size_t(3 * q.images), "exterior orientations have the wrong size");
-    check(xyz.size() == size_t(3 * q.points), "object points have the wrong size");
-    check(q.interior_stride == 0 || interior.size() % q.interior_stride == 0, "interior orientations have the wrong size");
-    check(interior.size() >= size_t(interior_rows * q.interior_stride), "there are fewer interior orientations than images name");
-    check(!external_needed || !external.empty(), "rows of models that are not compiled are missing: call set_external");
+    require(rotation.size() == size_t(9 * q.images) && centre.size() == size_t(3 * q.images), "exterior orientations have the wrong size");
+    require(xyz.size() == size_t(3 * q.points), "object points have the wrong size");
+    require(q.interior_stride == 0 || interior.size() % q.interior_stride == 0, "interior orientations have the wrong size");
+    require(interior.size() >= size_t(interior_rows * q.interior_stride), "there are fewer interior orientations than images name");
+    require(!external_needed || !external.empty(), "rows of models that are not compiled are missing: call set_external");
     return {rotation.data(), centre.data(), interior.data(), xyz.data(), external.empty() ? nullptr : external.data(), huber, damping};
   }
 };
@@ -417,6 +424,7 @@ NB_MODULE(_native, m) {
   m.def("census", &census);
   m.def("sweep_costs", &sweep_costs);
   m.def("aggregate_costs", &aggregate);
+  m.def("transfer_places", &transfer_places);
   m.def("refine_surface", &refine_surface, nb::arg(), nb::arg(), nb::arg(), nb::arg(), nb::arg(), nb::arg(), nb::arg(), nb::arg(), nb::arg(),
         nb::arg().none(), nb::arg(), nb::arg(), nb::arg(), nb::arg(), nb::arg(), nb::arg().none(), nb::arg().none());
   m.def("instruction_set", [] { return std::string(kernels().name); });

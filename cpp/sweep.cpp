@@ -157,8 +157,42 @@ static void aggregate(const Sweep& s, const uint8_t* image, const uint8_t* cost,
   }
 }
 
+// Weights of four nodes (Lagrange) at a place between them, and the first of them.
+static inline int nodes(double at, int count, double* weight) {
+  const double first = std::min(std::max(std::floor(at) - 1, 0.0), double(count - 4));
+  const double p = at - first, q = p - 1, r = p - 2, s = p - 3;
+  weight[0] = -q * r * s / 6;
+  weight[1] = p * r * s / 2;
+  weight[2] = -p * q * s / 2;
+  weight[3] = p * q * r / 6;
+  return int(first);
+}
+
+static void places(const TransferTable& table, const double* xy, const double* t, int64_t count, double* out) {
+  for (int64_t n = 0; n < count; ++n) {
+    const double at[3] = {(xy[2 * n + 1] - table.v0) / table.step, (xy[2 * n] - table.u0) / table.step, (t[n] - table.t0) / table.dt};
+    double x = NAN, y = NAN;
+    if (std::isfinite(at[0]) && std::isfinite(at[1]) && std::isfinite(at[2])) {
+      double down[4], across[4], deep[4];
+      const int j = nodes(at[0], table.rows, down), i = nodes(at[1], table.columns, across), k = nodes(at[2], table.levels, deep);
+      x = y = 0;
+      for (int a = 0; a < 4; ++a)
+        for (int b = 0; b < 4; ++b) {
+          const double* node = table.xy + ((int64_t(j + a) * table.columns + i + b) * table.levels + k) * 2;
+          const double w = down[a] * across[b];
+          for (int c = 0; c < 4; ++c) {
+            x += w * deep[c] * node[2 * c];
+            y += w * deep[c] * node[2 * c + 1];
+          }
+        }
+    }
+    out[2 * n] = x;
+    out[2 * n + 1] = y;
+  }
+}
+
 extern const SweepKernels sweep;
-const SweepKernels sweep = {&census, &costs, &aggregate};
+const SweepKernels sweep = {&census, &costs, &aggregate, &places};
 
 }  // namespace RB_ARCH
 }  // namespace raybundle

@@ -2,6 +2,8 @@
 #pragma once
 #include <cstdint>
 
+#include "surface.hpp"
+
 namespace raybundle {
 
 // A census image: 62 comparisons a pixel; kUnknown where its window reaches beyond the photograph.
@@ -33,6 +35,8 @@ struct SweepKernels {
   // sum (height, width, levels) is what the eight paths add up to; level, margin (height, width)
   void (*aggregate)(const Sweep& sweep, const uint8_t* image, const uint8_t* cost, const Penalties& penalties, uint16_t* sum,
                     float* level, float* margin);
+  // Places (count, 2) in a source of pixels xy (count, 2) at depth parameters t; NaN where it does not see them.
+  void (*places)(const TransferTable& table, const double* xy, const double* t, int64_t count, double* out);
 };
 
 namespace baseline { extern const SweepKernels sweep; }

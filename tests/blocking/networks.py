@@ -11,18 +11,18 @@ from raybundle.planning.simulate import Survey, simulate
 from raybundle.platforms import instrument_models
 
 
-def flight(*, control=4, observed=True, bar=True, interior="exact", seed=1):
-    """Three strips of one camera whose interior orientation is free; GNSS with a shift each, an IMU, a long bar."""
+def flight(*, control=4, observed=True, bar=True, interior="exact", seed=1, images=9):
+    """Three strips of one camera whose interior orientation is free; a GNSS shift each, an IMU, a long bar."""
     survey = Survey(
         image_sigma_px=0.3, control=control, control_sigma=(0.02, 0.02, 0.02), interior=interior, seed=seed,
         points="approximate", approximate=1e-4,
     )  # fmt: skip
-    strips = AerialStrips(images_per_strip=9, points_per_image=25)
+    strips = AerialStrips(images_per_strip=images, points_per_image=25)
     made = simulate(aerial_scene(replace(strips, camera=replace(strips.camera, estimate=("c", "x0", "y0")))), survey)
     block, truth = made.observed, made.truth
     rng = np.random.default_rng(seed)
     n = len(truth.images)
-    line = np.arange(n) // 9
+    line = np.arange(n) // images
     if observed:
         symbols = instrument_models["antenna"].symbols
         antennas = tuple(

@@ -15,7 +15,7 @@ from raybundle.numerics.rotation import (
     rotation_from_vector,
     vector_from_rotation,
 )
-from raybundle.numerics.rows import rows_of_each
+from raybundle.numerics.rows import distinct, rows_of_each
 from raybundle.numerics.statistics import (
     CRITICAL_W,
     DELTA0,
@@ -157,3 +157,11 @@ def test_square_roots_are_printed_for_both_kernels():
     assert derive._Cxx().doprint(sympy.sqrt(x)) == "std::sqrt(x)"
     assert "pow(x, 0.5)" in derive._Cxx().doprint(x**0.5) or "sqrt(x)" in derive._Cxx().doprint(x**0.5)
     assert "sqrt(x)" in derive._NumPy().doprint(sympy.sqrt(x))
+
+
+@pytest.mark.parametrize("count", [0, 1, 500])
+def test_distinct_numbers_are_those_of_a_set(count):
+    numbers = np.random.default_rng(2).integers(-50, 50, count)
+    found = distinct(numbers)
+    assert found.tolist() == sorted(set(numbers.tolist()))
+    assert found.dtype == numbers.dtype

@@ -5,7 +5,6 @@ from pathlib import Path
 import pytest
 
 
-
 @pytest.fixture(scope="session")
 def portal_cache(request):
     """Where exact depths are kept; skips where rays cannot be cast in a minute."""

@@ -54,7 +54,9 @@ class Scene:
     def reach(self):
         """Pixels in the most sensitive source for a unit of t, in the middle."""
         at, t = np.array([[WIDTH / 2, HEIGHT / 2]]), np.array([1 / HEIGHT_M])
-        return max(np.linalg.norm(s.transfer.at(at, t + 1e-4) - s.transfer.at(at, t - 1e-4)) / 2e-4 for s in self.sources)
+        return max(
+            np.linalg.norm(s.transfer.at(at, t + 1e-4) - s.transfer.at(at, t - 1e-4)) / 2e-4 for s in self.sources
+        )
 
 
 def blocks(model, places=((0, 0), (-1, 0.1), (1, -0.1), (0.1, 1), (0, -1))):

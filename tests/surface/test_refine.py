@@ -107,7 +107,7 @@ def test_added_noise_moves_depths_as_much_as_is_stated(ground):
     assert 0.9 < np.mean(difference**2 / stated) < 1.1
     assert np.mean(difference**2 / promised) > 1.5
     # the residuals tell how large the noise was
-    variance = (runs[0].grey_variance * runs[0].contrast**2)[same]
+    variance = (runs[0].grey_variance * runs[0].contrast ** 2)[same]
     assert np.median(variance) == pytest.approx(amplitude**2, rel=0.15)
 
 
@@ -124,7 +124,10 @@ def test_noise_that_is_correlated_weighs_more(ground):
     for seed in (1, 2):
         rng = np.random.default_rng(seed)
         noise = [cv2.filter2D(rng.standard_normal(g.shape), -1, kernel) for g in ground.grey]
-        grey = [(g + amplitude / np.sqrt((kernel**2).sum()) * n).astype(np.float32) for g, n in zip(ground.grey, noise, strict=True)]
+        grey = [
+            (g + amplitude / np.sqrt((kernel**2).sum()) * n).astype(np.float32)
+            for g, n in zip(ground.grey, noise, strict=True)
+        ]
         sources = [Source(grey=g, transfer=q.transfer) for g, q in zip(grey[1:], ground.sources, strict=True)]
         runs.append((refine(grey[0], sources, grid, start, autocovariance=cov), refine(grey[0], sources, grid, start)))
     (a, white_a), (b, white_b) = runs

@@ -110,6 +110,21 @@ def test_a_grid_of_places_is_that_of_single_pixels(portal):
     assert np.nanmax(np.abs(grid - each)) < 1e-9
 
 
+@compiled
+def test_places_are_those_of_the_twin(portal):
+    block, _ = portal
+    rng = np.random.default_rng(2)
+    table = transfer(block, ReferenceRays.of(block, 2), 3, (0.15, 0.5))
+    xy, t = rng.uniform(-20, 1650, (5000, 2)), rng.uniform(0.12, 0.55, 5000)
+    t[7] = np.nan
+    ours, theirs = table.at(xy, t), table.at_twin(xy[:7], t[:7])
+    assert np.isnan(ours[7]).all()
+    assert np.allclose(ours[:7], theirs, rtol=0, atol=1e-9, equal_nan=True)
+    rest = np.arange(8, 5000)
+    assert np.allclose(ours[rest], table.at_twin(xy[rest], t[rest]), rtol=0, atol=1e-9, equal_nan=True)
+    assert np.isfinite(ours).any(axis=1).mean() > 0.3
+
+
 def test_photographs_are_reduced_until_costs_fit():
     assert sweep.reduction_for(1600, 1200, 400, 1e9) == 2
     coarse = sweep.reduction_for(8000, 6000, 2000, 1e9)

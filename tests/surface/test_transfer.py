@@ -100,4 +100,6 @@ def test_what_cannot_be_tabulated_is_refused(monkeypatch):
 
 
 def test_every_kind_of_platform_is_among_them():
-    assert {"brown_rolling", "brown_mounted", "pushbroom", "panorama", "fisheye"} <= set(scene.VALUES) & set(sensor_models)
+    assert {"brown_rolling", "brown_mounted", "pushbroom", "panorama", "fisheye"} <= set(scene.VALUES) & set(
+        sensor_models
+    )

@@ -48,6 +48,7 @@ def test_added_noise_moves_depths_of_the_portal_as_stated(scene):
         found = added_noise(scene, PixelGrid.over(scene.reference, 10, 8), sigma)
         assert found["pixels"] > 10_000
         assert 0.9 < found["chi2"] < 1.1
+        assert found["beyond_5_sigma"] < 2e-3
         assert found["chi2_without_curvature"] > 2
 
 

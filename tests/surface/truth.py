@@ -114,7 +114,11 @@ def _mesh() -> dict[str, np.ndarray]:
     import demo_scene as scene
 
     rng = np.random.default_rng(scene.SEED)
-    for w, h, tint in ((*scene.WALL_M, (1.0, 0.95, 0.86)), (4.1, 4.1, (0.98, 0.97, 0.92)), (5.2 / 1.5, 2.9 / 1.5, (0.86, 0.87, 0.88))):
+    for w, h, tint in (
+        (*scene.WALL_M, (1.0, 0.95, 0.86)),
+        (4.1, 4.1, (0.98, 0.97, 0.92)),
+        (5.2 / 1.5, 2.9 / 1.5, (0.86, 0.87, 0.88)),
+    ):
         scene.stone((round(h / TEXEL), round(w / TEXEL)), rng, tint)
     vertices, triangles, which, n = [], [], [], 0
     for k, sheet in enumerate(scene.sheets(rng, CELL)):

@@ -127,6 +127,25 @@ def test_few_photographs_are_all_matched_and_many_by_twelve():
     assert times[1] == pytest.approx(2 * times[0])
 
 
+def test_many_photographs_share_start_and_precision_and_few_do_not():
+    for images, stage, shared in (
+        (599, "tracks and start", False),
+        (600, "tracks and start", True),
+        (20, "precision", True),
+    ):
+        one, many = (
+            next(
+                s for s in estimate(replace(A, images=images, workers=w, network_gbit=0.0), C).stages if s.name == stage
+            )
+            for w in (1, 10**6)
+        )
+        assert one.cpu_s == many.cpu_s == pytest.approx(one.wall_s)
+        assert (many.wall_s < one.wall_s) == shared
+        if shared:  # with so many workers, one task of each and what one process does
+            tasks = one.tasks - 1
+            assert many.wall_s == pytest.approx(many.serial_s + (one.cpu_s - one.serial_s) / tasks)
+
+
 def test_constants_of_a_sweep_are_found_again():
     rng = np.random.default_rng(1)
     own, points = rng.uniform(50, 900, 40), rng.uniform(0, 2e5, 40)

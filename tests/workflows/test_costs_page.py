@@ -12,6 +12,8 @@ from raybundle.numerics.counting import grouped, significant
 ROOT = Path(__file__).resolve().parents[2]
 PAGE = ROOT / "docs/explanation/scale.md"
 BEFORE = ("features", "choice of pairs", "matching", "tracks and start", "precision", "report")
+SHARES = "efficiency of the sweeps", "with the driver", "if the work were shared evenly"
+SECONDS = "sweeps s", "fronts in tiles s", "what is made stays s", "no network s", "least for the store s"
 DRIVER, FRONT = "memory of the driver", "memory of the largest front"
 
 
@@ -100,14 +102,15 @@ def breaks():
 def workers():
     """Rows of many workers."""
     found = figures()["workers, from the tasks of 10000"]
-    yield "| images a worker | workers | images | sweeps, s | efficiency | without network | with the driver |"
-    yield "|---|---|---|---|---|---|---|"
+    yield (
+        "| images a worker | workers | images | efficiency | with the driver | evenly shared | sweeps, s | "
+        "in tiles, s | what is made stays, s | without network, s | least for the store, s |"
+    )
+    yield "|---|---|---|---|---|---|---|---|---|---|---|"
     for load in ("160 images a worker", "640 images a worker"):
         for w, of in found[load].items():
-            shares = [of[n] for n in ("efficiency of the sweeps", "without network", "with the driver")]
-            yield row(
-                load.split()[0], [w, grouped(of["images"]), f"{of['sweeps s']:.0f}", *(f"{s:.2f}" for s in shares)]
-            )  # fmt: skip
+            shares, seconds = [f"{of[n]:.2f}" for n in SHARES], [f"{of[n]:.0f}" for n in SECONDS]
+            yield row(load.split()[0], [w, grouped(of["images"]), *shares, *seconds])
 
 
 @pytest.mark.parametrize("table", [measured, before, sizes, breaks, workers, walls], ids=lambda t: t.__name__)
@@ -141,3 +144,28 @@ def test_simulated_workers_wait_share_a_line_and_each_other(simulated):
     assert took([alone] * 8, 8) == pytest.approx(2 + message)
     assert took([alone] * 8, 4) == pytest.approx(2 * (2 + message))
     assert took([alone] * 40, 40) == pytest.approx(1 + 4 * (1 + 2 * simulated.LATENCY) + message / 2, rel=2e-2)
+
+
+def test_tiles_do_the_work_of_the_front_and_hand_on_the_same_bytes(simulated):
+    of = simulated.Sweep(
+        task_s=0.0, point_us=0.0, element_ns=20.0, operation_ns=25.0, read_point=0.0, read_element=0.0,
+        written_point=0.0, written_element=0.0,
+    )  # fmt: skip
+    size = simulated.Size(depth=1, count=1, own=70.0, boundary=200.0)
+    whole = simulated.Job(seconds=5.0, read=0.0, written=0.0, waits=(0,))
+    jobs = [simulated.Job(seconds=0, read=0, written=0)]
+    last = simulated.in_tiles(jobs, whole, size, 1e6, of)
+    tiles = simulated.PANELS * (simulated.PANELS + 1) // 2
+    assert len(jobs) == 2 + simulated.PANELS + tiles
+    assert len(last) == tiles
+    assert sum(j.seconds for j in jobs) == pytest.approx(5.0)
+    assert sum(jobs[k].written for k in last) == pytest.approx(simulated.message(size))
+    alone, shared = (simulated.elapsed(jobs, w, worker=1e15, store=1e18) for w in (1, 64))
+    assert shared < alone
+
+
+def test_shares_of_stages_are_those_that_were_measured():
+    found = json.loads((ROOT / "benchmarks/results/stage_shares.json").read_text())
+    shipped = rb.estimate_cost(images=10, megapixels=1.0, shipped=True).constants
+    for name in ("start", "precision"):
+        assert getattr(shipped, f"{name}_shared") == pytest.approx(found[name]["share"], abs=5e-3)

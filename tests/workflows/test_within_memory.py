@@ -4,22 +4,27 @@ import errno
 import gc
 import mmap
 import os
+from contextlib import suppress
 from dataclasses import fields, replace
 from functools import partial
 
 import numpy as np
 import pytest
 
+from raybundle.adjustment.decide import decide
 from raybundle.adjustment.options import AdjustmentOptions
 from raybundle.adjustment.queries import covariance
+from raybundle.block.select import with_rows
 from raybundle.blocking.adjusted import in_parts
+from raybundle.blocking.memory import Serial
 from raybundle.commands.adjust import AdjustSettings, run_adjust
-from raybundle.errors import InputError
+from raybundle.errors import InputError, NotSolvable
 from raybundle.io.block.arrays import arrays_of_block
 from raybundle.io.block.folder import read_block, write_block
-from raybundle.io.folders import work_folder
+from raybundle.io.folders import continued_folder
 from raybundle.numerics import large
 from raybundle.numerics.machine import available_memory
+from raybundle.pipeline.executors import Staying
 from raybundle.workflows.adjust import adjust
 from raybundle.workflows.within_memory import BASE, IN_MEMORY, within_memory
 from tests.blocking.networks import flight
@@ -180,13 +185,88 @@ def test_arrays_in_files_where_room_cannot_be_asked_for(tmp_path, monkeypatch):
     assert not in_file(large.zeros((300_001, 1)))
 
 
-def test_a_work_folder_that_a_killed_process_left_is_deleted(tmp_path):
-    with work_folder(tmp_path / "a") as left:
-        (left / "x").write_text("of a run that is still going on")
-        with work_folder(tmp_path / "a"):
-            assert left.exists()
-    gone = tmp_path / ".a.0123abcd.partial"
-    gone.mkdir()
-    with work_folder(tmp_path / "a"):
-        assert not gone.exists()
+def test_a_folder_is_there_for_the_next_run_where_one_was_cut_short(tmp_path):
+    with continued_folder(tmp_path / "a", lambda: False) as left:
+        (left / "x").write_text("of a run that was cut short")
+        with continued_folder(tmp_path / "a", lambda: True) as other:
+            assert other != left
+        assert not other.exists()
+    with continued_folder(tmp_path / "a", lambda: True) as again:
+        assert (again / "x").exists()
     assert not list(tmp_path.iterdir())
+
+
+class Stopped:
+    """Does some tasks, and is interrupted."""
+
+    def __init__(self, most):
+        self.done, self.most = [], most
+
+    def run(self, tasks, store):
+        for done in Serial().run(tasks, store):
+            self.done.append(done.task.name)
+            yield done
+            if len(self.done) == self.most:
+                raise KeyboardInterrupt
+
+
+def test_a_run_that_is_cut_short_goes_on(tmp_path, all_large):
+    block, counts = flight(), []
+    for most in (40, 1_000_000):
+        worker = Stopped(most)
+        stopped = None
+        with suppress(KeyboardInterrupt), within_memory(block, tmp_path / "result", 0.01) as (kept, room):
+            room.executor, stopped = worker, room
+            few = adjust(kept, OPTIONS, factoring=room.factoring)
+        counts.append(len(worker.done))
+        del stopped, room, kept
+        gc.collect()
+        assert (tmp_path / ".result.parts").exists()
+    whole = Stopped(1_000_000)
+    with within_memory(block, tmp_path / "other", 0.01) as (kept, room):
+        room.executor = whole
+        wanted = adjust(kept, OPTIONS, factoring=room.factoring)
+    assert np.array_equal(few.image_observations.t, wanted.image_observations.t, equal_nan=True)
+    assert len(whole.done) <= sum(counts) <= len(whole.done) + 12  # the sweep that was cut needs what was let go
+    del few, wanted, kept, room
+    gc.collect()
+    assert not list(tmp_path.iterdir())
+
+
+def test_what_cannot_be_solved_leaves_nothing(tmp_path, all_large):
+    block = flight(control=0, observed=False, bar=False)
+    camera = replace(block.cameras[0], estimate=("c", "x0", "y0", "affinity", "shear", "K1", "K2", "K3"))
+    level = replace(block.points, xyz=np.where([True, True, False], block.points.xyz, 0.0))
+    o = block.observations
+    order = np.lexsort((o.image, o.point))
+    first = np.searchsorted(o.point[order], o.point[order])
+    two_rays = np.isin(np.arange(len(o)), order[np.arange(len(o)) - first < 2])
+    poor = with_rows(replace(block, cameras=(camera,), points=level), two_rays)
+    with pytest.raises(NotSolvable) as error, within_memory(poor, tmp_path / "result", 0.01) as (kept, room):
+        decide(kept, OPTIONS, factoring=room.factoring)
+    assert room.stores
+    del kept, room, error
+    gc.collect()
+    assert not list(tmp_path.iterdir())
+
+
+@pytest.mark.long
+def test_processes_take_part_where_memory_allows(tmp_path, all_large, monkeypatch):
+    monkeypatch.setattr("raybundle.workflows.within_memory.PROCESS", 1.0)
+    block, results = flight(), []
+    allowed = (BASE + 500.0 * len(block.observations)) / 1e9
+    for jobs in (1, 2):
+        with within_memory(block, tmp_path / "result", allowed, jobs=jobs) as (kept, room):
+            results.append(adjust(kept, OPTIONS, factoring=room.factoring))
+            assert isinstance(room.executor, Staying) == (jobs == 2)
+            assert room.parts > 3
+    a, b = (r.image_observations for r in results)
+    assert np.array_equal(a.t, b.t, equal_nan=True)
+
+
+def test_shards_are_refused(tmp_path):
+    with (
+        pytest.raises(InputError, match="dozens of sweeps"),
+        within_memory(flight(), tmp_path / "r", 8.0, cluster="shards"),
+    ):
+        pass

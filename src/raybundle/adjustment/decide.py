@@ -8,7 +8,9 @@ from __future__ import annotations
 import time
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
+from functools import partial
 from itertools import groupby
+from typing import Protocol
 
 import numpy as np
 
@@ -62,7 +64,18 @@ class Decisions:
     notices: list[Notice] = field(default_factory=list[Notice])
     not_significant: list[tuple[str, str]] = field(default_factory=list[tuple[str, str]])
     not_determinable: list[tuple[str, str]] = field(default_factory=list[tuple[str, str]])
-    factoring: Factoring = in_one_piece
+    adjusting: Adjusting = adjust_block
+
+
+class Adjusting(Protocol):
+    """Adjusts a block as `adjust_block` does, as far as decisions ask."""
+
+    def __call__(
+        self, block: Block, options: AdjustmentOptions, progress: Progress, *, free: dict[str, tuple[str, ...]],
+        rejected: Rejections, extent: Extent, start: Start,
+    ) -> Adjustment:  # fmt: skip
+        """The result, with these image observations rejected and these parameters free."""
+        ...
 
 
 def decide(
@@ -74,13 +87,30 @@ def decide(
     factoring  as of `adjust_block`
     """
     began = time.perf_counter()
+    start, choices = decisions(block, options, partial(adjust_block, factoring=factoring), progress)
+    final = replace(options, robust_start=options.robust_start and start is block)
+    result = adjust_block(
+        start, final, progress, free=choices.free, rejected=choices.reasons, notices=(*notices, *choices.notices),
+        start="approximate" if start is block else "adjusted", factoring=factoring,
+    )  # fmt: skip
+    result = against_known(_labelled(under_its_noise(result), choices))
+    return replace(result, given=block, options=options, seconds=time.perf_counter() - began)
+
+
+def decisions(
+    block: Block, options: AdjustmentOptions, adjusting: Adjusting, progress: Progress = silent
+) -> tuple[Block, Decisions]:
+    """What is decided of a block with approximate values, and the block with the values that this led to.
+
+    adjusting  who adjusts it on the way
+    """
     check_asked(block, options)
     choices = Decisions(
         free={c.id: with_asked(c, free_parameters(c), options) for c in block.parametrised},
         reasons=given_rejections(block),
         kept_free=frozenset(options.free),
         known={c.id: {**c.values, **{s: v for s, v in c.known.items() if s in c.values}} for c in block.parametrised},
-        factoring=factoring,
+        adjusting=adjusting,
     )
     automatic = [
         c.id
@@ -95,13 +125,7 @@ def decide(
         start = _choose(start, options, choices, automatic, progress)
         if options.reject == "snooping":
             start = _snoop(start, options, choices, progress, start="adjusted")
-    final = replace(options, robust_start=options.robust_start and start is block)
-    result = adjust_block(
-        start, final, progress, free=choices.free, rejected=choices.reasons, notices=(*notices, *choices.notices),
-        start="approximate" if start is block else "adjusted", factoring=factoring,
-    )  # fmt: skip
-    result = against_known(_labelled(under_its_noise(result), choices))
-    return replace(result, given=block, options=options, seconds=time.perf_counter() - began)
+    return start, choices
 
 
 def _quiet(
@@ -111,10 +135,9 @@ def _quiet(
     brief = replace(
         options, statistics=True, robust_start=start == "approximate", tolerance=max(options.tolerance, 1e-4)
     )
-    return adjust_block(
-        block, brief, progress, free=choices.free, rejected=choices.reasons, extent=extent, start=start,
-        factoring=choices.factoring,
-    )  # fmt: skip
+    return choices.adjusting(
+        block, brief, progress, free=choices.free, rejected=choices.reasons, extent=extent, start=start
+    )
 
 
 def _snoop_what_is_determined(

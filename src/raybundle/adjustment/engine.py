@@ -248,7 +248,7 @@ def estimate_only(
     state = found.state
     bad = np.zeros(len(block.observations), bool)
     bad[system.rows] = normals.residuals(state)[1] > 0
-    return as_start(block, _adjusted_block(system, state)), bad
+    return as_start(block, adjusted_block(system, state)), bad
 
 
 def open_datum(
@@ -354,7 +354,7 @@ def result_of(
         notices = (Notice(code="weak_convergence", message=solution.trouble), *notices)
     adjustment = Adjustment(
         given=block,
-        adjusted=_adjusted_block(system, state),
+        adjusted=adjusted_block(system, state),
         options=options,
         sigma0=sigma0,
         weighted_square_sum=square_sum,
@@ -440,7 +440,7 @@ def _datum_words(datum: Datum, options: AdjustmentOptions) -> str:
     return f"inner constraints over {over} for {names}"
 
 
-def _adjusted_block(system: System, state: State) -> Block:
+def adjusted_block(system: System, state: State) -> Block:
     """The block with adjusted values; points and images that took no part keep theirs."""
     block = system.block
     xyz = np.where(system.points_used[:, None], state.xyz + system.shift, block.points.xyz)

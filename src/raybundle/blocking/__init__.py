@@ -7,5 +7,7 @@ part       the sub-network of one tree node, as the kernels take it
 front      its dense normal equations: elimination, solution, cofactors
 sweeps     up and down the tree, a task for each node of it
 normals    what the iteration takes for normal equations
-adjusted   the adjustment: estimate, datum, cofactors
+adjusted   the adjustment of a block that lies in memory
+stored     that of columns whose parts lie in a store
+deciding   blunders and parameters there
 """

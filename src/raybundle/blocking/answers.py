@@ -7,13 +7,16 @@ from dataclasses import dataclass
 import numpy as np
 
 from raybundle.adjustment import transformation
+from raybundle.adjustment.assemble import State
 from raybundle.adjustment.datum import point_generators
 from raybundle.adjustment.far_points import diverging
+from raybundle.adjustment.precision import Cofactors
+from raybundle.adjustment.reliability import image_statistics
 from raybundle.adjustment.transformation import Transformation
 from raybundle.blocking import sweeps
 from raybundle.blocking.network import PartWork
 from raybundle.blocking.tasks import Store, known, part_at, work_of
-from raybundle.numerics.arrays import Mask
+from raybundle.numerics.arrays import Array, Mask
 from raybundle.pipeline.store import Product
 
 SAMPLE = 500
@@ -58,6 +61,66 @@ def describe(store: Store, o: Described) -> Product:
         "numbers": np.array([system.observations, free], float), "sample": now.xyz[some],
         "candidates": work.part.points[able], "xyz": now.xyz[able], "rays": rays[able],
     }  # fmt: skip
+
+
+def touched(store: Store, o: Described) -> Product:
+    """Images, object points and interior orientations that a part touches, and which image observations take part."""
+    work = work_of(known(store, o.network), o.node)
+    if work is None:
+        none = np.zeros(0, np.int64)
+        return {"images": none, "points": none, "interior": none, "rows": none}
+    part, of = work.part, work.of
+    return {"images": part.images, "points": part.points, "interior": of.interior, "rows": part.rows[of.system.rows]}
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Evaluated:
+    """A part's observations at a state."""
+
+    network: str
+    node: int
+    state: str
+    huber: float = 0.0
+
+
+def evaluate(store: Store, o: Evaluated) -> Product:
+    """Half the weighted square sum of a part, and its observations behind the camera."""
+    found = part_at(store, o)
+    return {"numbers": np.array((0.0, 0.0) if found is None else found[0].normals.cost(found[1], huber=o.huber))}
+
+
+def residuals(store: Store, o: Evaluated) -> Product:
+    """Whitened residuals (m, 2) and flags (m,) of a part's observations."""
+    found = part_at(store, o)
+    if found is None:
+        return {"v": np.zeros((0, 2)), "flags": np.zeros(0, np.uint8)}
+    v, flags = found[0].normals.residuals(found[1])
+    return {"v": v, "flags": flags}
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Expanded:
+    """What the points' part of a solution depends on."""
+
+    network: str
+    node: int
+    state: str
+    held: str
+    nodes: str
+    """Product: the nodes' part (N, k)"""
+    points: str
+    """Product: right sides (p, 3, k) of the part's points"""
+
+
+def expand(store: Store, o: Expanded) -> Product:
+    """The points' part (p, 3, k) that belongs to the nodes' part of a solution."""
+    found = part_at(store, o, o.held)
+    if found is None:
+        return {"points": np.zeros((0, 3, 0))}
+    work, now = found
+    at = sweeps.rows_of(known(store, o.network).network, work.of.nodes)
+    nodes = np.ascontiguousarray(store.lent(o.nodes)["nodes"][at])
+    return {"points": work.normals.solve_points(now, nodes, store.lent(o.points)["points"])}
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -180,23 +243,36 @@ class Told:
     """Product: H (N, d) of the nodes and M (d, d)"""
 
 
+def _statistics(store: Store, o: Told, work: PartWork, now: State) -> tuple[Array, ...]:
+    """Cofactors of points, A Q A', effects of blunders, H of the points and B G (p, 3, d), where the datum changes."""
+    Q, change, given = store.lent(o.inverse, ("part",))["part"], None, np.zeros((len(now.xyz), 3, 0))
+    if o.generators:
+        G, by = store.lent(o.generators, ("G", "points")), store.lent(o.change)
+        nodes, given = sweeps.rows_of(known(store, o.network).network, work.of.nodes), G["points"]
+        change = Transformation(
+            nodes=by["nodes"][nodes], points=G["G"], given=given, nodes_h=by["H"][nodes], middle=by["middle"],
+            points_h=np.zeros((0, 3, 0)), inner=np.zeros_like(by["middle"]),
+        )  # fmt: skip
+    work.normals.refresh_external(now)
+    return *work.normals.statistics(now, Q, change), given
+
+
+def statistics(store: Store, o: Told) -> Product:
+    """Cofactors of a part's points in the datum of the factor, A Q A' and effects of its observations, H."""
+    part = part_at(store, o, o.held)
+    if part is None:
+        return {"points": np.zeros((0, 3, 3)), "hat": np.zeros((0, 3)), "effect": np.zeros((0, 3, 2))}
+    points, hat, effect, points_h, _ = _statistics(store, o, *part)
+    return {"points": points, "hat": hat, "effect": effect, "H": points_h}
+
+
 def told(store: Store, o: Told) -> Product:
-    """Cofactors of a part's points in the datum of the factor, A Q A' and effects of its observations, residuals."""
+    """The same of the points that a part eliminates, with what it adds to sums, and residuals."""
     part = part_at(store, o, o.held)
     if part is None:
         return {"inner": np.zeros((0, 0)), "numbers": np.zeros(2)}
     work, now = part
-    Q = store.lent(o.inverse, ("part",))["part"]
-    change = None
-    if o.generators:
-        G, by = store.lent(o.generators, ("G", "points")), store.lent(o.change)
-        nodes = sweeps.rows_of(known(store, o.network).network, work.of.nodes)
-        change = Transformation(
-            nodes=by["nodes"][nodes], points=G["G"], given=G["points"], nodes_h=by["H"][nodes], middle=by["middle"],
-            points_h=np.zeros((0, 3, 0)), inner=np.zeros_like(by["middle"]),
-        )  # fmt: skip
-    work.normals.refresh_external(now)
-    points, hat, effect, points_h = work.normals.statistics(now, Q, change)
+    points, hat, effect, points_h, given = _statistics(store, o, work, now)
     system, mine = work.of.system, _mine(work)
     points = points * ~system.held[:, :, None] * ~system.held[:, None, :]
     v, _ = work.normals.residuals(now)
@@ -205,8 +281,8 @@ def told(store: Store, o: Told) -> Product:
     by_points = float((1 - np.diagonal(points[mine], axis1=1, axis2=2)[weighted] / variance).sum())
     redundancy = 2 * len(hat) - float(hat[:, :2].sum()) + by_points
     found = {"points": points[mine], "hat": hat, "effect": effect, "residuals": v, "mine": np.flatnonzero(mine)}
-    if change is not None:
-        H, BG = points_h[mine], change.given[mine]
+    if o.generators:
+        H, BG = points_h[mine], given[mine]
         d = H.shape[2]
         found |= {"H": H, "inner": BG.reshape(-1, d).T @ H.reshape(-1, d)}
     return {**found, "numbers": np.array([redundancy, len(hat)])}
@@ -230,7 +306,7 @@ def stated(store: Store, o: Stated) -> Product:
     work = work_of(at, o.node)
     if work is None:
         return {"cofactors": np.zeros((0, 3, 3)), "index": np.zeros(0, np.int64)}
-    found = store.lent(o.told)
+    found = store.lent(o.told, ("points", "mine", "H") if o.middle else ("points", "mine"))
     points, index = found["points"], work.part.points[found["mine"]]
     if o.middle:
         by, G = store.lent(o.middle), store.lent(o.generators, ("G",))["G"][found["mine"]]
@@ -240,3 +316,28 @@ def stated(store: Store, o: Stated) -> Product:
         )
         points = change.apply_own(points)
     return {"cofactors": points, "index": index}
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Tested:
+    """What the tests of a part's observations depend on."""
+
+    network: str
+    node: int
+    state: str
+    told: str
+    sigma0: float
+
+
+def tested(store: Store, o: Tested) -> Product:
+    """T of a part's observations (NaN of rejected ones), and the adjusted points that it eliminates."""
+    part = part_at(store, o)
+    if part is None:
+        none = np.zeros(0, np.int64)
+        return {"rows": none, "t": np.zeros((0, 2)), "points": none, "xyz": np.zeros((0, 3))}
+    work, now = part
+    told, system = store.lent(o.told), work.of.system
+    found = Cofactors(np.zeros(0), None, told["points"], told["points"], told["hat"], told["effect"])
+    t = image_statistics(system, told["residuals"], found, o.sigma0, ()).t
+    mine = told["mine"]
+    return {"rows": work.part.rows, "t": t, "points": work.part.points[mine], "xyz": now.xyz[mine] + system.shift}

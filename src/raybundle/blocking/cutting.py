@@ -11,6 +11,7 @@ from raybundle.blocking.graph import meeting
 from raybundle.blocking.skeleton import Skeleton
 from raybundle.blocking.tree import WORTH, Tree, dissect
 from raybundle.numerics.arrays import Array, Index
+from raybundle.numerics.rows import distinct
 
 PIECE = 700_000
 """Image observations that are looked at together: what bounds the memory."""
@@ -59,7 +60,8 @@ def cut_of(skeleton: Skeleton, image: Index, point: Index, leaf: int, worth: flo
             continue
         place = np.minimum(np.searchsorted(named, row), len(named) - 1)
         at[mine] = np.where(named[place] == row, where[place], at[mine])
-        touched = np.union1d(touched, _keys(where[np.searchsorted(named, rows)], nodes, count))
+        here = _keys(where[np.searchsorted(named, rows)], nodes, count)
+        touched = distinct(np.concatenate([touched, here]))
     return Cut(tree=tree, boundary=_boundaries(tree, touched // count, touched % count), at=at)
 
 
@@ -75,7 +77,7 @@ def _pieces(point: Index, order: Index) -> Iterator[Index]:
 
 
 def _keys(where: Index, what: Index, count: int) -> Array:
-    return np.unique(where.astype(np.int64) * count + what)
+    return distinct(where.astype(np.int64) * count + what)
 
 
 def _boundaries(tree: Tree, where: Index, what: Index) -> tuple[Index, ...]:

@@ -1,15 +1,19 @@
 """The dense normal equations of one tree node: its own unknowns are eliminated, what is left goes to its parent.
 
-With N = [[A, B], [B', C]] of own and boundary unknowns and A = L L' the parent receives C - W' W, W = L^-1 B (Helmert
+With N = [[A, B'], [B, C]] of own and boundary unknowns and A = L L' the parent receives C - V V', V = B L'^-1 (Helmert
 1880; Wolf 1978).  Solutions and cofactors come back the same way: with those of the boundary, x_b and Q_bb,
 
-    x_a = L'^-1 (L^-1 n_a - W x_b),   Q_ab = -G Q_bb,   Q_aa = A^-1 - Q_ab G',   G = L'^-1 W
+    x_a = L'^-1 (L^-1 n_a - V' x_b),   Q_ba = -Q_bb G,   Q_aa = A^-1 - G' Q_ba,   G = V L^-1
 
 so that every block of the inverse that statistics ask for is that of the whole network.
+
+Of symmetric and triangular matrices the lower triangle counts, and it alone is handed on: packed, column behind column
+(`packed`), which is half of what a store keeps and a line carries.
 """
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass
 from functools import cached_property
 from typing import Any
@@ -80,13 +84,39 @@ def entries(first: Index, second: Index, sizes: Array) -> tuple[Index, Index, In
     return local // sizes[second][block], local % sizes[second][block], block
 
 
+@dataclass(frozen=True, slots=True)
+class Placement:
+    """Where single elements of a front stand in its equations: of A, of B, of C which of them, and the place of each.
+
+    Places count down the columns, of which each is contiguous.
+    """
+
+    of: tuple[Index, Index, Index]
+    at: tuple[Index, Index, Index]
+
+    @classmethod
+    def in_front(cls, front: Front, row: Index, col: Index, which: Index) -> Placement:
+        """Of elements below the diagonal or on it, at rows and columns (k,); which (k,) they are of all given."""
+        o, b = front.columns, front.size - front.columns
+        own, outer = row < o, col >= o
+        inside = (own, ~own & ~outer, outer)
+        at = row + col * o, row - o + col * b, row - o + (col - o) * b
+        return cls(
+            tuple(which[m].astype(np.int32) for m in inside),  # pyright: ignore[reportArgumentType]
+            tuple(a[m] for a, m in zip(at, inside, strict=True)),  # pyright: ignore[reportArgumentType]
+        )
+
+
 @dataclass(slots=True)
 class Equations:
     """Normal equations of a front: the lower triangles of A and C, all of B, right sides and undamped diagonal."""
 
     A: Array
+    """(o, o)"""
     B: Array
+    """(b, o)"""
     C: Array
+    """(b, b)"""
     right: Array
     diagonal: Array
 
@@ -95,31 +125,48 @@ class Equations:
         """Zeros."""
         o, n = front.columns, front.size
         return cls(
-            np.zeros((o, o), order="F"), np.zeros((o, n - o), order="F"), np.zeros((n - o, n - o), order="F"),
+            np.zeros((o, o), order="F"), np.zeros((n - o, o), order="F"), np.zeros((n - o, n - o), order="F"),
             np.zeros(n), np.zeros(n),
         )  # fmt: skip
 
-    def add(self, row: Index, col: Index, values: Array) -> None:
-        """Add single elements, each of one triangle of the whole; none stands twice."""
-        o = len(self.A)
-        low, high = np.minimum(row, col), np.maximum(row, col)
-        own, outer = high < o, low >= o
-        mixed = ~own & ~outer
-        self.A[high[own], low[own]] += values[own]
-        self.B[low[mixed], high[mixed] - o] += values[mixed]
-        self.C[high[outer] - o, low[outer] - o] += values[outer]
+    def add(self, where: Placement, values: Array) -> None:
+        """Add single elements; none stands twice."""
+        for matrix, of, at in zip((self.A, self.B, self.C), where.of, where.at, strict=True):
+            if len(at):
+                matrix.reshape(-1, order="F")[at] += values[of]
 
-    def add_reduced(self, at: Index, lower: Array) -> None:
-        """Add a child's reduced matrix (k, k), of which the lower triangle counts, at these unknowns (k,).
+    def add_reduced(self, at: Index, reduced: Array) -> None:
+        """Add a child's reduced matrix, packed (k (k + 1) / 2,), at these unknowns (k,).
 
         Both are in the order of elimination: own unknowns come first, and no element changes its triangle.
         """
         o = len(self.A)
         k = int(np.searchsorted(at, o))
-        a, b = at[:k], at[k:] - o
-        self.A[np.ix_(a, a)] += lower[:k, :k]
-        self.B[np.ix_(a, b)] += lower[k:, :k].T
-        self.C[np.ix_(b, b)] += lower[k:, k:]
+        own, outer = at[:k], at[k:] - o
+        rest, begin = len(outer), 0
+        for j, column in enumerate(own.tolist()):
+            self.A[own[j:], column] += reduced[begin : begin + k - j]
+            self.B[outer, column] += reduced[begin + k - j : begin + k - j + rest]
+            begin += k - j + rest
+        for j, column in enumerate(outer.tolist()):
+            self.C[outer[j:], column] += reduced[begin : begin + rest - j]
+            begin += rest - j
+
+
+def packed(lower: Array) -> Array:
+    """The lower triangle (k (k + 1) / 2,) of a matrix (k, k), column behind column, as LAPACK packs it."""
+    return _blas()[1].dtrttp(lower, uplo="L")[0] if len(lower) else np.zeros(0)
+
+
+def packed_at(lower: Array, at: Index) -> Array:
+    """That of the rows and columns (k,), ascending, of a symmetric matrix of which the lower triangle counts."""
+    return np.concatenate([np.zeros(0), *(lower[at[j:], column] for j, column in enumerate(at.tolist()))])
+
+
+def unpacked(triangle: Array) -> Array:
+    """The matrix (k, k) again; above the diagonal it says nothing."""
+    k = (math.isqrt(8 * len(triangle) + 1) - 1) // 2
+    return _blas()[1].dtpttr(k, triangle, uplo="L")[0] if k else np.zeros((0, 0))
 
 
 @dataclass(slots=True)
@@ -128,8 +175,8 @@ class Eliminated:
 
     L: Array
     """(o, o) lower"""
-    W: Array
-    """(o, b) L^-1 B"""
+    V: Array
+    """(b, o) B L'^-1"""
     y: Array
     """(o,) L^-1 n"""
     reduced: Array
@@ -159,21 +206,21 @@ def eliminate(e: Equations, damping: float) -> Eliminated:
     diagonal = np.diagonal(e.A)
     if not (diagonal > 0).all():
         return Eliminated(e.A, e.B, e.right[:o], e.C, right, int(np.flatnonzero(~(diagonal > 0))[0]))
-    L, failed = lapack.dpotrf(e.A, lower=1, overwrite_a=1, clean=1)
+    L, failed = lapack.dpotrf(e.A, lower=1, overwrite_a=1, clean=0)
     if failed:
         return Eliminated(L, e.B, e.right[:o], e.C, right, int(failed) - 1)
     y = blas.dtrsv(L, e.right[:o], lower=1)
-    if not e.B.shape[1]:
+    if not len(e.B):
         return Eliminated(L, e.B, y, e.C, right, -1)
-    W = blas.dtrsm(1.0, L, e.B, lower=1, overwrite_b=1)
-    C = blas.dsyrk(-1.0, W, beta=1.0, c=e.C, trans=1, lower=1, overwrite_c=1)
-    return Eliminated(L, W, y, C, right - W.T @ y, -1)
+    V = blas.dtrsm(1.0, L, e.B, side=1, lower=1, trans_a=1, overwrite_b=1)
+    C = blas.dsyrk(-1.0, V, beta=1.0, c=e.C, lower=1, overwrite_c=1)
+    return Eliminated(L, V, y, C, right - V @ y, -1)
 
 
-def solved(L: Array, W: Array, y: Array, boundary: Array) -> Array:
+def solved(L: Array, V: Array, y: Array, boundary: Array) -> Array:
     """x_a (o,) or (o, k) of the own unknowns, with those of the boundary."""
     blas, _ = _blas()
-    right = y - W @ boundary if W.shape[1] else y
+    right = y - V.T @ boundary if len(V) else y
     if not len(right):
         return right
     whole = right if right.ndim == 2 else right[:, None]
@@ -187,23 +234,18 @@ def forward(L: Array, right: Array) -> Array:
     return blas.dtrsm(1.0, L, np.asfortranarray(right), lower=1) if len(right) else right
 
 
-def cofactors(L: Array, W: Array, boundary: Array) -> Array:
-    """Q (n, n) of the front with that of its boundary (b, b)."""
+def cofactors(L: Array, V: Array, boundary: Array) -> Array:
+    """Q (n, n) of the front with that of its boundary (b, b): of both the lower triangle counts."""
     blas, lapack = _blas()
-    o, b = W.shape
-    Q = np.empty((o + b, o + b))
-    if o:
-        inverse = lapack.dpotri(L, lower=1)[0]
-        inverse = np.tril(inverse) + np.tril(inverse, -1).T
-    else:
-        inverse = np.zeros((0, 0))
-    if not b:
-        Q[:] = inverse
-        return Q
-    G = blas.dtrsm(1.0, L, W, lower=1, trans_a=1) if o else W
-    across = G @ boundary
+    b, o = V.shape
+    Q = np.empty((o + b, o + b), order="F")
     Q[o:, o:] = boundary
-    Q[:o, o:], Q[o:, :o] = -across, -across.T
-    own = across @ G.T
-    Q[:o, :o] = inverse + (own + own.T) / 2
+    if not o:
+        return Q
+    Q[:o, :o] = lapack.dpotri(L, lower=1)[0]
+    if b:
+        G = blas.dtrsm(1.0, L, V, side=1, lower=1)
+        across = blas.dsymm(1.0, boundary, G, lower=1)
+        Q[o:, :o] = -across
+        Q[:o, :o] += G.T @ across
     return Q

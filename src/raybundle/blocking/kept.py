@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import hashlib
 import tempfile
-from collections.abc import Mapping, Sequence
-from dataclasses import replace
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, replace
 from itertools import pairwise
 from pathlib import Path
 
@@ -17,11 +17,11 @@ from raybundle.adjustment.options import AdjustmentOptions
 from raybundle.block import Block, Observations, Points
 from raybundle.blocking.columns import Columns
 from raybundle.blocking.cutting import cut_of
-from raybundle.blocking.network import LEAF, Network
+from raybundle.blocking.network import LEAF, Network, parts_ready
 from raybundle.blocking.part import Part
 from raybundle.blocking.skeleton import Skeleton, skeleton_from
 from raybundle.blocking.tasks import VERSION, Store
-from raybundle.blocking.tree import Tree
+from raybundle.blocking.tree import WORTH, Tree
 from raybundle.io.block.arrays import arrays_of_block, block_of_arrays
 from raybundle.numerics.arrays import Array, Index, Mask
 from raybundle.pipeline.keys import key_of
@@ -34,38 +34,69 @@ ROW = np.dtype(
 """An image observation on its way to its part."""
 
 
+@dataclass(frozen=True, slots=True)
+class Cut:
+    """A network that is cut, and how its parts come to lie in a store."""
+
+    network: Network
+    keep_parts: Callable[[], None]
+    """Puts network and parts where tasks find them, if they are not there"""
+
+
 def cut_columns(
-    columns: Columns, options: AdjustmentOptions, free: Mapping[str, tuple[str, ...]], rejected: Mask, store: Store,
-    leaf: int = LEAF, keep: int = 4,
-) -> Network:  # fmt: skip
-    """Cut a block that is read piece by piece, and keep network and parts.
+    columns: Columns, options: AdjustmentOptions, free: Mapping[str, tuple[str, ...]], rejected: Mask, store: Store, *,
+    leaf: int = LEAF, keep: int = 4, ready: float | None = None, worth: float = WORTH, shift: Array | None = None,
+    notes: Store | None = None, number: int = 0,
+) -> Cut:  # fmt: skip
+    """Cut a block that is read piece by piece.
 
     rejected  (m,) image observations that take no part
+    store     where tasks are to find network and parts
     leaf      unknowns of a leaf at most
     keep      parts that a process holds ready for use
+    ready     bytes of parts that a process holds ready for use, in place of `keep`
+    worth     as of `tree.dissect`
+    shift     (3,) origin of the frame of the values; None: near the middle of the images
+    notes     where it stays how the network was cut, for a run that is started again; None: in `store`
+    number    of this network, where several of the same content are in use
     """
+    notes = store if notes is None else notes
     image, point, content = _incidences(columns)
     taken = np.flatnonzero(~rejected)
     images, points = np.zeros(len(columns.bare.images), bool), np.zeros(columns.points, bool)
     images[image[taken]], points[point[taken]] = True, True
-    skeleton = _skeleton(columns, options, free, images, points)
-    name = key_of("network", VERSION, content, arrays_of_block(skeleton.block), options, dict(free), leaf, rejected)
-    if store.has(name) and all(store.has(k) for k in store.wanted(name, ("parts",))["parts"].tolist() if k):
-        return replace(network_of(store, name), keep=keep)
-    found = cut_of(skeleton, image[taken], point[taken], leaf)
-    at = np.full(len(image), -1, np.int32)
-    at[taken] = found.at
-    # what is rejected goes with its object point: it may return
-    of_point = np.full(columns.points, -1, np.int32)
-    of_point[point[taken]] = found.at
-    at = np.where(at < 0, of_point[point], at)
+    skeleton = _skeleton(columns, options, free, images, points, shift)
+    name = key_of(
+        "network", VERSION, content, arrays_of_block(skeleton.block), options, dict(free), leaf, worth, rejected,
+        skeleton.system.shift, number,
+    )  # fmt: skip
+    if not notes.has(name):
+        found = cut_of(skeleton, image[taken], point[taken], leaf, worth)
+        at = np.full(len(image), -1, np.int32)
+        at[taken] = found.at
+        # what is rejected goes with its object point: it may return
+        of_point = np.full(columns.points, -1, np.int32)
+        of_point[point[taken]] = found.at
+        at = np.where(at < 0, of_point[point], at)
+        counts = np.bincount(at[at >= 0], minlength=len(found.tree))
+        keys = tuple(key_of("part", VERSION, name, t) if counts[t] else "" for t in range(len(found.tree)))
+        used = images, points[skeleton.points]
+        kept = _kept(skeleton, options, free, *used, found.tree, found.boundary, counts, keys)
+        held = keep if ready is None else parts_ready(counts, ready)
+        notes.store(key_of("places", name), {"at": at})
+        notes.store(name, {**kept, "keep": np.array(held)})
     del image, point
-    counts = np.bincount(at[at >= 0], minlength=len(found.tree))
-    keys = tuple(key_of("part", VERSION, name, t) if counts[t] else "" for t in range(len(found.tree)))
-    _keep_parts(columns, rejected, at, keys, store)
-    kept = _kept(skeleton, options, free, images, points[skeleton.points], found.tree, found.boundary, counts, keys)
-    store.store(name, {**kept, "keep": np.array(keep)})
-    return network_of(store, name)
+
+    def keep_parts() -> None:
+        kept = notes.lent(name)
+        if not store.has(name):
+            store.store(name, kept)
+        keys = kept["parts"].tolist()
+        if not all(store.has(k) for k in keys if k):
+            _keep_parts(columns, rejected, notes.lent(key_of("places", name))["at"], keys, store)
+
+    network = network_of(store, name, notes)
+    return Cut(replace(network, keep=keep) if ready is None else network, keep_parts)
 
 
 def _incidences(columns: Columns) -> tuple[Index, Index, str]:
@@ -84,8 +115,9 @@ def _incidences(columns: Columns) -> tuple[Index, Index, str]:
 
 
 def _skeleton(
-    columns: Columns, options: AdjustmentOptions, free: Mapping[str, tuple[str, ...]], images: Mask, points: Mask
-) -> Skeleton:
+    columns: Columns, options: AdjustmentOptions, free: Mapping[str, tuple[str, ...]], images: Mask, points: Mask,
+    shift: Array | None,
+) -> Skeleton:  # fmt: skip
     """The skeleton: of the object points those that observations outside the images name, or that are given."""
     bare = columns.bare
     named = np.zeros(columns.points, bool)
@@ -105,7 +137,7 @@ def _skeleton(
     whole = replace(bare, points=given[0].append(*given[1:]) if given else bare.points)
     return skeleton_from(
         whole.of_tables(lambda t: t.renumbered("point", new)), places, columns.points, options, free, images,
-        points[places],
+        points[places], shift,
     )  # fmt: skip
 
 
@@ -164,7 +196,7 @@ def _block(found: Mapping[str, Array]) -> Block:
     return block_of_arrays({n.removeprefix("block."): v for n, v in found.items() if n.startswith("block.")})
 
 
-def _lists(name: str, lists: Sequence[Index]) -> dict[str, Array]:
+def lists(name: str, lists: Sequence[Index]) -> dict[str, Array]:
     """Lists of positions as one, with where each begins."""
     return {
         name: np.concatenate([np.zeros(0, np.int64), *lists]).astype(np.int32),
@@ -172,7 +204,8 @@ def _lists(name: str, lists: Sequence[Index]) -> dict[str, Array]:
     }
 
 
-def _from_lists(name: str, found: Mapping[str, Array]) -> tuple[Index, ...]:
+def from_lists(name: str, found: Mapping[str, Array]) -> tuple[Index, ...]:
+    """The lists that `lists` put together."""
     values, first = found[name], found[f"{name}.first"].tolist()
     return tuple(values[a:b] for a, b in pairwise(first))
 
@@ -184,7 +217,7 @@ def _kept(
     """A network as it is kept, without its parts."""
     return {
         **{f"block.{name}": values for name, values in arrays_of_block(skeleton.block).items()},
-        **_lists("own", tree.own), **_lists("boundary", boundary), "parent": tree.parent, "level": tree.level,
+        **lists("own", tree.own), **lists("boundary", boundary), "parent": tree.parent, "level": tree.level,
         "points": skeleton.points, "count": np.array(skeleton.count), "images used": images, "points used": points,
         "shift": skeleton.system.shift, "counts": counts, "parts": np.array(keys, np.str_),
         "options": np.array(msgspec.json.encode(options).decode()),
@@ -192,9 +225,13 @@ def _kept(
     }  # fmt: skip
 
 
-def network_of(store: Store, key: str) -> Network:
-    """A network that was kept."""
-    found = store.wanted(key)
+def network_of(store: Store, key: str, where: Store | None = None) -> Network:
+    """A network that was kept.
+
+    store  where its parts are
+    where  where it is itself; None: there, too
+    """
+    found = (store if where is None else where).wanted(key)
     options = msgspec.json.decode(str(found["options"]), type=AdjustmentOptions)
     free = msgspec.json.decode(str(found["free"]), type=dict[str, tuple[str, ...]])
     skeleton = skeleton_from(
@@ -203,7 +240,7 @@ def network_of(store: Store, key: str) -> Network:
     )  # fmt: skip
     parts = tuple(found["parts"].tolist())
     return Network(
-        key=key, skeleton=skeleton, boundary=_from_lists("boundary", found), counts=found["counts"],
-        tree=Tree(own=_from_lists("own", found), parent=found["parent"], level=found["level"]),
+        key=key, skeleton=skeleton, boundary=from_lists("boundary", found), counts=found["counts"],
+        tree=Tree(own=from_lists("own", found), parent=found["parent"], level=found["level"]),
         part=lambda t: _part_of(store.lent(parts[t])), keep=int(found["keep"]),
     )  # fmt: skip

@@ -13,7 +13,7 @@ from raybundle.adjustment.normals import Normals
 from raybundle.adjustment.options import AdjustmentOptions
 from raybundle.block import Block
 from raybundle.blocking.cutting import cut_of
-from raybundle.blocking.front import Equations, Front, entries, spread
+from raybundle.blocking.front import Equations, Front, Placement, entries, spread
 from raybundle.blocking.part import Part, PartSystem, part_of, system_of_part
 from raybundle.blocking.skeleton import Skeleton, skeleton_of
 from raybundle.blocking.tree import WORTH, Tree
@@ -26,21 +26,43 @@ LEAF = 1000
 """Unknowns of a leaf: larger ones make dense matrices of what is sparse, smaller ones more separators."""
 
 
-@dataclass(slots=True)
+@dataclass
 class PartWork:
-    """A part with its normal equations and where they stand in its front."""
+    """A part, its normal equations and where they stand in its front; those are made when they are first asked for."""
 
     part: Part
     of: PartSystem
-    normals: Normals
     front: Front
-    row: Index
-    """(v,) row of each value of the normal matrix in the front"""
-    col: Index
-    once: Mask
-    """(v,) whether it is the one of two equal ones that counts"""
-    place: Index
-    """(u,) each unknown of the part in the front"""
+
+    @cached_property
+    def normals(self) -> Normals:
+        """Its normal equations."""
+        return Normals.of(self.of.system, 1)
+
+    @cached_property
+    def elements(self) -> tuple[Index, Index]:
+        """(v,) row and column of each value of the normal matrix in the lower triangle of the front."""
+        row, col, _ = self._elements()
+        return np.maximum(row, col).astype(np.int32), np.minimum(row, col).astype(np.int32)
+
+    @cached_property
+    def into(self) -> Placement:
+        """Where those stand that count, one of two equal ones."""
+        row, col, across = self._elements()
+        once = np.flatnonzero(across | (row >= col))
+        return Placement.in_front(self.front, np.maximum(row, col)[once], np.minimum(row, col)[once], once)
+
+    def _elements(self) -> tuple[Index, Index, Mask]:
+        """(v,) row and column in the front, and whether the block of each is off the diagonal."""
+        first, second, _ = self.normals.solver.blocks()
+        row, col, block = entries(first, second, self.of.system.sizes.astype(np.int64))
+        at = self.front.places(self.of.nodes)
+        return row + at[first][block], col + at[second][block], first[block] != second[block]
+
+    @cached_property
+    def place(self) -> Index:
+        """(u,) each unknown of the part in the front."""
+        return self.front.unknowns(self.of.nodes)
 
 
 @dataclass(frozen=True)
@@ -84,26 +106,26 @@ class Network:
         if not self.counts[t]:
             return None
         part, rejected = self.part(t)
-        of = system_of_part(self.skeleton, part, rejected)
-        normals, front = Normals.of(of.system, 1), self.fronts[t]
-        first, second, _ = normals.solver.blocks()
-        sizes = of.system.sizes.astype(np.int64)
-        row, col, block = entries(first, second, sizes)
-        at = front.places(of.nodes)
-        row, col = row + at[first][block], col + at[second][block]
-        once = (first[block] != second[block]) | (row >= col)
-        place = front.unknowns(of.nodes)
-        return PartWork(part, of, normals, front, row, col, once, place)
+        return PartWork(part, system_of_part(self.skeleton, part, rejected), self.fronts[t])
+
+    def outside_of(self, t: int) -> dict[str, Array]:
+        """What the skeleton's normal equations, as they are now, bring to a front."""
+        normals, own = self.skeleton.normals, self._own_unknowns(t)
+        values = normals.values[self.outside_places(t)[2]]
+        return {"values": values, "right": normals.right[own], "diagonal": normals.diagonal[own]}
 
     def add_outside(self, t: int, e: Equations, values: Array, right: Array, diagonal: Array) -> None:
-        """Add what observations outside the images bring to a front; `values` and others as of the skeleton."""
+        """Add what observations outside the images bring to a front, as `outside_of` says."""
+        front, (row, col, _) = self.fronts[t], self.outside_places(t)
+        o, once = front.columns, np.flatnonzero(row >= col)
+        e.add(Placement.in_front(front, row[once], col[once], once), values)
+        e.right[:o] += right
+        e.diagonal[:o] += diagonal
+
+    def _own_unknowns(self, t: int) -> Index:
+        """Those of a tree node's own nodes, among all of the network."""
         front, system = self.fronts[t], self.skeleton.system
-        row, col, at = self.outside_places(t)
-        once = row >= col
-        e.add(row[once], col[once], values[at[once]])
-        own = spread(system.offsets[front.own], system.sizes[front.own].astype(np.int64))
-        e.right[: front.columns] += right[own]
-        e.diagonal[: front.columns] += diagonal[own]
+        return spread(system.offsets[front.own], system.sizes[front.own].astype(np.int64))
 
     def outside_places(self, t: int) -> tuple[Index, Index, Index]:
         """Row and column in a front of the skeleton's values that stand in it, and which of all values each is.
@@ -122,7 +144,7 @@ class Network:
         return np.where(across, np.maximum(row, col), row), np.where(across, np.minimum(row, col), col), at
 
 
-def _kept(counts: Index, ready: float) -> int:
+def parts_ready(counts: Index, ready: float) -> int:
     """How many parts stay ready for use within so many bytes, the largest first."""
     total = np.cumsum(np.sort(counts)[::-1]) * BYTES
     return max(1, int(np.searchsorted(total, ready, side="right")))
@@ -154,5 +176,5 @@ def cut(
 
     return Network(
         key=f"network-{uuid4().hex}", skeleton=skeleton, tree=found.tree, boundary=found.boundary,
-        counts=counts, part=part, keep=_kept(counts, ready),
+        counts=counts, part=part, keep=parts_ready(counts, ready),
     )  # fmt: skip

@@ -5,7 +5,6 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
 from typing import Any
-from uuid import uuid4
 
 import numpy as np
 
@@ -13,6 +12,8 @@ from raybundle.adjustment.assemble import State
 from raybundle.blocking import sweeps, tasks
 from raybundle.blocking.network import Network
 from raybundle.blocking.tasks import Known, Store, remember
+from raybundle.errors import InputError
+from raybundle.numerics import large
 from raybundle.numerics.arrays import Array, Index, Mask
 from raybundle.pipeline.executors import Executor
 from raybundle.pipeline.keys import key_of
@@ -34,6 +35,11 @@ class Parts:
     network: Network
     store: Store
     executor: Executor
+    begin: Callable[[], None] = lambda: None
+    """Called before tasks are done: puts the parts where tasks find them, if they are not there"""
+    notes: Store | None = None
+    """Where the numbers of each sweep stay by which a run that is started again need not do it once more; None:
+    nowhere"""
     known: Known = field(init=False)
     """The network as tasks in this process find it, for as long as this is there"""
     planned: dict[str, Task] = field(default_factory=dict[str, Task])
@@ -43,7 +49,7 @@ class Parts:
         """Make the network known to tasks in this process."""
         self.known = remember(self.network)
 
-    def sweep(
+    def plan(
         self, name: str, options: Callable[[int, dict[int, str]], Any], inputs: Callable[[Any], Sequence[str]],
         *, upwards: bool, module: str = "tasks",
     ) -> tuple[str, ...]:  # fmt: skip
@@ -54,7 +60,7 @@ class Parts:
         module   where the task's function stands
         """
         count = len(self.network.tree)
-        keys, found = dict[int, str](), list[Task]()
+        keys = dict[int, str]()
         for t in range(count) if upwards else range(count - 1, -1, -1):
             o = options(t, keys)
             keys[t] = key_of(name, tasks.VERSION, o)
@@ -65,9 +71,34 @@ class Parts:
                 memory=24.0 * front.size**2 + 250.0 * float(self.network.counts[t]), name=f"{name} {t}",
             )  # fmt: skip
             self.planned[task.key] = task
-            found.append(task)
-        self.make([t for t in found if not self.store.has(t.key)])
         return tuple(keys[t] for t in range(count))
+
+    def each(self, name: str, options: Callable[[int], Any], inputs: Callable[[Any], Sequence[str]]) -> tuple[str, ...]:
+        """A task of `answers` for each tree node, none behind another; keys of their products."""
+        return self.plan(name, lambda t, _: options(t), inputs, upwards=True, module="answers")
+
+    def do(self, keys: Sequence[str]) -> tuple[str, ...]:
+        """Do planned tasks whose products are not there."""
+        self.make([self.planned[k] for k in keys if not self.store.has(k)])
+        return tuple(keys)
+
+    def made(self, keys: Sequence[str], *names: str) -> list[dict[str, Array]]:
+        """Products of planned tasks, or some of their arrays; those that are not there are made."""
+        return [self.store.wanted(key, names) for key in self.do(keys)]
+
+    def noted(self, name: str, about: object, find: Callable[[], dict[str, Array]]) -> dict[str, Array]:
+        """What was found about these products before, by this run or one that was cut short; else it is found and kept.
+
+        Large arrays lie where large arrays do (`numerics.large`).
+        """
+        if self.notes is None:
+            return find()
+        key = key_of(name, tasks.VERSION, about)
+        if self.notes.has(key):
+            return {n: _own(values) for n, values in self.notes.lent(key).items()}
+        found = find()
+        self.notes.store(key, found)
+        return found
 
     def make(self, wanted: Sequence[Task]) -> None:
         """Do tasks, and first those whose products they need and that are gone."""
@@ -82,9 +113,12 @@ class Parts:
         for task in wanted:
             if task.key not in order:
                 need(task)
+        if not order:
+            return
+        self.begin()
         for done in self.executor.run(list(order.values()), self.store):  # pyright: ignore[reportArgumentType]
             if done.failed:
-                raise RuntimeError(done.failed)
+                raise InputError(done.failed)
 
     def forget(self, keys: Sequence[str]) -> None:
         """Let products go."""
@@ -111,6 +145,8 @@ class PartsNormals:
     """Product with the coordinates that carry a minimal datum"""
     formed: tuple[str, ...] = ()
     """Products of the last sweep up"""
+    told: dict[str, Array] = field(default_factory=dict[str, Array])
+    """What it said: numbers, undamped diagonal, where it fails, which unknown has least left"""
     at: PartsState | None = None
     """Its state"""
     inverses: tuple[str, ...] = ()
@@ -130,9 +166,6 @@ class PartsNormals:
         s = self.network.skeleton.system.initial_state()
         return PartsState(s.rotation, s.centre, s.interior, s.xyz, s.own, keys=("",) * len(self.network.tree))
 
-    def _all(self, keys: Sequence[str], *names: str) -> list[dict[str, Array]]:
-        return [self.parts.store.wanted(key, names) for key in keys]
-
     # -- one step
 
     def reduce(
@@ -142,36 +175,46 @@ class PartsNormals:
         assert isinstance(state, PartsState)
         network, normals = self.network, self.network.skeleton.normals
         outer, _, _ = normals.reduce(state)
-        outside = self.parts.put(
-            "outside", {"values": normals.values, "right": normals.right, "diagonal": normals.diagonal}
-        )
+        outside = [self.parts.put("outside", network.outside_of(t)) for t in range(len(network.tree))]
 
         def options(t: int, keys: dict[int, str]) -> tasks.Up:
             return tasks.Up(
-                network=network.key, node=t, state=state.keys[t], held=self.held, outside=outside, damping=damping,
+                network=network.key, node=t, state=state.keys[t], held=self.held, outside=outside[t], damping=damping,
                 children=tuple(keys[c] for c in network.tree.children[t]), huber=huber, added=added,
             )  # fmt: skip
 
         def inputs(o: tasks.Up) -> Sequence[str]:
             return (o.state, *o.children)
 
-        before, self.formed = self.formed, self.parts.sweep("up", options, inputs, upwards=True)
+        before, self.formed = self.formed, self.parts.plan("up", options, inputs, upwards=True)
+        self.told = self.parts.noted("reduced", self.formed, self._told)
         self.at = state
         self.parts.forget([k for k in (*before, *self.inverses) if k not in self.formed])
         self.inverses = ()
-        found = self._all(self.formed, "numbers", "weak")
+        numbers, weak = self.told["numbers"], self.told["weak"]
+        return outer + float(numbers[:, 0].sum()), int(numbers[:, 1].sum()), [int(p) for p in weak]
+
+    def _told(self) -> dict[str, Array]:
+        """What the sweep up says as a whole; the diagonal is that of all nodes before anything is eliminated."""
+        found = self.parts.made(self.formed, "numbers", "weak", "touched", "failed")
+        diagonal = np.zeros(int(self.network.skeleton.system.offsets[-1]))
+        for front, f in zip(self.network.fronts, found, strict=True):
+            diagonal[sweeps.rows_of(self.network, front.nodes)] += f["touched"]
         numbers = np.array([f["numbers"] for f in found])
-        weak = [int(p) for f in found for p in f["weak"]]
-        return outer + float(numbers[:, 0].sum()), int(numbers[:, 1].sum()), weak
+        failed = found[-1]["failed"]
+        at = int(np.argmin(numbers[:, 3]))
+        least = np.array(-1) if failed >= 0 else self.parts.store.wanted(self.formed[at], ("least",))["least"]
+        weak = np.concatenate([np.asarray(f["weak"], np.int64) for f in found])
+        return {"numbers": numbers, "weak": weak, "touched": diagonal, "failed": failed, "least": least}
 
     def failed(self) -> int:
         """The unknown that stops the elimination of the last `reduce`, -1: none."""
-        return int(self._all(self.formed[-1:], "failed")[0]["failed"])
+        return int(self.told["failed"])
 
     def excess(self, state: State, huber: float) -> float:
         """Huber's costs of long residuals over those of the weighted ones, of the last `reduce`."""
         del state
-        return float(sum(f["numbers"][2] for f in self._all(self.formed, "numbers"))) if huber > 0 else 0.0
+        return float(self.told["numbers"][:, 2].sum()) if huber > 0 else 0.0
 
     def trial(
         self, state: State, *, damping: float = 0.0, huber: float = 0.0, passing: bool = False
@@ -195,18 +238,23 @@ class PartsNormals:
         for before in self.trials:
             if before != state.keys:
                 self.parts.forget(before)
-        keys = self.parts.sweep("down", options, inputs, upwards=False)
+        keys = self.parts.plan("down", options, inputs, upwards=False)
         self.trials = [t for t in self.trials if t == state.keys] + [keys]
-        found = self._all(keys, "step", "numbers")
-        step = np.zeros(int(network.skeleton.system.offsets[-1]))
-        for front, f in zip(network.fronts, found, strict=True):
-            step[sweeps.rows_of(network, front.own)] = f["step"][: front.columns]
-        numbers = np.array([f["numbers"] for f in found])
+        found = self.parts.noted("tried", keys, lambda: self._stepped(keys))
+        step, numbers = found["step"], found["numbers"]
         new, outer = self._outer_step(state, step, passing=passing)
         new.keys = keys
         outer_cost, _ = network.skeleton.normals.cost(new)
         self.tried = keys, outer_cost + float(numbers[:, 1].sum()), int(numbers[:, 2].sum())
         return new, outer + float(numbers[:, 0].sum())
+
+    def _stepped(self, keys: tuple[str, ...]) -> dict[str, Array]:
+        """Step (N,) of the nodes, and numbers of each tree node."""
+        found = self.parts.made(keys, "step", "numbers")
+        step = np.zeros(int(self.network.skeleton.system.offsets[-1]))
+        for front, f in zip(self.network.fronts, found, strict=True):
+            step[sweeps.rows_of(self.network, front.own)] = f["step"][: front.columns]
+        return {"step": step, "numbers": np.array([f["numbers"] for f in found])}
 
     def _outer_step(self, state: PartsState, step: Array, *, passing: bool) -> tuple[PartsState, float]:
         """The skeleton's values after a step (N,), and the linearised cost of its observations."""
@@ -243,17 +291,11 @@ class PartsNormals:
 
     def diagonal(self) -> Array:
         """(N,) undamped diagonal of the normal matrix of all nodes, before anything is eliminated."""
-        found = self.network.skeleton.normals.diagonal.copy()
-        for front, f in zip(self.network.fronts, self._all(self.formed, "touched"), strict=True):
-            found[sweeps.rows_of(self.network, front.nodes)] += f["touched"]
-        return found
+        return self.network.skeleton.normals.diagonal + self.told["touched"]
 
     def least_share(self) -> tuple[float, int]:
         """The least share of an unknown's information that elimination left over, and the unknown."""
-        found = self._all(self.formed, "numbers", "least")
-        shares = [float(f["numbers"][3]) for f in found]
-        at = int(np.argmin(shares))
-        return shares[at], int(found[at]["least"])
+        return float(self.told["numbers"][:, 3].min()), int(self.told["least"])
 
     def solved(self, nodes: Array, points: Sequence[str] = ()) -> Array:
         """The nodes' part (N, k) of N^-1 applied to right sides, with the last factor.
@@ -263,18 +305,19 @@ class PartsNormals:
         """
         network, state = self.network, self.at
         assert state is not None
-        parent, given = network.tree.parent.tolist(), self.parts.put("given", {"nodes": nodes})
+        parent = network.tree.parent.tolist()
+        given = [self.parts.put("given", {"nodes": nodes[sweeps.rows_of(network, f.own)]}) for f in network.fronts]
 
         def rising(t: int, keys: dict[int, str]) -> tasks.RightUp:
             return tasks.RightUp(
-                network=network.key, node=t, state=state.keys[t], held=self.held, up=self.formed[t], nodes=given,
+                network=network.key, node=t, state=state.keys[t], held=self.held, up=self.formed[t], nodes=given[t],
                 points=points[t] if points else "", children=tuple(keys[c] for c in network.tree.children[t]),
             )  # fmt: skip
 
         def rising_inputs(o: tasks.RightUp) -> Sequence[str]:
             return o.state, o.up, o.points, *o.children
 
-        halves = self.parts.sweep("right_up", rising, rising_inputs, upwards=True)
+        halves = self.parts.plan("right_up", rising, rising_inputs, upwards=True)
 
         def falling(t: int, keys: dict[int, str]) -> tasks.RightDown:
             above = keys[parent[t]] if parent[t] >= 0 else ""
@@ -283,11 +326,16 @@ class PartsNormals:
         def falling_inputs(o: tasks.RightDown) -> Sequence[str]:
             return o.up, o.right, o.above
 
-        keys = self.parts.sweep("right_down", falling, falling_inputs, upwards=False)
-        found = np.zeros_like(nodes)
-        for front, f in zip(network.fronts, self._all(keys, "x"), strict=True):
-            found[sweeps.rows_of(network, front.own)] = f["x"][: front.columns]
-        self.parts.forget([*halves, *keys, given])
+        keys = self.parts.plan("right_down", falling, falling_inputs, upwards=False)
+
+        def find() -> dict[str, Array]:
+            found = np.zeros_like(nodes)
+            for front, f in zip(network.fronts, self.parts.made(keys, "x"), strict=True):
+                found[sweeps.rows_of(network, front.own)] = f["x"][: front.columns]
+            return {"x": found}
+
+        found = self.parts.noted("solved", keys, find)["x"]
+        self.parts.forget([*halves, *keys, *given])
         return found
 
     def selected_inverse(self) -> Array:
@@ -302,11 +350,15 @@ class PartsNormals:
         def inputs(o: tasks.Inverse) -> Sequence[str]:
             return o.up, o.above
 
-        self.inverses = self.parts.sweep("inverse", falling, inputs, upwards=False)
-        found = np.zeros_like(network.skeleton.normals.values)
-        for t, f in enumerate(self._all(self.inverses, "outside")):
-            found[network.outside_places(t)[2]] = f["outside"]
-        return found
+        keys = self.inverses = self.parts.plan("inverse", falling, inputs, upwards=False)
+
+        def find() -> dict[str, Array]:
+            found = np.zeros_like(network.skeleton.normals.values)
+            for t, f in enumerate(self.parts.made(keys, "outside")):
+                found[network.outside_places(t)[2]] = f["outside"]
+            return {"outside": found}
+
+        return self.parts.noted("outside", keys, find)["outside"]
 
     # -- points that go astray: whoever asks for the adjustment is told of them (`stored`)
 
@@ -320,6 +372,8 @@ class PartsNormals:
         return np.zeros(0, np.int64)
 
 
-def unique(name: str) -> str:
-    """A key of what no other run will ask for."""
-    return f"{name}-{uuid4().hex}"
+def _own(values: Array) -> Array:
+    """An array of one's own."""
+    found = large.zeros(values.shape, values.dtype)
+    found[...] = values
+    return found

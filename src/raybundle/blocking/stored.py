@@ -2,9 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
-from typing import Any
 
 import numpy as np
 
@@ -28,7 +27,7 @@ from raybundle.blocking.normals import Parts, PartsNormals, PartsState
 from raybundle.blocking.similarity import onto
 from raybundle.blocking.tasks import Store
 from raybundle.errors import NoConvergence, NotSolvable, RankDefect, TooFewObservations
-from raybundle.numerics.arrays import Array, Mask
+from raybundle.numerics.arrays import Array, Index, Mask
 from raybundle.numerics.counting import counted
 from raybundle.numerics.progress import Progress, silent
 from raybundle.pipeline.executors import Executor
@@ -62,6 +61,18 @@ class StoredAdjustment:
     """By tree node: cofactors of the object points that it eliminates (`answers.stated`)"""
 
 
+class Astray(NotSolvable):
+    """Observations whose object point lies behind the camera, or has run away."""
+
+    def __init__(self, behind: Index, gone: Index) -> None:
+        rows = np.unique(np.concatenate([behind, gone]))
+        super().__init__(
+            f"of {counted(len(behind), 'image observation')} the object point lies behind the camera, of {len(gone)} "
+            f"it has run away, as rows {', '.join(str(r + 1) for r in rows[:5])} of the observations; leave them out"
+        )
+        self.behind, self.gone = behind, gone
+
+
 @dataclass(slots=True)
 class _Run:
     """An adjustment under way."""
@@ -79,14 +90,6 @@ class _Run:
         """Who does the tasks."""
         return self.normals.parts
 
-    def each(self, name: str, options: Callable[[int], Any], inputs: Callable[[Any], Sequence[str]]) -> tuple[str, ...]:
-        """A task for each tree node, none behind another; keys of their products."""
-        return self.parts.sweep(name, lambda t, _: options(t), inputs, upwards=True, module="answers")
-
-    def all(self, keys: Sequence[str], *names: str) -> list[dict[str, Array]]:
-        """Arrays of products."""
-        return [self.parts.store.wanted(key, names) for key in keys]
-
 
 def adjust_columns(
     columns: Columns, options: AdjustmentOptions, free: Mapping[str, tuple[str, ...]], store: Store,
@@ -102,11 +105,12 @@ def adjust_columns(
     keep      parts that a process holds ready for use
     raises    InputError, DatumDefect, RankDefect, NoConvergence
 
-    What it does not do yet: reject blunders or choose parameters, and find approximate values.
+    What it does not do: reject blunders or choose parameters (`blocking.deciding`), and find approximate values.
     """
     rejected = np.zeros(columns.observations, bool) if rejected is None else rejected
-    network = cut_columns(columns, options, free, rejected, store, leaf, keep)
-    run = _Run(PartsNormals(Parts(network, store, executor), 0, 0), options, progress)
+    cut = cut_columns(columns, options, free, rejected, store, leaf=leaf, keep=keep)
+    parts = Parts(cut.network, store, executor, begin=cut.keep_parts, notes=store)
+    run = _Run(PartsNormals(parts, 0, 0), options, progress)
     with one_thread():  # for tasks in this process: more would add up in another order
         return _adjusted(run)
 
@@ -141,14 +145,10 @@ def _refuse_astray(run: _Run, solution: Solution) -> None:
     def options(t: int) -> answers.Astray:
         return answers.Astray(network=network.key, node=t, state=state.keys[t], held=run.normals.held, typical=typical)
 
-    found = run.all(run.each("astray", options, lambda o: (o.state,)))
+    found = run.parts.made(run.parts.each("astray", options, lambda o: (o.state,)))
     behind, gone = (np.concatenate([f[name] for f in found]) for name in ("behind", "diverging"))
     if len(behind) or len(gone):
-        rows = np.unique(np.concatenate([behind, gone]))
-        raise NotSolvable(
-            f"of {counted(len(behind), 'image observation')} the object point lies behind the camera, of {len(gone)} "
-            f"it has run away, as rows {', '.join(str(r + 1) for r in rows[:5])} of the observations; leave them out"
-        )
+        raise Astray(behind, gone)
 
 
 def _described(run: _Run, state: PartsState) -> Datum:
@@ -158,8 +158,8 @@ def _described(run: _Run, state: PartsState) -> Datum:
     def options(t: int) -> answers.Described:
         return answers.Described(network=network.key, node=t, state=state.keys[t])
 
-    keys = run.each("describe", options, lambda o: (o.state,))
-    found = run.all(keys)
+    keys = run.parts.each("describe", options, lambda o: (o.state,))
+    found = run.parts.made(keys)
     own = network.skeleton.system
     numbers = np.array([f["numbers"] for f in found]).sum(axis=0)
     normals.observations, normals.unknowns = own.observations + int(numbers[0]), own.unknowns + int(numbers[1])
@@ -251,12 +251,12 @@ def _cofactors(
             generators=generators[t], change=by,
         )  # fmt: skip
 
-    told = run.each("told", told_of, lambda o: (o.state, o.inverse, o.generators))
-    found = run.all(told, "numbers")
+    told = run.parts.each("told", told_of, lambda o: (o.state, o.inverse, o.generators))
+    found = run.parts.made(told, "numbers")
     middle = ""
     if change is not None:
         inner = change.given.reshape(-1, datum.defect).T @ change.points_h.reshape(-1, datum.defect)
-        for f in run.all(told, "inner"):
+        for f in run.parts.made(told, "inner"):
             inner = inner + f["inner"] if f["inner"].size else inner
         change = replace(change, inner=(inner + inner.T) / 2)
         middle = run.parts.put("middle", {"M": change.middle, "K": change.inner})
@@ -264,7 +264,7 @@ def _cofactors(
     def stated_of(t: int) -> answers.Stated:
         return answers.Stated(network=network.key, node=t, told=told[t], generators=generators[t], middle=middle)
 
-    stated = run.each("stated", stated_of, lambda o: (o.told, o.generators))
+    stated = run.parts.do(run.parts.each("stated", stated_of, lambda o: (o.told, o.generators)))
     return told, stated, change, float(sum(f["numbers"][0] for f in found))
 
 
@@ -280,7 +280,7 @@ def _change(run: _Run, state: PartsState, datum: Datum) -> tuple[tuple[str, ...]
     def options(t: int) -> answers.Generators:
         return answers.Generators(network=network.key, node=t, state=state.keys[t], datum=key)
 
-    generators = run.each("generators", options, lambda o: (o.state,))
+    generators = run.parts.each("generators", options, lambda o: (o.state,))
     nodes = node_generators(system, state, datum)
     with_node = np.flatnonzero(system.point_node >= 0)
     at = system.offsets[system.point_node[with_node]][:, None] + np.arange(3)
@@ -288,7 +288,7 @@ def _change(run: _Run, state: PartsState, datum: Datum) -> tuple[tuple[str, ...]
     G[with_node] = nodes[at]
     BG = G * datum.carriers[network.skeleton.points][:, None, None]
     middle = BG.reshape(-1, d).T @ G.reshape(-1, d)
-    for f in run.all(generators):
+    for f in run.parts.made(generators):
         middle = middle + f["middle"] if "middle" in f else middle
     right = np.zeros_like(nodes)
     right[at] = BG[with_node] * ~system.held[with_node][:, :, None]
@@ -313,7 +313,7 @@ def _fitted(run: _Run, state: PartsState, datum: Datum) -> PartsState:
     def options(t: int) -> answers.Moments:
         return answers.Moments(network=network.key, node=t, state=state.keys[t], centre=(x, y, z), carriers=carriers)
 
-    found = run.all(run.each("moments", options, lambda o: (o.state,)), "own", "given")
+    found = run.parts.made(run.parts.each("moments", options, lambda o: (o.state,)), "own", "given")
     given = system.initial_state()
     mine = (system.point_node >= 0) & datum.carriers[network.skeleton.points]
     r = np.column_stack([state.xyz[mine] - datum.centre, np.ones(int(mine.sum()))])
@@ -331,7 +331,7 @@ def _placed(run: _Run, state: PartsState, T: Array, centre: Array) -> PartsState
     def options(t: int) -> answers.Placed:
         return answers.Placed(network=network.key, node=t, state=state.keys[t], similarity=key)
 
-    keys = run.each("placed", options, lambda o: (o.state,))
+    keys = run.parts.each("placed", options, lambda o: (o.state,))
     new = placed(system, state, T, centre)
     new.xyz[system.control_held] = state.xyz[system.control_held]
     return PartsState(new.rotation, new.centre, new.interior, new.xyz, new.own, keys=keys)

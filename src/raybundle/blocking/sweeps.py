@@ -54,7 +54,7 @@ def up(
     What gives no factor says at which unknown of the network (`failed`, else -1).
 
     state     of the part; None: as given
-    outside   normal equations of the skeleton: values, right, diagonal
+    outside   what the skeleton's normal equations bring to the front (`Network.outside_of`)
     children  what this gave of the tree nodes below
     """
     front = network.fronts[t]
@@ -65,7 +65,7 @@ def up(
         numbers[:3] = cost, behind, normals.excess(now, how.huber)
         weak = work.part.points[alone]
         _unheld(work)
-        e.add(work.row[work.once], work.col[work.once], normals.values[work.once])
+        e.add(work.into, normals.values)
         e.right[work.place] += normals.right
         e.diagonal[work.place] += normals.diagonal
     told = {"numbers": numbers, "weak": weak, "touched": e.diagonal.copy()}
@@ -86,7 +86,8 @@ def up(
     least = int(share.argmin()) if o else -1
     numbers[3] = share[least] if o else 1.0
     return {
-        "L": found.L, "W": found.W, "y": found.y, "reduced": found.reduced, "right": found.right,
+        "L": fronts.packed(found.L), "V": found.V, "y": found.y, "reduced": fronts.packed(found.reduced),
+        "right": found.right,
         "diagonal": e.diagonal[o:].copy(), "failed": np.array(-1),
         "least": np.array(_global(network, t, least) if o else -1), **told,
     }  # fmt: skip
@@ -132,10 +133,10 @@ def down(
 def _with_boundary(network: Network, t: int, own: Values, above: Array | None, y: Array) -> Array:
     """A solution (n,) or (n, k) of a front with that of its parent's."""
     if above is None:
-        return fronts.solved(own["L"], own["W"], y, y[:0])
+        return fronts.solved(fronts.unpacked(own["L"]), own["V"], y, y[:0])
     parent = network.fronts[int(network.tree.parent[t])]
     boundary = above[parent.unknowns(network.boundary[t])]
-    return np.concatenate([fronts.solved(own["L"], own["W"], y, boundary), boundary])
+    return np.concatenate([fronts.solved(fronts.unpacked(own["L"]), own["V"], y, boundary), boundary])
 
 
 def condensed(work: PartWork, state: State, points: Array) -> Array:
@@ -151,7 +152,7 @@ def right_up(
     network: Network, t: int, own: Values, nodes: Array, condensed: tuple[PartWork | None, Array] | None,
     children: Mapping[int, Values],
 ) -> dict[str, Array]:  # fmt: skip
-    """Right sides (N, k) of nodes, reduced: the first half of a solution.
+    """Right sides (u, k) of the own unknowns, reduced: the first half of a solution.
 
     own        what `up` gave of this tree node
     condensed  the part, and what right sides of its object points bring to its nodes
@@ -159,13 +160,13 @@ def right_up(
     """
     front = network.fronts[t]
     right = np.zeros((front.size, nodes.shape[1]))
-    right[: front.columns] += nodes[rows_of(network, front.own)]
+    right[: front.columns] += nodes
     if condensed is not None and condensed[0] is not None:
         right[condensed[0].place] += condensed[1]
     for c, below in children.items():
         right[front.unknowns(network.boundary[c])] += below["right"]
-    y = fronts.forward(own["L"], right[: front.columns])
-    return {"y": y, "right": right[front.columns :] - own["W"].T @ y}
+    y = fronts.forward(fronts.unpacked(own["L"]), right[: front.columns])
+    return {"y": y, "right": right[front.columns :] - own["V"] @ y}
 
 
 def right_down(network: Network, t: int, own: Values, mine: Values, above: Values | None) -> dict[str, Array]:
@@ -180,23 +181,29 @@ def rows_of(network: Network, nodes: Index) -> Index:
 
 
 def inverse_down(
-    network: Network, t: int, work: PartWork | None, own: Values, above: Values | None
+    network: Network, t: int, work: PartWork | None, own: Values, boundary: Array
 ) -> dict[str, Array]:  # fmt: skip
     """The inverse of a front, as far as it is asked for: by the skeleton, the part, the tree nodes below.
 
-    own    what `up` gave of this tree node
-    above  what this gave of the parent; None: the root
+    own       what `up` gave of this tree node
+    boundary  what this gave of the parent for this tree node (`below`); empty: the root
     """
-    if above is None:
-        boundary = np.zeros((0, 0))
-    else:
-        at = network.fronts[int(network.tree.parent[t])].unknowns(network.boundary[t])
-        boundary = above["Q"][np.ix_(at, at)]
-    Q = fronts.cofactors(own["L"], own["W"], boundary)
+    front = network.fronts[t]
+    Q = fronts.cofactors(fronts.unpacked(own["L"]), own["V"], fronts.unpacked(boundary))
     row, col, _ = network.outside_places(t)
-    found = {"outside": Q[row, col]}
-    if network.tree.children[t]:
-        found["Q"] = Q
+    found = {"outside": _lower(Q, row, col)}
+    for c in network.tree.children[t]:
+        found[below(c)] = fronts.packed_at(Q, front.unknowns(network.boundary[c]))
     if work is not None:
-        found["part"] = Q[work.row, work.col]
+        found["part"] = Q[work.elements]
     return found
+
+
+def below(t: int) -> str:
+    """Name of the array with the inverse of a tree node's boundary, packed, in its parent's product."""
+    return f"Q {t}"
+
+
+def _lower(Q: Array, row: Index, col: Index) -> Array:
+    """Elements of a symmetric matrix of which the lower triangle counts."""
+    return Q[np.maximum(row, col), np.minimum(row, col)]

@@ -21,7 +21,7 @@ from raybundle.blocking.sweeps import Iteration, Values
 from raybundle.numerics.arrays import Array
 from raybundle.pipeline.store import Product
 
-VERSION = 1
+VERSION = 2
 """Raised with every change of what the tasks give."""
 
 
@@ -163,6 +163,7 @@ class Up:
     """"": as given"""
     held: str
     outside: str
+    """What the skeleton's normal equations bring to the front"""
     children: tuple[str, ...]
     damping: float
     huber: float
@@ -185,7 +186,7 @@ def up(store: Store, o: Up) -> Product:
     return sweeps.up(at.network, o.node, work, values_of(store, o.state, work), how, store.lent(o.outside), below)
 
 
-ELIMINATED = ("L", "W", "y")
+ELIMINATED = ("L", "V", "y")
 """What the way down needs of `up`."""
 MESSAGE = ("reduced", "right", "diagonal")
 """What the parent needs of it."""
@@ -226,7 +227,7 @@ class RightUp:
     held: str
     up: str
     nodes: str
-    """Right sides (N, k) of the nodes"""
+    """Right sides (u, k) of the own unknowns"""
     points: str
     """Those (p, 3, k) of the part's object points; "": none"""
     children: tuple[str, ...]
@@ -276,6 +277,7 @@ class Inverse:
 def inverse(store: Store, o: Inverse) -> Product:
     """The inverse of a front."""
     at = known(store, o.network)
-    above = store.lent(o.above, ("Q",)) if o.above else None
-    own = store.lent(o.up, ELIMINATED)
-    return sweeps.inverse_down(at.network, o.node, work_of(at, o.node), own, above)
+    mine = sweeps.below(o.node)
+    boundary = store.lent(o.above, (mine,))[mine] if o.above else np.zeros(0)
+    own = store.lent(o.up, ("L", "V"))
+    return sweeps.inverse_down(at.network, o.node, work_of(at, o.node), own, boundary)

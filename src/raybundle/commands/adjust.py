@@ -34,6 +34,10 @@ class AdjustSettings(AdjustmentOptions):
     tables: Literal["auto", "csv", "parquet"] = setting("auto", TABLES_HELP)
     all_coordinates: bool = setting(False, COORDINATES_HELP)
     language: str = setting("en", LANGUAGE_HELP, metavar="CODE")
+    cluster: str = setting(
+        "", "Reduce the normal equations in parts by the workers of a cluster: its folder, which `raybundle scheduler "
+        "FOLDER` makes (extra [cluster]).", metavar="FOLDER",
+    )  # fmt: skip
     memory: float = setting(
         0.0, "Memory that the adjustment may take, in GB; 0: four fifths of what is free, 1 at least.  What does not "
         "fit lies in files beside the result meanwhile, and normal equations are reduced in parts.", metavar="GB",
@@ -61,7 +65,9 @@ def run_adjust(settings: AdjustSettings, progress: Progress = silent) -> Adjustm
     check_pages(settings)
     check_tables(settings.tables)
     wanted = accuracy_class(settings.accuracy_class)
-    with within_memory(Path(settings.block), settings.out, settings.memory, progress) as (read, room):
+    with within_memory(
+        Path(settings.block), settings.out, settings.memory, progress, jobs=settings.jobs, cluster=settings.cluster
+    ) as (read, room):
         block, frame, remarks = in_block_frame(read)
         done = adjust(block, settings.options(), progress, factoring=room.factoring)
     assumed = () if frame is None else frame.remarks

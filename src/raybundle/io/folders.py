@@ -9,7 +9,7 @@ import os
 import re
 import shutil
 import uuid
-from collections.abc import Generator, Iterator, Sequence
+from collections.abc import Callable, Generator, Iterator, Sequence
 from contextlib import contextmanager
 from contextvars import ContextVar
 from pathlib import Path
@@ -49,15 +49,35 @@ def new_folder(path: Path, *, replacing: bool = False) -> Generator[Path]:
 
 
 @contextmanager
-def work_folder(path: Path) -> Generator[Path]:
-    """A temporary sibling of `path` for what is needed meanwhile; gone in the end.
+def continued_folder(path: Path, ended: Callable[[], bool]) -> Generator[Path]:
+    """A sibling `.NAME.parts` of `path` for what a run that is cut short leaves to the next one under the same name.
 
-    What a process that is killed leaves there the next one deletes that writes under the same name.
+    ended  whether, in the end, nothing is left to be continued: then it is deleted
+    Where another run works there it is `.NAME.parts1`, and so on.
     """
     path = place_of(path)
     make_parent(path)
-    with _sibling(path) as temporary:
-        yield temporary
+    stem = os.fsdecode(os.fsencode(path.name)[:NAME_BYTES])
+    with _told(path):
+        folder, lock = _free(path.parent / f".{stem}.parts")
+    try:
+        yield folder
+    finally:
+        if ended():
+            shutil.rmtree(folder, ignore_errors=True)
+        unlock(lock)
+
+
+def _free(first: Path) -> tuple[Path, int | None]:
+    """The first folder of this name, or of this name with a number, that nobody else has locked."""
+    folder, number = first, 0
+    while True:
+        folder.mkdir(exist_ok=True)
+        lock = lock_of(folder)
+        if lock is not None or os.name == "nt":
+            return folder, lock
+        number += 1
+        folder = first.with_name(f"{first.name}{number}")
 
 
 def make_parent(path: Path) -> None:

@@ -219,7 +219,7 @@ def taken(values: Any, at: Index) -> Any:
     if values is None:
         return None
     if isinstance(values, tuple):
-        return tuple(cast("tuple[Any, ...]", values)[k] for k in at.tolist())
+        return tuple(map(cast("tuple[Any, ...]", values).__getitem__, at.tolist()))
     if isinstance(values, Mapping):
         found = cast("Mapping[int, Any]", values)
         return {n: found[k] for n, k in enumerate(at.tolist()) if k in found} if found else {}

@@ -17,3 +17,9 @@ def rows_of_each(owner: Index, count: int) -> list[Index]:
     order = np.argsort(owner, kind="stable")
     bounds = np.searchsorted(owner[order], np.arange(count + 1)).tolist()
     return [order[a:b] for a, b in pairwise(bounds)]
+
+
+def distinct(numbers: Index) -> Index:
+    """Each number (k,) once, ascending; by sorting, which takes a fraction of the time that a hash table takes."""
+    found = np.sort(numbers)
+    return found[np.append(True, found[1:] != found[:-1])] if len(found) else found

@@ -6,8 +6,9 @@ from types import ModuleType
 
 from raybundle.errors import InputError
 from raybundle.pipeline.clusters import cluster_at
-from raybundle.pipeline.executors import Executor, Threads
+from raybundle.pipeline.executors import Executor, Staying, Threads
 from raybundle.pipeline.shards import Shards
+from raybundle.settings import option
 
 SHARDS = "shards"
 
@@ -25,6 +26,22 @@ def executor_for(cluster: str, jobs: int, memory: float) -> Executor:
     if cluster == SHARDS:
         return Shards()
     return on_dask().Dask(cluster_at(cluster))
+
+
+def staying_for(cluster: str, jobs: int, memory: float) -> Executor:
+    """Processes that stay from one list of tasks to the next, here or elsewhere: for sweeps, one behind the other.
+
+    cluster  empty: here; or a folder or address as `cluster_at` takes it
+    jobs     processes here; 0: as many as there are processors
+    memory   as of `executor_for`
+    raises   InputError as `executor_for`, and for shards: there are dozens of sweeps
+    """
+    if cluster == SHARDS:
+        raise InputError(
+            f"{option('cluster', SHARDS)} is for tasks that do not wait for each other, and an adjustment has dozens "
+            "of sweeps, one behind the other; start a scheduler and workers as jobs, and give their folder"
+        )
+    return executor_for(cluster, jobs, memory) if cluster else Staying(jobs, memory)
 
 
 def on_dask() -> ModuleType:

@@ -54,8 +54,10 @@ class Threads:
     def run(self, tasks: Sequence[Task], store: Folder) -> Iterator[Done]:
         """Do tasks and yield them as they end."""
         jobs = self.jobs or os.cpu_count() or 1
-        hands = _Pool(AHEAD * jobs, lambda: ThreadPoolExecutor(jobs), lambda pool, task: pool.submit(do, task, store))
-        with hands.open():
+        hands = _Pool(
+            AHEAD * jobs, lambda: ThreadPoolExecutor(jobs), lambda pool, task, store: pool.submit(do, task, store)
+        )
+        with hands.open(store):
             yield from drive(tasks, hands, store, self.memory)
 
 
@@ -68,14 +70,45 @@ class Processes:
 
     def run(self, tasks: Sequence[Task], store: Folder) -> Iterator[Done]:
         """Do tasks and yield them as they end."""
-        jobs = min(self.jobs or os.cpu_count() or 1, max(len(tasks), 1))
-        hands = _Pool(
-            AHEAD * jobs,
-            lambda: ProcessPoolExecutor(jobs, get_context("spawn"), initializer=_begin, initargs=(with_flags(),)),
-            lambda pool, task: pool.submit(_elsewhere, written(task), str(store.path)),
-        )
-        with _one_thread_each(), hands.open():
+        hands = _processes(min(self.jobs or os.cpu_count() or 1, max(len(tasks), 1)))
+        with _one_thread_each(), hands.open(store):
             yield from drive(tasks, hands, store, self.memory)
+
+
+@dataclass(slots=True)
+class Staying:
+    """Processes that stay from one list of tasks to the next: what they hold ready for use they find again."""
+
+    jobs: int = 0
+    memory: float = float("inf")
+    _hands: _Pool | None = None
+
+    def run(self, tasks: Sequence[Task], store: Folder) -> Iterator[Done]:
+        """Do tasks and yield them as they end."""
+        if self._hands is None:
+            self._hands = _processes(self.jobs or os.cpu_count() or 1)
+        self._hands.store = store
+        try:
+            with _one_thread_each():
+                yield from drive(tasks, self._hands, store, self.memory)
+        except BaseException:
+            self.close()
+            raise
+
+    def close(self) -> None:
+        """End the processes; tasks in work are finished, and the next list begins with others."""
+        if self._hands is not None:
+            self._hands.close()
+        self._hands = None
+
+
+def _processes(jobs: int) -> _Pool:
+    """So many processes of their own."""
+    return _Pool(
+        AHEAD * jobs,
+        lambda: ProcessPoolExecutor(jobs, get_context("spawn"), initializer=_begin, initargs=(with_flags(),)),
+        lambda pool, task, store: pool.submit(_elsewhere, written(task), str(store.path)),
+    )
 
 
 def _begin(flags: bool) -> None:  # noqa: FBT001  (what a process begins with)
@@ -131,18 +164,25 @@ class _Pool:
 
     most: int
     begin: Callable[[], Pool]
-    give: Callable[[Pool, Task], Future[Done]]
+    give: Callable[[Pool, Task, Folder], Future[Done]]
     pool: Pool | None = None
+    store: Folder | None = None
+    """of the tasks"""
     done: SimpleQueue[tuple[str, Future[Done]]] = field(default_factory=SimpleQueue)
 
     @contextmanager
-    def open(self) -> Generator[None]:
+    def open(self, store: Folder) -> Generator[None]:
         """Where it ends early, tasks that nobody has begun are not begun; those in work are finished and kept."""
+        self.store = store
         try:
             yield
         finally:
-            if self.pool is not None:
-                self.pool.shutdown(wait=True, cancel_futures=True)
+            self.close()
+
+    def close(self) -> None:
+        """End it."""
+        if self.pool is not None:
+            self.pool.shutdown(wait=True, cancel_futures=True)
 
     def room(self) -> int:
         """How many tasks may be in work or wait for it."""
@@ -150,15 +190,16 @@ class _Pool:
 
     def submit(self, task: Task) -> None:
         """Take a task."""
+        assert self.store is not None
         future = None
         if self.pool is not None:
             with suppress(BrokenExecutor):
-                future = self.give(self.pool, task)
+                future = self.give(self.pool, task, self.store)
         if future is None:
             if self.pool is not None:
                 self.pool.shutdown(wait=True, cancel_futures=True)
             self.pool = self.begin()
-            future = self.give(self.pool, task)
+            future = self.give(self.pool, task, self.store)
         future.add_done_callback(lambda ended, key=task.key: self.done.put((key, ended)))
 
     def ended(self) -> list[tuple[str, Done | None]]:

@@ -11,7 +11,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from raybundle.block import Block
-from raybundle.numerics.arrays import Array, Index
+from raybundle.numerics.arrays import Array, Index, Mask
 from raybundle.numerics.rows import rows_of_each
 
 MOST_SOURCES = 4
@@ -85,7 +85,8 @@ def sources_of_each(block: Block, *, most: int = MOST_SOURCES, among: Sequence[i
     places without tie points, and what hides the object from a source.
     """
     o = block.observations
-    known = np.isfinite(block.points.xyz).all(axis=1)[o.point] & block.images.oriented[o.image]
+    placed: Mask = np.asarray(np.isfinite(block.points.xyz).all(axis=1))
+    known = placed[o.point] & block.images.oriented[o.image]
     if among is not None:
         known &= np.isin(o.image, list(among))
     rows, point = rows_of_each(np.where(known, o.image, -1), len(block.images)), np.asarray(o.point)

@@ -1,9 +1,9 @@
 """Depth and slopes of every pixel of a reference by least-squares matching in several sources at once.
 
-Unknowns of a pixel are the depth parameter t in the middle of a window and its slopes a and b; brightness and contrast of
-every source; and the patch itself, which is the mean of all views, the reference included (Gruen and Baltsavias 1988;
-Agouris and Schenk 1996).  Where a source shows the window is a matter of tables (`transfer`), so sensors and platforms
-are all alike.
+Unknowns of a pixel are the depth parameter t in the middle of a window and its slopes a and b; brightness and
+contrast of every source; and the patch itself, which is the mean of all views, the reference included (Gruen and
+Baltsavias 1988; Agouris and Schenk 1996).  Where a source shows the window is a matter of tables (`transfer`), so
+sensors and platforms are all alike.
 """
 
 from __future__ import annotations
@@ -211,8 +211,8 @@ def refine(
 
     reference       (h, w) grey values
     start           (3, rows, columns) t, a, b; t NaN where there is none, slopes NaN where they are not known
-    autocovariance  (1 + sources, 7, 7) of grey values by lag from -3 to 3 px in y and x, 1 in the middle, of the reference
-                    and each source; None: white noise
+    autocovariance  (1 + sources, 7, 7) of grey values by lag from -3 to 3 px in y and x, 1 in the middle, of the
+                    reference and each source; None: white noise
     response        whether the windows' responses are wanted: 4 side^2 bytes a pixel
 
     The same to the last bit for any number of threads.  Raises InputError where arrays do not fit each other.
@@ -299,7 +299,9 @@ class _Work:
     ) -> _Work:
         side = 2 * LAG + 1
         if not 1 <= len(sources) <= MOST_SOURCES:
-            raise InputError(f"{len(sources)} sources of a reference; there can be 1 to {MOST_SOURCES}: choose the best")
+            raise InputError(
+                f"{len(sources)} sources of a reference; there can be 1 to {MOST_SOURCES}: choose the best"
+            )
         if autocovariance is not None and autocovariance.shape != (len(sources) + 1, side, side):
             raise InputError(f"autocovariances are {autocovariance.shape}, not ({len(sources) + 1}, {side}, {side})")
         last = grid.y0 + (grid.rows - 1) * grid.stride, grid.x0 + (grid.columns - 1) * grid.stride
@@ -331,7 +333,7 @@ def _empty(work: _Work, start: Array, *, response: bool) -> Refined:
 
 
 def left_by_interpolation(autocovariance: Array | None, views: int) -> Array:
-    """(views,) mean variance of interpolated grey values, that of grey values being 1; the first view is not interpolated.
+    """(views,) mean variance of interpolated grey values, that of grey values being 1; the first view stays as it is.
 
     autocovariance  (views, 7, 7) by lag; None: white
     """
@@ -347,7 +349,9 @@ def _run(work: _Work, found: Refined, todo: Array, chain: int) -> None:
     """Refine in place; chain 1 or -1: a pixel without a start goes on from its left or right neighbour."""
     module: Any = native.module()
     if module is None:
-        return refine_rows(work.reference, work.sources, work.grid, work.options, work.autocovariance, found, todo, chain)
+        return refine_rows(
+            work.reference, work.sources, work.grid, work.options, work.autocovariance, found, todo, chain
+        )
     o, grid = work.options, work.grid
     fit = (o.half, o.sigma, o.iterations, o.step, o.reach, o.slope, o.correlation, o.contrast, o.share, o.apart)
     tables = [(t.u0_px, t.v0_px, t.step_px, t.t0, t.dt) for t in (s.transfer for s in work.sources)]

@@ -11,6 +11,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from typing import Any
 
 import cv2
 import numpy as np
@@ -195,16 +196,17 @@ def _laid_out(source: Array, places: Array, u: Array, v: Array, size: tuple[int,
     nothing = np.full((1, 1), UNKNOWN, np.uint64), np.full(places.shape, NOWHERE, np.int32)
     if good.sum() < 4:
         return nothing
-    H, _ = cv2.findHomography(middle[good], target[good], 0)
+    fitted: Any = cv2.findHomography(middle[good], target[good], 0)
+    H = fitted[0]
     if H is None:
         return nothing
     moved = np.full(places.shape, np.nan)
-    seen = np.isfinite(places).all(axis=-1)
+    seen: Mask = np.asarray(np.isfinite(places).all(axis=-1))
     homogeneous = np.concatenate([places[seen], np.ones((int(seen.sum()), 1))], axis=1) @ H.T
     with np.errstate(all="ignore"):
         moved[seen] = np.where(homogeneous[:, 2:] > 0, homogeneous[:, :2] / homogeneous[:, 2:], np.nan)
     room = AROUND * np.array(size[::-1])
-    inside = np.isfinite(moved).all(axis=-1)
+    inside: Mask = np.asarray(np.isfinite(moved).all(axis=-1))
     inside &= (np.where(inside[..., None], moved, -np.inf) >= -room).all(axis=-1)
     inside &= (np.where(inside[..., None], moved, np.inf) <= size[::-1] + room).all(axis=-1)
     if not inside.any():
@@ -229,12 +231,9 @@ def _seen(places: Sequence[Array], census: Sequence[Array], size: tuple[int, int
     """(height, width) where a source shows the reference's pixel at any level."""
     found = np.zeros(size, bool)
     for p, c in zip(places, census, strict=True):
-        inside = ((p >= 0) & (p < np.array(c.shape[::-1]) << FRACTION)).all(axis=-1).any(axis=0)
-        at = (
-            np.minimum(np.arange(size[0]) // STEP_PX, len(inside) - 1),
-            np.minimum(np.arange(size[1]) // STEP_PX, inside.shape[1] - 1),
-        )
-        found |= inside[at[0]][:, at[1]]
+        inside: Mask = np.asarray(((p >= 0) & (p < np.array(c.shape[::-1]) << FRACTION)).all(axis=-1).any(axis=0))
+        row, column = (np.minimum(np.arange(n) // STEP_PX, k - 1) for n, k in zip(size, inside.shape, strict=True))
+        found |= inside[row][:, column]
     return found
 
 

@@ -1,8 +1,8 @@
-"""Where a source shows what each pixel of a reference shows, by depth: tables that stand for any sensor on any platform.
+"""Where a source shows what each pixel of a reference shows, by depth: tables for any sensor on any platform.
 
-A place in the source is a function of three numbers, the pixel (u, v) of the reference and the depth parameter t.  It is
-tabulated with the block's own models, exactly, at the nodes of a grid, and taken from four nodes in each direction; so
-what refines depths knows neither distortion nor projection nor motion.
+A place in the source is a function of three numbers, the pixel (u, v) of the reference and the depth parameter t.  It
+is tabulated with the block's own models, exactly, at the nodes of a grid, and taken from four nodes in each direction;
+so what refines depths knows neither distortion nor projection nor motion.
 """
 
 from __future__ import annotations
@@ -36,8 +36,8 @@ NODES = 4
 class ReferenceRays:
     """Object points along the rays of a reference image: X = origin + direction / t.
 
-    t is the inverse depth along the axis [1 / length] where all rays are within 80 degrees of it: a plane is then linear in
-    the pixels of a picture without distortion.  Else it is the inverse distance.
+    t is the inverse depth along the axis [1 / length] where all rays are within 80 degrees of it: a plane is then
+    linear in the pixels of a picture without distortion.  Else it is the inverse distance.
     """
 
     camera: Camera
@@ -113,7 +113,7 @@ class Transfer:
     """Largest error that was found in the middles of cells"""
 
     def at(self, xy_px: Array, t: Array) -> Array:
-        """Places (n, 2) [px] in the source of pixels (n, 2) at depth parameters (n,); NaN where it does not see them."""
+        """Places (n, 2) [px] in the source of pixels (n, 2) at depth parameters (n,); NaN where it sees none."""
         module = native.module()
         if module is not None:
             found = np.empty((len(t), 2))
@@ -158,8 +158,8 @@ def transfer(block: Block, rays: ReferenceRays, source: int, t_range: tuple[floa
     source   row of `block.images`
     t_range  smallest and largest depth parameter that is asked for
 
-    The table is made finer until it errs by less than 0.005 px in the middles of its cells.  Raises InputError where that
-    is not reached with steps of 2 px, as for a projection that turns back within the format.
+    The table is made finer until it errs by less than 0.005 px in the middles of its cells.  Raises InputError where
+    that is not reached with steps of 2 px, as for a projection that turns back within the format.
     """
     low, high = t_range
     if not 0 < low < high < np.inf:

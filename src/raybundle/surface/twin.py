@@ -137,7 +137,7 @@ def _batch(shared: _Shared, found: Refined, rows: Index, columns: Index) -> None
     p = found.numbers[:3, rows, columns].astype(float)
     found.views[rows, columns], found.iterations[rows, columns] = 0, 0
     reason = np.where(np.isnan(p[0]), NO_START, REFINED)
-    known = np.isfinite(p[1:]).all(axis=0)
+    known = np.asarray(np.isfinite(p[1:]).all(axis=0))
     p[1:] = np.nan_to_num(p[1:])
     x, y = grid.x0 + grid.stride * columns, grid.y0 + grid.stride * rows
     height, width = shared.reference.shape
@@ -155,13 +155,21 @@ def _batch(shared: _Shared, found: Refined, rows: Index, columns: Index) -> None
     reason[go] = outcome
     found.iterations[rows[go], columns[go]] = np.minimum(iterations, 255)
     found.reason[rows, columns] = reason
-    keep = outcome[good] == REFINED
+    keep = np.asarray(outcome[good] == REFINED)
     at, done = _subset(at, np.flatnonzero(keep)), go[good[keep]]
     place = rows[done], columns[done]
     noise, shift, response = _combined(shared, at)
     inflation = 1 / at.Q[:, 0, 0] / curvature[keep]
     correlation = np.where(at.used, at.correlation, 0).sum(axis=0) / np.maximum(at.used.sum(axis=0), 1)
-    values = [*(at.p + inflation * step[:, good[keep]]), at.Q[:, 0, 0], noise, inflation, at.s2, correlation, at.contrast]
+    values = [
+        *(at.p + inflation * step[:, good[keep]]),
+        at.Q[:, 0, 0],
+        noise,
+        inflation,
+        at.s2,
+        correlation,
+        at.contrast,
+    ]
     found.numbers[:, *place] = np.stack(values)
     found.views[place] = (at.used.T * (1 << np.arange(len(at.used)))).sum(axis=1)
     found.shift[place] = shift
@@ -180,16 +188,19 @@ def _begun(shared: _Shared, x: Index, y: Index, p: Array, known: Mask) -> tuple[
     T, contrast, n = T[~flat] / contrast[~flat, None], contrast[~flat], int((~flat).sum())
     windows = np.zeros((4, count, n, len(shared.w)))
     state = _State(
-        x=x[~flat], y=y[~flat], p=p[:, ~flat], slope=np.where(known[~flat], 1, UNKNOWN) * shared.options.slope, T=T, contrast=contrast, used=np.ones((count, n), bool), g=windows[0],
-        gx=windows[1], gy=windows[2], J=windows[3], correlation=np.zeros((count, n)), steep=np.zeros((count, n, 2, 2)),
-        reach=np.zeros(n), squares=np.zeros(n), s2=np.zeros(n), Q=np.zeros((n, 3, 3)),
+        x=x[~flat], y=y[~flat], p=p[:, ~flat], slope=np.where(known[~flat], 1, UNKNOWN) * shared.options.slope, T=T,
+        contrast=contrast, used=np.ones((count, n), bool), g=windows[0], gx=windows[1], gy=windows[2], J=windows[3],
+        correlation=np.zeros((count, n)), steep=np.zeros((count, n, 2, 2)), reach=np.zeros(n), squares=np.zeros(n),
+        s2=np.zeros(n), Q=np.zeros((n, 3, 3)),
     )  # fmt: skip
     return state, flat
 
 
 def _subset(o: _State, rows: Index) -> _State:
     over = {name: getattr(o, name)[:, rows] for name in ("p", "used", "g", "gx", "gy", "J", "correlation", "steep")}
-    each = {name: getattr(o, name)[rows] for name in ("x", "y", "slope", "T", "contrast", "reach", "squares", "s2", "Q")}
+    each = {
+        name: getattr(o, name)[rows] for name in ("x", "y", "slope", "T", "contrast", "reach", "squares", "s2", "Q")
+    }
     return _State(**over, **each)
 
 
@@ -323,7 +334,10 @@ class _Local:
     def of(cls, table: Transfer, o: _State, p: Array) -> _Local:
         xy = np.stack([o.x + 0.5, o.y + 0.5], axis=1)
         where = table.nodes(xy, p[0])
-        first = [np.clip(np.floor(np.nan_to_num(x)) - 1, 0, n - NODES) for x, n in zip(where, table.places.shape, strict=False)]
+        first = [
+            np.clip(np.floor(np.nan_to_num(x)) - 1, 0, n - NODES)
+            for x, n in zip(where, table.places.shape, strict=False)
+        ]
         wv, wu, wt = (lagrange(x - f) for x, f in zip(where, first, strict=True))
         j, i, k = (f.astype(int)[:, None] + np.arange(NODES) for f in first)
         nodes = table.places[j[:, :, None, None], i[:, None, :, None], k[:, None, None, :]]
@@ -366,7 +380,7 @@ class _Local:
 
 
 def _sampled(shared: _Shared, source: Source, at: _Local) -> tuple[Array, Array, Array, Mask]:
-    """Grey values and gradients (n, window) by cubic convolution (Keys 1981, a = -1/2), and which windows are inside."""
+    """Grey values and gradients (n, window) by cubic convolution, and which windows are inside."""
     height, width = source.grey.shape
     x, y = at.place(0, shared) - 0.5, at.place(1, shared) - 0.5
     inside = ((x >= 1) & (x < width - 2) & (y >= 1) & (y < height - 2)).all(axis=1)

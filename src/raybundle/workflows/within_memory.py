@@ -6,6 +6,7 @@ equations is counted exactly, once it is known which unknowns meet.
 
 from __future__ import annotations
 
+import os
 import shutil
 from collections.abc import Generator, Mapping
 from contextlib import ExitStack, contextmanager
@@ -15,20 +16,24 @@ from pathlib import Path
 from weakref import finalize
 
 from raybundle.adjustment.assemble import System
+from raybundle.adjustment.engine import Factoring
 from raybundle.adjustment.normals import Normals
 from raybundle.adjustment.options import AdjustmentOptions
 from raybundle.adjustment.result import Notice
 from raybundle.block import Block
 from raybundle.blocking.adjusted import in_parts
 from raybundle.blocking.whole import WholeNormals
+from raybundle.errors import NotSolvable
 from raybundle.io.block.folder import read_block
 from raybundle.io.block.pieces import image_points_in, read_in_pieces
-from raybundle.io.folders import work_folder
+from raybundle.io.folders import continued_folder
 from raybundle.numerics import large
 from raybundle.numerics.arrays import Mask
 from raybundle.numerics.counting import counted
 from raybundle.numerics.machine import available_memory
 from raybundle.numerics.progress import Progress, silent
+from raybundle.pipeline.choosing import staying_for
+from raybundle.pipeline.executors import Executor, Staying
 from raybundle.pipeline.store import Folder
 from raybundle.settings import option
 
@@ -40,6 +45,10 @@ BASE = 150e6
 """Bytes of the program itself."""
 IN_MEMORY, IN_FILES, IN_PARTS = 800.0, 420.0, 300.0
 """Bytes for each image observation: all in memory; large arrays in files; and normal equations in parts besides."""
+PROCESS = 2 * BASE
+"""Bytes of a process that reduces parts: the program, and as much again for what it works on."""
+AT_WORKERS = 1e9
+"""Bytes of parts that a worker of a cluster holds ready: half of what docs/how-to/cluster.md asks for one."""
 FACTOR = 3.0
 """Times its own size that a factor takes while it is made and inverted."""
 ORDERED = 60_000
@@ -49,24 +58,31 @@ ORDERED = 60_000
 class Room:
     """A folder beside a result for what does not fit into memory, made when it is asked for.
 
-    It is gone with the last that holds it, at the latest with the process.
+    It is gone with the last that holds it, at the latest with the process; what a run that is cut short leaves there is
+    there for the next one with the same result.
     """
 
     def __init__(self, out: Path) -> None:
         """Beside this result."""
         self.out = out
+        self._cut_short = [False]
+
+    def leave(self) -> None:
+        """Let it be there for the next run."""
+        self._cut_short[0] = True
 
     @cached_property
     def folder(self) -> Path:
         """The folder."""
-        stack = ExitStack()
-        found = stack.enter_context(work_folder(self.out))
+        stack, cut_short = ExitStack(), self._cut_short
+        found = stack.enter_context(continued_folder(self.out, lambda: not cut_short[0]))
         finalize(self, stack.close)
         return found
 
     def forget(self, folder: Path) -> None:
-        """Delete a folder in it."""
-        shutil.rmtree(folder, ignore_errors=True)
+        """Delete a folder in it, unless the next run goes on from there."""
+        if not self._cut_short[0]:
+            shutil.rmtree(folder, ignore_errors=True)
 
 
 @dataclass(slots=True)
@@ -77,12 +93,19 @@ class Within:
     """bytes"""
     room: Room
     observations: int
+    executor: Executor | None = None
+    """who reduces parts; None: this process"""
+    workers: int = 1
+    """processes here that do"""
+    cluster: str = ""
+    """where it is; whoever names one wants parts, whatever fits into memory"""
     parts: int = 0
     """into which the normal equations were cut; 0: one piece"""
     needed: float = 0.0
     """bytes that one piece would take"""
     stores: int = 0
     """made so far: each system has its own"""
+    _in_parts: Factoring | None = None
 
     @property
     def arrays_in_files(self) -> bool:
@@ -95,26 +118,38 @@ class Within:
         """The normal equations in one piece where that fits, or else in parts."""
         each = IN_FILES if self.arrays_in_files else IN_MEMORY
         self.needed = BASE + each * self.observations
-        if self.needed <= self.allowed and len(system.sizes) <= ORDERED:
+        if not self.cluster and self.needed <= self.allowed and len(system.sizes) <= ORDERED:
             whole = Normals.of(system, options.jobs)
             self.needed += bytes_of(whole)
             if self.needed <= self.allowed:
                 return whole
             del whole
-        self.stores += 1
-        left = self.allowed - BASE - IN_PARTS * self.observations
-        store = Folder(self.room.folder / f"parts-{self.stores}")
-        made = in_parts(store=lambda: store, ready=max(left, 0.0) / 2)(system, options, free, rejected)
+        if self._in_parts is None:
+            left = max(self.allowed - BASE - IN_PARTS * self.observations, 0.0)
+            ready = AT_WORKERS if self.cluster else left / 2 / self.workers
+            notes = Folder(self.room.folder / "notes")
+            self._in_parts = in_parts(store=self._next_store, ready=ready, executor=self.executor, notes=notes)
+        made = self._in_parts(system, options, free, rejected)
         assert isinstance(made, WholeNormals)
         # a result is asked questions later: its parts stay for as long as it does
-        finalize(made.parts.parts.known, self.room.forget, store.path)
+        finalize(made.parts.parts.known, self.room.forget, self.room.folder / f"parts-{self.stores}")
         self.parts = sum(bool(n) for n in made.parts.network.counts.tolist())
         return made
+
+    def _next_store(self) -> Folder:
+        self.stores += 1
+        return Folder(self.room.folder / f"parts-{self.stores}")
 
     def notices(self) -> tuple[Notice, ...]:
         """What was done, where anything was."""
         if not self.parts:
             return ()
+        if self.cluster:
+            message = (
+                f"the normal equations were reduced in {counted(self.parts, 'part')} (Helmert-Wolf) by workers of "
+                "a cluster; all figures are those of one piece"
+            )
+            return (Notice(code="in_parts", message=message),)
         message = (
             f"the normal equations were reduced in {counted(self.parts, 'part')} (Helmert-Wolf): in one piece the "
             f"adjustment would take {self.needed / 1e9:.3g} GB, and {self.allowed / 1e9:.3g} GB were allowed "
@@ -135,15 +170,19 @@ def bytes_of(normals: Normals) -> float:
 
 @contextmanager
 def within_memory(
-    source: Block | Path, out: Path, memory_gb: float, progress: Progress = silent
-) -> Generator[tuple[Block, Within]]:
+    source: Block | Path, out: Path, memory_gb: float, progress: Progress = silent, *, jobs: int = 1, cluster: str = "",
+) -> Generator[tuple[Block, Within]]:  # fmt: skip
     """A block and room for its adjustment; what does not fit into memory lies beside the result meanwhile.
 
     source     the block, or its folder; image observations of a large one are read in pieces where they stand in
                observations.parquet
     out        where the result is to stand
     memory_gb  what the adjustment may take; 0: four fifths of what is free, 1 GB at least
+    jobs       processes that reduce parts, as far as memory allows; 0: as many as there are processors
+    cluster    who reduces parts elsewhere, as `staying_for` takes it; empty: nobody
     raises     InputError, for a folder as `read_block`
+
+    Sweeps that a killed run has finished are there for the next one with the same result.
     """
     allowed = memory_gb * 1e9 or max(ALWAYS, SHARE * available_memory())
     count = image_points_in(source) if isinstance(source, Path) else len(source.observations)
@@ -151,14 +190,28 @@ def within_memory(
         source = read_block(source, progress=progress)
         count = len(source.observations)
     assert count is not None
-    found = Within(allowed, Room(out), count)
-    with large.in_files(found.room.folder if found.arrays_in_files else None):
-        if isinstance(source, Path):
-            yield read_in_pieces(source, progress=progress).whole(), found
-        else:
-            o = source.observations
-            columns = {f.name: large.kept(getattr(o, f.name)) for f in fields(o)}
-            yield replace(source, observations=replace(o, **columns)), found
+    left = allowed - BASE - IN_PARTS * count
+    workers = max(1, min(jobs or os.cpu_count() or 1, int(left // PROCESS)))
+    executor = staying_for(cluster, workers, left - workers * BASE) if cluster or workers > 1 else None
+    room = Room(out)
+    found = Within(allowed, room, count, executor=executor, workers=workers, cluster=cluster)
+    try:
+        with large.in_files(room.folder if found.arrays_in_files else None):
+            if isinstance(source, Path):
+                yield read_in_pieces(source, progress=progress).whole(), found
+            else:
+                o = source.observations
+                columns = {f.name: large.kept(getattr(o, f.name)) for f in fields(o)}
+                yield replace(source, observations=replace(o, **columns)), found
+    except NotSolvable:
+        raise
+    except BaseException:
+        if found.stores:  # sweeps, to go on from
+            room.leave()
+        raise
+    finally:
+        if isinstance(executor, Staying):
+            executor.close()
 
 
 def _beyond(count: int, allowed: float) -> bool:

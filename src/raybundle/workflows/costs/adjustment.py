@@ -29,6 +29,11 @@ def operations(own: float, boundary: float, sweep: str) -> float:
     return 2 * own**3 / 3 + 3 * own**2 * boundary + 2 * own * boundary**2 if sweep == "covariances" else 0.0
 
 
+def kept_elements(own: float, boundary: float) -> tuple[float, float]:
+    """Numbers of a tree node that are kept: of its factor and what it hands on, and of the inverse of its boundary."""
+    return own**2 / 2 + own * boundary + boundary**2 / 2, boundary**2 / 2
+
+
 def task_of(size: Size, sweep: str, c: Sweep) -> Work:
     """The tasks of a sweep at tree nodes of one size."""
     elements = (size.columns + size.rows) ** 2
@@ -55,10 +60,9 @@ def adjustment(a: Asked, c: Constants, sizes: Sequence[Size]) -> tuple[StageCost
     )  # fmt: skip
     times = {"up": a.iterations + 1, "down": a.iterations, "covariances": 1, "statistics": 1}
     swept = {s: _sweep(s, sizes, n, c, a) for s, n in times.items()}
-    factors = sum(s.count * ((s.columns + s.rows) ** 2 - s.columns * s.rows) for s in sizes)
-    inverses = sum(s.count * (s.columns + s.rows) ** 2 for s in sizes if not s.leaf)
-    swept["up"] = replace(swept["up"], disk_gb=1e-9 * DOUBLE * factors)
-    swept["covariances"] = replace(swept["covariances"], disk_gb=1e-9 * DOUBLE * inverses)
+    for k, sweep in enumerate(("up", "covariances")):
+        elements = sum(s.count * kept_elements(s.columns, s.rows)[k] for s in sizes)
+        swept[sweep] = replace(swept[sweep], disk_gb=1e-9 * DOUBLE * elements)
     return parts, *swept.values()
 
 

@@ -10,7 +10,7 @@ from pathlib import Path
 
 import msgspec
 
-REVISION = 1
+REVISION = 2
 """Raised with every change of what is measured; constants of another are measured again"""
 SWEEPS = ("up", "down", "covariances", "statistics")
 """Kinds of tasks of an adjustment in parts, as they are told apart here"""
@@ -83,8 +83,12 @@ class Constants:
     """CPU milliseconds to compare a pair by 1000 features"""
     start_point_ms: float
     """CPU milliseconds of tracks and approximate values for an image point"""
+    start_shared: float
+    """of the CPU seconds of a start in parts those of its leaves, which are tasks"""
     precision_point_ms: float
     """CPU milliseconds of least-squares matching for an image point"""
+    precision_shared: float
+    """of the CPU seconds of least-squares matching those of its windows, which are tasks"""
     report_point_ms: float
     """CPU milliseconds of results and report for an image point"""
     start_point: float

@@ -124,10 +124,10 @@ def _dense() -> _Dense:
     W = rng.normal(0, 1, (n, n))
     N = np.asfortranarray(W @ W.T + n * np.eye(n))
     at = np.sort(rng.choice(n, int(CHILD * n), replace=False))
-    message = np.asfortranarray(N[np.ix_(at, at)])
+    message = fronts.packed_at(N, at)
     found: list[list[float]] = []
     for _ in range(ROUNDS):
-        e = fronts.Equations(N[:o, :o].copy("F"), N[:o, o:].copy("F"), N[o:, o:].copy("F"), np.ones(n), np.ones(n))
+        e = fronts.Equations(N[:o, :o].copy("F"), N[o:, :o].copy("F"), N[o:, o:].copy("F"), np.ones(n), np.ones(n))
         with tempfile.TemporaryDirectory() as folder:
             store = Folder(Path(folder))
             clock = [time.process_time()]
@@ -137,15 +137,16 @@ def _dense() -> _Dense:
             clock.append(time.process_time())
             left = fronts.eliminate(e, 0.0)
             clock.append(time.process_time())
-            store.store("up", {"L": left.L, "W": left.W, "y": left.y})
+            store.store("up", {"L": fronts.packed(left.L), "V": left.V, "y": left.y})
             own = Folder(store.path).lent("up")
+            L = fronts.unpacked(own["L"])
             clock.append(time.process_time())
-            fronts.solved(own["L"], own["W"], own["y"], np.ones(b))
+            fronts.solved(L, own["V"], own["y"], np.ones(b))
             clock.append(time.process_time())
-            Q = fronts.cofactors(own["L"], own["W"], np.eye(b))
+            Q = fronts.cofactors(L, own["V"], np.eye(b))
             clock.append(time.process_time())
-            store.store("inverse", {"Q": Q})
-            Folder(store.path).lent("inverse")["Q"][np.ix_(at, at)]
+            store.store("inverse", {"Q": fronts.packed_at(Q, at), "Q too": fronts.packed_at(Q, at)})
+            fronts.unpacked(Folder(store.path).lent("inverse", ("Q",))["Q"])
             clock.append(time.process_time())
         found.append(np.diff(clock).tolist())
     assembled, up, kept, solved, inverse, handed = np.median(np.array(found), axis=0).tolist()

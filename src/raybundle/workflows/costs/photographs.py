@@ -2,11 +2,17 @@
 
 from __future__ import annotations
 
+import math
+
 from raybundle.matching.features import feature_number
 from raybundle.matching.pairs import ALL, EACH, NEARBY, SIMILAR
+from raybundle.orientation.image_leaves import AROUND
 from raybundle.ties.pairs import TOGETHER
+from raybundle.ties.parts import LEAF, MANY
 from raybundle.ties.points import BYTES_A_PIXEL
+from raybundle.ties.windows import LARGEST, SHARE, SMALLEST
 from raybundle.workflows.costs.constants import Constants
+from raybundle.workflows.costs.cutting import reach_of
 from raybundle.workflows.costs.stages import MESSAGE, Asked, StageCost, Work, moving, wall_of
 
 FEATURES = 10_000
@@ -25,6 +31,8 @@ LIKENESS_OPERATIONS = 2 * 2048
 """Floating-point operations for the likeness of two signatures"""
 MATCH_BYTES = 8
 """of a match that is kept"""
+BLOCK_POINT = 4 + 4 + 16 + 24
+"""of an image point of a block that a task reads: image, object point, place, covariance"""
 MATCHED = 0.2
 """Of the features of a photograph those that a pair has in common, of overlapping photographs"""
 
@@ -88,13 +96,28 @@ def matching(a: Asked, c: Constants) -> StageCost:
 
 
 def start(a: Asked, c: Constants) -> StageCost:
-    """Tracks and approximate values: one process."""
-    return _alone("tracks and start", 1e-3 * c.start_point_ms * a.points, _memory(c.start_point, a, c), a)
+    """Tracks and approximate values: leaves by tasks where there are many photographs, all else in one process."""
+    cpu_s, memory = 1e-3 * c.start_point_ms * a.points, _memory(c.start_point, a, c)
+    if a.images < MANY:
+        return _alone("tracks and start", cpu_s, memory, a)
+    leaves = a.images / LEAF
+    block = (1 + AROUND) * LEAF * a.image_points * BLOCK_POINT
+    work = Work(count=leaves, cpu_s=c.start_shared * cpu_s / leaves, read=2 * block, written=2 * block)
+    return _shared("tracks and start", cpu_s, work, memory, a)
 
 
 def precision(a: Asked, c: Constants) -> StageCost:
-    """Least-squares matching of all image points: one process."""
-    return _alone("precision", 1e-3 * c.precision_point_ms * a.points, _memory(c.precision_point, a, c), a)
+    """Least-squares matching of all image points: windows by tasks, which rays are looked for in one process."""
+    cpu_s = 1e-3 * c.precision_point_ms * a.points
+    each = min(max(a.images / SHARE, SMALLEST), LARGEST)
+    tasks = a.images / each
+    around = min(float(a.images), (math.sqrt(each) + 2 * reach_of(a.overlap)) ** 2)
+    work = Work(
+        count=tasks, cpu_s=c.precision_shared * cpu_s / tasks,
+        read=around * (JPEG_BYTES * a.megapixels + a.image_points * BLOCK_POINT),
+        written=a.image_points * each * BLOCK_POINT,
+    )  # fmt: skip
+    return _shared("precision", cpu_s, work, _memory(c.precision_point, a, c), a)
 
 
 def results(a: Asked, c: Constants) -> StageCost:
@@ -113,6 +136,16 @@ def _of(name: str, work: Work, a: Asked, *, memory_mb: float, disk: float) -> St
     return StageCost(
         name=name, cpu_s=work.count * work.cpu_s, tasks=work.count, memory_mb=memory_mb, disk_gb=1e-9 * disk,
         moved_gb=1e-9 * work.count * (work.read + work.written + MESSAGE), wall_s=wall_of(work, a),
+    )  # fmt: skip
+
+
+def _shared(name: str, cpu_s: float, work: Work, memory_mb: float, a: Asked) -> StageCost:
+    """A stage of equal tasks and of what one process does before and after them."""
+    alone = cpu_s - work.count * work.cpu_s
+    return StageCost(
+        name=name, cpu_s=cpu_s, tasks=work.count + 1, memory_mb=memory_mb, disk_gb=1e-9 * work.count * work.written,
+        moved_gb=1e-9 * work.count * (work.read + work.written + MESSAGE), wall_s=alone + wall_of(work, a),
+        serial_s=alone,
     )  # fmt: skip
 
 

@@ -21,7 +21,7 @@ from raybundle.surface.fusion import MapView, agreement
 from raybundle.surface.orientation import ShiftCovariance
 from raybundle.surface.pairs import Sources
 from raybundle.surface.transfer import ReferenceRays, transfer
-from raybundle.workflows.surface_state import SURFACE, Cloud, SurfaceState
+from raybundle.workflows.surface_state import SURFACE, Cloud
 from raybundle.workflows.surfacing.maps import PART, SHIFTS, part_of, shifts_of
 
 VERSION = 1
@@ -103,7 +103,7 @@ def _task(i: Inputs, means: Means, s: Sources, shifts: str, sigmas: Mapping[int,
     pairs = sorted((p for p in s.pairs if p.source in i.maps), key=lambda p: (-p.points, p.source))
     others = sorted(p.source for p in pairs[:MOST_MAPS])
     images = sorted([k, *others])
-    part = arrays_of_block(part_of(block, images))
+    part = arrays_of_block(part_of(block, np.array(images)))
     own = key_of(PART, VERSION, part)
     if not means.store.has(own):
         means.store.store(own, part)

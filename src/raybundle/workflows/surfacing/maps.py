@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -14,6 +14,7 @@ from raybundle.block.select import selected
 from raybundle.errors import InputError
 from raybundle.io.block.arrays import arrays_of_block, block_of_arrays
 from raybundle.io.photos.photo import Photo
+from raybundle.numerics.arrays import Index
 from raybundle.pipeline.executors import Threads
 from raybundle.pipeline.keys import key_of
 from raybundle.pipeline.stage import Means, Stage
@@ -103,10 +104,10 @@ def measure(i: Inputs, means: Means) -> Maps:
     return Maps(keys=made, failed=lost)
 
 
-def part_of(block: Block, images: Sequence[int]) -> Block:
+def part_of(block: Block, images: Index) -> Block:
     """Some images of a block, ascending, and the points that they see."""
     inside = np.zeros(len(block.images), bool)
-    inside[np.asarray(images)] = True
+    inside[images] = True
     part = selected(block, "image", inside)
     return selected(part, "point", np.bincount(part.observations.point, minlength=len(part.points)) > 0)
 

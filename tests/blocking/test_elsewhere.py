@@ -1,0 +1,172 @@
+"""Parts that others reduce: blunders and parameters as in one piece, the same bits, and runs that go on."""
+
+import os
+import signal
+import subprocess
+import sys
+import time
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from raybundle.adjustment.decide import decide
+from raybundle.adjustment.options import AdjustmentOptions
+from raybundle.blocking.adjusted import in_parts
+from raybundle.blocking.memory import Serial
+from raybundle.errors import InputError
+from raybundle.io.block.folder import write_block
+from raybundle.pipeline.executors import Staying, Threads
+from raybundle.pipeline.store import Folder
+from tests.blocking.networks import flight
+from tests.pipeline.machines import Machines
+
+OPTIONS = AdjustmentOptions(jobs=1, reject="snooping")
+LEAF = 36
+
+
+def doubtful(images=9):
+    """Six blunders, and a camera whose parameters are to be chosen."""
+    block = flight(interior="exact", images=images)
+    o, rng = block.observations, np.random.default_rng(5)
+    wrong = rng.choice(len(o), 6, replace=False)
+    xy = o.xy_px.copy()
+    xy[wrong] += rng.choice([-25.0, 25.0], (6, 2))
+    camera = replace(block.cameras[0], estimate="auto")
+    return replace(block, cameras=(camera,), observations=replace(o, xy_px=xy))
+
+
+def stores(folder):
+    """A folder for each system, and one for notes."""
+    made = iter(range(1000))
+    return (lambda: Folder(folder / f"parts-{next(made)}")), Folder(folder / "notes")
+
+
+def adjusted(block, folder, executor, options=OPTIONS):
+    """The block adjusted with all decisions, by whoever does the tasks."""
+    store, notes = stores(folder)
+    return decide(block, options, factoring=in_parts(LEAF, store=store, executor=executor, notes=notes))
+
+
+def numbers(result):
+    """What a result says, to the last bit."""
+    o = result.image_observations
+    parts = [o.residuals_px, o.redundancy, o.t, o.external, result.adjusted.points.xyz, result.precision.object_points]
+    parts += [result.precision.images, *result.precision.interior.values()]
+    return [np.asarray(p).tobytes() for p in parts], o.rejected, [n.message for n in result.notices]
+
+
+class Counting:
+    """Does tasks, and counts them; stops where it is told to."""
+
+    def __init__(self, stop=np.inf):
+        self.done, self.stop = [], stop
+
+    def run(self, tasks, store):
+        for done in Serial().run(tasks, store):
+            self.done.append(done.task.key)
+            yield done
+            if len(self.done) >= self.stop:
+                raise KeyboardInterrupt
+
+
+def test_blunders_and_parameters_are_those_of_one_piece(tmp_path):
+    block = doubtful(24)
+    one, parts = decide(block, OPTIONS), adjusted(block, tmp_path, Serial())
+    tree = parts.handle.work.normals.parts.network.tree
+    assert sum(not c for c in tree.children) >= 8
+    assert [r and r.kind for r in parts.image_observations.rejected] == [
+        r and r.kind for r in one.image_observations.rejected
+    ]
+    assert sum(r is not None for r in parts.image_observations.rejected) >= 4
+    assert [i.free for i in parts.interior] == [i.free for i in one.interior]
+    assert [n.code for n in parts.notices] == [n.code for n in one.notices]
+    std = one.precision.object_point_std
+    moved = np.abs(parts.adjusted.points.xyz - one.adjusted.points.xyz) / np.where(std > 0, std, 1.0)
+    assert np.nanmax(moved) < 1e-4
+    np.testing.assert_allclose(parts.precision.object_point_std, std, rtol=1e-6)
+
+
+@pytest.mark.long
+def test_the_same_bits_by_whoever_does_the_tasks(tmp_path):
+    block = doubtful()
+    wanted = numbers(adjusted(block, tmp_path / "serial", Serial()))
+    for name, executor in {"threads": Threads(2), "one": Staying(1), "two": Staying(2)}.items():
+        assert numbers(adjusted(block, tmp_path / name, executor)) == wanted, name
+        if isinstance(executor, Staying):
+            executor.close()
+
+
+@pytest.mark.long
+def test_a_run_that_was_cut_short_goes_on_from_what_is_kept(tmp_path):
+    block = doubtful()
+    whole = Counting()
+    wanted = numbers(adjusted(block, tmp_path / "whole", whole))
+    done, rng = 0, np.random.default_rng(2)
+    for stop in rng.integers(1, len(whole.done) // 4, 6):
+        short = Counting(int(stop))
+        with pytest.raises(KeyboardInterrupt):
+            adjusted(block, tmp_path / "short", short)
+        done += len(short.done)
+    last = Counting()
+    assert numbers(adjusted(block, tmp_path / "short", last)) == wanted
+    # nothing but tasks in work is done again, and what a later sweep needs of the one that was cut
+    assert done + len(last.done) <= 1.1 * len(whole.done)
+
+
+def test_what_a_task_says_reaches_the_user(tmp_path):
+    class Failing(Serial):
+        def run(self, tasks, store):
+            for done in super().run(tasks, store):
+                yield replace(done, failed="up 3: failed 3 times; see failed-tasks.log")
+
+    with pytest.raises(InputError, match="failed 3 times"):
+        adjusted(flight(), tmp_path, Failing())
+
+
+DRIVER = """
+import sys
+from functools import partial
+from pathlib import Path
+
+from raybundle.blocking.adjusted import in_parts
+from raybundle.commands.adjust import AdjustSettings, run_adjust
+from raybundle.workflows import within_memory
+
+if __name__ == "__main__":
+    within_memory.in_parts = partial(in_parts, 24)
+    block, out, cluster = sys.argv[1:]
+    given = {"cluster": cluster, "memory": 4.0} if cluster else {"memory": 0.01}
+    run_adjust(
+        AdjustSettings(block=Path(block), out=Path(out), reject="snooping", jobs=1, report=False, **given)
+    )
+"""
+
+
+@pytest.mark.long
+@pytest.mark.skipif(os.name == "nt", reason="processes are killed as on POSIX systems")
+def test_a_cluster_whose_driver_is_killed_gives_the_tables_of_one_process(tmp_path):
+    pytest.importorskip("distributed", reason="the extra [cluster] is not installed")
+    write_block(doubtful(), tmp_path / "block")
+    (tmp_path / "driver.py").write_text(DRIVER)
+    machines = Machines(tmp_path / "cluster")
+    try:
+        machines.scheduler()
+        machines.worker(jobs=2)
+        words = [sys.executable, str(tmp_path / "driver.py"), str(tmp_path / "block")]
+        subprocess.run([*words, str(tmp_path / "one"), ""], check=True)
+        notes, kept = tmp_path / ".two.parts" / "notes", [0]
+        for _ in range(3):
+            with subprocess.Popen([*words, str(tmp_path / "two"), str(machines.folder)]) as driver:
+                while driver.poll() is None and sum(1 for _ in notes.glob("*/*.npz")) < kept[-1] + 6:
+                    time.sleep(0.05)
+                assert driver.poll() is None
+                driver.send_signal(signal.SIGKILL)
+            kept.append(sum(1 for _ in notes.glob("*/*.npz")))
+        subprocess.run([*words, str(tmp_path / "two"), str(machines.folder)], check=True)
+    finally:
+        machines.close()
+    one, two = ({f.name: f.read_bytes() for f in (tmp_path / n).glob("*.csv")} for n in ("one", "two"))
+    assert len(one) > 3
+    assert one == two
+    assert not (tmp_path / ".two.parts").exists()
