@@ -1,19 +1,21 @@
-"""Depth maps of the rendered portal against exact depths, their variances against the errors; of fountain-p11 against each other.
+"""Depth maps of the rendered portal against exact depths, their variances against the errors; fountain-p11 by itself.
 
-    python benchmarks/surface_truth.py [--maps 2 7 12 13] [--density 2] [--no-fountain]    figures into benchmarks/results/surface_truth.json
+    python benchmarks/surface_truth.py [--maps 2 7 12 13] [--density 2] [--no-fountain]
 
-portal     the demonstration set, adjusted as `raybundle demo` does it; exact depths by ray casting (tests/surface/truth.py).
-           Of each map: share of the visible pixels that have a depth, robust error, share within 20 mm, and chi-squares of the
-           errors by noise, roughness and orientation: the mean, the robust one ((median |e / sigma| / 0.6745)^2), shares
-           within 1 and 1.96 sigma and beyond 5 sigma; of all pixels, of interior ones (whose eight neighbours on the grid
-           are there), and by classes of incidence, sources and contrast
-sgbm       OpenCV's three-way SGBM at full size on the rectified pair of the reference and its best source: robust error and
-           share of the visible pixels, in the same run
+portal     the demonstration set, adjusted as `raybundle demo` does it; exact depths by ray casting
+           (tests/surface/truth.py).  Of each map: share of the visible pixels that have a depth, robust error, share
+           within 20 mm, and chi-squares of the errors by noise, roughness and orientation: the mean, the robust one
+           ((median |e / sigma| / 0.6745)^2), shares within 1 and 1.96 sigma and beyond 5 sigma; of all pixels, of
+           interior ones (whose eight neighbours on the grid are there), by classes of incidence, sources and contrast
+sgbm       OpenCV's three-way SGBM at full size on the rectified pair of the reference and its best source: robust error
+           and share of the visible pixels, in the same run
 neighbours correlation of normalised errors by distance along the rows, beside the one that is stated
-spread     standard deviations about 0 of the logarithm of squared normalised errors, less that of normal ones: what the
-           exponents of the local variance leave (src/raybundle/surface/roughness.py, LEFT)
-fountain   two maps of one reference with disjoint sources (tests/README of the shared data): chi-square of their difference by
-           noise and orientation, and by all parts as if the surface disturbed both alike
+spread     variance of the logarithm of squared normalised errors, less that of normal ones: what the exponents of the
+           local variance leave (src/raybundle/surface/roughness.py, LEFT)
+fountain   two maps of one reference with disjoint sources: chi-square of their difference by noise and orientation, and
+           by all parts as if the surface disturbed the two independently
+
+Figures go into benchmarks/results/surface_truth.json.
 """
 
 import argparse
@@ -23,6 +25,7 @@ import subprocess
 import sys
 import time
 from dataclasses import replace
+from itertools import pairwise
 from pathlib import Path
 
 import cv2
@@ -75,7 +78,7 @@ def shares(x) -> dict[str, float]:
 def classes(x, values, edges) -> dict[str, float]:
     """Robust chi-square by class."""
     found = {}
-    for low, high in zip(edges[:-1], edges[1:], strict=True):
+    for low, high in pairwise(edges):
         mine = x[(values >= low) & (values < high)]
         if len(mine) >= LEAST:
             found[f"{low:g}-{high:g}"] = round(robust(mine) ** 2, 3)
@@ -108,7 +111,9 @@ def sgbm(block, reference: int, source: int, t_range, greys) -> np.ndarray:
     columns, rows = int(np.ceil(u.max()) - x0), int(np.ceil(v.max()) - y0)
     pictures = []
     for image, left in ((reference, x0), (source, x0 - least - count)):
-        X, Y = np.meshgrid(np.arange(columns + (count if image == source else 0)) + left + 0.5, np.arange(rows) + y0 + 0.5)
+        X, Y = np.meshgrid(
+            np.arange(columns + (count if image == source else 0)) + left + 0.5, np.arange(rows) + y0 + 0.5
+        )
         direction = np.stack([X / f, Y / f, np.ones_like(X)], axis=-1).reshape(-1, 3) @ R
         own = ReferenceRays.of(block, image)
         place = image_points(own.camera, own.rotation, own.centre, own.centre + direction).reshape(*X.shape, 2) - 0.5
@@ -242,12 +247,13 @@ def main() -> None:
     given = parser.parse_args()
     cv2.setNumThreads(1)
     path = ROOT / "benchmarks/results/surface_truth.json"
-    result = json.loads(path.read_text()) if path.exists() else {}
+    made_now = {}
     if given.maps:
-        result["portal"] = {"density": given.density, "maps": of_portal(given.maps, given.density)}
+        made_now["portal"] = {"density": given.density, "maps": of_portal(given.maps, given.density)}
     if not given.no_fountain and FOUNTAIN.exists():
-        result["fountain"] = of_fountain(4)
-        print(json.dumps(result["fountain"], indent=1))
+        made_now["fountain"] = of_fountain(4)
+        print(json.dumps(made_now["fountain"], indent=1))
+    result = (json.loads(path.read_text()) if path.exists() else {}) | made_now
     result["about"] = {
         "instruction_set": native.instruction_set(), "machine": platform.machine(), "opencv": cv2.__version__
     }  # fmt: skip

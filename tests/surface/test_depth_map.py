@@ -1,4 +1,4 @@
-"""Depth maps of a wavy ground and of the rendered portal: depths, their variances beside the errors, and their parts."""
+"""Depth maps of a wavy ground and of the rendered portal: depths, and their variances beside the errors."""
 
 from dataclasses import replace
 
@@ -71,6 +71,19 @@ def test_depths_are_right_and_vary_as_stated(ground, measured):
     assert np.mean(np.abs(x) > 5) < 0.005
     assert (measured.noise[known] > 0).all()
     assert (measured.roughness[known] >= 0).all()
+
+
+def test_errors_of_neighbours_correlate_as_stated(ground, measured):
+    x = (measured.t - measured.grid.of(ground.t)) / np.sqrt(measured.variance())
+    x = np.where(np.abs(x) < 4, x, np.nan)
+    distances = np.array([0, 1, 2, 3, 4, 6, 10])
+    stated = measured.correlation_between(distances)
+    assert stated[0] == pytest.approx(1)
+    assert (np.diff(stated) < 0).all()
+    for k, correlation in zip(distances[1:], stated[1:], strict=True):
+        a, b = x[:, k:], x[:, :-k]
+        both = np.isfinite(a) & np.isfinite(b)
+        assert np.corrcoef(a[both], b[both])[0, 1] == pytest.approx(correlation, abs=0.15)
 
 
 def test_points_lie_on_the_ground(block, measured):

@@ -1,7 +1,7 @@
 """A depth map of one reference: depth and slopes of its pixels, each with variances in their parts.
 
-Approximate depths of all levels, refined on a coarse grid, grown, and refined again at the density that is asked for by the
-noise that was measured on the way.  Nothing here reads or writes files.
+Approximate depths of all levels, refined on a coarse grid, grown, and refined again at the density that is asked for
+by the noise that was measured on the way.  Nothing here reads or writes files.
 """
 
 from __future__ import annotations
@@ -20,7 +20,7 @@ from raybundle.surface import planes, roughness
 from raybundle.surface.noise import autocovariance, lost_freedom
 from raybundle.surface.orientation import ShiftCovariance
 from raybundle.surface.pairs import Sources
-from raybundle.surface.refine import PixelGrid, Reason, Refined, RefineOptions, Source, grow, refine
+from raybundle.surface.refine import PixelGrid, Refined, RefineOptions, Source, grow, refine
 from raybundle.surface.sweep import levels_between, reduction_for, swept
 from raybundle.surface.transfer import ReferenceRays, transfer
 
@@ -35,11 +35,11 @@ STRIP_BYTES = 64e6
 SIGMAS = 3.0
 """Standard deviations of a difference up to which neighbours agree."""
 AGREE, AGAINST = 5, 2
-"""Of eight neighbours that have to, and that may speak against it: most of a straight edge of things stays, and what juts
-out of it, where a window shows more of the other side, goes."""
+"""Of eight neighbours that have to, and that may speak against it: most of a straight edge of things stays, and what
+juts out of it, where a window shows more of the other side, goes."""
 HOLE_PX, RIM_PX = 9, 2
-"""Holes larger than a window and a pixel on each side, and what is lost around them: of 3 px that half a window reaches,
-the outer one has no weight."""
+"""Holes larger than a window and a pixel on each side, and what is lost around them: of 3 px that half a window
+reaches, the outer one has no weight."""
 GRAZING = 0.3
 """Cosine between ray and normal below which a window shows hardly anything of the surface."""
 
@@ -103,7 +103,7 @@ class DepthMap:
     grey: Array
     """(7, 7) autocovariance of the noise of grey values by lag, 1 in the middle"""
     correlation_px: float
-    """distance at which the errors of two pixels, orientation apart, correlate by 1 / e"""
+    """distance at which the errors of two pixels by noise correlate by 1 / e"""
 
     def variance(self, shifts: ShiftCovariance | None = None) -> Array:
         """(rows, columns) of t: noise, roughness and, with `shifts`, orientation and calibration."""
@@ -119,8 +119,17 @@ class DepthMap:
         return ReferenceRays.of(block, reference).points(self.grid.xy_px[known], self.t[known].astype(float))
 
     def correlation_between(self, distance_px: Array) -> Array:
-        """Correlation (...) of the errors by noise and roughness of pixels so far apart."""
-        return np.exp(-((np.asarray(distance_px, float) / self.correlation_px) ** 2))
+        """Correlation (...) of the errors by noise and roughness of usual pixels so far apart.
+
+        Windows share grey values as their weights overlap.  What the surface does within them is an increment, and
+        forgets twice as fast.
+        """
+        with np.errstate(invalid="ignore"):
+            share = self.noise / (self.noise + self.roughness)
+        known = share[np.isfinite(share)]
+        by_noise = float(np.median(known)) if len(known) else 1.0
+        q = (np.asarray(distance_px, float) / self.correlation_px) ** 2
+        return by_noise * np.exp(-q) + (1 - by_noise) * np.exp(-4 * q)
 
     def as_arrays(self) -> dict[str, Array]:
         """What a store keeps."""
@@ -174,7 +183,8 @@ def depth_map(
 def _range(block: Block, rays: ReferenceRays, reference: int) -> tuple[float, float]:
     """Depth parameters between which the object lies, by the tie points that the reference sees."""
     o = block.observations
-    mine = np.flatnonzero((o.image == reference) & np.isfinite(block.points.xyz).all(axis=1)[o.point])
+    placed: Mask = np.asarray(np.isfinite(block.points.xyz).all(axis=1))
+    mine = np.flatnonzero((o.image == reference) & placed[o.point])
     t = rays.parameter(np.asarray(o.xy_px)[mine], block.points.xyz[np.asarray(o.point)[mine]])
     t = t[np.isfinite(t) & (t > 0)]
     if len(t) < FEWEST_POINTS:
@@ -262,7 +272,9 @@ def _in_strips(work: _Work, grid: PixelGrid, start: Array, noise: Array, power: 
     parts, window = list[Refined](), np.zeros((grid.rows, grid.columns), np.float32)
     for begin in range(0, grid.rows, rows):
         n = min(rows, grid.rows - begin)
-        strip = PixelGrid(x0=grid.x0, y0=grid.y0 + begin * grid.stride, stride=grid.stride, rows=n, columns=grid.columns)
+        strip = PixelGrid(
+            x0=grid.x0, y0=grid.y0 + begin * grid.stride, stride=grid.stride, rows=n, columns=grid.columns
+        )
         part = refine(
             work.grey, work.sources, strip, start[:, begin : begin + n], autocovariance=noise, response=True,
             threads=work.options.threads,
@@ -381,8 +393,8 @@ def incidences(rays: ReferenceRays, grid: PixelGrid, t: Array, slopes: Array) ->
         return found
     middle = rays.points(xy, tk)
     half = 0.5
-    across = rays.points(xy + [half, 0], tk + half * a) - middle
-    down = rays.points(xy + [0, half], tk + half * b) - middle
+    across = rays.points(xy + np.array([half, 0]), tk + half * a) - middle
+    down = rays.points(xy + np.array([0, half]), tk + half * b) - middle
     normal = np.cross(across, down)
     d = rays.rays(xy)[1]
     size = np.linalg.norm(normal, axis=1) * np.linalg.norm(d, axis=1)

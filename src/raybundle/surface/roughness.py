@@ -1,12 +1,13 @@
-"""What a surface that is no plane within the window does to its depth, and how local variances follow from the map itself.
+"""What a surface that is no plane within the window does to its depth; local variances by the map itself.
 
-Of a surface between its refined pixels increments grow with a power of the distance: E (t(x + r) - t(x))^2 / 2 = c |r|^p
-(Matheron 1963), of a map with c and p from second differences at lags beyond the window, which tilts do not touch.  A depth
-is the middle of the window seen through the window's response h; its error is the increment of weights delta - h, and has
-the variance -(delta - h)' c |r|^p (delta - h).
+Of a surface between its refined pixels increments grow with a power of the distance: E (t(x + r) - t(x))^2 / 2 = c
+|r|^p (Matheron 1963), of a map with c and p from second differences at lags beyond the window, which tilts do not
+touch.  A depth is the middle of the window seen through the window's response h; its error is the increment of
+weights delta - h, and has the variance -(delta - h)' c |r|^p (delta - h).
 
-That is the variance of a usual pixel of the map.  The local one is a factor of it, known from two witnesses: how well planes
-of neighbours agree (`misfit`), and residuals of grey values beyond the map's noise, which say that the plane does not fit.
+That is the variance of a usual pixel of the map.  The local one is a factor of it, known from two witnesses: how well
+planes of neighbours agree (`misfit`), and residuals of grey values beyond the map's noise, which say that the plane
+does not fit.
 """
 
 from __future__ import annotations
@@ -31,12 +32,12 @@ FEWEST = 3
 MOST = 20.0
 """Of the usual misfit, above which neighbours' misfits count no more."""
 BY_MISFIT, BY_MISFIT_AROUND, BY_RESIDUAL = 0.2, 0.2, 0.85
-"""Exponents by which the variance follows its witnesses: least squares of the logarithm of squared errors of exactly known
-surfaces (benchmarks/surface_truth.py), the same for every map within 0.05.  A logarithm of a variance that is known before,
-and of one observed with as few neighbours, has them as weights."""
+"""Exponents by which the variance follows its witnesses: least squares of the logarithm of squared errors of exactly
+known surfaces (benchmarks/surface_truth.py), learned from four maps of which each gave the same within 0.1.  The result
+is a mean of logarithms: of the variance known before, and of those that few neighbours and residuals tell."""
 LEFT = 0.5
-"""Variance of the logarithm of a variance that witnesses leave, by the same least squares: 5.4 of squared errors, of which
-their normal distribution explains 4.93.  The mean of a variance is larger than its median by exp(LEFT / 2)."""
+"""Variance of the logarithm of a variance that witnesses leave, by the same least squares: 5.4 of squared errors, of
+which their normal distribution explains pi^2 / 2.  The mean of a variance is exp(LEFT / 2) times its median."""
 BRIGHTNESSES = 8
 """Classes of brightness: the noise of a sensor grows with it."""
 
@@ -112,7 +113,7 @@ def _around_of(stride: int) -> list[tuple[int, int]]:
 
 
 def of_neighbours(found: Array) -> Array:
-    """(rows, columns) median of squared misfits (8, rows, columns) of each pixel; NaN where fewer than three are known."""
+    """(rows, columns) median of squared misfits (8, rows, columns); NaN where fewer than three are known."""
     known = np.isfinite(found).sum(axis=0)
     ordered = np.sort(found**2, axis=0)
     low, high = np.maximum(known - 1, 0) // 2, np.maximum(known, 1) // 2
