@@ -362,14 +362,18 @@ def _flags(work: _Work, fine: Refined, apart: Array, variance: Array, incidence:
     """uint8 `Flag` of each pixel, by a test of the map against itself."""
     known = fine.found
     few = (_count(fine.views, len(work.sources)) < 2) & (len(work.sources) > 1)
-    limit = SIGMAS * np.sqrt(variance + roughness.at_neighbours(np.where(known, variance, np.nan), stride))
-    with np.errstate(invalid="ignore"):
-        same, other = np.abs(apart) <= limit, np.abs(apart) > limit
-    kept: Mask = known & (same.sum(axis=0) >= AGREE) & (other.sum(axis=0) <= AGAINST)
+    own = np.where(known, variance, np.nan)
+    agree, against = np.zeros(known.shape, np.uint8), np.zeros(known.shape, np.uint8)
+    for misfit, (v, u) in zip(apart, roughness.neighbours(stride), strict=True):
+        with np.errstate(invalid="ignore"):
+            limit = SIGMAS * np.sqrt(own + roughness.at_neighbour(own, v, u))
+            agree += np.abs(misfit) <= limit
+            against += np.abs(misfit) > limit
+    kept: Mask = known & (agree >= AGREE) & (against <= AGAINST)
     edge = kept & _beside_holes(kept, stride)
     flags = np.zeros(known.shape, np.uint8)
     for flag, where in (
-        (Flag.GRAZING, ~(incidence >= GRAZING)), (Flag.STEP, other.any(axis=0)), (Flag.FEW_SOURCES, few),
+        (Flag.GRAZING, ~(incidence >= GRAZING)), (Flag.STEP, against > 0), (Flag.FEW_SOURCES, few),
         (Flag.LONELY, ~kept), (Flag.EDGE, edge),
     ):  # fmt: skip
         flags[known & where] |= np.uint8(flag)

@@ -91,25 +91,28 @@ def misfits(t: Array, slopes: Array, stride: int) -> Array:
 
     Of a surface of second degree they are 0.
     """
-    a, b = at_neighbours(slopes[0], stride), at_neighbours(slopes[1], stride)
-    found = at_neighbours(t, stride) - t
-    for k, (v, u) in enumerate(_around_of(stride)):
-        found[k] -= 0.5 * stride * (u * (a[k] + slopes[0]) + v * (b[k] + slopes[1]))
+    around = neighbours(stride)
+    found = np.empty((len(around), *t.shape), np.float32)
+    for k, (v, u) in enumerate(around):
+        a, b = (at_neighbour(s, v, u) + s for s in slopes)
+        found[k] = at_neighbour(t, v, u) - t - 0.5 * stride * (u * a + v * b)
     return found
 
 
-def at_neighbours(values: Array, stride: int) -> Array:
-    """(8, rows, columns) float32 values of eight neighbours 4 px away; NaN beyond the map."""
-    far = max(1, round(APART_PX / stride))
-    rows, columns = values.shape
-    padded = np.pad(values.astype(np.float32), far, constant_values=np.nan)
-    return np.stack([padded[far + v : far + v + rows, far + u : far + u + columns] for v, u in _around_of(stride)])
-
-
-def _around_of(stride: int) -> list[tuple[int, int]]:
-    """Rows and columns of the grid to each neighbour."""
+def neighbours(stride: int) -> list[tuple[int, int]]:
+    """Rows and columns of the grid to eight neighbours 4 px away."""
     far = max(1, round(APART_PX / stride))
     return [(v, u) for v, u in product((-far, 0, far), repeat=2) if u or v]
+
+
+def at_neighbour(values: Array, v: int, u: int) -> Array:
+    """(rows, columns) values v rows and u columns further; NaN beyond the map."""
+    rows, columns = values.shape
+    found = np.full(values.shape, np.nan, values.dtype)
+    to = slice(max(0, -v), max(0, rows - max(0, v))), slice(max(0, -u), max(0, columns - max(0, u)))
+    by = slice(max(0, v), max(0, rows - max(0, -v))), slice(max(0, u), max(0, columns - max(0, -u)))
+    found[to] = values[by]
+    return found
 
 
 def of_neighbours(found: Array) -> Array:
