@@ -24,6 +24,7 @@ import platform
 import subprocess
 import sys
 import time
+from collections.abc import Iterator
 from dataclasses import replace
 from itertools import pairwise
 from pathlib import Path
@@ -149,8 +150,8 @@ def neighbours(found: DepthMap, variance, e) -> dict[str, dict[str, float]]:
     return told
 
 
-def of_portal(numbers, density: int) -> list[dict]:
-    """Every map against its truth."""
+def of_portal(numbers, density: int) -> Iterator[list[dict]]:
+    """Every map against its truth: those that are done, after each."""
     adjustment = adjusted_again(made(WORK / "portal", "demo", "--set", str(PORTAL)))
     block = adjustment.adjusted
     (ROOT / ".pytest_cache/d/surface").mkdir(parents=True, exist_ok=True)
@@ -201,7 +202,7 @@ def of_portal(numbers, density: int) -> list[dict]:
             }
         )  # fmt: skip
         print(json.dumps(told[-1], indent=1), flush=True)
-    return told
+        yield told
 
 
 def of_fountain(density: int) -> dict:
@@ -238,6 +239,17 @@ def of_fountain(density: int) -> dict:
     }  # fmt: skip
 
 
+def keep(name: str, found: dict) -> None:
+    """Into the file, beside what it holds of others."""
+    path = ROOT / "benchmarks/results/surface_truth.json"
+    result = json.loads(path.read_text()) if path.exists() else {}
+    result[name] = found
+    result["about"] = {
+        "instruction_set": native.instruction_set(), "machine": platform.machine(), "opencv": cv2.__version__
+    }  # fmt: skip
+    path.write_text(json.dumps(result, indent=1) + "\n")
+
+
 def main() -> None:
     """All of it."""
     parser = argparse.ArgumentParser()
@@ -246,18 +258,11 @@ def main() -> None:
     parser.add_argument("--no-fountain", action="store_true")
     given = parser.parse_args()
     cv2.setNumThreads(1)
-    path = ROOT / "benchmarks/results/surface_truth.json"
-    made_now = {}
     if given.maps:
-        made_now["portal"] = {"density": given.density, "maps": of_portal(given.maps, given.density)}
+        for told in of_portal(given.maps, given.density):
+            keep("portal", {"density": given.density, "maps": told})
     if not given.no_fountain and FOUNTAIN.exists():
-        made_now["fountain"] = of_fountain(4)
-        print(json.dumps(made_now["fountain"], indent=1))
-    result = (json.loads(path.read_text()) if path.exists() else {}) | made_now
-    result["about"] = {
-        "instruction_set": native.instruction_set(), "machine": platform.machine(), "opencv": cv2.__version__
-    }  # fmt: skip
-    path.write_text(json.dumps(result, indent=1) + "\n")
+        keep("fountain", of_fountain(4))
 
 
 if __name__ == "__main__":

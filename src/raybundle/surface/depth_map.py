@@ -99,7 +99,7 @@ class DepthMap:
     correlation: Array
     contrast: Array
     incidence: Array
-    """cosine of the angle between ray and normal"""
+    """cosine of the angle between ray and normal, of a pixel and its neighbours together"""
     grey: Array
     """(7, 7) autocovariance of the noise of grey values by lag, 1 in the middle"""
     correlation_px: float
@@ -341,7 +341,7 @@ def _map(work: _Work, grid: PixelGrid, fine: Refined, by_noise: Array, theory: A
         theory, roughness.of_neighbours(apart), residual, grid.of(work.reference).astype(float), grid.stride
     )
     variance = theory * factor
-    incidence = incidences(work.rays, grid, t, slopes)
+    incidence = incidences(work.rays, grid, t, _smooth(slopes, known, grid.stride))
     flags = _flags(work, fine, apart, variance, incidence, grid.stride)
     kept = known & (flags & np.uint8(Flag.LONELY | Flag.EDGE) == 0)
 
@@ -386,6 +386,19 @@ def _beside_holes(kept: Mask, stride: int) -> Mask:
     missing = np.pad((~kept).astype(np.uint8), size, mode="edge")
     holes = cv2.morphologyEx(missing, cv2.MORPH_OPEN, np.ones((max(size, 3),) * 2, np.uint8))
     return cv2.dilate(holes, np.ones((2 * rim + 1,) * 2, np.uint8))[size:-size, size:-size] > 0
+
+
+def _smooth(slopes: Array, known: Mask, stride: int) -> Array:
+    """Means of slopes (2, rows, columns) over a pixel and its neighbours; a window on an edge has a slope of no thing."""
+    size = 2 * round(roughness.APART_PX / stride) + 1
+
+    def total(values: Array) -> Array:
+        return cv2.boxFilter(
+            values.astype(np.float64), -1, (size, size), normalize=False, borderType=cv2.BORDER_CONSTANT
+        )
+
+    n = np.maximum(total(known), 1)
+    return np.stack([total(np.where(known, s, 0)) / n for s in slopes])
 
 
 def incidences(rays: ReferenceRays, grid: PixelGrid, t: Array, slopes: Array) -> Array:
