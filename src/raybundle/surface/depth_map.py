@@ -389,7 +389,7 @@ def _beside_holes(kept: Mask, stride: int) -> Mask:
 
 
 def _smooth(slopes: Array, known: Mask, stride: int) -> Array:
-    """Means of slopes (2, rows, columns) over a pixel and its neighbours; a window on an edge has a slope of no thing."""
+    """Means of slopes (2, rows, columns) over a pixel and neighbours; a window on an edge has a slope of no thing."""
     size = 2 * round(roughness.APART_PX / stride) + 1
 
     def total(values: Array) -> Array:
