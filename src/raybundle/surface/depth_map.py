@@ -26,8 +26,9 @@ from raybundle.surface.transfer import ReferenceRays, transfer
 
 COARSE = 4
 """Pixels from one to the next of the grid that is refined first: windows of 7 px overlap there."""
-BEYOND = 0.1
-"""By how much depths may lie beyond those of the tie points, as a share of their range."""
+OUTER, BEYOND = 0.01, 0.25
+"""Tie points at either end that may be wrong, as a share of all, and by how much depths may lie beyond the others, as a
+share of their range."""
 FEWEST_POINTS = 8
 """Tie points that tell the range of depths."""
 STRIP_BYTES = 64e6
@@ -190,7 +191,7 @@ def _range(block: Block, rays: ReferenceRays, reference: int) -> tuple[float, fl
     if len(t) < FEWEST_POINTS:
         name = block.images.ids[reference]
         raise InputError(f"image {name}: {len(t)} tie points tell no range of depths, {FEWEST_POINTS} are needed")
-    low, high = float(t.min()), float(t.max())
+    low, high = (float(q) for q in np.quantile(t, [OUTER, 1 - OUTER]))
     more = BEYOND * max(high - low, 0.05 * high)
     return max(low - more, 0.5 * low), high + more
 
