@@ -1,7 +1,7 @@
 """A depth map of one reference: depth and slopes of its pixels, each with variances in their parts.
 
-Approximate depths of all levels, refined on a coarse grid, grown, and refined again at the density that is asked for by the
-noise that was measured on the way.  Nothing here reads or writes files.
+Approximate depths of all levels, refined on a coarse grid, grown, and refined again at the density that is asked for
+by the noise that was measured on the way.  Nothing here reads or writes files.
 """
 
 from __future__ import annotations
@@ -10,6 +10,7 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from enum import IntFlag
 
+import cv2
 import numpy as np
 
 from raybundle.block import Block
@@ -19,14 +20,15 @@ from raybundle.surface import planes, roughness
 from raybundle.surface.noise import autocovariance, lost_freedom
 from raybundle.surface.orientation import ShiftCovariance
 from raybundle.surface.pairs import Sources
-from raybundle.surface.refine import PixelGrid, Reason, Refined, RefineOptions, Source, grow, refine
+from raybundle.surface.refine import PixelGrid, Refined, RefineOptions, Source, grow, refine
 from raybundle.surface.sweep import levels_between, reduction_for, swept
 from raybundle.surface.transfer import ReferenceRays, transfer
 
 COARSE = 4
 """Pixels from one to the next of the grid that is refined first: windows of 7 px overlap there."""
-BEYOND = 0.1
-"""By how much depths may lie beyond those of the tie points, as a share of their range."""
+OUTER, BEYOND = 0.01, 0.25
+"""Tie points at either end that may be wrong, as a share of all, and by how much depths may lie beyond the others, as a
+share of their range."""
 FEWEST_POINTS = 8
 """Tie points that tell the range of depths."""
 STRIP_BYTES = 64e6
@@ -34,8 +36,11 @@ STRIP_BYTES = 64e6
 SIGMAS = 3.0
 """Standard deviations of a difference up to which neighbours agree."""
 AGREE, AGAINST = 5, 2
-"""Of eight neighbours that have to, and that may speak against it: most of a straight edge of things stays, and what juts
-out of it, where a window shows more of the other side, goes."""
+"""Of eight neighbours that have to, and that may speak against it: most of a straight edge of things stays, and what
+juts out of it, where a window shows more of the other side, goes."""
+HOLE_PX, RIM_PX = 9, 2
+"""Holes larger than a window and a pixel on each side, and what is lost around them: of 3 px that half a window
+reaches, the outer one has no weight."""
 GRAZING = 0.3
 """Cosine between ray and normal below which a window shows hardly anything of the surface."""
 
@@ -50,6 +55,9 @@ class Flag(IntFlag):
     """Seen by one source only, where there are several: nothing checks it"""
     LONELY = 8
     """Its neighbours do not agree with it: taken out"""
+    EDGE = 16
+    """Beside a hole that is larger than a window: something begins there that hides the rest, and windows show both:
+    taken out"""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -92,11 +100,11 @@ class DepthMap:
     correlation: Array
     contrast: Array
     incidence: Array
-    """cosine of the angle between ray and normal"""
+    """cosine of the angle between ray and normal, of a pixel and its neighbours together"""
     grey: Array
     """(7, 7) autocovariance of the noise of grey values by lag, 1 in the middle"""
     correlation_px: float
-    """distance at which the errors of two pixels, orientation apart, correlate by 1 / e"""
+    """distance at which the errors of two pixels by noise correlate by 1 / e"""
 
     def variance(self, shifts: ShiftCovariance | None = None) -> Array:
         """(rows, columns) of t: noise, roughness and, with `shifts`, orientation and calibration."""
@@ -112,8 +120,17 @@ class DepthMap:
         return ReferenceRays.of(block, reference).points(self.grid.xy_px[known], self.t[known].astype(float))
 
     def correlation_between(self, distance_px: Array) -> Array:
-        """Correlation (...) of the errors by noise and roughness of pixels so far apart."""
-        return np.exp(-((np.asarray(distance_px, float) / self.correlation_px) ** 2))
+        """Correlation (...) of the errors by noise and roughness of usual pixels so far apart.
+
+        Windows share grey values as their weights overlap.  What the surface does within them is an increment, and
+        forgets twice as fast.
+        """
+        with np.errstate(invalid="ignore"):
+            share = self.noise / (self.noise + self.roughness)
+        known = share[np.isfinite(share)]
+        by_noise = float(np.median(known)) if len(known) else 1.0
+        q = (np.asarray(distance_px, float) / self.correlation_px) ** 2
+        return by_noise * np.exp(-q) + (1 - by_noise) * np.exp(-4 * q)
 
     def as_arrays(self) -> dict[str, Array]:
         """What a store keeps."""
@@ -167,13 +184,14 @@ def depth_map(
 def _range(block: Block, rays: ReferenceRays, reference: int) -> tuple[float, float]:
     """Depth parameters between which the object lies, by the tie points that the reference sees."""
     o = block.observations
-    mine = np.flatnonzero((o.image == reference) & np.isfinite(block.points.xyz).all(axis=1)[o.point])
+    placed: Mask = np.asarray(np.isfinite(block.points.xyz).all(axis=1))
+    mine = np.flatnonzero((o.image == reference) & placed[o.point])
     t = rays.parameter(np.asarray(o.xy_px)[mine], block.points.xyz[np.asarray(o.point)[mine]])
     t = t[np.isfinite(t) & (t > 0)]
     if len(t) < FEWEST_POINTS:
         name = block.images.ids[reference]
         raise InputError(f"image {name}: {len(t)} tie points tell no range of depths, {FEWEST_POINTS} are needed")
-    low, high = float(t.min()), float(t.max())
+    low, high = (float(q) for q in np.quantile(t, [OUTER, 1 - OUTER]))
     more = BEYOND * max(high - low, 0.05 * high)
     return max(low - more, 0.5 * low), high + more
 
@@ -324,9 +342,9 @@ def _map(work: _Work, grid: PixelGrid, fine: Refined, by_noise: Array, theory: A
         theory, roughness.of_neighbours(apart), residual, grid.of(work.reference).astype(float), grid.stride
     )
     variance = theory * factor
-    incidence = incidences(work.rays, grid, t, slopes)
+    incidence = incidences(work.rays, grid, t, _smooth(slopes, known, grid.stride))
     flags = _flags(work, fine, apart, variance, incidence, grid.stride)
-    kept = known & (flags & np.uint8(Flag.LONELY) == 0)
+    kept = known & (flags & np.uint8(Flag.LONELY | Flag.EDGE) == 0)
 
     def of_kept(values: Array) -> Array:
         return np.where(kept, values, np.nan).astype(np.float32)
@@ -345,17 +363,43 @@ def _flags(work: _Work, fine: Refined, apart: Array, variance: Array, incidence:
     """uint8 `Flag` of each pixel, by a test of the map against itself."""
     known = fine.found
     few = (_count(fine.views, len(work.sources)) < 2) & (len(work.sources) > 1)
-    limit = SIGMAS * np.sqrt(variance + roughness.at_neighbours(np.where(known, variance, np.nan), stride))
-    with np.errstate(invalid="ignore"):
-        same, other = np.abs(apart) <= limit, np.abs(apart) > limit
-    kept: Mask = known & (same.sum(axis=0) >= AGREE) & (other.sum(axis=0) <= AGAINST)
+    own = np.where(known, variance, np.nan)
+    agree, against = np.zeros(known.shape, np.uint8), np.zeros(known.shape, np.uint8)
+    for misfit, (v, u) in zip(apart, roughness.neighbours(stride), strict=True):
+        with np.errstate(invalid="ignore"):
+            limit = SIGMAS * np.sqrt(own + roughness.at_neighbour(own, v, u))
+            agree += np.abs(misfit) <= limit
+            against += np.abs(misfit) > limit
+    kept: Mask = known & (agree >= AGREE) & (against <= AGAINST)
+    edge = kept & _beside_holes(kept, stride)
     flags = np.zeros(known.shape, np.uint8)
     for flag, where in (
-        (Flag.GRAZING, ~(incidence >= GRAZING)), (Flag.STEP, other.any(axis=0)), (Flag.FEW_SOURCES, few),
-        (Flag.LONELY, ~kept),
+        (Flag.GRAZING, ~(incidence >= GRAZING)), (Flag.STEP, against > 0), (Flag.FEW_SOURCES, few),
+        (Flag.LONELY, ~kept), (Flag.EDGE, edge),
     ):  # fmt: skip
         flags[known & where] |= np.uint8(flag)
     return flags
+
+
+def _beside_holes(kept: Mask, stride: int) -> Mask:
+    """Pixels beside what is missing over more than a window."""
+    size, rim = 2 * round((HOLE_PX / stride - 1) / 2) + 1, max(1, round(RIM_PX / stride))
+    missing = np.pad((~kept).astype(np.uint8), size, mode="edge")
+    holes = cv2.morphologyEx(missing, cv2.MORPH_OPEN, np.ones((max(size, 3),) * 2, np.uint8))
+    return cv2.dilate(holes, np.ones((2 * rim + 1,) * 2, np.uint8))[size:-size, size:-size] > 0
+
+
+def _smooth(slopes: Array, known: Mask, stride: int) -> Array:
+    """Means of slopes (2, rows, columns) over a pixel and neighbours; a window on an edge has a slope of no thing."""
+    size = 2 * round(roughness.APART_PX / stride) + 1
+
+    def total(values: Array) -> Array:
+        return cv2.boxFilter(
+            values.astype(np.float64), -1, (size, size), normalize=False, borderType=cv2.BORDER_CONSTANT
+        )
+
+    n = np.maximum(total(known), 1)
+    return np.stack([total(np.where(known, s, 0)) / n for s in slopes])
 
 
 def incidences(rays: ReferenceRays, grid: PixelGrid, t: Array, slopes: Array) -> Array:
@@ -367,8 +411,8 @@ def incidences(rays: ReferenceRays, grid: PixelGrid, t: Array, slopes: Array) ->
         return found
     middle = rays.points(xy, tk)
     half = 0.5
-    across = rays.points(xy + [half, 0], tk + half * a) - middle
-    down = rays.points(xy + [0, half], tk + half * b) - middle
+    across = rays.points(xy + np.array([half, 0]), tk + half * a) - middle
+    down = rays.points(xy + np.array([0, half]), tk + half * b) - middle
     normal = np.cross(across, down)
     d = rays.rays(xy)[1]
     size = np.linalg.norm(normal, axis=1) * np.linalg.norm(d, axis=1)

@@ -1,9 +1,9 @@
 """The noise of grey values: how it is correlated from pixel to pixel, by what is left between photographs.
 
-Patches of the reference are compared with what sources show there, on the refined surface, brightness and contrast free.
-What is left is noise of both, and texture: where the surface is off by e pixels, the residual is e times the gradient.  So
-the patches of the weakest texture tell of the noise.  A source's noise is smoothed by interpolation, as is known, and the
-sum of both is solved for that of a single photograph.
+Patches of the reference are compared with what sources show there, on the refined surface, brightness and contrast
+free. What is left is noise of both, and texture: where the surface is off by e pixels, the residual is e times the
+gradient.  So the patches of the weakest texture tell of the noise.  A source's noise is smoothed by interpolation, as
+is known, and the sum of both is solved for that of a single photograph.
 """
 
 from __future__ import annotations
@@ -143,7 +143,7 @@ def _of_weakest(products: Array, textures: Array) -> Array:
 
 
 def _without_interpolation(both: Array) -> Array:
-    """(7, 7) autocovariance of one photograph, 1 in the middle, by that of the difference of it and an interpolated one."""
+    """(7, 7) autocovariance of one photograph, 1 in the middle, by that of its difference to an interpolated one."""
     side = 2 * LAG + 1
     f = (np.arange(64) + 0.5) / 64
     w = np.pad(cubic(f)[0], ((0, 0), (LAG, LAG)))

@@ -1,12 +1,13 @@
-"""What a surface that is no plane within the window does to its depth, and how local variances follow from the map itself.
+"""What a surface that is no plane within the window does to its depth; local variances by the map itself.
 
-Of a surface between its refined pixels increments grow with a power of the distance: E (t(x + r) - t(x))^2 / 2 = c |r|^p
-(Matheron 1963), of a map with c and p from second differences at lags beyond the window, which tilts do not touch.  A depth
-is the middle of the window seen through the window's response h; its error is the increment of weights delta - h, and has
-the variance -(delta - h)' c |r|^p (delta - h).
+Of a surface between its refined pixels increments grow with a power of the distance: E (t(x + r) - t(x))^2 / 2 = c
+|r|^p (Matheron 1963), of a map with c and p from second differences at lags beyond the window, which tilts do not
+touch.  A depth is the middle of the window seen through the window's response h; its error is the increment of
+weights delta - h, and has the variance -(delta - h)' c |r|^p (delta - h).
 
-That is the variance of a usual pixel of the map.  The local one is a factor of it, known from two witnesses: how well planes
-of neighbours agree (`misfit`), and residuals of grey values beyond the map's noise, which say that the plane does not fit.
+That is the variance of a usual pixel of the map.  The local one is a factor of it, known from two witnesses: how well
+planes of neighbours agree (`misfit`), and residuals of grey values beyond the map's noise, which say that the plane
+does not fit.
 """
 
 from __future__ import annotations
@@ -31,12 +32,12 @@ FEWEST = 3
 MOST = 20.0
 """Of the usual misfit, above which neighbours' misfits count no more."""
 BY_MISFIT, BY_MISFIT_AROUND, BY_RESIDUAL = 0.2, 0.2, 0.85
-"""Exponents by which the variance follows its witnesses: least squares of the logarithm of squared errors of exactly known
-surfaces (benchmarks/surface_truth.py), the same for every map within 0.05.  A logarithm of a variance that is known before,
-and of one observed with as few neighbours, has them as weights."""
+"""Exponents by which the variance follows its witnesses: least squares of the logarithm of squared errors of exactly
+known surfaces (benchmarks/surface_truth.py), learned from four maps of which each gave the same within 0.1.  The result
+is a mean of logarithms: of the variance known before, and of those that few neighbours and residuals tell."""
 LEFT = 0.5
-"""Variance of the logarithm of a variance that witnesses leave, by the same least squares: 5.4 of squared errors, of which
-their normal distribution explains 4.93.  The mean of a variance is larger than its median by exp(LEFT / 2)."""
+"""Variance of the logarithm of a variance that witnesses leave, by the same least squares: 5.4 of squared errors, of
+which their normal distribution explains pi^2 / 2.  The mean of a variance is exp(LEFT / 2) times its median."""
 BRIGHTNESSES = 8
 """Classes of brightness: the noise of a sensor grows with it."""
 
@@ -90,29 +91,32 @@ def misfits(t: Array, slopes: Array, stride: int) -> Array:
 
     Of a surface of second degree they are 0.
     """
-    a, b = at_neighbours(slopes[0], stride), at_neighbours(slopes[1], stride)
-    found = at_neighbours(t, stride) - t
-    for k, (v, u) in enumerate(_around_of(stride)):
-        found[k] -= 0.5 * stride * (u * (a[k] + slopes[0]) + v * (b[k] + slopes[1]))
+    around = neighbours(stride)
+    found = np.empty((len(around), *t.shape), np.float32)
+    for k, (v, u) in enumerate(around):
+        a, b = (at_neighbour(s, v, u) + s for s in slopes)
+        found[k] = at_neighbour(t, v, u) - t - 0.5 * stride * (u * a + v * b)
     return found
 
 
-def at_neighbours(values: Array, stride: int) -> Array:
-    """(8, rows, columns) float32 values of eight neighbours 4 px away; NaN beyond the map."""
-    far = max(1, round(APART_PX / stride))
-    rows, columns = values.shape
-    padded = np.pad(values.astype(np.float32), far, constant_values=np.nan)
-    return np.stack([padded[far + v : far + v + rows, far + u : far + u + columns] for v, u in _around_of(stride)])
-
-
-def _around_of(stride: int) -> list[tuple[int, int]]:
-    """Rows and columns of the grid to each neighbour."""
+def neighbours(stride: int) -> list[tuple[int, int]]:
+    """Rows and columns of the grid to eight neighbours 4 px away."""
     far = max(1, round(APART_PX / stride))
     return [(v, u) for v, u in product((-far, 0, far), repeat=2) if u or v]
 
 
+def at_neighbour(values: Array, v: int, u: int) -> Array:
+    """(rows, columns) values v rows and u columns further; NaN beyond the map."""
+    rows, columns = values.shape
+    found = np.full(values.shape, np.nan, values.dtype)
+    to = slice(max(0, -v), max(0, rows - max(0, v))), slice(max(0, -u), max(0, columns - max(0, u)))
+    by = slice(max(0, v), max(0, rows - max(0, -v))), slice(max(0, u), max(0, columns - max(0, -u)))
+    found[to] = values[by]
+    return found
+
+
 def of_neighbours(found: Array) -> Array:
-    """(rows, columns) median of squared misfits (8, rows, columns) of each pixel; NaN where fewer than three are known."""
+    """(rows, columns) median of squared misfits (8, rows, columns); NaN where fewer than three are known."""
     known = np.isfinite(found).sum(axis=0)
     ordered = np.sort(found**2, axis=0)
     low, high = np.maximum(known - 1, 0) // 2, np.maximum(known, 1) // 2

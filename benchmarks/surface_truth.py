@@ -1,0 +1,269 @@
+"""Depth maps of the rendered portal against exact depths, their variances against the errors; fountain-p11 by itself.
+
+    python benchmarks/surface_truth.py [--maps 2 7 12 13] [--density 2] [--no-fountain]
+
+portal     the demonstration set, adjusted as `raybundle demo` does it; exact depths by ray casting
+           (tests/surface/truth.py).  Of each map: share of the visible pixels that have a depth, robust error, share
+           within 20 mm, and chi-squares of the errors by noise, roughness and orientation: the mean, the robust one
+           ((median |e / sigma| / 0.6745)^2), shares within 1 and 1.96 sigma and beyond 5 sigma; of all pixels, of
+           interior ones (whose eight neighbours on the grid are there), by classes of incidence, sources and contrast
+sgbm       OpenCV's three-way SGBM at full size on the rectified pair of the reference and its best source: robust error
+           and share of the visible pixels, in the same run
+neighbours correlation of normalised errors by distance along the rows, beside the one that is stated
+spread     variance of the logarithm of squared normalised errors, less that of normal ones: what the exponents of the
+           local variance leave (src/raybundle/surface/roughness.py, LEFT)
+fountain   two maps of one reference with disjoint sources: chi-square of their difference by noise and orientation, and
+           by all parts as if the surface disturbed the two independently
+
+Figures go into benchmarks/results/surface_truth.json.
+"""
+
+import argparse
+import json
+import platform
+import subprocess
+import sys
+import time
+from collections.abc import Iterator
+from dataclasses import replace
+from itertools import pairwise
+from pathlib import Path
+
+import cv2
+import numpy as np
+
+ROOT = Path(__file__).resolve().parents[1]
+sys.path.insert(0, str(ROOT))
+from tests.surface import portal  # noqa: E402
+from tests.surface.truth import PORTAL, Portal  # noqa: E402
+
+from raybundle.adjustment.predict import image_points  # noqa: E402
+from raybundle.adjustment.queries import joint_orientation  # noqa: E402
+from raybundle.measuring.session import adjusted_again  # noqa: E402
+from raybundle.numerics import native  # noqa: E402
+from raybundle.surface.depth_map import DepthMap, DepthOptions, depth_map  # noqa: E402
+from raybundle.surface.orientation import shift_covariance  # noqa: E402
+from raybundle.surface.pairs import sources_of_each  # noqa: E402
+from raybundle.surface.transfer import ReferenceRays  # noqa: E402
+
+WORK = ROOT / "benchmarks/work"
+FOUNTAIN = ROOT.parent / "shared/data/photos/fountain-p11/images"
+INCIDENCES, CONTRASTS = (0, 0.3, 0.5, 0.7, 0.85, 1.01), (0, 6, 9, 12, 16, 999)
+LAGS_PX = (4, 8, 16, 24, 48, 80)
+LEAST = 200
+"""Pixels of a class that is told."""
+
+
+def made(folder: Path, *arguments: str) -> Path:
+    """A result of raybundle, made where it is not there."""
+    if not (folder / "result").exists():
+        folder.parent.mkdir(parents=True, exist_ok=True)
+        subprocess.run([sys.executable, "-m", "raybundle", *arguments, "--out", str(folder)], check=True, cwd=ROOT)
+    return folder / "result"
+
+
+def robust(x) -> float:
+    return float(np.median(np.abs(x)) / 0.6745)
+
+
+def shares(x) -> dict[str, float]:
+    """Of normalised errors."""
+    a = np.abs(x)
+    return {
+        "pixels": len(x), "chi2_mean": round(float(np.mean(x**2)), 3), "chi2_robust": round(robust(x) ** 2, 3),
+        "within_1": round(float(np.mean(a < 1)), 4), "within_1.96": round(float(np.mean(a < 1.96)), 4),
+        "beyond_5": round(float(np.mean(a > 5)), 5),
+    }  # fmt: skip
+
+
+def classes(x, values, edges) -> dict[str, float]:
+    """Robust chi-square by class."""
+    found = {}
+    for low, high in pairwise(edges):
+        mine = x[(values >= low) & (values < high)]
+        if len(mine) >= LEAST:
+            found[f"{low:g}-{high:g}"] = round(robust(mine) ** 2, 3)
+    return found
+
+
+def sgbm(block, reference: int, source: int, t_range, greys) -> np.ndarray:
+    """(h, w) depth parameters of a rectified pair in the pixels of the reference; NaN where there is none."""
+    rays = ReferenceRays.of(block, reference)
+    camera = rays.camera
+    h, w = camera.height_px, camera.width_px
+    y, x = np.mgrid[:h, :w] + 0.5
+    d = rays.rays(np.stack([x.ravel(), y.ravel()], axis=1))[1]
+    centres, rotations = block.images.centre, block.images.rotation
+    base = centres[source] - centres[reference]
+    along = base / np.linalg.norm(base)
+    forward = -(rotations[reference][2] + rotations[source][2])
+    forward -= along * (forward @ along)
+    forward /= np.linalg.norm(forward)
+    R = np.stack([along, np.cross(forward, along), forward])
+    f = camera.values["c"] / camera.pixel_mm[0]
+    q = d @ R.T
+    u, v = f * q[:, 0] / q[:, 2], f * q[:, 1] / q[:, 2]
+    # depth along the rectified axis: X = centre + d / t
+    deep = (q[:, 2]).reshape(h, w)
+    lows, highs = (np.nanmin(deep) / t_range[1], np.nanmax(deep) / t_range[0])
+    least = int(f * np.linalg.norm(base) / highs) - 2
+    count = int(np.ceil((f * np.linalg.norm(base) / lows - least + 2) / 16)) * 16
+    x0, y0 = np.floor(u.min()), np.floor(v.min())
+    columns, rows = int(np.ceil(u.max()) - x0), int(np.ceil(v.max()) - y0)
+    pictures = []
+    for image, left in ((reference, x0), (source, x0 - least - count)):
+        X, Y = np.meshgrid(
+            np.arange(columns + (count if image == source else 0)) + left + 0.5, np.arange(rows) + y0 + 0.5
+        )
+        direction = np.stack([X / f, Y / f, np.ones_like(X)], axis=-1).reshape(-1, 3) @ R
+        own = ReferenceRays.of(block, image)
+        place = image_points(own.camera, own.rotation, own.centre, own.centre + direction).reshape(*X.shape, 2) - 0.5
+        place = np.where(np.isfinite(place), place, -9).astype(np.float32)
+        pictures.append(cv2.remap(greys(image), place[..., 0], place[..., 1], cv2.INTER_CUBIC, borderValue=0))
+    one = cv2.copyMakeBorder(pictures[0], 0, 0, count, 0, cv2.BORDER_CONSTANT, value=0)
+    matcher = cv2.StereoSGBM_create(
+        0, count, 5, P1=200, P2=800, disp12MaxDiff=1, uniquenessRatio=5, speckleWindowSize=100, speckleRange=2,
+        preFilterCap=31, mode=cv2.STEREO_SGBM_MODE_SGBM_3WAY,
+    )  # fmt: skip
+    # the source's canvas starts `least + count` further left, the reference's `count`: what is left of both is `least`
+    found = matcher.compute(one, pictures[1])[:, count:].astype(np.float32) / 16
+    found[(found < 0) | (pictures[0] == 0)] = np.nan
+    j, i = np.clip(np.floor(v - y0).astype(int), 0, rows - 1), np.clip(np.floor(u - x0).astype(int), 0, columns - 1)
+    disparity = found[j, i].reshape(h, w) + least
+    return deep * disparity / (f * np.linalg.norm(base))
+
+
+def neighbours(found: DepthMap, variance, e) -> dict[str, dict[str, float]]:
+    """Correlation of normalised errors along the rows, measured and stated."""
+    x = np.where(np.abs(e / np.sqrt(variance)) < 4, e / np.sqrt(variance), np.nan)
+    own = found.noise.astype(float) + found.roughness
+    common = float(np.nanmedian((variance - own) / variance))
+    told = {}
+    for lag in LAGS_PX:
+        k = lag // found.grid.stride
+        a, b = x[:, k:], x[:, :-k]
+        both = np.isfinite(a) & np.isfinite(b)
+        stated = common + (1 - common) * float(found.correlation_between(np.array(lag)))
+        told[str(lag)] = {
+            "measured": round(float(np.corrcoef(a[both], b[both])[0, 1]), 3), "stated": round(stated, 3)
+        }  # fmt: skip
+    return told
+
+
+def of_portal(numbers, density: int) -> Iterator[list[dict]]:
+    """Every map against its truth: those that are done, after each."""
+    adjustment = adjusted_again(made(WORK / "portal", "demo", "--set", str(PORTAL)))
+    block = adjustment.adjusted
+    (ROOT / ".pytest_cache/d/surface").mkdir(parents=True, exist_ok=True)
+    truth = Portal(ROOT / ".pytest_cache/d/surface")
+    chosen, told = sources_of_each(block), []
+
+    def greys(image):
+        return portal.grey(block, image).astype(np.uint8)
+
+    for k in numbers:
+        began = time.process_time()
+        found = depth_map(block, chosen[k], greys, DepthOptions(density=density))
+        seconds = time.process_time() - began
+        joint = joint_orientation(adjustment, (k, *chosen[k].sources))
+        variance = found.variance(shift_covariance(block, joint, k, chosen[k].sources, found.t_range))
+        depths, grid = truth.depths(k), found.grid
+        exact = grid.of(depths.t)
+        e = found.t - exact
+        known = np.isfinite(e)
+        inner = cv2.erode(np.isfinite(found.t).astype(np.uint8), np.ones((3, 3), np.uint8), borderValue=0) > 0
+        x = np.where(known, e / np.sqrt(variance), np.nan)
+        used = ((found.views[..., None] >> np.arange(len(found.sources))) & 1).sum(axis=-1)
+        mm = 1000 * np.abs(1 / found.t - 1 / exact)
+        theirs = sgbm(block, k, chosen[k].sources[0], found.t_range, greys)
+        their = np.abs(1 / theirs - 1 / depths.t)
+        there = np.isfinite(their)
+        told.append(
+            {
+                "map": block.images.file[k], "sources": len(found.sources),
+                "seconds": round(seconds, 1), "complete": round(float(known.sum() / np.isfinite(exact).sum()), 4),
+                "error_mm": round(robust(mm[known]), 3), "within_20_mm": round(float(np.mean(mm[known] < 20)), 4),
+                "sgbm_error_mm": round(1000 * robust(their[there]), 3),
+                "sgbm_complete": round(float(there.sum() / np.isfinite(depths.t).sum()), 4),
+                "all": shares(x[known]), "interior": shares(x[known & inner]),
+                "interior_share": round(float((known & inner).sum() / known.sum()), 3),
+                "incidence": classes(x[known], found.incidence[known], INCIDENCES),
+                "by_sources": classes(x[known], used[known], (1, 2, 3, 4, 5)),
+                "contrast": classes(x[known], found.contrast[known], CONTRASTS),
+                "spread": round(float(np.var(np.log(x[known & (mm < 20)] ** 2)) - np.pi**2 / 2), 3),
+                "parts_mm": {
+                    name: round(float(1000 * np.median((np.sqrt(v) / exact**2)[known])), 3)
+                    for name, v in (
+                        ("noise", found.noise), ("roughness", found.roughness),
+                        ("orientation", np.maximum(variance - found.noise - found.roughness, 0)),
+                    )
+                },
+                "neighbours": neighbours(found, variance, e),
+            }
+        )  # fmt: skip
+        print(json.dumps(told[-1], indent=1), flush=True)
+        yield told
+
+
+def of_fountain(density: int) -> dict:
+    """Two maps of one reference with disjoint sources."""
+    adjustment = adjusted_again(made(WORK / "fountain", "orient", str(FOUNTAIN)))
+    block = adjustment.adjusted
+    every = sources_of_each(block)
+    best = max(every, key=lambda s: (len(s.sources), s.seen))
+
+    def greys(image):
+        path = str(FOUNTAIN / block.images.file[image])
+        return cv2.imread(path, cv2.IMREAD_GRAYSCALE | cv2.IMREAD_IGNORE_ORIENTATION)
+
+    parts = best.sources[0::2], best.sources[1::2]
+    a, b = (depth_map(block, replace(best, sources=p), greys, DepthOptions(density=density)) for p in parts)
+    joint = joint_orientation(adjustment, (best.reference, *parts[0], *parts[1]))
+    shifts = shift_covariance(block, joint, best.reference, (*parts[0], *parts[1]), a.t_range)
+    both = np.isfinite(a.t) & np.isfinite(b.t)
+    sensitivity = np.concatenate([a.shift, -b.shift], axis=2)[both]
+    t = a.t[both].astype(float)
+    oriented = shifts.of_depths(a.grid.xy_px[both], t, sensitivity)
+    noise = (a.noise.astype(float) + b.noise)[both]
+    rough = (a.roughness.astype(float) + b.roughness)[both]
+    d = (a.t.astype(float) - b.t)[both]
+    return {
+        "reference": block.images.file[best.reference], "pixels": int(both.sum()),
+        "grey_correlation": [round(float(c), 3) for c in a.grey[3, 3:]],
+        "relative": {
+            name: float(f"{np.median(np.sqrt(v) / t):.2g}")
+            for name, v in (("difference", d**2), ("noise", noise), ("roughness", rough), ("orientation", oriented))
+        },
+        "noise_and_orientation": shares(d / np.sqrt(noise + oriented)),
+        "all_parts": shares(d / np.sqrt(noise + rough + oriented)),
+    }  # fmt: skip
+
+
+def keep(name: str, found: dict) -> None:
+    """Into the file, beside what it holds of others."""
+    path = ROOT / "benchmarks/results/surface_truth.json"
+    result = json.loads(path.read_text()) if path.exists() else {}
+    result[name] = found
+    result["about"] = {
+        "instruction_set": native.instruction_set(), "machine": platform.machine(), "opencv": cv2.__version__
+    }  # fmt: skip
+    path.write_text(json.dumps(result, indent=1) + "\n")
+
+
+def main() -> None:
+    """All of it."""
+    parser = argparse.ArgumentParser()
+    parser.add_argument("--maps", type=int, nargs="*", default=[2, 7, 12, 13])
+    parser.add_argument("--density", type=int, default=2)
+    parser.add_argument("--no-fountain", action="store_true")
+    given = parser.parse_args()
+    cv2.setNumThreads(1)
+    if given.maps:
+        for told in of_portal(given.maps, given.density):
+            keep("portal", {"density": given.density, "maps": told})
+    if not given.no_fountain and FOUNTAIN.exists():
+        keep("fountain", of_fountain(4))
+
+
+if __name__ == "__main__":
+    main()
