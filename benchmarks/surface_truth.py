@@ -11,7 +11,7 @@ sgbm       OpenCV's three-way SGBM at full size on the rectified pair of the ref
            and share of the visible pixels, in the same run
 neighbours correlation of normalised errors by distance along the rows, beside the one that is stated
 spread     variance of the logarithm of squared normalised errors, less that of normal ones: what the exponents of the
-           local variance leave (src/raybundle/surface/roughness.py, LEFT)
+           local variance leave (src/raybundle/surfaces/roughness.py, LEFT)
 fountain   two maps of one reference with disjoint sources: chi-square of their difference by noise and orientation, and
            by all parts as if the surface disturbed the two independently
 
@@ -41,10 +41,10 @@ from raybundle.adjustment.predict import image_points  # noqa: E402
 from raybundle.adjustment.queries import joint_orientation  # noqa: E402
 from raybundle.measuring.session import adjusted_again  # noqa: E402
 from raybundle.numerics import native  # noqa: E402
-from raybundle.surface.depth_map import DepthMap, DepthOptions, depth_map  # noqa: E402
-from raybundle.surface.orientation import shift_covariance  # noqa: E402
-from raybundle.surface.pairs import sources_of_each  # noqa: E402
-from raybundle.surface.transfer import ReferenceRays  # noqa: E402
+from raybundle.surfaces.depth_map import DepthMap, DepthOptions, depth_map  # noqa: E402
+from raybundle.surfaces.orientation import shift_covariance  # noqa: E402
+from raybundle.surfaces.pairs import sources_of_each  # noqa: E402
+from raybundle.surfaces.transfer import ReferenceRays  # noqa: E402
 
 WORK = ROOT / "benchmarks/work"
 FOUNTAIN = ROOT.parent / "shared/data/photos/fountain-p11/images"

@@ -9,8 +9,8 @@ import cv2
 import numpy as np
 
 from raybundle.block import Block
-from raybundle.surface.refine import PixelGrid, RefineOptions, Source, refine
-from raybundle.surface.transfer import ReferenceRays, transfer
+from raybundle.surfaces.refine import PixelGrid, RefineOptions, Source, refine
+from raybundle.surfaces.transfer import ReferenceRays, transfer
 from tests.surface.truth import PORTAL, Depths, Portal
 
 REFERENCE, SOURCES = 1, (0, 2, 5, 8)

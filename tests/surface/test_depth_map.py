@@ -8,12 +8,12 @@ import pytest
 
 from raybundle.block import Observations, Points
 from raybundle.errors import InputError
-from raybundle.surface import planes, roughness
-from raybundle.surface.depth_map import DepthMap, DepthOptions, Flag, depth_map
-from raybundle.surface.noise import autocovariance
-from raybundle.surface.pairs import Sources
-from raybundle.surface.refine import PixelGrid, Refined, Source, refine
-from raybundle.surface.sweep import Start
+from raybundle.surfaces import planes, roughness
+from raybundle.surfaces.depth_map import DepthMap, DepthOptions, Flag, depth_map
+from raybundle.surfaces.noise import autocovariance
+from raybundle.surfaces.pairs import Sources
+from raybundle.surfaces.refine import PixelGrid, Refined, Source, refine
+from raybundle.surfaces.sweep import Start
 from tests.surface.scene import scene
 
 NOISE = 2.0
@@ -100,7 +100,7 @@ def test_incidences_are_those_of_the_ground(block, measured):
     slope = np.stack(
         [-0.1 * np.cos(x / 1.5) * np.cos(y / 1.7), 0.15 / 1.7 * np.sin(x / 1.5) * np.sin(y / 1.7), np.ones(len(x))]
     )
-    from raybundle.surface.transfer import ReferenceRays
+    from raybundle.surfaces.transfer import ReferenceRays
 
     d = ReferenceRays.of(block, 0).rays(measured.grid.xy_px[known])[1].T
     cosine = -(slope * d).sum(axis=0) / np.linalg.norm(slope, axis=0) / np.linalg.norm(d, axis=0)
@@ -249,7 +249,7 @@ def test_planes_of_refined_pixels_go_on_between_them():
 
 @pytest.mark.long
 def test_a_map_of_the_portal_is_as_good_as_it_says(truth):
-    from raybundle.surface.pairs import sources_of_each
+    from raybundle.surfaces.pairs import sources_of_each
     from tests.surface.portal import grey
 
     chosen = sources_of_each(truth.block)[12]  # a rolled one

@@ -6,8 +6,8 @@ from scipy.spatial import KDTree
 
 from raybundle.planning.scenes import AerialStrips, aerial_scene
 from raybundle.planning.simulate import Survey, simulate
-from raybundle.surface.fusion import MapView, agreement
-from raybundle.surface.transfer import ReferenceRays, transfer
+from raybundle.surfaces.fusion import MapView, agreement
+from raybundle.surfaces.transfer import ReferenceRays, transfer
 
 IMAGES, STRIDE, SIGMA = (3, 4, 5), 250, 1e-7
 

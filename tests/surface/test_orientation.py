@@ -14,8 +14,8 @@ from raybundle.errors import InputError
 from raybundle.numerics.rotation import rotation_from_vector
 from raybundle.planning.scenes import AerialStrips, aerial_scene
 from raybundle.planning.simulate import Survey, simulate
-from raybundle.surface.orientation import shift_covariance
-from raybundle.surface.transfer import ReferenceRays
+from raybundle.surfaces.orientation import shift_covariance
+from raybundle.surfaces.transfer import ReferenceRays
 
 REFERENCE, SOURCES = 4, (3, 5, 10)
 

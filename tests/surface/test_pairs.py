@@ -7,7 +7,7 @@ import pytest
 
 from raybundle.planning.scenes import AerialStrips, aerial_scene
 from raybundle.planning.simulate import Survey, simulate
-from raybundle.surface.pairs import FLATTEST_DEG, LARGEST_SCALE, MOST_SOURCES, PairOfImages, sources_of_each
+from raybundle.surfaces.pairs import FLATTEST_DEG, LARGEST_SCALE, MOST_SOURCES, PairOfImages, sources_of_each
 
 
 @pytest.fixture(scope="module")

@@ -7,8 +7,8 @@ import pytest
 
 from raybundle.errors import InputError
 from raybundle.numerics import native
-from raybundle.surface import refine as module
-from raybundle.surface.refine import NUMBERS, PixelGrid, Reason, RefineOptions, Source, grow, refine
+from raybundle.surfaces import refine as module
+from raybundle.surfaces.refine import NUMBERS, PixelGrid, Reason, RefineOptions, Source, grow, refine
 from tests.surface import scene
 
 needs_kernel = pytest.mark.skipif(not native.available(), reason="the kernels are not built")

@@ -9,10 +9,10 @@ import pytest
 from raybundle.errors import InputError
 from raybundle.io.block.folder import read_block
 from raybundle.numerics import native
-from raybundle.surface import sweep
-from raybundle.surface.census import ACROSS, DOWN, NOWHERE, aggregate_twin, census_twin, costs_twin, fixed
-from raybundle.surface.pairs import sources_of_each
-from raybundle.surface.transfer import ReferenceRays, transfer
+from raybundle.surfaces import sweep
+from raybundle.surfaces.census import ACROSS, DOWN, NOWHERE, aggregate_twin, census_twin, costs_twin, fixed
+from raybundle.surfaces.pairs import sources_of_each
+from raybundle.surfaces.transfer import ReferenceRays, transfer
 
 DEMO = Path(__file__).parents[2] / "demo_data"
 

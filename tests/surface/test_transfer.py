@@ -8,8 +8,8 @@ import pytest
 from raybundle.adjustment.predict import predicted_px
 from raybundle.errors import InputError
 from raybundle.platforms import sensor_models
-from raybundle.surface import transfer as module
-from raybundle.surface.transfer import TOLERANCE_PX, ReferenceRays, lagrange, transfer
+from raybundle.surfaces import transfer as module
+from raybundle.surfaces.transfer import TOLERANCE_PX, ReferenceRays, lagrange, transfer
 from tests.surface import scene
 
 

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from raybundle.cli.common import FOLDER, Command, common_options, counted, facts, significant
+from raybundle.cli.common import FOLDER, NEW_FOLDER, Command, common_options, counted, facts, significant
 from raybundle.cli.settings import options_of, values_of
 from raybundle.commands.surface import SurfaceSettings, run_surface
 from raybundle.settings import made
@@ -21,7 +21,7 @@ MOST_LEFT_OUT = 8
 
 @click.command("surface", cls=Command)
 @click.argument("source", type=FOLDER, metavar="RESULT")
-@options_of(SurfaceSettings, out=FOLDER)
+@options_of(SurfaceSettings, out=NEW_FOLDER)
 @common_options
 def command(source: Path, progress: str, **given: Any) -> None:
     """Measure dense points of what the photographs show, each with its standard deviations.

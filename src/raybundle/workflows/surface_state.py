@@ -12,7 +12,7 @@ from raybundle.block import Block
 from raybundle.io.photos.photo import Photo
 from raybundle.numerics.arrays import Array
 from raybundle.pipeline.stage import Workflow
-from raybundle.surface.pairs import Sources
+from raybundle.surfaces.pairs import Sources
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

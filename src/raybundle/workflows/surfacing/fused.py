@@ -16,11 +16,11 @@ from raybundle.pipeline.keys import key_of
 from raybundle.pipeline.stage import Means, Stage
 from raybundle.pipeline.store import Folder, Product
 from raybundle.pipeline.tasks import Task
-from raybundle.surface.depth_map import DepthMap
-from raybundle.surface.fusion import MapView, agreement
-from raybundle.surface.orientation import ShiftCovariance
-from raybundle.surface.pairs import Sources
-from raybundle.surface.transfer import ReferenceRays, transfer
+from raybundle.surfaces.depth_map import DepthMap
+from raybundle.surfaces.fusion import MapView, agreement
+from raybundle.surfaces.orientation import ShiftCovariance
+from raybundle.surfaces.pairs import Sources
+from raybundle.surfaces.transfer import ReferenceRays, transfer
 from raybundle.workflows.surface_state import SURFACE, Cloud
 from raybundle.workflows.surfacing.maps import PART, SHIFTS, part_of, shifts_of
 
@@ -121,7 +121,7 @@ def _task(i: Inputs, means: Means, s: Sources, shifts: str, sigmas: Mapping[int,
 
 
 def sigma_of(store: Folder, task: SigmaTask) -> Product:
-    """The task: standard deviations of the depth parameter (rows, columns), noise, roughness and orientation together."""
+    """The task: standard deviations (rows, columns) of the depth parameter, all parts together."""
     found = DepthMap.of_arrays(store.wanted(task.map))
     shifts = ShiftCovariance.of_arrays(store.wanted(task.shifts))
     return {"sigma": np.sqrt(found.variance(shifts)).astype(np.float32)}

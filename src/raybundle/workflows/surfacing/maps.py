@@ -20,9 +20,9 @@ from raybundle.pipeline.keys import key_of
 from raybundle.pipeline.stage import Means, Stage
 from raybundle.pipeline.store import Folder, Product
 from raybundle.pipeline.tasks import Task
-from raybundle.surface.depth_map import DepthOptions, depth_map
-from raybundle.surface.orientation import shift_covariance
-from raybundle.surface.pairs import Sources
+from raybundle.surfaces.depth_map import DepthOptions, depth_map
+from raybundle.surfaces.orientation import shift_covariance
+from raybundle.surfaces.pairs import Sources
 from raybundle.ties.points import grey_of
 from raybundle.workflows.surface_state import SURFACE, SurfaceOptions, SurfaceState
 

@@ -7,7 +7,7 @@ from dataclasses import dataclass, replace
 from raybundle.block import Block
 from raybundle.errors import InputError
 from raybundle.pipeline.stage import Means, Stage
-from raybundle.surface.pairs import Sources, sources_of_each
+from raybundle.surfaces.pairs import Sources, sources_of_each
 from raybundle.workflows.surface_state import SURFACE, SurfaceState
 
 

@@ -19,8 +19,8 @@ import numpy as np
 from raybundle.errors import InputError
 from raybundle.numerics import native
 from raybundle.numerics.arrays import Array, Mask
-from raybundle.surface.census import FRACTION, NOWHERE, aggregate_twin, census_twin, costs_twin, fixed
-from raybundle.surface.transfer import Transfer, lagrange
+from raybundle.surfaces.census import FRACTION, NOWHERE, aggregate_twin, census_twin, costs_twin, fixed
+from raybundle.surfaces.transfer import Transfer, lagrange
 
 STEP_PX = 16
 """Pixels of the reduced reference from node to node of the tables; between them places are linear."""

@@ -16,13 +16,13 @@ import numpy as np
 from raybundle.block import Block
 from raybundle.errors import InputError
 from raybundle.numerics.arrays import Array, Index, Mask
-from raybundle.surface import planes, roughness
-from raybundle.surface.noise import autocovariance, lost_freedom
-from raybundle.surface.orientation import ShiftCovariance
-from raybundle.surface.pairs import Sources
-from raybundle.surface.refine import PixelGrid, Refined, RefineOptions, Source, grow, refine
-from raybundle.surface.sweep import levels_between, reduction_for, swept
-from raybundle.surface.transfer import ReferenceRays, transfer
+from raybundle.surfaces import planes, roughness
+from raybundle.surfaces.noise import autocovariance, lost_freedom
+from raybundle.surfaces.orientation import ShiftCovariance
+from raybundle.surfaces.pairs import Sources
+from raybundle.surfaces.refine import PixelGrid, Refined, RefineOptions, Source, grow, refine
+from raybundle.surfaces.sweep import levels_between, reduction_for, swept
+from raybundle.surfaces.transfer import ReferenceRays, transfer
 
 COARSE = 4
 """Pixels from one to the next of the grid that is refined first: windows of 7 px overlap there."""

@@ -7,8 +7,8 @@ from itertools import product
 import numpy as np
 
 from raybundle.numerics.arrays import Array
-from raybundle.surface.refine import PixelGrid, Refined
-from raybundle.surface.sweep import Start
+from raybundle.surfaces.refine import PixelGrid, Refined
+from raybundle.surfaces.sweep import Start
 
 HALF = 2
 """Planes are fitted to (2 half + 1)^2 pixels."""

@@ -9,10 +9,10 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from raybundle.numerics.arrays import Array, Index, Mask
-from raybundle.surface.transfer import NODES, Transfer, lagrange
+from raybundle.surfaces.transfer import NODES, Transfer, lagrange
 
 if TYPE_CHECKING:
-    from raybundle.surface.refine import PixelGrid, Refined, RefineOptions, Source
+    from raybundle.surfaces.refine import PixelGrid, Refined, RefineOptions, Source
 
 LAG = 3
 BATCH = 2000

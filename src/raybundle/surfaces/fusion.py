@@ -14,7 +14,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from raybundle.numerics.arrays import Array, Mask
-from raybundle.surface.transfer import ReferenceRays, Transfer
+from raybundle.surfaces.transfer import ReferenceRays, Transfer
 
 SIGMAS = 3.0
 """Standard deviations of a difference up to which two maps agree."""

@@ -19,7 +19,7 @@ from raybundle.block import Block, Camera
 from raybundle.numerics.arrays import Array, Index
 from raybundle.numerics.rotation import rotation_from_vector
 from raybundle.numerics.rows import rows_of_each
-from raybundle.surface.transfer import ReferenceRays
+from raybundle.surfaces.transfer import ReferenceRays
 
 NODES, LEVELS = 12, 4
 """Nodes along the longer side of a reference, and levels of depth; between them shifts are linear."""

@@ -13,8 +13,8 @@ from collections.abc import Sequence
 import numpy as np
 
 from raybundle.numerics.arrays import Array
-from raybundle.surface.refine import LAG, PixelGrid, Refined, RefineOptions, Source
-from raybundle.surface.twin import cubic
+from raybundle.surfaces.refine import LAG, PixelGrid, Refined, RefineOptions, Source
+from raybundle.surfaces.twin import cubic
 
 PATCHES, HALF = 400, 12
 """Patches of 25 x 25 px: a lag of 3 px is then known to some 4 % of the variance from one of them, 0.2 % from all."""

@@ -20,8 +20,8 @@ import numpy as np
 from raybundle.errors import InputError
 from raybundle.numerics import native
 from raybundle.numerics.arrays import Array, Index, Mask
-from raybundle.surface.transfer import Transfer
-from raybundle.surface.twin import cubic, refine_rows
+from raybundle.surfaces.transfer import Transfer
+from raybundle.surfaces.twin import cubic, refine_rows
 
 LAG = 3
 """Pixels up to which grey values are correlated."""
