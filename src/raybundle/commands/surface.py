@@ -36,7 +36,6 @@ class SurfaceSettings:
         1.0, "Memory that the approximate depths of a photograph may take; of large photographs they are coarser where "
         "it is short.", limits=POSITIVE, metavar="GB",
     )  # fmt: skip
-    cluster: str = setting("", "Do the work on a cluster: its folder or address, as for orient.", metavar="FOLDER")
     free_scale: bool = setting(False, FREE_SCALE_HELP)
 
 
@@ -101,7 +100,7 @@ def run_surface(settings: SurfaceSettings, progress: Progress = silent) -> Measu
     _check_out(out)
     try:
         done = measured(
-            result, out / WORK, SurfaceOptions(density=int(s.density)), photos=folders, cluster=s.cluster, jobs=s.jobs,
+            result, out / WORK, SurfaceOptions(density=int(s.density)), photos=folders, jobs=s.jobs,
             memory=s.memory * 1e9, progress=progress,
         )  # fmt: skip
     except InputError:

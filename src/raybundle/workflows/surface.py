@@ -59,7 +59,6 @@ def surface(
     options: SurfaceOptions,
     *,
     photos: Sequence[Path],
-    cluster: str = "",
     jobs: int = 0,
     memory: float = 2e9,
     progress: Progress = silent,
@@ -79,9 +78,7 @@ def surface(
     found, lost = _photographs(adjustment.adjusted, photos)
     project = Project.open(folder)
     try:
-        run = Run(
-            project=project, executor=executor_for(cluster, jobs, memory), progress=progress, jobs=jobs, memory=memory
-        )
+        run = Run(project=project, executor=executor_for("", jobs, memory), progress=progress, jobs=jobs, memory=memory)
         state = run.workflow(SURFACE, SurfaceState(adjustment=adjustment, photos=found, options=options, left_out=lost))
         clouds = tuple(sorted(state.clouds.items()))
         counts = tuple(len(project.products.wanted(key, ("image",))["image"]) for _, key in clouds)
