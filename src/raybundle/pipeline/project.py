@@ -7,6 +7,7 @@
     PROJECT/result/          the result folder
     PROJECT/block/           the photographs alone, where they are measured by hand and `orient` made no result
     PROJECT/failed-tasks.log what tasks said that failed three times
+    PROJECT/surface/         dense points of `surface`, with what is kept for its next run
     PROJECT/film/            what is known of the film that the photographs are scans of
     PROJECT/measured.db      what was measured by hand (`raybundle.measuring.journal`)
     PROJECT/measured-masks/  masks drawn by hand as pictures, with those that were given, as the last run took them
@@ -46,7 +47,7 @@ SCHEMA = 1
 HERE = "project"
 """Said of a store: the project folder itself."""
 OWN = {
-    "project.db", "project.db-wal", "project.db-shm", "project.toml", "cache", "result", "block", "film",
+    "project.db", "project.db-wal", "project.db-shm", "project.toml", "cache", "result", "block", "film", "surface",
     "measured.db", "measured.db-wal", "measured.db-shm", "measured-result", "measured-masks", "failed-tasks.log",
 }  # fmt: skip
 _LEFTOVER = re.compile(r"\.result\.[0-9a-f]{8}\.(?:partial|old)|\.project\.toml\.[0-9a-f]{8}")
