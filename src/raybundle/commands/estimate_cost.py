@@ -48,7 +48,9 @@ class EstimateCostSettings:
         1.0, "Line of a worker to the store that all share, in Gbit/s; 0: one machine does all.", metavar="GBIT",
         limits=Range(low=0, high=1e4),
     )  # fmt: skip
-    store: float = setting(10.0, "Line of the store, in Gbit/s.", metavar="GBIT", limits=Range(low=0.001, high=1e5))
+    store_line: float = setting(
+        10.0, "Line of the store, in Gbit/s.", metavar="GBIT", limits=Range(low=0.001, high=1e5)
+    )
     measure: bool = setting(False, "Measure this machine anew, even where its figures are kept.")
     shipped: bool = setting(False, "Take the figures that come with raybundle, of the processor named there.",
                             flag="no-measure")  # fmt: skip
@@ -85,7 +87,7 @@ def run_estimate_cost(s: EstimateCostSettings, photos: Path | None, progress: Pr
     points = image_points_of(megapixels) if s.points_per_image is None else s.points_per_image
     asked = Asked(
         images=images, megapixels=megapixels, overlap=_overlap(s), image_points=points, iterations=s.iterations,
-        workers=s.workers, memory_gb=s.memory, network_gbit=s.network, store_gbit=s.store, latency_ms=LATENCY_MS,
+        workers=s.workers, memory_gb=s.memory, network_gbit=s.network, store_gbit=s.store_line, latency_ms=LATENCY_MS,
     )  # fmt: skip
     free = shutil.disk_usage(Path.cwd()).free / 1e9 if s.disk is None else s.disk
     return estimate(asked, constants_of(s, progress), disk_gb=free)

@@ -59,7 +59,10 @@ def leaves_of_pairs(pairs: Index, seen: Mask, most: int) -> tuple[ImageLeaf, ...
             continue
         side = _halves(graph[ids][:, ids])
         waiting += [ids[side], ids[~side]]
-    return tuple(ImageLeaf(own=ids, around=_around(graph, ids)) for ids in sorted(own, key=lambda ids: int(ids[0])))
+    return tuple(
+        ImageLeaf(own=ids, around=_around(graph, ids))
+        for ids in sorted((ids for ids in own if len(ids)), key=lambda ids: int(ids[0]))
+    )
 
 
 def _halves(graph: Any) -> Mask:
