@@ -41,6 +41,7 @@ APART = {
     "report/show.py": "opens pages",
     "ties/pairs.py": "which pairs are matched: told in the line of a stage",
     "ties/parts.py": "tasks of a start in parts, told while it goes on",
+    "ties/tracks.py": "tasks of tracks, told while they go on",
     "ties/windows.py": "tasks of least-squares matching, told while it goes on",
     "report/tables.py": "tables for Python",
     "report/plotting.py": "figures of matplotlib for Python",
@@ -107,6 +108,7 @@ CODES = frozenset(
     descriptors end facts fields figures first fisheye folded fonts ft general gnss gps heading heic
     horizontal html ignore
     inner ins jpeg known language last length lens levelled little middle minimal mwMW@%‰—…∞√≥≤ named names nan natural
+    notes
     numpy order orient paragraph png pointer pushbroom rad rational raw rawpy raybundle rb recognised report scipy
     second sha256 shift snooping specialist spherical start statements stay sx sy sz table templates tiff
     trouble upright values vertical vx vy vz webp white wx wy wz xy
