@@ -7,6 +7,7 @@ from scipy.spatial import KDTree
 from raybundle.planning.scenes import AerialStrips, aerial_scene
 from raybundle.planning.simulate import Survey, simulate
 from raybundle.surfaces.fusion import MapView, agreement
+from raybundle.surfaces.refine import PixelGrid
 from raybundle.surfaces.transfer import ReferenceRays, transfer
 
 IMAGES, STRIDE, SIGMA = (3, 4, 5), 250, 1e-7
@@ -21,12 +22,10 @@ def plane_map(block, image, rng, height=0.0):
     """A map of a level plane with noise of the standard deviation that it states."""
     rays = ReferenceRays.of(block, image)
     rows, columns = (n // STRIDE for n in (rays.camera.height_px, rays.camera.width_px))
-    x0 = y0 = STRIDE // 2
+    grid = PixelGrid(x0=STRIDE // 2, y0=STRIDE // 2, stride=STRIDE, rows=rows, columns=columns)
     empty = np.zeros((rows, columns))
-    made = MapView(
-        rays=rays, x0=x0, y0=y0, stride=STRIDE, t=empty, slopes=np.zeros((2, rows, columns)), sigma=empty + SIGMA
-    )
-    xy = made.xy_px.reshape(-1, 2)
+    made = MapView(rays=rays, grid=grid, t=empty, slopes=np.zeros((2, rows, columns)), sigma=empty + SIGMA)
+    xy = made.grid.xy_px.reshape(-1, 2)
 
     def exact(at):
         origin, direction = rays.rays(at)
@@ -36,7 +35,7 @@ def plane_map(block, image, rng, height=0.0):
     slopes = [(exact(xy + d) - exact(xy - d)) / 2 for d in ([1.0, 0.0], [0.0, 1.0])]
     noisy = (t + rng.normal(0, SIGMA, len(t))).reshape(rows, columns)
     return MapView(
-        rays=rays, x0=x0, y0=y0, stride=STRIDE, t=noisy, sigma=empty + SIGMA,
+        rays=rays, grid=grid, t=noisy, sigma=empty + SIGMA,
         slopes=np.array(slopes).reshape(2, rows, columns),
     )  # fmt: skip
 
@@ -66,7 +65,7 @@ def test_maps_of_one_plane_agree_as_often_as_chance_says(block, maps):
 
 def test_of_estimates_that_agree_one_is_kept(block, maps):
     found = {k: compared(block, maps, k) for k in IMAGES}
-    xyz = {k: maps[k].rays.points(maps[k].xy_px.reshape(-1, 2), maps[k].t.ravel()) for k in IMAGES}
+    xyz = {k: maps[k].rays.points(maps[k].grid.xy_px.reshape(-1, 2), maps[k].t.ravel()) for k in IMAGES}
     confirmed = sum(int((f.agree > f.against).sum()) for f in found.values())
     kept = np.concatenate([xyz[k][f.kept] for k, f in found.items()])
     assert 0.3 < len(kept) / confirmed < 0.6  # two or three maps see each place
@@ -82,9 +81,7 @@ def test_a_point_that_others_see_through_is_not_kept(block, maps):
     t = mine.t.copy()
     t[5:8, 10:14] *= 1.02  # stands before the plane by a fiftieth of the distance
     t[12, 20] *= 0.98  # lies behind it
-    shifted = MapView(
-        rays=mine.rays, x0=mine.x0, y0=mine.y0, stride=mine.stride, t=t, slopes=mine.slopes, sigma=mine.sigma
-    )
+    shifted = MapView(rays=mine.rays, grid=mine.grid, t=t, slopes=mine.slopes, sigma=mine.sigma)
     found = compared(block, maps, k, shifted)
 
     def of(a):
@@ -101,7 +98,7 @@ def test_pixels_without_a_depth_say_nothing(block, maps):
     k, mine = 4, maps[4]
     t = mine.t.copy()
     t[::2] = np.nan
-    half = MapView(rays=mine.rays, x0=mine.x0, y0=mine.y0, stride=STRIDE, t=t, slopes=mine.slopes, sigma=mine.sigma)
+    half = MapView(rays=mine.rays, grid=mine.grid, t=t, slopes=mine.slopes, sigma=mine.sigma)
     assert len(compared(block, maps, k, half).agree) == np.isfinite(t).sum()
     away = {**maps, 5: half}
     assert compared(block, away, 3).agree.sum() < compared(block, maps, 3).agree.sum()

@@ -47,8 +47,8 @@ def test_kernels_are_their_twins_to_the_last_bit():
     sweep._costs(reference, sources, places, cost)
     assert np.array_equal(cost, costs_twin(reference, sources, places, step))
     assert len(np.unique(cost)) > 10
-    level, margin = sweep._aggregated(image, cost, 7, 50)
-    theirs = aggregate_twin(image, cost, 7, 50, sweep.LEAST)
+    level, margin = sweep._aggregated(image, cost)
+    theirs = aggregate_twin(image, cost, sweep.SLOPE, sweep.JUMP, sweep.LEAST)
     assert np.array_equal(level, theirs[0])
     assert np.array_equal(margin, theirs[1])
 
@@ -88,11 +88,11 @@ def test_depths_of_the_portal_are_those_of_its_points(portal, image):
     chosen = sources_of_each(block)[k].sources
     tables = [transfer(block, rays, j, between) for j in chosen]
     found = sweep.swept(read(k), [read(j) for j in chosen], tables, scale=4)
-    full = found.at_full_size(*read(k).shape)
-    column, row = (np.floor(xy[:, i]).astype(int) for i in (0, 1))
-    known = np.isfinite(full[row, column])
+    column, row = (np.floor(xy[:, i] / 4).astype(int) for i in (0, 1))
+    there = found.t[row, column]
+    known = np.isfinite(there)
     assert known.mean() > 0.75
-    away = np.abs(full[row, column] / t - 1)[known]
+    away = np.abs(there / t - 1)[known]
     # a reduced pixel is 0.4 % of the depth at these bases
     assert np.median(away) < 0.004
     assert (away < 0.02).mean() > 0.85
@@ -128,8 +128,11 @@ def test_places_are_those_of_the_twin(portal):
 def test_photographs_are_reduced_until_costs_fit():
     assert sweep.reduction_for(1600, 1200, 400, 1e9) == 2
     coarse = sweep.reduction_for(8000, 6000, 2000, 1e9)
-    assert 8000 * 6000 / coarse**2 * min(256, 2000 // coarse) * 3 <= 1e9
-    assert 8000 * 6000 / (coarse - 1) ** 2 * min(256, 2000 // (coarse - 1)) * 3 > 1e9
+
+    def taken(scale):
+        return 8000 * 6000 / scale**2 * sweep.levels_of(2000 / scale) * 3
+
+    assert taken(coarse) <= 1e9 < taken(coarse - 1)
     with pytest.raises(InputError, match="more memory"):
         sweep.reduction_for(80000, 60000, 20000, 1e8)
 

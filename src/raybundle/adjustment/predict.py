@@ -45,11 +45,7 @@ def residuals_px(block: Block, rows: Array) -> Array:
 
 def predicted_px(block: Block, image: int, xyz: Array) -> Array:
     """Image points (n, 2) [px] of object points (n, 3) in an oriented image; NaN behind the camera or not projected."""
-    camera = block.cameras[int(block.images.camera[image])]
-    own = block.images.interior.get(image)
-    if own is not None:
-        camera = replace(camera, values={**camera.values, **own})
-    return image_points(camera, block.images.rotation[image], block.images.centre[image], xyz)
+    return image_points(block.camera_of(image), block.images.rotation[image], block.images.centre[image], xyz)
 
 
 def image_points(camera: Camera, rotation: Array, centre: Array, xyz: Array) -> Array:

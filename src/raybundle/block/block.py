@@ -360,6 +360,11 @@ class Block:
         """(p,) image observations of each point."""
         return np.bincount(self.observations.point, minlength=len(self.points)).astype(np.int32)
 
+    def camera_of(self, image: int) -> Camera:
+        """The camera of an image, with the values that this image has for itself."""
+        camera, own = self.cameras[int(self.images.camera[image])], self.images.interior.get(image)
+        return camera if own is None else replace(camera, values={**camera.values, **own})
+
     def with_cameras(self, *cameras: Camera) -> Block:
         """The block with these cameras in place of those with the same ids."""
         new = {c.id: c for c in cameras}

@@ -112,9 +112,7 @@ class Session:
 
     def camera(self, image: int) -> Camera:
         """The camera of an image with the parameters of that image."""
-        camera = self.block.cameras[int(self.block.images.camera[image])]
-        own = self.block.images.interior.get(image)
-        return camera if own is None else replace(camera, values={**camera.values, **own})
+        return self.block.camera_of(image)
 
     def oriented(self, image: int) -> bool:
         """Whether an image's exterior orientation is known."""

@@ -11,7 +11,6 @@ from __future__ import annotations
 
 import os
 import shutil
-import sys
 import time
 import uuid
 from collections.abc import Callable, Generator
@@ -20,6 +19,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from raybundle.errors import InputError
+from raybundle.io.user_folders import user_folder
 from raybundle.pipeline.store import FULL, StoreLost
 
 VARIABLE, VARIABLE_GB = "RAYBUNDLE_PRODUCTS", "RAYBUNDLE_PRODUCTS_GB"
@@ -36,13 +36,7 @@ def copies_folder() -> Path:
     given = os.environ.get(VARIABLE, "")
     if given:
         return Path(given)
-    if sys.platform == "darwin":
-        base = Path.home() / "Library" / "Caches"
-    elif sys.platform == "win32":
-        base = Path(os.environ.get("LOCALAPPDATA") or Path.home() / "AppData" / "Local")
-    else:
-        base = Path(os.environ.get("XDG_CACHE_HOME") or Path.home() / ".cache")
-    return base / "raybundle" / "products"
+    return user_folder("cache") / "products"
 
 
 def bytes_given() -> float | None:

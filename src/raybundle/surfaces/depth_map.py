@@ -7,7 +7,7 @@ by the noise that was measured on the way.  Nothing here reads or writes files.
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from enum import IntFlag
 
 import cv2
@@ -20,8 +20,8 @@ from raybundle.surfaces import planes, roughness
 from raybundle.surfaces.noise import autocovariance, lost_freedom
 from raybundle.surfaces.orientation import ShiftCovariance
 from raybundle.surfaces.pairs import Sources
-from raybundle.surfaces.refine import PixelGrid, Refined, RefineOptions, Source, grow, refine
-from raybundle.surfaces.sweep import levels_between, reduction_for, swept
+from raybundle.surfaces.refine import PixelGrid, Refined, RefineOptions, Source, grow, refine, used_sources
+from raybundle.surfaces.sweep import moved_px, reduction_for, swept
 from raybundle.surfaces.transfer import ReferenceRays, transfer
 
 COARSE = 4
@@ -237,8 +237,7 @@ def _approximate(work: _Work) -> tuple[Refined, PixelGrid, Array]:
     """Refined pixels of a coarse grid, and the autocovariances of the noise."""
     height, width = work.reference.shape
     tables = [s.transfer for s in work.sources]
-    levels = levels_between(tables, width, height, 1)
-    scale = reduction_for(width, height, levels, work.options.memory)
+    scale = reduction_for(width, height, moved_px(tables, width, height), work.options.memory)
     start = swept(work.reference, work.photographs, tables, scale=scale)
     coarse = PixelGrid.over(work.reference, COARSE, RefineOptions().half)
     grey, threads = work.grey, work.options.threads
@@ -282,39 +281,31 @@ def _in_strips(work: _Work, grid: PixelGrid, start: Array, noise: Array, power: 
         )  # fmt: skip
         assert part.response is not None
         window[begin : begin + n] = roughness.of_window(part.response, power)
-        parts.append(_without_response(part))
+        parts.append(replace(part, response=None))
     return _below_each_other(parts), window
 
 
-def _without_response(r: Refined) -> Refined:
-    return Refined(
-        numbers=r.numbers, reason=r.reason, iterations=r.iterations, views=r.views, shift=r.shift, left=r.left,
-        response=None,
-    )  # fmt: skip
-
-
 def _below_each_other(parts: Sequence[Refined]) -> Refined:
-    return Refined(
-        numbers=np.concatenate([p.numbers for p in parts], axis=1), reason=np.concatenate([p.reason for p in parts]),
-        iterations=np.concatenate([p.iterations for p in parts]), views=np.concatenate([p.views for p in parts]),
-        shift=np.concatenate([p.shift for p in parts]), left=parts[0].left, response=None,
+    return replace(
+        parts[0], numbers=np.concatenate([p.numbers for p in parts], axis=1),
+        reason=np.concatenate([p.reason for p in parts]), iterations=np.concatenate([p.iterations for p in parts]),
+        views=np.concatenate([p.views for p in parts]), shift=np.concatenate([p.shift for p in parts]),
     )  # fmt: skip
 
 
 def _joined(first: Refined, second: Refined) -> Refined:
     """The second where it was refined, else the first."""
     new = second.found
-    return Refined(
-        numbers=np.where(new, second.numbers, first.numbers), reason=np.where(new, second.reason, first.reason),
+    return replace(
+        first, numbers=np.where(new, second.numbers, first.numbers), reason=np.where(new, second.reason, first.reason),
         iterations=np.where(new, second.iterations, first.iterations),
-        views=np.where(new, second.views, first.views),
-        shift=np.where(new[..., None, None], second.shift, first.shift), left=first.left, response=None,
+        views=np.where(new, second.views, first.views), shift=np.where(new[..., None, None], second.shift, first.shift),
     )  # fmt: skip
 
 
 def _noise_of(found: Refined, noise: Array, work: _Work) -> Array:
     """Variance of t by grey values, residuals of correlated ones being too small (fewer are independent)."""
-    used = _count(found.views, len(work.sources))
+    used = used_sources(found.views, len(work.sources)).sum(axis=-1)
     o = RefineOptions()
     side = np.arange(-o.half, o.half + 1.0)
     w = np.exp(-(side**2) / (2 * o.sigma**2))
@@ -325,11 +316,6 @@ def _noise_of(found: Refined, noise: Array, work: _Work) -> Array:
     correlated = white / lost
     more = np.maximum(white - spent, 1) / np.maximum(correlated - spent, 1) / lost
     return found.variance * more
-
-
-def _count(views: Index, sources: int) -> Index:
-    """Sources used, of each pixel."""
-    return ((views[..., None] >> np.arange(sources)) & 1).sum(axis=-1)
 
 
 def _map(work: _Work, grid: PixelGrid, fine: Refined, by_noise: Array, theory: Array, grey: Array) -> DepthMap:
@@ -362,7 +348,7 @@ def _map(work: _Work, grid: PixelGrid, fine: Refined, by_noise: Array, theory: A
 def _flags(work: _Work, fine: Refined, apart: Array, variance: Array, incidence: Array, stride: int) -> Array:
     """uint8 `Flag` of each pixel, by a test of the map against itself."""
     known = fine.found
-    few = (_count(fine.views, len(work.sources)) < 2) & (len(work.sources) > 1)
+    few = (used_sources(fine.views, len(work.sources)).sum(axis=-1) < 2) & (len(work.sources) > 1)
     own = np.where(known, variance, np.nan)
     agree, against = np.zeros(known.shape, np.uint8), np.zeros(known.shape, np.uint8)
     for misfit, (v, u) in zip(apart, roughness.neighbours(stride), strict=True):

@@ -14,6 +14,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from raybundle.numerics.arrays import Array, Mask
+from raybundle.surfaces.refine import PixelGrid
 from raybundle.surfaces.transfer import ReferenceRays, Transfer
 
 SIGMAS = 3.0
@@ -27,35 +28,26 @@ class MapView:
     """A depth map as others look into it: arrays (rows, columns), NaN where there is no depth."""
 
     rays: ReferenceRays
-    x0: int
-    y0: int
-    stride: int
+    grid: PixelGrid
     t: Array
     slopes: Array
     """(2, rows, columns) of t by column and row [1 / px]"""
     sigma: Array
     """of t, all parts"""
 
-    @property
-    def xy_px(self) -> Array:
-        """(rows, columns, 2) centres of the pixels."""
-        rows, columns = self.t.shape
-        x = self.x0 + self.stride * np.arange(columns) + 0.5
-        y = self.y0 + self.stride * np.arange(rows) + 0.5
-        return np.stack(np.meshgrid(x, y), axis=-1)
-
     def looked_up(self, xy_px: Array) -> tuple[Array, Array, Array]:
         """Depth parameter at places (n, 2), its standard deviation, and that of the nearest pixel as a length.
 
         A depth goes on from the nearest pixel along its slopes; NaN where that one has none.
         """
-        column = np.round((xy_px[:, 0] - self.x0 - 0.5) / self.stride)
-        row = np.round((xy_px[:, 1] - self.y0 - 0.5) / self.stride)
+        g = self.grid
+        column = np.round((xy_px[:, 0] - g.x0 - 0.5) / g.stride)
+        row = np.round((xy_px[:, 1] - g.y0 - 0.5) / g.stride)
         with np.errstate(invalid="ignore"):
             inside = (row >= 0) & (row < self.t.shape[0]) & (column >= 0) & (column < self.t.shape[1])
         j, i = (np.where(inside, x, 0).astype(int) for x in (row, column))
-        du = xy_px[:, 0] - (self.x0 + 0.5 + self.stride * i)
-        dv = xy_px[:, 1] - (self.y0 + 0.5 + self.stride * j)
+        du = xy_px[:, 0] - (g.x0 + 0.5 + g.stride * i)
+        dv = xy_px[:, 1] - (g.y0 + 0.5 + g.stride * j)
         t = self.t[j, i] + self.slopes[0, j, i] * du + self.slopes[1, j, i] * dv
         lost = ~inside
         sigma = np.where(lost, np.nan, self.sigma[j, i])
@@ -96,7 +88,7 @@ def agreement(
     What it does not tell: an error that all maps share, as one of orientation.
     """
     known = np.isfinite(mine.t)
-    xy, t, sigma = mine.xy_px[known], np.asarray(mine.t[known], float), np.asarray(mine.sigma[known], float)
+    xy, t, sigma = mine.grid.xy_px[known], np.asarray(mine.t[known], float), np.asarray(mine.sigma[known], float)
     count = len(t)
     agree, against, behind = (np.zeros(count, np.uint8) for _ in range(3))
     best = np.ones(count, bool)

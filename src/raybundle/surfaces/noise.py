@@ -13,7 +13,7 @@ from collections.abc import Sequence
 import numpy as np
 
 from raybundle.numerics.arrays import Array
-from raybundle.surfaces.refine import LAG, PixelGrid, Refined, RefineOptions, Source
+from raybundle.surfaces.refine import LAG, PixelGrid, Refined, RefineOptions, Source, interpolated_lags
 from raybundle.surfaces.twin import cubic
 
 PATCHES, HALF = 400, 12
@@ -145,9 +145,7 @@ def _of_weakest(products: Array, textures: Array) -> Array:
 def _without_interpolation(both: Array) -> Array:
     """(7, 7) autocovariance of one photograph, 1 in the middle, by that of its difference to an interpolated one."""
     side = 2 * LAG + 1
-    f = (np.arange(64) + 0.5) / 64
-    w = np.pad(cubic(f)[0], ((0, 0), (LAG, LAG)))
-    lags = np.array([np.mean(np.sum(w * np.roll(w, k, axis=1), axis=1)) for k in range(-LAG, LAG + 1)])
+    lags = interpolated_lags()
     smooth = np.zeros((side, side))
     for k in range(side):
         for m in range(side):

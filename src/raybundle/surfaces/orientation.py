@@ -123,7 +123,7 @@ def shift_covariance(
     xy, levels = np.stack([u.ravel(), v.ravel()], axis=1), t.ravel()
     std = np.sqrt(np.maximum(np.diagonal(joint.covariance), 0.0))
     views = {
-        i: _View(camera=_camera(block, i), rotation=block.images.rotation[i], centre=block.images.centre[i])
+        i: _View(camera=block.camera_of(i), rotation=block.images.rotation[i], centre=block.images.centre[i])
         for i in (reference, *sources)
     }
     xyz, places = _seen(rays, views, reference, sources, xy, levels)
@@ -174,10 +174,3 @@ def _seen(
     xyz = replace(rays, camera=own.camera, rotation=own.rotation, centre=own.centre).points(xy, t)
     places = [image_points(views[i].camera, views[i].rotation, views[i].centre, xyz) for i in sources]
     return xyz, np.concatenate(places, axis=1)
-
-
-def _camera(block: Block, image: int) -> Camera:
-    """The camera of an image, with the values that the image has for itself."""
-    camera = block.cameras[int(block.images.camera[image])]
-    own = block.images.interior.get(image)
-    return camera if own is None else replace(camera, values={**camera.values, **own})

@@ -10,7 +10,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from concurrent.futures import ThreadPoolExecutor
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from enum import IntEnum
 from functools import partial
 from typing import Any
@@ -177,7 +177,7 @@ class Refined:
     @property
     def grey_variance(self) -> Array:
         """Variance of a normalised grey value of a pixel by the residuals, which are those of interpolated ones."""
-        used = (self.views[..., None] >> np.arange(len(self.left) - 1)) & 1
+        used = used_sources(self.views, len(self.left) - 1)
         return self.numbers[6] * (1 + used.sum(axis=-1)) / (self.left[0] + used @ self.left[1:])
 
     @property
@@ -240,9 +240,9 @@ def grow(
     pixel is tried once more only where a neighbour is new.  Deterministic, and the same for any number of threads.
     """
     work = _Work.of(reference, sources, grid, options, autocovariance, threads)
-    grown = Refined(
-        numbers=found.numbers.copy(), reason=found.reason.copy(), iterations=found.iterations.copy(),
-        views=found.views.copy(), shift=found.shift.copy(), left=found.left,
+    grown = replace(
+        found, numbers=found.numbers.copy(), reason=found.reason.copy(), iterations=found.iterations.copy(),
+        views=found.views.copy(), shift=found.shift.copy(),
         response=None if found.response is None else found.response.copy(),
     )  # fmt: skip
     fresh = grown.found.copy()
@@ -332,14 +332,24 @@ def _empty(work: _Work, start: Array, *, response: bool) -> Refined:
     )  # fmt: skip
 
 
+def used_sources(views: Index, count: int) -> Index:
+    """(..., count) 1 where a pixel was measured with a source, by its bits."""
+    return (np.asarray(views)[..., None] >> np.arange(count)) & 1
+
+
+def interpolated_lags() -> Array:
+    """(7,) autocovariance of interpolated white noise of variance 1, by lag from -3 to 3 px, on average over places."""
+    f = (np.arange(64) + 0.5) / 64
+    w = np.pad(cubic(f)[0], ((0, 0), (LAG, LAG)))
+    return np.array([np.mean(np.sum(w * np.roll(w, k, axis=1), axis=1)) for k in range(-LAG, LAG + 1)])
+
+
 def left_by_interpolation(autocovariance: Array | None, views: int) -> Array:
     """(views,) mean variance of interpolated grey values, that of grey values being 1; the first view stays as it is.
 
     autocovariance  (views, 7, 7) by lag; None: white
     """
-    f = (np.arange(64) + 0.5) / 64
-    w = np.pad(cubic(f)[0], ((0, 0), (LAG, LAG)))
-    lags = np.array([np.mean(np.sum(w * np.roll(w, k, axis=1), axis=1)) for k in range(-LAG, LAG + 1)])
+    lags = interpolated_lags()
     if autocovariance is None:
         return np.append(1.0, np.full(views - 1, lags[LAG] ** 2))
     return np.append(1.0, np.einsum("vji,j,i->v", autocovariance[1:].astype(float), lags, lags))

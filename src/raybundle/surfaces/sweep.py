@@ -53,38 +53,19 @@ class Start:
     """Pixels of the photograph in one of the reduced"""
     levels: int
 
-    def at_full_size(self, height: int, width: int) -> Array:
-        """(height, width) depth parameters of the photograph's pixels, linear between those of the reduced ones."""
-        if self.scale == 1:
-            return self.t
-        known = np.isfinite(self.t)
-        u, v = (((np.arange(n, dtype=np.float32) + 0.5) / self.scale - 0.5) for n in (width, height))
-        x, y = np.meshgrid(u, v)
-        weight = cv2.remap(known.astype(np.float32), x, y, cv2.INTER_LINEAR, borderMode=cv2.BORDER_REPLICATE)
-        value = cv2.remap(np.where(known, self.t, 0), x, y, cv2.INTER_LINEAR, borderMode=cv2.BORDER_REPLICATE)
-        low, high = _extremes(self.t)
-        nearest = cv2.remap(high - low, x, y, cv2.INTER_NEAREST, borderMode=cv2.BORDER_REPLICATE)
-        with np.errstate(invalid="ignore", divide="ignore"):
-            linear = value / weight
-        # where neighbours stand on different things, the nearest says it
-        own = cv2.remap(self.t, x, y, cv2.INTER_NEAREST, borderMode=cv2.BORDER_REPLICATE)
-        step = self.step_of_patch()
-        return np.where((weight > 0.99) & (nearest < step), linear, own).astype(np.float32)
-
     def step_of_patch(self) -> float:
         """Difference of t from pixel to pixel above which they stand on different things."""
         low, high = np.nanmin(self.t, initial=np.inf), np.nanmax(self.t, initial=-np.inf)
         return APART_LEVELS * max(float(high - low), 0.0) / max(self.levels - 1, 1)
 
 
-def reduction_for(width: int, height: int, levels: int, memory_bytes: float, least: int = 2) -> int:
-    """By how much photographs are reduced so that costs of so many levels fit; levels of the photograph at full size.
+def reduction_for(width: int, height: int, moved: float, memory_bytes: float, least: int = 2) -> int:
+    """By how much photographs are reduced so that costs of all levels fit; moved: as `moved_px` says.
 
     Raises InputError where that is more than 16 times.
     """
     for scale in range(least, 17):
-        n = min(MOST_LEVELS, max(FEWEST_LEVELS, levels // scale))
-        if width * height / scale**2 * n * ALONG <= memory_bytes:
+        if width * height / scale**2 * levels_of(moved / scale) * ALONG <= memory_bytes:
             return scale
     raise InputError(
         f"depths of {width} x {height} px take more than {memory_bytes / 1e9:.2g} GB; give it more memory, or reduce "
@@ -92,29 +73,26 @@ def reduction_for(width: int, height: int, levels: int, memory_bytes: float, lea
     )
 
 
-def levels_between(tables: Sequence[Transfer], width: int, height: int, scale: int) -> int:
-    """Levels of the tables' range from one of which to the next a point moves by a reduced pixel, in the median."""
+def moved_px(tables: Sequence[Transfer], width: int, height: int) -> float:
+    """By how much a place moves in its source over the range of the tables: the most of the sources' medians [px]."""
     v, u = (np.linspace(0.5, n - 0.5, 12) for n in (height, width))
     moved = [0.0]
     for table in tables:
         t = table.t0 + table.dt * np.array([0.0, table.places.shape[2] - 1.0])
         places = on_grid(table, v, u, t)
-        length = np.linalg.norm(places[1] - places[0], axis=-1) / scale
+        length = np.linalg.norm(places[1] - places[0], axis=-1)
         if np.isfinite(length).any():
             moved.append(float(np.nanmedian(length)))
-    wanted = int(np.clip(np.ceil(max(moved)) + 1, FEWEST_LEVELS, MOST_LEVELS))
+    return max(moved)
+
+
+def levels_of(moved: float) -> int:
+    """Levels from one of which to the next a place moves by a reduced pixel, where it moves by so many in all."""
+    wanted = int(np.clip(np.ceil(moved) + 1, FEWEST_LEVELS, MOST_LEVELS))
     return -(-wanted // LANES) * LANES
 
 
-def swept(
-    reference: Array,
-    sources: Sequence[Array],
-    tables: Sequence[Transfer],
-    *,
-    scale: int,
-    slope: int = SLOPE,
-    jump: int = JUMP,
-) -> Start:
+def swept(reference: Array, sources: Sequence[Array], tables: Sequence[Transfer], *, scale: int) -> Start:
     """Approximate depth parameters of a reference.
 
     reference  (height, width) uint8 grey values, not reduced
@@ -129,7 +107,7 @@ def swept(
         raise InputError("a surface needs two photographs of the same part at least")
     small = _reduced(reference, scale)
     h, w = small.shape
-    n = levels_between(tables, reference.shape[1], reference.shape[0], scale)
+    n = levels_of(moved_px(tables, reference.shape[1], reference.shape[0]) / scale)
     t = np.linspace(tables[0].t0, tables[0].t0 + tables[0].dt * (tables[0].places.shape[2] - 1), n)
     v, u = (np.arange(0, size + STEP_PX, STEP_PX) + 0.5 for size in (h, w))
     laid = [
@@ -138,7 +116,7 @@ def swept(
     ]
     cost = np.empty((h, w, n), np.uint8)
     _costs(_census(small), [c for c, _ in laid], [places for _, places in laid], cost)
-    level, margin = _aggregated(small, cost, slope, jump)
+    level, margin = _aggregated(small, cost)
     known = (margin > UNIQUE) & _seen([places for _, places in laid], [c for c, _ in laid], (h, w))
     whole = np.where(known, np.round(level * LANES), -LANES * LANES).astype(np.int16)
     cv2.filterSpeckles(whole, -LANES * LANES, SPECKLE_PX, LANES * APART_LEVELS)
@@ -237,13 +215,6 @@ def _seen(places: Sequence[Array], census: Sequence[Array], size: tuple[int, int
     return found
 
 
-def _extremes(t: Array) -> tuple[Array, Array]:
-    """Smallest and largest of a pixel and its eight neighbours; where one is not known, none."""
-    kernel = np.ones((3, 3), np.uint8)
-    filled = np.where(np.isfinite(t), t, 0).astype(np.float32)
-    return cv2.erode(filled, kernel), cv2.dilate(filled, kernel)
-
-
 def _census(image: Array) -> Array:
     module = native.module()
     if module is None:
@@ -261,13 +232,13 @@ def _costs(reference: Array, sources: Sequence[Array], places: Sequence[Array], 
         module.sweep_costs(reference, list(sources), list(places), STEP_PX, cost)
 
 
-def _aggregated(image: Array, cost: Array, slope: int, jump: int) -> tuple[Array, Array]:
+def _aggregated(image: Array, cost: Array) -> tuple[Array, Array]:
     """Level and margin (height, width) of the smallest sum of costs along paths."""
     module = native.module()
     if module is None:
-        return aggregate_twin(image, cost, slope, jump, LEAST)
+        return aggregate_twin(image, cost, SLOPE, JUMP, LEAST)
     level, margin = np.empty(image.shape, np.float32), np.empty(image.shape, np.float32)
     module.aggregate_costs(
-        np.ascontiguousarray(image), cost, slope, jump, LEAST, np.empty(cost.shape, np.uint16), level, margin
+        np.ascontiguousarray(image), cost, SLOPE, JUMP, LEAST, np.empty(cost.shape, np.uint16), level, margin
     )
     return level, margin

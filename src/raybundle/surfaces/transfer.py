@@ -11,7 +11,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from raybundle.adjustment.predict import image_points
+from raybundle.adjustment.predict import predicted_px
 from raybundle.block import Block, Camera
 from raybundle.errors import InputError
 from raybundle.numerics import native
@@ -51,7 +51,7 @@ class ReferenceRays:
     @classmethod
     def of(cls, block: Block, image: int) -> ReferenceRays:
         """Those of an oriented image.  Raises InputError for a satellite scene or an image without orientation."""
-        camera = _camera(block, image)
+        camera = block.camera_of(image)
         if camera.is_scene:
             raise InputError(f"image {block.images.ids[image]}: depths along rays are not those of a satellite scene")
         if not block.images.oriented[image]:
@@ -197,10 +197,10 @@ def _tabulated(
     origin, direction = rays.rays(np.stack([u.ravel(), v.ravel()], axis=1))
     places = np.empty((len(origin), levels, 2))
     for k in range(levels):
-        places[:, k] = _seen(block, source, origin + direction / t[k])
+        places[:, k] = predicted_px(block, source, origin + direction / t[k])
     places = places.reshape(rows, columns, levels, 2)
     return Transfer(
-        places=_without_jumps(places, _camera(block, source).width_px), u0_px=0.0, v0_px=0.0, step_px=step,
+        places=_without_jumps(places, block.camera_of(source).width_px), u0_px=0.0, v0_px=0.0, step_px=step,
         t0=t_range[0], dt=(t_range[1] - t_range[0]) / (levels - 1),
     )  # fmt: skip
 
@@ -224,7 +224,7 @@ def _errors(block: Block, rays: ReferenceRays, source: int, table: Transfer) -> 
     And the share of them that the table does not know.
     """
     rows, columns, levels = table.places.shape[:3]
-    size = np.array([_camera(block, source).width_px, _camera(block, source).height_px])
+    size = np.array([block.camera_of(source).width_px, block.camera_of(source).height_px])
     every = max(1, int(np.ceil(np.sqrt(rows * columns * levels / MIDDLES))))
     iu, iv = _some(columns - 1, every), _some(rows - 1, every)
     worst, unknown, count = [], 0, 0
@@ -232,7 +232,7 @@ def _errors(block: Block, rays: ReferenceRays, source: int, table: Transfer) -> 
         u, v, k = np.meshgrid(iu + half_uv, iv + half_uv, np.arange(levels - 1) + half_t)
         xy = np.stack([u.ravel(), v.ravel()], axis=1) * table.step_px
         t = table.t0 + table.dt * k.ravel()
-        exact = _seen(block, source, rays.points(xy, t))
+        exact = predicted_px(block, source, rays.points(xy, t))
         with np.errstate(invalid="ignore"):
             inside = ((exact >= 0) & (exact <= size)).all(axis=1) & (
                 xy <= [rays.camera.width_px, rays.camera.height_px]
@@ -247,14 +247,3 @@ def _errors(block: Block, rays: ReferenceRays, source: int, table: Transfer) -> 
 def _some(count: int, every: int) -> Array:
     """Cells of a direction: the first, the last and some between."""
     return np.unique(np.append(np.arange(0, count, every), count - 1))
-
-
-def _camera(block: Block, image: int) -> Camera:
-    camera = block.cameras[int(block.images.camera[image])]
-    own = block.images.interior.get(image)
-    return camera if own is None else replace(camera, values={**camera.values, **own})
-
-
-def _seen(block: Block, image: int, xyz: Array) -> Array:
-    camera = _camera(block, image)
-    return image_points(camera, block.images.rotation[image], block.images.centre[image], xyz)

@@ -15,7 +15,7 @@ from raybundle.errors import InputError
 from raybundle.matching import tracks as joining
 from raybundle.matching.tracks import JoinedParts, Matches, Tracks
 from raybundle.matching.verify import VerifiedPair
-from raybundle.numerics.arrays import Array, Index
+from raybundle.numerics.arrays import Index
 from raybundle.numerics.rows import rows_of_each
 from raybundle.orientation.image_leaves import leaves_of_pairs
 from raybundle.pipeline.keys import key_of
@@ -114,7 +114,7 @@ def _moved(number: Index, images: Index) -> Index:
 def tracks_within(store: Folder, task: TracksTask) -> Product:
     """The task: tracks that lie in a leaf; the matches of those that reach out of it, and first features outside."""
     a = store.wanted(task.matches)
-    xy = [_places(store, key) for key in task.features]
+    xy = list(FeatureStore(store, task.features).xy_px())
     order = np.arange(len(a["first"]))
     matches = joining.at_first_places(Matches(first=a["first"], second=a["second"], order=order), xy)
     outside = joining.first_places(a["outside"], xy)
@@ -125,10 +125,6 @@ def tracks_within(store: Folder, task: TracksTask) -> Product:
         "conflict_image": parts.conflict_image, "apart_px": parts.apart_px, "first": reaching.first,
         "second": reaching.second, "order": reaching.order, "outside": outside,
     }  # fmt: skip
-
-
-def _places(store: Folder, key: str) -> Array:
-    return store.wanted(key, ("xy_px",))["xy_px"]
 
 
 def _together(
@@ -153,19 +149,10 @@ def _together(
         reaching.append(Matches(first=first, second=second, order=one.order[a["order"]]))
     first, second = (at_first[np.searchsorted(outside, e)] for e in (between.first, between.second))
     every = joining.across(reaching, Matches(first=first, second=second, order=between.order))
-    return joining.tracks_of_parts([*parts, joining.joined(every, lambda n: _stored_places(store, features, n))])
+    return joining.tracks_of_parts([*parts, joining.joined(every, joining.placed(features.xy_px()))])
 
 
 def _back(number: Index, images: Index) -> Index:
     """Numbers of features, or of tracks, with their images numbered among all."""
     found = joining.numbers(images[joining.images_of(number)], joining.features_of(number))
     return found | (number & joining.TORN)
-
-
-def _stored_places(store: Folder, features: FeatureStore, number: Index) -> Array:
-    """(k, 2) where features lie, one image in memory at a time."""
-    xy = np.empty((len(number), 2))
-    for i, mine in enumerate(rows_of_each(joining.images_of(number), len(features.keys))):
-        if len(mine):
-            xy[mine] = _places(store, features.keys[i])[joining.features_of(number[mine])]
-    return xy

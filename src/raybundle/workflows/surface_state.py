@@ -5,8 +5,6 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 
-import numpy as np
-
 from raybundle.adjustment.result import Adjustment
 from raybundle.block import Block
 from raybundle.io.photos.photo import Photo
@@ -51,11 +49,6 @@ class Cloud:
     def as_arrays(self) -> dict[str, Array]:
         """What the store keeps."""
         return {name: getattr(self, name) for name in self.__slots__}
-
-    @classmethod
-    def joined(cls, clouds: list[Cloud]) -> Cloud:
-        """Several as one, in their order."""
-        return cls(**{name: np.concatenate([getattr(c, name) for c in clouds]) for name in cls.__slots__})
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -10,7 +10,6 @@ import json
 import math
 import os
 import re
-import sys
 from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
 from pathlib import Path
@@ -30,6 +29,7 @@ from raybundle.io.folders import new_folder
 from raybundle.io.photos.cameras import CameraGroup, with_calibration
 from raybundle.io.photos.photo import Photo
 from raybundle.io.reading.trees import Json, read_toml
+from raybundle.io.user_folders import user_folder
 from raybundle.numerics.arrays import Array
 from raybundle.sensors import sensor_models
 from raybundle.settings import option
@@ -114,13 +114,7 @@ def library_folder() -> Path:
     given = os.environ.get(VARIABLE, "")
     if given:
         return Path(given)
-    if sys.platform == "darwin":
-        base = Path.home() / "Library" / "Application Support"
-    elif sys.platform == "win32":
-        base = Path(os.environ.get("LOCALAPPDATA") or Path.home() / "AppData" / "Local")
-    else:
-        base = Path(os.environ.get("XDG_DATA_HOME") or Path.home() / ".local" / "share")
-    return base / "raybundle" / "cameras"
+    return user_folder("data") / "cameras"
 
 
 def key_of(photo: Photo) -> CameraKey:

@@ -10,6 +10,8 @@ from pathlib import Path
 
 import msgspec
 
+from raybundle.io.user_folders import user_folder
+
 REVISION = 2
 """Raised with every change of what is measured; constants of another are measured again"""
 SWEEPS = ("up", "down", "covariances", "statistics")
@@ -132,14 +134,7 @@ def cache_file() -> Path:
     given = os.environ.get("RAYBUNDLE_CACHE", "")
     if given:
         return Path(given) / "cost.json"
-    system = platform.system()
-    if system == "Darwin":
-        base = Path.home() / "Library" / "Caches"
-    elif system == "Windows":
-        base = Path(os.environ.get("LOCALAPPDATA") or Path.home() / "AppData" / "Local")
-    else:
-        base = Path(os.environ.get("XDG_CACHE_HOME") or Path.home() / ".cache")
-    return base / "raybundle" / "cost.json"
+    return user_folder("cache") / "cost.json"
 
 
 def kept() -> Constants | None:

@@ -7,6 +7,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
+from raybundle.adjustment.queries import joint_orientation
 from raybundle.adjustment.result import Adjustment
 from raybundle.errors import InputError
 from raybundle.io.block.arrays import arrays_of_block, block_of_arrays
@@ -18,14 +19,15 @@ from raybundle.pipeline.store import Folder, Product
 from raybundle.pipeline.tasks import Task
 from raybundle.surfaces.depth_map import DepthMap
 from raybundle.surfaces.fusion import MapView, agreement
-from raybundle.surfaces.orientation import ShiftCovariance
+from raybundle.surfaces.orientation import ShiftCovariance, shift_covariance
 from raybundle.surfaces.pairs import Sources
+from raybundle.surfaces.refine import used_sources
 from raybundle.surfaces.transfer import ReferenceRays, transfer
 from raybundle.workflows.surface_state import SURFACE, Cloud
-from raybundle.workflows.surfacing.maps import PART, SHIFTS, part_of, shifts_of
+from raybundle.workflows.surfacing.maps import PART, part_of
 
 VERSION = 1
-SIGMA, CLOUD = "surface sigma", "surface points"
+SHIFTS, SIGMA, CLOUD = "surface shifts", "surface sigma", "surface points"
 """First words of the keys of what is kept"""
 MOST_MAPS = 8
 """Maps that a map is compared with, those that share most tie points: more cost time and confirm no better."""
@@ -75,9 +77,10 @@ def fuse(i: Inputs, means: Means) -> Mapping[int, str]:
     """Keys of what each reference gives to the cloud."""
     of = {s.reference: s for s in i.chosen if s.reference in i.maps}
     shifts, sigma = dict[int, str](), list[Task]()
+    about = key_of("adjustment", VERSION, arrays_of_block(i.adjustment.adjusted), i.adjustment.options)
     for k, s in of.items():
-        t_range = DepthMap.of_arrays(means.store.wanted(i.maps[k])).t_range
-        shifts[k] = shifts_of(means, i.adjustment, s, t_range)
+        low, high = means.store.wanted(i.maps[k], ("t_range",))["t_range"].tolist()
+        shifts[k] = _shifts(means, i.adjustment, about, s, (low, high))
         sigma.append(
             Task(
                 key=key_of(SIGMA, VERSION, i.maps[k], shifts[k]), function=f"{__name__}:sigma_of",
@@ -90,6 +93,19 @@ def fuse(i: Inputs, means: Means) -> Mapping[int, str]:
     tasks = [_task(i, means, of[k], shifts[k], sigmas) for k in of]
     _done(means, tasks, "maps against each other")
     return {k: t.key for k, t in zip(of, tasks, strict=True)}
+
+
+def _shifts(means: Means, adjustment: Adjustment, about: str, s: Sources, t_range: tuple[float, float]) -> str:
+    """The key of how sources and rays of a reference shift together; made where it is not kept.
+
+    about  the key of the adjustment
+    """
+    key = key_of(SHIFTS, VERSION, about, s.reference, s.sources, t_range)
+    if not means.store.has(key):
+        joint = joint_orientation(adjustment, (s.reference, *s.sources))
+        made = shift_covariance(adjustment.adjusted, joint, s.reference, s.sources, t_range)
+        means.store.store(key, made.as_arrays())
+    return key
 
 
 def _done(means: Means, tasks: Sequence[Task], what: str) -> None:
@@ -133,7 +149,10 @@ def cloud_of(store: Folder, task: CloudTask) -> Product:
     maps = [DepthMap.of_arrays(store.wanted(key)) for key in task.maps]
     sigmas = [store.wanted(key)["sigma"] for key in task.sigmas]
     images = (task.own, *task.others)
-    views = [_view(ReferenceRays.of(block, j), m, s) for j, m, s in zip(images, maps, sigmas, strict=True)]
+    views = [
+        MapView(rays=ReferenceRays.of(block, j), grid=m.grid, t=m.t, slopes=m.slopes, sigma=s)
+        for j, m, s in zip(images, maps, sigmas, strict=True)
+    ]
     mine, found = views[0], maps[0]
     known = np.isfinite(mine.t)
     if not task.others or not known.any():
@@ -145,17 +164,9 @@ def cloud_of(store: Folder, task: CloudTask) -> Product:
     return _cloud(store, task, found, mine, at, told.agree[told.kept])
 
 
-def _view(rays: ReferenceRays, found: DepthMap, sigma: Array) -> MapView:
-    """A map as others look into it."""
-    grid = found.grid
-    return MapView(
-        rays=rays, x0=grid.x0, y0=grid.y0, stride=grid.stride, t=found.t, slopes=found.slopes, sigma=sigma
-    )  # fmt: skip
-
-
 def _cloud(store: Folder, task: CloudTask, found: DepthMap, mine: MapView, at: Array, confirmed: Array) -> Product:
     """Points of a map by their places in it."""
-    xy, t = mine.xy_px.reshape(-1, 2)[at], np.asarray(found.t, float).ravel()[at]
+    xy, t = mine.grid.xy_px.reshape(-1, 2)[at], np.asarray(found.t, float).ravel()[at]
     by_t, xyz = mine.rays.by_t(xy, t), mine.rays.points(xy, t)
     length = np.linalg.norm(by_t, axis=1)
     shifts = ShiftCovariance.of_arrays(store.wanted(task.shifts))
@@ -168,7 +179,7 @@ def _cloud(store: Folder, task: CloudTask, found: DepthMap, mine: MapView, at: A
         own = (noise + rough)[part, None] * by_t[part] ** 2
         sigma[part] = np.sqrt(np.diagonal(C, axis1=1, axis2=2) + own)
         along[part] = np.sqrt(shifts.of_depths(xy[part], t[part], sensitivity[part]))
-    used = (np.asarray(found.views).ravel()[at, None] >> np.arange(found.shift.shape[2])) & 1
+    used = used_sources(found.views.ravel()[at], found.shift.shape[2])
     pixels = read_colour(task.photo)
     colour = pixels[np.floor(xy[:, 1]).astype(int), np.floor(xy[:, 0]).astype(int)]
     if colour.dtype != np.uint8:
@@ -186,7 +197,7 @@ def _cloud(store: Folder, task: CloudTask, found: DepthMap, mine: MapView, at: A
 
 STAGE = SURFACE.register(
     Stage(
-        name="fusion", after=("depth maps",), function=fuse, kinds=(SIGMA, CLOUD, SHIFTS),
+        name="fusion", after=("depth maps",), function=fuse, kinds=(SHIFTS, SIGMA, CLOUD),
         put=lambda s, clouds: replace(s, clouds=clouds),
         inputs=lambda s: Inputs(adjustment=s.adjustment, photos=s.photos, chosen=s.chosen, maps=s.maps),
     )

@@ -7,7 +7,6 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from raybundle.adjustment.queries import joint_orientation
 from raybundle.adjustment.result import Adjustment
 from raybundle.block import Block
 from raybundle.block.select import selected
@@ -21,13 +20,12 @@ from raybundle.pipeline.stage import Means, Stage
 from raybundle.pipeline.store import Folder, Product
 from raybundle.pipeline.tasks import Task
 from raybundle.surfaces.depth_map import DepthOptions, depth_map
-from raybundle.surfaces.orientation import shift_covariance
 from raybundle.surfaces.pairs import Sources
 from raybundle.ties.points import grey_of
 from raybundle.workflows.surface_state import SURFACE, SurfaceOptions, SurfaceState
 
 VERSION = 1
-PART, MAP, SHIFTS = "surface part", "depth map", "surface shifts"
+PART, MAP = "surface part", "depth map"
 """First words of the keys of what is kept"""
 PIXEL_S = 2.5e-5
 """CPU seconds of a pixel of a map, for the order and the time that is left."""
@@ -118,19 +116,6 @@ def map_of(store: Folder, task: MapTask) -> Product:
     chosen = Sources(reference=task.reference, sources=task.sources, pairs=(), seen=0.0)
     options = DepthOptions(density=task.density, threads=task.threads, memory=task.memory)
     return depth_map(block, chosen, lambda image: grey_of(task.photos[image]), options).as_arrays()
-
-
-def shifts_of(means: Means, adjustment: Adjustment, s: Sources, t_range: tuple[float, float]) -> str:
-    """The key of how sources and rays of a reference shift together; made where it is not kept."""
-    block = adjustment.adjusted
-    key = key_of(
-        SHIFTS, VERSION, arrays_of_block(block), adjustment.options, adjustment.sigma0, s.reference, s.sources, t_range
-    )
-    if not means.store.has(key):
-        joint = joint_orientation(adjustment, (s.reference, *s.sources))
-        made = shift_covariance(block, joint, s.reference, s.sources, t_range)
-        means.store.store(key, made.as_arrays())
-    return key
 
 
 def _put(state: SurfaceState, found: Maps) -> SurfaceState:

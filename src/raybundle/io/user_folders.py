@@ -1,0 +1,26 @@
+"""Where the system wants what belongs to a user: data that are kept, and what can be made again."""
+
+from __future__ import annotations
+
+import os
+import sys
+from pathlib import Path
+from typing import Literal
+
+PLACES = {
+    "data": ("Application Support", "XDG_DATA_HOME", ".local/share"),
+    "cache": ("Caches", "XDG_CACHE_HOME", ".cache"),
+}
+"""On macOS, below Library; elsewhere a variable, and the folder below the user's where it says nothing"""
+
+
+def user_folder(what: Literal["data", "cache"]) -> Path:
+    """The folder of raybundle for data, or for what can be made again; it need not be there."""
+    mac, variable, usual = PLACES[what]
+    if sys.platform == "darwin":
+        base = Path.home() / "Library" / mac
+    elif sys.platform == "win32":
+        base = Path(os.environ.get("LOCALAPPDATA") or Path.home() / "AppData" / "Local")
+    else:
+        base = Path(os.environ.get(variable) or Path.home() / usual)
+    return base / "raybundle"
