@@ -106,7 +106,7 @@ def test_depths_and_points_scatter_as_is_stated(adjusted, joint):
 
 
 def test_what_is_held_adds_nothing(adjusted, joint):
-    none = replace(joint, steps=(), covariance=np.zeros((0, 0)))
+    none = replace(joint, steps=(), covariance=np.zeros((0, 0)), unknowns=np.zeros(0, int))
     found = shift_covariance(adjusted.adjusted, none, REFERENCE, SOURCES, (0.005, 0.02))
     n = np.zeros((1, 3, 2))
     assert not found.of_points(np.ones((1, 2)), np.full(1, 0.01), n, np.ones((1, 3))).any()

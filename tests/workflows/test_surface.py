@@ -12,6 +12,7 @@ from raybundle.block.select import selected
 from raybundle.commands.surface import surface
 from raybundle.errors import InputError
 from raybundle.io.block.folder import read_block, write_block
+from raybundle.workflows.height_files import read_heights
 from raybundle.workflows.surface import surface as measured
 from raybundle.workflows.surface_state import SurfaceOptions
 
@@ -89,6 +90,45 @@ def test_what_was_done_is_not_done_again_and_gives_the_same_bits(found, half):
     third = measured(half / "block", work, SurfaceOptions(density=4), photos=[half], jobs=1)
     after = third.store.wanted(key)
     assert all(np.array_equal(before[k], after[k], equal_nan=before[k].dtype.kind == "f") for k in before)
+
+
+def test_heights_are_written_with_what_orientation_does_to_them(half, tmp_path):
+    rasterio = pytest.importorskip("rasterio")
+    done = surface(half / "block", tmp_path / "s", photos=(half,), density="4", dsm=0.05, jobs=1)
+    names = [name for name, _ in done.written]
+    assert names == ["", "dsm"]
+    model, file = read_heights(tmp_path / "s")
+    with rasterio.open(tmp_path / "s/heights.tif") as one, rasterio.open(tmp_path / "s/heights_sigma.tif") as many:
+        assert np.array_equal(one.read(1), model.heights.height, equal_nan=True)
+        assert one.transform[0] == 0.05
+        assert many.descriptions[0] == "sigma"
+        assert np.allclose(many.read(1), model.heights.sigma, equal_nan=True)
+    known = model.known
+    assert known.mean() > 0.1
+    # points of the cloud lie on the heights of their cells
+    cloud = np.concatenate([c.xyz for c in done.surface.parts()])
+    plane = done.surface.heights.grid.plane
+    uvh = plane.coordinates(cloud)
+    cells = np.floor(done.surface.heights.grid.cells(uvh[:, :2])).astype(int)
+    inside = ((cells >= 0) & (cells < [file.width, file.height])).all(axis=1)
+    there = model.heights.height[cells[inside, 1], cells[inside, 0]]
+    assert np.nanmedian(np.abs(there - uvh[inside, 2])) < 0.02
+    assert np.allclose(plane.points(uvh), cloud)
+    one_cell = np.zeros(known.shape)
+    at = tuple(np.argwhere(known)[known.sum() // 2])
+    one_cell[at] = 1.0
+    alone = model.sum_of(one_cell)
+    assert alone.value == pytest.approx(float(model.heights.height[at]))
+    assert alone.local == pytest.approx(float(model.heights.local[at]), rel=1e-5)
+    assert alone.orientation == pytest.approx(float(model.heights.orientation[at]), rel=0.5)
+    (tmp_path / "s/heights_orientation.npz").unlink()
+    with pytest.raises(InputError, match=r"has no heights_orientation\.npz"):
+        read_heights(tmp_path / "s")
+
+
+def test_a_plane_is_asked_for_with_heights_alone(half, tmp_path):
+    with pytest.raises(InputError, match="vertical= says where heights are given; ask for them with dsm="):
+        surface(half / "block", tmp_path / "s", photos=(half,), vertical=True)
 
 
 def test_photographs_that_are_not_there_are_named(half, tmp_path):

@@ -19,7 +19,7 @@ from raybundle.adjustment.precision import angle_form, image_unknowns, interior_
 from raybundle.adjustment.transformation import Transformation, transformation
 from raybundle.adjustment.work import Work
 from raybundle.errors import InputError
-from raybundle.numerics.arrays import Array
+from raybundle.numerics.arrays import Array, Index
 from raybundle.platforms.station import sensor_from_object, station_partials
 from raybundle.sensors.model import ProjectionDiverged
 
@@ -98,6 +98,8 @@ class JointOrientation:
     """(k,) what is free; what is held is not among them"""
     covariance: Array
     """(k, k) a-posteriori, in the result's datum"""
+    unknowns: Index
+    """(k,) their numbers in the adjustment: the same for whichever images are asked for"""
 
 
 def joint_orientation(result: Adjustment, images: Sequence[int]) -> JointOrientation:
@@ -130,7 +132,9 @@ def joint_orientation(result: Adjustment, images: Sequence[int]) -> JointOrienta
             steps.extend(Step(images=tuple(mine), symbol=names[k]) for k in row.free)
     nodes, _ = _cofactors_with(work, state, [("node", u, 0) for u in unknowns])
     Q = nodes[unknowns]
-    return JointOrientation(steps=tuple(steps), covariance=_variance(result) * (Q + Q.T) / 2)
+    return JointOrientation(
+        steps=tuple(steps), covariance=_variance(result) * (Q + Q.T) / 2, unknowns=np.array(unknowns, np.int64)
+    )
 
 
 def own_values(result: Adjustment, name: str) -> Array:

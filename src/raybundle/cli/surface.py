@@ -58,6 +58,8 @@ def _lines(done: MeasuredSurface) -> list[str]:
             f"standard deviation along the ray {significant(done.median_sigma)}{unit} in the median; of its square "
             f"{noise:.0f} % noise of grey values, {rough:.0f} % roughness, {orientation:.0f} % orientation"
         )
+    told += [f"{w.files[0]}: {line}" for _, w in done.written for line in w.told]
+    told += done.remarks
     empty = [ids[i] for (i, _), n in zip(s.clouds, s.counts, strict=True) if not n]
     told += [f"no point of {name}: no other depth map confirms any" for name in empty[:MOST_LEFT_OUT]]
     told += [f"left out: {what}: {why}" for what, why in lost[:MOST_LEFT_OUT]]

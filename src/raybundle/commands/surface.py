@@ -2,24 +2,29 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Literal
 
 from raybundle.commands.convert import FREE_SCALE_HELP
+from raybundle.commands.plane_settings import OF_PLANE, PlaneSettings
 from raybundle.errors import InputError
 from raybundle.numerics.progress import Progress, silent
-from raybundle.settings import NOT_NEGATIVE, POSITIVE, made, option, path_of, setting
+from raybundle.settings import ANY, NOT_NEGATIVE, POSITIVE, made, option, other_than_usual, path_of, setting
 
 if TYPE_CHECKING:
+    from raybundle.io.formats import Export
+    from raybundle.workflows.height_grid import HeightGrid
+    from raybundle.workflows.object_plane import Plane
     from raybundle.workflows.surface import Surface
+    from raybundle.workflows.surface_product import Written
 
-POINTS, WORK = "points.ply", "work"
-"""Files of the folder: the cloud; and the project with all that is kept for the next run"""
+WORK = "work"
+"""Of the folder: the project with all that is kept for the next run"""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
-class SurfaceSettings:
+class SurfaceSettings(PlaneSettings):
     """How a surface is measured."""
 
     source: Path
@@ -28,6 +33,14 @@ class SurfaceSettings:
     density: Literal["1", "2", "4"] = setting(
         "1", "Measure every pixel, or every second or fourth of rows and columns."
     )
+    dsm: float | None = setting(
+        None, "Also heights above the plane, on a grid with cells of this size in the object's unit. Of a result with "
+        "a coordinate system they are those of its map, if no plane is named.", limits=POSITIVE, metavar="CELL",
+    )  # fmt: skip
+    extent: tuple[float, float, float, float] | None = setting(
+        None, "Part of the plane, in its coordinates; of a map, east and north.  [default: where the points lie]",
+        metavar="LEFT BOTTOM RIGHT TOP", limits=(ANY, ANY, ANY, ANY),
+    )  # fmt: skip
     photos: tuple[Path, ...] = setting(
         (), "Where the photographs are.  [default: as the project knows]", metavar="FOLDER"
     )
@@ -44,13 +57,20 @@ class MeasuredSurface:
     """A surface and where it was written."""
 
     surface: Surface
-    points: Path
+    written: tuple[tuple[str, Written], ...]
+    """what was written, by the names of the products"""
+    remarks: tuple[str, ...]
     unit: str
     """of coordinates and standard deviations; empty: the scale is free"""
     median_sigma: float
     """median standard deviation along the ray, in that unit"""
     shares: tuple[float, float, float]
     """of noise, roughness and orientation in the variance, in the median"""
+
+    @property
+    def points(self) -> Path:
+        """The file of the cloud."""
+        return dict(self.written)[""].files[0]
 
 
 def surface(
@@ -77,6 +97,8 @@ def run_surface(settings: SurfaceSettings, progress: Progress = silent) -> Measu
     from raybundle.pipeline.project import discard_empty, photographs_of  # noqa: PLC0415
     from raybundle.workflows.sources import read_source, result_within  # noqa: PLC0415
     from raybundle.workflows.surface import surface as measured  # noqa: PLC0415
+    from raybundle.workflows.surface_product import Context  # noqa: PLC0415
+    from raybundle.workflows.surface_products import PRODUCTS  # noqa: PLC0415
     from raybundle.workflows.surface_state import SurfaceOptions  # noqa: PLC0415
 
     s = settings
@@ -97,10 +119,14 @@ def run_surface(settings: SurfaceSettings, progress: Progress = silent) -> Measu
             f"where its photographs are is not known; say so with {option('photos', 'FOLDER')}", file=s.source
         )
     out = s.out or s.source / "surface"
+    wanted = frozenset(name for name in PRODUCTS if not name or getattr(s, name) is not None)
     _check_out(out)
+    for name in wanted:
+        PRODUCTS[name].check()
+    plane, grid, told = _grid_of(s, result, export, progress)
     try:
         done = measured(
-            result, out / WORK, SurfaceOptions(density=int(s.density)), photos=folders, jobs=s.jobs,
+            result, out / WORK, SurfaceOptions(density=int(s.density), grid=grid), photos=folders, jobs=s.jobs,
             memory=s.memory * 1e9, progress=progress,
         )  # fmt: skip
     except InputError:
@@ -109,46 +135,58 @@ def run_surface(settings: SurfaceSettings, progress: Progress = silent) -> Measu
             out.rmdir()
         raise
     unit = "" if free else export.block.length_unit
-    sigma, shares = _written(done, out / POINTS, unit)
-    return MeasuredSurface(surface=done, points=out / POINTS, unit=unit, median_sigma=sigma, shares=shares)
+    context = Context(export=export, unit=unit, wanted=wanted, plane=plane, progress=progress)
+    written = tuple((name, p.write(done, out, context)) for name, p in sorted(PRODUCTS.items()) if name in wanted)
+    sigma, shares = _told(done)
+    return MeasuredSurface(surface=done, written=written, remarks=told, unit=unit, median_sigma=sigma, shares=shares)
+
+
+def _grid_of(
+    s: SurfaceSettings, result: Path, export: Export, progress: Progress
+) -> tuple[Plane | None, HeightGrid | None, tuple[str, ...]]:
+    """The plane and the cells that are asked for, and remarks."""
+    import numpy as np  # noqa: PLC0415
+
+    from raybundle.commands.plane_settings import plane_in  # noqa: PLC0415
+    from raybundle.io.geo.told_systems import plan_system  # noqa: PLC0415
+    from raybundle.workflows.height_grid import HeightGrid, HeightPlane  # noqa: PLC0415
+    from raybundle.workflows.object_plane import MapLevel  # noqa: PLC0415
+    from raybundle.workflows.rectify import check_area, grid_over, whole_pixels  # noqa: PLC0415
+
+    given = [option(name) for name in (*OF_PLANE, "extent") if name in other_than_usual(s)]
+    if s.dsm is None:
+        if given:
+            raise InputError(f"{given[0]} says where heights are given; ask for them with {option('dsm', 'CELL')}")
+        return None, None, ()
+    in_map = export.frame is not None and plan_system(export.frame.crs) is not None
+    level = in_map and not (set(OF_PLANE) & set(other_than_usual(s)))
+    plane, told = plane_in(result, export, replace(s, horizontal=True) if level else s, progress)
+    area = plane.extent if s.extent is None else np.array(s.extent)
+    if isinstance(plane, MapLevel) and s.extent is not None:
+        check_area(plane, area)
+    grid = grid_over(whole_pixels(area, s.dsm) if s.extent is None else area, s.dsm)
+    return plane, HeightGrid(plane=HeightPlane.of(plane), grid=grid), told
 
 
 def _check_out(out: Path) -> None:
     """Raise InputError for a folder that holds anything but an earlier surface."""
+    from raybundle.workflows.surface_product import files_of_all  # noqa: PLC0415
+
     if out.exists() and not out.is_dir():
         raise InputError("is a file; give a folder", file=out)
-    others = {p.name for p in out.iterdir()} - {POINTS, WORK} if out.is_dir() else set[str]()
+    others = {p.name for p in out.iterdir()} - {WORK} - files_of_all() if out.is_dir() else set[str]()
     if others:
         raise InputError(f"holds {min(others)}, which is not of a surface; choose another {option('out')}", file=out)
 
 
-def _written(done: Surface, path: Path, unit: str) -> tuple[float, tuple[float, float, float]]:
-    """Write the cloud; the median standard deviation along the ray, and the median shares of its parts."""
+def _told(done: Surface) -> tuple[float, tuple[float, float, float]]:
+    """The median standard deviation along the ray, and the median shares of its parts."""
     import numpy as np  # noqa: PLC0415
 
-    from raybundle.io.formats.ply import write_in_parts  # noqa: PLC0415
-
-    ids = done.block.images.ids
-    comments = [f"unit {unit}" if unit else 'scale = "free"', "sigma_* one standard deviation"]
-    comments += [f"image {i} {ids[i]}" for i, _ in done.clouds]
-    told = list[tuple[np.ndarray, np.ndarray]]()
-
-    def parts() -> Any:
-        for c in done.parts():
-            square = np.asarray(c.parts, float) ** 2
-            total = square.sum(axis=1)
-            told.append((np.sqrt(total)[::7], (square / total[:, None])[::7]))
-            extra = {f"sigma_{a}": c.sigma[:, k] for k, a in enumerate("xyz")}
-            extra |= {f"sigma_{a}": c.parts[:, k] for k, a in enumerate(("noise", "roughness", "orientation"))}
-            extra |= {"rays": c.views.astype(np.int32), "maps": c.confirmed.astype(np.int32)}
-            yield c.xyz, c.colour, {**extra, "incidence": c.incidence, "image": c.image}
-
-    write_in_parts(path, len(done), parts(), tuple(comments))
-    if not len(done):
+    parts = [np.asarray(c.parts[::7], float) ** 2 for c in done.parts()]
+    square = np.concatenate(parts) if parts else np.zeros((0, 3))
+    if not len(square):
         return float("nan"), (0.0, 0.0, 0.0)
-    shares = np.median(np.concatenate([b for _, b in told]), axis=0)
-    return float(np.median(np.concatenate([a for a, _ in told]))), (
-        float(shares[0]),
-        float(shares[1]),
-        float(shares[2]),
-    )
+    total = square.sum(axis=1)
+    noise, roughness, orientation = np.median(square / total[:, None], axis=0).tolist()
+    return float(np.median(np.sqrt(total))), (noise, roughness, orientation)

@@ -119,6 +119,10 @@ class DepthMap:
         known = np.isfinite(self.t)
         return ReferenceRays.of(block, reference).points(self.grid.xy_px[known], self.t[known].astype(float))
 
+    def smooth_slopes(self) -> Array:
+        """(2, rows, columns) of t by column and row, means over a pixel and its neighbours [1 / px]."""
+        return _smooth(self.slopes, np.isfinite(self.t), self.grid.stride)
+
     def correlation_between(self, distance_px: Array) -> Array:
         """Correlation (...) of the errors by noise and roughness of usual pixels so far apart.
 
@@ -392,15 +396,28 @@ def incidences(rays: ReferenceRays, grid: PixelGrid, t: Array, slopes: Array) ->
     """(rows, columns) cosine of the angle between rays and the normals of planes of t."""
     found = np.full(t.shape, np.nan, np.float32)
     known = np.isfinite(t)
-    xy, tk, (a, b) = grid.xy_px[known], t[known].astype(float), slopes[:, known].astype(float)
+    xy, tk = grid.xy_px[known], t[known].astype(float)
     if not len(tk):
         return found
-    middle = rays.points(xy, tk)
-    half = 0.5
-    across = rays.points(xy + np.array([half, 0]), tk + half * a) - middle
-    down = rays.points(xy + np.array([0, half]), tk + half * b) - middle
-    normal = np.cross(across, down)
+    normal, _ = planes_at(rays, xy, tk, slopes[:, known].astype(float))
     d = rays.rays(xy)[1]
-    size = np.linalg.norm(normal, axis=1) * np.linalg.norm(d, axis=1)
-    found[known] = np.abs((normal * d).sum(axis=1)) / np.maximum(size, 1e-300)
+    found[known] = -(normal * d).sum(axis=1) / np.linalg.norm(d, axis=1)
     return found
+
+
+def planes_at(rays: ReferenceRays, xy_px: Array, t: Array, slopes: Array) -> tuple[Array, Array]:
+    """Normals (n, 3) towards the viewer of planes of t at pixels, and the object's area (n,) that a pixel shows.
+
+    slopes  (2, n) of t along the columns and rows [1 / px]
+    """
+    middle = rays.points(xy_px, t)
+    across, down = (
+        (rays.points(xy_px + 0.5 * axis, t + 0.5 * slope) - middle) * 2.0
+        for axis, slope in zip(np.eye(2), slopes, strict=True)
+    )
+    normal = np.cross(across, down)
+    area = np.linalg.norm(normal, axis=1)
+    normal /= np.maximum(area, 1e-300)[:, None]
+    away = (normal * rays.rays(xy_px)[1]).sum(axis=1) > 0
+    normal[away] *= -1
+    return normal, area

@@ -23,6 +23,8 @@ from raybundle.surfaces.transfer import ReferenceRays
 
 NODES, LEVELS = 12, 4
 """Nodes along the longer side of a reference, and levels of depth; between them shifts are linear."""
+MOST_ERRORS = 256
+"""Independent errors that are kept of all orientations of a surface together."""
 SHARE = 0.1
 """Of a standard deviation by which an unknown is changed for a difference of projections."""
 
@@ -31,13 +33,17 @@ SHARE = 0.1
 class ShiftCovariance:
     """How sources and rays of a reference shift together, at nodes of pixels and levels of depth.
 
-    Factors are kept, not covariances: the error of a ray and that of the depth along it may all but cancel, as those of
-    a flight's height and its depths do, and only factors can be interpolated then.
+    Partials by the unknowns are kept, not covariances: the error of a ray and that of the depth along it may all but
+    cancel, as those of a flight's height and its depths do, and only partials can be interpolated then.
     """
 
-    factors: Array
+    partials: Array
     """(rows, columns, levels, 2s + 3, k): x and y of the place in each source [px], then the object point at a depth
-    parameter that is held; F F' is their covariance"""
+    parameter that is held, by the unknowns of orientation and calibration"""
+    root: Array
+    """(k, q) of these unknowns: root root' is their covariance"""
+    unknowns: Index
+    """(k,) their numbers in the adjustment"""
     steps_px: tuple[float, float]
     """From row to row and from column to column; node (0, 0) stands at the corner of the first pixel"""
     t0: float
@@ -45,13 +51,24 @@ class ShiftCovariance:
 
     def as_arrays(self) -> dict[str, Array]:
         """What a store keeps."""
-        return {"factors": self.factors, "grid": np.array([*self.steps_px, self.t0, self.dt])}
+        return {
+            "partials": self.partials, "root": self.root, "unknowns": self.unknowns,
+            "grid": np.array([*self.steps_px, self.t0, self.dt]),
+        }  # fmt: skip
 
     @classmethod
     def of_arrays(cls, a: Mapping[str, Array]) -> ShiftCovariance:
         """That of `as_arrays`."""
         down, across, t0, dt = a["grid"].tolist()
-        return cls(factors=np.asarray(a["factors"]), steps_px=(down, across), t0=t0, dt=dt)
+        return cls(
+            partials=np.asarray(a["partials"]), root=np.asarray(a["root"]), unknowns=np.asarray(a["unknowns"]),
+            steps_px=(down, across), t0=t0, dt=dt,
+        )  # fmt: skip
+
+    def among(self, together: CommonRoot) -> ShiftCovariance:
+        """The same by the independent errors that all references of a surface have in common."""
+        at = np.searchsorted(together.unknowns, self.unknowns)
+        return replace(self, root=together.root[at])
 
     def of_depths(self, xy_px: Array, t: Array, sensitivity: Array) -> Array:
         """Variances (n,) of depth parameters from orientation and calibration.
@@ -72,17 +89,22 @@ class ShiftCovariance:
         by_t  (n, 3) derivative of the object point by t; a point moves with its ray, and along it with its depth
         """
         found = np.zeros((len(t), 3, 3))
+        for mine, point in self.moved_points(xy_px, t, sensitivity, by_t):
+            found[mine] = point @ point.transpose(0, 2, 1)
+        return found
+
+    def moved_points(self, xy_px: Array, t: Array, sensitivity: Array, by_t: Array) -> Iterator[tuple[Index, Array]]:
+        """Some of the object points, and how they move (m, 3, q) with each of q independent errors of variance 1."""
         k = sensitivity.reshape(len(t), -1)
         for mine, F in self._factors(xy_px, t):
             # where a table shifts by d, what is shown shifts by -d against it
             along = np.einsum("ni,nij->nj", k[mine], F[:, :-3])
-            point = F[:, -3:] - by_t[mine, :, None] * along[:, None]
-            found[mine] = point @ point.transpose(0, 2, 1)
-        return found
+            yield mine, F[:, -3:] - by_t[mine, :, None] * along[:, None]
 
     def _factors(self, xy_px: Array, t: Array) -> Iterator[tuple[Index, Array]]:
         """Pixels of one cell after the other, and their factors, linear between the nodes."""
-        rows, columns, levels, width, k = self.factors.shape
+        factors = self.partials @ self.root
+        rows, columns, levels, width, k = factors.shape
         v, u = xy_px[:, 1] / self.steps_px[0], xy_px[:, 0] / self.steps_px[1]
         j, i = (np.clip(np.floor(x), 0, n - 2).astype(int) for x, n in ((v, rows), (u, columns)))
         level = np.clip((t - self.t0) / self.dt, 0, levels - 1)
@@ -91,7 +113,7 @@ class ShiftCovariance:
             if not len(mine):
                 continue
             row, column = divmod(cell, columns - 1)
-            nodes = self.factors[row : row + 2, column : column + 2].reshape(4 * levels, width * k)
+            nodes = factors[row : row + 2, column : column + 2].reshape(4 * levels, width * k)
             weights = np.zeros((len(mine), 4, levels))
             down, right, deep = v[mine] - row, u[mine] - column, level[mine] - at[mine]
             across = np.stack([(1 - down) * (1 - right), (1 - down) * right, down * (1 - right), down * right], axis=1)
@@ -139,13 +161,41 @@ def shift_covariance(
         J[:, :, k] = (there - places) / (SHARE * std[k])
     # a place that a source does not see has no shift that matters
     J = np.where(np.isfinite(J), J, 0.0)
-    values, vectors = np.linalg.eigh(joint.covariance) if len(std) else (std, np.zeros((0, 0)))
-    root = vectors * np.sqrt(np.maximum(values, 0.0))
-    factors = np.concatenate([J, A], axis=1) @ root
+    partials = np.concatenate([J, A], axis=1)
     return ShiftCovariance(
-        factors=factors.reshape(rows, columns, LEVELS, *factors.shape[1:]), steps_px=steps, t0=t_range[0],
-        dt=(t_range[1] - t_range[0]) / (LEVELS - 1),
+        partials=partials.reshape(rows, columns, LEVELS, *partials.shape[1:]), root=root_of(joint.covariance),
+        unknowns=joint.unknowns, steps_px=steps, t0=t_range[0], dt=(t_range[1] - t_range[0]) / (LEVELS - 1),
     )  # fmt: skip
+
+
+def root_of(covariance: Array) -> Array:
+    """(k, k) R with R R' = the covariance, which may be singular."""
+    values, vectors = np.linalg.eigh(covariance) if len(covariance) else (np.zeros(0), np.zeros((0, 0)))
+    return vectors * np.sqrt(np.maximum(values, 0.0))
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class CommonRoot:
+    """Independent errors behind all orientations of a surface, so that what its references share is known."""
+
+    unknowns: Index
+    """(k,) numbers in the adjustment, ascending"""
+    root: Array
+    """(k, q) root root' is their covariance, or an estimate of it by q draws"""
+
+    @classmethod
+    def of(cls, joint: JointOrientation) -> CommonRoot:
+        """Exact where there are no more unknowns than `MOST_ERRORS`, else projected on so many at random.
+
+        A variance by projections on q independent directions has a relative standard deviation of sqrt(2 / q)
+        (Hutchinson 1990): 9 % of 256, or 4 % of the standard deviation that follows.
+        """
+        order = np.argsort(joint.unknowns)
+        root = root_of(joint.covariance)[order]
+        if root.shape[1] > MOST_ERRORS:
+            directions = np.random.default_rng(len(order)).normal(size=(root.shape[1], MOST_ERRORS))
+            root = root @ directions / np.sqrt(MOST_ERRORS)
+        return cls(unknowns=joint.unknowns[order], root=root)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -23,7 +23,7 @@ from raybundle.pipeline.project import Project, StageRecord
 from raybundle.pipeline.stage import Run
 from raybundle.pipeline.store import Folder
 from raybundle.settings import option
-from raybundle.workflows.surface_state import Cloud, SurfaceOptions, SurfaceState
+from raybundle.workflows.surface_state import Cloud, MeasuredHeights, SurfaceOptions, SurfaceState
 from raybundle.workflows.surfacing import SURFACE
 
 
@@ -39,6 +39,8 @@ class Surface:
     counts: tuple[int, ...]
     """points of each"""
     options: SurfaceOptions
+    heights: MeasuredHeights | None
+    """on the grid that was asked for"""
     left_out: tuple[tuple[str, str], ...]
     """photographs and pairs without a part in it, and why"""
     records: tuple[StageRecord, ...] = field(default=(), repr=False)
@@ -84,6 +86,7 @@ def surface(
         counts = tuple(len(project.products.wanted(key, ("image",))["image"]) for _, key in clouds)
         return Surface(
             block=state.block, store=project.products, clouds=clouds, counts=counts, options=options,
+            heights=state.heights,
             left_out=state.left_out, records=tuple(project.records),
         )  # fmt: skip
     finally:

@@ -11,6 +11,7 @@ from raybundle.io.photos.photo import Photo
 from raybundle.numerics.arrays import Array
 from raybundle.pipeline.stage import Workflow
 from raybundle.surfaces.pairs import Sources
+from raybundle.workflows.height_grid import HeightGrid
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -19,6 +20,19 @@ class SurfaceOptions:
 
     density: int = 1
     """every so many pixels of a photograph, along rows and columns"""
+    grid: HeightGrid | None = None
+    """on which heights are given; None: none are"""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class MeasuredHeights:
+    """Keys of what is known of heights on a grid."""
+
+    grid: HeightGrid
+    tiles: Mapping[int, str]
+    """by the number of the tile, row by row; a tile that no point lies above has none"""
+    above: Mapping[int, str]
+    """by reference"""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -41,6 +55,14 @@ class Cloud:
     """(n, 3) uint8"""
     image: Array
     """(n,) int32 its reference, a row of the block's images"""
+    normal: Array
+    """(n, 3) float32 towards the viewer"""
+    across: Array
+    """(n, 2) float32 standard deviations along the normal: noise and roughness; orientation and calibration"""
+    size: Array
+    """(n,) float32 root of the area that a pixel of its reference shows there"""
+    place: Array
+    """(n,) int64 its pixel in the map of its reference, row by row"""
 
     def __len__(self) -> int:
         """How many points."""
@@ -65,6 +87,9 @@ class SurfaceState:
     """key of the depth map of each reference"""
     clouds: Mapping[int, str] = field(default_factory=dict[int, str])
     """key of what each reference gives to the cloud"""
+    shifts: Mapping[int, str] = field(default_factory=dict[int, str])
+    """key of how orientation moves what each reference shows"""
+    heights: MeasuredHeights | None = None
     left_out: tuple[tuple[str, str], ...] = ()
     """photographs and pairs without a part in the surface, and why"""
 
@@ -72,6 +97,12 @@ class SurfaceState:
     def block(self) -> Block:
         """With adjusted values."""
         return self.adjustment.adjusted
+
+    @property
+    def wanted_grid(self) -> HeightGrid:
+        """The grid of the heights that are asked for."""
+        assert self.options.grid is not None
+        return self.options.grid
 
 
 SURFACE: Workflow[SurfaceState] = Workflow("surface")

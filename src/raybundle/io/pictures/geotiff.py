@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import warnings
-from collections.abc import Callable, Generator, Mapping
+from collections.abc import Callable, Generator, Mapping, Sequence
 from contextlib import contextmanager
 from html import escape
 from pathlib import Path
@@ -47,11 +47,13 @@ Write = Callable[[int, int, Array], None]
 @contextmanager
 def new_geotiff(
     library: Any, path: Path, bands: Mapping[str, Any], *, width: int, height: int, left: float, top: float,
-    pixel: float, wkt: str, tags: Mapping[str, str] | None = None,
+    pixel: float, wkt: str, tags: Mapping[str, str] | None = None, names: Sequence[str] = (),
 ) -> Generator[Write]:  # fmt: skip
     """A GeoTIFF that is written part by part, tiled, deflated; overviews follow when the body ends.
 
     bands   what rasterio is told of them: count, dtype, nodata
+    wkt     empty: a plane that is in no map
+    names   of the bands
     raises  InputError where the library cannot write the system or the file
     """
     floats = np.dtype(bands["dtype"]).kind == "f"
@@ -65,7 +67,10 @@ def new_geotiff(
     try:
         with warnings.catch_warnings():
             warnings.simplefilter("ignore")  # of the library, about systems without an EPSG code
-            with library.open(path, "w", crs=library.crs.CRS.from_wkt(wkt), **profile) as file:
+            system = library.crs.CRS.from_wkt(wkt) if wkt else None
+            with library.open(path, "w", crs=system, **profile) as file:
+                if names:
+                    file.descriptions = tuple(names)
 
                 def write(column: int, row: int, values: Array) -> None:
                     window = library.windows.Window(column, row, values.shape[1], values.shape[0])

@@ -113,7 +113,7 @@ class Rectified:
                 if wkt:
                     system.write_text(system_text(wkt), encoding="utf-8")
             placed.write_text("".join(f"{v:.{digits}g}\n" for v in world), encoding="ascii")
-            told.write_text(_toml(about), encoding="utf-8")
+            told.write_text(toml_text(about), encoding="utf-8")
         if not (wkt and library is None):
             system_file(path).unlink(missing_ok=True)  # of an older picture that is overwritten
         if wkt and library is None:
@@ -149,7 +149,8 @@ def _nearest(chosen: Mask, row: int, column: int, m: int, n: int, step: int) -> 
     return chosen[np.minimum(i, chosen.shape[0] - 1)[:, None], np.minimum(j, chosen.shape[1] - 1)]
 
 
-def _toml(about: Mapping[str, Any]) -> str:
+def toml_text(about: Mapping[str, Any]) -> str:
+    """What NAME.toml beside a picture says, as text."""
     lines: list[str] = []
     for key, value in about.items():
         if isinstance(value, Mapping):

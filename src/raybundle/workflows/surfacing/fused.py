@@ -17,7 +17,7 @@ from raybundle.pipeline.keys import key_of
 from raybundle.pipeline.stage import Means, Stage
 from raybundle.pipeline.store import Folder, Product
 from raybundle.pipeline.tasks import Task
-from raybundle.surfaces.depth_map import DepthMap
+from raybundle.surfaces.depth_map import DepthMap, planes_at
 from raybundle.surfaces.fusion import MapView, agreement
 from raybundle.surfaces.orientation import ShiftCovariance, shift_covariance
 from raybundle.surfaces.pairs import Sources
@@ -26,7 +26,7 @@ from raybundle.surfaces.transfer import ReferenceRays, transfer
 from raybundle.workflows.surface_state import SURFACE, Cloud
 from raybundle.workflows.surfacing.maps import PART, part_of
 
-VERSION = 1
+VERSION = 2
 SHIFTS, SIGMA, CLOUD = "surface shifts", "surface sigma", "surface points"
 """First words of the keys of what is kept"""
 MOST_MAPS = 8
@@ -73,8 +73,18 @@ class CloudTask:
     shifts: str
 
 
-def fuse(i: Inputs, means: Means) -> Mapping[int, str]:
-    """Keys of what each reference gives to the cloud."""
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Fused:
+    """Keys by reference."""
+
+    clouds: Mapping[int, str]
+    """what it gives to the cloud"""
+    shifts: Mapping[int, str]
+    """how orientation moves what it shows"""
+
+
+def fuse(i: Inputs, means: Means) -> Fused:
+    """What each reference gives to the cloud."""
     of = {s.reference: s for s in i.chosen if s.reference in i.maps}
     shifts, sigma = dict[int, str](), list[Task]()
     about = key_of("adjustment", VERSION, arrays_of_block(i.adjustment.adjusted), i.adjustment.options)
@@ -92,7 +102,7 @@ def fuse(i: Inputs, means: Means) -> Mapping[int, str]:
     sigmas = {k: t.key for k, t in zip(of, sigma, strict=True)}
     tasks = [_task(i, means, of[k], shifts[k], sigmas) for k in of]
     _done(means, tasks, "maps against each other")
-    return {k: t.key for k, t in zip(of, tasks, strict=True)}
+    return Fused(clouds={k: t.key for k, t in zip(of, tasks, strict=True)}, shifts=shifts)
 
 
 def _shifts(means: Means, adjustment: Adjustment, about: str, s: Sources, t_range: tuple[float, float]) -> str:
@@ -169,16 +179,20 @@ def _cloud(store: Folder, task: CloudTask, found: DepthMap, mine: MapView, at: A
     xy, t = mine.grid.xy_px.reshape(-1, 2)[at], np.asarray(found.t, float).ravel()[at]
     by_t, xyz = mine.rays.by_t(xy, t), mine.rays.points(xy, t)
     length = np.linalg.norm(by_t, axis=1)
+    normal, area = planes_at(mine.rays, xy, t, found.smooth_slopes().reshape(2, -1)[:, at].astype(float))
     shifts = ShiftCovariance.of_arrays(store.wanted(task.shifts))
     sensitivity = found.shift.reshape(-1, found.shift.shape[2], 2)[at]
     noise, rough = (np.asarray(v, float).ravel()[at] for v in (found.noise, found.roughness))
-    sigma, along = np.zeros((len(at), 3)), np.zeros(len(at))
+    sigma, along, across = np.zeros((len(at), 3)), np.zeros(len(at)), np.zeros((len(at), 2))
     for begin in range(0, len(at), CHUNK):
         part = slice(begin, begin + CHUNK)
         C = shifts.of_points(xy[part], t[part], sensitivity[part], by_t[part])
         own = (noise + rough)[part, None] * by_t[part] ** 2
         sigma[part] = np.sqrt(np.diagonal(C, axis1=1, axis2=2) + own)
         along[part] = np.sqrt(shifts.of_depths(xy[part], t[part], sensitivity[part]))
+        n = normal[part]
+        towards = (n * by_t[part]).sum(axis=1) ** 2
+        across[part] = np.stack([(noise + rough)[part] * towards, np.einsum("ni,nij,nj->n", n, C, n)], axis=1)
     used = used_sources(found.views.ravel()[at], found.shift.shape[2])
     pixels = read_colour(task.photo)
     colour = pixels[np.floor(xy[:, 1]).astype(int), np.floor(xy[:, 0]).astype(int)]
@@ -191,14 +205,16 @@ def _cloud(store: Folder, task: CloudTask, found: DepthMap, mine: MapView, at: A
         xyz=xyz, sigma=sigma.astype(np.float32), parts=parts.astype(np.float32),
         views=(1 + used.sum(axis=1)).astype(np.uint8), confirmed=confirmed.astype(np.uint8),
         incidence=np.asarray(found.incidence, np.float32).ravel()[at], colour=colour[:, :3],
-        image=np.full(len(at), task.image, np.int32),
+        image=np.full(len(at), task.image, np.int32), normal=normal.astype(np.float32),
+        across=np.sqrt(np.maximum(across, 0.0)).astype(np.float32), size=np.sqrt(area).astype(np.float32),
+        place=at.astype(np.int64),
     ).as_arrays()  # fmt: skip
 
 
 STAGE = SURFACE.register(
     Stage(
         name="fusion", after=("depth maps",), function=fuse, kinds=(SHIFTS, SIGMA, CLOUD),
-        put=lambda s, clouds: replace(s, clouds=clouds),
+        put=lambda s, found: replace(s, clouds=found.clouds, shifts=found.shifts),
         inputs=lambda s: Inputs(adjustment=s.adjustment, photos=s.photos, chosen=s.chosen, maps=s.maps),
     )
 )  # fmt: skip

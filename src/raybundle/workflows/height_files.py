@@ -1,0 +1,199 @@
+"""Heights on a grid as files: two GeoTIFFs, what says where they lie, and how orientation moves them together."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping, Sequence
+from contextlib import AbstractContextManager
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from raybundle.errors import InputError
+from raybundle.io.folders import new_files
+from raybundle.io.pictures.geotiff import Write, new_geotiff
+from raybundle.io.pictures.rectified import toml_text
+from raybundle.io.raster_library import raster_library
+from raybundle.io.reading.trees import read_toml
+from raybundle.numerics.arrays import Array
+from raybundle.surfaces.height_model import HeightModel
+from raybundle.surfaces.heights import Heights
+from raybundle.workflows.height_grid import HeightGrid
+from raybundle.workflows.object_plane import MapLevel, Plane
+from raybundle.workflows.surface import Surface
+from raybundle.workflows.surfacing.heights import BLOCK_CELLS, TILE_CELLS
+
+HEIGHTS, SIGMAS, ABOUT, MOVED = "heights.tif", "heights_sigma.tif", "heights.toml", "heights_orientation.npz"
+FILES = (HEIGHTS, SIGMAS, ABOUT, MOVED)
+BANDS = ("sigma", "sigma of noise and roughness", "sigma of orientation", "sigma of a point", "points", "image")
+"""Of the second file"""
+KEPT = ("", "local", "orientation", "point", "points", "image")
+"""Fields of `Heights` that these are; the first follows from two others"""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class HeightFile:
+    """What heights.toml says."""
+
+    left: float
+    top: float
+    cell: float
+    width: int
+    height: int
+    unit: str
+    block: str
+    wkt: str
+    """plane system of a map; empty: a plane of the object"""
+    plane: Mapping[str, Any]
+    """where it lies"""
+
+    @classmethod
+    def of(cls, grid: HeightGrid, plane: Plane, unit: str, block: str) -> HeightFile:
+        """Of a grid."""
+        g, wkt = grid.grid, plane.system.to_wkt() if isinstance(plane, MapLevel) else ""
+        return cls(
+            left=g.left, top=g.top, cell=g.pixel, width=g.width, height=g.height, block=block, wkt=wkt,
+            unit=plane.unit if isinstance(plane, MapLevel) else unit, plane=plane.as_mapping(),
+        )  # fmt: skip
+
+    def new(self, path: Path, names: Sequence[str]) -> AbstractContextManager[Write]:
+        """A GeoTIFF of these cells with bands of floats, NaN where nothing was measured."""
+        return new_geotiff(
+            raster_library(), path, {"count": len(names), "dtype": "float32", "nodata": float("nan")},
+            width=self.width, height=self.height, left=self.left, top=self.top, pixel=self.cell, wkt=self.wkt,
+            names=names,
+        )  # fmt: skip
+
+    def as_mapping(self) -> dict[str, Any]:
+        """What the file holds, beside the numbers of the heights."""
+        return {
+            "left": self.left, "top": self.top, "pixel": self.cell, "width_px": self.width, "height_px": self.height,
+            "block": self.block, "unit": self.unit, **({} if self.unit else {"scale": "free"}), **self.plane,
+        }  # fmt: skip
+
+
+@dataclass(slots=True)
+class _Whole:
+    """What is known of all tiles when each was written."""
+
+    moved: Array | None = None
+    lengths: list[float] = field(default_factory=list[float])
+    cells: list[int] = field(default_factory=list[int])
+    sigma: list[Array] = field(default_factory=list[Array])
+
+    def add(self, h: Heights, length: float) -> None:
+        """A tile."""
+        good = np.isfinite(h.height)
+        self.lengths.append(length)
+        self.cells.append(int(good.sum()))
+        self.sigma.append(h.sigma[good][::7])
+
+    @property
+    def length(self) -> float:
+        """Of correlation, in cells."""
+        return float(np.average(self.lengths, weights=np.maximum(self.cells, 1)))
+
+
+def write_heights(surface: Surface, file: HeightFile, out: Path) -> tuple[str, ...]:
+    """Write the files of the heights of a surface tile by tile; what is to be told of them."""
+    whole = _Whole()
+    with new_files(*(out / f for f in FILES)) as (heights, sigmas, about, moved):
+        with file.new(heights, ("height",)) as write_height, file.new(sigmas, BANDS) as write_sigmas:
+            for tile, x, y, width, height in _tiles(file):
+                one, many = _tile(surface, file, whole, (tile, x, y, width, height))
+                write_height(x, y, one)
+                write_sigmas(x, y, many)
+        if whole.moved is None:
+            raise InputError("no point of the surface lies above the area of the heights; choose another")
+        np.savez_compressed(moved, moved=whole.moved, block=np.array(BLOCK_CELLS))
+        about.write_text(toml_text({**file.as_mapping(), "length_cells": whole.length}), encoding="utf-8")
+    share = sum(whole.cells) / (file.width * file.height)
+    sigma = float(np.median(np.concatenate(whole.sigma)))
+    unit = f" {file.unit}" if file.unit else ""
+    told = f"{file.width} x {file.height} cells of {file.cell:g}{unit}, {share:.0%} of them with a height"
+    return (f"{told}; standard deviation {sigma:.2g}{unit} in the median",)
+
+
+def _tile(
+    surface: Surface, file: HeightFile, whole: _Whole, window: tuple[int, int, int, int, int]
+) -> tuple[Array, Array]:
+    """Heights and the bands of the second file (h, w, bands) of a tile."""
+    tile, x, y, width, height = window
+    measured = surface.heights
+    assert measured is not None
+    if tile not in measured.tiles:
+        empty = np.full((height, width, 1), np.nan, np.float32)
+        return empty, np.repeat(empty, len(BANDS), axis=2)
+    a = surface.store.wanted(measured.tiles[tile])
+    h = Heights.of_arrays(a)
+    part = _moved_of(surface, a, file, (x, y, width, height))
+    if whole.moved is None:
+        rows, columns = -(-file.height // BLOCK_CELLS), -(-file.width // BLOCK_CELLS)
+        whole.moved = np.zeros((rows, columns, part.shape[2]), np.float32)
+    r, c = y // BLOCK_CELLS, x // BLOCK_CELLS
+    whole.moved[r : r + part.shape[0], c : c + part.shape[1]] = part
+    whole.add(h, float(a["length"]))
+    bands = [h.sigma, *(getattr(h, name).astype(np.float32) for name in KEPT[1:])]
+    return h.height[..., None], np.stack(bands, axis=2)
+
+
+def _tiles(file: HeightFile) -> Iterator[tuple[int, int, int, int, int]]:
+    across = -(-file.width // TILE_CELLS)
+    for tile in range(across * -(-file.height // TILE_CELLS)):
+        row, column = divmod(tile, across)
+        x, y = column * TILE_CELLS, row * TILE_CELLS
+        yield tile, x, y, min(TILE_CELLS, file.width - x), min(TILE_CELLS, file.height - y)
+
+
+def _moved_of(surface: Surface, a: Mapping[str, Array], file: HeightFile, window: tuple[int, int, int, int]) -> Array:
+    """(rows, columns, q) of the parts of a tile: each reference's, by its share."""
+    x, y, width, height = window
+    assert surface.heights is not None
+    rows, columns = -(-height // BLOCK_CELLS), -(-width // BLOCK_CELLS)
+    across = -(-file.width // BLOCK_CELLS)
+    j, i = np.divmod(np.arange(rows * columns), columns)
+    number = (y // BLOCK_CELLS + j) * across + x // BLOCK_CELLS + i
+    found = None
+    for image, share in zip(a["images"].tolist(), a["share"], strict=True):
+        own = surface.store.lent(surface.heights.above[image], ("blocks", "moved"))
+        order = np.argsort(own["blocks"])
+        at = np.searchsorted(own["blocks"], number, sorter=order).clip(max=len(order) - 1)
+        row = order[at]
+        there = own["blocks"][row] == number
+        part = np.where(there, share, 0.0)[:, None] * own["moved"][row]
+        found = part if found is None else found + part
+    assert found is not None
+    return found.reshape(rows, columns, -1).astype(np.float32)
+
+
+def read_heights(folder: Path) -> tuple[HeightModel, HeightFile]:
+    """Heights as `write_heights` wrote them.  Raises InputError where a file is missing or does not fit the others."""
+    library = raster_library()
+    for name in FILES:
+        if not (folder / name).is_file():
+            raise InputError(f"has no {name}, which surface with a grid of heights writes", file=folder)
+    tree = read_toml(folder / ABOUT).tree()
+    numbers = {name: tree.get(name).number() for name in ("left", "top", "pixel", "length_cells")}
+    with library.open(folder / HEIGHTS) as one, library.open(folder / SIGMAS) as many:
+        if (one.width, one.height) != (many.width, many.height) or many.count != len(BANDS):
+            raise InputError(f"{SIGMAS} does not belong to {HEIGHTS}", file=folder)
+        height, bands = one.read(1), many.read()
+        wkt = one.crs.to_wkt() if one.crs else ""
+    found = dict(zip(KEPT[1:], bands[1:], strict=True))
+    with np.load(folder / MOVED) as kept:
+        moved, block = kept["moved"], int(kept["block"])
+    heights = Heights(
+        height=height, local=found["local"], orientation=found["orientation"], point=found["point"],
+        points=np.nan_to_num(found["points"]).astype(np.uint16),
+        image=np.nan_to_num(found["image"], nan=-1).astype(np.int32),
+    )  # fmt: skip
+    model = HeightModel(
+        heights=heights, moved=moved, block=block, cell=numbers["pixel"], length=numbers["length_cells"]
+    )
+    told = {k: v.value for k, v in tree.mapping().items()}
+    plane = {k: v for k, v in told.items() if k not in {"left", "top", "pixel", "width_px", "height_px", "block"}}
+    return model, HeightFile(
+        left=numbers["left"], top=numbers["top"], cell=numbers["pixel"], width=height.shape[1],
+        height=height.shape[0], unit=str(told.get("unit", "")), block=str(told.get("block", "")), wkt=wkt, plane=plane,
+    )  # fmt: skip

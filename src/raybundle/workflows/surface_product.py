@@ -1,0 +1,65 @@
+"""Products of a surface as values: what is written of it, under which names, and what that needs."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from pathlib import Path
+
+from raybundle.io.formats import Export
+from raybundle.numerics.progress import Progress
+from raybundle.workflows.object_plane import Plane
+from raybundle.workflows.surface import Surface
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Context:
+    """What products are made of, beside the surface."""
+
+    export: Export
+    unit: str
+    """of coordinates and standard deviations; empty: the scale is free"""
+    wanted: frozenset[str]
+    """names of the products that are asked for"""
+    plane: Plane | None
+    """from which heights count; None: none are asked for"""
+    progress: Progress
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Written:
+    """Of a product."""
+
+    files: tuple[Path, ...]
+    told: tuple[str, ...]
+    """what is to be said of it, a line each"""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Product:
+    """One kind of file, or some that belong together."""
+
+    name: str
+    """setting with which it is asked for; empty: it is always written"""
+    files: tuple[str, ...]
+    """names that it may have in the folder of the surface"""
+    write: Callable[[Surface, Path, Context], Written]
+    check: Callable[[], None] = lambda: None
+    """raises InputError where something is missing that it needs, as a library"""
+
+
+PRODUCTS: dict[str, Product] = {}
+
+
+def register(product: Product) -> Product:
+    """Make it known; raises ValueError for one whose name or file another has."""
+    taken = {f for p in PRODUCTS.values() for f in p.files}
+    if product.name in PRODUCTS or taken & set(product.files):
+        raise ValueError(f"two products {product.name or product.files}")
+    PRODUCTS[product.name] = product
+    return product
+
+
+def files_of_all() -> frozenset[str]:
+    """Names that products have in the folder of a surface."""
+    return frozenset(f for p in PRODUCTS.values() for f in p.files)

@@ -1,0 +1,24 @@
+"""Product: heights above a plane as GeoTIFF, their standard deviations, and what is needed to compute with them."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from raybundle.io.raster_library import raster_library
+from raybundle.workflows.height_files import FILES, HeightFile, write_heights
+from raybundle.workflows.surface import Surface
+from raybundle.workflows.surface_product import Context, Product, Written, register
+
+
+def _write(surface: Surface, out: Path, context: Context) -> Written:
+    assert surface.heights is not None
+    assert context.plane is not None
+    file = HeightFile.of(surface.heights.grid, context.plane, context.unit, surface.block.name)
+    return Written(files=tuple(out / f for f in FILES), told=write_heights(surface, file, out))
+
+
+def _check() -> None:
+    raster_library()
+
+
+PRODUCT = register(Product(name="dsm", files=FILES, write=_write, check=_check))

@@ -1,0 +1,260 @@
+"""Stage: heights above a plane on a grid, tile by tile, and what orientation does to many of them together."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from raybundle.adjustment.queries import joint_orientation
+from raybundle.adjustment.result import Adjustment
+from raybundle.errors import InputError
+from raybundle.io.block.arrays import arrays_of_block, block_of_arrays
+from raybundle.numerics.arrays import Array, Index
+from raybundle.pipeline.keys import key_of
+from raybundle.pipeline.stage import Means, Stage
+from raybundle.pipeline.store import Folder, Product
+from raybundle.pipeline.tasks import Task
+from raybundle.surfaces.depth_map import DepthMap
+from raybundle.surfaces.heights import STEEPEST, PointsOfCells, on_grid
+from raybundle.surfaces.orientation import CommonRoot, ShiftCovariance
+from raybundle.surfaces.pairs import Sources
+from raybundle.surfaces.transfer import ReferenceRays
+from raybundle.workflows.height_grid import HeightGrid
+from raybundle.workflows.surface_state import SURFACE, MeasuredHeights
+from raybundle.workflows.surfacing.maps import PART, part_of
+
+VERSION = 1
+TOGETHER, ABOVE, TILE = "surface orientation", "surface above", "surface heights"
+"""First words of the keys of what is kept"""
+TILE_CELLS = 256
+"""Side of a tile: what is done, read and written at once."""
+BLOCK_CELLS = 32
+"""Side of a part of a tile within which orientation moves all cells of a map alike."""
+SAMPLES = 48
+"""Points of a part and map whose mean stands for all of them."""
+POINT_S, CELL_S = 3e-6, 1e-6
+"""CPU seconds of a point and a cell, for the order and the time that is left."""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Inputs:
+    """What heights depend on."""
+
+    adjustment: Adjustment
+    chosen: tuple[Sources, ...]
+    clouds: Mapping[int, str]
+    maps: Mapping[int, str]
+    shifts: Mapping[int, str]
+    grid: HeightGrid
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class AboveTask:
+    """The points of a reference above the grid."""
+
+    block: str
+    """key of a part of the block with the reference's image alone"""
+    cloud: str
+    map: str
+    shifts: str
+    together: str
+    grid: HeightGrid
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class TileTask:
+    """The heights of a tile."""
+
+    tile: int
+    above: tuple[str, ...]
+    """of the references that have points in it"""
+    images: tuple[int, ...]
+    grid: HeightGrid
+
+
+def measure(i: Inputs, means: Means) -> MeasuredHeights:
+    """All tiles by tasks."""
+    refs = sorted(i.clouds)
+    together = _together(i, means)
+    tasks = [_above(i, means, k, together) for k in refs]
+    _done(means, tasks, "points above the grid")
+    above = {k: t.key for k, t in zip(refs, tasks, strict=True)}
+    there = dict[int, list[int]]()
+    for k, key in above.items():
+        for tile in means.store.wanted(key, ("tiles",))["tiles"].tolist():
+            there.setdefault(tile, []).append(k)
+    tiles = [_tile(i.grid, tile, mine, [above[k] for k in mine]) for tile, mine in sorted(there.items())]
+    _done(means, tiles, "heights")
+    found = {tile: t.key for tile, t in zip(sorted(there), tiles, strict=True)}
+    return MeasuredHeights(grid=i.grid, tiles=found, above=above)
+
+
+def _done(means: Means, tasks: Sequence[Task], what: str) -> None:
+    for reason in means.do(tasks, what, apart=True).values():
+        raise InputError(reason)
+
+
+def _together(i: Inputs, means: Means) -> str:
+    """The key of the independent errors behind all orientations."""
+    images = sorted({j for s in i.chosen if s.reference in i.clouds for j in (s.reference, *s.sources)})
+    key = key_of(TOGETHER, VERSION, arrays_of_block(i.adjustment.adjusted), i.adjustment.options, images)
+    if not means.store.has(key):
+        made = CommonRoot.of(joint_orientation(i.adjustment, images))
+        means.store.store(key, {"unknowns": made.unknowns, "root": made.root})
+    return key
+
+
+def _above(i: Inputs, means: Means, k: int, together: str) -> Task:
+    """The task of a reference."""
+    block = i.adjustment.adjusted
+    part = arrays_of_block(part_of(block, np.array([k])))
+    own = key_of(PART, VERSION, part)
+    if not means.store.has(own):
+        means.store.store(own, part)
+    points = len(means.store.wanted(i.clouds[k], ("image",))["image"])
+    inputs = (own, i.clouds[k], i.maps[k], i.shifts[k], together)
+    options = AboveTask(block=own, cloud=i.clouds[k], map=i.maps[k], shifts=i.shifts[k], together=together, grid=i.grid)
+    return Task(
+        key=key_of(ABOVE, VERSION, *inputs, i.grid), function=f"{__name__}:above_of", options=options, inputs=inputs,
+        name=block.images.ids[k], cost=points * POINT_S,
+    )  # fmt: skip
+
+
+def _tile(grid: HeightGrid, tile: int, images: Sequence[int], above: Sequence[str]) -> Task:
+    """The task of a tile."""
+    return Task(
+        key=key_of(TILE, VERSION, tile, images, above, grid), function=f"{__name__}:tile_of", inputs=tuple(above),
+        options=TileTask(tile=tile, above=tuple(above), images=tuple(images), grid=grid),
+        name=f"tile {tile}", cost=TILE_CELLS**2 * CELL_S * (1 + len(above)),
+    )  # fmt: skip
+
+
+def tiles_across(grid: HeightGrid) -> int:
+    """Tiles of a row."""
+    return -(-grid.grid.width // TILE_CELLS)
+
+
+def tile_window(grid: HeightGrid, tile: int) -> tuple[int, int, int, int]:
+    """First column and row of a tile, and how many of them it has."""
+    row, column = divmod(tile, tiles_across(grid))
+    x, y = column * TILE_CELLS, row * TILE_CELLS
+    return x, y, min(TILE_CELLS, grid.grid.width - x), min(TILE_CELLS, grid.grid.height - y)
+
+
+def above_of(store: Folder, task: AboveTask) -> Product:
+    """The task: the points of a reference above the grid, tile by tile, and how orientation moves parts of tiles."""
+    cloud = store.wanted(task.cloud, ("xyz", "normal", "across", "size", "place"))
+    g, plane = task.grid.grid, task.grid.plane
+    uvh = plane.coordinates(cloud["xyz"]) if len(cloud["xyz"]) else np.zeros((0, 3))
+    J = plane.jacobian(cloud["xyz"].mean(axis=0)) if len(uvh) else np.eye(3)
+    normal = cloud["normal"] @ np.linalg.inv(J)
+    upright = normal[:, 2]
+    cells = task.grid.cells(uvh[:, :2])
+    size = np.linalg.norm(normal, axis=1)
+    kept = (upright > STEEPEST * size) & (cells >= 0).all(axis=1) & (cells < [g.width, g.height]).all(axis=1)
+    at = np.flatnonzero(kept)
+    column, row = cells[at].T
+    block = (row // BLOCK_CELLS).astype(np.int64) * -(-g.width // BLOCK_CELLS) + (column // BLOCK_CELLS).astype(
+        np.int64
+    )
+    tile = (row // TILE_CELLS).astype(np.int64) * tiles_across(task.grid) + (column // TILE_CELLS).astype(np.int64)
+    order = np.lexsort((block, tile))
+    at, tile, block = at[order], tile[order], block[order]
+    tiles, begin = np.unique(tile, return_index=True)
+    n = normal[at]
+    slope = np.stack([-n[:, 0] / n[:, 2], n[:, 1] / n[:, 2]], axis=1) * g.pixel
+    across = np.asarray(cloud["across"][at], float) / n[:, 2, None]
+    length = _length(store, task, np.asarray(cloud["size"][at], float))
+    blocks, moved = _moved(store, task, cloud, at, block, n[:, 2])
+    return {
+        "tiles": tiles, "begin": np.append(begin, len(at)), "column": column[order], "row": row[order],
+        "height": uvh[at, 2], "slope": slope.astype(np.float32), "local": across[:, 0].astype(np.float32),
+        "orientation": across[:, 1].astype(np.float32), "blocks": blocks, "moved": moved, "length": np.array(length),
+    }  # fmt: skip
+
+
+def _number(column: Array, row: Array, side: int, width: int) -> Index:
+    """Of the squares of so many cells, row by row."""
+    return (row // side).astype(np.int64) * -(-width // side) + (column // side).astype(np.int64)
+
+
+def _length(store: Folder, task: AboveTask, size: Array) -> float:
+    """Distance in cells at which errors of two points correlate by 1 / e."""
+    px = float(store.wanted(task.map, ("correlation_px",))["correlation_px"][0])
+    unit = abs(float(np.linalg.det(task.grid.plane.jacobian(np.zeros(3))))) ** (1 / 3)
+    return px * float(np.median(size)) * unit / task.grid.grid.pixel if len(size) else 1.0
+
+
+def _moved(
+    store: Folder, task: AboveTask, cloud: Mapping[str, Array], at: Index, block: Index, upright: Array
+) -> tuple[Index, Array]:
+    """Parts of tiles, and how the heights of this reference in them move (b, q) with each independent error."""
+    blocks, begin, count = np.unique(block, return_index=True, return_counts=True)
+    some = [
+        b + np.unique(np.linspace(0, n - 1, min(n, SAMPLES)).astype(int)) for b, n in zip(begin, count, strict=True)
+    ]
+    chosen = np.concatenate(some) if some else np.zeros(0, int)
+    root = store.wanted(task.together)
+    together = CommonRoot(unknowns=root["unknowns"], root=root["root"])
+    shifts = ShiftCovariance.of_arrays(store.wanted(task.shifts)).among(together)
+    found = DepthMap.of_arrays(store.wanted(task.map))
+    place = cloud["place"][at[chosen]]
+    xy, t = found.grid.xy_px.reshape(-1, 2)[place], np.asarray(found.t, float).ravel()[place]
+    rays = ReferenceRays.of(block_of_arrays(store.wanted(task.block)), 0)
+    sensitivity = found.shift.reshape(-1, found.shift.shape[2], 2)[place]
+    normal = np.asarray(cloud["normal"][at[chosen]], float)
+    each = np.zeros((len(chosen), together.root.shape[1]))
+    for mine, point in shifts.moved_points(xy, t, sensitivity, rays.by_t(xy, t)):
+        each[mine] = np.einsum("ni,nij->nj", normal[mine], point)
+    each /= upright[chosen, None]
+    of = np.repeat(np.arange(len(blocks)), [len(s) for s in some])
+    moved = np.zeros((len(blocks), each.shape[1]))
+    np.add.at(moved, of, each)
+    return blocks, (moved / np.maximum(np.bincount(of, minlength=len(blocks)), 1)[:, None]).astype(np.float32)
+
+
+def tile_of(store: Folder, task: TileTask) -> Product:
+    """The task: the heights of a tile, and by how much each reference weighs in its parts."""
+    x, y, width, height = tile_window(task.grid, task.tile)
+    parts, lengths = list[PointsOfCells](), list[float]()
+    for image, key in zip(task.images, task.above, strict=True):
+        a = store.lent(key)
+        k = int(np.searchsorted(a["tiles"], task.tile))
+        mine = slice(*a["begin"][k : k + 2].tolist())
+        lengths.append(float(a["length"]))
+        parts.append(
+            PointsOfCells(
+                column=a["column"][mine] - x, row=a["row"][mine] - y, height=a["height"][mine],
+                slope=np.asarray(a["slope"][mine], float), local=np.asarray(a["local"][mine], float),
+                orientation=np.asarray(a["orientation"][mine], float),
+                image=np.full(mine.stop - mine.start, image, np.int32),
+            )
+        )  # fmt: skip
+    points = PointsOfCells.joined(parts)
+    length = float(np.average(lengths, weights=[max(len(p), 1) for p in parts]))
+    found, weights = on_grid(points, (height, width), length)
+    across = -(-width // BLOCK_CELLS)
+    block = _number(points.column, points.row, BLOCK_CELLS, width)
+    share = np.zeros((len(task.images), across * -(-height // BLOCK_CELLS)))
+    row_of = np.searchsorted(np.array(task.images), points.image)
+    np.add.at(share, (row_of, block), weights)
+    share /= np.maximum(share.sum(axis=0), 1e-300)
+    return {
+        **found.as_arrays(), "images": np.array(task.images), "share": share.astype(np.float32),
+        "length": np.array(length),
+    }  # fmt: skip
+
+
+STAGE = SURFACE.register(
+    Stage(
+        name="heights", after=("fusion",), function=measure, kinds=(TOGETHER, ABOVE, TILE),
+        put=lambda s, found: replace(s, heights=found), when=lambda s: s.options.grid is not None,
+        told=lambda s: f"{len(s.heights.tiles)} tiles" if s.heights else "",
+        inputs=lambda s: Inputs(
+            adjustment=s.adjustment, chosen=s.chosen, clouds=s.clouds, maps=s.maps, shifts=s.shifts,
+            grid=s.wanted_grid,
+        ),
+    )
+)  # fmt: skip

@@ -1,0 +1,136 @@
+"""Heights on a grid, and sums of them, beside simulated surfaces whose errors are correlated as is stated."""
+
+import numpy as np
+import pytest
+from scipy.ndimage import gaussian_filter
+
+from raybundle.errors import InputError
+from raybundle.surfaces.height_model import HeightModel
+from raybundle.surfaces.heights import Heights, PointsOfCells, between, on_grid, within
+
+FINE = 4
+"""Points along the side of a cell"""
+
+
+def points_above(shape, *, height, sigma=0.01, orientation=0.0, image=0, rng=None):
+    """Points all over a grid, at heights given by their places."""
+    n = FINE**2 * shape[0] * shape[1]
+    rng = rng or np.random.default_rng(1)
+    column, row = rng.random(n) * shape[1], rng.random(n) * shape[0]
+    z, slope = height(column, row)
+    return PointsOfCells(
+        column=column, row=row, height=z, slope=np.broadcast_to(slope, (n, 2)), local=np.full(n, sigma),
+        orientation=np.full(n, orientation), image=np.full(n, image, np.int32),
+    )  # fmt: skip
+
+
+def test_a_plane_is_met_in_the_middle_of_each_cell():
+    def plane(column, row):
+        return 3.0 + 0.2 * column - 0.5 * row, (0.2, -0.5)
+
+    found, weights = on_grid(points_above((20, 30), height=plane), (20, 30), 0.5)
+    row, column = np.mgrid[:20, :30] + 0.5
+    known = found.points > 0
+    assert known.mean() > 0.99
+    assert np.abs(found.height - plane(column, row)[0])[known].max() < 1e-5
+    assert weights.sum() == pytest.approx(known.sum())
+    assert np.isnan(found.height[~known]).all()
+
+
+def test_the_upper_of_two_layers_is_taken_and_blunders_above_it_are_not():
+    rng = np.random.default_rng(2)
+
+    def floor(column, row):
+        return 0.01 * rng.normal(size=len(column)), (0.0, 0.0)
+
+    lower = points_above((10, 10), height=floor, rng=rng)
+    upper = points_above((10, 10), height=lambda c, r: (1.0 + floor(c, r)[0], (0.0, 0.0)), rng=rng)
+    upper = upper.rows(np.flatnonzero(upper.column < 5))
+    high = points_above((10, 10), height=lambda c, _: (4.0 + 0 * c, (0.0, 0.0)), rng=rng)
+    few = high.rows(np.flatnonzero(np.arange(len(high)) % 20 == 0))
+    found, _ = on_grid(PointsOfCells.joined([lower, few, upper]), (10, 10), 0.1)
+    assert np.abs(found.height[:, :5] - 1).max() < 0.02
+    assert np.abs(found.height[:, 5:]).max() < 0.02
+
+
+def test_nothing_above_the_grid_gives_no_heights():
+    found, weights = on_grid(
+        points_above((3, 3), height=lambda c, _: (c, (1.0, 0.0))).rows(np.zeros(0, int)), (3, 3), 1
+    )
+    assert np.isnan(found.height).all()
+    assert not len(weights)
+    assert (found.image == -1).all()
+
+
+@pytest.mark.parametrize("length", [0.3, 2.0])
+def test_the_correlation_of_two_cells_is_the_mean_over_their_places(length):
+    rng = np.random.default_rng(3)
+    a = rng.random((200_000, 2))
+    for apart in ((0, 0), (1, 0), (2, 1)):
+        b = rng.random((200_000, 2)) + apart
+        drawn = np.exp(-(((a - b) / length) ** 2).sum(axis=1)).mean()
+        stated = float(between(np.array(apart[0]), np.array(apart[1]), length))
+        assert stated == pytest.approx(drawn, rel=0.05, abs=1e-4)
+    assert within(1e4) == pytest.approx(1.0, abs=1e-6)
+
+
+@pytest.mark.parametrize("length", [0.4, 1.5])
+def test_cells_and_means_scatter_as_is_stated(length):
+    """Errors of points as a field that is correlated by exp(-(d / length)^2), and one error common to all."""
+    shape, sigma, common = (24, 24), 0.02, 0.004
+    rng = np.random.default_rng(4)
+    side = FINE * shape[0]
+    row, column = (np.mgrid[:side, :side] + 0.5) / FINE
+    smooth = length * FINE / 2
+    cells, means = [], []
+    weights = np.zeros(shape)
+    weights[4:20, 6:18] = 1 / (16 * 12)
+    for _ in range(120):
+        field = gaussian_filter(rng.normal(size=(3 * side, 3 * side)), smooth, mode="wrap")[side:-side, side:-side]
+        field *= sigma * np.sqrt(4 * np.pi) * smooth
+        points = PointsOfCells(
+            column=column.ravel(), row=row.ravel(), height=field.ravel() + common * rng.normal(),
+            slope=np.zeros((side**2, 2)), local=np.full(side**2, sigma), orientation=np.full(side**2, common),
+            image=np.zeros(side**2, np.int32),
+        )  # fmt: skip
+        found, _ = on_grid(points, shape, length)
+        model = HeightModel(
+            heights=found, moved=np.full((1, 1, 1), common, np.float32), block=32, cell=1.0, length=length
+        )
+        total = model.sum_of(weights)
+        cells.append(np.mean((found.height / found.sigma) ** 2))
+        means.append(total.value / total.sigma)
+    assert np.mean(cells) == pytest.approx(1.0, abs=0.15)
+    assert np.mean(np.square(means)) == pytest.approx(1.0, abs=0.35)
+
+
+def test_orientation_does_not_get_better_with_more_cells():
+    shape = (64, 64)
+    flat = np.zeros(shape, np.float32)
+    heights = Heights(
+        height=flat, local=flat + 0.01, orientation=flat + 0.02, point=flat + 0.01,
+        points=np.ones(shape, np.uint16), image=np.zeros(shape, np.int32),
+    )  # fmt: skip
+    moved = np.zeros((2, 2, 2), np.float32)
+    moved[..., 0], moved[:, 0, 1], moved[:, 1, 1] = 0.01, 0.02, -0.02
+    model = HeightModel(heights=heights, moved=moved, block=32, cell=0.1, length=0.5)
+    mean = model.sum_of(np.full(shape, 1 / 64**2))
+    assert mean.orientation == pytest.approx(0.01)  # what tilts the whole has no part in its mean
+    assert mean.local < 0.01 / 20
+    left = np.zeros(shape)
+    left[:, :32] = 1 / (64 * 32)
+    assert model.sum_of(left).orientation == pytest.approx(np.hypot(0.01, 0.02))
+
+
+def test_a_sum_over_holes_is_refused():
+    shape = (4, 4)
+    flat = np.zeros(shape, np.float32)
+    hole = flat.copy()
+    hole[1, 1] = np.nan
+    heights = Heights(
+        height=hole, local=flat, orientation=flat, point=flat, points=np.ones(shape, np.uint16),
+        image=np.zeros(shape, np.int32),
+    )  # fmt: skip
+    model = HeightModel(heights=heights, moved=np.zeros((1, 1, 1), np.float32), block=32, cell=1.0, length=1.0)
+    with pytest.raises(InputError, match="1 of 16 cells have no height"):
+        model.sum_of(np.ones(shape))
