@@ -83,7 +83,9 @@ def test_an_option_of_one_name_takes_one_kind_of_value():
 def test_a_photograph_is_not_threads_and_a_family_is_a_target():
     """Names that stand for what another name says already do not come back; what the exchange format says stays."""
     flags = {flag for command in COMMANDS.values() for p in command.params for flag in p.opts}
-    assert flags.isdisjoint({"--threads", "--author", "--dsm", "--size", "--bar-sigma", "--film-model", "--separate"})
+    assert flags.isdisjoint({"--threads", "--author", "--size", "--bar-sigma", "--film-model", "--separate"})
+    # heights that are read are --dem; those that a surface is made into are --dsm
+    assert {w for w, command in COMMANDS.items() if any("--dsm" in p.opts for p in command.params)} == {("surface",)}
     for words in (("targets", "detect"), ("targets", "sheet"), ("orient",), ("calibrate",), ("measure",)):
         (target,) = (p for p in COMMANDS[words].params if "--target" in p.opts)
         assert "--family" in target.opts
