@@ -78,7 +78,7 @@ def main() -> None:
         "cells": told(x), "cells_off_steps": told((e / h.sigma)[smooth]),
     }  # fmt: skip
     side = max(2, round(SIDE / file.cell))
-    means, stated, locals_, common = [], [], [], []
+    means, stated, locals_, common, moved = [], [], [], [], []
     for j in range(0, file.height - side + 1, side):
         for i in range(0, file.width - side + 1, side):
             w = np.zeros(e.shape)
@@ -91,12 +91,17 @@ def main() -> None:
             stated.append(s.sigma)
             locals_.append(s.local)
             common.append(s.orientation)
+            moved.append(s.moved)
     m, s = np.array(means), np.array(stated)
+    # one orientation has moved all of them: by their joint covariance they are as many independent draws
+    C = np.array(moved) @ np.array(moved).T + np.diag(np.square(locals_))
+    apart = np.linalg.solve(np.linalg.cholesky(C), m)
     found["means"] = {
         "side_m": SIDE, "count": len(m), "robust_mm": round(1000 * float(np.median(np.abs(m))) / 0.6745, 4),
         "bias_mm": round(1000 * float(np.median(m)), 4), "sigma_mm": round(1000 * float(np.median(s)), 4),
         "local_mm": round(1000 * float(np.median(locals_)), 4),
         "orientation_mm": round(1000 * float(np.median(common)), 4), **told(m / s),
+        "apart": told(apart),
     }  # fmt: skip
     print(json.dumps(found, indent=1))
     if given.keep:

@@ -17,10 +17,10 @@ if TYPE_CHECKING:
     from raybundle.workflows.height_grid import HeightGrid
     from raybundle.workflows.object_plane import Plane
     from raybundle.workflows.surface import Surface
-    from raybundle.workflows.surface_product import Written
+    from raybundle.workflows.surface_product import Context, Written
 
-WORK = "work"
-"""Of the folder: the project with all that is kept for the next run"""
+WORK, PAGE = "work", "surface.html"
+"""Of the folder: the project with all that is kept for the next run; what shows how good the surface is"""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -137,8 +137,22 @@ def run_surface(settings: SurfaceSettings, progress: Progress = silent) -> Measu
     unit = "" if free else export.block.length_unit
     context = Context(export=export, unit=unit, wanted=wanted, plane=plane, progress=progress)
     written = tuple((name, p.write(done, out, context)) for name, p in sorted(PRODUCTS.items()) if name in wanted)
+    _write_page(done, out, context, told, result)
     sigma, shares = _told(done)
     return MeasuredSurface(surface=done, written=written, remarks=told, unit=unit, median_sigma=sigma, shares=shares)
+
+
+def _write_page(done: Surface, out: Path, context: Context, told: tuple[str, ...], result: Path) -> None:
+    """Write the page that shows how complete and how good the surface is."""
+    from raybundle.report.surface_page import write_surface_page  # noqa: PLC0415
+    from raybundle.workflows.height_files import HeightFile  # noqa: PLC0415
+    from raybundle.workflows.surface_summary import summary_of  # noqa: PLC0415
+
+    file = None
+    if done.heights is not None and context.plane is not None:
+        file = HeightFile.of(done.heights.grid, context.plane, context.unit, done.block.name)
+    name = done.block.name or result.resolve().name
+    write_surface_page(summary_of(done, context.unit, file), out / PAGE, name=name, remarks=told)
 
 
 def _grid_of(
@@ -174,7 +188,7 @@ def _check_out(out: Path) -> None:
 
     if out.exists() and not out.is_dir():
         raise InputError("is a file; give a folder", file=out)
-    others = {p.name for p in out.iterdir()} - {WORK} - files_of_all() if out.is_dir() else set[str]()
+    others = {p.name for p in out.iterdir()} - {WORK, PAGE} - files_of_all() if out.is_dir() else set[str]()
     if others:
         raise InputError(f"holds {min(others)}, which is not of a surface; choose another {option('out')}", file=out)
 

@@ -7,7 +7,7 @@ compared, and of what agrees the best estimate of each place goes into the cloud
 from __future__ import annotations
 
 import os
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
 
@@ -39,6 +39,10 @@ class Surface:
     counts: tuple[int, ...]
     """points of each"""
     options: SurfaceOptions
+    maps: Mapping[int, str]
+    """keys of the depth maps, by reference"""
+    sigmas: Mapping[int, str]
+    """keys of their standard deviations"""
     heights: MeasuredHeights | None
     """on the grid that was asked for"""
     left_out: tuple[tuple[str, str], ...]
@@ -86,7 +90,7 @@ def surface(
         counts = tuple(len(project.products.wanted(key, ("image",))["image"]) for _, key in clouds)
         return Surface(
             block=state.block, store=project.products, clouds=clouds, counts=counts, options=options,
-            heights=state.heights,
+            maps=state.maps, sigmas=state.sigmas, heights=state.heights,
             left_out=state.left_out, records=tuple(project.records),
         )  # fmt: skip
     finally:

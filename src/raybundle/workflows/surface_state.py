@@ -89,6 +89,8 @@ class SurfaceState:
     """key of what each reference gives to the cloud"""
     shifts: Mapping[int, str] = field(default_factory=dict[int, str])
     """key of how orientation moves what each reference shows"""
+    sigmas: Mapping[int, str] = field(default_factory=dict[int, str])
+    """key of the standard deviations of the depth map of each reference, all parts together"""
     heights: MeasuredHeights | None = None
     left_out: tuple[tuple[str, str], ...] = ()
     """photographs and pairs without a part in the surface, and why"""

@@ -81,6 +81,8 @@ class Fused:
     """what it gives to the cloud"""
     shifts: Mapping[int, str]
     """how orientation moves what it shows"""
+    sigmas: Mapping[int, str]
+    """standard deviations of its map, all parts together"""
 
 
 def fuse(i: Inputs, means: Means) -> Fused:
@@ -102,7 +104,7 @@ def fuse(i: Inputs, means: Means) -> Fused:
     sigmas = {k: t.key for k, t in zip(of, sigma, strict=True)}
     tasks = [_task(i, means, of[k], shifts[k], sigmas) for k in of]
     _done(means, tasks, "maps against each other")
-    return Fused(clouds={k: t.key for k, t in zip(of, tasks, strict=True)}, shifts=shifts)
+    return Fused(clouds={k: t.key for k, t in zip(of, tasks, strict=True)}, shifts=shifts, sigmas=sigmas)
 
 
 def _shifts(means: Means, adjustment: Adjustment, about: str, s: Sources, t_range: tuple[float, float]) -> str:
@@ -214,7 +216,7 @@ def _cloud(store: Folder, task: CloudTask, found: DepthMap, mine: MapView, at: A
 STAGE = SURFACE.register(
     Stage(
         name="fusion", after=("depth maps",), function=fuse, kinds=(SHIFTS, SIGMA, CLOUD),
-        put=lambda s, found: replace(s, clouds=found.clouds, shifts=found.shifts),
+        put=lambda s, found: replace(s, clouds=found.clouds, shifts=found.shifts, sigmas=found.sigmas),
         inputs=lambda s: Inputs(adjustment=s.adjustment, photos=s.photos, chosen=s.chosen, maps=s.maps),
     )
 )  # fmt: skip

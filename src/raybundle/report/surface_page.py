@@ -1,0 +1,230 @@
+"""The page of a surface: how complete and how good it is, where, and by what its standard deviations come about."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+
+from raybundle.io.folders import new_files
+from raybundle.numerics.arrays import Array
+from raybundle.report.document import Document, html
+from raybundle.report.figures.raster import class_map, height_map, legend_of, sigma_told, small_map
+from raybundle.report.figures.svg import Drawing, Plot, axes, band, drawing, fitted, line, span
+from raybundle.report.languages import ENGLISH
+from raybundle.report.languages.language import language_of
+from raybundle.report.languages.setting import section_in
+from raybundle.report.parts import (
+    Fact,
+    Facts,
+    Figure,
+    Figures,
+    Paragraph,
+    Part,
+    Section,
+    Table,
+    number,
+    table,
+    text,
+)
+from raybundle.report.sigma_classes import Classes, sigma_classes
+from raybundle.report.text.numbers import counted, grouped, per_cent, significant
+from raybundle.surfaces.summary import HeightSummary, SurfaceSummary
+
+MOST_MAPS = 24
+"""Depth maps that are drawn; the least complete of more."""
+LOW = 0.3
+"""Share of its pixels below which a map is said to be incomplete."""
+HEAD = "standard deviation along the ray"
+NOTES = (
+    (
+        "Noise: what grey values scatter by, as measured in these photographs. Roughness: what the surface does within "
+        "the window of 7 x 7 pixels. Orientation: exterior and interior orientations, by their joint covariance."
+    ),
+    (
+        "A mean of many points gets no better than orientation lets it be: raybundle computes sums of heights with all "
+        "of this in them."
+    ),
+    "What is not told: errors that all photographs share, as of reflections, water, glass and moving shadows.",
+)
+
+
+def write_surface_page(
+    summary: SurfaceSummary, path: Path, *, name: str, remarks: tuple[str, ...] = (), language: str = ENGLISH
+) -> None:
+    """Write the page: one HTML file that needs no other.
+
+    name     of the project
+    remarks  what was said while the surface was measured
+    """
+    say = language_of(language, [name, *(m.name for m in summary.maps), *(what for what, _ in summary.left_out)])
+    factor, unit = (1000.0, "mm") if summary.unit == "m" else (1.0, summary.unit)
+    sections = [_result(summary, factor, unit, remarks)]
+    if summary.heights is not None:
+        sections.append(_heights(summary.heights, factor, unit, summary.unit))
+    sections += [_maps(summary, factor, unit), _errors(summary, factor, unit)]
+    doubts = _doubts(summary)
+    head = f"{grouped(summary.points)} points from {counted(len(summary.maps), 'depth map')}"
+    if summary.points:
+        head += f"; standard deviation along the ray {sigma_told(factor * summary.sigma[0], unit)} in the median"
+    document = Document(
+        title=say.text(f"Surface of {name}"), subtitle=say.text("Dense points, each with its standard deviations"),
+        headline=say.text(f"{head}. {doubts}".strip()),
+        grade="attention" if not summary.points else "remarks" if doubts else "good",
+        made=tuple(("specialist", section_in(s, say)) for s in sections), divided=False, language=say,
+    )  # fmt: skip
+    with new_files(path) as (file,):
+        file.write_text(html(document), encoding="utf-8")
+
+
+def _doubts(s: SurfaceSummary) -> str:
+    """What the headline has to add."""
+    told = list[str]()
+    few = [m for m in s.maps if m.measured < LOW * m.pixels]
+    if few:
+        told.append(
+            f"{counted(len(few), 'depth map')} cover less than {per_cent(LOW)} of the photograph"
+            if len(few) > 1
+            else f"{few[0].name} is covered to {per_cent(few[0].measured / few[0].pixels)}"
+        )
+    if s.left_out:
+        told.append(f"{counted(len(s.left_out), 'photograph or pair')} took no part")
+    return "; ".join(told) + "." if told else ""
+
+
+def _result(s: SurfaceSummary, factor: float, unit: str, remarks: tuple[str, ...]) -> Section:
+    rays = np.arange(len(s.rays))
+    two = float(s.rays[:3].sum()) / max(s.points, 1)
+    facts = [
+        Fact(label="points", value=grouped(s.points), remark=f"of {counted(len(s.maps), 'depth map')}"),
+        Fact(
+            label=HEAD, value=sigma_told(factor * s.sigma[0], unit),
+            remark=f"median; 90 % below {sigma_told(factor * s.sigma[1], unit)}, 99 % below "
+            f"{sigma_told(factor * s.sigma[2], unit)}",
+        ),
+        Fact(
+            label="photographs to a point", value=significant(float((rays * s.rays).sum()) / max(s.points, 1), 2),
+            remark=f"mean; {per_cent(two)} by two",
+        ),
+        Fact(label="grazed", value=per_cent(s.incidence), remark="of the points, at less than 17 degrees"),
+    ]  # fmt: skip
+    parts: list[Part] = [Facts(facts=tuple(facts))] if s.points else []
+    parts += [Paragraph(text=r) for r in remarks]
+    if s.left_out:
+        parts.append(
+            table(
+                (text("left out"), text("why")),
+                zip(*s.left_out, strict=True),
+                caption="Photographs and pairs without a part",
+            )
+        )
+    return Section(anchor="result", title="Result", parts=tuple(parts))
+
+
+def _heights(h: HeightSummary, factor: float, unit: str, length: str) -> Section:
+    where = "above the plane" if length else "above the plane, in no unit"
+    figures = [
+        Figure(
+            drawing=height_map(h.height, h.cell, h.left, h.top, length, f"heights {where}"),
+            caption=f"Heights {where}; {per_cent(h.share)} of the cells have one. Grey: nothing was measured.",
+        )
+    ]
+    classes = _classes(factor * h.sigma, unit, "standard deviation of a height")
+    if classes is not None:
+        figures.append(
+            Figure(
+                drawing=class_map(
+                    factor * h.sigma, classes, h.cell, h.left, h.top, length, "standard deviations of heights"
+                ),
+                caption="Standard deviations of the heights, all parts together.",
+            )
+        )
+    parts: list[Part] = [Figures(figures=tuple(figures))]
+    if np.isfinite(h.profile[:, 1]).sum() > 1:
+        caption = "Profile along the middle of the heights, with the band of 1.96 standard deviations."
+        parts.append(Figures(figures=(Figure(drawing=_profile(h, length), caption=caption),)))
+    return Section(anchor="heights", title="Heights", parts=tuple(parts))
+
+
+def _profile(h: HeightSummary, unit: str) -> Drawing:
+    x, z, s = h.profile.T
+    of = f" [{unit}]" if unit else ""
+    plot = fitted(Plot(width=720, height=200, x_range=(float(x[0]), float(x[-1])), y_range=span(z)))
+    parts = [
+        axes(plot, f"right{of}", f"height{of}"), band(plot, x, z - 1.96 * s, z + 1.96 * s, "band second"),
+        line(plot, x, z, "curve first"),
+    ]  # fmt: skip
+    return drawing(plot.width, plot.height, parts, "profile of heights")
+
+
+def _classes(values: Array, unit: str, head: str) -> Classes | None:
+    found = sigma_classes(values.ravel(), unit)
+    return None if found is None else replace(found, legend=(("", head), *found.legend[1:]))
+
+
+def _maps(s: SurfaceSummary, factor: float, unit: str) -> Section:
+    rows = [
+        (
+            m.name, grouped(m.sources), per_cent(m.measured / max(m.pixels, 1)), grouped(m.given),
+            significant(factor * m.sigma, 2) if np.isfinite(m.sigma) else "",
+        )
+        for m in s.maps
+    ]  # fmt: skip
+    head = (
+        text("photograph"), number("sources"), number("measured"), number("points given"), number("sigma", unit),
+    )  # fmt: skip
+    body = table(
+        head, zip(*rows, strict=True), caption="Depth maps",
+        note="measured: share of its pixels with a depth; sky and what no second photograph shows have none. "
+        "sigma: along the ray, median. A point that several maps know is given by the one that knows it best.",
+    )  # fmt: skip
+    parts: list[Part] = [body]
+    some = sorted(s.maps, key=lambda m: m.measured / max(m.pixels, 1))[:MOST_MAPS]
+    some = [m for m in s.maps if m in some and m.measured]
+    every = np.concatenate([factor * m.picture.ravel() for m in some]) if some else np.zeros(0)
+    classes = _classes(every, unit, HEAD)
+    if classes is not None:
+        figures = [Figure(drawing=legend_of(classes), caption="")]
+        figures += [
+            Figure(
+                drawing=small_map(factor * m.picture, classes, m.name, f"{per_cent(m.measured / m.pixels)} measured"),
+                caption="",
+            )
+            for m in some
+        ]
+        parts.append(Figures(figures=tuple(figures), small=True))
+    return Section(anchor="maps", title="Depth maps", parts=tuple(parts))
+
+
+def _errors(s: SurfaceSummary, factor: float, unit: str) -> Section:
+    parts: list[Part] = []
+    if s.points:
+        parts.append(_parts_table(s, factor, unit))
+    if len(s.correlation) > 1:
+        caption = (
+            "Stated correlation of the errors of two points by noise and roughness, by their distance in the "
+            "photograph. Errors of orientation and calibration go on over the whole object."
+        )
+        parts.append(Figures(figures=(Figure(drawing=_correlation(s.correlation), caption=caption),)))
+    parts += [Paragraph(text=words, note=True) for words in NOTES]
+    return Section(anchor="errors", title="Standard deviations", parts=tuple(parts))
+
+
+def _parts_table(s: SurfaceSummary, factor: float, unit: str) -> Table:
+    rows = [
+        (name, *(significant(factor * float(v), 2) for v in values))
+        for name, values in (
+            ("noise of grey values", s.parts[0]), ("roughness", s.parts[1]),
+            ("orientation and calibration", s.parts[2]), ("all together", np.array(s.sigma)),
+        )
+    ]  # fmt: skip
+    head = (text("part"), number("median", unit), number("90 % below", unit), number("99 % below", unit))
+    return table(head, zip(*rows, strict=True), caption="Standard deviations along the ray by their parts")
+
+
+def _correlation(values: Array) -> Drawing:
+    x, y = values.T
+    plot = fitted(Plot(width=360, height=200, x_range=(0.0, float(x[-1])), y_range=(0.0, 1.05)))
+    parts = [axes(plot, "distance [px]", "correlation"), line(plot, x, y, "curve first")]
+    return drawing(plot.width, plot.height, parts, "correlation by distance")

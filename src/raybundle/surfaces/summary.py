@@ -1,0 +1,76 @@
+"""What is told of a surface as a whole: how complete and how good it is, map by map, with small pictures of both."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+from raybundle.numerics.arrays import Array
+
+QUANTILES = (0.5, 0.9, 0.99)
+PICTURE_PX = 200
+"""Longer side of the small pictures."""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class MapSummary:
+    """Of one depth map."""
+
+    name: str
+    """of its reference"""
+    sources: int
+    pixels: int
+    """that were tried"""
+    measured: int
+    """that have a depth"""
+    given: int
+    """points that it gives to the cloud"""
+    sigma: float
+    """median standard deviation along the ray [unit]; NaN without a depth"""
+    picture: Array
+    """(h, w) standard deviation along the ray [unit] of some of its pixels, NaN where there is no depth"""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class HeightSummary:
+    """Of heights on a grid; pictures (h, w) of some cells."""
+
+    height: Array
+    sigma: Array
+    cell: float
+    """from cell to cell of the pictures"""
+    left: float
+    top: float
+    share: float
+    """of the cells that have a height"""
+    profile: Array
+    """(n, 3) place, height and standard deviation along the middle row"""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class SurfaceSummary:
+    """Of all of it."""
+
+    points: int
+    unit: str
+    """of lengths; empty: none"""
+    sigma: tuple[float, ...]
+    """standard deviation along the ray: quantiles of all points"""
+    parts: Array
+    """(3, quantiles) the same of noise, roughness, orientation and calibration"""
+    rays: Array
+    """(n,) points by the number of photographs that measured them, from 0"""
+    incidence: float
+    """share of points that were grazed: cosine below 0.3"""
+    correlation: Array
+    """(n, 2) distance in pixels and stated correlation of the errors by noise and roughness"""
+    maps: tuple[MapSummary, ...]
+    left_out: tuple[tuple[str, str], ...]
+    heights: HeightSummary | None = None
+
+
+def reduced(values: Array, most: int = PICTURE_PX) -> tuple[Array, int]:
+    """Every k-th of rows and columns (rows, columns), so that the longer side has at most so many, and k."""
+    k = max(1, int(np.ceil(max(values.shape) / most)))
+    return values[k // 2 :: k, k // 2 :: k], k

@@ -1,0 +1,101 @@
+"""What is told of a surface: from what a run has kept, one map after the other."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from raybundle.numerics.arrays import Array
+from raybundle.pipeline.store import Folder
+from raybundle.surfaces.depth_map import GRAZING, DepthMap
+from raybundle.surfaces.summary import QUANTILES, HeightSummary, MapSummary, SurfaceSummary, reduced
+from raybundle.workflows.height_files import HeightFile
+from raybundle.workflows.surface import Surface
+from raybundle.workflows.surfacing.heights import TILE_CELLS, tile_window
+
+SAMPLE = 7
+"""One in so many points tells the quantiles."""
+LAGS_PX = np.arange(0.0, 25.0)
+PICTURE_CELLS = 900
+"""Longer side of the pictures of heights."""
+
+
+def summary_of(surface: Surface, unit: str, file: HeightFile | None = None) -> SurfaceSummary:
+    """All that a page of a surface tells.
+
+    file  what the heights lie on; None: there are none
+    """
+    parts, rays, grazed = list[Array](), np.zeros(256, int), 0
+    for cloud in surface.parts():
+        parts.append(np.asarray(cloud.parts[::SAMPLE], float))
+        rays += np.bincount(cloud.views, minlength=256)
+        grazed += int((cloud.incidence < GRAZING).sum())
+    squares = np.concatenate(parts) ** 2 if parts else np.zeros((0, 3))
+    maps, correlation = list[MapSummary](), list[Array]()
+    for (image, _), given in zip(surface.clouds, surface.counts, strict=True):
+        told, found = _of_map(surface, image, given)
+        maps.append(told)
+        correlation.append(found)
+    return SurfaceSummary(
+        points=len(surface), unit=unit, sigma=_quantiles(np.sqrt(squares.sum(axis=1))),
+        parts=np.array([_quantiles(np.sqrt(squares[:, k])) for k in range(3)]), rays=rays[: _last(rays)],
+        incidence=grazed / max(len(surface), 1), maps=tuple(maps), left_out=surface.left_out,
+        correlation=np.stack([LAGS_PX, np.mean(correlation, axis=0)], axis=1) if maps else np.zeros((0, 2)),
+        heights=None if file is None else _heights(surface, file),
+    )  # fmt: skip
+
+
+def _last(counts: Array) -> int:
+    there = np.flatnonzero(counts)
+    return int(there[-1]) + 1 if len(there) else 0
+
+
+def _quantiles(values: Array) -> tuple[float, ...]:
+    if not len(values):
+        return tuple(float("nan") for _ in QUANTILES)
+    return tuple(np.quantile(values, QUANTILES).tolist())
+
+
+def _of_map(surface: Surface, image: int, given: int) -> tuple[MapSummary, Array]:
+    """What is told of a map, and how its errors are correlated by distance."""
+    store: Folder = surface.store
+    found = DepthMap.of_arrays(store.wanted(surface.maps[image]))
+    sigma = store.wanted(surface.sigmas[image], ("sigma",))["sigma"]
+    with np.errstate(divide="ignore", invalid="ignore"):
+        length = sigma / np.square(found.t, dtype=float)
+    known = np.isfinite(length)
+    told = MapSummary(
+        name=surface.block.images.ids[image], sources=len(found.sources), pixels=known.size,
+        measured=int(known.sum()), given=given,
+        sigma=float(np.median(length[known])) if known.any() else float("nan"), picture=reduced(length)[0],
+    )  # fmt: skip
+    return told, found.correlation_between(LAGS_PX)
+
+
+def _heights(surface: Surface, file: HeightFile) -> HeightSummary | None:
+    """Some of the heights, tile by tile."""
+    measured = surface.heights
+    if measured is None:
+        return None
+    grid = measured.grid
+    k = max(1, int(np.ceil(max(file.width, file.height) / PICTURE_CELLS)))
+    shape = tuple(-(-n // k) for n in (file.height, file.width))
+    pictures = np.full((2, *shape), np.nan)
+    profile = np.full((2, file.width), np.nan)
+    middle, known = file.height // 2, 0
+    for tile, key in measured.tiles.items():
+        x, y, width, height = tile_window(grid, tile)
+        a = surface.store.wanted(key, ("height", "local", "orientation"))
+        both = np.stack([a["height"], np.hypot(a["local"], a["orientation"])]).astype(float)
+        known += int(np.isfinite(both[0]).sum())
+        rows, columns = (np.arange(-start % k, n, k) for start, n in ((y, height), (x, width)))
+        if len(rows) and len(columns):
+            at = np.ix_((y + rows) // k, (x + columns) // k)
+            for picture, values in zip(pictures, both, strict=True):
+                picture[at] = values[np.ix_(rows, columns)]
+        if y <= middle < y + TILE_CELLS:
+            profile[:, x : x + width] = both[:, middle - y]
+    across = file.left + (np.arange(file.width) + 0.5) * file.cell
+    return HeightSummary(
+        height=pictures[0], sigma=pictures[1], cell=k * file.cell, left=file.left, top=file.top,
+        share=known / (file.width * file.height), profile=np.stack([across, *profile], axis=1),
+    )  # fmt: skip
