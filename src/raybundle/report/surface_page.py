@@ -151,10 +151,10 @@ def _profile(h: HeightSummary, unit: str) -> Drawing:
     x, z, s = h.profile.T
     of = f" [{unit}]" if unit else ""
     plot = fitted(Plot(width=720, height=200, x_range=(float(x[0]), float(x[-1])), y_range=span(z)))
-    parts = [
-        axes(plot, f"right{of}", f"height{of}"), band(plot, x, z - 1.96 * s, z + 1.96 * s, "band second"),
-        line(plot, x, z, "curve first"),
-    ]  # fmt: skip
+    known = np.flatnonzero(np.isfinite(z))
+    pieces = np.split(known, np.flatnonzero(np.diff(known) > 1) + 1)
+    bands = [band(plot, x[k], (z - 1.96 * s)[k], (z + 1.96 * s)[k], "band second") for k in pieces]
+    parts = [axes(plot, f"right{of}", f"height{of}"), *bands, line(plot, x, z, "curve first")]
     return drawing(plot.width, plot.height, parts, "profile of heights")
 
 

@@ -111,7 +111,7 @@ def _framed(rgb: Array, cell: float, left: float, top: float, unit: str) -> tupl
     """A picture with axes in the object's unit."""
     rows, columns = rgb.shape[:2]
     wide, high = columns * cell, rows * cell
-    right, around = 150.0, 58.0
+    right, around = 200.0, 58.0
     width = 720.0
     height = (width - around - right) * high / wide
     if height > 560:
