@@ -167,9 +167,9 @@ def _moved_of(surface: Surface, a: Mapping[str, Array], file: HeightFile, window
     return found.reshape(rows, columns, -1).astype(np.float32)
 
 
-def read_heights(folder: Path) -> tuple[HeightModel, HeightFile]:
+def read_heights(folder: str | Path) -> tuple[HeightModel, HeightFile]:
     """Heights as `write_heights` wrote them.  Raises InputError where a file is missing or does not fit the others."""
-    library = raster_library()
+    library, folder = raster_library(), Path(folder)
     for name in FILES:
         if not (folder / name).is_file():
             raise InputError(f"has no {name}, which surface with a grid of heights writes", file=folder)
