@@ -23,11 +23,11 @@ from raybundle.adjustment.under_noise import under_noise
 from raybundle.adjustment.variance_groups import by_groups
 from raybundle.block import Block, Role
 from raybundle.block.points import automatic
-from raybundle.block.rejection import known_wrong
+from raybundle.block.rejection import RejectionKind, known_wrong
 from raybundle.calibration.given import calibration_notices, held_notices
 from raybundle.errors import InputError, NoConvergence, NoOrientation, NotSolvable, RankDefect
 from raybundle.numerics.arrays import Array, Index, Mask
-from raybundle.numerics.counting import counted_are
+from raybundle.numerics.counting import counted, counted_are
 from raybundle.numerics.progress import Progress, silent
 from raybundle.orientation.given_points import intersected_where_better, without_given_ties
 from raybundle.placing.control_doubts import doubted_control, notice, words
@@ -36,6 +36,8 @@ from raybundle.settings import option
 LOOKED_AT = 500_000
 """Image observations up to which residuals are looked at for structure, and held calibrations are tested, without being
 asked: three seconds, and as long again as the adjustment."""
+FEW_BEHIND = 0.005
+"""Share of the image points behind cameras up to which wrong names or matches explain them."""
 DOUBTED = 10.0
 """sigma0 from which on the approximate values are doubted."""
 
@@ -172,7 +174,19 @@ def _adjust(block: Block, options: AdjustmentOptions, progress: Progress, factor
         fresh = _afresh(block, options, progress, factoring)
         if fresh is not None and fresh.sigma0 < 0.5 * result.sigma0:
             return _replaced(fresh, f"the approximate values of the block lead to sigma0 {result.sigma0:.3g}")
+    elif afresh and (lost := _behind(result)) > FEW_BEHIND * len(block.observations):
+        # a minimum of its own, in which cameras look away from what they see
+        fresh = _afresh(block, options, progress, factoring)
+        if fresh is not None and fresh.sigma0 < max(DOUBTED, 2 * result.sigma0) and _behind(fresh) < 0.5 * lost:
+            why = f"the approximate values of the block lead to {counted(lost, 'image point')} behind the cameras"
+            return _replaced(fresh, why)
     return result
+
+
+def _behind(result: Adjustment) -> int:
+    """Image observations whose points ended behind their cameras."""
+    kinds = (r.kind for r in result.image_observations.rejected if r is not None)
+    return sum(kind is RejectionKind.BEHIND_CAMERA for kind in kinds)
 
 
 def _from_given(
