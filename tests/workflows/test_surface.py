@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 from scipy.spatial import KDTree
 
+from raybundle.block import PixelFrame
 from raybundle.block.select import selected
 from raybundle.commands.surface import surface
 from raybundle.errors import InputError
@@ -141,6 +142,24 @@ def test_photographs_that_are_not_there_are_named(half, tmp_path):
     assert lost[0] == "portal_08"
     with pytest.raises(InputError, match="no photograph of the result was found"):
         measured(half / "block", tmp_path / "v", SurfaceOptions(density=4), photos=[tmp_path / "w"], jobs=1)
+
+
+def test_a_file_that_is_stored_turned_gives_the_same_points(half, found, tmp_path):
+    before, _ = found
+    block = read_block(half / "block")
+    for name in block.images.file:
+        grey = cv2.imread(str(half / name))
+        cv2.imwrite(str(tmp_path / name), grey if "02" not in name else cv2.rotate(grey, cv2.ROTATE_180))
+    camera = block.cameras[0]
+    frame = PixelFrame(turned=180, width_px=camera.width_px, height_px=camera.height_px)
+    k = next(i for i, name in enumerate(block.images.file) if "02" in name)
+    write_block(replace(block, images=replace(block.images, frames={k: frame})), tmp_path / "block")
+    done = measured(tmp_path / "block", tmp_path / "w", SurfaceOptions(density=4), photos=[tmp_path], jobs=1)
+    assert not done.left_out
+    assert done.counts == before.counts
+    for one, other in zip(before.parts(), done.parts(), strict=True):
+        assert np.array_equal(one.xyz, other.xyz)
+        assert np.array_equal(one.colour, other.colour)
 
 
 def test_one_photograph_has_no_surface(half, tmp_path):

@@ -104,11 +104,6 @@ def _photographs(block: Block, folders: Sequence[Path]) -> tuple[dict[int, Photo
         ident = block.images.ids[i]
         if not block.images.oriented[i]:
             continue
-        if i in block.images.frames:
-            lost.append(
-                (ident, "its file is turned or reduced against its camera; give the photograph as it was taken")
-            )
-            continue
         path = next((f / name for f in folders if (f / name).is_file()), None)
         if path is None:
             lost.append((ident, f"{name} is in none of the folders of the photographs"))
@@ -119,8 +114,9 @@ def _photographs(block: Block, folders: Sequence[Path]) -> tuple[dict[int, Photo
         except InputError as error:
             lost.append((ident, str(error)))
             continue
-        if (photo.width_px, photo.height_px) != (camera.width_px, camera.height_px):
-            given, taken = f"{photo.width_px} x {photo.height_px}", f"{camera.width_px} x {camera.height_px}"
+        frame = block.images.frames.get(i, camera)
+        if (photo.width_px, photo.height_px) != (frame.width_px, frame.height_px):
+            given, taken = f"{photo.width_px} x {photo.height_px}", f"{frame.width_px} x {frame.height_px}"
             lost.append((ident, f"{name} has {given} px, its camera {taken}"))
             continue
         found[i] = photo
