@@ -1,5 +1,8 @@
 """The surface of rendered photographs, from result to point cloud: three of the portal, at half their size."""
 
+import base64
+import json
+import re
 from dataclasses import replace
 from pathlib import Path
 
@@ -98,6 +101,14 @@ def test_heights_are_written_with_what_orientation_does_to_them(half, tmp_path):
     done = surface(half / "block", tmp_path / "s", photos=(half,), density="4", dsm=0.05, jobs=1)
     names = [name for name, _ in done.written]
     assert names == ["", "dsm"]
+    shown = json.loads(re.search(r'id="network-data">(.*?)</script>', (tmp_path / "s/surface_3d.html").read_text())[1])
+    places = np.frombuffer(base64.b64decode(shown["cloud"]["xyz"]), "<u2").reshape(-1, 3)
+    cloud = np.concatenate([c.xyz for c in done.surface.parts()])
+    drawn = places * shown["cloud"]["step"] + shown["cloud"]["low"] + np.array(shown["origin"])
+    assert np.abs(drawn - cloud).max() < shown["cloud"]["step"]
+    assert len(shown["cloud"]["names"]) == 3
+    assert shown["classes"]["cloud"]["colours"]
+    assert "<h1>Surface of" in (tmp_path / "s/surface.html").read_text()
     model, file = read_heights(tmp_path / "s")
     with rasterio.open(tmp_path / "s/heights.tif") as one, rasterio.open(tmp_path / "s/heights_sigma.tif") as many:
         assert np.array_equal(one.read(1), model.heights.height, equal_nan=True)

@@ -13,6 +13,7 @@ from pathlib import Path
 
 import numpy as np
 
+from raybundle.adjustment.result import Adjustment
 from raybundle.block import Block
 from raybundle.errors import InputError
 from raybundle.io.photos.photo import Photo, read_photo
@@ -31,8 +32,8 @@ from raybundle.workflows.surfacing import SURFACE
 class Surface:
     """What was measured; the points are read one reference after the other."""
 
-    block: Block
-    """the adjusted one"""
+    adjustment: Adjustment
+    """that it rests on"""
     store: Folder
     clouds: tuple[tuple[int, str], ...]
     """references, rows of the block's images, and the keys of their points"""
@@ -48,6 +49,11 @@ class Surface:
     left_out: tuple[tuple[str, str], ...]
     """photographs and pairs without a part in it, and why"""
     records: tuple[StageRecord, ...] = field(default=(), repr=False)
+
+    @property
+    def block(self) -> Block:
+        """With adjusted values."""
+        return self.adjustment.adjusted
 
     def __len__(self) -> int:
         """How many points."""
@@ -89,7 +95,7 @@ def surface(
         clouds = tuple(sorted(state.clouds.items()))
         counts = tuple(len(project.products.wanted(key, ("image",))["image"]) for _, key in clouds)
         return Surface(
-            block=state.block, store=project.products, clouds=clouds, counts=counts, options=options,
+            adjustment=adjustment, store=project.products, clouds=clouds, counts=counts, options=options,
             maps=state.maps, sigmas=state.sigmas, heights=state.heights,
             left_out=state.left_out, records=tuple(project.records),
         )  # fmt: skip
