@@ -90,7 +90,9 @@ def test_one_worker_and_the_ways_in_which_it_is_refused(machines, tmp_path, expe
         (foreign / name).unlink()
     with pytest.raises(InputError, match=r"lacks ca\.pem, cert\.pem, key\.pem: without certificates nothing goes"):
         on(foreign)
-    on_dask.make_certificates(foreign)
+    from raybundle.pipeline.dask_machines import make_certificates
+
+    make_certificates(foreign)
     with pytest.raises(InputError, match="has a certificate that is not of this cluster"):
         list(on(foreign).run(tasks, store))
     (foreign / "ca.pem").write_bytes((machines.folder / "ca.pem").read_bytes())

@@ -97,12 +97,10 @@ class Solver:
         self.values_size = int(self.start[-1])
         self.factor_entries, self.factor_operations = N * (N + 1) // 2, N**3 / 3
         # where the values of the blocks stand in the whole matrix
-        local, columns = (
-            np.arange(self.values_size) - np.repeat(self.start[:-1], count),
-            self.sizes[second].repeat(count),
-        )
-        row = self.offsets[first].repeat(count) + local // np.maximum(columns, 1)
-        col = self.offsets[second].repeat(count) + local % np.maximum(columns, 1)
+        local = np.arange(self.values_size) - self.start[:-1].repeat(count)
+        columns = self.sizes[second].repeat(count)
+        row = self.offsets[first].repeat(count) + local // columns
+        col = self.offsets[second].repeat(count) + local % columns
         self.place = row * N + col
         self._place_columns()
 

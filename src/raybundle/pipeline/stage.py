@@ -61,9 +61,9 @@ class Counting:
     def one_more(self, cost: float) -> None:
         """A task has ended."""
         self.done, self.spent = min(self.done + 1, self.total), self.spent + cost
-        share = min(self.spent / self.cost, 1.0) if self.cost else 1.0
-        left = (time.perf_counter() - self.began) * (1 / share - 1) if share else 0.0
-        self.progress(self.what, Counted(share, self.done, self.total, left))
+        spent = min(self.spent / self.cost, 1.0) if self.cost else 1.0
+        left = (time.perf_counter() - self.began) * (1 / spent - 1) if spent else 0.0
+        self.progress(self.what, Counted(self.done / max(self.total, 1), self.done, self.total, left))
 
 
 @dataclass(slots=True, kw_only=True)

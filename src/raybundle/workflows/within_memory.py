@@ -211,7 +211,7 @@ def within_memory(
     assert count is not None
     left = allowed - BASE - IN_PARTS * count
     workers = max(1, min(jobs or os.cpu_count() or 1, int(left // PROCESS)))
-    executor = staying_for(cluster, workers, left - workers * BASE) if cluster or workers > 1 else None
+    executor = staying_for(cluster, workers, left - workers * BASE, progress) if cluster or workers > 1 else None
     room = Room(out)
     found = Within(allowed, room, count, executor=executor, workers=workers, cluster=cluster, store=store)
     try:
