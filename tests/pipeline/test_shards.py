@@ -15,6 +15,7 @@ from raybundle.errors import InputError, TasksWaiting
 from raybundle.pipeline.choosing import executor_for
 from raybundle.pipeline.executors import Threads
 from raybundle.pipeline.project import Project
+from raybundle.pipeline.running import note
 from raybundle.pipeline.shards import Shards, do_shard
 from raybundle.pipeline.stage import Means
 from raybundle.pipeline.store import Folder
@@ -251,3 +252,28 @@ def test_orient_by_shards_is_orient_on_one_machine(tmp_path, capsys, monkeypatch
         assert (tmp_path / "here/project/result" / name).read_bytes() == (
             tmp_path / "there/project/result" / name
         ).read_bytes()
+
+
+def test_status_says_how_far_work_is_and_where_products_lie(tmp_path, capsys):
+    tasks = tasks_of(LEAVES, crash={3: "bad input"})
+    asked(tmp_path / "p", tasks)
+    do_shard(tmp_path / "p", 0, 2, wait_s=0.0)
+    assert main(["status", str(tmp_path / "p")]) == 0
+    said = capsys.readouterr().out
+    listed = next(line for line in said.splitlines() if "for shards" in line)
+    assert listed.startswith(f" for shards: {len(tasks)} tasks in the list, ")
+    assert f"waits for shards: graph, 0 of {len(tasks)} done" in said
+    assert "products: in its folder " in said
+    project = Project.open(tmp_path / "p")
+    try:
+        note(project.folder, "matching", 7, 12)
+        assert main(["status", str(tmp_path / "p")]) == 0
+        assert " in work: matching, 7 of 12 done (" in capsys.readouterr().out
+        means = Means(project=project, executor=Threads(1))
+        means.do(tasks, "graph")
+        assert main(["status", str(tmp_path / "p")]) == 0
+        said = capsys.readouterr().out
+        assert " a run works in it now" in said
+        assert "7 of 12" not in said
+    finally:
+        project.close()

@@ -216,6 +216,24 @@ def _listed(store: Folder, project: Path | None) -> list[Task] | None:
     return found
 
 
+def tasks_listed(project: Path, url: str) -> tuple[int, int] | None:
+    """Tasks of the list of a project that are done, and all of them; None: there is no list that can be read.
+
+    url  of the store of its products; empty: they lie in the folder
+    """
+    store = Folder(project / "cache", url)
+    try:
+        lines = (store.place.text(TASKS) or "").splitlines()[1:]
+        tasks = [msgspec.json.decode(line, type=Task) for line in lines]
+    except (OSError, ValueError):
+        return None
+    if not tasks:
+        return None
+    small = {t.key for t in tasks if t.small}
+    done = len(store.those([t.key for t in tasks if not t.small])) + len(small & _keys_handed(store))
+    return done, len(tasks)
+
+
 def _facts(line: str, file: str) -> _Facts:
     try:
         return msgspec.json.decode(line, type=_Facts)
