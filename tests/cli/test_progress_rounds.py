@@ -4,6 +4,7 @@ import json
 
 from tests.blocking.networks import flight
 
+from raybundle.adjustment.options import AdjustmentOptions
 from raybundle.cli.progress import reporting
 from raybundle.numerics.progress import Counted, Remark, in_rounds
 from raybundle.pipeline.stage import Counting
@@ -12,7 +13,9 @@ from raybundle.workflows.adjust import adjust
 
 def test_shares_of_an_adjustment_rise_within_each_round():
     said = []
-    adjust(flight(), progress=lambda stage, share: said.append((stage, float(share))))
+    adjust(
+        flight(), AdjustmentOptions(reject="snooping"), progress=lambda stage, share: said.append((stage, float(share)))
+    )
     stages = {stage for stage, _ in said}
     assert {"adjusting", "adjusting, round 2"} <= stages
     for stage in stages:

@@ -260,7 +260,7 @@ def test_status_says_how_far_work_is_and_where_products_lie(tmp_path, capsys):
     do_shard(tmp_path / "p", 0, 2, wait_s=0.0)
     assert main(["status", str(tmp_path / "p")]) == 0
     said = capsys.readouterr().out
-    listed = next(line for line in said.splitlines() if "for shards" in line)
+    listed = next(line for line in said.splitlines() if line.startswith(" for shards"))
     assert listed.startswith(f" for shards: {len(tasks)} tasks in the list, ")
     assert f"waits for shards: graph, 0 of {len(tasks)} done" in said
     assert "products: in its folder " in said
