@@ -28,7 +28,7 @@ from raybundle.numerics import large
 from raybundle.numerics.machine import available_memory
 from raybundle.pipeline.executors import Staying
 from raybundle.workflows.adjust import adjust
-from raybundle.workflows.left import left_beside
+from raybundle.workflows.left import bytes_in, left_beside
 from raybundle.workflows.within_memory import BASE, IN_MEMORY, within_memory
 from tests.blocking.networks import flight
 
@@ -287,6 +287,21 @@ def interrupted(monkeypatch, *words):
 
         patch.setattr(Parts, "noted", noted)
         return main([str(w) for w in words])
+
+
+def test_what_a_run_takes_away_meanwhile_does_not_count(tmp_path, monkeypatch):
+    for name in ("a", "b"):
+        (tmp_path / "parts" / name).mkdir(parents=True)
+        (tmp_path / "parts" / name / "x").write_bytes(bytes(100))
+    walk = os.walk
+
+    def changing(folder):
+        for found in walk(folder):
+            (tmp_path / "parts/a/x").unlink(missing_ok=True)
+            yield found
+
+    monkeypatch.setattr("raybundle.workflows.left.os.walk", changing)
+    assert bytes_in(tmp_path / "parts") == 100
 
 
 def test_an_interrupt_says_where_parts_are_and_a_later_run_removes_them(tmp_path, monkeypatch, capsys):

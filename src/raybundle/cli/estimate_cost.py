@@ -115,7 +115,7 @@ def _remedies(over: list[Limit]) -> Iterator[str]:
             f" what helps: a machine of {_size(max(x.needed for x in memory))}, rented for these hours; or the block "
             "split, its parts oriented by themselves"
         )
-        yield "   or fewer points: orient --feature-count, here --points-per-image, on which all stages behind matching rest"
+        yield "   or fewer points: orient --feature-count, here --points-per-image: stages behind matching go with it"
     if any(x.what == "memory of precision" for x in memory):
         yield "   orient --quick leaves precision out: several times less precise"
     if any(x.what == "disk" for x in over):
