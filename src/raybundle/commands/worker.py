@@ -32,7 +32,7 @@ class WorkerSettings:
     """What a worker works for: a cluster, or a share of the tasks in a project."""
 
     cluster: str = setting(
-        "", "Work for the scheduler of this folder until interrupted, and wait for one where there is none, also at first.",
+        "", "Work for the scheduler of this folder until interrupted, and wait for one, also at first.",
         metavar="FOLDER",
     )  # fmt: skip
     shard: str = setting(
