@@ -170,13 +170,13 @@ class Within:
         if self.cluster:
             message = (
                 f"the normal equations were reduced in {counted(self.parts, 'part')} (Helmert-Wolf) by workers of "
-                "a cluster; all figures are those of one piece"
+                "a cluster; figures are those of one piece within rounding"
             )
             return (Notice(code="in_parts", message=message),)
         message = (
             f"the normal equations were reduced in {counted(self.parts, 'part')} (Helmert-Wolf): in one piece the "
             f"adjustment would take {self.needed / 1e9:.3g} GB, and {self.allowed / 1e9:.3g} GB were allowed "
-            f"({option('memory')}); all figures are those of one piece"
+            f"({option('memory')}); figures are those of one piece within rounding"
         )
         least = BASE + IN_PARTS * self.observations
         if least > self.allowed:
