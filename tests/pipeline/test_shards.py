@@ -228,6 +228,8 @@ PORTAL = Path(__file__).resolve().parents[2] / "demo_data/portal/photos"
 def test_orient_by_shards_is_orient_on_one_machine(tmp_path, capsys, monkeypatch):
     """By commands, from photographs that are named from where the run was begun; results bit by bit."""
     monkeypatch.chdir(tmp_path)
+    monkeypatch.setattr("raybundle.pipeline.shards.ALONE_S", 0.0)  # as with photographs that take longer
+    monkeypatch.setattr("raybundle.pipeline.shards.TOGETHER_S", 0.0)
     photos = Path("photos")
     photos.mkdir()
     for k in (2, 3, 4):
