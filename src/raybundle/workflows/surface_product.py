@@ -23,6 +23,10 @@ class Context:
     """names of the products that are asked for"""
     plane: Plane | None
     """from which heights count; None: none are asked for"""
+    mesh: float | None = None
+    """distance of the vertices of a mesh"""
+    thin: float | None = None
+    """side of the cubes of which the best point is written; None: all are"""
     progress: Progress
 
 

@@ -9,8 +9,9 @@ from raybundle.pipeline.store import Folder
 from raybundle.surfaces.depth_map import GRAZING, DepthMap
 from raybundle.surfaces.summary import QUANTILES, HeightSummary, MapSummary, SurfaceSummary, reduced
 from raybundle.workflows.height_files import HeightFile
+from raybundle.workflows.height_tiles import TILE_CELLS
 from raybundle.workflows.surface import Surface
-from raybundle.workflows.surfacing.heights import TILE_CELLS, tile_window
+from raybundle.workflows.surfacing.heights import tile_window
 
 SAMPLE = 7
 """One in so many points tells the quantiles."""

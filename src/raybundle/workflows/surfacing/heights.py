@@ -22,14 +22,13 @@ from raybundle.surfaces.orientation import CommonRoot, ShiftCovariance
 from raybundle.surfaces.pairs import Sources
 from raybundle.surfaces.transfer import ReferenceRays
 from raybundle.workflows.height_grid import HeightGrid
+from raybundle.workflows.height_tiles import TILE_CELLS, tile_of_number, tiles_across
 from raybundle.workflows.surface_state import SURFACE, MeasuredHeights
 from raybundle.workflows.surfacing.maps import PART, part_of
 
 VERSION = 1
 TOGETHER, ABOVE, TILE = "surface orientation", "surface above", "surface heights"
 """First words of the keys of what is kept"""
-TILE_CELLS = 256
-"""Side of a tile: what is done, read and written at once."""
 BLOCK_CELLS = 32
 """Side of a part of a tile within which orientation moves all cells of a map alike."""
 SAMPLES = 48
@@ -88,7 +87,7 @@ def measure(i: Inputs, means: Means) -> MeasuredHeights:
     tiles = [_tile(i.grid, tile, mine, [above[k] for k in mine]) for tile, mine in sorted(there.items())]
     _done(means, tiles, "heights")
     found = {tile: t.key for tile, t in zip(sorted(there), tiles, strict=True)}
-    return MeasuredHeights(grid=i.grid, tiles=found, above=above)
+    return MeasuredHeights(grid=i.grid, tiles=found, above=above, together=together)
 
 
 def _done(means: Means, tasks: Sequence[Task], what: str) -> None:
@@ -131,16 +130,10 @@ def _tile(grid: HeightGrid, tile: int, images: Sequence[int], above: Sequence[st
     )  # fmt: skip
 
 
-def tiles_across(grid: HeightGrid) -> int:
-    """Tiles of a row."""
-    return -(-grid.grid.width // TILE_CELLS)
-
-
 def tile_window(grid: HeightGrid, tile: int) -> tuple[int, int, int, int]:
     """First column and row of a tile, and how many of them it has."""
-    row, column = divmod(tile, tiles_across(grid))
-    x, y = column * TILE_CELLS, row * TILE_CELLS
-    return x, y, min(TILE_CELLS, grid.grid.width - x), min(TILE_CELLS, grid.grid.height - y)
+    w = tile_of_number(grid, tile)
+    return w.x, w.y, w.width, w.height
 
 
 def above_of(store: Folder, task: AboveTask) -> Product:
@@ -183,8 +176,7 @@ def _number(column: Array, row: Array, side: int, width: int) -> Index:
 def _length(store: Folder, task: AboveTask, size: Array) -> float:
     """Distance in cells at which errors of two points correlate by 1 / e."""
     px = float(store.wanted(task.map, ("correlation_px",))["correlation_px"][0])
-    unit = abs(float(np.linalg.det(task.grid.plane.jacobian(np.zeros(3))))) ** (1 / 3)
-    return px * float(np.median(size)) * unit / task.grid.grid.pixel if len(size) else 1.0
+    return px * float(np.median(size)) * task.grid.unit / task.grid.grid.pixel if len(size) else 1.0
 
 
 def _moved(
@@ -245,6 +237,31 @@ def tile_of(store: Folder, task: TileTask) -> Product:
         **found.as_arrays(), "images": np.array(task.images), "share": share.astype(np.float32),
         "length": np.array(length),
     }  # fmt: skip
+
+
+def moved_of(store: Folder, above: Mapping[int, str], grid: HeightGrid, tile: int, key: str) -> Array:
+    """(rows, columns, q) how parts of a tile move with each independent error: each reference's, by its share.
+
+    above  keys of the points of the references above the grid
+    key    of the heights of the tile
+    """
+    a = store.lent(key, ("images", "share"))
+    x, y, width, height = tile_window(grid, tile)
+    rows, columns = -(-height // BLOCK_CELLS), -(-width // BLOCK_CELLS)
+    across = -(-grid.grid.width // BLOCK_CELLS)
+    j, i = np.divmod(np.arange(rows * columns), columns)
+    number = (y // BLOCK_CELLS + j) * across + x // BLOCK_CELLS + i
+    found = None
+    for image, share in zip(a["images"].tolist(), a["share"], strict=True):
+        own = store.lent(above[image], ("blocks", "moved"))
+        order = np.argsort(own["blocks"])
+        at = np.searchsorted(own["blocks"], number, sorter=order).clip(max=len(order) - 1)
+        row = order[at]
+        there = own["blocks"][row] == number
+        part = np.where(there, share, 0.0)[:, None] * own["moved"][row]
+        found = part if found is None else found + part
+    assert found is not None
+    return found.reshape(rows, columns, -1).astype(np.float32)
 
 
 STAGE = SURFACE.register(
