@@ -63,6 +63,18 @@ def slopes_of(height: Array, cell: float) -> tuple[Array, Array]:
     return found[0], found[1]
 
 
+def steps_of(height: Array, cell: float) -> Array:
+    """(rows, columns) largest difference of a height from those of the four neighbours, where it is a step; else 0."""
+    found = np.zeros(height.shape)
+    for axis in (0, 1):
+        step = np.abs(np.nan_to_num(np.diff(height.astype(float), axis=axis)))
+        first, last = ([slice(None)] * 2 for _ in range(2))
+        first[axis], last[axis] = slice(None, -1), slice(1, None)
+        for side in (tuple(first), tuple(last)):
+            found[side] = np.maximum(found[side], step)
+    return np.where(found > STEEP * cell, found, 0.0)
+
+
 def height_at(height: Array, column: Array, row: Array, cell: float) -> tuple[Array, Index, Index]:
     """Heights (...) at places between cells, and column and row of the cell in which each lies.
 

@@ -16,7 +16,7 @@ from raybundle.io.pictures.resampling import sampled
 from raybundle.numerics.arrays import Array, Index
 from raybundle.pipeline.store import Folder, Product
 from raybundle.surfaces.displacement import displacement, gram
-from raybundle.surfaces.gaps import height_at, slopes_of
+from raybundle.surfaces.gaps import height_at, slopes_of, steps_of
 from raybundle.surfaces.orientation import CommonRoot, ShiftCovariance
 from raybundle.surfaces.transfer import ReferenceRays
 from raybundle.workflows.height_grid import HeightGrid
@@ -28,6 +28,9 @@ TILE_PX = 512
 """Side of a tile of an orthophoto: a multiple of what its file has."""
 FEATHER = 2
 """Cells on each side of a seam over which two photographs are blended."""
+OTHER_SIDE = 0.125
+"""Share of a cell beside a step that lies on the other side: the edge is anywhere in the half next to it, and the cell
+may lie beside it on either side."""
 ROW = 1024
 """Places that are looked up side by side."""
 ROOM = 3
@@ -218,7 +221,9 @@ class _Work:
             if number in self.heights:
                 grams = self._grams(number)
                 G[mine] = grams[(y[mine] - own.y) // BLOCK_CELLS, (x[mine] - own.x) // BLOCK_CELLS]
-        return displacement(tangent, slope, local[j, i].astype(float), G).astype(np.float32)
+        # of a cell beside a step an eighth may lie on its other side: where between the middles it is, is not known
+        beside = steps_of(height, grid.grid.pixel)[j, i] * np.sqrt(OTHER_SIDE * (1 - OTHER_SIDE))
+        return displacement(tangent, slope, np.hypot(local[j, i], beside), G).astype(np.float32)
 
     def _grams(self, tile: int) -> Array:
         """(rows, columns, 4, 4) of the parts of a tile: how ray and heights move together."""

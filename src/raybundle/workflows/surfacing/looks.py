@@ -20,6 +20,7 @@ from raybundle.pipeline.store import Folder, Product
 from raybundle.pipeline.tasks import Task
 from raybundle.surfaces.depth_map import DepthMap
 from raybundle.surfaces.fusion import MapView
+from raybundle.surfaces.gaps import slopes_of
 from raybundle.surfaces.seams import gains
 from raybundle.surfaces.sight_lines import SIGMAS, seen_from
 from raybundle.surfaces.transfer import ReferenceRays
@@ -28,13 +29,15 @@ from raybundle.workflows.height_tiles import TILE_CELLS, Window, around, heights
 from raybundle.workflows.surface_state import SURFACE, Looks, MeasuredHeights
 from raybundle.workflows.surfacing.maps import PART, part_of
 
-VERSION = 1
+VERSION = 2
 LOOK = "surface looks"
 STEEPEST = 0.26
 """Cosine of the angle between ray and normal of the plane below which a photograph is not used (75 degrees), as in
 `rectify`."""
 PROBES = 16
 """Cells along the side of a tile that are asked whether a photograph shows any of them."""
+GRAZING = 0.05
+"""Least share of the plane's size with which a slope is seen."""
 MARGIN_PX = 2.0
 """Of a photograph, from which no colours are made."""
 LEVEL_CELLS = 200_000
@@ -145,7 +148,10 @@ def look_of(store: Folder, task: LookTask) -> Product:
         away = viewer - np.column_stack([uv, height[row, column]])
         facing = away[:, 2] / np.linalg.norm(away, axis=1)
         kept = facing > STEEPEST
-        size = np.hypot(g.grid.pixel / scale[kept], task.pixel) / task.pixel
+        right, up = (x.ravel()[cells] for x in slopes_of(cv2.blur(height, (3, 3)), g.grid.pixel))
+        # what slopes away from the photograph is seen with larger pixels than the plane
+        along = np.maximum(1 - (right * away[:, 0] + up * away[:, 1]) / away[:, 2], GRAZING)
+        size = np.hypot(g.grid.pixel / (scale * np.sqrt(along))[kept], task.pixel) / task.pixel
         cost.reshape(-1)[cells[kept]] = np.log(size) - np.log(facing[kept])
         colour.reshape(-1, 3)[cells] = _colours(read_colour(task.photo), xy, px)
     tiles = [tile_of_number(g, t) for t in task.tiles]
