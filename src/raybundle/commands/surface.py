@@ -112,6 +112,7 @@ def run_surface(settings: SurfaceSettings, progress: Progress = silent) -> Measu
     from raybundle.workflows.surface_product import Context  # noqa: PLC0415
     from raybundle.workflows.surface_products import PRODUCTS  # noqa: PLC0415
     from raybundle.workflows.surface_state import SurfaceOptions  # noqa: PLC0415
+    from raybundle.workflows.surface_thinning import thinned  # noqa: PLC0415
 
     s = settings
     if not s.source.is_dir():
@@ -148,8 +149,9 @@ def run_surface(settings: SurfaceSettings, progress: Progress = silent) -> Measu
         raise
     unit = "" if free else export.block.length_unit
     context = Context(
-        export=export, unit=unit, wanted=wanted, plane=grids.plane, mesh=s.mesh, thin=s.thin, progress=progress
-    )
+        export=export, unit=unit, wanted=wanted, plane=grids.plane, mesh=s.mesh, progress=progress,
+        points=done if s.thin is None else thinned(done, s.thin),
+    )  # fmt: skip
     written = tuple((name, p.write(done, out, context)) for name, p in sorted(PRODUCTS.items()) if name in wanted)
     _write_page(done, out, context, grids.told, result)
     sigma, shares = _told(done)

@@ -17,6 +17,9 @@ POINTS = 2.0
 TEXTURE_PX = 8192
 """Longer side of the picture on a mesh, where no other is asked for: what graphics cards take."""
 
+MOST_VERTICES = 2e6
+"""Of a mesh: what programs that show meshes still turn"""
+
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Grids:
@@ -55,5 +58,5 @@ def grids_over(
         longest = max(whole[2] - whole[0], whole[3] - whole[1])
         picture = grid_over(whole, max(pixel, float(longest) / TEXTURE_PX), setting="mesh")
     if mesh is not None:
-        grid_over(whole, mesh, setting="mesh")
+        grid_over(whole, mesh, most=MOST_VERTICES, setting="mesh")
     return Grids(plane=plane, heights=HeightGrid(plane=HeightPlane.of(plane), grid=grid), orthophoto=picture, told=told)
