@@ -20,10 +20,9 @@ from raybundle.numerics.arrays import Array
 from raybundle.surfaces.height_model import HeightModel
 from raybundle.surfaces.heights import Heights
 from raybundle.workflows.height_grid import HeightGrid
-from raybundle.workflows.height_tiles import TILE_CELLS
+from raybundle.workflows.height_tiles import BLOCK_CELLS, TILE_CELLS, moved_of
 from raybundle.workflows.object_plane import MapLevel, Plane
 from raybundle.workflows.surface import Surface
-from raybundle.workflows.surfacing.heights import BLOCK_CELLS, moved_of
 
 HEIGHTS, SIGMAS, ABOUT, MOVED = "heights.tif", "heights_sigma.tif", "heights.toml", "heights_orientation.npz"
 FILES = (HEIGHTS, SIGMAS, ABOUT, MOVED)

@@ -14,6 +14,8 @@ from raybundle.workflows.height_grid import HeightGrid
 
 TILE_CELLS = 256
 """Side of a tile: what is done, read and written at once."""
+BLOCK_CELLS = 32
+"""Side of a part of a tile within which orientation moves all cells of a map alike."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -93,3 +95,28 @@ def heights_in(store: Folder, tiles: Mapping[int, str], grid: HeightGrid, window
     inner = slice(REACH, REACH + window.height), slice(REACH, REACH + window.width)
     height, local, orientation = (x[inner] for x in closed(*found))
     return height, local, orientation
+
+
+def moved_of(store: Folder, above: Mapping[int, str], grid: HeightGrid, tile: int, key: str) -> Array:
+    """(rows, columns, q) how parts of a tile move with each independent error: each reference's, by its share.
+
+    above  keys of the points of the references above the grid
+    key    of the heights of the tile
+    """
+    a = store.lent(key, ("images", "share"))
+    w = tile_of_number(grid, tile)
+    rows, columns = -(-w.height // BLOCK_CELLS), -(-w.width // BLOCK_CELLS)
+    across = -(-grid.grid.width // BLOCK_CELLS)
+    j, i = np.divmod(np.arange(rows * columns), columns)
+    number = (w.y // BLOCK_CELLS + j) * across + w.x // BLOCK_CELLS + i
+    found = None
+    for image, share in zip(a["images"].tolist(), a["share"], strict=True):
+        own = store.lent(above[image], ("blocks", "moved"))
+        order = np.argsort(own["blocks"])
+        at = np.searchsorted(own["blocks"], number, sorter=order).clip(max=len(order) - 1)
+        row = order[at]
+        there = own["blocks"][row] == number
+        part = np.where(there, share, 0.0)[:, None] * own["moved"][row]
+        found = part if found is None else found + part
+    assert found is not None
+    return found.reshape(rows, columns, -1).astype(np.float32)

@@ -20,9 +20,16 @@ from raybundle.surfaces.gaps import height_at, slopes_of, steps_of
 from raybundle.surfaces.orientation import CommonRoot, ShiftCovariance
 from raybundle.surfaces.transfer import ReferenceRays
 from raybundle.workflows.height_grid import HeightGrid
-from raybundle.workflows.height_tiles import TILE_CELLS, Window, heights_in, tile_of_number, tiles_across
+from raybundle.workflows.height_tiles import (
+    BLOCK_CELLS,
+    TILE_CELLS,
+    Window,
+    heights_in,
+    moved_of,
+    tile_of_number,
+    tiles_across,
+)
 from raybundle.workflows.rectify import Grid
-from raybundle.workflows.surfacing.heights import BLOCK_CELLS, moved_of
 
 TILE_PX = 512
 """Side of a tile of an orthophoto: a multiple of what its file has."""

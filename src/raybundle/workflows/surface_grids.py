@@ -49,6 +49,7 @@ def grids_over(
     if cell is None:
         name = "ortho" if orthophoto is not None else "mesh"
         cell = two_digits(max(POINTS * density * pixel, orthophoto or 0.0))
+    grid_over(area, cell, setting=name)  # as asked for, before it is made whole cells
     grid = grid_over(whole_pixels(area, cell) if extent is None else area, cell, setting=name)
     picture = None
     whole = np.array([grid.left, grid.top - grid.height * grid.pixel, grid.left + grid.width * grid.pixel, grid.top])

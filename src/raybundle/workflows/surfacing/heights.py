@@ -22,15 +22,13 @@ from raybundle.surfaces.orientation import CommonRoot, ShiftCovariance
 from raybundle.surfaces.pairs import Sources
 from raybundle.surfaces.transfer import ReferenceRays
 from raybundle.workflows.height_grid import HeightGrid
-from raybundle.workflows.height_tiles import TILE_CELLS, tile_of_number, tiles_across
+from raybundle.workflows.height_tiles import BLOCK_CELLS, TILE_CELLS, tile_of_number, tiles_across
 from raybundle.workflows.surface_state import SURFACE, MeasuredHeights
 from raybundle.workflows.surfacing.maps import PART, part_of
 
 VERSION = 1
 TOGETHER, ABOVE, TILE = "surface orientation", "surface above", "surface heights"
 """First words of the keys of what is kept"""
-BLOCK_CELLS = 32
-"""Side of a part of a tile within which orientation moves all cells of a map alike."""
 SAMPLES = 48
 """Points of a part and map whose mean stands for all of them."""
 POINT_S, CELL_S = 3e-6, 1e-6
@@ -237,31 +235,6 @@ def tile_of(store: Folder, task: TileTask) -> Product:
         **found.as_arrays(), "images": np.array(task.images), "share": share.astype(np.float32),
         "length": np.array(length),
     }  # fmt: skip
-
-
-def moved_of(store: Folder, above: Mapping[int, str], grid: HeightGrid, tile: int, key: str) -> Array:
-    """(rows, columns, q) how parts of a tile move with each independent error: each reference's, by its share.
-
-    above  keys of the points of the references above the grid
-    key    of the heights of the tile
-    """
-    a = store.lent(key, ("images", "share"))
-    x, y, width, height = tile_window(grid, tile)
-    rows, columns = -(-height // BLOCK_CELLS), -(-width // BLOCK_CELLS)
-    across = -(-grid.grid.width // BLOCK_CELLS)
-    j, i = np.divmod(np.arange(rows * columns), columns)
-    number = (y // BLOCK_CELLS + j) * across + x // BLOCK_CELLS + i
-    found = None
-    for image, share in zip(a["images"].tolist(), a["share"], strict=True):
-        own = store.lent(above[image], ("blocks", "moved"))
-        order = np.argsort(own["blocks"])
-        at = np.searchsorted(own["blocks"], number, sorter=order).clip(max=len(order) - 1)
-        row = order[at]
-        there = own["blocks"][row] == number
-        part = np.where(there, share, 0.0)[:, None] * own["moved"][row]
-        found = part if found is None else found + part
-    assert found is not None
-    return found.reshape(rows, columns, -1).astype(np.float32)
 
 
 STAGE = SURFACE.register(

@@ -24,7 +24,7 @@ from raybundle.workflows.rectify import Grid
 from raybundle.workflows.surface_state import SURFACE, Looks, MadeOrthophoto, MeasuredHeights
 from raybundle.workflows.surfacing.maps import PART, part_of
 
-VERSION = 3
+VERSION = 4
 CHOICE, PIXELS = "orthophoto choice", "orthophoto pixels"
 """First words of the keys of what is kept"""
 MOST = 12
