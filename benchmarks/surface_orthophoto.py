@@ -1,11 +1,12 @@
 """Places of the true orthophoto of the rendered portal beside its exact geometry, and how much its seams show.
 
-    python benchmarks/surface_orthophoto.py PROJECT SURFACE
+    python benchmarks/surface_orthophoto.py PROJECT SURFACE [--keep]
 
-PROJECT is what `raybundle orient` made of the demonstration set portal with its control, SURFACE a folder of `raybundle
-surface --dsm CELL --ortho PIXEL` of it.  Each pixel of the orthophoto is followed to its place in the photograph that it
-was taken from, and from there along the true ray to the true object: what it shows lies so far from where it is shown.
-Marks are circles whose centres are measured in the picture, beside their known coordinates.
+PROJECT is what `raybundle orient` made of the demonstration set portal with its control, SURFACE a folder of
+`raybundle surface --dsm CELL --ortho PIXEL --mesh CELL` of it.  Each pixel of the orthophoto is followed to its place
+in the photograph that it was taken from, and from there along the true ray to the true object: what it shows lies so
+far from where it is shown.  Vertices of the mesh stand above the plane as high as the true object there, or are off by
+so much.  Marks are circles whose centres are measured in the picture, beside their known coordinates.
 """
 
 from __future__ import annotations
@@ -18,11 +19,12 @@ from pathlib import Path
 import cv2
 import numpy as np
 import rasterio
+import trimesh
 
 ROOT = Path(__file__).resolve().parents[1]
 sys.path.insert(0, str(ROOT))
 
-from tests.surface.truth import PORTAL, Portal  # noqa: E402
+from tests.surface.truth import Portal  # noqa: E402
 
 from raybundle.adjustment.predict import predicted_px  # noqa: E402
 from raybundle.surfaces.gaps import closed, height_at  # noqa: E402
@@ -106,6 +108,23 @@ def seams(colours: np.ndarray, image: np.ndarray) -> dict[str, float]:
     return {"pixels": len(a), "across": round(float(a.mean()), 2), "within": round(float(b.mean()), 2)}
 
 
+def vertices(folder: Path, truth: Portal, plane) -> dict[str, float]:
+    """Heights of the mesh less those of the object."""
+    origin, axes = plane
+    mesh = trimesh.load(folder / "mesh.ply", process=False)
+    data = mesh.metadata["_ply_raw"]["vertex"]["data"]
+    xyz = np.column_stack([data[a] for a in "xyz"]).astype(float)
+    far = 1.0
+    z = (xyz - origin) @ axes[2]
+    distance, _ = truth.cast(xyz + (far - z)[:, None] * axes[2], np.broadcast_to(-axes[2], xyz.shape))
+    e = z - (far - distance)
+    return {
+        "vertices": len(xyz), "triangles": len(mesh.faces),
+        "sigma_mm": round(1000 * float(np.median(data["sigma"])), 3),
+        "robust_mm": round(1000 * float(np.nanmedian(np.abs(e))) / 0.6745, 3), **told(e / np.ravel(data["sigma"])),
+    }  # fmt: skip
+
+
 def main() -> None:
     """All of it."""
     parser = argparse.ArgumentParser()
@@ -137,12 +156,15 @@ def main() -> None:
     found = {
         "pixel_m": pixel, "cell_m": file.cell, "seen": round(float(np.mean(colours[..., 3] > 0)), 4),
         "followed": len(e), "off_robust_mm": round(1000 * float(np.nanmedian(np.abs(e))) / 0.6745, 3),
-        "sigma_mm": round(1000 * float(np.median(s)), 3), "right": told(e[:, 0] / s[:, 0]), "up": told(e[:, 1] / s[:, 1]),
+        "sigma_mm": round(1000 * float(np.median(s)), 3), "right": told(e[:, 0] / s[:, 0]),
+        "up": told(e[:, 1] / s[:, 1]),
         "beyond_a_pixel": round(float(np.nanmean(size > pixel)), 4),
         "beyond_50_mm": round(float(np.nanmean(size > 0.05)), 5),
         "seams": seams(colours[..., :3], np.nan_to_num(number, nan=-1).astype(int)),
         "marks": marks(truth, colours[..., :3].mean(axis=2), np.stack([right, up]), (left, top, pixel, origin, axes)),
     }  # fmt: skip
+    if (given.surface / "mesh.ply").is_file():
+        found["mesh"] = vertices(given.surface, truth, (origin, axes))
     print(json.dumps(found, indent=1))
     if given.keep:
         path = ROOT / "benchmarks/results/surface_orthophoto.json"

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from raybundle.surfaces.displacement import displacement, gram
-from raybundle.surfaces.gaps import closed, height_at, slopes_of, steps_of
+from raybundle.surfaces.gaps import bends_of, beside_steps, closed, height_at, slopes_of
 from raybundle.surfaces.seams import ROUNDS, chosen, gains, seam_costs, spread_of
 from raybundle.surfaces.sight_lines import seen_from
 
@@ -121,7 +121,9 @@ def test_heights_between_cells_are_linear_but_for_steps():
     height[:, 15:] += 10
     z, _, _ = height_at(height, np.array([14.9, 15.1]), np.array([5.5, 5.5]), 1.0)
     assert z == pytest.approx([height[5, 14], height[5, 15]])
-    assert (steps_of(height, 1.0) > 9).sum() == 2 * 20
+    assert (beside_steps(height, 1.0) > 3).sum() == 2 * 20
+    assert (beside_steps(height, 1.0) > 0).sum() == 2 * 20
+    assert bends_of(0.02 * column**2)[5, 5] == pytest.approx(0.02 * 2 / 4)
 
 
 def test_what_a_pixel_shows_lies_off_as_is_stated():

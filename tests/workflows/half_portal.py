@@ -1,4 +1,4 @@
-"""Three photographs of the rendered portal at half their size, with the block that they belong to: small enough for tests."""
+"""Three photographs of the rendered portal at half their size, with their block: small enough for tests."""
 
 from dataclasses import replace
 from pathlib import Path

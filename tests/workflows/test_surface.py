@@ -3,7 +3,6 @@
 import numpy as np
 import pytest
 from scipy.spatial import KDTree
-from tests.workflows.half_portal import NAMES, PORTAL, half_portal
 
 from raybundle.commands.surface import surface
 from raybundle.errors import InputError
@@ -11,7 +10,7 @@ from raybundle.io.block.folder import read_block
 from raybundle.workflows.height_files import read_heights
 from raybundle.workflows.surface import surface as measured
 from raybundle.workflows.surface_state import SurfaceOptions
-
+from tests.workflows.half_portal import NAMES, PORTAL, half_portal
 
 
 @pytest.fixture(scope="module")

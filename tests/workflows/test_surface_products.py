@@ -1,4 +1,4 @@
-"""What is written of a surface, beside the photographs and the points that are known: three of the portal, half size."""
+"""What is written of a surface, beside photographs and known points: three of the portal, half size."""
 
 import json
 import re
@@ -8,7 +8,6 @@ import numpy as np
 import pytest
 import trimesh
 from scipy.spatial import KDTree
-from tests.workflows.half_portal import PORTAL, half_portal
 
 from raybundle.adjustment.predict import predicted_px
 from raybundle.commands.surface import surface
@@ -20,6 +19,7 @@ from raybundle.io.reading.trees import read_toml
 from raybundle.surfaces.transfer import ReferenceRays
 from raybundle.workflows import surface_grids
 from raybundle.workflows.orthophoto_files import tiles_of
+from tests.workflows.half_portal import PORTAL, half_portal
 
 rasterio = pytest.importorskip("rasterio")
 laspy = pytest.importorskip("laspy")
@@ -46,7 +46,7 @@ def cloud(made):
 
 
 def test_all_are_written_and_told(made):
-    done, out = made
+    done, _ = made
     names = [name for name, _ in done.written]
     assert names == ["", "depths", "dsm", "las", "mesh", "ortho"]
     for _, w in done.written:
@@ -67,7 +67,7 @@ def test_a_pixel_of_the_orthophoto_has_the_colour_of_what_is_there(made, half):
         assert f.colorinterp[3].name == "alpha"
         assert pixel.a == PIXEL
     with rasterio.open(out / "orthophoto_sigma.tif") as f:
-        right, up, number = f.read()
+        right, _, number = f.read()
         assert f.descriptions[2] == "photograph"
     uv = plane.coordinates(truth.points.xyz)[:, :2]
     column, row = (uv[:, 0] - pixel.c) / PIXEL, (pixel.f - uv[:, 1]) / PIXEL
@@ -94,7 +94,7 @@ def test_a_pixel_of_the_orthophoto_has_the_colour_of_what_is_there(made, half):
 
 
 def test_what_is_not_seen_is_transparent_and_what_is_has_a_standard_deviation(made):
-    done, out = made
+    _, out = made
     with rasterio.open(out / "orthophoto.tif") as f:
         alpha = f.read(4)
     with rasterio.open(out / "orthophoto_sigma.tif") as f:
@@ -167,7 +167,7 @@ def test_depths_give_the_points_back(made, half):
     done, out = made
     about = read_toml(out / "depths/depths.toml").tree().mapping()
     block = done.surface.block
-    for image, key in done.surface.maps.items():
+    for image in done.surface.maps:
         name = f"{block.images.ids[image]}.tif"
         told = about[name].mapping()
         with rasterio.open(out / "depths" / name) as f:
@@ -214,7 +214,9 @@ def test_of_each_cube_the_best_point_stays(made, half, tmp_path, cloud):
     done = surface(half / "block", made[1], photos=(half,), jobs=1, density="4", thin=SIDE, las=True)
     best = {}
     for c in done.surface.parts():
-        for cube, s in zip(map(tuple, np.floor(c.xyz / SIDE).astype(int)), np.linalg.norm(c.sigma, axis=1), strict=True):
+        for cube, s in zip(
+            map(tuple, np.floor(c.xyz / SIDE).astype(int)), np.linalg.norm(c.sigma, axis=1), strict=True
+        ):
             best[cube] = min(best.get(cube, np.inf), s)
     las = laspy.read(made[1] / "points.laz")
     assert len(las) == len(best) < len(cloud) / 4

@@ -155,7 +155,9 @@ def run_surface(settings: SurfaceSettings, progress: Progress = silent) -> Measu
     written = tuple((name, p.write(done, out, context)) for name, p in sorted(PRODUCTS.items()) if name in wanted)
     _write_page(done, out, context, grids.told, result)
     sigma, shares = _told(done)
-    return MeasuredSurface(surface=done, written=written, remarks=grids.told, unit=unit, median_sigma=sigma, shares=shares)
+    return MeasuredSurface(
+        surface=done, written=written, remarks=grids.told, unit=unit, median_sigma=sigma, shares=shares
+    )
 
 
 def _write_page(done: Surface, out: Path, context: Context, told: tuple[str, ...], result: Path) -> None:

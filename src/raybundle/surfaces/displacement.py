@@ -1,7 +1,7 @@
 """How far a place of an orthophoto may be off in plan: by the height at which its ray was met, and by orientation.
 
-A pixel shows what lies on its ray where the ray meets the surface.  Heights that are too large by e move what it shows by
-e times the tangent of the ray's angle, more on ground that slopes away from the viewer, as the ray meets that later.
+A pixel shows what lies on its ray where the ray meets the surface.  Heights that are too large by e move what it shows
+by e times the tangent of the ray's angle, more on ground that slopes away from the viewer, as the ray meets that later.
 Orientation moves the ray and the heights together; what both share does not displace one against the other.
 """
 

@@ -14,6 +14,10 @@ LEAST = 0.5
 STEEP = 2.0
 """Rise of neighbours, in sides of a cell, from which they are sides of a step (63 degrees): nothing lies between."""
 
+OTHER_SIDE = 0.125
+"""Share of a cell beside a step that lies on the other side: the edge is anywhere in the half next to it, and the cell
+may lie beside it on either side."""
+
 
 def closed(height: Array, local: Array, orientation: Array) -> tuple[Array, Array, Array]:
     """The same arrays (rows, columns) with small gaps closed by the mean of what is around.
@@ -50,7 +54,7 @@ def _mean(values: Array, known: Array, side: int) -> tuple[Array, Array]:
 
 
 def slopes_of(height: Array, cell: float) -> tuple[Array, Array]:
-    """Rise (rows, columns) to the right and upwards, by neighbours on both sides or on the one that is known; else 0."""
+    """Rise (rows, columns) to the right and upwards, by neighbours on both sides, or on the known one; else 0."""
     found = list[Array]()
     for axis, sign in ((1, 1.0), (0, -1.0)):
         ahead, behind = np.full(height.shape, np.nan), np.full(height.shape, np.nan)
@@ -63,8 +67,8 @@ def slopes_of(height: Array, cell: float) -> tuple[Array, Array]:
     return found[0], found[1]
 
 
-def steps_of(height: Array, cell: float) -> Array:
-    """(rows, columns) largest difference of a height from those of the four neighbours, where it is a step; else 0."""
+def beside_steps(height: Array, cell: float) -> Array:
+    """(rows, columns) standard deviation of heights that may lie on the other side of a step; 0 where there is none."""
     found = np.zeros(height.shape)
     for axis in (0, 1):
         step = np.abs(np.nan_to_num(np.diff(height.astype(float), axis=axis)))
@@ -72,7 +76,21 @@ def steps_of(height: Array, cell: float) -> Array:
         first[axis], last[axis] = slice(None, -1), slice(1, None)
         for side in (tuple(first), tuple(last)):
             found[side] = np.maximum(found[side], step)
-    return np.where(found > STEEP * cell, found, 0.0)
+    return np.where(found > STEEP * cell, found, 0.0) * np.sqrt(OTHER_SIDE * (1 - OTHER_SIDE))
+
+
+def bends_of(height: Array) -> Array:
+    """(rows, columns) half of how far heights lie off the middle between neighbours, the larger of both directions.
+
+    A height stands for a cell; by so much heights between cells may be off where the surface bends.
+    """
+    found = np.zeros(height.shape)
+    z = height.astype(float)
+    for axis in (0, 1):
+        ends, middle = np.moveaxis(z, axis, 0), np.moveaxis(np.zeros(z.shape), axis, 0)
+        middle[1:-1] = np.abs(np.nan_to_num(ends[2:] + ends[:-2] - 2 * ends[1:-1])) / 4
+        found = np.maximum(found, np.moveaxis(middle, 0, axis))
+    return found
 
 
 def height_at(height: Array, column: Array, row: Array, cell: float) -> tuple[Array, Index, Index]:

@@ -1,10 +1,10 @@
 """Which photograph each cell takes: seams that run where photographs look alike, and brightness levelled between them.
 
-The choice is a Markov random field: each cell has a cost for each photograph that sees it, neighbours that take
+The choice is a Markov random field: each cell has a cost for each photograph that sees it, and neighbours that take
 different ones pay by how much the photographs differ there (Kwatra et al. 2003).  Messages between neighbours find the
 choice, by trees (Wainwright et al. 2005: on a grid each edge is in half of them), since plain belief propagation says
-everything twice there and stays where it begins.  Messages go one cell a round: a cell knows nothing that is further than as many
-cells as there are rounds, so that parts with such a margin are chosen as the whole would be.
+everything twice there and stays where it begins.  Messages go one cell a round: a cell knows nothing that is further
+than as many cells as there are rounds, so that parts with such a margin are chosen as the whole would be.
 """
 
 from __future__ import annotations

@@ -1,4 +1,4 @@
-"""A true orthophoto as files: colours, from which photograph each pixel is and how far it may be off, and what is what."""
+"""A true orthophoto as files: colours, of which photograph each pixel is and how far it may be off, what is what."""
 
 from __future__ import annotations
 
@@ -102,10 +102,8 @@ def write_orthophoto(surface: Surface, plane: Plane, unit: str, out: Path) -> tu
     share = sum(pixels.values()) / (g.width * g.height)
     sigma = float(np.median(np.hypot(*np.concatenate(some).T))) if pixels else float("nan")
     of = f" {plane.unit if isinstance(plane, MapLevel) else unit}".rstrip()
-    return (
-        f"{g.width} x {g.height} px of {g.pixel:g}{of}, {share:.0%} of them seen, by {len(pixels)} photographs; standard "
-        f"deviation of a place in plan {sigma:.2g}{of} in the median",
-    )  # fmt: skip
+    seen = f"{g.width} x {g.height} px of {g.pixel:g}{of}, {share:.0%} of them seen, by {len(pixels)} photographs"
+    return (f"{seen}; standard deviation of a place in plan {sigma:.2g}{of} in the median",)
 
 
 def _about(surface: Surface, plane: Plane, unit: str, pixels: dict[int, int]) -> dict[str, object]:

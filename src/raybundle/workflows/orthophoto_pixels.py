@@ -16,7 +16,7 @@ from raybundle.io.pictures.resampling import sampled
 from raybundle.numerics.arrays import Array, Index
 from raybundle.pipeline.store import Folder, Product
 from raybundle.surfaces.displacement import displacement, gram
-from raybundle.surfaces.gaps import height_at, slopes_of, steps_of
+from raybundle.surfaces.gaps import beside_steps, height_at, slopes_of
 from raybundle.surfaces.orientation import CommonRoot, ShiftCovariance
 from raybundle.surfaces.transfer import ReferenceRays
 from raybundle.workflows.height_grid import HeightGrid
@@ -35,9 +35,6 @@ TILE_PX = 512
 """Side of a tile of an orthophoto: a multiple of what its file has."""
 FEATHER = 2
 """Cells on each side of a seam over which two photographs are blended."""
-OTHER_SIDE = 0.125
-"""Share of a cell beside a step that lies on the other side: the edge is anywhere in the half next to it, and the cell
-may lie beside it on either side."""
 ROW = 1024
 """Places that are looked up side by side."""
 ROOM = 3
@@ -111,7 +108,9 @@ def _tiles_of(task: PartTask) -> list[int]:
     ratio, found = task.grid.grid.pixel / task.pixels.pixel, set[int]()
     for tile in task.mine:
         w = tile_of_number(task.grid, tile).grown(FEATHER + 1).within(task.grid)
-        rows = range(int(w.y * ratio) // TILE_PX, int(min((w.y + w.height) * ratio, task.pixels.height - 1)) // TILE_PX + 1)
+        rows = range(
+            int(w.y * ratio) // TILE_PX, int(min((w.y + w.height) * ratio, task.pixels.height - 1)) // TILE_PX + 1
+        )
         columns = range(
             int(w.x * ratio) // TILE_PX, int(min((w.x + w.width) * ratio, task.pixels.width - 1)) // TILE_PX + 1
         )
@@ -179,12 +178,17 @@ class _Work:
         height, local, _ = heights_in(self.store, self.heights, t.grid, window)
         y, x = np.mgrid[tile.y : tile.y + tile.height, tile.x : tile.x + tile.width]
         column, row = (x + 0.5) * ratio - window.x, (y + 0.5) * ratio - window.y
-        there = share[np.clip(row.astype(int), 0, share.shape[0] - 1), np.clip(column.astype(int), 0, share.shape[1] - 1)] > 0
+        there = (
+            share[np.clip(row.astype(int), 0, share.shape[0] - 1), np.clip(column.astype(int), 0, share.shape[1] - 1)]
+            > 0
+        )
         column, row, at = column[there], row[there], np.flatnonzero(there)
         h, i, j = height_at(height, column, row, t.grid.grid.pixel)
         xyz = t.grid.points_at(window.x + column, window.y + row, h)
         xy = predicted_px(self.block, 0, xyz)
-        colours, inside = (x.reshape(-1, *x.shape[2:])[: len(xy)] for x in sampled(self.picture, _in_rows(xy * self.factor)))
+        colours, inside = (
+            x.reshape(-1, *x.shape[2:])[: len(xy)] for x in sampled(self.picture, _in_rows(xy * self.factor))
+        )
         inside = inside & np.isfinite(h)
         colours = np.clip(np.rint(colours * np.array(t.gains)), 0, 255).astype(np.uint8)
         sigma = np.full((len(at), 2), np.nan, np.float32)
@@ -228,8 +232,7 @@ class _Work:
             if number in self.heights:
                 grams = self._grams(number)
                 G[mine] = grams[(y[mine] - own.y) // BLOCK_CELLS, (x[mine] - own.x) // BLOCK_CELLS]
-        # of a cell beside a step an eighth may lie on its other side: where between the middles it is, is not known
-        beside = steps_of(height, grid.grid.pixel)[j, i] * np.sqrt(OTHER_SIDE * (1 - OTHER_SIDE))
+        beside = beside_steps(height, grid.grid.pixel)[j, i]
         return displacement(tangent, slope, np.hypot(local[j, i], beside), G).astype(np.float32)
 
     def _grams(self, tile: int) -> Array:

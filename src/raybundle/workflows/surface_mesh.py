@@ -10,7 +10,7 @@ import numpy as np
 from raybundle.errors import InputError
 from raybundle.numerics.arrays import Array, Index
 from raybundle.settings import option
-from raybundle.surfaces.gaps import height_at
+from raybundle.surfaces.gaps import bends_of, beside_steps, height_at
 from raybundle.workflows.height_tiles import heights_in, tile_of_number
 from raybundle.workflows.orthophoto_files import tiles_of
 from raybundle.workflows.orthophoto_pixels import TILE_PX
@@ -19,8 +19,8 @@ from raybundle.workflows.surface import Surface
 from raybundle.workflows.surface_grids import MOST_VERTICES, TEXTURE_PX
 
 STEEPEST = 3.0
-"""Rise of an edge, in sides of a cell, from which its triangle is left out: 72 degrees, beyond which heights above a plane
-tell nothing of what is there."""
+"""Rise of an edge, in sides of a cell, from which its triangle is left out: 72 degrees, beyond which heights above a
+plane tell nothing of what is there."""
 ROOM = 2
 """Cells around a tile from which its vertices are made."""
 UNSEEN = 128
@@ -34,7 +34,7 @@ class Mesh:
     xyz: Array
     """(n, 3) in the block's frame"""
     sigma: Array
-    """(n,) standard deviation of the height, all parts, in units of the plane"""
+    """(n,) standard deviation of the height in units of the plane, what the surface does between cells included"""
     place: Array
     """(n, 2) in the picture, 0 to 1 from its lower left corner"""
     colours: Array
@@ -62,9 +62,7 @@ def mesh_of(surface: Surface, cell: float) -> Mesh:
     height, sigma = _heights(surface, grid)
     triangles = _triangles(height, cell)
     if not len(triangles):
-        raise InputError(
-            f"no triangle of {cell:g} has heights at its corners; choose another area or {option('mesh')}"
-        )
+        raise InputError(f"no triangle of {cell:g} has heights at its corners; choose another area or {option('mesh')}")
     used, triangles = np.unique(triangles, return_inverse=True)
     row, column = np.divmod(used, grid.width)
     u, v = grid.left + (column + 0.5) * cell, grid.top - (row + 0.5) * cell
@@ -98,7 +96,9 @@ def _heights(surface: Surface, grid: Grid) -> tuple[Array, Array]:
         z, local, orientation = heights_in(surface.store, measured.tiles, measured.grid, window)
         x, y = np.meshgrid((columns + 0.5) * ratio - window.x, (rows + 0.5) * ratio - window.y)
         part, i, j = height_at(z, x, y, measured.grid.grid.pixel)
-        height[np.ix_(rows, columns)], sigma[np.ix_(rows, columns)] = part, np.hypot(local, orientation)[j, i]
+        between = np.hypot(beside_steps(z, measured.grid.grid.pixel), bends_of(z))
+        of_cell = np.hypot(np.hypot(local, orientation), between)
+        height[np.ix_(rows, columns)], sigma[np.ix_(rows, columns)] = part, of_cell[j, i]
     return height, sigma
 
 

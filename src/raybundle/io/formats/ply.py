@@ -70,9 +70,7 @@ def _rows(xyz: Array, colours: Array, extra: Mapping[str, Array]) -> Array:
 
 def _head(count: int, layout: np.dtype[Any], comments: tuple[str, ...], triangles: Array | None) -> bytes:
     names = layout.names or ()
-    faces = [] if triangles is None else [
-        f"element face {len(triangles)}", "property list uchar int vertex_indices"
-    ]
+    faces = [] if triangles is None else [f"element face {len(triangles)}", "property list uchar int vertex_indices"]
     lines = [
         "ply",
         "format binary_little_endian 1.0",

@@ -20,15 +20,19 @@ from raybundle.workflows.surface_product import Context, Product, Written, regis
 
 FOLDER, ABOUT = "depths", "depths.toml"
 BANDS = ("depth", "standard deviation of the depth", "flags")
+FLAGS = "1 grazed, 2 beside a step, 4 one source; 8 neighbours disagree, 16 beside a hole: no depth"
+PLACE = (
+    "outer corner of a pixel in the photograph as stored: x = left + column * step, y = top + row * step, from the "
+    "outer corner of its first pixel; the TIFF has the same with y upwards, from -top on"
+)
 AXIS, DISTANCE = "along the optical axis, from the projection centre", "distance from the projection centre"
 
 
 def _write(surface: Surface, out: Path, context: Context) -> Written:
     about: dict[str, Any] = {
         "bands": list(BANDS), "unit": context.unit, **({} if context.unit else {"scale": "free"}),
-        "flags": "1 grazed, 2 beside a step, 4 one source, 8 neighbours disagree (no depth), 16 beside a hole (no depth)",
-        "place": "x = left + column * step, y = top + row * step: of a pixel's outer corner in the photograph as stored, "
-        "from the outer corner of its first pixel; the file has the same with y upwards, -top",
+        "flags": FLAGS,
+        "place": PLACE,
     }  # fmt: skip
     names = _names([surface.block.images.ids[k] for k in sorted(surface.maps)])
     measured = 0

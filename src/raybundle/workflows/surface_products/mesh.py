@@ -65,7 +65,9 @@ def _write_glb(path: Path, mesh: Mesh, picture: bytes, unit: str) -> None:
     index = mesh.triangles.astype("<u4")
     views, data = [], b""
     for part, target in ((xyz.tobytes(), 34962), (uv.tobytes(), 34962), (index.tobytes(), 34963), (picture, 0)):
-        views.append({"buffer": 0, "byteOffset": len(data), "byteLength": len(part), **({"target": target} if target else {})})
+        views.append(
+            {"buffer": 0, "byteOffset": len(data), "byteLength": len(part), **({"target": target} if target else {})}
+        )
         data += part + b"\0" * (-len(part) % 4)
     whole = {
         "asset": {"version": "2.0", "generator": "raybundle", "extras": {"unit": unit or "none: the scale is free"}},

@@ -130,13 +130,13 @@ def _task(i: Inputs, means: Means, k: int, tiles: list[int]) -> Task:
 
 
 def look_of(store: Folder, task: LookTask) -> Product:
-    """The task: of each tile the cost (T, T) of taking this photograph for a cell, inf where it does not see it, and
-    its colours (T, T, 3) there; and how many of its pixels a cell is wide in the median."""
+    """The task: of each tile the cost (T, T) of taking this photograph, and its colours (T, T, 3) there.
+
+    The cost is inf where it does not see a cell.  Also how many of its pixels a cell is wide in the median.
+    """
     block = block_of_arrays(store.wanted(task.block))
     g, window = task.grid, around(task.tiles, task.grid)
-    height, local, orientation = heights_in(
-        store, dict(zip(task.tiles, task.heights, strict=True)), g, window
-    )
+    height, local, orientation = heights_in(store, dict(zip(task.tiles, task.heights, strict=True)), g, window)
     cost = np.full(height.shape, np.inf, np.float32)
     colour = np.zeros((*height.shape, 3), np.uint8)
     cells, xy, scale = _seen(store, task, block, window, height, np.hypot(local, orientation))
@@ -197,9 +197,7 @@ def _nothing_before(store: Folder, task: LookTask, block: Block, xyz: Array, xy:
     """Whether the photograph's depth map shows nothing before points (n, 3)."""
     found = DepthMap.of_arrays(store.wanted(task.map))
     rays = ReferenceRays.of(block, 0)
-    view = MapView(
-        rays=rays, grid=found.grid, t=found.t, slopes=found.slopes, sigma=store.wanted(task.sigma)["sigma"]
-    )
+    view = MapView(rays=rays, grid=found.grid, t=found.t, slopes=found.slopes, sigma=store.wanted(task.sigma)["sigma"])
     if not len(xyz):
         return np.zeros(0, bool)
     there, theirs, _ = view.looked_up(xy)
@@ -221,9 +219,7 @@ def _colours(pixels: Array, xy: Array, px: float) -> Array:
     small = cv2.resize(pixels, None, fx=1 / factor, fy=1 / factor, interpolation=cv2.INTER_AREA)
     scale = np.array([small.shape[1] / pixels.shape[1], small.shape[0] / pixels.shape[0]])
     place = (xy * scale).astype(int)
-    return small[
-        np.clip(place[:, 1], 0, small.shape[0] - 1), np.clip(place[:, 0], 0, small.shape[1] - 1)
-    ]
+    return small[np.clip(place[:, 1], 0, small.shape[0] - 1), np.clip(place[:, 0], 0, small.shape[1] - 1)]
 
 
 def _gains(grid: HeightGrid, keys: Mapping[int, str], store: Folder) -> dict[int, tuple[float, ...]]:
