@@ -9,11 +9,13 @@ from raybundle import adjust
 from raybundle.adjustment.options import AdjustmentOptions
 from raybundle.adjustment.severity import Severity
 from raybundle.block import Role
+from raybundle.block.rejection import Rejection, RejectionKind
 from raybundle.numerics.progress import silent
 from raybundle.numerics.rotation import rotation_from_vector
 from raybundle.orientation.given_points import intersected_where_better
 from raybundle.planning.scenes import TargetField, field_scene
 from raybundle.planning.simulate import Survey, simulate
+from raybundle.workflows import adjust as workflow
 from raybundle.workflows.final import _decided
 
 SNOOPING = AdjustmentOptions(jobs=1, reject="snooping")
@@ -96,3 +98,23 @@ def test_check_points_in_another_system_than_a_free_block_cost_nothing(shift):
         assert result.sigma0 == pytest.approx(plain.sigma0, rel=1e-6)
         assert np.array_equal(result.given.points.xyz[:5], xyz[:5])  # what was given stays to be compared
         assert not [n for n in result.notices if n.code == "approximate_values_replaced"]
+
+
+def test_a_minimum_in_which_cameras_look_away_is_doubted(monkeypatch):
+    """Rough approximate values can end in a minimum with a part of the points behind the cameras."""
+    block, _ = network(1)
+    whole = adjust(block)
+    o = block.observations
+
+    def away(given, observed, options, progress, factoring):
+        found = from_given(given, observed, options, progress, factoring)
+        lost = [Rejection(kind=RejectionKind.BEHIND_CAMERA) if k % 20 == 0 else None for k in range(len(o))]
+        return replace(found, image_observations=replace(found.image_observations, rejected=tuple(lost)))
+
+    from_given = workflow._from_given
+    monkeypatch.setattr(workflow, "_from_given", away)
+    result = adjust(block)
+    assert result.sigma0 == pytest.approx(whole.sigma0, rel=1e-6)
+    assert all(r is None for r in result.image_observations.rejected)
+    (told,) = (n for n in result.notices if n.code == "approximate_values_replaced")
+    assert f"{-(-len(o) // 20)} image points behind the cameras" in told.message

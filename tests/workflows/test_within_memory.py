@@ -4,6 +4,7 @@ import errno
 import gc
 import mmap
 import os
+import re
 from contextlib import suppress
 from dataclasses import fields, replace
 from functools import partial
@@ -14,6 +15,7 @@ import pytest
 from raybundle.adjustment.decide import decide
 from raybundle.adjustment.options import AdjustmentOptions
 from raybundle.adjustment.queries import covariance
+from raybundle.adjustment.severity import Severity
 from raybundle.block.select import with_rows
 from raybundle.blocking.adjusted import in_parts
 from raybundle.blocking.memory import Serial
@@ -25,8 +27,11 @@ from raybundle.io.folders import continued_folder
 from raybundle.numerics import large
 from raybundle.numerics.machine import available_memory
 from raybundle.pipeline.executors import Staying
+from raybundle.planning.scenes import AerialStrips, aerial_scene
+from raybundle.planning.simulate import Survey, simulate
 from raybundle.workflows.adjust import adjust
 from raybundle.workflows.within_memory import BASE, IN_MEMORY, within_memory
+from tests.adjustment.test_noise import with_fields
 from tests.blocking.networks import flight
 
 OPTIONS = AdjustmentOptions(jobs=1)
@@ -99,6 +104,39 @@ def test_noise_fields_need_one_piece_and_that_is_said(tmp_path):
     assert room.parts
     assert few.noise.kind == "white"
     assert few.noise.reason == "the normal equations were reduced in parts, and fields need them in one piece"
+    (told,) = (n for n in few.notices if n.code == "noise_in_parts")
+    assert told.severity is Severity.CAUTION
+    assert "standard deviations rest on white noise" in told.message
+
+
+def smooth_errors():
+    """A flight whose images have smooth errors of their own, which white noise does not know."""
+    strips = AerialStrips(images_per_strip=9, points_per_image=120)
+    made = simulate(
+        aerial_scene(strips), Survey(image_sigma_px=0.3, control=6, control_sigma=(0.02, 0.02, 0.02), seed=2)
+    )
+    return with_fields(made.observed, 0.6)
+
+
+def factors(notice):
+    """What standard deviations of object points are to be multiplied by."""
+    return float(re.search(r"([\d.]+) for object points", notice.message)[1])
+
+
+@pytest.mark.parametrize("noise", ["auto", "fields"])
+def test_in_parts_errors_that_image_points_share_are_told_by_a_sample(tmp_path, noise):
+    block = smooth_errors()
+    options = replace(OPTIONS, noise=noise)
+    one = adjust(block, replace(OPTIONS, noise="auto"))
+    few, room = within(block, options, tmp_path / "result", 0.01)
+    assert room.parts
+    (whole,) = (n for n in one.notices if n.code == "residual_structure")
+    code = "residual_structure" if noise == "auto" else "noise_in_parts"
+    (part,) = (n for n in few.notices if n.code == code)
+    assert re.search(r"a part of \d+ images that was adjusted by itself", part.message)
+    assert part.severity is Severity.CAUTION
+    assert factors(whole) > 1.3
+    assert factors(part) == pytest.approx(factors(whole), rel=0.3)
 
 
 def test_with_enough_memory_it_is_the_one_piece_bit_by_bit(tmp_path):

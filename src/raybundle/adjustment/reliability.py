@@ -264,6 +264,8 @@ def redundancy_sum(
 ROUNDINGS = 20
 """Units of rounding that a redundancy number, or the sum of all, may be off."""
 EPSILON = float(np.finfo(float).eps)
+TOGETHER = 20_000
+"""Image observations whose partial derivatives are in memory at once: half a kilobyte each."""
 
 
 def rounding(normals: Normals, state: State, found: Cofactors) -> float:
@@ -283,12 +285,14 @@ def _information_shares(normals: Normals, state: State, found: Cofactors) -> flo
     nodes = 0.0
     for k, (a, b) in enumerate(itertools.pairwise(system.offsets.tolist())):
         nodes += float(np.diagonal(normals.node_block(found.inverse, k, k)) @ normals.diagonal[a:b])
-    image, point = system.block.observations.image[system.rows], system.block.observations.point[system.rows]
-    partials = image_residuals(system, state, image, point, system.xy_mm)[1][:, :, :3] @ state.rotation[image]
-    W = np.zeros((len(image), 2, 2))
-    W[:, 0, 0], W[:, 1, 0], W[:, 1, 1] = system.whiten.T
-    N = np.zeros_like(state.xyz)
-    np.add.at(N, point, ((W @ partials) ** 2).sum(axis=1))
+    o, N = system.block.observations, np.zeros_like(state.xyz)
+    for begin in range(0, len(system.rows), TOGETHER):
+        some = slice(begin, begin + TOGETHER)
+        image, point = o.image[system.rows[some]], o.point[system.rows[some]]
+        partials = image_residuals(system, state, image, point, system.xy_mm[some])[1][:, :, :3] @ state.rotation[image]
+        W = np.zeros((len(image), 2, 2))
+        W[:, 0, 0], W[:, 1, 0], W[:, 1, 1] = system.whiten[some].T
+        np.add.at(N, point, ((W @ partials) ** 2).sum(axis=1))
     N[system.prior] += 1 / system.block.points.sigma[system.prior] ** 2
     mine = system.points_used[:, None] & ~system.held & (system.point_node < 0)[:, None]
     return nodes + float((N * np.diagonal(found.points_minimal, axis1=1, axis2=2))[mine].sum())

@@ -7,6 +7,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any, Literal
 
 from raybundle.commands.convert import FREE_SCALE_HELP
+from raybundle.commands.pages import LANGUAGE_HELP
 from raybundle.commands.plane_settings import OF_PLANE, PlaneSettings
 from raybundle.errors import InputError
 from raybundle.numerics.progress import Progress, silent
@@ -62,6 +63,7 @@ class SurfaceSettings(PlaneSettings):
         "it is short.", limits=POSITIVE, metavar="GB",
     )  # fmt: skip
     free_scale: bool = setting(False, FREE_SCALE_HELP)
+    language: str = setting("en", LANGUAGE_HELP, metavar="CODE")
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -153,14 +155,16 @@ def run_surface(settings: SurfaceSettings, progress: Progress = silent) -> Measu
         points=done if s.thin is None else thinned(done, s.thin),
     )  # fmt: skip
     written = tuple((name, p.write(done, out, context)) for name, p in sorted(PRODUCTS.items()) if name in wanted)
-    _write_page(done, out, context, grids.told, result)
+    _write_page(done, out, context, grids.told, name=done.block.name or result.resolve().name, language=s.language)
     sigma, shares = _told(done)
     return MeasuredSurface(
         surface=done, written=written, remarks=grids.told, unit=unit, median_sigma=sigma, shares=shares
     )
 
 
-def _write_page(done: Surface, out: Path, context: Context, told: tuple[str, ...], result: Path) -> None:
+def _write_page(
+    done: Surface, out: Path, context: Context, told: tuple[str, ...], *, name: str, language: str
+) -> None:  # fmt: skip
     """Write the page that shows how complete and how good the surface is."""
     from raybundle.report.surface_page import write_surface_page  # noqa: PLC0415
     from raybundle.workflows.height_files import HeightFile  # noqa: PLC0415
@@ -169,8 +173,8 @@ def _write_page(done: Surface, out: Path, context: Context, told: tuple[str, ...
     file = None
     if done.heights is not None and context.plane is not None:
         file = HeightFile.of(done.heights.grid, context.plane, context.unit, done.block.name)
-    name = done.block.name or result.resolve().name
-    write_surface_page(summary_of(done, context.unit, file), out / PAGE, name=name, remarks=told)
+    summary = summary_of(done, context.unit, file)
+    write_surface_page(summary, out / PAGE, name=name, remarks=told, language=language)
 
 
 def _grid_of(s: SurfaceSettings, result: Path, export: Export, progress: Progress) -> Grids:

@@ -11,7 +11,7 @@ from raybundle.io.folders import new_files
 from raybundle.numerics.arrays import Array
 from raybundle.report.document import Document, html
 from raybundle.report.figures.raster import class_map, height_map, legend_of, sigma_told, small_map
-from raybundle.report.figures.svg import Drawing, Plot, axes, band, drawing, fitted, line, span
+from raybundle.report.figures.surface import correlation_of, profile_of
 from raybundle.report.languages import ENGLISH
 from raybundle.report.languages.language import language_of
 from raybundle.report.languages.setting import section_in
@@ -143,19 +143,8 @@ def _heights(h: HeightSummary, factor: float, unit: str, length: str) -> Section
     parts: list[Part] = [Figures(figures=tuple(figures))]
     if np.isfinite(h.profile[:, 1]).sum() > 1:
         caption = "Profile along the middle of the heights, with the band of 1.96 standard deviations."
-        parts.append(Figures(figures=(Figure(drawing=_profile(h, length), caption=caption),)))
+        parts.append(Figures(figures=(Figure(drawing=profile_of(h.profile, length), caption=caption),)))
     return Section(anchor="heights", title="Heights", parts=tuple(parts))
-
-
-def _profile(h: HeightSummary, unit: str) -> Drawing:
-    x, z, s = h.profile.T
-    of = f" [{unit}]" if unit else ""
-    plot = fitted(Plot(width=720, height=200, x_range=(float(x[0]), float(x[-1])), y_range=span(z)))
-    known = np.flatnonzero(np.isfinite(z))
-    pieces = np.split(known, np.flatnonzero(np.diff(known) > 1) + 1)
-    bands = [band(plot, x[k], (z - 1.96 * s)[k], (z + 1.96 * s)[k], "band second") for k in pieces]
-    parts = [axes(plot, f"right{of}", f"height{of}"), *bands, line(plot, x, z, "curve first")]
-    return drawing(plot.width, plot.height, parts, "profile of heights")
 
 
 def _classes(values: Array, unit: str, head: str) -> Classes | None:
@@ -206,7 +195,7 @@ def _errors(s: SurfaceSummary, factor: float, unit: str) -> Section:
             "Stated correlation of the errors of two points by noise and roughness, by their distance in the "
             "photograph. Errors of orientation and calibration go on over the whole object."
         )
-        parts.append(Figures(figures=(Figure(drawing=_correlation(s.correlation), caption=caption),)))
+        parts.append(Figures(figures=(Figure(drawing=correlation_of(s.correlation), caption=caption),)))
     parts += [Paragraph(text=words, note=True) for words in NOTES]
     return Section(anchor="errors", title="Standard deviations", parts=tuple(parts))
 
@@ -221,10 +210,3 @@ def _parts_table(s: SurfaceSummary, factor: float, unit: str) -> Table:
     ]  # fmt: skip
     head = (text("part"), number("median", unit), number("90 % below", unit), number("99 % below", unit))
     return table(head, zip(*rows, strict=True), caption="Standard deviations along the ray by their parts")
-
-
-def _correlation(values: Array) -> Drawing:
-    x, y = values.T
-    plot = fitted(Plot(width=360, height=200, x_range=(0.0, float(x[-1])), y_range=(0.0, 1.05)))
-    parts = [axes(plot, "distance [px]", "correlation"), line(plot, x, y, "curve first")]
-    return drawing(plot.width, plot.height, parts, "correlation by distance")

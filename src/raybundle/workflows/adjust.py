@@ -14,6 +14,7 @@ from raybundle.adjustment.decide import decide
 from raybundle.adjustment.engine import Factoring, in_one_piece
 from raybundle.adjustment.entry import check_entry
 from raybundle.adjustment.identical_control import identical_notices
+from raybundle.adjustment.noise_sample import sample_under_noise
 from raybundle.adjustment.options import FEWEST_IMAGES, AdjustmentOptions
 from raybundle.adjustment.result import Adjustment, Notice
 from raybundle.adjustment.scene_start import refuse_unoriented, with_scene_points
@@ -23,11 +24,11 @@ from raybundle.adjustment.under_noise import under_noise
 from raybundle.adjustment.variance_groups import by_groups
 from raybundle.block import Block, Role
 from raybundle.block.points import automatic
-from raybundle.block.rejection import known_wrong
+from raybundle.block.rejection import RejectionKind, known_wrong
 from raybundle.calibration.given import calibration_notices, held_notices
 from raybundle.errors import InputError, NoConvergence, NoOrientation, NotSolvable, RankDefect
 from raybundle.numerics.arrays import Array, Index, Mask
-from raybundle.numerics.counting import counted_are
+from raybundle.numerics.counting import counted, counted_are
 from raybundle.numerics.progress import Progress, silent
 from raybundle.orientation.given_points import intersected_where_better, without_given_ties
 from raybundle.placing.control_doubts import doubted_control, notice, words
@@ -36,6 +37,8 @@ from raybundle.settings import option
 LOOKED_AT = 500_000
 """Image observations up to which residuals are looked at for structure, and held calibrations are tested, without being
 asked: three seconds, and as long again as the adjustment."""
+FEW_BEHIND = 0.005
+"""Share of the image points behind cameras up to which wrong names or matches explain them."""
 DOUBTED = 10.0
 """sigma0 from which on the approximate values are doubted."""
 
@@ -123,11 +126,20 @@ def _structure(result: Adjustment, options: AdjustmentOptions) -> tuple[Notice, 
     What was published stays comparable, so that blocks that are given are adjusted with white noise unless asked;
     `orient`, `calibrate` and `measure` carry shared errors into standard deviations.
     """
-    if options.noise != "auto" or not options.statistics or len(result.given.observations) > LOOKED_AT:
+    if not options.statistics or not result.sigma0 <= POOR_FIT:  # a fault of its own, which bends all residuals
         return ()
-    if not result.sigma0 <= POOR_FIT:  # a fault of its own, which bends all residuals
+    if options.noise == "fields":
+        return _without_fields(result)
+    if options.noise != "auto":
         return ()
     more = f"Adjusted with noise fields ({option('noise', 'fields')}), as by `orient`, standard deviations contain it"
+    if _in_parts(result) or len(result.given.observations) > LOOKED_AT:
+        found = sample_under_noise(result)
+        shared = None if found is None else shared_errors_notice(found, found.noise)
+        if found is None or shared is None:
+            return ()
+        told = f". Seen in {_sample_words(found)}"
+        return (replace(shared, message=f"{shared.message}{told}. {more}"),)
     if len(np.unique(result.given.observations.image[result.image_observations.used])) >= FEWEST_IMAGES:
         shared = shared_errors_notice(result, under_noise(result).noise)
         return () if shared is None else (replace(shared, message=f"{shared.message}. {more}"),)
@@ -135,6 +147,35 @@ def _structure(result: Adjustment, options: AdjustmentOptions) -> tuple[Notice, 
     if 2 * automatic(points).sum() < len(points) or (found := structure_notice(result)) is None:
         return ()
     return (replace(found, message=f"{found.message}. {more}"),)
+
+
+def _sample_words(found: Adjustment) -> str:
+    return f"a part of {counted(len(found.given.images), 'image')} that was adjusted by itself"
+
+
+def _in_parts(result: Adjustment) -> bool:
+    """Whether the normal equations were not there in one piece, as noise fields need them."""
+    work = result.handle.work
+    return work is not None and not work.normals.one_piece
+
+
+def _without_fields(result: Adjustment) -> tuple[Notice, ...]:
+    """What to say where noise fields were asked for and the normal equations were in parts."""
+    if not _in_parts(result):
+        return ()
+    message = (
+        f"standard deviations rest on white noise, though noise fields were asked for ({option('noise', 'fields')}): "
+        "the normal equations were reduced in parts, and fields need them in one piece. On photographs such standard "
+        "deviations are too small"
+    )
+    found = sample_under_noise(result)
+    shared = None if found is None else shared_errors_notice(found, found.noise)
+    if found is not None and shared is not None:
+        ratios = {"interior orientation": found.noise.ratio_interior, "object points": found.noise.ratio_points}
+        times = ", ".join(f"{r:.2g} for {what}" for what, r in ratios.items() if np.isfinite(r))
+        message += f", by these factors (medians) in {_sample_words(found)}: {times}"
+    message += f". Give it more memory ({option('memory', 'GB')}), or multiply them"
+    return (Notice(code="noise_in_parts", message=message),)
 
 
 def _plainly(factoring: Factoring) -> Callable[[Block, AdjustmentOptions], Adjustment]:
@@ -172,7 +213,19 @@ def _adjust(block: Block, options: AdjustmentOptions, progress: Progress, factor
         fresh = _afresh(block, options, progress, factoring)
         if fresh is not None and fresh.sigma0 < 0.5 * result.sigma0:
             return _replaced(fresh, f"the approximate values of the block lead to sigma0 {result.sigma0:.3g}")
+    elif afresh and (lost := _behind(result)) > FEW_BEHIND * len(block.observations):
+        # a minimum of its own, in which cameras look away from what they see
+        fresh = _afresh(block, options, progress, factoring)
+        if fresh is not None and fresh.sigma0 < max(DOUBTED, 2 * result.sigma0) and _behind(fresh) < 0.5 * lost:
+            why = f"the approximate values of the block lead to {counted(lost, 'image point')} behind the cameras"
+            return _replaced(fresh, why)
     return result
+
+
+def _behind(result: Adjustment) -> int:
+    """Image observations whose points ended behind their cameras."""
+    kinds = (r.kind for r in result.image_observations.rejected if r is not None)
+    return sum(kind is RejectionKind.BEHIND_CAMERA for kind in kinds)
 
 
 def _from_given(

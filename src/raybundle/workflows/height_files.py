@@ -146,9 +146,9 @@ def _tiles(file: HeightFile) -> Iterator[tuple[int, int, int, int, int]]:
         yield tile, x, y, min(TILE_CELLS, file.width - x), min(TILE_CELLS, file.height - y)
 
 
-def read_heights(folder: Path) -> tuple[HeightModel, HeightFile]:
+def read_heights(folder: str | Path) -> tuple[HeightModel, HeightFile]:
     """Heights as `write_heights` wrote them.  Raises InputError where a file is missing or does not fit the others."""
-    library = raster_library()
+    library, folder = raster_library(), Path(folder)
     for name in FILES:
         if not (folder / name).is_file():
             raise InputError(f"has no {name}, which surface with a grid of heights writes", file=folder)

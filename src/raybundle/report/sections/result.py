@@ -141,7 +141,10 @@ def _solution(a: Adjustment) -> list[tuple[str, str]]:
             "converged",
             f"{'yes' if a.converged else 'no'}, {counted(a.iterations, 'iteration')}, {fixed(a.seconds, 2)} s",
         ),
-        ("condition of the scaled normal matrix", significant(a.condition, 2)),
+        (
+            "condition of the scaled normal matrix, about (by its smallest pivot, which the order changes)",
+            significant(a.condition, 2),
+        ),
     ]
 
 

@@ -141,7 +141,7 @@ def _state(view: View, grade: Grade) -> str:
         )
     if grade == "attention":
         return f"{counted(serious, 'matter')} to settle before it is used: see the warnings."
-    systematic = {n.code for n in a.notices} & {"systematic_residuals", "residual_structure"}
+    systematic = {n.code for n in a.notices} & {"systematic_residuals", "residual_structure", "noise_in_parts"}
     scale = any(n.code == "scale_unchecked" for n in a.notices)
     alone = " The scale rests on lengths that nothing controls." if scale else ""
     if systematic:
