@@ -7,9 +7,17 @@ import numpy as np
 from raybundle.numerics.arrays import Array
 from raybundle.pipeline.store import Folder
 from raybundle.surfaces.depth_map import GRAZING, DepthMap
-from raybundle.surfaces.summary import QUANTILES, HeightSummary, MapSummary, SurfaceSummary, reduced
+from raybundle.surfaces.summary import (
+    QUANTILES,
+    HeightSummary,
+    MapSummary,
+    OrthophotoSummary,
+    SurfaceSummary,
+    reduced,
+)
 from raybundle.workflows.height_files import HeightFile
 from raybundle.workflows.height_tiles import TILE_CELLS
+from raybundle.workflows.orthophoto_files import tiles_of
 from raybundle.workflows.surface import Surface
 from raybundle.workflows.surfacing.heights import tile_window
 
@@ -42,6 +50,7 @@ def summary_of(surface: Surface, unit: str, file: HeightFile | None = None) -> S
         incidence=grazed / max(len(surface), 1), maps=tuple(maps), left_out=surface.left_out,
         correlation=np.stack([LAGS_PX, np.mean(correlation, axis=0)], axis=1) if maps else np.zeros((0, 2)),
         heights=None if file is None else _heights(surface, file),
+        orthophoto=None if surface.orthophoto is None else _orthophoto(surface),
     )  # fmt: skip
 
 
@@ -99,4 +108,26 @@ def _heights(surface: Surface, file: HeightFile) -> HeightSummary | None:
     return HeightSummary(
         height=pictures[0], sigma=pictures[1], cell=k * file.cell, left=file.left, top=file.top,
         share=known / (file.width * file.height), profile=np.stack([across, *profile], axis=1),
+    )  # fmt: skip
+
+
+def _orthophoto(surface: Surface) -> OrthophotoSummary:
+    """Some of its pixels, tile by tile."""
+    made = surface.orthophoto
+    assert made is not None
+    g = made.grid
+    k = max(1, int(np.ceil(max(g.width, g.height) / PICTURE_CELLS)))
+    picture = np.zeros((-(-g.height // k), -(-g.width // k), 4), np.uint8)
+    seen, sigma = 0, list[Array]()
+    for t in tiles_of(surface):
+        w = t.window
+        known = t.colours[..., 3] > 0
+        seen += int(known.sum())
+        sigma.append(np.hypot(t.sigma[..., 0], t.sigma[..., 1])[known][::13])
+        rows, columns = (np.arange(-start % k, n, k) for start, n in ((w.y, w.height), (w.x, w.width)))
+        if len(rows) and len(columns):
+            picture[np.ix_((w.y + rows) // k, (w.x + columns) // k)] = t.colours[np.ix_(rows, columns)]
+    return OrthophotoSummary(
+        picture=picture, pixel=k * g.pixel, left=g.left, top=g.top, share=seen / (g.width * g.height),
+        sigma=float(np.median(np.concatenate(sigma))) if seen else float("nan"),
     )  # fmt: skip
