@@ -27,14 +27,14 @@ def closed(height: Array, local: Array, orientation: Array) -> tuple[Array, Arra
     orientation  standard deviations by orientation and calibration
     """
     known = np.isfinite(height)
-    if known.all():
+    if known.all() or not known.any():
         return height, local, orientation
     side = 2 * REACH + 1
     mean_local, n = _mean(local, known, side)
     mean, _ = _mean(height, known, side)
-    square, _ = _mean(np.square(height - np.where(known.any(), np.nanmean(height), 0.0)), known, side)
-    shifted = mean - (np.nanmean(height) if known.any() else 0.0)
-    scatter = np.sqrt(np.maximum(square - shifted**2, 0))
+    middle = float(np.mean(height[known]))  # squares of heights above the sea would lose their differences
+    square, _ = _mean(np.square(height - middle), known, side)
+    scatter = np.sqrt(np.maximum(square - np.square(mean - middle), 0))
     gap = ~known & (n >= LEAST * side**2)
     of_orientation, _ = _mean(orientation, known, side)
     return (

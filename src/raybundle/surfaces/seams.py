@@ -13,7 +13,7 @@ from collections.abc import Mapping
 
 import numpy as np
 
-from raybundle.numerics.arrays import Array, Index
+from raybundle.numerics.arrays import Array, Index, Mask
 
 ROUNDS = 48
 """Of messages: cells beyond which a cell is not asked."""
@@ -46,7 +46,7 @@ def chosen(cost: Array, across: Array, down: Array, rounds: int = ROUNDS) -> Ind
     n, rows, columns = cost.shape
     if not n:
         return np.full((rows, columns), -1, np.int32)
-    known = np.isfinite(cost).any(axis=0)
+    known: Mask = np.asarray(np.isfinite(cost).any(axis=0))
     own = np.where(np.isfinite(cost), cost, UNSEEN).astype(np.float32)
     # a hole hands nothing on
     across = np.where(known[:, 1:] & known[:, :-1], across, 0).astype(np.float32)

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from dataclasses import dataclass
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 
@@ -83,7 +84,14 @@ def write_orthophoto(surface: Surface, plane: Plane, unit: str, out: Path) -> tu
     g, library = made.grid, raster_library()
     in_map = isinstance(plane, MapLevel)
     wkt = plane.system.to_wkt() if isinstance(plane, MapLevel) else ""
-    place = {"width": g.width, "height": g.height, "left": g.left, "top": g.top, "pixel": g.pixel, "wkt": wkt}
+    place: dict[str, Any] = {
+        "width": g.width,
+        "height": g.height,
+        "left": g.left,
+        "top": g.top,
+        "pixel": g.pixel,
+        "wkt": wkt,
+    }
     floats = {"count": len(BANDS), "dtype": "float32", "nodata": float("nan")}
     pixels, some = dict[int, int](), list[Array]()
     with new_files(*(out / f for f in FILES)) as (picture, sigmas, about):

@@ -86,7 +86,8 @@ def _steps(system: _System, points: Points) -> tuple[Array, Array]:
             xyz = system.view.placed(cloud.xyz)
             low, high = np.minimum(low, xyz.min(axis=0)), np.maximum(high, xyz.max(axis=0))
             scale = abs(float(np.linalg.det(system.jacobian(cloud.xyz[0])))) ** (1 / 3)
-            sigma.append(scale * cloud.sigma[::7].min(axis=1))
+            # what orientation does, all points share: it does not say how finely they are told apart
+            sigma.append(scale * np.hypot(cloud.parts[::7, 0], cloud.parts[::7, 1]))
     if not sigma:
         return np.zeros(3), np.full(3, 1e-4)
     least = float(np.quantile(np.concatenate(sigma), LEAST))

@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 import struct
 from pathlib import Path
+from typing import TextIO
 
 import numpy as np
 from PIL import Image
@@ -51,7 +52,7 @@ def _write_obj(path: Path, mesh: Mesh, unit: str) -> None:
         _rows(file, "f %d/%d %d/%d %d/%d", numbers)
 
 
-def _rows(file: object, row: str, values: Array) -> None:
+def _rows(file: TextIO, row: str, values: Array) -> None:
     for begin in range(0, len(values), ROWS):
         part = values[begin : begin + ROWS]
         file.write("\n".join([row] * len(part)) % tuple(part.ravel().tolist()) + "\n")

@@ -29,7 +29,7 @@ from raybundle.workflows.height_tiles import TILE_CELLS, Window, around, heights
 from raybundle.workflows.surface_state import SURFACE, Looks, MeasuredHeights
 from raybundle.workflows.surfacing.maps import PART, part_of
 
-VERSION = 2
+VERSION = 3
 LOOK = "surface looks"
 STEEPEST = 0.26
 """Cosine of the angle between ray and normal of the plane below which a photograph is not used (75 degrees), as in
@@ -53,7 +53,6 @@ class Inputs:
     block: Block
     photos: Mapping[int, Photo]
     maps: Mapping[int, str]
-    sigmas: Mapping[int, str]
     heights: MeasuredHeights
     pixel: float
     """of the orthophoto, in units of the plane"""
@@ -67,7 +66,6 @@ class LookTask:
     """key of a part of the block with its image alone"""
     photo: Photo
     map: str
-    sigma: str
     tiles: tuple[int, ...]
     heights: tuple[str, ...]
     """keys of the heights of these"""
@@ -118,10 +116,10 @@ def _task(i: Inputs, means: Means, k: int, tiles: list[int]) -> Task:
         means.store.store(own, part)
     heights = tuple(i.heights.tiles[t] for t in tiles)
     options = LookTask(
-        block=own, photo=i.photos[k], map=i.maps[k], sigma=i.sigmas[k], tiles=tuple(tiles), heights=heights,
+        block=own, photo=i.photos[k], map=i.maps[k], tiles=tuple(tiles), heights=heights,
         grid=i.heights.grid, pixel=i.pixel,
     )  # fmt: skip
-    inputs = (own, i.maps[k], i.sigmas[k], *heights)
+    inputs = (own, i.maps[k], *heights)
     return Task(
         key=key_of(LOOK, VERSION, inputs, i.photos[k].content, tiles, i.heights.grid, i.pixel),
         function=f"{__name__}:look_of", options=options, inputs=inputs, name=i.block.images.ids[k],
@@ -136,10 +134,10 @@ def look_of(store: Folder, task: LookTask) -> Product:
     """
     block = block_of_arrays(store.wanted(task.block))
     g, window = task.grid, around(task.tiles, task.grid)
-    height, local, orientation = heights_in(store, dict(zip(task.tiles, task.heights, strict=True)), g, window)
+    height, local, _ = heights_in(store, dict(zip(task.tiles, task.heights, strict=True)), g, window)
     cost = np.full(height.shape, np.inf, np.float32)
     colour = np.zeros((*height.shape, 3), np.uint8)
-    cells, xy, scale = _seen(store, task, block, window, height, np.hypot(local, orientation))
+    cells, xy, scale = _seen(store, task, block, window, height, local)
     px = float(np.median(scale)) if len(scale) else 1.0
     if len(cells):
         row, column = np.divmod(cells, window.width)
@@ -168,7 +166,8 @@ def _seen(
 ) -> tuple[Index, Array, Array]:
     """Cells of a window that the photograph sees, their places (n, 2) in it, and the width (n,) of a cell there [px].
 
-    The heights must not hide a cell, and its depth map must show nothing before it.
+    The heights must not hide a cell, and its depth map must show nothing before it.  What counts is how heights differ
+    from their neighbours': orientation moves all of them together.
     """
     g, camera = task.grid, block.camera_of(0)
     cells = np.flatnonzero(np.isfinite(height))
@@ -197,7 +196,7 @@ def _nothing_before(store: Folder, task: LookTask, block: Block, xyz: Array, xy:
     """Whether the photograph's depth map shows nothing before points (n, 3)."""
     found = DepthMap.of_arrays(store.wanted(task.map))
     rays = ReferenceRays.of(block, 0)
-    view = MapView(rays=rays, grid=found.grid, t=found.t, slopes=found.slopes, sigma=store.wanted(task.sigma)["sigma"])
+    view = MapView(rays=rays, grid=found.grid, t=found.t, slopes=found.slopes, sigma=np.sqrt(found.variance()))
     if not len(xyz):
         return np.zeros(0, bool)
     there, theirs, _ = view.looked_up(xy)
@@ -243,7 +242,7 @@ STAGE = SURFACE.register(
         put=lambda s, found: replace(s, looks=found), when=lambda s: s.options.orthophoto is not None,
         told=lambda s: f"{len(s.looks.keys)} photographs" if s.looks else "",
         inputs=lambda s: Inputs(
-            block=s.block, photos=s.photos, maps=s.maps, sigmas=s.sigmas, heights=s.wanted_heights,
+            block=s.block, photos=s.photos, maps=s.maps, heights=s.wanted_heights,
             pixel=s.wanted_orthophoto.pixel,
         ),
     )
