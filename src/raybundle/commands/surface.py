@@ -15,9 +15,8 @@ from raybundle.settings import ANY, NOT_NEGATIVE, POSITIVE, made, option, other_
 
 if TYPE_CHECKING:
     from raybundle.io.formats import Export
-    from raybundle.workflows.height_grid import HeightGrid
-    from raybundle.workflows.object_plane import Plane
     from raybundle.workflows.surface import Surface
+    from raybundle.workflows.surface_grids import Grids
     from raybundle.workflows.surface_product import Context, Written
 
 WORK, PAGE, IN_3D = "work", "surface.html", "surface_3d.html"
@@ -38,6 +37,19 @@ class SurfaceSettings(PlaneSettings):
         None, "Also heights above the plane, on a grid with cells of this size in the object's unit. Of a result with "
         "a coordinate system they are those of its map, if no plane is named.", limits=POSITIVE, metavar="CELL",
     )  # fmt: skip
+    ortho: float | None = setting(
+        None, "Also a true orthophoto above the same plane, with pixels of this size: each of them from the photograph "
+        "that sees its place best, and how far it may be off.", limits=POSITIVE, metavar="CELL",
+    )  # fmt: skip
+    mesh: float | None = setting(
+        None, "Also a mesh above the same plane, with vertices so far apart and the orthophoto on it: PLY, OBJ, glTF.",
+        limits=POSITIVE, metavar="CELL",
+    )  # fmt: skip
+    las: bool = setting(False, "Also the points as LAZ, or LAS where no library for LAZ is there.")
+    depths: bool = setting(False, "Also the depth map of each photograph with its standard deviations, as TIFF.")
+    thin: float | None = setting(
+        None, "Write of the points of each cube of this size the best one alone.", limits=POSITIVE, metavar="LENGTH"
+    )
     extent: tuple[float, float, float, float] | None = setting(
         None, "Part of the plane, in its coordinates; of a map, east and north.  [default: where the points lie]",
         metavar="LEFT BOTTOM RIGHT TOP", limits=(ANY, ANY, ANY, ANY),
@@ -102,6 +114,7 @@ def run_surface(settings: SurfaceSettings, progress: Progress = silent) -> Measu
     from raybundle.workflows.surface_product import Context  # noqa: PLC0415
     from raybundle.workflows.surface_products import PRODUCTS  # noqa: PLC0415
     from raybundle.workflows.surface_state import SurfaceOptions  # noqa: PLC0415
+    from raybundle.workflows.surface_thinning import thinned  # noqa: PLC0415
 
     s = settings
     if not s.source.is_dir():
@@ -121,15 +134,15 @@ def run_surface(settings: SurfaceSettings, progress: Progress = silent) -> Measu
             f"where its photographs are is not known; say so with {option('photos', 'FOLDER')}", file=s.source
         )
     out = s.out or s.source / "surface"
-    wanted = frozenset(name for name in PRODUCTS if not name or getattr(s, name) is not None)
+    wanted = frozenset(name for name in PRODUCTS if not name or getattr(s, name) not in (None, False))
     _check_out(out)
     for name in wanted:
         PRODUCTS[name].check()
-    plane, grid, told = _grid_of(s, result, export, progress)
+    grids = _grid_of(s, result, export, progress)
     try:
         done = measured(
-            result, out / WORK, SurfaceOptions(density=int(s.density), grid=grid), photos=folders, jobs=s.jobs,
-            memory=s.memory * 1e9, progress=progress,
+            result, out / WORK, SurfaceOptions(density=int(s.density), grid=grids.heights, orthophoto=grids.orthophoto),
+            photos=folders, jobs=s.jobs, memory=s.memory * 1e9, progress=progress,
         )  # fmt: skip
     except InputError:
         discard_empty(out / WORK)
@@ -137,11 +150,16 @@ def run_surface(settings: SurfaceSettings, progress: Progress = silent) -> Measu
             out.rmdir()
         raise
     unit = "" if free else export.block.length_unit
-    context = Context(export=export, unit=unit, wanted=wanted, plane=plane, progress=progress)
+    context = Context(
+        export=export, unit=unit, wanted=wanted, plane=grids.plane, mesh=s.mesh, progress=progress,
+        points=done if s.thin is None else thinned(done, s.thin),
+    )  # fmt: skip
     written = tuple((name, p.write(done, out, context)) for name, p in sorted(PRODUCTS.items()) if name in wanted)
-    _write_page(done, out, context, told, name=done.block.name or result.resolve().name, language=s.language)
+    _write_page(done, out, context, grids.told, name=done.block.name or result.resolve().name, language=s.language)
     sigma, shares = _told(done)
-    return MeasuredSurface(surface=done, written=written, remarks=told, unit=unit, median_sigma=sigma, shares=shares)
+    return MeasuredSurface(
+        surface=done, written=written, remarks=grids.told, unit=unit, median_sigma=sigma, shares=shares
+    )
 
 
 def _write_page(
@@ -163,31 +181,31 @@ def _write_page(
     write_network_page(done.adjustment, out / IN_3D, title=title, language=language, cloud=cloud)
 
 
-def _grid_of(
-    s: SurfaceSettings, result: Path, export: Export, progress: Progress
-) -> tuple[Plane | None, HeightGrid | None, tuple[str, ...]]:
-    """The plane and the cells that are asked for, and remarks."""
+def _grid_of(s: SurfaceSettings, result: Path, export: Export, progress: Progress) -> Grids:
+    """The plane, its cells and the pixels of an orthophoto that are asked for."""
     import numpy as np  # noqa: PLC0415
 
     from raybundle.commands.plane_settings import plane_in  # noqa: PLC0415
     from raybundle.io.geo.told_systems import plan_system  # noqa: PLC0415
-    from raybundle.workflows.height_grid import HeightGrid, HeightPlane  # noqa: PLC0415
     from raybundle.workflows.object_plane import MapLevel  # noqa: PLC0415
-    from raybundle.workflows.rectify import check_area, grid_over, whole_pixels  # noqa: PLC0415
+    from raybundle.workflows.rectify import check_area  # noqa: PLC0415
+    from raybundle.workflows.surface_grids import Grids, grids_over  # noqa: PLC0415
 
     given = [option(name) for name in (*OF_PLANE, "extent") if name in other_than_usual(s)]
-    if s.dsm is None:
+    if s.dsm is None and s.ortho is None and s.mesh is None:
         if given:
-            raise InputError(f"{given[0]} says where heights are given; ask for them with {option('dsm', 'CELL')}")
-        return None, None, ()
+            ways = f"{option('dsm', 'CELL')}, {option('ortho', 'CELL')} or {option('mesh', 'CELL')}"
+            raise InputError(f"{given[0]} says where heights are given; ask for them with {ways}")
+        return Grids()
     in_map = export.frame is not None and plan_system(export.frame.crs) is not None
     level = in_map and not (set(OF_PLANE) & set(other_than_usual(s)))
     plane, told = plane_in(result, export, replace(s, horizontal=True) if level else s, progress)
-    area = plane.extent if s.extent is None else np.array(s.extent)
-    if isinstance(plane, MapLevel) and s.extent is not None:
-        check_area(plane, area)
-    grid = grid_over(whole_pixels(area, s.dsm) if s.extent is None else area, s.dsm)
-    return plane, HeightGrid(plane=HeightPlane.of(plane), grid=grid), told
+    extent = None if s.extent is None else np.array(s.extent)
+    if isinstance(plane, MapLevel) and extent is not None:
+        check_area(plane, extent)
+    return grids_over(
+        export.block, plane, extent, density=int(s.density), heights=s.dsm, orthophoto=s.ortho, mesh=s.mesh, told=told
+    )
 
 
 def _check_out(out: Path) -> None:

@@ -10,7 +10,7 @@ import numpy as np
 from raybundle.io.folders import new_files
 from raybundle.numerics.arrays import Array
 from raybundle.report.document import Document, html
-from raybundle.report.figures.raster import class_map, height_map, legend_of, sigma_told, small_map
+from raybundle.report.figures.raster import class_map, height_map, legend_of, photograph, sigma_told, small_map
 from raybundle.report.figures.surface import correlation_of, profile_of
 from raybundle.report.languages import ENGLISH
 from raybundle.report.languages.language import language_of
@@ -30,7 +30,7 @@ from raybundle.report.parts import (
 )
 from raybundle.report.sigma_classes import Classes, sigma_classes
 from raybundle.report.text.numbers import counted, grouped, per_cent, significant
-from raybundle.surfaces.summary import HeightSummary, SurfaceSummary
+from raybundle.surfaces.summary import HeightSummary, OrthophotoSummary, SurfaceSummary
 
 MOST_MAPS = 24
 """Depth maps that are drawn; the least complete of more."""
@@ -63,6 +63,8 @@ def write_surface_page(
     sections = [_result(summary, factor, unit, remarks)]
     if summary.heights is not None:
         sections.append(_heights(summary.heights, factor, unit, summary.unit))
+    if summary.orthophoto is not None:
+        sections.append(_orthophoto(summary.orthophoto, factor, unit, summary.unit))
     sections += [_maps(summary, factor, unit), _errors(summary, factor, unit)]
     doubts = _doubts(summary)
     head = f"{grouped(summary.points)} points from {counted(len(summary.maps), 'depth map')}"
@@ -145,6 +147,19 @@ def _heights(h: HeightSummary, factor: float, unit: str, length: str) -> Section
         caption = "Profile along the middle of the heights, with the band of 1.96 standard deviations."
         parts.append(Figures(figures=(Figure(drawing=profile_of(h.profile, length), caption=caption),)))
     return Section(anchor="heights", title="Heights", parts=tuple(parts))
+
+
+def _orthophoto(o: OrthophotoSummary, factor: float, unit: str, length: str) -> Section:
+    told = f"True orthophoto; {per_cent(o.share)} of its pixels are seen by a photograph. Grey: the others."
+    parts: list[Part] = [
+        Figures(figures=(
+            Figure(drawing=photograph(o.picture, o.pixel, o.left, o.top, length, "orthophoto"), caption=told),
+        ))
+    ]  # fmt: skip
+    if np.isfinite(o.sigma):
+        sigma = sigma_told(factor * o.sigma, unit)
+        parts.append(Paragraph(text=f"Standard deviation of a place in plan: {sigma} in the median."))
+    return Section(anchor="orthophoto", title="Orthophoto", parts=tuple(parts))
 
 
 def _classes(values: Array, unit: str, head: str) -> Classes | None:

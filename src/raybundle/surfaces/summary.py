@@ -66,6 +66,22 @@ class CloudSample:
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
+class OrthophotoSummary:
+    """Of an orthophoto."""
+
+    picture: Array
+    """(h, w, 4) uint8 red, green, blue, and 255 where there are any, of some pixels"""
+    pixel: float
+    """from pixel to pixel of the picture"""
+    left: float
+    top: float
+    share: float
+    """of the pixels that are seen"""
+    sigma: float
+    """median standard deviation of a place in plan; NaN where nothing is seen"""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
 class SurfaceSummary:
     """Of all of it."""
 
@@ -85,6 +101,7 @@ class SurfaceSummary:
     maps: tuple[MapSummary, ...]
     left_out: tuple[tuple[str, str], ...]
     heights: HeightSummary | None = None
+    orthophoto: OrthophotoSummary | None = None
 
 
 def reduced(values: Array, most: int = PICTURE_PX) -> tuple[Array, int]:

@@ -20,9 +20,9 @@ from raybundle.numerics.arrays import Array
 from raybundle.surfaces.height_model import HeightModel
 from raybundle.surfaces.heights import Heights
 from raybundle.workflows.height_grid import HeightGrid
+from raybundle.workflows.height_tiles import BLOCK_CELLS, TILE_CELLS, moved_of
 from raybundle.workflows.object_plane import MapLevel, Plane
 from raybundle.workflows.surface import Surface
-from raybundle.workflows.surfacing.heights import BLOCK_CELLS, TILE_CELLS
 
 HEIGHTS, SIGMAS, ABOUT, MOVED = "heights.tif", "heights_sigma.tif", "heights.toml", "heights_orientation.npz"
 FILES = (HEIGHTS, SIGMAS, ABOUT, MOVED)
@@ -127,7 +127,7 @@ def _tile(
         return empty, np.repeat(empty, len(BANDS), axis=2)
     a = surface.store.wanted(measured.tiles[tile])
     h = Heights.of_arrays(a)
-    part = _moved_of(surface, a, file, (x, y, width, height))
+    part = moved_of(surface.store, measured.above, measured.grid, tile, measured.tiles[tile])
     if whole.moved is None:
         rows, columns = -(-file.height // BLOCK_CELLS), -(-file.width // BLOCK_CELLS)
         whole.moved = np.zeros((rows, columns, part.shape[2]), np.float32)
@@ -144,27 +144,6 @@ def _tiles(file: HeightFile) -> Iterator[tuple[int, int, int, int, int]]:
         row, column = divmod(tile, across)
         x, y = column * TILE_CELLS, row * TILE_CELLS
         yield tile, x, y, min(TILE_CELLS, file.width - x), min(TILE_CELLS, file.height - y)
-
-
-def _moved_of(surface: Surface, a: Mapping[str, Array], file: HeightFile, window: tuple[int, int, int, int]) -> Array:
-    """(rows, columns, q) of the parts of a tile: each reference's, by its share."""
-    x, y, width, height = window
-    assert surface.heights is not None
-    rows, columns = -(-height // BLOCK_CELLS), -(-width // BLOCK_CELLS)
-    across = -(-file.width // BLOCK_CELLS)
-    j, i = np.divmod(np.arange(rows * columns), columns)
-    number = (y // BLOCK_CELLS + j) * across + x // BLOCK_CELLS + i
-    found = None
-    for image, share in zip(a["images"].tolist(), a["share"], strict=True):
-        own = surface.store.lent(surface.heights.above[image], ("blocks", "moved"))
-        order = np.argsort(own["blocks"])
-        at = np.searchsorted(own["blocks"], number, sorter=order).clip(max=len(order) - 1)
-        row = order[at]
-        there = own["blocks"][row] == number
-        part = np.where(there, share, 0.0)[:, None] * own["moved"][row]
-        found = part if found is None else found + part
-    assert found is not None
-    return found.reshape(rows, columns, -1).astype(np.float32)
 
 
 def read_heights(folder: str | Path) -> tuple[HeightModel, HeightFile]:

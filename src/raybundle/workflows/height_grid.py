@@ -78,3 +78,17 @@ class HeightGrid:
         """(n, 2) columns and rows, from the upper left corner, of places (n, 2)."""
         g = self.grid
         return np.stack([(uv[:, 0] - g.left) / g.pixel, (g.top - uv[:, 1]) / g.pixel], axis=1)
+
+    def places(self, column: Array, row: Array) -> Array:
+        """(n, 2) of the plane: the inverse of `cells`."""
+        g = self.grid
+        return np.stack([g.left + column * g.pixel, g.top - row * g.pixel], axis=1)
+
+    def points_at(self, column: Array, row: Array, height: Array) -> Array:
+        """(n, 3) of the block, of columns and rows (n,) and heights (n,)."""
+        return self.plane.points(np.column_stack([self.places(column, row), height]))
+
+    @property
+    def unit(self) -> float:
+        """Units of the plane in one of the block."""
+        return abs(float(np.linalg.det(self.plane.jacobian(np.zeros(3))))) ** (1 / 3)

@@ -72,22 +72,25 @@ class Grid:
         return np.stack([u.ravel(), v.ravel()], axis=1), u.shape
 
 
-def grid_over(extent: Array, pixel: float, *, most: float = LARGEST_PX) -> Grid:
-    """The pixels that cover left, bottom, right, top; raises InputError where they are more than `most`."""
+def grid_over(extent: Array, pixel: float, *, most: float = LARGEST_PX, setting: str = "pixel") -> Grid:
+    """The pixels that cover left, bottom, right, top; raises InputError where they are more than `most`.
+
+    setting  with which the size of a pixel is given
+    """
     left, bottom, right, top = (float(v) for v in extent)
     if not (pixel > 0 and right > left and top > bottom):
         raise InputError(f"an area of {right - left:g} by {top - bottom:g} with a pixel of {pixel:g} holds no picture")
     if pixel > min(right - left, top - bottom):
         raise InputError(
             f"a pixel of {pixel:g} is larger than the area of {right - left:.4g} by {top - bottom:.4g}; take a smaller "
-            f"{option('pixel')}"
+            f"{option(setting)}"
         )
     width, height = int(np.ceil((right - left) / pixel - 1e-6)), int(np.ceil((top - bottom) / pixel - 1e-6))
     if width * height > most:
         need = pixel * np.sqrt(width * height / most)
         raise InputError(
             f"the picture would have {width} x {height} px, {most:.0e} are the limit; "
-            f"take {option('pixel', float(f'{need:.2g}'))} or a smaller {option('extent')}"
+            f"take {option(setting, two_digits(need))} or a smaller {option('extent')}"
         )
     return Grid(left=left, top=top, pixel=pixel, width=width, height=height)
 

@@ -24,7 +24,7 @@ from raybundle.pipeline.project import Project, StageRecord
 from raybundle.pipeline.stage import Run
 from raybundle.pipeline.store import Folder
 from raybundle.settings import option
-from raybundle.workflows.surface_state import Cloud, MeasuredHeights, SurfaceOptions, SurfaceState
+from raybundle.workflows.surface_state import Cloud, MadeOrthophoto, MeasuredHeights, SurfaceOptions, SurfaceState
 from raybundle.workflows.surfacing import SURFACE
 
 
@@ -46,6 +46,8 @@ class Surface:
     """keys of their standard deviations"""
     heights: MeasuredHeights | None
     """on the grid that was asked for"""
+    orthophoto: MadeOrthophoto | None
+    """of that grid, where it was asked for"""
     left_out: tuple[tuple[str, str], ...]
     """photographs and pairs without a part in it, and why"""
     records: tuple[StageRecord, ...] = field(default=(), repr=False)
@@ -96,7 +98,7 @@ def surface(
         counts = tuple(len(project.products.wanted(key, ("image",))["image"]) for _, key in clouds)
         return Surface(
             adjustment=adjustment, store=project.products, clouds=clouds, counts=counts, options=options,
-            maps=state.maps, sigmas=state.sigmas, heights=state.heights,
+            maps=state.maps, sigmas=state.sigmas, heights=state.heights, orthophoto=state.orthophoto,
             left_out=state.left_out, records=tuple(project.records),
         )  # fmt: skip
     finally:

@@ -2,14 +2,28 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from pathlib import Path
+from typing import Protocol
 
 from raybundle.io.formats import Export
 from raybundle.numerics.progress import Progress
 from raybundle.workflows.object_plane import Plane
 from raybundle.workflows.surface import Surface
+from raybundle.workflows.surface_state import Cloud
+
+
+class Points(Protocol):
+    """Points of a surface, one reference after the other."""
+
+    def __len__(self) -> int:
+        """How many."""
+        ...
+
+    def parts(self) -> Iterator[Cloud]:
+        """Those of one reference after the other."""
+        ...
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -24,6 +38,10 @@ class Context:
     plane: Plane | None
     """from which heights count; None: none are asked for"""
     progress: Progress
+    points: Points
+    """of the cloud, those that are written"""
+    mesh: float | None = None
+    """distance of the vertices of a mesh"""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -12,6 +12,7 @@ from raybundle.numerics.arrays import Array
 from raybundle.pipeline.stage import Workflow
 from raybundle.surfaces.pairs import Sources
 from raybundle.workflows.height_grid import HeightGrid
+from raybundle.workflows.rectify import Grid
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -22,6 +23,8 @@ class SurfaceOptions:
     """every so many pixels of a photograph, along rows and columns"""
     grid: HeightGrid | None = None
     """on which heights are given; None: none are"""
+    orthophoto: Grid | None = None
+    """pixels of a true orthophoto in the plane of the heights; None: none is made"""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -33,6 +36,33 @@ class MeasuredHeights:
     """by the number of the tile, row by row; a tile that no point lies above has none"""
     above: Mapping[int, str]
     """by reference"""
+    together: str
+    """key of the independent errors behind all orientations"""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Looks:
+    """What photographs see of the heights; by reference."""
+
+    keys: Mapping[int, str]
+    tiles: Mapping[int, tuple[int, ...]]
+    """of the heights, that each may see"""
+    gains: Mapping[int, tuple[float, ...]]
+    """factors of red, green and blue that make them alike"""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class MadeOrthophoto:
+    """Keys of what an orthophoto is put together of."""
+
+    grid: Grid
+    choice: Mapping[int, str]
+    """which photograph each cell takes, by the tile of the heights"""
+    parts: Mapping[int, str]
+    """pixels that each reference gives"""
+    tiles: Mapping[int, tuple[int, ...]]
+    """by tile of the orthophoto: references that give pixels in it"""
+    gains: Mapping[int, tuple[float, ...]]
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -92,6 +122,8 @@ class SurfaceState:
     sigmas: Mapping[int, str] = field(default_factory=dict[int, str])
     """key of the standard deviations of the depth map of each reference, all parts together"""
     heights: MeasuredHeights | None = None
+    looks: Looks | None = None
+    orthophoto: MadeOrthophoto | None = None
     left_out: tuple[tuple[str, str], ...] = ()
     """photographs and pairs without a part in the surface, and why"""
 
@@ -105,6 +137,24 @@ class SurfaceState:
         """The grid of the heights that are asked for."""
         assert self.options.grid is not None
         return self.options.grid
+
+    @property
+    def wanted_heights(self) -> MeasuredHeights:
+        """Those that were measured before."""
+        assert self.heights is not None
+        return self.heights
+
+    @property
+    def wanted_looks(self) -> Looks:
+        """What photographs were found to see."""
+        assert self.looks is not None
+        return self.looks
+
+    @property
+    def wanted_orthophoto(self) -> Grid:
+        """The pixels that are asked for."""
+        assert self.options.orthophoto is not None
+        return self.options.orthophoto
 
 
 SURFACE: Workflow[SurfaceState] = Workflow("surface")

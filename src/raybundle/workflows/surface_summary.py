@@ -8,10 +8,20 @@ from raybundle.numerics.arrays import Array
 from raybundle.numerics.thinning import one_of_each_cell
 from raybundle.pipeline.store import Folder
 from raybundle.surfaces.depth_map import GRAZING, DepthMap
-from raybundle.surfaces.summary import QUANTILES, CloudSample, HeightSummary, MapSummary, SurfaceSummary, reduced
+from raybundle.surfaces.summary import (
+    QUANTILES,
+    CloudSample,
+    HeightSummary,
+    MapSummary,
+    OrthophotoSummary,
+    SurfaceSummary,
+    reduced,
+)
 from raybundle.workflows.height_files import HeightFile
+from raybundle.workflows.height_tiles import TILE_CELLS
+from raybundle.workflows.orthophoto_files import tiles_of
 from raybundle.workflows.surface import Surface
-from raybundle.workflows.surfacing.heights import TILE_CELLS, tile_window
+from raybundle.workflows.surfacing.heights import tile_window
 
 SAMPLE = 7
 """One in so many points tells the quantiles."""
@@ -44,6 +54,7 @@ def summary_of(surface: Surface, unit: str, file: HeightFile | None = None) -> S
         incidence=grazed / max(len(surface), 1), maps=tuple(maps), left_out=surface.left_out,
         correlation=np.stack([LAGS_PX, np.mean(correlation, axis=0)], axis=1) if maps else np.zeros((0, 2)),
         heights=None if file is None else _heights(surface, file),
+        orthophoto=None if surface.orthophoto is None else _orthophoto(surface),
     )  # fmt: skip
 
 
@@ -123,4 +134,26 @@ def sample_of(surface: Surface) -> CloudSample:
     return CloudSample(
         xyz=xyz[rows], colour=colour[rows], sigma=sigma[rows], image=np.searchsorted(np.array(refs), image[rows]),
         names=tuple(surface.block.images.ids[i] for i in refs), cell=cell,
+    )  # fmt: skip
+
+
+def _orthophoto(surface: Surface) -> OrthophotoSummary:
+    """Some of its pixels, tile by tile."""
+    made = surface.orthophoto
+    assert made is not None
+    g = made.grid
+    k = max(1, int(np.ceil(max(g.width, g.height) / PICTURE_CELLS)))
+    picture = np.zeros((-(-g.height // k), -(-g.width // k), 4), np.uint8)
+    seen, sigma = 0, list[Array]()
+    for t in tiles_of(surface):
+        w = t.window
+        known = t.colours[..., 3] > 0
+        seen += int(known.sum())
+        sigma.append(np.hypot(t.sigma[..., 0], t.sigma[..., 1])[known][::13])
+        rows, columns = (np.arange(-start % k, n, k) for start, n in ((w.y, w.height), (w.x, w.width)))
+        if len(rows) and len(columns):
+            picture[np.ix_((w.y + rows) // k, (w.x + columns) // k)] = t.colours[np.ix_(rows, columns)]
+    return OrthophotoSummary(
+        picture=picture, pixel=k * g.pixel, left=g.left, top=g.top, share=seen / (g.width * g.height),
+        sigma=float(np.median(np.concatenate(sigma))) if seen else float("nan"),
     )  # fmt: skip

@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import warnings
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -11,7 +13,7 @@ import numpy as np
 from raybundle.errors import InputError
 from raybundle.io.formats.base import Draft, Export, Format, register
 from raybundle.io.formats.surveyed import Surveyed, surveyed
-from raybundle.numerics.arrays import Array
+from raybundle.numerics.arrays import Array, Index
 
 if TYPE_CHECKING:
     from pyproj import CRS
@@ -25,37 +27,105 @@ MOST = 2e9
 SIGMAS = ("sigma_x", "sigma_y", "sigma_z")
 
 
-def write(export: Export, path: Path) -> Draft:
-    """Write LAS 1.4, point format 7; coordinates rounded to 0.1 mm (block in m) or 1e-7 of its extent."""
+def las_library() -> Any:
+    """The module; raises InputError where it is not installed."""
     try:
         import laspy  # noqa: PLC0415  (an extra)
-        from laspy.vlrs.known import WktCoordinateSystemVlr  # noqa: PLC0415
     except ModuleNotFoundError:
         raise InputError("LAS files need laspy; install the extra: pip install 'raybundle[las]'") from None
+    return laspy
+
+
+def writes_laz() -> bool:
+    """Whether a library that compresses is there."""
+    return bool(las_library().LazBackend.detect_available())
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class LasPoints:
+    """Points of a LAS file; arrays (n, ...)."""
+
+    xyz: Array
+    """(n, 3) in the system of the file"""
+    colours: Array
+    """(n, 3) uint8"""
+    rays: Index
+    """photographs that see it"""
+    extra: Mapping[str, Array]
+    """further dimensions by name, each of its own type"""
+
+
+def write_las(
+    path: Path, parts: Iterable[LasPoints], *, offsets: Array, steps: Array, system: CRS | None = None
+) -> None:
+    """Write LAS 1.4, point format 7, compressed under a name in .laz, of points that come part by part.
+
+    offsets, steps  (3,) coordinates are whole multiples of steps from offsets on
+    system          None: none of the earth
+    All parts have the same further dimensions, those of the first.
+    """
+    laspy = las_library()
+    from laspy.vlrs.known import WktCoordinateSystemVlr  # noqa: PLC0415
+
+    header: Any = laspy.LasHeader(point_format=7, version="1.4")
+    if system is not None:
+        header.vlrs.append(WktCoordinateSystemVlr(_wkt(system)))
+        header.global_encoding.wkt = True
+    header.offsets, header.scales = offsets, steps
+    writer: Any = None
+    try:
+        for part in parts:
+            if writer is None:
+                for name, values in part.extra.items():
+                    header.add_extra_dim(laspy.ExtraBytesParams(name=name, type=values.dtype.name))
+                compress = path.suffix.lower() == ".laz"
+                writer = laspy.open(str(path), mode="w", header=header, do_compress=compress)
+            if not len(part.xyz):
+                continue
+            record: Any = laspy.ScaleAwarePointRecord.zeros(len(part.xyz), header=header)
+            record.x, record.y, record.z = part.xyz.T
+            record.red, record.green, record.blue = (part.colours[:, k].astype(np.uint16) * 257 for k in range(3))
+            record.user_data = np.minimum(part.rays, 255).astype(np.uint8)
+            for name, values in part.extra.items():
+                record[name] = values
+            writer.write_points(record)
+        if writer is None:
+            writer = laspy.open(str(path), mode="w", header=header, do_compress=path.suffix.lower() == ".laz")
+    finally:
+        if writer is not None:
+            writer.close()
+
+
+def write(export: Export, path: Path) -> Draft:
+    """Write LAS 1.4, point format 7; coordinates rounded to 0.1 mm (block in m) or 1e-7 of its extent."""
+    las_library()
     view = surveyed(export)
     s = view.scene
     xyz = view.placed(s.xyz)
     remarks = list(s.remarks)
-    header: Any = laspy.LasHeader(point_format=7, version="1.4")
     if view.system is not None:
-        header.vlrs.append(WktCoordinateSystemVlr(_wkt(view.system)))
-        header.global_encoding.wkt = True
         remarks.append(f"coordinates are written in {view.system_name}")
-    low = xyz.min(axis=0, initial=0.0) if len(xyz) == 0 else xyz.min(axis=0)
-    header.offsets = np.floor(low)
-    header.scales = _steps(xyz, header.offsets, degrees=view.degrees)
-    for name in SIGMAS:
-        header.add_extra_dim(laspy.ExtraBytesParams(name=name, type="float32"))
-    cloud: Any = laspy.LasData(header)
-    cloud.xyz = xyz
-    cloud.red, cloud.green, cloud.blue = (s.colours[:, k].astype(np.uint16) * 257 for k in range(3))
-    rays = np.bincount(s.point, minlength=len(xyz))
-    cloud.user_data = np.minimum(rays, 255).astype(np.uint8)
+    offsets = np.floor(xyz.min(axis=0) if len(xyz) else np.zeros(3))
     sigma = _sigma_m(export, view) if view.degrees else view.sigma_of(s.points, xyz)
-    for k, name in enumerate(SIGMAS):
-        cloud[name] = sigma[:, k].astype(np.float32)
-    cloud.write(str(path), do_compress=path.suffix.lower() == ".laz")
+    points = LasPoints(
+        xyz=xyz, colours=s.colours, rays=np.bincount(s.point, minlength=len(xyz)),
+        extra={name: sigma[:, k].astype(np.float32) for k, name in enumerate(SIGMAS)},
+    )  # fmt: skip
+    steps = _steps(xyz, offsets, degrees=view.degrees)
+    write_las(path, [points], offsets=offsets, steps=steps, system=view.system)
     return Draft(remarks=tuple(remarks))
+
+
+def steps_for(low: Array, high: Array, sigma: float, *, degrees: bool) -> tuple[Array, Array]:
+    """Offsets (3,) and steps (3,) of coordinates between low and high (3,), which add nothing to a standard deviation.
+
+    sigma  the least one that counts, in the unit of the heights: a step is a power of ten and a tenth of it at most
+    """
+    offsets = np.floor(low)
+    step = 10.0 ** np.floor(np.log10(sigma / 10)) if sigma > 0 and np.isfinite(sigma) else STEP_M
+    least = (high - offsets) / MOST
+    wanted = [STEP_DEG, STEP_DEG, step] if degrees else [step] * 3
+    return offsets, np.maximum(wanted, 10.0 ** np.ceil(np.log10(np.maximum(least, 1e-12))))
 
 
 def _steps(xyz: Array, offsets: Array, *, degrees: bool) -> Array:

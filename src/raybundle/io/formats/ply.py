@@ -19,15 +19,20 @@ TYPES = {"f8": "double", "f4": "float", "u1": "uchar", "i4": "int"}
 
 
 def write_vertices(
-    path: Path, xyz: Array, colours: Array, extra: dict[str, Array] | None = None, comments: tuple[str, ...] = ()
-) -> None:
-    """Write a binary PLY file of vertices (n, 3) with colours (n, 3) and more properties (n,) each, float."""
-    write_in_parts(path, len(xyz), [(xyz, colours, extra or {})], comments)
+    path: Path, xyz: Array, colours: Array, extra: dict[str, Array] | None = None, comments: tuple[str, ...] = (),
+    triangles: Array | None = None,
+) -> None:  # fmt: skip
+    """Write a binary PLY file of vertices (n, 3) with colours (n, 3) and more properties (n,) each, float.
+
+    triangles  (m, 3) numbers of vertices; None: a cloud
+    """
+    write_in_parts(path, len(xyz), [(xyz, colours, extra or {})], comments, triangles)
 
 
 def write_in_parts(
-    path: Path, count: int, parts: Iterable[tuple[Array, Array, Mapping[str, Array]]], comments: tuple[str, ...] = ()
-) -> None:
+    path: Path, count: int, parts: Iterable[tuple[Array, Array, Mapping[str, Array]]], comments: tuple[str, ...] = (),
+    triangles: Array | None = None,
+) -> None:  # fmt: skip
     """Write a binary PLY file of `count` vertices that come part by part, all with the same properties.
 
     The file appears when it is whole.
@@ -37,12 +42,16 @@ def write_in_parts(
         for xyz, colours, extra in parts:
             rows = _rows(xyz, colours, extra)
             if not begun:
-                file.write(_head(count, rows.dtype, comments))
+                file.write(_head(count, rows.dtype, comments, triangles))
                 begun = True
             file.write(rows.tobytes())
         if not begun:
             nothing = np.zeros((0, 3))
-            file.write(_head(0, _rows(nothing, nothing, {}).dtype, comments))
+            file.write(_head(0, _rows(nothing, nothing, {}).dtype, comments, triangles))
+        if triangles is not None:
+            faces = np.zeros(len(triangles), np.dtype([("count", "u1"), ("vertices", "<i4", (3,))]))
+            faces["count"], faces["vertices"] = 3, triangles
+            file.write(faces.tobytes())
 
 
 def _rows(xyz: Array, colours: Array, extra: Mapping[str, Array]) -> Array:
@@ -59,14 +68,16 @@ def _rows(xyz: Array, colours: Array, extra: Mapping[str, Array]) -> Array:
     return rows
 
 
-def _head(count: int, layout: np.dtype[Any], comments: tuple[str, ...]) -> bytes:
+def _head(count: int, layout: np.dtype[Any], comments: tuple[str, ...], triangles: Array | None) -> bytes:
     names = layout.names or ()
+    faces = [] if triangles is None else [f"element face {len(triangles)}", "property list uchar int vertex_indices"]
     lines = [
         "ply",
         "format binary_little_endian 1.0",
         *(f"comment {c}" for c in comments),
         f"element vertex {count}",
         *(f"property {TYPES[layout[n].str.lstrip('<|')]} {n}" for n in names),
+        *faces,
         "end_header",
     ]
     return ("\n".join(lines) + "\n").encode("ascii", "replace")

@@ -80,6 +80,13 @@ def height_map(heights: Array, cell: float, left: float, top: float, unit: str, 
     return drawing(plot.width, plot.height, parts, what)
 
 
+def photograph(rgba: Array, cell: float, left: float, top: float, unit: str, what: str) -> Drawing:
+    """A picture (h, w, 4) to scale with axes."""
+    rgb = np.where(rgba[..., 3:] > 0, rgba[..., :3], np.array(NOTHING, np.uint8))
+    plot, parts = _framed(rgb, cell, left, top, unit)
+    return drawing(plot.width, plot.height, parts, what)
+
+
 def class_map(
     values: Array, classes: Classes, cell: float, left: float, top: float, unit: str, what: str
 ) -> Drawing:  # fmt: skip

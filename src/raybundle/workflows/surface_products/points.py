@@ -30,11 +30,12 @@ def _write(surface: Surface, out: Path, context: Context) -> Written:
     comments += [f"image {i} {ids[i]}" for i, _ in surface.clouds]
 
     def parts() -> Iterator[tuple[Array, Array, Mapping[str, Array]]]:
-        for cloud in surface.parts():
+        for cloud in context.points.parts():
             yield cloud.xyz, cloud.colour, columns_of(cloud)
 
-    write_in_parts(out / POINTS, len(surface), parts(), tuple(comments))
-    return Written(files=(out / POINTS,), told=())
+    write_in_parts(out / POINTS, len(context.points), parts(), tuple(comments))
+    few = len(context.points) < len(surface)
+    return Written(files=(out / POINTS,), told=(f"{len(context.points)} points, thinned",) if few else ())
 
 
 PRODUCT = register(Product(name="", files=(POINTS,), write=_write))

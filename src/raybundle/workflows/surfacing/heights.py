@@ -22,16 +22,13 @@ from raybundle.surfaces.orientation import CommonRoot, ShiftCovariance
 from raybundle.surfaces.pairs import Sources
 from raybundle.surfaces.transfer import ReferenceRays
 from raybundle.workflows.height_grid import HeightGrid
+from raybundle.workflows.height_tiles import BLOCK_CELLS, TILE_CELLS, tile_of_number, tiles_across
 from raybundle.workflows.surface_state import SURFACE, MeasuredHeights
 from raybundle.workflows.surfacing.maps import PART, part_of
 
 VERSION = 1
 TOGETHER, ABOVE, TILE = "surface orientation", "surface above", "surface heights"
 """First words of the keys of what is kept"""
-TILE_CELLS = 256
-"""Side of a tile: what is done, read and written at once."""
-BLOCK_CELLS = 32
-"""Side of a part of a tile within which orientation moves all cells of a map alike."""
 SAMPLES = 48
 """Points of a part and map whose mean stands for all of them."""
 POINT_S, CELL_S = 3e-6, 1e-6
@@ -88,7 +85,7 @@ def measure(i: Inputs, means: Means) -> MeasuredHeights:
     tiles = [_tile(i.grid, tile, mine, [above[k] for k in mine]) for tile, mine in sorted(there.items())]
     _done(means, tiles, "heights")
     found = {tile: t.key for tile, t in zip(sorted(there), tiles, strict=True)}
-    return MeasuredHeights(grid=i.grid, tiles=found, above=above)
+    return MeasuredHeights(grid=i.grid, tiles=found, above=above, together=together)
 
 
 def _done(means: Means, tasks: Sequence[Task], what: str) -> None:
@@ -131,16 +128,10 @@ def _tile(grid: HeightGrid, tile: int, images: Sequence[int], above: Sequence[st
     )  # fmt: skip
 
 
-def tiles_across(grid: HeightGrid) -> int:
-    """Tiles of a row."""
-    return -(-grid.grid.width // TILE_CELLS)
-
-
 def tile_window(grid: HeightGrid, tile: int) -> tuple[int, int, int, int]:
     """First column and row of a tile, and how many of them it has."""
-    row, column = divmod(tile, tiles_across(grid))
-    x, y = column * TILE_CELLS, row * TILE_CELLS
-    return x, y, min(TILE_CELLS, grid.grid.width - x), min(TILE_CELLS, grid.grid.height - y)
+    w = tile_of_number(grid, tile)
+    return w.x, w.y, w.width, w.height
 
 
 def above_of(store: Folder, task: AboveTask) -> Product:
@@ -183,8 +174,7 @@ def _number(column: Array, row: Array, side: int, width: int) -> Index:
 def _length(store: Folder, task: AboveTask, size: Array) -> float:
     """Distance in cells at which errors of two points correlate by 1 / e."""
     px = float(store.wanted(task.map, ("correlation_px",))["correlation_px"][0])
-    unit = abs(float(np.linalg.det(task.grid.plane.jacobian(np.zeros(3))))) ** (1 / 3)
-    return px * float(np.median(size)) * unit / task.grid.grid.pixel if len(size) else 1.0
+    return px * float(np.median(size)) * task.grid.unit / task.grid.grid.pixel if len(size) else 1.0
 
 
 def _moved(

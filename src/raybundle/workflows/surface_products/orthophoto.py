@@ -1,0 +1,23 @@
+"""Product: a true orthophoto as GeoTIFF, and from which photograph each pixel is and how far it may be off."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+from raybundle.io.raster_library import raster_library
+from raybundle.workflows.orthophoto_files import FILES, write_orthophoto
+from raybundle.workflows.surface import Surface
+from raybundle.workflows.surface_product import Context, Product, Written, register
+
+
+def _write(surface: Surface, out: Path, context: Context) -> Written:
+    assert context.plane is not None
+    told = write_orthophoto(surface, context.plane, context.unit, out)
+    return Written(files=tuple(out / f for f in FILES), told=told)
+
+
+def _check() -> None:
+    raster_library()
+
+
+PRODUCT = register(Product(name="ortho", files=FILES, write=_write, check=_check))
