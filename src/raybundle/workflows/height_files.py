@@ -26,10 +26,13 @@ from raybundle.workflows.surfacing.heights import BLOCK_CELLS, TILE_CELLS
 
 HEIGHTS, SIGMAS, ABOUT, MOVED = "heights.tif", "heights_sigma.tif", "heights.toml", "heights_orientation.npz"
 FILES = (HEIGHTS, SIGMAS, ABOUT, MOVED)
-BANDS = ("sigma", "sigma of noise and roughness", "sigma of orientation", "sigma of a point", "points", "image")
+BANDS = (
+    "sigma", "sigma of noise and roughness", "sigma of steps", "sigma of orientation", "sigma of a point", "points",
+    "image",
+)  # fmt: skip
 """Of the second file"""
-KEPT = ("", "local", "orientation", "point", "points", "image")
-"""Fields of `Heights` that these are; the first follows from two others"""
+KEPT = ("", "local", "step", "orientation", "point", "points", "image")
+"""Fields of `Heights` that these are; the first follows from three others"""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -184,7 +187,7 @@ def read_heights(folder: Path) -> tuple[HeightModel, HeightFile]:
     with np.load(folder / MOVED) as kept:
         moved, block = kept["moved"], int(kept["block"])
     heights = Heights(
-        height=height, local=found["local"], orientation=found["orientation"], point=found["point"],
+        height=height, local=found["local"], step=found["step"], orientation=found["orientation"], point=found["point"],
         points=np.nan_to_num(found["points"]).astype(np.uint16),
         image=np.nan_to_num(found["image"], nan=-1).astype(np.int32),
     )  # fmt: skip
