@@ -1,11 +1,14 @@
 """What lies within the resolution of heights: steps, of which a height may be on either side.
 
-A window of the photographs has an extent, and so has a cell: where the surface makes a step within them, a height is
-that of one side, of the other, or between.  How much that may be follows from the heights themselves: they scatter
-about the plane of their neighbours by more than their noise lets them.  An edge that lies anywhere in a cell has a
-height with the variance of a uniform distribution over the step; a plane through three cells on either side of a step
-leaves just that (1 / 12 of its square).  Beside a hole the surface may lie as low as it does beyond it: steps hide what
-is below them.
+A window of the photographs has an extent, and an edge may lie anywhere in it.  How high steps are follows from the
+heights themselves: they scatter about the plane of their neighbours by more than their noise lets them.  An edge that
+is displaced by up to rho cells to either side moves the mean over a cell that it crosses by a share of the step,
+whose variance is rho^2 / 3 of its square; a plane through three cells on either side leaves 1 / 12 of it.  That holds
+for steps that are high against the pixels.  Of low ones windows show the mean of both sides, rightly weighted, and
+little is wrong: the share of the variance grows as q / (q + 4) with the scatter q in widths of a pixel, as it does
+against the exact geometry of a rendered wall (benchmarks/surface_heights.py) with cells of 4.6 pixels and, in the
+differences of two halves of its photographs, of 9.  Beside a hole the surface may lie as low as it does beyond it: steps
+hide what is below them.
 """
 
 from __future__ import annotations
@@ -16,8 +19,12 @@ from scipy.stats import f as fisher
 
 from raybundle.numerics.arrays import Array
 
-WINDOW = 3 / 3.8
-"""Half a window of 7 px in lengths of correlation, which are twice the 1.9 px of its weights"""
+PIXEL = 1 / 3.8
+"""Width of a pixel in lengths of correlation, which are twice the 1.9 px of a window's weights"""
+WINDOW = 3 * PIXEL
+"""Half a window of 7 px in lengths of correlation"""
+HIGH = 4.0
+"""Scatter in widths of a pixel at which half of the variance of a high step is reached"""
 MOST_CELLS = 64
 """Half the side of the square that a plane is laid through, at most."""
 REACH_CELLS = 32
@@ -46,12 +53,13 @@ def halo(length: float) -> int:
     return REACH_CELLS + half_side(length)
 
 
-def steps_of(height: Array, local: Array, length: float) -> Array:
+def steps_of(height: Array, local: Array, length: float, cell: float) -> Array:
     """(rows, columns) float32 standard deviation of heights by steps of the surface; 0 where there is none.
 
     height  NaN where there is none
     local   standard deviations by noise and roughness
     length  at which the errors of two points correlate by 1 / e [cells]
+    cell    its side, in the unit of the heights
     """
     known = np.isfinite(height)
     if known.sum() < 4:
@@ -64,7 +72,9 @@ def steps_of(height: Array, local: Array, length: float) -> Array:
     noise /= np.maximum(cv2.blur(known.astype(float), box), 1e-9)
     usual = fisher.ppf(1 - CHANCE, np.arange(1, box[0] ** 2 - 2), 1e6)
     beyond = scatter > usual[np.clip(freedom.astype(int), 1, len(usual)) - 1] * noise
-    return np.where(known & beyond, np.sqrt(scatter), 0.0).astype(np.float32)
+    root = np.sqrt(scatter)
+    share = root / (root + HIGH * PIXEL * length * cell) * 4 * min(WINDOW * length, 1.0) ** 2
+    return np.where(known & beyond, root * np.sqrt(share), 0.0).astype(np.float32)
 
 
 def _across_holes(height: Array, known: Array) -> Array:

@@ -26,7 +26,7 @@ from raybundle.workflows.height_grid import HeightGrid
 from raybundle.workflows.surface_state import SURFACE, MeasuredHeights
 from raybundle.workflows.surfacing.maps import PART, part_of
 
-VERSION = 1
+VERSION, STEPS_VERSION = 1, 2
 TOGETHER, ABOVE, LAYER, TILE = "surface orientation", "surface above", "surface layer", "surface heights"
 """First words of the keys of what is kept"""
 TILE_CELLS = 256
@@ -158,7 +158,7 @@ def _steps(grid: HeightGrid, tile: int, layers: Mapping[int, str]) -> Task:
     ]
     inputs = (layers[tile], *(key for _, key in around))
     return Task(
-        key=key_of(TILE, VERSION, tile, inputs, grid), function=f"{__name__}:steps_in", inputs=inputs,
+        key=key_of(TILE, STEPS_VERSION, tile, inputs, grid), function=f"{__name__}:steps_in", inputs=inputs,
         options=StepTask(tile=tile, own=layers[tile], others=tuple(around), grid=grid),
         name=f"tile {tile}", cost=TILE_CELLS**2 * CELL_S,
     )  # fmt: skip
@@ -296,7 +296,7 @@ def steps_in(store: Folder, task: StepTask) -> Product:
         by = slice(top - v, bottom - v), slice(left - u, right - u)
         for values, name in zip(around, ("height", "local"), strict=True):
             values[to] = a[name][by]
-    steps = steps_of(*around, length)
+    steps = steps_of(*around, length, task.grid.grid.pixel)
     return {**own, "step": steps[rim : rim + height, rim : rim + width]}
 
 
