@@ -34,7 +34,8 @@ def ticks(low: float, high: float, count: int) -> tuple[Array, int]:
         return np.array([low]), 3
     power = 10.0 ** np.floor(np.log10(step))
     step = next(f * power for f in (1, 2, 5, 10) if f * power >= step * (1 - 1e-9))
-    values = np.arange(np.ceil(low / step - 1e-9), np.floor(high / step + 1e-9) + 1) * step
+    # 0.0 is added so that no zero has a sign
+    values = np.arange(np.ceil(low / step - 1e-9), np.floor(high / step + 1e-9) + 1) * step + 0.0
     return values, max(0, -int(np.floor(np.log10(step) + 1e-9)))
 
 

@@ -14,7 +14,7 @@ from dataclasses import dataclass
 
 import cv2
 import numpy as np
-from scipy.ndimage import label
+from scipy.ndimage import binary_fill_holes, label
 from scipy.stats import chi2, norm
 
 from raybundle.numerics.arrays import Array, Mask
@@ -65,6 +65,7 @@ class Region:
     """A connected part that has moved against the rest."""
 
     cells: Mask
+    """those within that have no height count"""
     area: float
     area_sigma: float
     """by how well its outline is known"""
@@ -271,7 +272,8 @@ def _outlined(model: HeightModel, local: Array, seed: Mask) -> tuple[Mask, int]:
             break
         amount = again
     cells = cv2.morphologyEx(cells.astype(np.uint8), cv2.MORPH_CLOSE, np.ones((3, 3), np.uint8)) > 0
-    return cells & known, side
+    # what was not measured within a movement has moved, too
+    return np.asarray(binary_fill_holes(cells), bool), side
 
 
 def _amount(values: Array, sigma: Array) -> float:
@@ -285,7 +287,7 @@ def _region(model: HeightModel, local: Array, uncertain: Array, cells: Mask, sid
     """What is told of a region."""
     rim = max(1, side // 2 + 1)
     inner = cv2.erode(cells.astype(np.uint8), np.ones((2 * rim + 1,) * 2, np.uint8), borderValue=0) > 0
-    inner = inner if inner.sum() >= FEWEST else cells
+    inner = (inner if (inner & model.known).sum() >= FEWEST else cells) & model.known
     area, n = model.cell**2, int(cells.sum())
     w = np.where(inner, 1 / np.maximum(model.local.astype(float), 1e-300), 0.0)
     w /= w.sum()
@@ -296,9 +298,11 @@ def _region(model: HeightModel, local: Array, uncertain: Array, cells: Mask, sid
     # an edge lies somewhere within the cells of the mean that found it
     edge = model.cell * np.sqrt((side**2 + 1) / 12)
     area_sigma = edge * model.cell * np.sqrt(edge_cells * side)
-    inside = cells.astype(float)
+    # cells without a height have moved as the others have
+    inside = (cells & model.known).astype(float)
+    inside *= n / inside.sum()
     volume = float((inside * np.nan_to_num(local)).sum() * area)
-    by_height = area * float(np.hypot(model.sum_of(inside).local, np.sqrt(uncertain[cells]).sum()))
+    by_height = area * float(np.hypot(model.sum_of(inside).local, (inside * np.sqrt(uncertain)).sum()))
     return Region(
         cells=cells, area=n * area, area_sigma=float(area_sigma), mean=mean, mean_sigma=mean_sigma, volume=volume,
         volume_sigma=float(np.hypot(by_height, mean * area_sigma / 2)), edge=float(edge), peak=peak,
