@@ -1,10 +1,12 @@
 """Heights of the rendered portal, their means, volumes and profiles, beside its exact geometry.
 
-    python benchmarks/surface_heights.py SURFACE
+    python benchmarks/surface_heights.py SURFACE [--halves SURFACE SURFACE]
 
 SURFACE is a folder of `raybundle surface --dsm CELL` of the demonstration set portal.  The mesh of the set is met by
 rays along the plane's normal from above, at 5 x 5 places of each cell: the height of a cell is the mean over it.
 Errors that one orientation has given to all are one draw: sums are compared by their joint covariance, too ("apart").
+The halves are surfaces from the odd and from the even photographs alone (--photos), with the same --extent: nothing of
+them has moved, and reliefs of 30 x 30 cm are raised and sunk by 3 mm.
 """
 
 from __future__ import annotations
@@ -12,6 +14,8 @@ from __future__ import annotations
 import argparse
 import json
 import sys
+from dataclasses import replace
+from itertools import pairwise
 from pathlib import Path
 
 import numpy as np
@@ -23,7 +27,10 @@ sys.path.insert(0, str(ROOT))
 from tests.surface.truth import Portal  # noqa: E402
 
 from raybundle.surfaces.height_model import HeightModel  # noqa: E402
+from raybundle.surfaces.movements import movements  # noqa: E402
+from raybundle.surfaces.resampled import difference  # noqa: E402
 from raybundle.workflows.height_files import HeightFile, read_heights  # noqa: E402
+from raybundle.workflows.heights_read import on_same_grid, opened  # noqa: E402
 
 SIDE = 0.2
 """Of the squares whose means are compared [m]"""
@@ -34,6 +41,8 @@ FINE = 5
 CLASSES = (0.0, 0.005, 0.01, 0.02, 0.04, 0.1, np.inf)
 """What the object spans in a cell and its neighbours [m]"""
 CHUNK = 500_000
+MOVED, MOVED_SIDE = (((-2.1, -0.18), 0.003), ((-0.4, -0.78), -0.003)), 0.3
+"""Upper left corners of reliefs that are moved, and by how much [m]"""
 
 
 def robust(x: np.ndarray) -> float:
@@ -61,7 +70,9 @@ def exact_of(truth: Portal, file: HeightFile) -> tuple[np.ndarray, np.ndarray]:
         at = (file.left + u[part] * file.cell)[:, None] * right + (file.top - v[part] * file.cell)[:, None] * up
         distance, _ = truth.cast(origin + at + far * normal, np.broadcast_to(-normal, at.shape))
         found[part] = far - distance
-    cells = found.reshape(file.height, FINE, file.width, FINE).transpose(0, 2, 1, 3).reshape(file.height, file.width, -1)
+    cells = (
+        found.reshape(file.height, FINE, file.width, FINE).transpose(0, 2, 1, 3).reshape(file.height, file.width, -1)
+    )
     mean = cells.mean(axis=2)
     high, low = (np.where(np.isfinite(mean), f(cells, axis=2), w) for f, w in ((np.max, -9.0), (np.min, 9.0)))
     return mean, maximum_filter(high, 3) - minimum_filter(low, 3)
@@ -94,10 +105,35 @@ def squares(good: np.ndarray, side: int) -> list[np.ndarray]:
     return found
 
 
+def halves(one: Path, other: Path) -> dict[str, object]:
+    """What is called moved between two surfaces, before and after a relief was."""
+    before, after = opened(one), opened(other)
+    same = on_same_grid(before, after)
+    still = movements(difference(before.model, same))
+    z = (still.local / still.sigma)[np.isfinite(still.local)]
+    found = {
+        "cell_m": before.file.cell, "alarms": len(still.regions), "cells": told(z), "moved": [],
+        "off_steps": told(z[(difference(before.model, same).heights.step == 0)[np.isfinite(still.local)]]),
+    }  # fmt: skip
+    side = round(MOVED_SIDE / before.file.cell)
+    for corner, by in MOVED:
+        column, row = np.round(before.cells(np.array([corner])))[0].astype(int)
+        height = same.heights.height.copy()
+        height[row : row + side, column : column + side] += by
+        now = movements(difference(before.model, replace(same, heights=replace(same.heights, height=height))))
+        found["moved"].append({
+            "by_mm": 1000 * by, "regions": len(now.regions),
+            **({k: round(float(v), 6) for k, v in (("mean_mm", 1000 * r.mean), ("sigma_mm", 1000 * r.mean_sigma),
+               ("area", r.area), ("area_sigma", r.area_sigma))} if now.regions and (r := now.regions[0]) else {}),
+        })  # fmt: skip
+    return found
+
+
 def main() -> None:
     """All of it."""
     parser = argparse.ArgumentParser()
     parser.add_argument("surface", type=Path)
+    parser.add_argument("--halves", type=Path, nargs=2, help="surfaces of the odd and of the even photographs")
     parser.add_argument("--keep", action="store_true", help="into benchmarks/results/surface_heights.json")
     given = parser.parse_args()
     model, file = read_heights(given.surface)
@@ -115,7 +151,7 @@ def main() -> None:
         "cells": told((e / h.sigma)[known]),
         "cells_by_span": {
             f"{low:g}-{high:g} m": told((e / h.sigma)[known & (span >= low) & (span < high)])
-            for low, high in zip(CLASSES[:-1], CLASSES[1:], strict=True)
+            for low, high in pairwise(CLASSES)
         },
     }  # fmt: skip
     side = max(2, round(SIDE / file.cell))
@@ -131,6 +167,8 @@ def main() -> None:
                 profiles.append(w / w.sum())
     found["profiles"], _ = apart(model, e, profiles)
     found["volumes"], _ = apart(model, e, [w.astype(bool) * file.cell**2 for w in squares(known, 3 * side)])
+    if given.halves:
+        found["halves"] = halves(*given.halves)
     print(json.dumps(found, indent=1))
     if given.keep:
         path = ROOT / "benchmarks/results/surface_heights.json"

@@ -99,4 +99,6 @@ def _contourpy() -> Any:
     try:
         return import_module("contourpy")
     except ImportError:
-        raise InputError("contour lines are drawn by contourpy, which is not installed: pip install 'raybundle[geo]'") from None
+        raise InputError(
+            "contour lines are drawn by contourpy, which is not installed: pip install 'raybundle[geo]'"
+        ) from None

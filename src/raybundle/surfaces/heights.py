@@ -99,7 +99,11 @@ def on_grid(points: PointsOfCells, shape: tuple[int, int], length: float) -> tup
     rows, columns = shape
     empty = np.full(shape, np.nan, np.float32)
     found = {name: empty.copy() for name in ("height", "local", "orientation", "point")}
-    found |= {"step": np.zeros(shape, np.float32), "points": np.zeros(shape, np.uint16), "image": np.full(shape, -1, np.int32)}
+    found |= {
+        "step": np.zeros(shape, np.float32),
+        "points": np.zeros(shape, np.uint16),
+        "image": np.full(shape, -1, np.int32),
+    }
     weights = np.zeros(len(points))
     i, j = np.floor(points.column).astype(int), np.floor(points.row).astype(int)
     inside = np.flatnonzero((i >= 0) & (i < columns) & (j >= 0) & (j < rows))

@@ -1,14 +1,16 @@
 """Holes between heights, filled by what lies around them, with a standard deviation that grows with the gap.
 
-Within a hole the heights are those of a membrane that is spanned over its rim (a discrete Laplace equation).  What the
-surface does in between is told by its own variogram, E (h(x + d) - h(x))^2 / 2 = c d^p, with p of the whole and c of the
-surroundings, from second differences, which tilts do not touch (Matheron 1963): straight between two rims the error of
-a place at the distance d from the nearest has the variance 2 c d^p (1 - d / D)^p, D being the width of the gap.
+Within a hole the heights are those of a membrane that is spanned over its rim (a discrete Laplace equation).  What
+the surface does in between is told by its own variogram, E (h(x + d) - h(x))^2 / 2 = c d^p, with p of the whole and c
+of the surroundings, from second differences, which tilts do not touch (Matheron 1963).  Straight between two rims the
+error of a place at the distance d from the nearest has the variance 2 c d^p (1 - d / D)^p, D being the width of the
+gap.
 """
 
 from __future__ import annotations
 
 from dataclasses import replace
+from typing import cast
 
 import numpy as np
 from scipy.ndimage import distance_transform_edt, gaussian_filter, label
@@ -33,9 +35,9 @@ def filled(model: HeightModel, limit: float) -> HeightModel:
     What it does not tell: what stands in a hole and shows nowhere around it.
     """
     unknown = ~model.known
-    number, _ = label(unknown, EIGHT)
+    number, _ = parts_of(unknown)
     edge = np.unique(np.concatenate([number[0], number[-1], number[:, 0], number[:, -1]]))
-    depth = distance_transform_edt(unknown)
+    depth = np.asarray(distance_transform_edt(unknown))
     deepest = _largest(number, depth)
     small = deepest <= limit
     small[edge] = False
@@ -52,10 +54,11 @@ def spanned(model: HeightModel, wanted: Mask) -> HeightModel:
         return model
     h = model.heights
     known = model.known & ~wanted
-    number, _ = label(wanted, EIGHT)
-    depth, (row, column) = distance_transform_edt(~known, return_indices=True)
+    number, _ = parts_of(wanted)
     if not known.any():
         return model
+    found = distance_transform_edt(~known, return_indices=True)
+    depth, (row, column) = cast("tuple[Array, Array]", found)
     height = np.where(known, h.height, np.nan).astype(float)
     _span(height, wanted)
     power, strength = _variogram(height, np.where(known, h.local, np.nan))
@@ -75,6 +78,11 @@ NEAREST = ("local", "step", "orientation", "point", "image")
 """What a filled cell has from the nearest known one"""
 
 
+def parts_of(mask: Mask) -> tuple[Index, int]:
+    """The number (rows, columns) of the connected part that a cell is of, 0 outside, and how many there are."""
+    return cast("tuple[Index, int]", label(mask, EIGHT))
+
+
 def _largest(number: Index, values: Array) -> Array:
     """(holes + 1,) the largest value of each."""
     found = np.zeros(int(number.max()) + 1)
@@ -84,7 +92,7 @@ def _largest(number: Index, values: Array) -> Array:
 
 def _span(height: Array, wanted: Mask) -> None:
     """Fill heights in place: each is the mean of its known or wanted neighbours above, below, left and right."""
-    reachable, _ = label(wanted | np.isfinite(height))
+    reachable, _ = parts_of(wanted | np.isfinite(height))
     touched = np.unique(reachable[np.isfinite(height)])
     wanted = wanted & np.isin(reachable, touched)
     at = np.flatnonzero(wanted.ravel())

@@ -14,12 +14,13 @@ from dataclasses import dataclass
 
 import cv2
 import numpy as np
-from scipy.ndimage import binary_fill_holes, label
-from scipy.stats import chi2, norm
+from scipy.ndimage import binary_fill_holes
+from scipy.special import chdtri, ndtri
 
 from raybundle.numerics.arrays import Array, Mask
 from raybundle.surfaces.height_model import HeightModel, SumOfHeights
 from raybundle.surfaces.heights import between
+from raybundle.surfaces.holes import parts_of
 from raybundle.surfaces.relief import step_length
 
 CHANCE = 0.05
@@ -34,7 +35,6 @@ KNOWN = 0.5
 ROUNDS, PASSES = 30, 4
 SURE = 4.0
 """Standard deviations of a mean that the movement of a region is at least, where its outline is drawn."""
-EIGHT = np.ones((3, 3), int)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -52,7 +52,7 @@ class WholeMovement:
     @property
     def limit(self) -> float:
         """That chance leaves unexceeded in 95 %."""
-        return float(chi2.ppf(1 - CHANCE, 3))
+        return float(chdtri(3, CHANCE))
 
     @property
     def significant(self) -> bool:
@@ -104,24 +104,45 @@ def movements(model: HeightModel) -> Movements:
 
     What it does not tell: a movement that errors of orientation can explain, other than by its size.
     """
-    M = model.moved.astype(float)
-    free, regions = model.known, ()
+    free, found = model.known, None
     for _ in range(PASSES):
-        z, P = _orientation(model, free)
-        local = model.heights.height.astype(float) - _of_cells(model, M @ z)
-        uncertain = _of_cells(model, np.einsum("rcq,qp,rcp->rc", M, P, M, optimize=True))
-        peak, limit, count, hits = _windows(model, local, uncertain)
-        regions = _regions(model, local, uncertain, hits, peak)
+        found = _local(model, free)
         before, free = free, model.known.copy()
-        for r in regions:
+        for r in found.regions:
             free &= cv2.dilate(r.cells.astype(np.uint8), np.ones((3, 3), np.uint8)) == 0
         # what has moved is to have no say in the errors of orientation
-        if not regions or (free == before).all() or not free.any():
+        if not found.regions or (free == before).all() or not free.any():
             break
+    assert found is not None
     return Movements(
-        whole=_whole(model, free if free.any() else model.known), regions=regions, local=local,
-        sigma=np.sqrt(model.local.astype(float) ** 2 + uncertain), peak=peak, limit=limit, windows=count,
+        whole=_whole(model, free if free.any() else model.known), regions=found.regions, local=found.local,
+        sigma=np.sqrt(model.local.astype(float) ** 2 + found.uncertain), peak=found.peak, limit=found.limit,
+        windows=found.windows,
     )  # fmt: skip
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class _Local:
+    """What has moved against the rest."""
+
+    local: Array
+    uncertain: Array
+    """variance of it by what is not known of orientation"""
+    peak: Array
+    limit: float
+    windows: int
+    regions: tuple[Region, ...]
+
+
+def _local(model: HeightModel, free: Mask) -> _Local:
+    """What has moved against cells that are free of movements."""
+    M = model.moved.astype(float)
+    z, P = _orientation(model, free)
+    local = model.heights.height.astype(float) - _of_cells(model, M @ z)
+    uncertain = _of_cells(model, np.einsum("rcq,qp,rcp->rc", M, P, M, optimize=True))
+    peak, limit, count, hits = _windows(model, local, uncertain)
+    regions = _regions(model, local, uncertain, hits, peak)
+    return _Local(local=local, uncertain=uncertain, peak=peak, limit=limit, windows=count, regions=regions)
 
 
 def _of_cells(model: HeightModel, of_block: Array) -> Array:
@@ -132,7 +153,7 @@ def _of_cells(model: HeightModel, of_block: Array) -> Array:
 
 def _orientation(model: HeightModel, free: Mask) -> tuple[Array, Array]:
     """Errors of orientation (q,) that explain most of the differences, and their covariance."""
-    rows, columns, q = model.moved.shape
+    _, columns, q = model.moved.shape
     M = model.moved.reshape(-1, q).astype(float)
     known = free & (model.local > 0)
     s = model.local[known].astype(float)
@@ -178,7 +199,7 @@ def _windows(model: HeightModel, local: Array, uncertain: Array) -> tuple[Array,
         good = n >= KNOWN * side**2
         tests.append((side, np.where(good, over(t) / spread, np.nan), rows, columns))
     count = sum(int(np.isfinite(z).sum()) for _, z, _, _ in tests)
-    limit = float(norm.isf(CHANCE / 2 / max(count, 1)))
+    limit = float(-ndtri(CHANCE / 2 / max(count, 1)))
     peak, hits = np.zeros(model.shape), np.zeros((2, *model.shape), bool)
     for side, z, rows, columns in tests:
         strong = np.argwhere(np.isfinite(z) & (np.abs(z) > limit))
@@ -202,7 +223,10 @@ def _spread_out(z: Array, rows: Array, columns: Array, side: int, shape: tuple[i
     if not len(rows) or not len(columns):
         return np.zeros(shape)
     step = max(1, side // 2)
-    i, j = (np.clip((np.arange(n) - side // 2 + step // 2) // step, 0, len(k) - 1) for n, k in zip(shape, (rows, columns), strict=True))
+    i, j = (
+        np.clip((np.arange(n) - side // 2 + step // 2) // step, 0, len(k) - 1)
+        for n, k in zip(shape, (rows, columns), strict=True)
+    )
     return z[i][:, j]
 
 
@@ -230,7 +254,7 @@ def _regions(model: HeightModel, local: Array, uncertain: Array, hits: Array, pe
     found = list[Region]()
     taken = np.zeros(model.shape, bool)
     for sign, hit in zip((1.0, -1.0), hits, strict=True):
-        number, count = label(hit, EIGHT)
+        number, count = parts_of(hit)
         order = sorted(range(1, count + 1), key=lambda k: -int((number == k).sum()))
         for k in order:
             seed = (number == k) & ~taken
@@ -255,6 +279,7 @@ def _outlined(model: HeightModel, local: Array, seed: Mask) -> tuple[Mask, int]:
     side = 1
     while side < 33 and usual * np.sqrt(1 + np.pi * model.length**2) / side > amount / SURE:
         side += 2
+    cells = seed
     for _ in range(3):
         # weights leave out blunders and steps, which tell little of where a movement ends
         w = np.where(known, 1 / np.maximum(np.square(model.local.astype(float)), 1e-300), 0.0)
@@ -262,7 +287,7 @@ def _outlined(model: HeightModel, local: Array, seed: Mask) -> tuple[Mask, int]:
         box = (side, side)
         limited = np.clip(values, amount / 2 - MOST * usual - amount, amount / 2 + MOST * usual + amount)
         mean = cv2.blur(w * limited, box) / np.maximum(cv2.blur(w, box), 1e-300)
-        number, _ = label(known & (mean > amount / 2), EIGHT)
+        number, _ = parts_of(known & (mean > amount / 2))
         mine = np.unique(number[seed & (number > 0)])
         cells = np.isin(number, mine[mine > 0])
         if not cells.any():
@@ -297,7 +322,10 @@ def _region(model: HeightModel, local: Array, uncertain: Array, cells: Mask, sid
     edge_cells = n - int((cv2.erode(cells.astype(np.uint8), np.ones((3, 3), np.uint8), borderValue=0) > 0).sum())
     # an edge lies somewhere within the cells of the mean that found it
     edge = model.cell * np.sqrt((side**2 + 1) / 12)
-    area_sigma = edge * model.cell * np.sqrt(edge_cells * side)
+    # beside it heights that are worse than half of the movement, or missing, may belong to it or not, all together
+    around = cv2.dilate(cells.astype(np.uint8), np.ones((2 * rim + 3,) * 2, np.uint8)) > 0
+    unclear = around & ~cells & ~(np.asarray(model.local) < abs(mean) / 2)
+    area_sigma = np.hypot(edge * model.cell * np.sqrt(edge_cells * side), unclear.sum() * area / np.sqrt(12))
     # cells without a height have moved as the others have
     inside = (cells & model.known).astype(float)
     inside *= n / inside.sum()

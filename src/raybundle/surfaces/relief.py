@@ -7,15 +7,15 @@ whose variance is rho^2 / 3 of its square; a plane through three cells on either
 for steps that are high against the pixels.  Of low ones windows show the mean of both sides, rightly weighted, and
 little is wrong: the share of the variance grows as q / (q + 4) with the scatter q in widths of a pixel, as it does
 against the exact geometry of a rendered wall (benchmarks/surface_heights.py) with cells of 4.6 pixels and, in the
-differences of two halves of its photographs, of 9.  Beside a hole the surface may lie as low as it does beyond it: steps
-hide what is below them.
+differences of two halves of its photographs, of 9.  Beside a hole the surface may lie as low as it does beyond it:
+steps hide what is below them.
 """
 
 from __future__ import annotations
 
 import cv2
 import numpy as np
-from scipy.stats import f as fisher
+from scipy.special import fdtri
 
 from raybundle.numerics.arrays import Array
 
@@ -70,7 +70,7 @@ def steps_of(height: Array, local: Array, length: float, cell: float) -> Array:
     box = (2 * side + 1,) * 2
     noise = cv2.blur(np.where(known, np.square(local, dtype=float), 0.0), box)
     noise /= np.maximum(cv2.blur(known.astype(float), box), 1e-9)
-    usual = fisher.ppf(1 - CHANCE, np.arange(1, box[0] ** 2 - 2), 1e6)
+    usual = fdtri(np.arange(1, box[0] ** 2 - 2), 1e6, 1 - CHANCE)
     beyond = scatter > usual[np.clip(freedom.astype(int), 1, len(usual)) - 1] * noise
     root = np.sqrt(scatter)
     share = root / (root + HIGH * PIXEL * length * cell) * 4 * min(WINDOW * length, 1.0) ** 2

@@ -40,11 +40,15 @@ def resampled(model: HeightModel, left: float, top: float, scale: float, like: H
         near["step"] = cv2.dilate(np.nan_to_num(near["step"]).astype(np.float32), np.ones((3, 3)))
     heights = Heights(
         height=height.astype(np.float32), points=np.where(known, near["points"], 0).astype(np.uint16),
-        image=np.where(known, near["image"], -1).astype(np.int32), step=np.where(known, near["step"], 0).astype(np.float32),
+        image=np.where(known, near["image"], -1).astype(np.int32),
+        step=np.where(known, near["step"], 0).astype(np.float32),
         **{k: np.where(known, near[k], np.nan).astype(np.float32) for k in ("local", "orientation", "point")},
     )  # fmt: skip
     blocks = [-(-n // like.block) for n in (rows, columns)]
-    at = [np.clip(np.arange(n) * like.block + like.block / 2, 0, size - 1) for n, size in zip(blocks, (rows, columns), strict=True)]
+    at = [
+        np.clip(np.arange(n) * like.block + like.block / 2, 0, size - 1)
+        for n, size in zip(blocks, (rows, columns), strict=True)
+    ]
     row, column = (
         np.clip((start + v * scale) // model.block, 0, n - 1).astype(int)
         for start, v, n in zip((top, left), at, model.moved.shape[:2], strict=True)
@@ -58,7 +62,10 @@ def resampled(model: HeightModel, left: float, top: float, scale: float, like: H
 def _between(height: Array, x: Array, y: Array) -> Array:
     """(rows, columns) linear between four cells each, at columns x and rows y; NaN where one that counts has none."""
     inside = ((y >= 0) & (y <= height.shape[0] - 1))[:, None] & ((x >= 0) & (x <= height.shape[1] - 1))
-    (i, u), (j, v) = ((np.clip(np.floor(k), 0, n - 1).astype(int), k - np.floor(k)) for k, n in zip((x, y), height.shape[::-1], strict=True))
+    (i, u), (j, v) = (
+        (np.clip(np.floor(k), 0, n - 1).astype(int), k - np.floor(k))
+        for k, n in zip((x, y), height.shape[::-1], strict=True)
+    )
     i2, j2 = (np.minimum(k + 1, n - 1) for k, n in zip((i, j), height.shape[::-1], strict=True))
     found = np.zeros(inside.shape)
     for row, down in ((j, 1 - v), (j2, v)):

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from itertools import pairwise
 
 import numpy as np
 
@@ -64,7 +65,7 @@ def section(model: HeightModel, corners: Array, step: float) -> Section:
     A height lies linearly between those of the middles of four cells; where one that counts has none, neither has it.
     """
     places, distances, run = list[Array](), list[Array](), 0.0
-    for a, b in zip(corners[:-1], corners[1:], strict=True):
+    for a, b in pairwise(corners):
         length = float(np.linalg.norm(b - a))
         share = np.linspace(0, 1, max(1, int(np.ceil(length / step - 1e-9))) + 1)[:-1]
         places.append(a + share[:, None] * (b - a))
@@ -78,13 +79,13 @@ def section(model: HeightModel, corners: Array, step: float) -> Section:
     u, v = x - i, y - j
     right, down = (np.minimum(k + 1, n - 1) for k, n in ((i, columns), (j, rows)))
     # beyond the outer middles by half a cell at most, the outer cells go on level
-    outside = (place < 0).any(axis=1) | (place > [columns, rows]).any(axis=1)
+    outside = np.asarray((place < 0).any(axis=1) | (place > [columns, rows]).any(axis=1))
     u, v = np.clip(u, 0, 1), np.clip(v, 0, 1)
     cells = np.stack([j * columns + i, j * columns + right, down * columns + i, down * columns + right], axis=1)
     weights = np.stack([(1 - u) * (1 - v), u * (1 - v), (1 - u) * v, u * v], axis=1)
     weights[weights < 1e-9] = 0.0
     value = model.heights.height.ravel()[cells].astype(float)
-    lost = outside | ((weights > 0) & ~np.isfinite(value)).any(axis=1)
+    lost = np.asarray(outside | ((weights > 0) & ~np.isfinite(value)).any(axis=1))
     weights[lost] = 0.0
     height = np.where(lost, np.nan, (weights * np.nan_to_num(value)).sum(axis=1))
     return Section(

@@ -138,12 +138,15 @@ def _true_area(model: HeightModel, covered: Array) -> tuple[float, float]:
         gradient += by * (1 - right) - by * (1 - left)
     noise = np.nan_to_num(model.heights.local.astype(float)) ** 2
     far = float(between(np.array(2.0), np.zeros(1), model.length)[0]) / within(model.length)
-    added = sum(
+    added = [
         np.where(used, w * (1 + other**2) / root**3 * noise * (1 - far) / span**2, 0.0)
         for other, (_, _, span) in zip((gy, gx), parts, strict=True)
-    )
+    ]
     area = float((w[used] * root[used]).sum() - np.sum(added))
-    return max(area, float(w.sum())), model.sum_of(np.where(known, gradient, 0.0)).sigma
+    # a square of noise has twice its mean as variance; neighbours share theirs
+    square = 2 * sum(float((a**2).sum()) for a in added) * (1 + np.pi * model.length**2)
+    sigma = np.hypot(model.sum_of(np.where(known, gradient, 0.0)).sigma, np.sqrt(square))
+    return max(area, float(w.sum())), float(sigma)
 
 
 def _shifted(values: Array, by: int, axis: int, beyond: float = np.nan) -> Array:

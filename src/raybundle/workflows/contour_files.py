@@ -9,8 +9,8 @@ import numpy as np
 
 from raybundle.io.drawings import Drawn, Label, write_dxf, write_geojson, write_gpkg
 from raybundle.numerics.arrays import Array
-from raybundle.report.height_drawings import EVERY, contours_svg, decimals_of, label_of
 from raybundle.surfaces.contours import Contour
+from raybundle.workflows.height_drawings import EVERY, contours_svg, decimals_of, label_of
 from raybundle.workflows.heights_read import Opened
 
 LETTER_CELLS, LABEL_CELLS = 3.0, 30.0

@@ -180,10 +180,10 @@ def write_model(model: HeightModel, file: HeightFile, out: Path) -> None:
             write(0, 0, h.height[..., None])
         with file.new(sigmas, BANDS) as write:
             write(0, 0, np.stack(bands, axis=2).astype(np.float32))
-        holes = {} if model.holes is None else {
-            "holes": model.holes.number.astype(np.int32), "holes_sigma": model.holes.sigma.astype(np.float32)
-        }  # fmt: skip
-        np.savez_compressed(moved, moved=model.moved, block=np.array(model.block), **holes)
+        kept = {"moved": model.moved, "block": np.array(model.block)}
+        if model.holes is not None:
+            kept |= {"holes": model.holes.number.astype(np.int32), "holes_sigma": model.holes.sigma.astype(np.float32)}
+        np.savez_compressed(moved, allow_pickle=False, **kept)
         about.write_text(toml_text({**file.as_mapping(), "length_cells": model.length}), encoding="utf-8")
 
 

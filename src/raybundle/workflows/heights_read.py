@@ -77,7 +77,9 @@ def covered_by(o: Opened, outlines: Sequence[str], extent: Sequence[float] | Non
     if extent is not None:
         left, bottom, right, top = extent
         if not (left < right and bottom < top):
-            raise InputError(f"the extent {left:g} {bottom:g} {right:g} {top:g} is empty; give left, bottom, right, top")
+            raise InputError(
+                f"the extent {left:g} {bottom:g} {right:g} {top:g} is empty; give left, bottom, right, top"
+            )
         groups = [[np.array([[left, bottom], [right, bottom], [right, top], [left, top]])]]
     elif outlines:
         groups = [rings for given in outlines for rings in _areas(o, given)]
@@ -101,6 +103,7 @@ def covered_by(o: Opened, outlines: Sequence[str], extent: Sequence[float] | Non
 
 def _size(rings: Sequence[Array]) -> float:
     """Area of a ring without the others, which are holes in it."""
+
     def one(r: Array) -> float:
         x, y = (r - r[0]).T
         return abs(float(np.sum(x * np.roll(y, -1) - np.roll(x, -1) * y))) / 2
@@ -136,7 +139,9 @@ def lines_of(o: Opened, given: str) -> list[Array]:
         found = [_in_grid(o, s.xy, s.crs, typed=s.typed, path=path) for s in shapes]
     for line in found:
         if len(line) < 2 or not np.linalg.norm(np.diff(line, axis=0), axis=1).min() > 0:
-            raise InputError("a line needs two different places, one after the other", file=path if path.exists() else None)
+            raise InputError(
+                "a line needs two different places, one after the other", file=path if path.exists() else None
+            )
     return found
 
 

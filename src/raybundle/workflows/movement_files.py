@@ -33,7 +33,14 @@ def write_movements(o: Opened, model: HeightModel, found: Movements, out: Path) 
     number = np.zeros(model.shape, np.float32)
     for k, r in enumerate(found.regions, 1):
         number[r.cells] = k
-    bands = (model.heights.height, np.where(model.known, model.sigma, np.nan), found.local, found.sigma, found.peak, number)
+    bands = (
+        model.heights.height,
+        np.where(model.known, model.sigma, np.nan),
+        found.local,
+        found.sigma,
+        found.peak,
+        number,
+    )
     names = [RASTER, TABLE, LINES, LAYER, PICTURE]
     with new_folder(out) as new:
         with o.file.new(new / RASTER, BANDS) as write:
@@ -63,7 +70,7 @@ def _row(o: Opened, number: int, r: Region) -> list[float]:
 def _areas(o: Opened, row: list[float], r: Region) -> list[Drawn]:
     """The outlines of a region: parts that touch at corners alone are areas of their own."""
     rings = [o.places(line) for line in ring_lines(r.cells)]
-    fields = dict(zip(COLUMNS, row, strict=True))
+    fields: dict[str, float | str] = dict(zip(COLUMNS, row, strict=True))
     found = list[Drawn]()
     outer = [ring for ring in rings if _signed(ring) * _signed(max(rings, key=lambda q: abs(_signed(q)))) > 0]
     holes = [ring for ring in rings if not any(ring is q for q in outer)]
@@ -110,7 +117,9 @@ def _legend(width: int, size: float) -> Array:
     white, red, blue = (np.array(c, float) for c in (WHITE, RED, BLUE))
     n = max(60, min(400, width - 120))
     share = np.linspace(-1, 1, n)[:, None]
-    bar[12:32, 40 : 40 + n] = np.round(np.where(share > 0, white + share * (red - white), white - share * (blue - white)))
+    bar[12:32, 40 : 40 + n] = np.round(
+        np.where(share > 0, white + share * (red - white), white - share * (blue - white))
+    )
     for x, text in ((40, f"{-size:.2g}"), (40 + n // 2, "0"), (40 + n, f"+{size:.2g}")):
         (w, _), _ = cv2.getTextSize(text, cv2.FONT_HERSHEY_SIMPLEX, 0.5, 1)
         cv2.putText(bar, text, (max(2, x - w // 2), 52), cv2.FONT_HERSHEY_SIMPLEX, 0.5, (60, 60, 60), 1, cv2.LINE_AA)

@@ -8,8 +8,8 @@ from pathlib import Path
 import numpy as np
 
 from raybundle.io.drawings import Drawn, Label, write_dxf
-from raybundle.report.height_drawings import BAND, runs
 from raybundle.surfaces.sections import Section
+from raybundle.workflows.height_drawings import BAND, runs
 from raybundle.workflows.heights_read import Opened
 
 
@@ -45,5 +45,9 @@ def write_sections_dxf(o: Opened, sections: Sequence[Section], names: Sequence[s
         text = name if not move else f"{name}, heights {move:+.6g}"
         labels.append(Label(text=text, place=(float(s.distance[-1]) / 2, high + move + 2 * size, 0.0), size=size))
         down = low + move
-    about = {"surface": o.file.block or o.folder.name, "unit": o.unit or "none: the scale is free", "band": f"{BAND} sigma"}
+    about = {
+        "surface": o.file.block or o.folder.name,
+        "unit": o.unit or "none: the scale is free",
+        "band": f"{BAND} sigma",
+    }
     write_dxf(path, drawn, labels, o.unit, about)

@@ -63,9 +63,11 @@ def _lines(found: MeasuredDifference) -> list[str]:
     verdict = "more than chance" if w.significant else "within the uncertainty of both orientations"
     lines = [
         f"{found.compared:.0%} of the heights before have one after",
-        f"the whole: shift {measured(w.shift.value, w.shift.sigma, unit)}, tilts {w.tilt[0]:.2g} (sigma "
-        f"{w.tilt_sigma[0]:.2g}) and {w.tilt[1]:.2g} (sigma {w.tilt_sigma[1]:.2g}): chi2 {w.chi2:.3g} of 3, limit "
-        f"{w.limit:.3g}: {verdict}",
+        (
+            f"the whole: shift {measured(w.shift.value, w.shift.sigma, unit)}, tilts {w.tilt[0]:.2g} (sigma "
+            f"{w.tilt_sigma[0]:.2g}) and {w.tilt[1]:.2g} (sigma {w.tilt_sigma[1]:.2g}): chi2 {w.chi2:.3g} of 3, limit "
+            f"{w.limit:.3g}: {verdict}"
+        ),
     ]
     if not m.regions:
         lines.append("nothing has moved against the rest by more than chance (5 % for the whole surface)")

@@ -39,8 +39,8 @@ def command(source: Path, **given: Any) -> None:
     click.echo(f" {found.standing:.1%} of the heights stand on the ground")
     if found.filled:
         click.echo(
-            f" ground: sigma {significant(found.sigma)}{unit} in the median where it was measured; {found.filled:.1%} of it "
-            f"spans gaps, sigma {significant(found.filled_sigma)}{unit}"
+            f" ground: sigma {significant(found.sigma)}{unit} in the median where it was measured; {found.filled:.1%} "
+            f"of it spans gaps, sigma {significant(found.filled_sigma)}{unit}"
         )
     if not unit:
         click.echo(f" {FREE}")

@@ -51,8 +51,10 @@ def _lines(found: MeasuredVolume) -> list[str]:
     lines = [
         f"above {found.base}: {measured(v.above.value, v.above.sigma, unit, 3)}",
         f"below: {measured(v.below.value, v.below.sigma, unit, 3)}",
-        f"net: {measured(v.net.value, v.net.sigma, unit, 3)}; of its sigma {v.net.local:.2g} is local, "
-        f"{v.net.orientation:.2g} orientation",
+        (
+            f"net: {measured(v.net.value, v.net.sigma, unit, 3)}; of its sigma {v.net.local:.2g} is local, "
+            f"{v.net.orientation:.2g} orientation"
+        ),
         f"mean height above the base: {measured(v.net.value / v.plan_area, v.mean_sigma, unit)}",
         f"area in plan {v.plan_area:.6g}{square}, true area {measured(v.true_area, v.true_area_sigma, unit, 2)}",
     ]

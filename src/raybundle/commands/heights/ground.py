@@ -60,8 +60,8 @@ def run_ground(settings: HeightsGroundSettings) -> MadeGround:
     largest = s.largest or SHARE * longer
     if largest > shorter / 2:
         raise InputError(
-            f"{option('largest', largest)} is more than half of the shorter side, {shorter:.4g}: no ground is left to tell"
-            " it by",
+            f"{option('largest', largest)} is more than half of the shorter side, {shorter:.4g}: no ground is "
+            "left to tell it by",
             file=s.source,
         )
     found, stands = ground(o.model, largest / f.cell, s.slope / 100)

@@ -96,7 +96,9 @@ def _checked(o: Opened, xy: object, step: float, number: int):  # noqa: ANN202
         )
     places = float(np.linalg.norm(np.diff(cells, axis=0), axis=1).sum()) / step
     if places > MOST:
-        raise InputError(f"line {number} would have {places:.3g} places, more than {MOST}; choose a larger {option('step')}")
+        raise InputError(
+            f"line {number} would have {places:.3g} places, more than {MOST}; choose a larger {option('step')}"
+        )
     return cells
 
 
@@ -117,7 +119,7 @@ def _one(s: HeightsSectionSettings, found: Section, name: str) -> MeasuredSectio
 
 def _write(s: HeightsSectionSettings, o: Opened, made: list[MeasuredSection]) -> None:
     from raybundle.io.folders import new_files  # noqa: PLC0415
-    from raybundle.report.height_drawings import sections_svg  # noqa: PLC0415
+    from raybundle.workflows.height_drawings import sections_svg  # noqa: PLC0415
     from raybundle.workflows.section_files import sections_csv, write_sections_dxf  # noqa: PLC0415
 
     sections, names = [m.section for m in made], [m.name for m in made]

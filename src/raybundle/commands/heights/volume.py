@@ -71,7 +71,10 @@ def run_volume(settings: HeightsVolumeSettings) -> MeasuredVolume:
         raise InputError(
             f"a base by the rim needs an outline; give {option('outline', 'FILE')}, or {option('base', 'HEIGHT')}"
         )
-    model, words = o.model, f"the height {level:g}" if level is not None else "the plane by the heights along the outline"
+    model, words = (
+        o.model,
+        f"the height {level:g}" if level is not None else "the plane by the heights along the outline",
+    )
     if level is None and s.base != RIM:
         model = difference(on_same_grid(o, opened(Path(s.base), s.fill or CELLS_FILLED * o.file.cell)), o.model)
         level, words = 0.0, f"the surface {s.base}"

@@ -296,7 +296,7 @@ def steps_in(store: Folder, task: StepTask) -> Product:
         by = slice(top - v, bottom - v), slice(left - u, right - u)
         for values, name in zip(around, ("height", "local"), strict=True):
             values[to] = a[name][by]
-    steps = steps_of(*around, length, task.grid.grid.pixel)
+    steps = steps_of(around[0], around[1], length, task.grid.grid.pixel)
     return {**own, "step": steps[rim : rim + height, rim : rim + width]}
 
 
