@@ -41,7 +41,7 @@ def refused(capsys, *words):
 
 
 def test_volume_of_a_cone(cone, capsys, tmp_path):
-    found = told(capsys, "heights", "volume", cone, "--extent", 0.25, 0.02, 0.95, 0.62, "--base", 0)
+    found = told(capsys, "heights", "volume", cone, "--extent", 0.25, 0.02, 0.95, 0.62, "--above", 0)
     exact = np.pi * 0.2**2 * 0.1 / 3
     assert found["net"]["value"] == pytest.approx(exact, abs=3 * found["net"]["sigma"])
     assert found["net"]["sigma"] == pytest.approx(
@@ -54,12 +54,12 @@ def test_volume_of_a_cone(cone, capsys, tmp_path):
     (tmp_path / "area.geojson").write_text(json.dumps({"type": "Polygon", "coordinates": [ring]}))
     (tmp_path / "area.csv").write_text("x,y\n" + "\n".join(f"{x},{y}" for x, y in ring[:4]) + "\n")
     for given in (tmp_path / "area.geojson", tmp_path / "area.csv", "0.25 0.02, 0.95 0.02, 0.95 0.62, 0.25 0.62"):
-        again = told(capsys, "heights", "volume", cone, "--outline", given, "--base", 0)
+        again = told(capsys, "heights", "volume", cone, "--outline", given, "--above", 0)
         assert again["net"] == pytest.approx(found["net"])
     rim = told(capsys, "heights", "volume", cone, "--outline", tmp_path / "area.csv")
     assert rim["net"]["value"] == pytest.approx(exact, abs=3 * rim["net"]["sigma"])
     assert rim["net"]["sigma_orientation"] < found["net"]["sigma_orientation"] / 3
-    assert main(["heights", "volume", str(cone), "--outline", str(tmp_path / "area.csv"), "--base", "0"]) == 0
+    assert main(["heights", "volume", str(cone), "--outline", str(tmp_path / "area.csv"), "--above", "0"]) == 0
     out = capsys.readouterr().out
     assert "above the height 0: 0.0042" in out
     assert "of the area was filled" in out
@@ -67,15 +67,15 @@ def test_volume_of_a_cone(cone, capsys, tmp_path):
 
 def test_volume_between_two_surfaces(cone, capsys, tmp_path):
     other = folder_of(made(np.full(SHAPE, -0.01), common=5e-4, sigma=5e-4), tmp_path / "flat")
-    found = told(capsys, "heights", "volume", cone, "--extent", 0.25, 0.02, 0.95, 0.62, "--base", other)
+    found = told(capsys, "heights", "volume", cone, "--extent", 0.25, 0.02, 0.95, 0.62, "--above", other)
     exact = np.pi * 0.2**2 * 0.1 / 3 + 0.42 * 0.01
     assert found["net"]["value"] == pytest.approx(exact, abs=3 * found["net"]["sigma"])
-    level = told(capsys, "heights", "volume", cone, "--extent", 0.25, 0.02, 0.95, 0.62, "--base", 0)
+    level = told(capsys, "heights", "volume", cone, "--extent", 0.25, 0.02, 0.95, 0.62, "--above", 0)
     assert found["net"]["sigma_orientation"] == pytest.approx(np.sqrt(2) * level["net"]["sigma_orientation"])
 
 
 def test_bad_outlines_are_refused(cone, capsys, tmp_path):
-    volume = ("heights", "volume", cone, "--base", 0)
+    volume = ("heights", "volume", cone, "--above", 0)
     assert "lies beyond the heights, which reach over 0 0 0.96 0.64" in refused(capsys, *volume, "--extent", 2, 2, 3, 3)
     assert "is empty" in refused(capsys, *volume, "--extent", 0.5, 0.1, 0.2, 0.5)
     crossed = "0.3 0.1, 0.9 0.6, 0.9 0.1, 0.3 0.6"
@@ -87,7 +87,7 @@ def test_bad_outlines_are_refused(cone, capsys, tmp_path):
     assert "of the area was filled, more than 20 %" in refused(capsys, *wide)
     assert told(capsys, *wide, "--most-filled", 60)["filled_sigma"] > 0
     assert "both say where" in refused(capsys, *volume, "--outline", crossed, "--extent", 0, 0, 1, 1)
-    assert "is no height, no folder" in refused(capsys, "heights", "volume", cone, "--base", "nowhere")
+    assert "is no height, no folder" in refused(capsys, "heights", "volume", cone, "--above", "nowhere")
     assert "needs an outline" in refused(capsys, "heights", "volume", cone)
     (tmp_path / "area.kml").write_text("<kml/>")
     assert "area.kml" in refused(capsys, *volume, "--outline", tmp_path / "area.kml")
@@ -177,7 +177,7 @@ def test_the_ground_is_a_surface_again(tmp_path, capsys):
     assert found["filled_sigma"] > found["sigma"]
     with rasterio.open(folder / "ground/heights_sigma.tif") as bands:
         assert np.allclose(bands.read(1), model.sigma)
-    above = told(capsys, "heights", "volume", folder, "--extent", 18, 18, 29, 26, "--base", folder / "ground")
+    above = told(capsys, "heights", "volume", folder, "--extent", 18, 18, 29, 26, "--above", folder / "ground")
     assert above["net"]["value"] == pytest.approx(180 * 0.25 * 3.0, abs=4 * above["net"]["sigma"])
     assert "stands there already" in refused(capsys, "heights", "ground", folder, "--largest", 9)
     assert "more than half of the shorter side" in refused(
@@ -249,7 +249,7 @@ def test_a_plane_that_is_moved_by_little_is_the_same(tmp_path, capsys):
 
 def test_without_scale_lengths_have_no_unit(tmp_path, capsys):
     folder = folder_of(made(np.full(SHAPE, 0.1)), tmp_path / "free", unit="")
-    assert main(["heights", "volume", str(folder), "--base", "0"]) == 0
+    assert main(["heights", "volume", str(folder), "--above", "0"]) == 0
     out = capsys.readouterr().out
     assert "the scale is free: lengths have no unit" in out
     assert " m3" not in out

@@ -24,7 +24,7 @@ def command() -> None:
 
     \b
     Example:
-      raybundle heights volume facade-project/surface --extent 1 0 2 1 --base 0
+      raybundle heights volume facade-project/surface --extent 1 0 2 1 --above 0
       raybundle heights difference may/surface october/surface --out moved
     """  # noqa: D301
 

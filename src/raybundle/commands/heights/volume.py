@@ -27,7 +27,7 @@ class HeightsVolumeSettings(HeightsSettings):
     extent: tuple[float, float, float, float] | None = setting(
         None, "A rectangle instead.", metavar="LEFT BOTTOM RIGHT TOP", limits=(ANY, ANY, ANY, ANY)
     )
-    base: str = setting(
+    above: str = setting(
         RIM, "From where it counts: a height; the folder of another surface; or rim, the plane that fits the heights "
         "along the outline best.", metavar="HEIGHT|SURFACE|rim",
     )  # fmt: skip
@@ -62,22 +62,22 @@ def run_volume(settings: HeightsVolumeSettings) -> MeasuredVolume:
         raise InputError(f"{option('outline')} and {option('extent')} both say where; give one of them")
     o = opened(s.source, 0.0)
     o = opened(s.source, CELLS_FILLED * o.file.cell if s.fill is None else s.fill)
-    level = number_of(s.base)
-    if level is None and s.base != RIM and not Path(s.base).is_dir():
+    level = number_of(s.above)
+    if level is None and s.above != RIM and not Path(s.above).is_dir():
         raise InputError(
-            f"{option('base', s.base)} is no height, no folder of a surface, and not {RIM}; give one of them"
+            f"{option('base', s.above)} is no height, no folder of a surface, and not {RIM}; give one of them"
         )
-    if level is None and s.base == RIM and not s.outline and s.extent is None:
+    if level is None and s.above == RIM and not s.outline and s.extent is None:
         raise InputError(
-            f"a base by the rim needs an outline; give {option('outline', 'FILE')}, or {option('base', 'HEIGHT')}"
+            f"a base by the rim needs an outline; give {option('outline', 'FILE')}, or {option('above', 'HEIGHT')}"
         )
     model, words = (
         o.model,
         f"the height {level:g}" if level is not None else "the plane by the heights along the outline",
     )
-    if level is None and s.base != RIM:
-        model = difference(on_same_grid(o, opened(Path(s.base), s.fill or CELLS_FILLED * o.file.cell)), o.model)
-        level, words = 0.0, f"the surface {s.base}"
+    if level is None and s.above != RIM:
+        model = difference(on_same_grid(o, opened(Path(s.above), s.fill or CELLS_FILLED * o.file.cell)), o.model)
+        level, words = 0.0, f"the surface {s.above}"
     covered = covered_by(o, s.outline, s.extent)
     lost = (covered > 0) & ~model.known
     if lost.any():
