@@ -65,7 +65,7 @@ def run_volume(settings: HeightsVolumeSettings) -> MeasuredVolume:
     level = number_of(s.above)
     if level is None and s.above != RIM and not Path(s.above).is_dir():
         raise InputError(
-            f"{option('base', s.above)} is no height, no folder of a surface, and not {RIM}; give one of them"
+            f"{option('above', s.above)} is no height, no folder of a surface, and not {RIM}; give one of them"
         )
     if level is None and s.above == RIM and not s.outline and s.extent is None:
         raise InputError(
