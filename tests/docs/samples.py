@@ -139,7 +139,34 @@ def flown(folder):
     shutil.rmtree(folder / "planned")
 
 
+def heights(folder):
+    """Heights as `raybundle surface --dsm` writes them: a pit in a map, and a wall in May and October."""
+    import numpy as np
+    from rasterio.crs import CRS
+
+    from tests.surface.height_models import folder_of, made, middles
+
+    rng = np.random.default_rng(1)
+    x, y = middles((240, 320), 0.25)
+    terrain = 0.04 * x + 0.5 * np.sin(y / 12)
+    terrain += np.maximum(6 - 0.5 * np.hypot(x - 40, y - 30), 0)
+    terrain[30:46, 250:280] += 3.5
+    terrain[180:186, 60:78] += 2.5
+    for name in ("pit", "may", "october"):
+        (folder / name).mkdir()
+    pit = made(terrain, cell=0.25, sigma=0.03, common=0.02, rng=rng)
+    folder_of(
+        pit, folder / "pit/surface", left=360000.0, top=5650060.0, wkt=CRS.from_epsg(32633).to_wkt()
+    )  # fmt: skip
+    x, y = middles((160, 240))
+    wall = 0.004 * np.sin(9 * x) * np.cos(7 * y)
+    folder_of(made(wall, sigma=4e-4, common=1e-3, rng=rng), folder / "may/surface")
+    wall[60:90, 100:130] += 0.003
+    folder_of(made(wall, sigma=4e-4, common=1e-3, rng=rng), folder / "october/surface")
+
+
 SAMPLES = {
+    "heights": heights,
     "facade": facade,
     "facade-project": facade_project,
     "flight": flight,

@@ -108,7 +108,7 @@ def test_orientation_does_not_get_better_with_more_cells():
     shape = (64, 64)
     flat = np.zeros(shape, np.float32)
     heights = Heights(
-        height=flat, local=flat + 0.01, orientation=flat + 0.02, point=flat + 0.01,
+        height=flat, local=flat + 0.01, step=flat, orientation=flat + 0.02, point=flat + 0.01,
         points=np.ones(shape, np.uint16), image=np.zeros(shape, np.int32),
     )  # fmt: skip
     moved = np.zeros((2, 2, 2), np.float32)
@@ -128,7 +128,7 @@ def test_a_sum_over_holes_is_refused():
     hole = flat.copy()
     hole[1, 1] = np.nan
     heights = Heights(
-        height=hole, local=flat, orientation=flat, point=flat, points=np.ones(shape, np.uint16),
+        height=hole, local=flat, step=flat, orientation=flat, point=flat, points=np.ones(shape, np.uint16),
         image=np.zeros(shape, np.int32),
     )  # fmt: skip
     model = HeightModel(heights=heights, moved=np.zeros((1, 1, 1), np.float32), block=32, cell=1.0, length=1.0)

@@ -105,7 +105,7 @@ def test_heights_are_written_with_what_orientation_does_to_them(half, tmp_path):
     one_cell[at] = 1.0
     alone = model.sum_of(one_cell)
     assert alone.value == pytest.approx(float(model.heights.height[at]))
-    assert alone.local == pytest.approx(float(model.heights.local[at]), rel=1e-5)
+    assert alone.local == pytest.approx(float(model.local[at]), rel=1e-5)
     assert alone.orientation == pytest.approx(float(model.heights.orientation[at]), rel=0.5)
     (tmp_path / "s/heights_orientation.npz").unlink()
     with pytest.raises(InputError, match=r"has no heights_orientation\.npz"):

@@ -44,6 +44,7 @@ COMMANDS = {
     "sheet": "A drawing sheet true to scale: pictures, points and lines, as PDF.",
     "rectify": "A picture to scale of a plane object: facade, floor, wall painting.",
     "surface": "Dense points of what the photographs show, each with its standard deviation.",
+    "heights": "Volumes, sections, contours, terrain and movements from the heights of a surface.",
     "calibration": "Convert and compare calibrations; keep them in the camera library.",
     "datasets": "Fetch public sets of photographs, checked file by file.",
     "film": "Bring image points of scanned film into the camera's frame by its fiducial marks.",

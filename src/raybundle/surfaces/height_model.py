@@ -1,7 +1,8 @@
 """Heights on a grid as a whole, with what is needed for a true standard deviation of anything that is made of many.
 
 A mean, a volume, the height of a profile are sums of heights with weights.  Their errors by noise and roughness
-are correlated between cells nearby, those by orientation and calibration between all.
+are correlated between cells nearby, those by a step along its edge, those of a hole that was filled over all of it, and
+those by orientation and calibration between all.
 """
 
 from __future__ import annotations
@@ -12,8 +13,9 @@ import cv2
 import numpy as np
 
 from raybundle.errors import InputError
-from raybundle.numerics.arrays import Array, Mask
+from raybundle.numerics.arrays import Array, Index, Mask
 from raybundle.surfaces.heights import BETWEEN_MAPS, Heights, between
+from raybundle.surfaces.relief import step_length
 
 REACH = 3.0
 """Lengths of correlation up to which cells are taken as correlated: 1 / 8000 is left beyond."""
@@ -25,7 +27,7 @@ class SumOfHeights:
 
     value: float
     local: float
-    """standard deviation by noise and roughness"""
+    """standard deviation by noise, roughness, steps and filled holes"""
     moved: Array
     """(q,) how it moves with each of the independent errors of orientation and calibration"""
 
@@ -38,6 +40,21 @@ class SumOfHeights:
     def sigma(self) -> float:
         """Standard deviation, all parts."""
         return float(np.hypot(self.local, self.orientation))
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Holes:
+    """Cells whose heights were interpolated."""
+
+    number: Index
+    """(rows, columns) of the hole that a cell is of; 0: it was measured"""
+    sigma: Array
+    """(rows, columns) standard deviation by what the surface does between its neighbours"""
+
+    @property
+    def filled(self) -> Mask:
+        """Which cells were."""
+        return self.number > 0
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -56,11 +73,31 @@ class HeightModel:
     """side of a cell, in the unit of the heights"""
     length: float
     """distance in cells at which errors of two points by noise and roughness correlate by 1 / e"""
+    holes: Holes | None = None
+    """None: all heights were measured"""
+
+    @property
+    def shape(self) -> tuple[int, int]:
+        """Rows and columns."""
+        rows, columns = self.heights.height.shape
+        return rows, columns
 
     @property
     def known(self) -> Mask:
         """Cells with a height."""
         return np.isfinite(self.heights.height)
+
+    @property
+    def sigma(self) -> Array:
+        """(rows, columns) standard deviations of single heights, all parts."""
+        s = self.heights.sigma
+        return s if self.holes is None else np.hypot(s, self.holes.sigma)
+
+    @property
+    def local(self) -> Array:
+        """(rows, columns) standard deviations of single heights by all but orientation and calibration."""
+        s = np.hypot(self.heights.local, self.heights.step)
+        return s if self.holes is None else np.hypot(s, self.holes.sigma)
 
     def sum_of(self, weights: Array) -> SumOfHeights:
         """The sum of heights times weights (rows, columns).
@@ -76,28 +113,45 @@ class HeightModel:
         return SumOfHeights(value=value, local=np.sqrt(self._local(weights, used)), moved=self._moved(weights))
 
     def _local(self, weights: Array, used: Mask) -> float:
-        """Variance of a sum by noise and roughness."""
-        h = self.heights
-        own = float(((weights[used] * h.local[used].astype(float)) ** 2).sum())
-        s = np.where(used, weights * np.nan_to_num(h.point.astype(float)), 0.0)
-        every = BETWEEN_MAPS * self._with_neighbours(s)
-        for image in np.unique(h.image[used]):
-            part = np.where(h.image == image, s, 0.0)
-            rows, columns = (np.flatnonzero(part.any(axis=axis)) for axis in (1, 0))
-            if len(rows):
-                window = part[rows[0] : rows[-1] + 1, columns[0] : columns[-1] + 1]
-                every += (1 - BETWEEN_MAPS) * self._with_neighbours(window)
-        return own + every
+        """Variance of a sum by all but orientation."""
+        rows, columns = (np.flatnonzero(used.any(axis=axis)) for axis in (1, 0))
+        if not len(rows):
+            return 0.0
+        box = slice(rows[0], rows[-1] + 1), slice(columns[0], columns[-1] + 1)
+        w, there, h = weights[box], used[box], self.heights
+        image = h.image[box]
+        own = float(((w[there] * h.local[box][there].astype(float)) ** 2).sum())
+        s = np.where(there, w * np.nan_to_num(h.point[box].astype(float)), 0.0)
+        found = own + BETWEEN_MAPS * self._with_neighbours(s)
+        for one in np.unique(image[there]):
+            part = np.where(image == one, s, 0.0)
+            r, c = (np.flatnonzero(part.any(axis=axis)) for axis in (1, 0))
+            if len(r):
+                found += (1 - BETWEEN_MAPS) * self._with_neighbours(part[r[0] : r[-1] + 1, c[0] : c[-1] + 1])
+        # differences of neighbours may all but cancel: rounding leaves no negative variance
+        found = max(found, 0.0) + self._by_steps(np.where(there, w * h.step[box].astype(float), 0.0))
+        if self.holes is None:
+            return found
+        number = self.holes.number[box]
+        gap = np.where(there, w * self.holes.sigma[box], 0.0)
+        return found + float((np.bincount(number.ravel(), gap.ravel())[1:] ** 2).sum())
 
     def _with_neighbours(self, s: Array) -> float:
         """The sum over all pairs of different cells of s_i s_j times their correlation."""
         n = int(np.ceil(REACH * self.length)) + 1
         steps = np.arange(-n, n + 1.0)
         kernel = between(steps, np.zeros(1), self.length) / np.sqrt(between(np.zeros(1), np.zeros(1), self.length))
-        around = cv2.sepFilter2D(
-            np.ascontiguousarray(s, np.float64), cv2.CV_64F, kernel, kernel, borderType=cv2.BORDER_CONSTANT
-        )
+        around = _filtered(s, kernel)
         return float((s * around).sum() - kernel[n] ** 2 * (s**2).sum())
+
+    def _by_steps(self, s: Array) -> float:
+        """Variance of a sum of errors by steps."""
+        if not s.any():
+            return 0.0
+        length = step_length(self.length)
+        n = int(np.ceil(REACH * length))
+        kernel = np.exp(-((np.arange(-n, n + 1.0) / length) ** 2))
+        return max(float((s * _filtered(s, kernel)).sum()), 0.0)
 
     def _moved(self, weights: Array) -> Array:
         """How a sum moves with each independent error of orientation."""
@@ -106,3 +160,30 @@ class HeightModel:
         whole[: weights.shape[0], : weights.shape[1]] = weights
         of_block = whole.reshape(rows, self.block, columns, self.block).sum(axis=(1, 3))
         return np.einsum("rc,rcq->q", of_block, self.moved, optimize=True)
+
+    def covariance(self, one: Index, other: Index) -> Array:
+        """Covariances (...) of the heights of pairs of cells, all parts; cells by their numbers, row by row."""
+        columns = self.shape[1]
+        (r, c), (r2, c2) = np.divmod(one, columns), np.divmod(other, columns)
+        h, apart = self.heights, (r - r2, c - c2)
+        same = h.image.flat[one] == h.image.flat[other]
+        share = np.where(same, 1.0, BETWEEN_MAPS) * between(apart[1], apart[0], self.length)
+        found = share * h.point.flat[one].astype(float) * h.point.flat[other]
+        found = np.where(one == other, h.local.flat[one].astype(float) ** 2, found)
+        near = np.exp(-(apart[0] ** 2 + apart[1] ** 2) / step_length(self.length) ** 2)
+        found += near * h.step.flat[one].astype(float) * h.step.flat[other]
+        if self.holes is not None:
+            number = self.holes.number
+            both = number.flat[one] == number.flat[other]
+            found += np.where(both, self.holes.sigma.flat[one] * self.holes.sigma.flat[other], 0.0)
+        blocks, width = self.moved.reshape(-1, self.moved.shape[2]).astype(float), self.moved.shape[1]
+        at, at2 = (i // self.block * width + j // self.block for i, j in ((r, c), (r2, c2)))
+        alike, which = np.unique(np.stack([at.ravel(), at2.ravel()]), axis=1, return_inverse=True)
+        products = np.einsum("nq,nq->n", blocks[alike[0]], blocks[alike[1]])
+        return found + products[which.ravel()].reshape(found.shape)
+
+
+def _filtered(s: Array, kernel: Array) -> Array:
+    return cv2.sepFilter2D(
+        np.ascontiguousarray(s, np.float64), cv2.CV_64F, kernel, kernel, borderType=cv2.BORDER_CONSTANT
+    )

@@ -1,8 +1,9 @@
 """Heights of a surface above a plane, on a grid: of each cell the layer that lies on top, with its standard deviations.
 
 Points of a cell are brought to its middle along their own slopes, parted into layers where they stand apart, and those
-of the uppermost layer are combined by their weights.  What they share (windows that overlap, photographs,
-orientation) does not get better with their number, and the standard deviations say so.
+of the uppermost layer are combined by their weights: the height of a cell is the mean of its uppermost layer over the
+cell, not that of its middle.  What the points share (windows that overlap, photographs, orientation) does not get
+better with their number, and the standard deviations say so.
 """
 
 from __future__ import annotations
@@ -63,6 +64,8 @@ class Heights:
     height: Array
     local: Array
     """standard deviation by noise and roughness"""
+    step: Array
+    """standard deviation by steps of the surface within the resolution (`relief`); `on_grid` leaves it at 0"""
     orientation: Array
     """standard deviation by orientation and calibration"""
     point: Array
@@ -84,7 +87,7 @@ class Heights:
     @property
     def sigma(self) -> Array:
         """Standard deviation (rows, columns), all parts."""
-        return np.hypot(self.local, self.orientation)
+        return np.hypot(np.hypot(self.local, self.step), self.orientation)
 
 
 def on_grid(points: PointsOfCells, shape: tuple[int, int], length: float) -> tuple[Heights, Array]:
@@ -96,7 +99,11 @@ def on_grid(points: PointsOfCells, shape: tuple[int, int], length: float) -> tup
     rows, columns = shape
     empty = np.full(shape, np.nan, np.float32)
     found = {name: empty.copy() for name in ("height", "local", "orientation", "point")}
-    found |= {"points": np.zeros(shape, np.uint16), "image": np.full(shape, -1, np.int32)}
+    found |= {
+        "step": np.zeros(shape, np.float32),
+        "points": np.zeros(shape, np.uint16),
+        "image": np.full(shape, -1, np.int32),
+    }
     weights = np.zeros(len(points))
     i, j = np.floor(points.column).astype(int), np.floor(points.row).astype(int)
     inside = np.flatnonzero((i >= 0) & (i < columns) & (j >= 0) & (j < rows))

@@ -17,7 +17,7 @@ from raybundle.io.pictures.rectified import toml_text
 from raybundle.io.raster_library import raster_library
 from raybundle.io.reading.trees import read_toml
 from raybundle.numerics.arrays import Array
-from raybundle.surfaces.height_model import HeightModel
+from raybundle.surfaces.height_model import HeightModel, Holes
 from raybundle.surfaces.heights import Heights
 from raybundle.workflows.height_grid import HeightGrid
 from raybundle.workflows.height_tiles import BLOCK_CELLS, TILE_CELLS, moved_of
@@ -26,10 +26,13 @@ from raybundle.workflows.surface import Surface
 
 HEIGHTS, SIGMAS, ABOUT, MOVED = "heights.tif", "heights_sigma.tif", "heights.toml", "heights_orientation.npz"
 FILES = (HEIGHTS, SIGMAS, ABOUT, MOVED)
-BANDS = ("sigma", "sigma of noise and roughness", "sigma of orientation", "sigma of a point", "points", "image")
+BANDS = (
+    "sigma", "sigma of noise and roughness", "sigma of steps", "sigma of orientation", "sigma of a point", "points",
+    "image",
+)  # fmt: skip
 """Of the second file"""
-KEPT = ("", "local", "orientation", "point", "points", "image")
-"""Fields of `Heights` that these are; the first follows from two others"""
+KEPT = ("", "local", "step", "orientation", "point", "points", "image")
+"""Fields of `Heights` that these are; the first follows from three others"""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -146,6 +149,23 @@ def _tiles(file: HeightFile) -> Iterator[tuple[int, int, int, int, int]]:
         yield tile, x, y, min(TILE_CELLS, file.width - x), min(TILE_CELLS, file.height - y)
 
 
+def write_model(model: HeightModel, file: HeightFile, out: Path) -> None:
+    """Write heights that were made of others into a folder, as `write_heights` does; filled holes are kept as such."""
+    h = model.heights
+    sigma = np.where(model.known, model.sigma, np.nan)
+    bands = [sigma, *(np.where(model.known, getattr(h, name), np.nan) for name in KEPT[1:])]
+    with new_files(*(out / f for f in FILES)) as (heights, sigmas, about, moved):
+        with file.new(heights, ("height",)) as write:
+            write(0, 0, h.height[..., None])
+        with file.new(sigmas, BANDS) as write:
+            write(0, 0, np.stack(bands, axis=2).astype(np.float32))
+        kept = {"moved": model.moved, "block": np.array(model.block)}
+        if model.holes is not None:
+            kept |= {"holes": model.holes.number.astype(np.int32), "holes_sigma": model.holes.sigma.astype(np.float32)}
+        np.savez_compressed(moved, allow_pickle=False, **kept)
+        about.write_text(toml_text({**file.as_mapping(), "length_cells": model.length}), encoding="utf-8")
+
+
 def read_heights(folder: str | Path) -> tuple[HeightModel, HeightFile]:
     """Heights as `write_heights` wrote them.  Raises InputError where a file is missing or does not fit the others."""
     library, folder = raster_library(), Path(folder)
@@ -160,16 +180,19 @@ def read_heights(folder: str | Path) -> tuple[HeightModel, HeightFile]:
         height, bands = one.read(1), many.read()
         wkt = one.crs.to_wkt() if one.crs else ""
     found = dict(zip(KEPT[1:], bands[1:], strict=True))
-    with np.load(folder / MOVED) as kept:
+    with np.load(folder / MOVED, allow_pickle=False) as kept:
         moved, block = kept["moved"], int(kept["block"])
+        holes = Holes(number=kept["holes"], sigma=kept["holes_sigma"]) if "holes" in kept else None
     heights = Heights(
-        height=height, local=found["local"], orientation=found["orientation"], point=found["point"],
+        height=height, local=found["local"], step=np.nan_to_num(found["step"]), orientation=found["orientation"],
+        point=found["point"],
         points=np.nan_to_num(found["points"]).astype(np.uint16),
         image=np.nan_to_num(found["image"], nan=-1).astype(np.int32),
     )  # fmt: skip
     model = HeightModel(
-        heights=heights, moved=moved, block=block, cell=numbers["pixel"], length=numbers["length_cells"]
-    )
+        heights=heights, moved=moved, block=block, cell=numbers["pixel"], length=numbers["length_cells"],
+        holes=holes,
+    )  # fmt: skip
     told = {k: v.value for k, v in tree.mapping().items()}
     plane = {k: v for k, v in told.items() if k not in {"left", "top", "pixel", "width_px", "height_px", "block"}}
     return model, HeightFile(

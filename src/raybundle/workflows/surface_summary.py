@@ -98,8 +98,8 @@ def _heights(surface: Surface, file: HeightFile) -> HeightSummary | None:
     middle, known = file.height // 2, 0
     for tile, key in measured.tiles.items():
         x, y, width, height = tile_window(grid, tile)
-        a = surface.store.wanted(key, ("height", "local", "orientation"))
-        both = np.stack([a["height"], np.hypot(a["local"], a["orientation"])]).astype(float)
+        a = surface.store.wanted(key, ("height", "local", "step", "orientation"))
+        both = np.stack([a["height"], np.hypot(np.hypot(a["local"], a["step"]), a["orientation"])]).astype(float)
         known += int(np.isfinite(both[0]).sum())
         rows, columns = (np.arange(-start % k, n, k) for start, n in ((y, height), (x, width)))
         if len(rows) and len(columns):

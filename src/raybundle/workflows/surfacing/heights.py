@@ -20,14 +20,15 @@ from raybundle.surfaces.depth_map import DepthMap
 from raybundle.surfaces.heights import STEEPEST, PointsOfCells, on_grid
 from raybundle.surfaces.orientation import CommonRoot, ShiftCovariance
 from raybundle.surfaces.pairs import Sources
+from raybundle.surfaces.relief import halo, steps_of
 from raybundle.surfaces.transfer import ReferenceRays
 from raybundle.workflows.height_grid import HeightGrid
 from raybundle.workflows.height_tiles import BLOCK_CELLS, TILE_CELLS, tile_of_number, tiles_across
 from raybundle.workflows.surface_state import SURFACE, MeasuredHeights
 from raybundle.workflows.surfacing.maps import PART, part_of
 
-VERSION = 1
-TOGETHER, ABOVE, TILE = "surface orientation", "surface above", "surface heights"
+VERSION, STEPS_VERSION = 1, 2
+TOGETHER, ABOVE, LAYER, TILE = "surface orientation", "surface above", "surface layer", "surface heights"
 """First words of the keys of what is kept"""
 SAMPLES = 48
 """Points of a part and map whose mean stands for all of them."""
@@ -71,6 +72,18 @@ class TileTask:
     grid: HeightGrid
 
 
+@dataclass(frozen=True, slots=True, kw_only=True)
+class StepTask:
+    """The heights of a tile, with their standard deviations by steps."""
+
+    tile: int
+    own: str
+    """key of its layer"""
+    others: tuple[tuple[int, str], ...]
+    """tiles around it, and the keys of their layers"""
+    grid: HeightGrid
+
+
 def measure(i: Inputs, means: Means) -> MeasuredHeights:
     """All tiles by tasks."""
     refs = sorted(i.clouds)
@@ -82,9 +95,12 @@ def measure(i: Inputs, means: Means) -> MeasuredHeights:
     for k, key in above.items():
         for tile in means.store.wanted(key, ("tiles",))["tiles"].tolist():
             there.setdefault(tile, []).append(k)
-    tiles = [_tile(i.grid, tile, mine, [above[k] for k in mine]) for tile, mine in sorted(there.items())]
-    _done(means, tiles, "heights")
-    found = {tile: t.key for tile, t in zip(sorted(there), tiles, strict=True)}
+    layers = [_tile(i.grid, tile, mine, [above[k] for k in mine]) for tile, mine in sorted(there.items())]
+    _done(means, layers, "heights")
+    keys = {tile: t.key for tile, t in zip(sorted(there), layers, strict=True)}
+    tiles = [_steps(i.grid, tile, keys) for tile in sorted(keys)]
+    _done(means, tiles, "steps between heights")
+    found = {tile: t.key for tile, t in zip(sorted(keys), tiles, strict=True)}
     return MeasuredHeights(grid=i.grid, tiles=found, above=above, together=together)
 
 
@@ -122,9 +138,26 @@ def _above(i: Inputs, means: Means, k: int, together: str) -> Task:
 def _tile(grid: HeightGrid, tile: int, images: Sequence[int], above: Sequence[str]) -> Task:
     """The task of a tile."""
     return Task(
-        key=key_of(TILE, VERSION, tile, images, above, grid), function=f"{__name__}:tile_of", inputs=tuple(above),
+        key=key_of(LAYER, VERSION, tile, images, above, grid), function=f"{__name__}:tile_of", inputs=tuple(above),
         options=TileTask(tile=tile, above=tuple(above), images=tuple(images), grid=grid),
         name=f"tile {tile}", cost=TILE_CELLS**2 * CELL_S * (1 + len(above)),
+    )  # fmt: skip
+
+
+def _steps(grid: HeightGrid, tile: int, layers: Mapping[int, str]) -> Task:
+    """The task of the steps in a tile."""
+    across, (row, column) = tiles_across(grid), divmod(tile, tiles_across(grid))
+    around = [
+        (r * across + c, layers[r * across + c])
+        for r in range(row - 1, row + 2)
+        for c in range(max(column - 1, 0), min(column + 2, across))
+        if (r, c) != (row, column) and r * across + c in layers
+    ]
+    inputs = (layers[tile], *(key for _, key in around))
+    return Task(
+        key=key_of(TILE, STEPS_VERSION, tile, inputs, grid), function=f"{__name__}:steps_in", inputs=inputs,
+        options=StepTask(tile=tile, own=layers[tile], others=tuple(around), grid=grid),
+        name=f"tile {tile}", cost=TILE_CELLS**2 * CELL_S,
     )  # fmt: skip
 
 
@@ -237,9 +270,29 @@ def tile_of(store: Folder, task: TileTask) -> Product:
     }  # fmt: skip
 
 
+def steps_in(store: Folder, task: StepTask) -> Product:
+    """The task: the heights of a tile, with what steps within the resolution do to them."""
+    own = dict(store.wanted(task.own))
+    length = float(own["length"])
+    x, y, width, height = tile_window(task.grid, task.tile)
+    rim = min(halo(length), TILE_CELLS)
+    around = np.full((2, height + 2 * rim, width + 2 * rim), np.nan)
+    for tile, key in ((task.tile, task.own), *task.others):
+        a = store.lent(key, ("height", "local"))
+        u, v, w, h = tile_window(task.grid, tile)
+        left, top = max(u, x - rim), max(v, y - rim)
+        right, bottom = min(u + w, x + width + rim), min(v + h, y + height + rim)
+        to = slice(top - y + rim, bottom - y + rim), slice(left - x + rim, right - x + rim)
+        by = slice(top - v, bottom - v), slice(left - u, right - u)
+        for values, name in zip(around, ("height", "local"), strict=True):
+            values[to] = a[name][by]
+    steps = steps_of(around[0], around[1], length, task.grid.grid.pixel)
+    return {**own, "step": steps[rim : rim + height, rim : rim + width]}
+
+
 STAGE = SURFACE.register(
     Stage(
-        name="heights", after=("fusion",), function=measure, kinds=(TOGETHER, ABOVE, TILE),
+        name="heights", after=("fusion",), function=measure, kinds=(TOGETHER, ABOVE, LAYER, TILE),
         put=lambda s, found: replace(s, heights=found), when=lambda s: s.options.grid is not None,
         told=lambda s: f"{len(s.heights.tiles)} tiles" if s.heights else "",
         inputs=lambda s: Inputs(

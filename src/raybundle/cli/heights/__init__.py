@@ -1,0 +1,32 @@
+"""`raybundle heights ...`: one file a subcommand, loaded when it is called."""
+
+from __future__ import annotations
+
+import click
+
+from raybundle.cli.lazy import LazyGroup
+
+SUBCOMMANDS = {
+    "volume": "Volume above and below a base, area in plan and true area.",
+    "section": "Profiles along lines, as table, picture or drawing.",
+    "contours": "Contour lines, without the wiggles that are noise.",
+    "ground": "The ground told from what stands on it: a terrain model.",
+    "difference": "What has moved between two surfaces by more than chance.",
+}
+
+
+@click.group("heights", cls=LazyGroup)
+def command() -> None:
+    """What people compute from the heights of a surface, with true standard deviations.
+
+    SURFACE is a folder that `raybundle surface --dsm CELL` wrote, or `raybundle heights ground`. Errors of neighbours,
+    those along steps, and those of the orientation are correlated, and all of it is counted.
+
+    \b
+    Example:
+      raybundle heights volume facade-project/surface --extent 1 0 2 1 --above 0
+      raybundle heights difference may/surface october/surface --out moved
+    """  # noqa: D301
+
+
+command.home, command.told = __name__, SUBCOMMANDS

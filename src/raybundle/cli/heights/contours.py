@@ -1,0 +1,45 @@
+"""`raybundle heights contours`."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+import click
+
+from raybundle.cli.common import FOLDER, NEW_FILE, Command, counted, facts
+from raybundle.cli.heights.words import FREE
+from raybundle.cli.settings import options_of, values_of
+from raybundle.commands.heights.contours import HeightsContoursSettings, run_contours
+from raybundle.settings import made
+
+
+@click.command("contours", cls=Command)
+@click.argument("source", type=FOLDER, metavar="SURFACE")
+@options_of(HeightsContoursSettings, out=NEW_FILE)
+def command(source: Path, **given: Any) -> None:
+    """Contour lines with their heights, for GIS and CAD.
+
+    Heights are smoothed as far as their standard deviations say that a wiggle is noise, so that edges stay sharp and
+    even ground gets even lines; --rough leaves them as they were measured.
+
+    \b
+    Example:
+      raybundle heights contours pit/surface --interval 0.5 --out contours.gpkg
+      raybundle heights contours facade-project/surface --interval 0.01 --out relief.svg --out relief.dxf
+    """  # noqa: D301
+    found = run_contours(made(HeightsContoursSettings, {"source": source, **values_of(HeightsContoursSettings, given)}))
+    lines = sum(len(c.lines) for c in found.contours)
+    facts(levels=[c.height for c in found.contours], lines=lines, unit=found.unit, files=[str(f) for f in found.files])
+    low, high = found.contours[0].height, found.contours[-1].height
+    unit = f" {found.unit}" if found.unit else ""
+    click.echo(f" {counted(lines, 'line')} of {counted(len(found.contours), 'height')}, {low:.6g} to {high:.6g}{unit}")
+    if found.interval < 2 * found.sigma:
+        click.echo(
+            f" caution: the interval {found.interval:g} is less than two standard deviations of a height "
+            f"({found.sigma:.2g}{unit}): neighbouring lines are not told apart by it"
+        )
+    if not unit:
+        click.echo(f" {FREE}")
+    for path in found.files:
+        click.echo(f" {path}")

@@ -1,0 +1,47 @@
+"""`raybundle heights ground`."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+import click
+
+from raybundle.cli.common import FOLDER, NEW_FOLDER, Command, facts, significant
+from raybundle.cli.heights.words import FREE
+from raybundle.cli.settings import options_of, values_of
+from raybundle.commands.heights.ground import HeightsGroundSettings, run_ground
+from raybundle.settings import made
+
+
+@click.command("ground", cls=Command)
+@click.argument("source", type=FOLDER, metavar="SURFACE")
+@options_of(HeightsGroundSettings, out=NEW_FOLDER)
+def command(source: Path, **given: Any) -> None:
+    """Tell the ground from what stands on it, and write it as heights of the same kind: a terrain model.
+
+    The simple morphological filter (Pingel and others 2013): the surface is opened with discs that grow to the width
+    of the largest thing; what is cut off by more than the slope and the standard deviations allow stands on the
+    ground. Below it the ground is spanned, with a standard deviation that grows with the gap. All commands of
+    `heights` take the folder.
+
+    \b
+    Example:
+      raybundle heights ground pit/surface --largest 12 --slope 30
+      raybundle heights contours pit/surface/ground --interval 0.5 --out terrain.gpkg
+    """  # noqa: D301
+    found = run_ground(made(HeightsGroundSettings, {"source": source, **values_of(HeightsGroundSettings, given)}))
+    facts(
+        folder=str(found.folder), unit=found.unit, standing=found.standing, filled=found.filled, sigma=found.sigma,
+        filled_sigma=found.filled_sigma,
+    )  # fmt: skip
+    unit = f" {found.unit}" if found.unit else ""
+    click.echo(f" {found.standing:.1%} of the heights stand on the ground")
+    if found.filled:
+        click.echo(
+            f" ground: sigma {significant(found.sigma)}{unit} in the median where it was measured; {found.filled:.1%} "
+            f"of it spans gaps, sigma {significant(found.filled_sigma)}{unit}"
+        )
+    if not unit:
+        click.echo(f" {FREE}")
+    click.echo(f" {found.folder}")

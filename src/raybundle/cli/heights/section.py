@@ -1,0 +1,66 @@
+"""`raybundle heights section`."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import click
+
+from raybundle.cli.common import FOLDER, NEW_FILE, Command, facts
+from raybundle.cli.heights.words import FREE, measured
+from raybundle.cli.settings import options_of, values_of
+from raybundle.commands.heights.section import HeightsSectionSettings, run_section
+from raybundle.settings import made
+
+if TYPE_CHECKING:
+    from raybundle.commands.heights.section import MeasuredSections
+
+
+@click.command("section", cls=Command)
+@click.argument("source", type=FOLDER, metavar="SURFACE")
+@options_of(HeightsSectionSettings, out=NEW_FILE)
+def command(source: Path, **given: Any) -> None:
+    """Profiles along lines: height and standard deviation of each place, of the mean, of differences of places.
+
+    .csv is a table, .svg a picture with the band in which 95 % of the surface lies, .dxf a drawing true to scale with
+    profile and band on layers of their own.
+
+    \b
+    Example:
+      raybundle heights section facade-project/surface --line "-1 0, 1 0" --out cut.svg --out cut.csv
+      raybundle heights section facade-project/surface --line "-1 0, 1 0" --between 0.2 1.8
+    """  # noqa: D301
+    found = run_section(made(HeightsSectionSettings, {"source": source, **values_of(HeightsSectionSettings, given)}))
+    facts(unit=found.unit, files=[str(f) for f in found.files], sections=[
+        {
+            "name": m.name, "length": float(m.section.distance[-1]), "places": len(m.section.distance),
+            "mean": None if m.mean is None else m.mean.value, "mean_sigma": None if m.mean is None else m.mean.sigma,
+            "difference": None if m.difference is None else m.difference.value,
+            "difference_sigma": None if m.difference is None else m.difference.sigma,
+        }
+        for m in found.sections
+    ])  # fmt: skip
+    click.echo("\n".join(f" {line}" for line in _lines(found)))
+
+
+def _lines(found: MeasuredSections) -> list[str]:
+    import numpy as np  # noqa: PLC0415
+
+    lines = list[str]()
+    for m in found.sections:
+        known = np.isfinite(m.section.height)
+        far = f"{m.section.distance[-1]:.6g} {found.unit}".rstrip()
+        if m.mean is None:
+            lines.append(f"{m.name}: {far}, nowhere a height")
+            continue
+        lines.append(
+            f"{m.name}: {far}, {known.mean():.0%} of it with a height; mean height "
+            f"{measured(m.mean.value, m.mean.sigma, found.unit)}; sigma of a place "
+            f"{np.median(m.section.sigma[known]):.2g} in the median"
+        )
+        if m.difference is not None:
+            lines.append(f"difference of height: {measured(m.difference.value, m.difference.sigma, found.unit)}")
+    if not found.unit:
+        lines.append(FREE)
+    return [*lines, *(str(f) for f in found.files)]

@@ -1,0 +1,23 @@
+"""Settings that the commands on heights share."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from pathlib import Path
+
+from raybundle.settings import NOT_NEGATIVE, setting
+
+CELLS_FILLED = 10
+"""Width in cells of the holes that are filled where nobody says how wide."""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class HeightsSettings:
+    """What is taken from a surface."""
+
+    source: Path
+    """folder of `surface` with heights"""
+    fill: float | None = setting(
+        None, "Fill holes up to this width, in the unit of the heights, from what is around them; their standard "
+        "deviation grows with the gap. 0: none.  [default: 10 cells]", metavar="WIDTH", limits=NOT_NEGATIVE,
+    )  # fmt: skip

@@ -1,0 +1,75 @@
+"""`raybundle heights contours`: contour lines."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from raybundle.commands.heights.common import CELLS_FILLED, HeightsSettings
+from raybundle.errors import InputError
+from raybundle.settings import POSITIVE, option, setting
+
+if TYPE_CHECKING:
+    from raybundle.surfaces.contours import Contour
+    from raybundle.workflows.heights_read import Opened
+
+FORMATS = (".gpkg", ".geojson", ".dxf", ".svg")
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class HeightsContoursSettings(HeightsSettings):
+    """Which contour lines, and where they go."""
+
+    interval: float | None = setting(
+        None, "From line to line, in the unit of the heights.", limits=POSITIVE, metavar="HEIGHT"
+    )
+    rough: bool = setting(False, "Leave the wiggles that are noise.")
+    out: tuple[Path, ...] = setting((), "New files: .gpkg, .geojson, .dxf, .svg, by their endings.", metavar="FILE")
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class DrawnContours:
+    """Contour lines that were written."""
+
+    contours: tuple[Contour, ...]
+    interval: float
+    unit: str
+    sigma: float
+    """median standard deviation of a height by noise, that neighbours do not share"""
+    files: tuple[Path, ...]
+
+
+def run_contours(settings: HeightsContoursSettings) -> DrawnContours:
+    """The contour lines that the settings ask for, written."""
+    import numpy as np  # noqa: PLC0415  (what computes is loaded after the help)
+
+    from raybundle.io.folders import new_files  # noqa: PLC0415
+    from raybundle.surfaces.contours import contours, smoothed  # noqa: PLC0415
+    from raybundle.workflows.contour_files import write_contours  # noqa: PLC0415
+    from raybundle.workflows.heights_read import opened  # noqa: PLC0415
+
+    s = settings
+    if s.interval is None:
+        raise InputError(f"the interval is not given; say {option('interval', 'HEIGHT')}")
+    if not s.out:
+        raise InputError(f"nothing would be written; say where with {option('out', 'FILE')}")
+    for path in s.out:
+        if path.suffix.lower() not in FORMATS:
+            raise InputError(f"contour lines are written as {', '.join(FORMATS)}; choose one of these", file=path)
+    o = opened(s.source, 0.0)
+    o: Opened = opened(s.source, CELLS_FILLED * o.file.cell if s.fill is None else s.fill)
+    height = o.model.heights.height if s.rough else smoothed(o.model)
+    found = contours(height, s.interval)
+    if not found:
+        known = o.model.heights.height[o.model.known]
+        raise InputError(
+            f"no line: heights reach from {known.min():.6g} to {known.max():.6g}, between two multiples of "
+            f"{s.interval:g}; choose a smaller {option('interval')}",
+            file=s.source,
+        )
+    for path in s.out:
+        with new_files(path) as (new,):
+            write_contours(o, found, s.interval, new)
+    sigma = float(np.median(o.model.heights.local[o.model.known]))
+    return DrawnContours(contours=found, interval=s.interval, unit=o.unit, sigma=sigma, files=s.out)

@@ -1,0 +1,58 @@
+"""`raybundle heights difference`: what has moved between two surfaces."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from raybundle.errors import InputError
+from raybundle.settings import setting
+
+if TYPE_CHECKING:
+    from raybundle.surfaces.movements import Movements
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class HeightsDifferenceSettings:
+    """Two surfaces."""
+
+    before: Path
+    """folder of `surface` with heights"""
+    after: Path
+    out: Path | None = setting(None, "New folder.", metavar="FOLDER")
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class MeasuredDifference:
+    """What has moved."""
+
+    movements: Movements
+    unit: str
+    compared: float
+    """share of the heights before that have one after"""
+    in_map: bool
+    files: tuple[Path, ...]
+
+
+def run_difference(settings: HeightsDifferenceSettings) -> MeasuredDifference:
+    """The movements between two surfaces, written where that is asked for."""
+    from raybundle.io.folders import check_new_folder  # noqa: PLC0415  (what computes is loaded after the help)
+    from raybundle.surfaces.movements import movements  # noqa: PLC0415
+    from raybundle.surfaces.resampled import difference  # noqa: PLC0415
+    from raybundle.workflows.heights_read import on_same_grid, opened  # noqa: PLC0415
+    from raybundle.workflows.movement_files import write_movements  # noqa: PLC0415
+
+    s = settings
+    if s.out is not None:
+        check_new_folder(s.out)
+    before, after = opened(s.before), opened(s.after)
+    model = difference(before.model, on_same_grid(before, after))
+    if not model.known.any():
+        raise InputError(f"shows nothing of what {s.before} shows: no cell has a height in both", file=s.after)
+    found = movements(model)
+    files = write_movements(before, model, found, s.out) if s.out is not None else ()
+    return MeasuredDifference(
+        movements=found, unit=before.unit, compared=float(model.known.sum() / before.model.known.sum()),
+        in_map=bool(before.file.wkt), files=files,
+    )  # fmt: skip

@@ -1,0 +1,145 @@
+"""Holes between heights, filled by what lies around them, with a standard deviation that grows with the gap.
+
+Within a hole the heights are those of a membrane that is spanned over its rim (a discrete Laplace equation).  What
+the surface does in between is told by its own variogram, E (h(x + d) - h(x))^2 / 2 = c d^p, with p of the whole and c
+of the surroundings, from second differences, which tilts do not touch (Matheron 1963).  Straight between two rims the
+error of a place at the distance d from the nearest has the variance 2 c d^p (1 - d / D)^p, D being the width of the
+gap.
+"""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from typing import cast
+
+import numpy as np
+from scipy.ndimage import distance_transform_edt, gaussian_filter, label
+from scipy.sparse import csr_array
+from scipy.sparse.linalg import spsolve
+
+from raybundle.numerics.arrays import Array, Index, Mask
+from raybundle.surfaces.height_model import HeightModel, Holes
+from raybundle.surfaces.heights import Heights
+
+LAGS = (2, 4)
+"""Cells; windows that overlap do not reach so far"""
+LEAST_POWER, MOST_POWER = 0.3, 1.9
+AROUND = 8.0
+"""Cells over which the roughness of the surroundings is averaged."""
+EIGHT = np.ones((3, 3), int)
+
+
+def filled(model: HeightModel, limit: float) -> HeightModel:
+    """The same with holes filled that heights enclose and whose cells lie no further than `limit` cells from one.
+
+    What it does not tell: what stands in a hole and shows nowhere around it.
+    """
+    unknown = ~model.known
+    number, _ = parts_of(unknown)
+    edge = np.unique(np.concatenate([number[0], number[-1], number[:, 0], number[:, -1]]))
+    depth = np.asarray(distance_transform_edt(unknown))
+    deepest = _largest(number, depth)
+    small = deepest <= limit
+    small[edge] = False
+    small[0] = False
+    return spanned(model, small[number])
+
+
+def spanned(model: HeightModel, wanted: Mask) -> HeightModel:
+    """The same with cells filled: unknown ones, or others whose heights are to be replaced.
+
+    Cells that no known one can be reached from stay unknown.
+    """
+    if not wanted.any():
+        return model
+    h = model.heights
+    known = model.known & ~wanted
+    number, _ = parts_of(wanted)
+    if not known.any():
+        return model
+    found = distance_transform_edt(~known, return_indices=True)
+    depth, (row, column) = cast("tuple[Array, Array]", found)
+    height = np.where(known, h.height, np.nan).astype(float)
+    _span(height, wanted)
+    power, strength = _variogram(height, np.where(known, h.local, np.nan))
+    deepest = _largest(number, depth)[number]
+    gap = 2 * strength * depth**power * (1 - depth / np.maximum(2 * deepest, 1)) ** power
+    sigma = np.where(wanted, np.sqrt(np.maximum(gap, 0.0)), 0.0)
+    near = {k: np.where(wanted, getattr(h, k)[row, column], getattr(h, k)) for k in NEAREST}
+    heights = Heights(height=height.astype(np.float32), points=np.where(wanted, 0, h.points).astype(np.uint16), **near)
+    before = model.holes
+    if before is not None:
+        sigma = np.hypot(sigma, np.where(wanted, 0.0, before.sigma))
+        number = np.where((number == 0) & before.filled, before.number + number.max(), number)
+    return replace(model, heights=heights, holes=Holes(number=number, sigma=sigma.astype(np.float32)))
+
+
+NEAREST = ("local", "step", "orientation", "point", "image")
+"""What a filled cell has from the nearest known one"""
+
+
+def parts_of(mask: Mask) -> tuple[Index, int]:
+    """The number (rows, columns) of the connected part that a cell is of, 0 outside, and how many there are."""
+    return cast("tuple[Index, int]", label(mask, EIGHT))
+
+
+def _largest(number: Index, values: Array) -> Array:
+    """(holes + 1,) the largest value of each."""
+    found = np.zeros(int(number.max()) + 1)
+    np.maximum.at(found, number.ravel(), values.ravel())
+    return found
+
+
+def _span(height: Array, wanted: Mask) -> None:
+    """Fill heights in place: each is the mean of its known or wanted neighbours above, below, left and right."""
+    reachable, _ = parts_of(wanted | np.isfinite(height))
+    touched = np.unique(reachable[np.isfinite(height)])
+    wanted = wanted & np.isin(reachable, touched)
+    at = np.flatnonzero(wanted.ravel())
+    if not len(at):
+        return
+    rows, columns = height.shape
+    order = np.full(height.size, -1)
+    order[at] = np.arange(len(at))
+    r, c = np.divmod(at, columns)
+    count, right = np.zeros(len(at)), np.zeros(len(at))
+    entries = list[tuple[Array, Array]]()
+    for dr, dc in ((-1, 0), (1, 0), (0, -1), (0, 1)):
+        inside = (r + dr >= 0) & (r + dr < rows) & (c + dc >= 0) & (c + dc < columns)
+        to = np.where(inside, (r + dr) * columns + c + dc, 0)
+        value, inner = height.flat[to], order[to]
+        there = inside & np.isfinite(value) & (inner < 0)
+        among = inside & (inner >= 0)
+        count += there | among
+        right += np.where(there, np.nan_to_num(value), 0.0)
+        entries.append((np.flatnonzero(among), inner[among]))
+    i = np.concatenate([np.arange(len(at)), *(e[0] for e in entries)])
+    j = np.concatenate([np.arange(len(at)), *(e[1] for e in entries)])
+    values = np.concatenate([count, -np.ones(len(i) - len(at))])
+    matrix = csr_array((values, (i, j)), shape=(len(at), len(at)))
+    height.flat[at] = spsolve(matrix.tocsc(), right)
+
+
+def _variogram(height: Array, local: Array) -> tuple[float, Array]:
+    """Power, and the strength (rows, columns) of the surroundings of each cell [square of the unit / cell^power]."""
+    noise = float(np.nanmedian(local)) ** 2
+    means, squares = list[float](), list[Array]()
+    for lag in LAGS:
+        parts = [np.full(height.shape, np.nan) for _ in range(2)]
+        if height.shape[1] > 2 * lag:
+            parts[0][:, lag:-lag] = height[:, 2 * lag :] + height[:, : -2 * lag] - 2 * height[:, lag:-lag]
+        if height.shape[0] > 2 * lag:
+            parts[1][lag:-lag] = height[2 * lag :] + height[: -2 * lag] - 2 * height[lag:-lag]
+        both = np.stack(parts) ** 2
+        there = np.isfinite(both)
+        total, n = np.where(there, both, 0.0).sum(axis=0), there.sum(axis=0).astype(float)
+        means.append(max(float(total.sum() / max(n.sum(), 1)) - 6 * noise, 0.05 * noise))
+        if not squares:
+            squares = [gaussian_filter(total, AROUND), gaussian_filter(n, AROUND)]
+    if not min(means) > 0:
+        return 1.0, np.zeros(height.shape)
+    power = float(np.clip(np.log(means[1] / means[0]) / np.log(LAGS[1] / LAGS[0]), LEAST_POWER, MOST_POWER))
+    mean = np.where(squares[1] > 1e-3, squares[0] / np.maximum(squares[1], 1e-3), means[0] + 6 * noise)
+    lag = LAGS[0]
+    # of what is left where noise was more than expected, a tenth of the whole is the least
+    return power, np.maximum(mean - 6 * noise, 0.1 * means[0]) / (8 * lag**power - 2 * (2 * lag) ** power)

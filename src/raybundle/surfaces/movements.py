@@ -1,0 +1,370 @@
+"""What has moved between two surfaces by more than chance: by all of it together, and by places of it.
+
+All errors of orientation move large parts alike.  They are estimated first, with what is known of them before
+(Gauss-Markov with a prior, robust by Huber's weights, so that a place that has moved has little say): what they cannot
+explain is local.  Local movement is looked for in windows of several sizes, as means of differences over their standard
+deviations.  The limit is Bonferroni's for all windows that are looked at, so that the chance of any false alarm on
+the whole surface is at most 5 % (family-wise; Nichols and Hayasaka 2003).  Single differences count up to three
+standard deviations each: blunders have heavier tails than noise, and no single cell is a movement.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import cv2
+import numpy as np
+from scipy.ndimage import binary_fill_holes
+from scipy.special import chdtri, ndtri
+
+from raybundle.numerics.arrays import Array, Mask
+from raybundle.surfaces.height_model import HeightModel, SumOfHeights
+from raybundle.surfaces.heights import between
+from raybundle.surfaces.holes import parts_of
+from raybundle.surfaces.relief import step_length
+
+CHANCE = 0.05
+"""Of any false alarm on the whole surface, and of the test of all of it."""
+SIDES = (3, 5, 9, 17, 33, 65, 129)
+"""Of windows [cells]"""
+HUBER = 1.5
+MOST = 3.0
+"""Standard deviations that a single difference counts at most."""
+KNOWN = 0.5
+"""Share of a window's cells that need a difference."""
+ROUNDS, PASSES = 30, 4
+SURE = 4.0
+"""Standard deviations of a mean that the movement of a region is at least, where its outline is drawn."""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class WholeMovement:
+    """How the whole has moved: shift and tilts of a plane, by cells that no region has."""
+
+    shift: SumOfHeights
+    """of the middle"""
+    tilt: tuple[float, float]
+    """by the columns and rows, rise over run"""
+    tilt_sigma: tuple[float, float]
+    chi2: float
+    """of the three together, by their joint covariance"""
+
+    @property
+    def limit(self) -> float:
+        """That chance leaves unexceeded in 95 %."""
+        return float(chdtri(3, CHANCE))
+
+    @property
+    def significant(self) -> bool:
+        """Whether it is more than chance."""
+        return self.chi2 > self.limit
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Region:
+    """A connected part that has moved against the rest."""
+
+    cells: Mask
+    """those within that have no height count"""
+    area: float
+    area_sigma: float
+    """by how well its outline is known"""
+    mean: float
+    """movement against the rest: of its inner part, so that a wrong outline does not count"""
+    mean_sigma: float
+    volume: float
+    volume_sigma: float
+    edge: float
+    """how well its outline is known: standard deviation of a place of it, in the unit of the heights"""
+    peak: float
+    """largest mean of a window over its standard deviation"""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Movements:
+    """What has moved."""
+
+    whole: WholeMovement
+    regions: tuple[Region, ...]
+    """the largest volume first"""
+    local: Array
+    """(rows, columns) differences less what orientation explains"""
+    sigma: Array
+    """(rows, columns) their standard deviations"""
+    peak: Array
+    """(rows, columns) the largest mean of a window about a cell over its standard deviation, with its sign"""
+    limit: float
+    """of the absolute value of that, for a chance of 5 % on the whole surface"""
+    windows: int
+    """that were looked at"""
+
+
+def movements(model: HeightModel) -> Movements:
+    """What has moved, by differences of heights and all their errors.
+
+    What it does not tell: a movement that errors of orientation can explain, other than by its size.
+    """
+    free, found = model.known, None
+    for _ in range(PASSES):
+        found = _local(model, free)
+        before, free = free, model.known.copy()
+        for r in found.regions:
+            free &= cv2.dilate(r.cells.astype(np.uint8), np.ones((3, 3), np.uint8)) == 0
+        # what has moved is to have no say in the errors of orientation
+        if not found.regions or (free == before).all() or not free.any():
+            break
+    assert found is not None
+    return Movements(
+        whole=_whole(model, free if free.any() else model.known), regions=found.regions, local=found.local,
+        sigma=np.sqrt(model.local.astype(float) ** 2 + found.uncertain), peak=found.peak, limit=found.limit,
+        windows=found.windows,
+    )  # fmt: skip
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class _Local:
+    """What has moved against the rest."""
+
+    local: Array
+    uncertain: Array
+    """variance of it by what is not known of orientation"""
+    peak: Array
+    limit: float
+    windows: int
+    regions: tuple[Region, ...]
+
+
+def _local(model: HeightModel, free: Mask) -> _Local:
+    """What has moved against cells that are free of movements."""
+    M = model.moved.astype(float)
+    z, P = _orientation(model, free)
+    local = model.heights.height.astype(float) - _of_cells(model, M @ z)
+    uncertain = _of_cells(model, np.einsum("rcq,qp,rcp->rc", M, P, M, optimize=True))
+    peak, limit, count, hits = _windows(model, local, uncertain)
+    regions = _regions(model, local, uncertain, hits, peak)
+    return _Local(local=local, uncertain=uncertain, peak=peak, limit=limit, windows=count, regions=regions)
+
+
+def _of_cells(model: HeightModel, of_block: Array) -> Array:
+    """(rows, columns) of blocks' values."""
+    rows, columns = model.shape
+    return np.repeat(np.repeat(of_block, model.block, axis=0), model.block, axis=1)[:rows, :columns]
+
+
+def _orientation(model: HeightModel, free: Mask) -> tuple[Array, Array]:
+    """Errors of orientation (q,) that explain most of the differences, and their covariance."""
+    _, columns, q = model.moved.shape
+    M = model.moved.reshape(-1, q).astype(float)
+    known = free & (model.local > 0)
+    s = model.local[known].astype(float)
+    r, c = np.nonzero(known)
+    block = r // model.block * columns + c // model.block
+    d = model.heights.height[known].astype(float)
+    # neighbours with common errors count once
+    alike = 1 + np.pi * model.length**2
+    z, P = np.zeros(q), np.eye(q)
+    for _ in range(ROUNDS):
+        e = np.abs(d - (M @ z)[block]) / s
+        w = np.minimum(1.0, HUBER / np.maximum(e, 1e-12)) / (s**2 * alike)
+        W, y = (np.bincount(block, v, minlength=len(M)) for v in (w, w * d))
+        P = np.linalg.inv(M.T @ (W[:, None] * M) + np.eye(q))
+        new = P @ (M.T @ y)
+        done = float(np.abs(M @ (new - z)).max(initial=0.0)) < 1e-3 * float(np.median(s)) if len(s) else True
+        z = new
+        if done:
+            break
+    return z, P
+
+
+def _windows(model: HeightModel, local: Array, uncertain: Array) -> tuple[Array, float, int, Mask]:
+    """The peaks, their limit, how many windows there are, and the cells of those beyond it, by sign (2, ...)."""
+    known = model.known & (model.local > 0)
+    s = np.where(known, model.local, 1.0).astype(float)
+    t = np.where(known, np.clip(local / s, -MOST, MOST), 0.0)
+    variance = _correlated(model, known, s)
+    tests = list[tuple[int, Array, Array, Array]]()
+    for side in (k for k in SIDES if k <= min(model.shape)):
+        step = max(1, side // 2)
+        rows, columns = (np.arange(0, n - side + 1, step) for n in model.shape)
+
+        def over(values: Array, side: int = side, rows: Array = rows, columns: Array = columns) -> Array:
+            total = cv2.integral(values.astype(np.float64))
+            below, above = total[rows + side], total[rows]
+            return below[:, columns + side] - below[:, columns] - above[:, columns + side] + above[:, columns]
+
+        n = over(known.astype(float))
+        # what is left of orientation moves a window as a whole
+        common = over(np.where(known, np.sqrt(uncertain) / s, 0.0)) ** 2
+        spread = np.sqrt(np.maximum(over(variance), 1e-300) + common)
+        good = n >= KNOWN * side**2
+        tests.append((side, np.where(good, over(t) / spread, np.nan), rows, columns))
+    count = sum(int(np.isfinite(z).sum()) for _, z, _, _ in tests)
+    limit = float(-ndtri(CHANCE / 2 / max(count, 1)))
+    peak, hits = np.zeros(model.shape), np.zeros((2, *model.shape), bool)
+    for side, z, rows, columns in tests:
+        strong = np.argwhere(np.isfinite(z) & (np.abs(z) > limit))
+        new = np.zeros_like(hits)
+        for a, b in strong.tolist():
+            box = slice(rows[a], rows[a] + side), slice(columns[b], columns[b] + side)
+            # what smaller windows have found already, larger ones only blur
+            if not hits[int(z[a, b] < 0)][box].any():
+                new[int(z[a, b] < 0)][box] = True
+        hits |= new
+        peak = _larger(peak, _spread_out(np.nan_to_num(z), rows, columns, side, model.shape))
+    return np.where(known, peak, np.nan), limit, count, hits & known
+
+
+def _larger(one: Array, other: Array) -> Array:
+    return np.where(np.abs(other) > np.abs(one), other, one)
+
+
+def _spread_out(z: Array, rows: Array, columns: Array, side: int, shape: tuple[int, int]) -> Array:
+    """(rows, columns) values of windows at the cells nearest to their middles."""
+    if not len(rows) or not len(columns):
+        return np.zeros(shape)
+    step = max(1, side // 2)
+    i, j = (
+        np.clip((np.arange(n) - side // 2 + step // 2) // step, 0, len(k) - 1)
+        for n, k in zip(shape, (rows, columns), strict=True)
+    )
+    return z[i][:, j]
+
+
+def _correlated(model: HeightModel, known: Mask, s: Array) -> Array:
+    """(rows, columns) parts of the variance of a sum of normalised differences, those with neighbours included.
+
+    All neighbours count as of one map, and those beyond a window's edge, too: never too little.
+    """
+    h = model.heights
+    own, point, step = (np.where(known, np.nan_to_num(v.astype(float)) / s, 0.0) for v in (h.local, h.point, h.step))
+    n = int(np.ceil(3 * model.length)) + 1
+    kernel = between(np.arange(-n, n + 1.0), np.zeros(1), model.length)
+    kernel = kernel / np.sqrt(between(np.zeros(1), np.zeros(1), model.length))
+    found = own**2 + point * (_filtered(point, kernel) - kernel[n] ** 2 * point)
+    length = step_length(model.length)
+    n = int(np.ceil(3 * length))
+    found += step * _filtered(step, np.exp(-((np.arange(-n, n + 1.0) / length) ** 2)))
+    if model.holes is not None:
+        found += np.where(known, model.holes.sigma / s, 0.0) ** 2
+    return found
+
+
+def _regions(model: HeightModel, local: Array, uncertain: Array, hits: Array, peak: Array) -> tuple[Region, ...]:
+    """Connected parts that windows found, with outlines where half of the movement is reached."""
+    found = list[Region]()
+    taken = np.zeros(model.shape, bool)
+    for sign, hit in zip((1.0, -1.0), hits, strict=True):
+        number, count = parts_of(hit)
+        order = sorted(range(1, count + 1), key=lambda k: -int((number == k).sum()))
+        for k in order:
+            seed = (number == k) & ~taken
+            if not seed.any():
+                continue
+            cells, side = _outlined(model, sign * local, seed)
+            cells &= ~taken
+            if not cells.any():
+                continue
+            taken |= cells
+            found.append(_region(model, local, uncertain, cells, side, float(np.abs(peak[seed]).max())))
+    return tuple(sorted(found, key=lambda r: -abs(r.volume)))
+
+
+def _outlined(model: HeightModel, local: Array, seed: Mask) -> tuple[Mask, int]:
+    """Cells of a movement upwards that are connected with those that windows found, and the side of the means."""
+    known = model.known
+    variance = np.where(known, np.nan_to_num(model.heights.local.astype(float)) ** 2, 0.0)
+    values = np.where(known, local, 0.0)
+    amount = _amount(local[seed], model.local[seed])
+    usual = float(np.median(np.sqrt(variance[seed])))
+    side = 1
+    while side < 33 and usual * np.sqrt(1 + np.pi * model.length**2) / side > amount / SURE:
+        side += 2
+    cells = seed
+    for _ in range(3):
+        # weights leave out blunders and steps, which tell little of where a movement ends
+        w = np.where(known, 1 / np.maximum(np.square(model.local.astype(float)), 1e-300), 0.0)
+        w = np.where(known, np.minimum(w, 1 / max(usual, 1e-300) ** 2), 0.0)
+        box = (side, side)
+        limited = np.clip(values, amount / 2 - MOST * usual - amount, amount / 2 + MOST * usual + amount)
+        mean = cv2.blur(w * limited, box) / np.maximum(cv2.blur(w, box), 1e-300)
+        number, _ = parts_of(known & (mean > amount / 2))
+        mine = np.unique(number[seed & (number > 0)])
+        cells = np.isin(number, mine[mine > 0])
+        if not cells.any():
+            return seed, side
+        again = _amount(local[cells], model.local[cells])
+        if abs(again - amount) < 0.01 * amount:
+            break
+        amount = again
+    cells = cv2.morphologyEx(cells.astype(np.uint8), cv2.MORPH_CLOSE, np.ones((3, 3), np.uint8)) > 0
+    # what was not measured within a movement has moved, too
+    return np.asarray(binary_fill_holes(cells), bool), side
+
+
+def _amount(values: Array, sigma: Array) -> float:
+    """Weighted median, robust against what a window holds beside the movement."""
+    order = np.argsort(values)
+    w = np.cumsum(1 / np.maximum(sigma[order].astype(float), 1e-300))
+    return max(float(values[order][np.searchsorted(w, w[-1] / 2)]), 1e-300)
+
+
+def _region(model: HeightModel, local: Array, uncertain: Array, cells: Mask, side: int, peak: float) -> Region:
+    """What is told of a region."""
+    rim = max(1, side // 2 + 1)
+    inner = cv2.erode(cells.astype(np.uint8), np.ones((2 * rim + 1,) * 2, np.uint8), borderValue=0) > 0
+    inner = (inner if (inner & model.known).sum() >= FEWEST else cells) & model.known
+    area, n = model.cell**2, int(cells.sum())
+    w = np.where(inner, 1 / np.maximum(model.local.astype(float), 1e-300), 0.0)
+    w /= w.sum()
+    mean = float((w[inner] * local[inner]).sum())
+    left = float((w[inner] * np.sqrt(uncertain[inner])).sum())
+    mean_sigma = float(np.hypot(model.sum_of(w).local, left))
+    edge_cells = n - int((cv2.erode(cells.astype(np.uint8), np.ones((3, 3), np.uint8), borderValue=0) > 0).sum())
+    # an edge lies somewhere within the cells of the mean that found it
+    edge = model.cell * np.sqrt((side**2 + 1) / 12)
+    # beside it heights that are worse than half of the movement, or missing, may belong to it or not, all together
+    around = cv2.dilate(cells.astype(np.uint8), np.ones((2 * rim + 3,) * 2, np.uint8)) > 0
+    unclear = around & ~cells & ~(np.asarray(model.local) < abs(mean) / 2)
+    area_sigma = np.hypot(edge * model.cell * np.sqrt(edge_cells * side), unclear.sum() * area / np.sqrt(12))
+    # cells without a height have moved as the others have
+    inside = (cells & model.known).astype(float)
+    inside *= n / inside.sum()
+    volume = float((inside * np.nan_to_num(local)).sum() * area)
+    by_height = area * float(np.hypot(model.sum_of(inside).local, (inside * np.sqrt(uncertain)).sum()))
+    return Region(
+        cells=cells, area=n * area, area_sigma=float(area_sigma), mean=mean, mean_sigma=mean_sigma, volume=volume,
+        volume_sigma=float(np.hypot(by_height, mean * area_sigma / 2)), edge=float(edge), peak=peak,
+    )  # fmt: skip
+
+
+FEWEST = 9
+"""Cells of an inner part"""
+
+
+def _whole(model: HeightModel, free: Mask) -> WholeMovement:
+    """Shift and tilts of the plane that fits the differences of cells best."""
+    r, c = np.nonzero(free & (model.local > 0))
+    middle = np.array([c.mean(), r.mean()]) if len(r) else np.zeros(2)
+    A = np.stack([np.ones(len(r)), (c - middle[0]) * model.cell, (r - middle[1]) * model.cell], axis=1)
+    s = model.local[r, c].astype(float)
+    # differences beyond three standard deviations of all are blunders or steps: they count less
+    d = model.heights.height[r, c].astype(float)
+    total = np.hypot(s, model.heights.orientation[r, c])
+    w = np.minimum(1.0, MOST * total / np.maximum(np.abs(d - np.median(d)), 1e-300)) / np.maximum(s, np.median(s)) ** 2
+    solve = np.linalg.pinv(A * np.sqrt(w)[:, None]) * np.sqrt(w)
+    sums = list[SumOfHeights]()
+    for row in solve:
+        weights = np.zeros(model.shape)
+        weights[r, c] = row
+        sums.append(model.sum_of(weights))
+    moved = np.array([x.moved for x in sums])
+    cov = moved @ moved.T + np.diag([x.local**2 for x in sums])
+    value = np.array([x.value for x in sums])
+    return WholeMovement(
+        shift=sums[0], tilt=(sums[1].value, sums[2].value), tilt_sigma=(sums[1].sigma, sums[2].sigma),
+        chi2=float(value @ np.linalg.solve(cov, value)),
+    )  # fmt: skip
+
+
+def _filtered(values: Array, kernel: Array) -> Array:
+    return cv2.sepFilter2D(values, cv2.CV_64F, kernel, kernel, borderType=cv2.BORDER_CONSTANT)

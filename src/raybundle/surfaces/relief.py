@@ -1,0 +1,115 @@
+"""What lies within the resolution of heights: steps, of which a height may be on either side.
+
+A window of the photographs has an extent, and an edge may lie anywhere in it.  How high steps are follows from the
+heights themselves: they scatter about the plane of their neighbours by more than their noise lets them.  An edge that
+is displaced by up to rho cells to either side moves the mean over a cell that it crosses by a share of the step,
+whose variance is rho^2 / 3 of its square; a plane through three cells on either side leaves 1 / 12 of it.  That holds
+for steps that are high against the pixels.  Of low ones windows show the mean of both sides, rightly weighted, and
+little is wrong: the share of the variance grows as q / (q + 4) with the scatter q in widths of a pixel, as it does
+against the exact geometry of a rendered wall (benchmarks/surface_heights.py) with cells of 4.6 pixels and, in the
+differences of two halves of its photographs, of 9.  Beside a hole the surface may lie as low as it does beyond it:
+steps hide what is below them.
+"""
+
+from __future__ import annotations
+
+import cv2
+import numpy as np
+from scipy.special import fdtri
+
+from raybundle.numerics.arrays import Array
+
+PIXEL = 1 / 3.8
+"""Width of a pixel in lengths of correlation, which are twice the 1.9 px of a window's weights"""
+WINDOW = 3 * PIXEL
+"""Half a window of 7 px in lengths of correlation"""
+HIGH = 4.0
+"""Scatter in widths of a pixel at which half of the variance of a high step is reached"""
+MOST_CELLS = 64
+"""Half the side of the square that a plane is laid through, at most."""
+REACH_CELLS = 32
+"""How far holes are looked across."""
+STEEP = 0.9
+"""Quantile of differences of neighbours that a slope is taken for where it goes on into a hole."""
+CHANCE = 1e-3
+"""Share of cells without a step whose neighbours scatter by more than is allowed to noise."""
+
+
+def half_side(length: float) -> int:
+    """Cells from the middle to the edge of the square within which a step counts.
+
+    length  at which the errors of two points correlate by 1 / e [cells]
+    """
+    return int(np.clip(np.ceil(WINDOW * length), 1, MOST_CELLS))
+
+
+def step_length(length: float) -> float:
+    """Distance in cells at which errors by steps correlate by 1 / e: the side of that square."""
+    return 2.0 * half_side(length) + 1
+
+
+def halo(length: float) -> int:
+    """Cells around a part that have a say in it."""
+    return REACH_CELLS + half_side(length)
+
+
+def steps_of(height: Array, local: Array, length: float, cell: float) -> Array:
+    """(rows, columns) float32 standard deviation of heights by steps of the surface; 0 where there is none.
+
+    height  NaN where there is none
+    local   standard deviations by noise and roughness
+    length  at which the errors of two points correlate by 1 / e [cells]
+    cell    its side, in the unit of the heights
+    """
+    known = np.isfinite(height)
+    if known.sum() < 4:
+        return np.zeros(height.shape, np.float32)
+    side = half_side(length)
+    whole = _across_holes(height, known)
+    scatter, freedom = _about_planes(whole, side)
+    box = (2 * side + 1,) * 2
+    noise = cv2.blur(np.where(known, np.square(local, dtype=float), 0.0), box)
+    noise /= np.maximum(cv2.blur(known.astype(float), box), 1e-9)
+    usual = fdtri(np.arange(1, box[0] ** 2 - 2), 1e6, 1 - CHANCE)
+    beyond = scatter > usual[np.clip(freedom.astype(int), 1, len(usual)) - 1] * noise
+    root = np.sqrt(scatter)
+    share = root / (root + HIGH * PIXEL * length * cell) * 4 * min(WINDOW * length, 1.0) ** 2
+    return np.where(known & beyond, root * np.sqrt(share), 0.0).astype(np.float32)
+
+
+def _across_holes(height: Array, known: Array) -> Array:
+    """Heights, and in holes the lowest surface that those around let expect, of a usual slope; infinite far away."""
+    apart = np.concatenate([np.abs(np.diff(height, axis=k)).ravel() for k in (0, 1)])
+    apart = apart[np.isfinite(apart)]
+    slope = float(np.quantile(apart, STEEP)) if len(apart) else 0.0
+    found = np.where(known, height, np.inf)
+    cross = cv2.getStructuringElement(cv2.MORPH_CROSS, (3, 3))
+    for _ in range(REACH_CELLS):
+        lower = cv2.erode(found, cross, borderType=cv2.BORDER_CONSTANT, borderValue=float("inf")) + slope
+        found = np.where(known, height, np.minimum(found, lower))
+    return found
+
+
+def _about_planes(height: Array, side: int) -> tuple[Array, Array]:
+    """Mean squares of what planes leave of the heights in squares about each cell, and their degrees of freedom."""
+    there = np.isfinite(height)
+    z = np.where(there, height - np.median(height[there]), 0.0)
+    one, along = np.ones(2 * side + 1), np.arange(-side, side + 1.0)
+
+    def sums(values: Array, across: Array, down: Array) -> Array:
+        return cv2.sepFilter2D(values, cv2.CV_64F, across, down, borderType=cv2.BORDER_CONSTANT)
+
+    w = there.astype(float)
+    n, x, y = sums(w, one, one), sums(w, along, one), sums(w, one, along)
+    xx, xy, yy = sums(w, along**2, one), sums(w, along, along), sums(w, one, along**2)
+    s, sx, sy, ss = sums(z, one, one), sums(z, along, one), sums(z, one, along), sums(z * z, one, one)
+    n = np.maximum(n, 1.0)
+    # about their means, the equations of two slopes remain
+    cxx, cxy, cyy = xx - x * x / n, xy - x * y / n, yy - y * y / n
+    bx, by = sx - s * x / n, sy - s * y / n
+    determinant = cxx * cyy - cxy**2
+    good = determinant > 1e-9 * np.maximum(cxx * cyy, 1e-300)
+    d = np.where(good, determinant, 1.0)
+    by_slopes = np.where(good, (cyy * bx**2 - 2 * cxy * bx * by + cxx * by**2) / d, 0.0)
+    freedom = np.maximum(n - 3, 1.0)
+    return np.maximum(ss - s * s / n - by_slopes, 0.0) / freedom, freedom

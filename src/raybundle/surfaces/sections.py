@@ -1,0 +1,109 @@
+"""Profiles of heights along lines, with standard deviations of each place, of means and of differences of places."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from itertools import pairwise
+
+import numpy as np
+
+from raybundle.numerics.arrays import Array, Index
+from raybundle.surfaces.height_model import HeightModel, SumOfHeights
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Section:
+    """Heights along a line; arrays (n, ...), NaN where the surface has a hole."""
+
+    model: HeightModel
+    corners: Array
+    """(k, 2) of the line, in columns and rows of the grid"""
+    distance: Array
+    """from its beginning, in the unit of the heights"""
+    place: Array
+    """(n, 2) columns and rows"""
+    height: Array
+    sigma: Array
+    cells: Index
+    """(n, 4) between whose middles the place lies, row by row"""
+    weights: Array
+    """(n, 4) by which their heights make its own; 0 where there is no height"""
+
+    def of(self, shares: Array) -> SumOfHeights:
+        """The sum of its heights times shares (n,); places without a height may have none.
+
+        raises  InputError where one has
+        """
+        w = np.zeros(self.model.heights.height.size)
+        np.add.at(w, self.cells.ravel(), (self.weights * np.where(shares == 0, 0.0, shares)[:, None]).ravel())
+        return self.model.sum_of(w.reshape(self.model.shape))
+
+    @property
+    def mean(self) -> SumOfHeights | None:
+        """Of the places that have a height; None: none has."""
+        known = np.isfinite(self.height)
+        return self.of(known / known.sum()) if known.any() else None
+
+    def nearest(self, distance: float) -> int:
+        """The place with a height nearest to a distance from the beginning."""
+        return int(np.nanargmin(np.where(np.isfinite(self.height), np.abs(self.distance - distance), np.nan)))
+
+    def difference(self, one: int, other: int) -> SumOfHeights:
+        """Height of a place less that of another."""
+        shares = np.zeros(len(self.height))
+        shares[one] += 1
+        shares[other] -= 1
+        return self.of(shares)
+
+
+def section(model: HeightModel, corners: Array, step: float) -> Section:
+    """The heights along a line, evenly apart, its corners included.
+
+    corners  (k, 2) columns and rows from the upper left corner of the grid
+    step     largest distance from place to place [cells]
+
+    A height lies linearly between those of the middles of four cells; where one that counts has none, neither has it.
+    """
+    places, distances, run = list[Array](), list[Array](), 0.0
+    for a, b in pairwise(corners):
+        length = float(np.linalg.norm(b - a))
+        share = np.linspace(0, 1, max(1, int(np.ceil(length / step - 1e-9))) + 1)[:-1]
+        places.append(a + share[:, None] * (b - a))
+        distances.append(run + share * length)
+        run += length
+    place = np.concatenate([*places, corners[-1:]])
+    distance = np.append(np.concatenate(distances), run) * model.cell
+    rows, columns = model.shape
+    x, y = (place - 0.5).T
+    i, j = (np.clip(np.floor(v + 1e-9), 0, max(n - 2, 0)).astype(int) for v, n in ((x, columns), (y, rows)))
+    u, v = x - i, y - j
+    right, down = (np.minimum(k + 1, n - 1) for k, n in ((i, columns), (j, rows)))
+    # beyond the outer middles by half a cell at most, the outer cells go on level
+    outside = np.asarray((place < 0).any(axis=1) | (place > [columns, rows]).any(axis=1))
+    u, v = np.clip(u, 0, 1), np.clip(v, 0, 1)
+    cells = np.stack([j * columns + i, j * columns + right, down * columns + i, down * columns + right], axis=1)
+    weights = np.stack([(1 - u) * (1 - v), u * (1 - v), (1 - u) * v, u * v], axis=1)
+    weights[weights < 1e-9] = 0.0
+    value = model.heights.height.ravel()[cells].astype(float)
+    lost = np.asarray(outside | ((weights > 0) & ~np.isfinite(value)).any(axis=1))
+    weights[lost] = 0.0
+    height = np.where(lost, np.nan, (weights * np.nan_to_num(value)).sum(axis=1))
+    return Section(
+        model=model, corners=corners, distance=distance, place=place, height=height,
+        sigma=_sigma(model, cells, weights, lost), cells=cells, weights=weights,
+    )  # fmt: skip
+
+
+def _sigma(model: HeightModel, cells: Index, weights: Array, lost: Array) -> Array:
+    """(n,) standard deviations of weighted sums of four cells."""
+    good = np.flatnonzero(~lost)
+    found = np.full(len(cells), np.nan)
+    if not len(good):
+        return found
+    c, w = cells[good], weights[good]
+    # cells without a weight may have no height: the first that has stands for them
+    c = np.where(w > 0, c, np.take_along_axis(c, w.argmax(axis=1)[:, None], axis=1))
+    one, other = (np.broadcast_to(x, (len(c), 4, 4)) for x in (c[:, :, None], c[:, None, :]))
+    both = w[:, :, None] * w[:, None, :] * model.covariance(one.ravel(), other.ravel()).reshape(one.shape)
+    found[good] = np.sqrt(np.maximum(both.sum(axis=(1, 2)), 0.0))
+    return found

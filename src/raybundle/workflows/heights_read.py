@@ -1,0 +1,231 @@
+"""Heights as commands take them: read, holes filled, with outlines and lines in the coordinates of their grid."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from raybundle.errors import InputError
+from raybundle.io.geo.parsed_systems import parse_crs
+from raybundle.io.missions.areas import GEOGRAPHIC, in_crs, read_shapes
+from raybundle.io.outlines import TEXT, read_outline
+from raybundle.missions.polygons import checked_ring
+from raybundle.numerics.arrays import Array
+from raybundle.surfaces.height_model import HeightModel
+from raybundle.surfaces.holes import filled
+from raybundle.surfaces.outlines import coverage
+from raybundle.surfaces.resampled import SAME, resampled
+from raybundle.workflows.height_files import HeightFile, read_heights
+
+OUTSIDE = 1e-3
+"""Share of an area or a line that may lie beyond the grid: rounding of coordinates."""
+COARSER = 2.0
+"""How much larger or smaller cells may be that are resampled."""
+APART = 0.1
+"""Of a cell, by which turning a plane may move a place and yet leave heights comparable."""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Opened:
+    """A surface with heights."""
+
+    folder: Path
+    model: HeightModel
+    file: HeightFile
+
+    @property
+    def unit(self) -> str:
+        """Of lengths; empty: the scale is free."""
+        return self.file.unit
+
+    def cells(self, xy: Array) -> Array:
+        """(n, 2) columns and rows of places (n, 2)."""
+        f = self.file
+        return np.stack([(xy[:, 0] - f.left) / f.cell, (f.top - xy[:, 1]) / f.cell], axis=1)
+
+    def places(self, cells: Array) -> Array:
+        """(n, 2) coordinates of columns and rows (n, 2)."""
+        f = self.file
+        return np.stack([f.left + cells[:, 0] * f.cell, f.top - cells[:, 1] * f.cell], axis=1)
+
+
+def opened(folder: Path, widest: float | None = None) -> Opened:
+    """Heights of a surface.
+
+    widest  of holes that are filled, in their unit
+    raises  InputError where the folder holds none, or they are damaged
+    """
+    if not folder.is_dir():
+        raise InputError("there is no such folder; give one that `surface` wrote with heights", file=folder)
+    model, file = read_heights(folder)
+    if not model.known.any():
+        raise InputError("holds no height", file=folder)
+    if widest:
+        model = filled(model, widest / file.cell / 2)
+    return Opened(folder=folder, model=model, file=file)
+
+
+def covered_by(o: Opened, outlines: Sequence[str], extent: Sequence[float] | None) -> Array:
+    """(rows, columns) share of each cell within outlines, files or coordinates; without any, all cells with a height.
+
+    raises  InputError for an outline that crosses itself or lies beyond the grid
+    """
+    if extent is not None:
+        left, bottom, right, top = extent
+        if not (left < right and bottom < top):
+            raise InputError(
+                f"the extent {left:g} {bottom:g} {right:g} {top:g} is empty; give left, bottom, right, top"
+            )
+        groups = [[np.array([[left, bottom], [right, bottom], [right, top], [left, top]])]]
+    elif outlines:
+        groups = [rings for given in outlines for rings in _areas(o, given)]
+    else:
+        return o.model.known.astype(float)
+    found = np.zeros(o.model.shape)
+    wanted = 0.0
+    for rings in groups:
+        cells = [o.cells(r) for r in rings]
+        wanted += _size(cells)
+        found += coverage(cells, o.model.shape)
+    if found.max() > 1 + 1e-6:
+        raise InputError("two of the outlines overlap; give areas that lie apart, or one round all of them")
+    lost = 1 - float(found.sum()) / wanted
+    if lost > OUTSIDE + 1 / np.sqrt(max(wanted, 1)) / 10:
+        f = o.file
+        reach = f"{f.left:g} {f.top - f.height * f.cell:g} {f.left + f.width * f.cell:g} {f.top:g}"
+        raise InputError(f"{lost:.0%} of the outline lies beyond the heights, which reach over {reach}")
+    return np.minimum(found, 1.0)
+
+
+def _size(rings: Sequence[Array]) -> float:
+    """Area of a ring without the others, which are holes in it."""
+
+    def one(r: Array) -> float:
+        x, y = (r - r[0]).T
+        return abs(float(np.sum(x * np.roll(y, -1) - np.roll(x, -1) * y))) / 2
+
+    return one(rings[0]) - sum(one(r) for r in rings[1:])
+
+
+def _areas(o: Opened, given: str) -> list[list[Array]]:
+    """The rings of each area, the outer one first, in the coordinates of the grid."""
+    path = Path(given)
+    if path.suffix.lower() in TEXT and path.is_file():
+        return [[checked_ring(read_outline(path), f"the outline {path.name}")]]
+    shapes = [s for s in read_shapes(given) if s.kind == "area"]
+    if not shapes:
+        raise InputError("holds no area; lines and points enclose nothing", file=path if path.exists() else None)
+    found = list[list[Array]]()
+    for s in shapes:
+        rings = [_in_grid(o, r, s.crs, typed=s.typed, path=path) for r in (s.xy, *s.holes)]
+        found.append([checked_ring(r, "the outline") for r in rings])
+    return found
+
+
+def lines_of(o: Opened, given: str) -> list[Array]:
+    """The lines (k, 2) in a file or in coordinates, in those of the grid."""
+    path = Path(given)
+    if path.suffix.lower() in TEXT and path.is_file():
+        found = [read_outline(path)]
+    else:
+        shapes = [s for s in read_shapes(given) if s.kind != "place"]
+        if not shapes:
+            raise InputError("holds no line", file=path if path.exists() else None)
+        # of coordinates that were typed, three places or more are a line here, and no area
+        found = [_in_grid(o, s.xy, s.crs, typed=s.typed, path=path) for s in shapes]
+    for line in found:
+        if len(line) < 2 or not np.linalg.norm(np.diff(line, axis=0), axis=1).min() > 0:
+            raise InputError(
+                "a line needs two different places, one after the other", file=path if path.exists() else None
+            )
+    return found
+
+
+def _in_grid(o: Opened, xy: Array, crs: str, *, typed: bool, path: Path) -> Array:
+    """Coordinates of a file in those of the grid."""
+    if typed or not o.file.wkt:
+        if not typed and path.suffix.lower() in {".kml", ".kmz"}:
+            raise InputError(
+                "is in longitude and latitude, and these heights lie on a plane of the object, in no map; give "
+                "coordinates of the plane, as CSV or GeoJSON",
+                file=path,
+            )
+        return np.asarray(xy, float)
+    return in_crs(xy, crs or GEOGRAPHIC, o.file.wkt)
+
+
+def on_same_grid(first: Opened, second: Opened) -> HeightModel:
+    """The second surface at the cells of the first.
+
+    raises  InputError where they are not in one frame, or their cells are too different
+    """
+    a, b = first.file, second.file
+    if a.unit != b.unit:
+        units = [f.unit or "no unit (free scale)" for f in (a, b)]
+        raise InputError(f"is in {units[1]}, and {first.folder} in {units[0]}; both need one unit", file=second.folder)
+    turn, move = _turned(first, second)
+    scale = a.cell / b.cell
+    if not 1 / COARSER <= scale <= COARSER:
+        raise InputError(
+            f"has cells of {b.cell:g}, and {first.folder} of {a.cell:g}; make both with cells of one size",
+            file=second.folder,
+        )
+    model = second.model
+    if turn is not None:
+        model = _above_other_plane(second, turn, move)
+    left, top = (a.left - b.left - move[0]) / b.cell, (b.top + move[1] - a.top) / b.cell
+    same = abs(scale - 1) < SAME / max(a.width, a.height) and max(abs(left), abs(top)) < SAME
+    if same and (a.width, a.height) == (b.width, b.height):
+        return model
+    return resampled(model, left, top, scale, first.model)
+
+
+def _turned(first: Opened, second: Opened) -> tuple[Array | None, Array]:
+    """Rotation (3, 3) and translation (3,) from coordinates above the second plane to those above the first.
+
+    raises  InputError where they lie so differently that heights of one are not those of the other
+    """
+    a, b = first.file, second.file
+    why = ""
+    if bool(a.wkt) != bool(b.wkt):
+        why = "one lies in a map, the other on a plane of the object"
+    elif a.wkt and parse_crs(a.wkt) != parse_crs(b.wkt):
+        why = "they are in different coordinate systems"
+    if not why and a.wkt:
+        return None, np.zeros(3)
+    p, q = (_axes(f.plane) for f in (a, b))
+    if not why and (p is None or q is None):
+        why = "their planes are not known"
+    if not why and p is not None and q is not None:
+        turn, move = p[1] @ q[1].T, p[1] @ (q[0] - p[0])
+        tall = float(np.nanmax(np.abs(second.model.heights.height)))
+        size = max(abs(b.left), abs(b.top), b.width * b.cell, b.height * b.cell)
+        off = max(float(np.abs(turn[:2, :2] - np.eye(2)).sum()) * size, float(np.abs(turn[:2, 2]).sum()) * tall)
+        if off <= APART * b.cell:
+            return turn, move
+        why = f"their planes are turned against each other, which moves places by {off / b.cell:.2g} cells"
+    raise InputError(
+        f"{why}: their heights are not above the same; make both surfaces with the same plane (by points that both "
+        "have, or in one map), in one frame: with the same control",
+        file=second.folder,
+    )
+
+
+def _above_other_plane(o: Opened, turn: Array, move: Array) -> HeightModel:
+    """The heights above a plane that is tilted and moved by little."""
+    f, h = o.file, o.model.heights
+    v, u = np.mgrid[: f.height, : f.width] + 0.5
+    more = turn[2, 0] * (f.left + u * f.cell) + turn[2, 1] * (f.top - v * f.cell) + move[2]
+    return replace(o.model, heights=replace(h, height=(turn[2, 2] * h.height + more).astype(np.float32)))
+
+
+def _axes(plane: Mapping[str, Any]) -> tuple[Array, Array] | None:
+    """Origin and axes of a plane of the object."""
+    try:
+        return np.array(plane["origin"], float), np.array([plane[k] for k in ("right", "up", "normal")], float)
+    except (KeyError, TypeError, ValueError):
+        return None

@@ -1,0 +1,255 @@
+"""`raybundle heights`: what people compute from heights, through the door."""
+
+import csv
+import json
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from tests.surface.height_models import folder_of, made, middles
+
+from raybundle.cli.main import main
+from raybundle.workflows.height_files import read_heights
+
+rasterio = pytest.importorskip("rasterio")
+SHAPE = (64, 96)
+
+
+@pytest.fixture(scope="module")
+def cone(tmp_path_factory):
+    """A cone of 0.1 m on a wall, with drawn errors and a hole."""
+    x, y = middles(SHAPE)
+    shape = np.maximum(0.1 * (1 - np.hypot(x - 0.48, y - 0.32) / 0.2), 0.0)
+    model = made(shape, rng=np.random.default_rng(1), common=5e-4, sigma=5e-4)
+    height = model.heights.height.copy()
+    height[10:14, 80:84] = np.nan
+    height[20:50, 4:24] = np.nan
+    return folder_of(replace(model, heights=replace(model.heights, height=height)), tmp_path_factory.mktemp("cone"))
+
+
+def told(capsys, *words):
+    """What a command says as JSON."""
+    capsys.readouterr()
+    assert main([*map(str, words), "--json"]) == 0
+    return json.loads(capsys.readouterr().out.splitlines()[-1])
+
+
+def refused(capsys, *words):
+    capsys.readouterr()
+    assert main([*map(str, words)]) == 2
+    return capsys.readouterr().err
+
+
+def test_volume_of_a_cone(cone, capsys, tmp_path):
+    found = told(capsys, "heights", "volume", cone, "--extent", 0.25, 0.02, 0.95, 0.62, "--above", 0)
+    exact = np.pi * 0.2**2 * 0.1 / 3
+    assert found["net"]["value"] == pytest.approx(exact, abs=3 * found["net"]["sigma"])
+    assert found["net"]["sigma"] == pytest.approx(
+        np.hypot(found["net"]["sigma_local"], found["net"]["sigma_orientation"])
+    )
+    assert found["plan_area"] == pytest.approx(0.42)
+    assert found["filled"] == pytest.approx(16e-4 / 0.42)
+    assert found["unit"] == "m"
+    ring = [[0.25, 0.02], [0.95, 0.02], [0.95, 0.62], [0.25, 0.62], [0.25, 0.02]]
+    (tmp_path / "area.geojson").write_text(json.dumps({"type": "Polygon", "coordinates": [ring]}))
+    (tmp_path / "area.csv").write_text("x,y\n" + "\n".join(f"{x},{y}" for x, y in ring[:4]) + "\n")
+    for given in (tmp_path / "area.geojson", tmp_path / "area.csv", "0.25 0.02, 0.95 0.02, 0.95 0.62, 0.25 0.62"):
+        again = told(capsys, "heights", "volume", cone, "--outline", given, "--above", 0)
+        assert again["net"] == pytest.approx(found["net"])
+    rim = told(capsys, "heights", "volume", cone, "--outline", tmp_path / "area.csv")
+    assert rim["net"]["value"] == pytest.approx(exact, abs=3 * rim["net"]["sigma"])
+    assert rim["net"]["sigma_orientation"] < found["net"]["sigma_orientation"] / 3
+    assert main(["heights", "volume", str(cone), "--outline", str(tmp_path / "area.csv"), "--above", "0"]) == 0
+    out = capsys.readouterr().out
+    assert "above the height 0: 0.0042" in out
+    assert "of the area was filled" in out
+
+
+def test_volume_between_two_surfaces(cone, capsys, tmp_path):
+    other = folder_of(made(np.full(SHAPE, -0.01), common=5e-4, sigma=5e-4), tmp_path / "flat")
+    found = told(capsys, "heights", "volume", cone, "--extent", 0.25, 0.02, 0.95, 0.62, "--above", other)
+    exact = np.pi * 0.2**2 * 0.1 / 3 + 0.42 * 0.01
+    assert found["net"]["value"] == pytest.approx(exact, abs=3 * found["net"]["sigma"])
+    level = told(capsys, "heights", "volume", cone, "--extent", 0.25, 0.02, 0.95, 0.62, "--above", 0)
+    assert found["net"]["sigma_orientation"] == pytest.approx(np.sqrt(2) * level["net"]["sigma_orientation"])
+
+
+def test_bad_outlines_are_refused(cone, capsys, tmp_path):
+    volume = ("heights", "volume", cone, "--above", 0)
+    assert "lies beyond the heights, which reach over 0 0 0.96 0.64" in refused(capsys, *volume, "--extent", 2, 2, 3, 3)
+    assert "is empty" in refused(capsys, *volume, "--extent", 0.5, 0.1, 0.2, 0.5)
+    crossed = "0.3 0.1, 0.9 0.6, 0.9 0.1, 0.3 0.6"
+    assert "crosses itself" in refused(capsys, *volume, "--outline", crossed)
+    assert "has no extent" in refused(capsys, *volume, "--outline", "0.1 0.1, 0.2 0.2, 0.3 0.3")
+    assert "holds no area" in refused(capsys, *volume, "--outline", "0.1 0.1, 0.2 0.2")
+    assert "% of the area has no height" in refused(capsys, *volume, "--extent", 0.02, 0.1, 0.4, 0.5)
+    wide = (*volume, "--extent", 0.02, 0.1, 0.4, 0.5, "--fill", 0.3)
+    assert "of the area was filled, more than 20 %" in refused(capsys, *wide)
+    assert told(capsys, *wide, "--most-filled", 60)["filled_sigma"] > 0
+    assert "both say where" in refused(capsys, *volume, "--outline", crossed, "--extent", 0, 0, 1, 1)
+    assert "is no height, no folder" in refused(capsys, "heights", "volume", cone, "--above", "nowhere")
+    assert "needs an outline" in refused(capsys, "heights", "volume", cone)
+    (tmp_path / "area.kml").write_text("<kml/>")
+    assert "area.kml" in refused(capsys, *volume, "--outline", tmp_path / "area.kml")
+    assert "there is no such folder" in refused(capsys, "heights", "volume", tmp_path / "no")
+    assert "has no heights.tif" in refused(capsys, "heights", "volume", tmp_path)
+
+
+def test_sections_are_written_as_table_picture_and_drawing(cone, capsys, tmp_path):
+    ezdxf = pytest.importorskip("ezdxf")
+    files = [tmp_path / f"cut.{e}" for e in ("csv", "svg", "dxf")]
+    found = told(
+        capsys, "heights", "section", cone, "--line", "0.02 0.32, 0.9 0.32", "--line", "0.48 0.02, 0.48 0.6",
+        "--between", 0.1, 0.3, *(w for f in files for w in ("--out", f)),
+    )  # fmt: skip
+    one, two = found["sections"]
+    assert one["length"] == pytest.approx(0.88)
+    assert two["difference"] == pytest.approx(0.1, abs=6e-3)
+    with files[0].open(encoding="utf-8") as file:
+        rows = list(csv.DictReader(file))
+    assert {r["section"] for r in rows} == {"section 1", "section 2"}
+    assert rows[0]["height [m]"] != ""
+    assert any(not r["height [m]"] for r in rows)  # the hole
+    middle = min((r for r in rows if r["section"] == "section 2"), key=lambda r: abs(float(r["distance [m]"]) - 0.3))
+    assert float(middle["height [m]"]) == pytest.approx(0.1, abs=5e-3)
+    assert 0 < float(middle["sigma [m]"]) < 2e-3
+    svg = files[1].read_text()
+    assert svg.count('class="band"') == 3  # the hole parts the first
+    assert "distance [m]" in svg
+    drawing = ezdxf.readfile(files[2])
+    assert {"PROFILE", "BAND_UPPER", "BAND_LOWER"} <= {layer.dxf.name for layer in drawing.layers}
+    assert len(drawing.modelspace().query("LWPOLYLINE[layer=='PROFILE']")) == 3
+    assert drawing.header["$INSUNITS"] == 6
+
+
+def test_bad_lines_are_refused(cone, capsys, tmp_path):
+    section = ("heights", "section", cone)
+    assert "no line is given" in refused(capsys, *section)
+    assert "lies beyond the heights" in refused(capsys, *section, "--line", "3 3, 4 4")
+    assert "two different places" in refused(capsys, *section, "--line", "0.1 0.1, 0.1 0.1")
+    assert "asks for a place at 9" in refused(capsys, *section, "--line", "0 0, 0.5 0.5", "--between", 0, 9)
+    assert "choose one of these endings" in refused(capsys, *section, "--line", "0 0, 1 1", "--out", tmp_path / "a.png")
+    assert "more than 1000000" in refused(capsys, *section, "--line", "0 0, 0.9 0.6", "--step", 1e-9)
+
+
+def test_contours_are_written_for_gis_and_cad(cone, capsys, tmp_path):
+    pytest.importorskip("pyogrio")
+    pytest.importorskip("contourpy")
+    import pyogrio.raw
+
+    files = [tmp_path / f"lines.{e}" for e in ("gpkg", "geojson", "dxf", "svg")]
+    found = told(capsys, "heights", "contours", cone, "--interval", 0.02, *(w for f in files for w in ("--out", f)))
+    assert found["levels"] == pytest.approx([0.0, 0.02, 0.04, 0.06, 0.08])
+    told_by, _, shapes, fields = pyogrio.raw.read(files[0])
+    assert told_by["geometry_type"] == "LineString Z"
+    assert len(shapes) == found["lines"]
+    heights = fields[list(told_by["fields"]).index("height")]
+    assert set(np.round(heights, 6)) == {0.0, 0.02, 0.04, 0.06, 0.08}
+    features = json.loads(files[1].read_text())["features"]
+    top = next(f for f in features if abs(f["properties"]["height"] - 0.08) < 1e-9)
+    xyz = np.array(top["geometry"]["coordinates"])
+    assert np.abs(np.hypot(xyz[:, 0] - 0.48, xyz[:, 1] - 0.32) - 0.04).max() < 5e-3
+    assert 'class="thick"' in files[3].read_text()
+    level = folder_of(made(np.full(SHAPE, 0.3)), tmp_path / "level")
+    assert "no line: heights reach from" in refused(
+        capsys, "heights", "contours", level, "--interval", 0.2, "--out", tmp_path / "a.svg"
+    )
+    assert "nothing would be written" in refused(capsys, "heights", "contours", cone, "--interval", 1)
+    assert "the interval is not given" in refused(capsys, "heights", "contours", cone)
+    assert main(["heights", "contours", str(cone), "--interval", "0.0005", "--out", str(tmp_path / "fine.svg")]) == 0
+    assert "less than two standard deviations" in capsys.readouterr().out
+
+
+def test_the_ground_is_a_surface_again(tmp_path, capsys):
+    x, _ = middles((80, 100), 0.5)
+    terrain = 0.05 * x
+    things = np.zeros(terrain.shape)
+    things[30:42, 40:55] = 3.0
+    folder = folder_of(made(terrain + things, cell=0.5, sigma=0.02, rng=np.random.default_rng(2)), tmp_path / "s")
+    found = told(capsys, "heights", "ground", folder, "--largest", 9)
+    assert found["standing"] == pytest.approx(180 / 8000, rel=0.05)
+    model, file = read_heights(folder / "ground")
+    assert file.unit == "m"
+    assert model.holes is not None
+    assert np.abs(model.heights.height - terrain)[30:42, 40:55].max() < 0.3
+    filled = model.holes.filled
+    assert filled[30:42, 40:55].all()
+    assert found["filled_sigma"] > found["sigma"]
+    with rasterio.open(folder / "ground/heights_sigma.tif") as bands:
+        assert np.allclose(bands.read(1), model.sigma)
+    above = told(capsys, "heights", "volume", folder, "--extent", 18, 18, 29, 26, "--above", folder / "ground")
+    assert above["net"]["value"] == pytest.approx(180 * 0.25 * 3.0, abs=4 * above["net"]["sigma"])
+    assert "stands there already" in refused(capsys, "heights", "ground", folder, "--largest", 9)
+    assert "more than half of the shorter side" in refused(
+        capsys, "heights", "ground", folder, "--largest", 30, "--out", tmp_path / "g"
+    )
+
+
+def test_what_has_moved_is_written(tmp_path, capsys):
+    pytest.importorskip("pyogrio")
+    import pyogrio.raw
+
+    rng = np.random.default_rng(3)
+    relief = np.zeros(SHAPE)
+    before = folder_of(made(relief, rng=rng, sigma=4e-4, common=1e-3), tmp_path / "before")
+    relief[18:48, 30:60] += 3e-3
+    after = folder_of(made(relief, rng=rng, sigma=4e-4, common=1e-3), tmp_path / "after")
+    found = told(capsys, "heights", "difference", before, after, "--out", tmp_path / "moved")
+    (region,) = found["regions"]
+    assert region["mean"] == pytest.approx(3e-3, abs=4 * region["mean_sigma"])
+    assert region["area"] == pytest.approx(0.09, abs=4 * region["area_sigma"])
+    with (tmp_path / "moved/moved.csv").open(encoding="utf-8") as file:
+        assert next(file) == "# lengths in m\n"
+        (row,) = csv.DictReader(file)
+    assert float(row["x"]) == pytest.approx(0.45, abs=0.02)
+    assert float(row["y"]) == pytest.approx(0.64 - 0.33, abs=0.02)
+    with rasterio.open(tmp_path / "moved/difference.tif") as bands:
+        assert bands.descriptions[0] == "difference"
+        assert (bands.read(6)[20:46, 32:58] == 1).all()
+    about, _, shapes, _ = pyogrio.raw.read(tmp_path / "moved/moved.gpkg")
+    assert len(shapes) == 1
+    assert about["geometry_type"] == "Polygon Z"
+    assert (tmp_path / "moved/difference.png").stat().st_size > 1000
+    nothing = told(capsys, "heights", "difference", before, before)
+    assert not nothing["regions"]
+    assert main(["heights", "difference", str(before), str(after)]) == 0
+    assert "1 region moved against the rest by more than chance" in capsys.readouterr().out
+
+
+def test_surfaces_of_two_frames_are_not_compared(tmp_path, capsys):
+    model = made(np.zeros(SHAPE))
+    one = folder_of(model, tmp_path / "one")
+    plane = {"origin": [0.0, 0.0, 0.0], "right": [1.0, 0.0, 0.0], "up": [0.0, 0.1, 0.995], "normal": [0.0, -0.995, 0.1]}
+    tilted = folder_of(model, tmp_path / "tilted", plane=plane)
+    assert "their planes are turned against each other" in refused(capsys, "heights", "difference", one, tilted)
+    free = folder_of(model, tmp_path / "free", unit="")
+    assert "both need one unit" in refused(capsys, "heights", "difference", one, free)
+    mapped = folder_of(model, tmp_path / "map", wkt="EPSG:32633" and rasterio.crs.CRS.from_epsg(32633).to_wkt())
+    assert "one lies in a map" in refused(capsys, "heights", "difference", one, mapped)
+    coarse = folder_of(made(np.zeros(SHAPE), cell=0.05), tmp_path / "coarse")
+    assert "make both with cells of one size" in refused(capsys, "heights", "difference", one, coarse)
+    away = folder_of(model, tmp_path / "away", left=50.0)
+    assert "no cell has a height in both" in refused(capsys, "heights", "difference", one, away)
+
+
+def test_a_plane_that_is_moved_by_little_is_the_same(tmp_path, capsys):
+    """Of the same wall, above a plane that lies 2 cm behind and is tilted by a thousandth."""
+    x, _ = middles(SHAPE)
+    one = folder_of(made(0.01 * np.sin(9 * x)), tmp_path / "one")
+    turn = np.array([[1.0, 0.0, -1e-3], [0.0, 1.0, 0.0], [1e-3, 0.0, 1.0]])
+    axes = turn @ np.array([[1.0, 0.0, 0.0], [0.0, 0.0, 1.0], [0.0, -1.0, 0.0]])
+    origin = np.array([0.0, 0.02, 0.0])
+    plane = {"origin": origin.tolist(), **{k: v.tolist() for k, v in zip(("right", "up", "normal"), axes, strict=True)}}
+    other = folder_of(made(0.01 * np.sin(9 * x) + 0.02 + 1e-3 * x), tmp_path / "other", plane=plane)
+    found = told(capsys, "heights", "difference", one, other)
+    assert found["whole"]["shift"] == pytest.approx(0.0, abs=1e-4)
+    assert max(np.abs(found["whole"]["tilt"])) < 1e-4
+    assert not found["regions"]
+
+
+def test_without_scale_lengths_have_no_unit(tmp_path, capsys):
+    folder = folder_of(made(np.full(SHAPE, 0.1)), tmp_path / "free", unit="")
+    assert main(["heights", "volume", str(folder), "--above", "0"]) == 0
+    out = capsys.readouterr().out
+    assert "the scale is free: lengths have no unit" in out
+    assert " m3" not in out

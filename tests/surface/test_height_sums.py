@@ -1,0 +1,258 @@
+"""Volumes, sections, filled holes, steps, contours and the ground, beside numbers by hand and drawn errors."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from raybundle.errors import InputError
+from raybundle.surfaces.contours import contours, ring_lines, smoothed
+from raybundle.surfaces.ground import ground, standing
+from raybundle.surfaces.holes import filled
+from raybundle.surfaces.outlines import along_edge, coverage
+from raybundle.surfaces.relief import half_side, steps_of
+from raybundle.surfaces.sections import section
+from raybundle.surfaces.volumes import volume
+from tests.surface.height_models import made, middles
+
+SHAPE = (64, 96)
+
+
+def holed(model, rows, columns):
+    height = model.heights.height.copy()
+    height[rows, columns] = np.nan
+    return replace(model, heights=replace(model.heights, height=height))
+
+
+def test_shares_of_cells_are_those_of_the_outline():
+    triangle = np.array([[1.5, 1.25], [7.75, 2.0], [3.0, 8.5]])
+    covered = coverage([triangle], (10, 10))
+    (x0, y0), (x1, y1), (x2, y2) = triangle
+    exact = abs((x1 - x0) * (y2 - y0) - (x2 - x0) * (y1 - y0)) / 2
+    assert covered.sum() == pytest.approx(exact, rel=2e-3)
+    assert covered[4, 4] == 1
+    assert covered[0].sum() == 0
+    with_hole = coverage([triangle, np.array([[3.0, 3.0], [4.0, 3.0], [4.0, 4.0], [3.0, 4.0]])], (10, 10))
+    assert covered.sum() - with_hole.sum() == pytest.approx(1.0)
+    assert coverage([triangle + 20], (10, 10)).sum() == 0
+    square = along_edge(coverage([np.array([[2.0, 2.0], [7.5, 2.0], [7.5, 7.0], [2.0, 7.0]])], (10, 10)))
+    assert square.sum() == 30 - 3 * 3
+    assert not square[3:6, 3:6].any()
+
+
+def test_volume_of_a_cone_and_areas_by_hand():
+    x, y = middles(SHAPE)
+    radius, high = 0.25, 0.1
+    far = np.hypot(x - 0.48, y - 0.32)
+    model = made(np.maximum(high * (1 - far / radius), 0.0), sigma=1e-5)
+    found = volume(model, np.ones(SHAPE), 0.0)
+    assert found.net.value == pytest.approx(np.pi * radius**2 * high / 3, rel=2e-3)
+    assert found.below.value == 0
+    assert found.plan_area == pytest.approx(0.64 * 0.96)
+    side = np.pi * radius * np.hypot(radius, high)
+    assert found.true_area == pytest.approx(0.64 * 0.96 - np.pi * radius**2 + side, rel=2e-3)
+
+
+def test_volume_and_area_of_a_hemisphere_above_a_tilted_ground():
+    x, y = middles((120, 120))
+    radius = 0.4
+    tilt = 0.3 * x - 0.2 * y
+    dome = np.sqrt(np.maximum(radius**2 - (x - 0.6) ** 2 - (y - 0.6) ** 2, 0.0))
+    model = made(tilt + dome, sigma=1e-5)
+    found = volume(model, np.ones((120, 120)), None)
+    assert found.net.value == pytest.approx(2 / 3 * np.pi * radius**3, rel=2e-3)
+    flat = volume(made(tilt, sigma=1e-5), np.ones((120, 120)), None)
+    assert flat.net.value == pytest.approx(0.0, abs=1e-7)
+    assert flat.true_area == pytest.approx(1.44 * np.sqrt(1 + 0.3**2 + 0.2**2), rel=1e-6)
+
+
+@pytest.mark.parametrize("base", [0.02, None])
+def test_volumes_scatter_as_is_stated(base):
+    """Errors drawn as the model states them, of the surface and with it of the plane by the outline."""
+    x, y = middles(SHAPE)
+    far = np.hypot(x - 0.48, y - 0.32)
+    shape = 0.05 + 0.1 * np.maximum(1 - far / 0.2, 0.0)
+    covered = coverage([np.array([[18.5, 6.0], [80.0, 10.0], [70.3, 60.0], [20.0, 55.0]])], SHAPE)
+    exact = volume(made(shape), covered, base).net.value
+    rng = np.random.default_rng(5)
+    z, area = [], []
+    true = volume(made(shape, sigma=1e-6), covered, base).true_area
+    for _ in range(120):
+        found = volume(made(shape, rng=rng, common=1e-3 if base else 0.0), covered, base)
+        z.append((found.net.value - exact) / found.net.sigma)
+        area.append((found.true_area - true) / found.true_area_sigma)
+    assert np.mean(np.square(z)) == pytest.approx(1.0, abs=0.35)
+    assert abs(np.mean(area)) < 0.5  # what noise adds to an area is taken off
+    assert np.mean(np.square(area)) == pytest.approx(1.0, abs=0.45)
+
+
+def test_a_base_by_the_rim_takes_off_what_orientation_does():
+    model = made(np.full(SHAPE, 0.1), common=0.01)
+    covered = np.zeros(SHAPE)
+    covered[4:28, 4:28] = 1  # within one block: orientation moves all of it alike
+    level, rim = volume(model, covered, 0.0), volume(model, covered, None)
+    assert level.net.orientation == pytest.approx(
+        0.01 * covered.sum() * 1e-4 * np.hypot(1, 0.5 * np.hypot(0.5, 1)), rel=0.05
+    )
+    assert rim.net.orientation < 1e-3 * level.net.orientation
+    with pytest.raises(InputError, match="holds no cell"):
+        volume(model, np.zeros(SHAPE), 0.0)
+    one = np.zeros(SHAPE)
+    one[3, 3] = 1
+    with pytest.raises(InputError, match="1 heights along the edge of the outline tell no plane"):
+        volume(model, one, None)
+
+
+def test_sections_lie_on_a_tilted_plane_and_scatter_as_is_stated():
+    x, y = middles(SHAPE)
+    plane = 0.2 * x - 0.1 * y
+    line = np.array([[3.0, 10.0], [80.0, 50.0], [80.0, 5.0]])
+    found = section(made(plane), line, 0.7)
+    assert found.distance[-1] == pytest.approx(0.01 * (np.hypot(77, 40) + 45))
+    exact = 0.2 * found.place[:, 0] * 0.01 - 0.1 * (64 - found.place[:, 1]) * 0.01
+    assert np.abs(found.height - exact).max() < 1e-6
+    assert found.difference(0, len(exact) - 1).value == pytest.approx(exact[0] - exact[-1], abs=1e-6)
+    rng = np.random.default_rng(6)
+    z, mean, apart = [], [], []
+    for _ in range(150):
+        one = section(made(plane, rng=rng, common=5e-4), line, 0.7)
+        z.append(np.mean(((one.height - exact) / one.sigma) ** 2))
+        mean.append((one.mean.value - exact.mean()) / one.mean.sigma)
+        step = one.difference(20, 22)
+        apart.append((step.value - exact[20] + exact[22]) / step.sigma)
+    assert np.mean(z) == pytest.approx(1.0, abs=0.15)
+    assert np.mean(np.square(mean)) == pytest.approx(1.0, abs=0.35)
+    assert np.mean(np.square(apart)) == pytest.approx(1.0, abs=0.35)
+
+
+def test_a_section_has_no_height_in_a_hole_and_beyond_the_grid():
+    model = holed(made(np.zeros(SHAPE)), slice(20, 30), slice(40, 50))
+    found = section(model, np.array([[10.0, 25.0], [96.0, 25.0], [110.0, 25.0]]), 1.0)
+    lost = ~np.isfinite(found.height)
+    assert lost[(found.place[:, 0] > 40) & (found.place[:, 0] < 50)].all()
+    assert lost[found.place[:, 0] > 96].all()
+    assert not lost[found.place[:, 0] < 39].any()
+    assert np.isnan(found.sigma[lost]).all()
+    with pytest.raises(IndexError):
+        found.difference(0, 10**6)
+
+
+def test_steps_are_told_where_they_are_and_noise_is_none():
+    rng = np.random.default_rng(7)
+    height = np.where(np.arange(96) < 40, 0.0, 0.3) * np.ones((64, 1))
+    model = made(height, rng=rng)
+    step = steps_of(model.heights.height, model.heights.local, 0.8, 0.01)
+    assert (step[:, :38] == 0).mean() > 0.98
+    assert (step[:, 42:] == 0).mean() > 0.98
+    # an edge that may lie anywhere in a window of 1.26 cells: up to a third of the step
+    assert 0.04 < np.median(step[:, 39:41]) < 0.15
+    slope = made(0.5 * middles((64, 96))[0], rng=rng)
+    assert (steps_of(slope.heights.height, slope.heights.local, 0.8, 0.01) == 0).mean() > 0.98
+    # what stands beside a hole may be the edge of something
+    behind = np.where(np.arange(96) < 40, 0.0, 0.3) * np.ones((64, 1))
+    behind[:, 30:40] = np.nan
+    beside = steps_of(behind.astype(np.float32), np.full(SHAPE, 1e-3), 0.8, 0.01)
+    assert (beside[:, 40] > 0.02).all()
+    assert (beside[:, 29] == 0).all()
+    assert half_side(0.3) == 1
+    assert half_side(4.0) == 4
+
+
+def test_steps_along_an_edge_do_not_average_out_as_noise_does():
+    quiet, stepped = made(np.zeros(SHAPE)), made(np.zeros(SHAPE), step=0.01)
+    w = np.full(SHAPE, 1 / 96 / 64)
+    assert stepped.sum_of(w).local > 5 * np.hypot(0.01 / np.sqrt(96 * 64), quiet.sum_of(w).local)
+    both = stepped.covariance(np.array([0, 0, 0]), np.array([0, 1, 3 * 96]))
+    assert both[0] == pytest.approx(0.01**2 + float(quiet.heights.local[0, 0]) ** 2, rel=1e-5)
+    assert 0.01**2 > both[1] > both[2] > 0
+
+
+@pytest.mark.parametrize("power", [0.6, 1.2])
+def test_holes_are_filled_within_what_is_stated(power):
+    """Of surfaces whose increments grow with a power of the distance."""
+    rng = np.random.default_rng(8)
+    n = 128
+    f = np.hypot(*np.meshgrid(np.fft.fftfreq(n), np.fft.fftfreq(n)))
+    f[0, 0] = np.inf
+    z = []
+    for _ in range(12):
+        surface = np.fft.ifft2(np.fft.fft2(rng.normal(size=(n, n))) * f ** (-(power + 2) / 2)).real
+        model = made(1e-3 * surface / surface.std(), sigma=1e-6)
+        for half in (2, 5, 10):
+            hole = slice(64 - half, 64 + half)
+            done = filled(holed(model, hole, hole), 20)
+            e = (done.heights.height - model.heights.height)[hole, hole]
+            z.append(np.mean((e / done.holes.sigma[hole, hole]) ** 2))
+        small = filled(holed(model, hole, hole), 2)
+        assert small.holes is None
+        assert not small.known[64, 64]
+    assert 0.35 < np.mean(z) < 1.3
+    assert done.holes.sigma[64, 64] > done.holes.sigma[hole, hole][0, 0] > 0
+    w = np.zeros((n, n))
+    w[hole, hole] = 1
+    # all of a hole is wrong together
+    assert done.sum_of(w).local > 0.99 * done.holes.sigma[hole, hole].sum()
+
+
+def test_a_plane_goes_on_through_a_hole_and_edges_stay_open():
+    x, y = middles(SHAPE)
+    model = holed(made(0.3 * x + 0.1 * y), slice(20, 30), slice(40, 55))
+    model = holed(model, slice(0, 5), slice(0, 5))
+    done = filled(model, 10)
+    assert np.abs(done.heights.height - (0.3 * x + 0.1 * y))[20:30, 40:55].max() < 1e-5
+    assert not done.known[:5, :5].any()
+    assert volume(done, np.where(done.known, 1.0, 0.0), 0.0).filled == pytest.approx(150 / (64 * 96 - 25))
+
+
+def test_contours_of_a_cone_are_circles():
+    x, y = middles(SHAPE)
+    model = made(0.3 - np.hypot(x - 0.48, y - 0.32), sigma=1e-6)
+    found = contours(model.heights.height, 0.1)
+    assert [round(c.height, 6) for c in found][-2:] == [0.1, 0.2]
+    (line,) = found[-1].lines
+    far = np.hypot(line[:, 0] * 0.01 - 0.48, (64 - line[:, 1]) * 0.01 - 0.32)
+    assert np.abs(far - 0.1).max() < 1e-3
+    assert np.array_equal(line[0], line[-1])
+    with pytest.raises(InputError, match="more than 2000"):
+        contours(model.heights.height, 1e-5)
+    assert contours(np.full((5, 5), np.nan), 1.0) == ()
+    mask = np.zeros((6, 6))
+    mask[2:4, 1:4] = 1
+    (ring,) = ring_lines(mask)
+    assert ring.min(axis=0) == pytest.approx([1, 2])
+    assert ring.max(axis=0) == pytest.approx([4, 4])
+
+
+def test_wiggles_of_noise_go_and_edges_stay():
+    rng = np.random.default_rng(9)
+    x, _ = middles(SHAPE)
+    even, model = 0.02 * x, made(0.02 * x, rng=rng, sigma=2e-3)
+    rough, smooth = (np.abs(h - even)[8:-8, 8:-8].mean() for h in (model.heights.height, smoothed(model)))
+    assert smooth < 0.5 * rough
+    edge = np.where(np.arange(96) < 48, 0.0, 0.1) * np.ones((64, 1))
+    kept = smoothed(made(edge, rng=rng, sigma=2e-3))
+    assert np.abs(kept - edge)[:, 46:50].mean() < 3e-3
+    lines = [
+        sum(len(line) for c in contours(h, 1e-3) for line in c.lines) for h in (model.heights.height, smoothed(model))
+    ]
+    assert lines[1] < 0.5 * lines[0]
+
+
+def test_the_ground_is_told_from_what_stands_on_it():
+    rng = np.random.default_rng(10)
+    x, y = middles((120, 160), 0.5)
+    terrain = 0.05 * x + 1.0 * np.sin(y / 15)
+    things = np.zeros(terrain.shape, bool)
+    for r, c, n in ((20, 30, 12), (70, 60, 20), (90, 130, 6), (30, 110, 3)):
+        things[r : r + n, c : c + n] = True
+    model = made(terrain + 4.0 * things, cell=0.5, sigma=0.03, rng=rng, common=0.02)
+    stands = standing(model, 24, 0.15)
+    assert (stands & things).sum() == things.sum()
+    assert (stands & ~things).mean() < 0.01
+    found, _ = ground(model, 24, 0.15)
+    assert found.known.all()
+    e = np.abs(found.heights.height - terrain)
+    assert np.quantile(e, 0.99) < 0.3
+    assert np.mean(e[things] < 1.96 * found.sigma[things]) > 0.9
+    assert np.median(found.local[things]) > np.median(found.local[~things])
+    assert not standing(made(terrain, cell=0.5, sigma=0.03, rng=rng), 24, 0.15).any()

@@ -1,0 +1,106 @@
+"""What has moved by more than chance, beside drawn errors and movements that are known."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from raybundle.surfaces.movements import movements
+from raybundle.surfaces.resampled import difference, resampled
+from tests.surface.height_models import made, middles
+
+SHAPE = (64, 96)
+PAIRS = 60
+
+
+def pair(rng, **more):
+    """The differences of two measurements of one relief."""
+    x, y = middles(SHAPE)
+    relief = 0.01 * np.sin(20 * x) * np.cos(15 * y)
+    before, after = (made(relief, rng=rng, sigma=4e-4, common=1e-3, **more) for _ in range(2))
+    return difference(before, after)
+
+
+def raised(model, by, rows=slice(18, 48), columns=slice(30, 60)):
+    height = model.heights.height.copy()
+    height[rows, columns] += by
+    return replace(model, heights=replace(model.heights, height=height))
+
+
+def alarms(count, seed):
+    rng = np.random.default_rng(seed)
+    found = [movements(pair(rng)) for _ in range(count)]
+    return sum(bool(m.regions) for m in found), sum(m.whole.significant for m in found)
+
+
+def test_what_has_not_moved_is_left_alone():
+    local, whole = alarms(PAIRS, 11)
+    # 5 % of 60 are 3; 8 or more have a chance of 1 %
+    assert local <= 7
+    assert whole <= 7
+
+
+@pytest.mark.long
+def test_false_alarms_have_the_chance_that_is_stated():
+    local, whole = alarms(400, 12)
+    assert local <= 32  # 5 % are 20, with a standard deviation of 4.4
+    assert 8 <= whole <= 33
+
+
+@pytest.mark.parametrize("by", [3e-3, -3e-3])
+def test_a_relief_that_moved_by_3_mm_is_found_with_its_outline_and_amount(by):
+    rng = np.random.default_rng(13)
+    z, sizes = [], []
+    for _ in range(12):
+        found = movements(raised(pair(rng), by))
+        (region,) = found.regions
+        z.append((region.mean - by) / region.mean_sigma)
+        sizes.append((region.area - 0.09) / region.area_sigma)
+        rows, columns = np.nonzero(region.cells)
+        edge = 2 * region.edge / 0.01 + 1
+        assert abs(rows.min() - 18) <= edge
+        assert abs(columns.max() - 59) <= edge
+        assert region.volume == pytest.approx(0.09 * by, abs=4 * region.volume_sigma)
+        assert np.nanmax(np.abs(found.peak)) > found.limit
+    assert np.mean(np.square(z)) < 2.2
+    assert np.mean(np.square(sizes)) < 4
+
+
+def test_a_shift_of_all_is_of_the_whole_and_no_region():
+    rng = np.random.default_rng(14)
+    d = pair(rng)
+    small, large = (movements(raised(d, by, slice(None), slice(None))) for by in (5e-4, 1e-2))
+    assert not small.whole.significant
+    assert large.whole.significant
+    assert large.whole.shift.value == pytest.approx(1e-2, abs=4 * large.whole.shift.sigma)
+    assert not small.regions
+
+
+def test_blunders_and_holes_are_no_movement():
+    rng = np.random.default_rng(15)
+    d = pair(rng)
+    height = d.heights.height.copy()
+    wrong = rng.choice(height.size, 60, replace=False)
+    height.flat[wrong] += rng.normal(0, 0.3, 60)
+    height[40:50, 10:30] = np.nan
+    found = movements(replace(d, heights=replace(d.heights, height=height)))
+    assert not found.regions
+    assert np.isnan(found.local[45, 20])
+    moved = movements(raised(replace(d, heights=replace(d.heights, height=height)), 3e-3))
+    (region,) = moved.regions
+    assert region.mean == pytest.approx(3e-3, abs=4 * region.mean_sigma)
+
+
+def test_heights_of_another_grid_lie_between_its_cells():
+    x, y = middles(SHAPE)
+    model = made(0.3 * x - 0.2 * y, sigma=1e-4)
+    like = made(np.zeros((40, 50)), cell=0.012)
+    found = resampled(model, 3.25, 2.5, 1.2, like)
+    x0, y0 = 0.0325 + (np.arange(50) + 0.5) * 0.012, 0.64 - 0.025 - (np.arange(40) + 0.5) * 0.012
+    assert np.abs(found.heights.height - (0.3 * x0 - 0.2 * y0[:, None])).max() < 1e-6
+    assert found.length == pytest.approx(model.length / 1.2)
+    assert found.cell == 0.012
+    beyond = resampled(model, 60, 0, 1.2, like)
+    assert np.isnan(beyond.heights.height[:, -1]).all()
+    same = resampled(model, 1.0, 0.0, 1.0, made(np.zeros((10, 10))))
+    assert np.array_equal(same.heights.height, model.heights.height[:10, 1:11])
