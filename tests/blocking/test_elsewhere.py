@@ -5,17 +5,21 @@ import signal
 import subprocess
 import sys
 import time
+from collections import deque
 from dataclasses import replace
+from weakref import WeakValueDictionary
 
 import numpy as np
 import pytest
 
 from raybundle.adjustment.decide import decide
 from raybundle.adjustment.options import AdjustmentOptions
+from raybundle.blocking import tasks as blocking_tasks
 from raybundle.blocking.adjusted import in_parts
 from raybundle.blocking.memory import Serial
 from raybundle.errors import InputError
 from raybundle.io.block.folder import write_block
+from raybundle.numerics import native
 from raybundle.pipeline.executors import Staying, Threads
 from raybundle.pipeline.store import Folder
 from tests.blocking.networks import flight
@@ -170,3 +174,64 @@ def test_a_cluster_whose_driver_is_killed_gives_the_tables_of_one_process(tmp_pa
     assert len(one) > 3
     assert one == two
     assert not (tmp_path / ".two.parts").exists()
+
+
+class ByTwin:
+    """Does the tasks of every other list as a worker without compiled kernels would, with nothing but the store."""
+
+    def __init__(self, monkeypatch):
+        self.patch, self.lists = monkeypatch, 0
+
+    def run(self, tasks, store):
+        self.lists += 1
+        with self.patch.context() as other:
+            if self.lists % 2:
+                without_kernels(other)
+                other.setattr(blocking_tasks, "_known", WeakValueDictionary())
+                other.setattr(blocking_tasks, "_read", deque(maxlen=2))
+            done = list(Serial().run(tasks, store))
+        yield from done
+
+
+def without_kernels(patch):
+    patch.setattr(native, "module", lambda: None)
+    patch.setattr(native, "sensor_models", frozenset)
+
+
+def same(one, other):
+    """To the rounding by which kernels and their twins differ."""
+    std = one.precision.object_point_std
+    moved = np.abs(other.adjusted.points.xyz - one.adjusted.points.xyz) / np.where(std > 0, std, 1.0)
+    assert np.nanmax(moved) < 1e-4
+    np.testing.assert_allclose(other.precision.object_point_std, std, rtol=1e-6)
+    assert [r and r.kind for r in other.image_observations.rejected] == [
+        r and r.kind for r in one.image_observations.rejected
+    ]
+
+
+@pytest.mark.skipif(not native.available(), reason="there are no kernels to be without")
+def test_a_worker_without_kernels_gives_the_same(tmp_path, monkeypatch):
+    block = doubtful()
+    one, mixed = adjusted(block, tmp_path / "one", Serial()), adjusted(block, tmp_path / "two", ByTwin(monkeypatch))
+    assert len(one.handle.work.normals.parts.network.tree) > 3
+    same(one, mixed)
+
+
+@pytest.mark.skipif(not native.available(), reason="there are no kernels to be without")
+@pytest.mark.parametrize("first", ["kernels", "twins"])
+def test_a_run_goes_on_with_and_without_kernels(tmp_path, monkeypatch, first):
+    """What was noted of finished sweeps is read, wherever the other solver keeps its values."""
+    block = doubtful()
+    whole = Counting()
+    one = adjusted(block, tmp_path / "whole", whole)
+    for stop in (0.4, 0.9):
+        folder = tmp_path / f"{stop}"
+        with monkeypatch.context() as other:
+            if first == "twins":
+                without_kernels(other)
+            with pytest.raises(KeyboardInterrupt):
+                adjusted(block, folder, Counting(int(stop * len(whole.done))))
+        with monkeypatch.context() as other:
+            if first == "kernels":
+                without_kernels(other)
+            same(one, adjusted(block, folder, Serial()))

@@ -32,7 +32,10 @@ class Machines:
         line = process.stdout.readline() if wait else ""
         if wait not in line:
             raise AssertionError(f"{words} said {line!r} {process.stderr.read()}")
-        process.reader = threading.Thread(target=process.stdout.read, daemon=True)  # so that nobody waits to be read
+        process.said = []
+        process.reader = threading.Thread(  # so that nobody waits to be read
+            target=lambda: process.said.append(process.stdout.read()), daemon=True
+        )
         process.reader.start()
         return process
 

@@ -208,8 +208,8 @@ def test_what_fails_is_tried_three_times(flaky, copies):
 @pytest.mark.parametrize(
     ("error", "told"),
     [
-        (OSError("Could not connect to host"), "cannot be reached .OSError: Could not connect to host.; see whether"),
-        (PermissionError("Access Denied"), "access is refused, or there are no credentials .PermissionError: Access"),
+        (OSError("Could not connect to host"), "cannot be reached .Could not connect to host.; see whether"),
+        (PermissionError("Access Denied"), "access is refused, or there are no credentials .Access"),
         (RuntimeError("Unable to locate credentials"), "access is refused, or there are no credentials"),
     ],
 )
@@ -232,7 +232,7 @@ def test_what_fails_three_times_stops_everything_and_says_what_to_do(flaky, erro
 def test_an_object_of_which_a_part_comes_each_time_is_no_damaged_one(flaky, copies):
     flaky.place.damaged(KEY, again=False)
     Flaky.plan = [1.0, 0.5, 0.5, 0.5]
-    with pytest.raises(StoreLost, match="cannot be reached .ConnectionError: .* of .* bytes came"):
+    with pytest.raises(StoreLost, match="cannot be reached ..* of .* bytes came"):
         flaky.load(KEY)
     assert flaky.has(KEY)
 
@@ -257,7 +257,7 @@ def test_a_store_that_is_lost_costs_no_photograph(flaky):
     [
         ("nowhere://b/c", "Protocol not known: nowhere; a store is as s3://bucket/folder"),
         ("s3://", "names no bucket|a package is missing: Install s3fs"),
-        ("ftp://me:secret@host/p", "ftp://host/p: holds a secret, which would stand in project.toml"),
+        ("ftp://me:secret@host/p", "ftp://host/p: holds a secret, which others would read"),
         ("products", "products: is no URL; as s3://bucket/folder"),
     ],
 )

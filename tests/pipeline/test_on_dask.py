@@ -5,6 +5,7 @@ import json
 import os
 import random
 import signal
+import socket
 import subprocess
 import sys
 import threading
@@ -18,6 +19,7 @@ import pytest
 from raybundle.errors import InputError
 from raybundle.io.photos.photo import find_photos
 from raybundle.matching.methods import feature_method
+from raybundle.numerics.progress import Remark
 from raybundle.pipeline.clusters import cluster_at, signature, token_of
 from raybundle.pipeline.executors import Threads
 from raybundle.pipeline.project import Project
@@ -90,7 +92,9 @@ def test_one_worker_and_the_ways_in_which_it_is_refused(machines, tmp_path, expe
         (foreign / name).unlink()
     with pytest.raises(InputError, match=r"lacks ca\.pem, cert\.pem, key\.pem: without certificates nothing goes"):
         on(foreign)
-    on_dask.make_certificates(foreign)
+    from raybundle.pipeline.dask_machines import make_certificates
+
+    make_certificates(foreign)
     with pytest.raises(InputError, match="has a certificate that is not of this cluster"):
         list(on(foreign).run(tasks, store))
     (foreign / "ca.pem").write_bytes((machines.folder / "ca.pem").read_bytes())
@@ -352,3 +356,90 @@ def test_a_worker_that_somebody_else_started_becomes_ours_by_a_preload(machines,
         for process in begun:
             process.terminate()
             process.wait()
+
+
+def ended(folder, *words, seconds=30):
+    """Exit status, and what a command says that ends by itself."""
+    done = subprocess.run(
+        [sys.executable, "-m", "raybundle", *map(str, words)], capture_output=True, text=True, timeout=seconds,
+        cwd=folder, check=False, env={**os.environ, "PYTHONPATH": str(Path(__file__).parents[2])},
+    )  # fmt: skip
+    return done.returncode, done.stderr
+
+
+def test_a_scheduler_that_cannot_be_says_why_and_leaves_nothing(machines, tmp_path):
+    with socket.socket() as taken:
+        taken.bind(("127.0.0.1", 0))
+        taken.listen()
+        port = taken.getsockname()[1]
+        status, said = ended(tmp_path, "scheduler", "new", "--host", "127.0.0.1", "--port", port)
+    assert status == 2
+    assert f"the scheduler cannot listen at 127.0.0.1, port {port}: " in said
+    assert "Address already in use" in said or "address already in use" in said
+    assert not (tmp_path / "new").exists()
+    (tmp_path / "old").mkdir()
+    status, said = ended(tmp_path, "scheduler", "old", "--host", "no-such-host.invalid")
+    assert status == 2
+    assert "cannot listen at no-such-host.invalid, port any" in said
+    assert not list((tmp_path / "old").iterdir())
+    # a second one, where one answers
+    machines.scheduler()
+    facts = (machines.folder / "scheduler.json").read_text()
+    status, said = ended(tmp_path, "scheduler", machines.folder, "--host", "127.0.0.1")
+    assert status == 2
+    assert f"a scheduler is at work for it already (tls://127.0.0.1:{machines.port})" in said
+    assert (machines.folder / "scheduler.json").read_text() == facts
+
+
+def test_certificates_that_are_none_or_over_are_named(tmp_path, capsys, monkeypatch):
+    from raybundle.cli.main import main
+    from raybundle.pipeline import clusters
+    from raybundle.pipeline.dask_machines import make_certificates
+
+    folder = tmp_path / "cluster"
+    make_certificates(folder)
+    (folder / "scheduler.json").write_text(json.dumps({"address": "tls://127.0.0.1:9", "raybundle": signature()}))
+    words = [["scheduler", str(folder)], ["worker", "--cluster", str(folder)]]
+    with monkeypatch.context() as later:
+        day = clusters.dt.datetime.now(clusters.dt.UTC) + clusters.dt.timedelta(days=400)
+
+        class Later(clusters.dt.datetime):
+            @classmethod
+            def now(cls, tz=None):
+                del tz
+                return day
+
+        later.setattr(clusters.dt, "datetime", Later)
+        for each in words:
+            assert main(each) == 2
+            said = capsys.readouterr().err
+            assert "the certificates ended on 2" in said
+            assert "start the scheduler again, which makes new ones" in said
+    ca = (folder / "ca.pem").read_bytes()
+    (folder / "ca.pem").write_bytes(b"")
+    for each in words:
+        assert main(each) == 2
+        assert "ca.pem: holds no certificate; delete ca.pem, cert.pem, key.pem there" in capsys.readouterr().err
+    (folder / "ca.pem").write_bytes(ca)
+    (folder / "key.pem").unlink()
+    for each in words:
+        assert main(each) == 2
+        assert "lacks key.pem" in capsys.readouterr().err
+
+
+def test_a_run_says_that_it_waits_for_a_worker_and_a_worker_for_a_scheduler(machines, tmp_path, monkeypatch):
+    monkeypatch.setattr("raybundle.pipeline.on_dask.SAY_S", 0.5)
+    waiting = machines.command("worker", "--cluster", machines.folder, wait="waits for a scheduler: ")
+    machines.scheduler()
+    until = time.monotonic() + 60
+    said, store = [], Folder(tmp_path / "s")
+    executor = on(machines.folder, progress=lambda text, share: said.append((text, type(share))))
+    assert len(list(executor.run(tasks_of(4), store))) == 11
+    assert time.monotonic() < until
+    waiting.send_signal(signal.SIGTERM)
+    waiting.wait(30)
+    waiting.reader.join(10)
+    assert "11 tasks done in all" in waiting.said[0]
+    with pytest.raises(InputError, match="no worker can do the tasks"):
+        list(on(machines.folder, patience=3.0, progress=executor.progress).run(tasks_of(2), Folder(tmp_path / "t")))
+    assert ("no worker is there: waiting for up to ", Remark) in [(t[:38], kind) for t, kind in said]

@@ -4,6 +4,7 @@ import itertools
 import os
 import subprocess
 import sys
+from dataclasses import replace
 from pathlib import Path
 
 import pytest
@@ -14,6 +15,7 @@ from raybundle.errors import InputError, TasksWaiting
 from raybundle.pipeline.choosing import executor_for
 from raybundle.pipeline.executors import Threads
 from raybundle.pipeline.project import Project
+from raybundle.pipeline.running import note
 from raybundle.pipeline.shards import Shards, do_shard
 from raybundle.pipeline.stage import Means
 from raybundle.pipeline.store import Folder
@@ -102,7 +104,60 @@ def test_what_fails_in_a_shard_is_told_by_the_run_and_tried_again_by_the_next(tm
         }  # fmt: skip
     finally:
         project.close()
-    assert "1 task to be done" in asked(tmp_path / "p", tasks[:2])[0]
+    assert "2 tasks to be done" in asked(tmp_path / "p", tasks)[0]
+
+
+def test_little_is_not_given_to_shards(tmp_path):
+    """One task of a minute, or some of a second together: a queue takes longer to begin."""
+    one = tasks_of(2)[:1]
+    said, found = asked(tmp_path / "p", one)
+    assert (said, len(found)) == ("", 64)
+    assert not (tmp_path / "p/cache/tasks.jsonl").exists()
+    assert "1 task to be done" in asked(tmp_path / "long", [replace(one[0], cost=61.0)])[0]
+    assert asked(tmp_path / "short", tasks_of(4, cost=0.05))[0] == ""
+
+
+@pytest.mark.parametrize(
+    ("damage", "line", "said"),
+    [
+        (lambda _: "", 1, "is empty"),
+        (lambda _: "[1]\n", 1, "does not say what the list is"),
+        (lambda text: text[: len(text) - 40], 16, "is no task"),
+        (lambda text: "\n".join(text.splitlines()[:-2]) + "\n", 14, "13 tasks, and 15 were written"),
+        (lambda text: text.replace("graph:leaf", "graph:none", 1), 2, "names no function"),
+        (lambda text: text.replace("tests.pipeline.graph:leaf", "os:system", 1), 2, "'os:system' is no function of"),
+        (lambda text: text.replace("tests.pipeline.graph:leaf", "no.such:thing", 1), 2, "is no function of tasks"),
+        (lambda text: text.replace('"key":"', '"key":"../../x', 1), 2, "is no key of a product"),
+        (lambda text: text.replace('"number":0', '"number":7', 1), 2, "what follows is not what was written"),
+        (
+            lambda text: "\n".join([text.splitlines()[0], *text.splitlines()[2:], text.splitlines()[2]]),
+            2,
+            "what follows",
+        ),
+    ],
+)
+def test_a_damaged_list_is_named_by_its_line_and_nothing_is_done(tmp_path, capsys, damage, line, said):
+    asked(tmp_path / "p", tasks_of(LEAVES, small=False))
+    file = tmp_path / "p/cache/tasks.jsonl"
+    file.write_text(damage(file.read_text()))
+    assert main(["worker", str(tmp_path / "p"), "--shard", "0/1", "--wait", "0"]) == 2
+    told = capsys.readouterr().err
+    assert f"{file}:{line}: " in told or f"{file}, line {line}: " in told, told
+    assert said in told
+    assert "the list is damaged and nothing of it is done" in told
+    assert not list((tmp_path / "p/cache").glob("*/*.npz"))
+
+
+def test_what_is_no_project_is_said(tmp_path, capsys):
+    pytest.importorskip("fsspec", reason="the extra [cluster] is not installed")
+    (tmp_path / "empty/cache").mkdir(parents=True)
+    for where, said in (
+        (tmp_path / "empty", "is no project folder"),
+        (f"file://{tmp_path}/bucket", "holds no products"),
+    ):
+        assert main(["worker", str(where), "--shard", "0/1"]) == 2
+        assert said in capsys.readouterr().err
+    assert not (tmp_path / "bucket").exists()
 
 
 def test_a_damaged_product_is_made_again_by_the_run_that_asks(tmp_path, expected):
@@ -139,7 +194,6 @@ def test_a_list_of_another_version_is_refused(tmp_path):
         (["--shard", "0/1"], "of which project?"),
         (["p"], "give --cluster FOLDER or --shard I/N"),
         (["p", "--shard", "0/1"], "is no project folder, or no run has begun in it"),
-        (["--cluster", "p"], "has no scheduler.json: no scheduler was started there; `raybundle scheduler p` starts"),
         (
             ["--cluster", "tcp://10.0.0.5:8786"],
             "is on another machine, and an address alone says nothing of certificates",
@@ -174,6 +228,8 @@ PORTAL = Path(__file__).resolve().parents[2] / "demo_data/portal/photos"
 def test_orient_by_shards_is_orient_on_one_machine(tmp_path, capsys, monkeypatch):
     """By commands, from photographs that are named from where the run was begun; results bit by bit."""
     monkeypatch.chdir(tmp_path)
+    monkeypatch.setattr("raybundle.pipeline.shards.ALONE_S", 0.0)  # as with photographs that take longer
+    monkeypatch.setattr("raybundle.pipeline.shards.TOGETHER_S", 0.0)
     photos = Path("photos")
     photos.mkdir()
     for k in (2, 3, 4):
@@ -198,3 +254,28 @@ def test_orient_by_shards_is_orient_on_one_machine(tmp_path, capsys, monkeypatch
         assert (tmp_path / "here/project/result" / name).read_bytes() == (
             tmp_path / "there/project/result" / name
         ).read_bytes()
+
+
+def test_status_says_how_far_work_is_and_where_products_lie(tmp_path, capsys):
+    tasks = tasks_of(LEAVES, crash={3: "bad input"})
+    asked(tmp_path / "p", tasks)
+    do_shard(tmp_path / "p", 0, 2, wait_s=0.0)
+    assert main(["status", str(tmp_path / "p")]) == 0
+    said = capsys.readouterr().out
+    listed = next(line for line in said.splitlines() if line.startswith(" for shards"))
+    assert listed.startswith(f" for shards: {len(tasks)} tasks in the list, ")
+    assert f"waits for shards: graph, 0 of {len(tasks)} done" in said
+    assert "products: in its folder " in said
+    project = Project.open(tmp_path / "p")
+    try:
+        note(project.folder, "matching", 7, 12)
+        assert main(["status", str(tmp_path / "p")]) == 0
+        assert " in work: matching, 7 of 12 done (" in capsys.readouterr().out
+        means = Means(project=project, executor=Threads(1))
+        means.do(tasks, "graph")
+        assert main(["status", str(tmp_path / "p")]) == 0
+        said = capsys.readouterr().out
+        assert " a run works in it now" in said
+        assert "7 of 12" not in said
+    finally:
+        project.close()

@@ -36,6 +36,7 @@ APART = {
     "report/differences.py": "the same",
     "report/shared.py": "the same",
     "report/common_points.py": "a page of `merge`, which has no language",
+    "report/sameness.py": "printed by `compare`",
     "report/photograph_list.py": "a list of `plan`, which has no language",
     "report/text/summary.py": "printed on the command line",
     "report/show.py": "opens pages",

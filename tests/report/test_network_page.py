@@ -10,6 +10,7 @@ import numpy as np
 import pytest
 
 from raybundle.block import Role
+from raybundle.numerics.thinning import one_of_each_cell
 from raybundle.report import network_detail, network_page
 from raybundle.report.network_page import network_contents, write_network_page
 from raybundle.report.view import view_of
@@ -95,7 +96,7 @@ def test_a_sample_by_cells_keeps_the_outline():
     """Where points lie a thousand times as densely, a cell shows one as well; alone at the edge a point stays."""
     rng = np.random.default_rng(1)
     xyz = np.concatenate([rng.normal(0, 0.1, (5000, 3)), rng.uniform(-100, 100, (300, 3)), [[500.0, 0, 0]]])
-    rows, cell = network_detail._one_of_each_cell(xyz, 200)
+    rows, cell = one_of_each_cell(xyz, 200)
     assert 100 < len(rows) <= 200
     assert 5300 in rows
     key = np.floor((xyz - xyz.min(axis=0)) / cell).astype(int)

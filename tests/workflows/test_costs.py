@@ -277,3 +277,21 @@ def test_this_machine_is_measured():
         assert getattr(found, sweep).read_element == getattr(C, sweep).read_element
     assert found.up.operation_ns > 0
     assert found.feature_mpx_s > 0
+
+
+def test_memory_is_that_of_this_machine_and_what_helps_is_said(capsys, monkeypatch):
+    words = ["estimate-cost", "--images", "10000", "--megapixels", "20", "--disk", "10", "--no-measure"]
+    monkeypatch.setattr("raybundle.numerics.machine.available_memory", lambda: 12.5e9)
+    assert main(words) == 0
+    said = capsys.readouterr().out
+    assert "12.5 GB there" in said
+    assert "what helps: a machine of " in said
+    assert "here --points-per-image" in said
+    assert "orient --quick leaves precision out" in said
+    assert "products on another disk" in said
+    assert "unknowns in one matrix" in said
+    assert main([*words, "--workers", "16", "--network", "0", "--memory", "2"]) == 0
+    alone = capsys.readouterr().out
+    assert "caution: memory of driver and workers together: " in alone
+    assert main([*words, "--workers", "16", "--memory", "2"]) == 0
+    assert "workers together" not in capsys.readouterr().out

@@ -1,12 +1,19 @@
 """The surface of rendered photographs, from result to point cloud: three of the portal, at half their size."""
 
+import base64
+import json
+import re
+from dataclasses import replace
+
+import cv2
 import numpy as np
 import pytest
 from scipy.spatial import KDTree
 
+from raybundle.block import PixelFrame
 from raybundle.commands.surface import surface
 from raybundle.errors import InputError
-from raybundle.io.block.folder import read_block
+from raybundle.io.block.folder import read_block, write_block
 from raybundle.workflows.height_files import read_heights
 from raybundle.workflows.surface import surface as measured
 from raybundle.workflows.surface_state import SurfaceOptions
@@ -68,6 +75,14 @@ def test_heights_are_written_with_what_orientation_does_to_them(half, tmp_path):
     done = surface(half / "block", tmp_path / "s", photos=(half,), density="4", dsm=0.05, jobs=1)
     names = [name for name, _ in done.written]
     assert names == ["", "dsm"]
+    shown = json.loads(re.search(r'id="network-data">(.*?)</script>', (tmp_path / "s/surface_3d.html").read_text())[1])
+    places = np.frombuffer(base64.b64decode(shown["cloud"]["xyz"]), "<u2").reshape(-1, 3)
+    cloud = np.concatenate([c.xyz for c in done.surface.parts()])
+    drawn = places * shown["cloud"]["step"] + shown["cloud"]["low"] + np.array(shown["origin"])
+    assert np.abs(drawn - cloud).max() < shown["cloud"]["step"]
+    assert len(shown["cloud"]["names"]) == 3
+    assert shown["classes"]["cloud"]["colours"]
+    assert "<h1>Surface of" in (tmp_path / "s/surface.html").read_text()
     model, file = read_heights(tmp_path / "s")
     with rasterio.open(tmp_path / "s/heights.tif") as one, rasterio.open(tmp_path / "s/heights_sigma.tif") as many:
         assert np.array_equal(one.read(1), model.heights.height, equal_nan=True)
@@ -112,6 +127,24 @@ def test_photographs_that_are_not_there_are_named(half, tmp_path):
     assert lost[0] == "portal_08"
     with pytest.raises(InputError, match="no photograph of the result was found"):
         measured(half / "block", tmp_path / "v", SurfaceOptions(density=4), photos=[tmp_path / "w"], jobs=1)
+
+
+def test_a_file_that_is_stored_turned_gives_the_same_points(half, found, tmp_path):
+    before, _ = found
+    block = read_block(half / "block")
+    for name in block.images.file:
+        grey = cv2.imread(str(half / name))
+        cv2.imwrite(str(tmp_path / name), grey if "02" not in name else cv2.rotate(grey, cv2.ROTATE_180))
+    camera = block.cameras[0]
+    frame = PixelFrame(turned=180, width_px=camera.width_px, height_px=camera.height_px)
+    k = next(i for i, name in enumerate(block.images.file) if "02" in name)
+    write_block(replace(block, images=replace(block.images, frames={k: frame})), tmp_path / "block")
+    done = measured(tmp_path / "block", tmp_path / "w", SurfaceOptions(density=4), photos=[tmp_path], jobs=1)
+    assert not done.left_out
+    assert done.counts == before.counts
+    for one, other in zip(before.parts(), done.parts(), strict=True):
+        assert np.array_equal(one.xyz, other.xyz)
+        assert np.array_equal(one.colour, other.colour)
 
 
 def test_one_photograph_has_no_surface(half, tmp_path):

@@ -19,6 +19,8 @@ from raybundle.adjustment.severity import Severity
 from raybundle.block.select import with_rows
 from raybundle.blocking.adjusted import in_parts
 from raybundle.blocking.memory import Serial
+from raybundle.blocking.normals import Parts
+from raybundle.cli.main import main
 from raybundle.commands.adjust import AdjustSettings, run_adjust
 from raybundle.errors import InputError, NotSolvable
 from raybundle.io.block.arrays import arrays_of_block
@@ -30,6 +32,7 @@ from raybundle.pipeline.executors import Staying
 from raybundle.planning.scenes import AerialStrips, aerial_scene
 from raybundle.planning.simulate import Survey, simulate
 from raybundle.workflows.adjust import adjust
+from raybundle.workflows.left import bytes_in, left_beside
 from raybundle.workflows.within_memory import BASE, IN_MEMORY, within_memory
 from tests.adjustment.test_noise import with_fields
 from tests.blocking.networks import flight
@@ -155,7 +158,7 @@ def test_the_command_says_what_it_did(tmp_path):
     told = next(n for n in done.notices if n.code == "in_parts")
     assert "in one piece the adjustment would take" in told.message
     assert "and 0.1 GB were allowed (memory=)" in told.message
-    assert "Even so it takes about" in told.message
+    assert "So many image points take about" in told.message
     assert done.converged
 
 
@@ -308,3 +311,58 @@ def test_shards_are_refused(tmp_path):
         within_memory(flight(), tmp_path / "r", 8.0, cluster="shards"),
     ):
         pass
+
+
+def interrupted(monkeypatch, *words):
+    """Exit status of an adjustment that is interrupted when its first sweep is done."""
+    with monkeypatch.context() as patch:
+        made = Parts.noted
+
+        def noted(self, name, about, find):
+            if name == "tried":
+                raise KeyboardInterrupt
+            return made(self, name, about, find)
+
+        patch.setattr(Parts, "noted", noted)
+        return main([str(w) for w in words])
+
+
+def test_what_a_run_takes_away_meanwhile_does_not_count(tmp_path, monkeypatch):
+    for name in ("a", "b"):
+        (tmp_path / "parts" / name).mkdir(parents=True)
+        (tmp_path / "parts" / name / "x").write_bytes(bytes(100))
+    walk = os.walk
+
+    def changing(folder):
+        for found in walk(folder):
+            (tmp_path / "parts/a/x").unlink(missing_ok=True)
+            yield found
+
+    monkeypatch.setattr("raybundle.workflows.left.os.walk", changing)
+    assert bytes_in(tmp_path / "parts") == 100
+
+
+def test_an_interrupt_says_where_parts_are_and_a_later_run_removes_them(tmp_path, monkeypatch, capsys):
+    pytest.importorskip("fsspec", reason="the extra [cluster] is not installed")
+    monkeypatch.setenv("RAYBUNDLE_PRODUCTS", str(tmp_path / "products"))
+    write_block(flight(), tmp_path / "block")
+    words = ["adjust", tmp_path / "block", "--out", tmp_path / "result", "--no-report", "--jobs", "1"]
+    left = tmp_path / ".result.parts"
+    for store in ("", f"file://{tmp_path}/bucket"):
+        status = interrupted(monkeypatch, *words, "--memory", "0.01", *(["--store", store] if store else []))
+        assert status == 130
+        gc.collect()
+        said = capsys.readouterr().err
+        assert f"interrupted; what is finished is kept in {left}" in said
+        assert "the same command continues there" in said
+        assert store in said
+        assert left_beside(tmp_path / "result")[0].bytes > 0
+    assert list((tmp_path / "bucket").rglob("*.npz"))
+    assert main(["status", str(tmp_path / "result")]) == 0
+    said = capsys.readouterr().out
+    assert f"{left}: parts of an adjustment that was cut short" in said
+    assert f"and in file://{tmp_path}/bucket" in said
+    gc.collect()
+    assert main([str(w) for w in words]) == 0  # all in memory
+    assert not left.exists()
+    assert not list((tmp_path / "bucket").rglob("*.npz"))

@@ -54,6 +54,28 @@ export function bySurface(net: Network): Colouring | null {
   return classed(net.surfaceSigma.length, (i) => net.surfaceSigma[i], net.packed.classes.surface);
 }
 
+/** Colours of dense points: of the photographs, by the photograph that gives them, by their standard deviations. */
+export function ofCloud(net: Network): Record<string, Colouring | null> {
+  const n = net.cloudImage.length;
+  const linear = [...Array(256).keys()].map((v) => new Color(v << 16).r);
+  const own = new Float32Array(3 * n);
+  for (let k = 0; k < 3 * n; k++) own[k] = linear[net.cloudColour[k]];
+  const names = net.packed.cloud?.names ?? [];
+  const hues = names.map((_, k) => `#${new Color().setHSL((k * GOLDEN) % 1, 0.5, 0.36 + 0.2 * (k % 2)).getHexString()}`);
+  const shades = hues.map(rgb);
+  const some = names.slice(0, MOST_NAMES).map((name, k): [string, string] => [hues[k], name]);
+  if (names.length > MOST_NAMES) some.push(["", "…"]);
+  return {
+    own: { rgb: own, legend: [] },
+    photograph: { rgb: filled(n, (i) => shades[net.cloudImage[i]]), legend: some },
+    sigma: classed(n, (i) => net.cloudSigma[i], net.packed.classes.cloud ?? null),
+  };
+}
+
+/** Of a turn of the colour wheel from one photograph to the next, so that neighbours differ. */
+const GOLDEN = 0.618034;
+const MOST_NAMES = 24;
+
 function classed(n: number, of: (i: number) => number, classes: Classes | null): Colouring | null {
   if (!classes) return null;
   const colours = classes.colours.map(rgb);

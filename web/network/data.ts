@@ -19,7 +19,9 @@ export interface Packed {
   ellipsoids: { point: string; axes: string; enlarged: number };
   bars: string;
   surface: { xyz: string; sigma: string } | null;
-  classes: { points: Classes | null; surface: Classes | null };
+  /** Dense points: places in steps from a corner, colours, reference photographs, standard deviations along the rays. */
+  cloud?: { low: number[]; step: number; xyz: string; rgb: string; image: string; sigma: string; names: string[] } | null;
+  classes: { points: Classes | null; surface: Classes | null; cloud?: Classes | null };
   /** What the page says by itself, in the reader's language, and its decimal sign. */
   words: Record<string, string>;
   decimal: string;
@@ -53,6 +55,11 @@ export class Network {
   /** Corners of the object's triangles, nine numbers each, and the standard deviation of each triangle. */
   readonly surface: Float32Array<ArrayBuffer>;
   readonly surfaceSigma: Float32Array<ArrayBuffer>;
+  /** Dense points. */
+  readonly cloud: Float32Array<ArrayBuffer>;
+  readonly cloudColour: Uint8Array<ArrayBuffer>;
+  readonly cloudImage: Uint16Array<ArrayBuffer>;
+  readonly cloudSigma: Float32Array<ArrayBuffer>;
 
   constructor(readonly packed: Packed) {
     this.xyz = floats(packed.points.xyz);
@@ -67,6 +74,12 @@ export class Network {
     this.bars = words32(packed.bars);
     this.surface = floats(packed.surface?.xyz ?? "");
     this.surfaceSigma = floats(packed.surface?.sigma ?? "");
+    const steps = words16(packed.cloud?.xyz ?? "");
+    this.cloud = new Float32Array(steps.length);
+    for (let k = 0; k < steps.length; k++) this.cloud[k] = packed.cloud!.low[k % 3] + packed.cloud!.step * steps[k];
+    this.cloudColour = words8(packed.cloud?.rgb ?? "");
+    this.cloudImage = words16(packed.cloud?.image ?? "");
+    this.cloudSigma = floats(packed.cloud?.sigma ?? "");
     // corners lie one object unit from the centre; bring them to the drawn size
     const size = packed.images.size;
     for (let k = 0; k < this.frusta.length; k += 15)

@@ -2,7 +2,7 @@
 import * as THREE from "three";
 import { OrbitControls } from "three/examples/jsm/controls/OrbitControls.js";
 import { nearest } from "../common/shapes";
-import { byRays, byRole, bySigma, bySurface, Colouring } from "./colours";
+import { byRays, byRole, bySigma, bySurface, Colouring, ofCloud } from "./colours";
 import { Network, Packed, ROLES } from "./data";
 import { Drawn } from "./scene";
 
@@ -90,28 +90,19 @@ function panel(net: Network, drawn: Drawn, render: () => void, home: () => void)
   const colour = () => {
     const chosen = choices[select.value]!;
     drawn.colour(chosen.rgb, choices.role!.rgb);
-    element("legend").replaceChildren(
-      ...chosen.legend.map(([hex, words]) => {
-        const item = document.createElement("li");
-        if (hex) {
-          const dot = document.createElement("span");
-          dot.style.background = hex;
-          item.append(dot);
-        }
-        item.append(words);
-        return item;
-      }),
-    );
+    legend("legend", chosen);
     render();
   };
   select.addEventListener("change", colour);
   colour();
+  cloudPanel(net, drawn, render);
 
   const shown: [string, THREE.Object3D[], number][] = [
     ["show-points", [drawn.points], net.points],
     ["show-images", [drawn.frames], net.images - net.proposed.length],
     ["show-proposals", [drawn.proposals], net.proposed.length],
     ["show-surface", [drawn.surface], net.surface.length],
+    ["show-cloud", [drawn.cloud], net.cloudImage.length],
     ["show-known", [drawn.special], net.role.some((r) => r > 0) ? 1 : 0],
     ["show-bars", [drawn.bars], net.bars.length],
     ["show-ellipsoids", [drawn.ellipsoids], net.ellipsoid.length],
@@ -142,6 +133,42 @@ function panel(net: Network, drawn: Drawn, render: () => void, home: () => void)
     home();
     render();
   });
+}
+
+/** What the colours say. */
+function legend(id: string, chosen: Colouring): void {
+  element(id).replaceChildren(
+    ...chosen.legend.map(([hex, words]) => {
+      const item = document.createElement("li");
+      if (hex) {
+        const dot = document.createElement("span");
+        dot.style.background = hex;
+        item.append(dot);
+      }
+      item.append(words);
+      return item;
+    }),
+  );
+}
+
+/** The choice of the dense points' colours; nothing of it where there are none. */
+function cloudPanel(net: Network, drawn: Drawn, render: () => void): void {
+  const select = element<HTMLSelectElement>("cloud-colouring");
+  if (!net.cloudImage.length) {
+    select.closest("fieldset")!.remove();
+    return;
+  }
+  const choices = ofCloud(net);
+  if (!choices.sigma) select.querySelector('option[value="sigma"]')!.remove();
+  const colour = () => {
+    drawn.colourCloud(choices[select.value]!.rgb);
+    legend("cloud-legend", choices[select.value]!);
+    render();
+  };
+  select.addEventListener("change", colour);
+  // tie points would hide what lies between them
+  element<HTMLInputElement>("show-points").checked = false;
+  colour();
 }
 
 function picking(net: Network, drawn: Drawn, camera: THREE.Camera, canvas: HTMLCanvasElement, render: () => void): void {

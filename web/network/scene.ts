@@ -13,6 +13,7 @@ export class Drawn {
   readonly rays: THREE.LineSegments;
   readonly mark: THREE.Points;
   readonly surface: THREE.Mesh;
+  readonly cloud: THREE.Points;
   private readonly specialRows: number[];
 
   constructor(private readonly net: Network) {
@@ -52,12 +53,16 @@ export class Drawn {
       new THREE.MeshLambertMaterial({ vertexColors: true, side: THREE.DoubleSide, flatShading: true }),
     );
     this.surface.geometry.computeVertexNormals();
+    this.cloud = new THREE.Points(
+      positions(net.cloud),
+      new THREE.PointsMaterial({ size: 2, sizeAttenuation: false, vertexColors: true }),
+    );
     this.rays.frustumCulled = this.mark.frustumCulled = false;
     this.enlarge(net.packed.ellipsoids.enlarged);
   }
 
   all(): THREE.Object3D[] {
-    return [this.surface, this.points, this.special, this.frames, this.proposals, this.bars, this.ellipsoids, this.rays, this.mark];
+    return [this.surface, this.cloud, this.points, this.special, this.frames, this.proposals, this.bars, this.ellipsoids, this.rays, this.mark];
   }
 
   /** Colours of all points, and of the control and check points that are drawn larger. */
@@ -66,6 +71,11 @@ export class Drawn {
     const special = new Float32Array(3 * this.specialRows.length);
     this.specialRows.forEach((i, k) => special.set(roles.subarray(3 * i, 3 * i + 3), 3 * k));
     this.special.geometry.setAttribute("color", new THREE.BufferAttribute(special, 3));
+  }
+
+  /** Colours of the dense points. */
+  colourCloud(rgb: Float32Array<ArrayBuffer>): void {
+    this.cloud.geometry.setAttribute("color", new THREE.BufferAttribute(rgb, 3));
   }
 
   /** Colours of the object's triangles. */

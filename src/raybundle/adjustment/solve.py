@@ -148,7 +148,7 @@ def _iterated(
     excess = normals.excess(state, huber)
     length, refused_behind = np.inf, 0
     start, refused, settled = None, False, False
-    iterations = 0
+    iterations, done = 0, 0.0
     while iterations < options.max_iterations:
         iterations += 1
         trial = normals.trial(state, damping=damping, huber=huber, passing=passing)
@@ -181,7 +181,8 @@ def _iterated(
             growth = 2.0
             damping = _less(damping, gain, floor=gain > 0.9 and length < CLOSE and not refused)
             start = length if start is None else start
-            progress("adjusting", _share(start, length, limit))
+            done = max(done, _share(start, length, limit))  # a step may be longer than the one before
+            progress("adjusting", done)
         else:
             refused = True
             refused_behind += int(turned)

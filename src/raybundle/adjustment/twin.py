@@ -87,24 +87,39 @@ class Solver:
         """Nothing to do: every model is evaluated here."""
 
     def set_nodes(self, sizes: Array, extra: list[tuple[int, int]]) -> None:
-        """Sizes of the nodes; every pair of them has a block here."""
-        del extra
+        """Sizes of the nodes; those that meet, by observations or as is said, have a block."""
         self.sizes = np.asarray(sizes, np.int64)
         self.offsets = np.concatenate([[0], np.cumsum(self.sizes)])
         self.unknowns = N = int(self.offsets[-1])
-        n = len(self.sizes)
-        upper = np.triu(np.outer(self.sizes, self.sizes))
-        self.start = np.concatenate([[0], np.cumsum(upper)])
+        self.first_node, self.second_node = first, second = self._meeting(extra)
+        count = self.sizes[first] * self.sizes[second]
+        self.start = np.concatenate([[0], np.cumsum(count)])
         self.values_size = int(self.start[-1])
         self.factor_entries, self.factor_operations = N * (N + 1) // 2, N**3 / 3
         # where the values of the blocks stand in the whole matrix
-        node = np.repeat(np.arange(n), self.sizes)
-        local = np.arange(N) - self.offsets[node]
-        row, col = np.nonzero(node[:, None] <= node)
-        at = self.start[node[row] * n + node[col]] + local[row] * self.sizes[node[col]] + local[col]
-        self.place = np.empty(self.values_size, np.int64)
-        self.place[at] = row * N + col
+        local = np.arange(self.values_size) - self.start[:-1].repeat(count)
+        columns = self.sizes[second].repeat(count)
+        row = self.offsets[first].repeat(count) + local // columns
+        col = self.offsets[second].repeat(count) + local % columns
+        self.place = row * N + col
         self._place_columns()
+
+    def _meeting(self, extra: list[tuple[int, int]]) -> tuple[Array, Array]:
+        """Nodes that meet in an object point, or beside, each pair once, in the order of the compiled solver."""
+        from scipy.sparse import csr_matrix  # noqa: PLC0415
+
+        p, n = len(self.first) - 1, len(self.sizes)
+        nodes = np.stack([self.own[self.image], self.shared[self.image], self.node[self.point]], axis=1)
+        point = np.repeat(self.point, nodes.shape[1])
+        there = nodes.ravel() >= 0
+        stands = csr_matrix((np.ones(int(there.sum()), np.int32), (point[there], nodes.ravel()[there])), shape=(p, n))
+        met = (stands.T @ stands).tocoo()
+        beside = np.array(extra, np.int64).reshape(-1, 2)
+        low, high = beside.min(axis=1), beside.max(axis=1)
+        upper = met.row <= met.col
+        keys = np.concatenate([met.row[upper].astype(np.int64) * n + met.col[upper], low * n + high])
+        first, second = np.divmod(np.unique(keys), n)
+        return first, second
 
     def _place_columns(self) -> None:
         """Unknowns (m, k) that each observation touches, and its local columns (m, k); padded by a column of zeros."""
@@ -127,13 +142,15 @@ class Solver:
         return self.offsets[self.node[points], None] + np.arange(3)
 
     def block(self, a: int, b: int) -> int:
-        """Number of the block of two nodes."""
-        return min(a, b) * len(self.sizes) + max(a, b)
+        """Number of the block of two nodes; -1: they do not meet."""
+        low, high = min(a, b), max(a, b)
+        begin, end = np.searchsorted(self.first_node, [low, low + 1]).tolist()
+        k = begin + int(np.searchsorted(self.second_node[begin:end], high))
+        return k if k < end and self.second_node[k] == high else -1
 
     def blocks(self) -> tuple[Array, Array, Array]:
         """Nodes of the rows and of the columns of the blocks, and the first value of each."""
-        first, second = np.triu_indices(len(self.sizes))
-        return first, second, self.start[first * len(self.sizes) + second]
+        return self.first_node, self.second_node, self.start[:-1]
 
     def block_start(self, k: int) -> int:
         """First value of a block."""

@@ -64,6 +64,12 @@ def _motion(camera: Camera, frame: PixelFrame) -> _Motion:
     return _Motion(matrix=matrix, shift=file / 2 - matrix @ size / 2)
 
 
+def file_motion(camera: Camera, frame: PixelFrame) -> tuple[Array, Array]:
+    """Matrix (2, 2) and shift (2,) that bring points of a camera's pixel frame into that of a file."""
+    m = _motion(camera, frame)
+    return m.matrix, m.shift
+
+
 def camera_from_file(xy_px: Array, camera: Camera, frame: PixelFrame) -> Array:
     """Points (n, 2) of a file's pixels in its camera's pixel frame."""
     m = _motion(camera, frame)

@@ -38,10 +38,19 @@ def command(block: Path, out: Path, progress: str, **given: Any) -> int:
     """  # noqa: D301
     from raybundle.cli.progress import reporting  # noqa: PLC0415  (what computes is loaded after the help)
     from raybundle.report.text.summary import summary_lines  # noqa: PLC0415
+    from raybundle.workflows.left import left_beside  # noqa: PLC0415
 
     settings = made(AdjustSettings, {"block": block, "out": out, **values_of(AdjustSettings, given)})
-    with reporting(progress) as tell:
-        adjustment = run_adjust(settings, tell)
+    try:
+        with reporting(progress) as tell:
+            adjustment = run_adjust(settings, tell)
+    except KeyboardInterrupt:
+        kept = left_beside(out)
+        if not kept:
+            raise
+        at = " and ".join(where for left in kept for where in (str(left.folder), *left.stores))
+        click.echo(f"interrupted; what is finished is kept in {at}, the same command continues there", err=True)
+        return 130
     click.echo("\n".join(summary_lines(adjustment)))
     click.echo(f" result: {out}{pages_told(out, settings)}")
     return told_outcome(accuracy_outcome(settings, adjustment))

@@ -38,6 +38,9 @@ def command(first: Path, second: Path, progress: str, **given: Any) -> None:
         text = "none" if sigma0 is None else f"{sigma0:.6g}"
         facts(**{label: {"result": result.path, "sigma0": sigma0, "redundancy": result.result["redundancy"]}})
         click.echo(f" {label}: {result.path}, sigma0 {text}, redundancy {result.result['redundancy']}")
+    if done.same:
+        facts(same=done.same)
+        click.echo(f" {done.same}")
     for caution in done.cautions:
         click.echo(f" caution: {caution}")
     click.echo(f" comparison: {settings.out}")

@@ -21,9 +21,9 @@ RESTS_ON = {
     "features": "megapixels",
     "choice of pairs": "the number of photographs",
     "matching": "features of a photograph, 12 pairs of each",
-    "tracks and start": "image points of a photograph",
-    "precision": "image points of a photograph",
-    "report": "image points of a photograph",
+    "tracks and start": "image points of a photograph (--points-per-image)",
+    "precision": "image points of a photograph (--points-per-image)",
+    "report": "image points of a photograph (--points-per-image)",
 }
 """Of the stage that takes most, what is assumed; all others are of the adjustment"""
 ADJUSTMENT = "image points of a photograph, overlap, iterations"
@@ -88,7 +88,10 @@ def lines(found: Estimate) -> Iterator[str]:
     if a.workers > 1:
         yield f" {a.workers} workers: in {100 * found.serial_share:.0f} % of the wall time some have nothing to do"
     yield from _limits(found)
-    yield f" largest front: {grouped(found.largest_front)} unknowns"
+    yield (
+        f" reduction up: normal equations of the parts are made and eliminated part by part; largest front, of which "
+        f"memory and time of that depend: {grouped(found.largest_front)} unknowns in one matrix"
+    )
     yield f" figures of {c.processor}, {c.measured}"
 
 
@@ -98,8 +101,25 @@ def _limits(found: Estimate) -> Iterator[str]:
     over = [x for x in found.limits if x.share > 1]
     for x in over:
         yield f" caution: {x.what}: {_size(x.needed)} needed, {_size(x.given)} there"
-    if not over:
+    if over:
+        yield from _remedies(over)
+    else:
         yield (f" nothing gives way; the tightest is {first.what}: {_size(first.needed)} of {_size(first.given)}")
+
+
+def _remedies(over: list[Limit]) -> Iterator[str]:
+    """What helps where something gives way."""
+    memory = [x for x in over if x.what != "disk"]
+    if memory:
+        yield (
+            f" what helps: a machine of {_size(max(x.needed for x in memory))}, rented for these hours; or the block "
+            "split, its parts oriented by themselves"
+        )
+        yield "   or fewer points: orient --feature-count, here --points-per-image: stages behind matching go with it"
+    if any(x.what == "memory of precision" for x in memory):
+        yield "   orient --quick leaves precision out: several times less precise"
+    if any(x.what == "disk" for x in over):
+        yield " what helps: products on another disk, or in an object store (orient --store)"
 
 
 def _time(seconds: float) -> str:

@@ -10,7 +10,7 @@ from collections.abc import Generator
 from contextlib import contextmanager
 from typing import TYPE_CHECKING
 
-from raybundle.numerics.progress import Counted, Progress, silent
+from raybundle.numerics.progress import Counted, Progress, Remark, silent
 
 if TYPE_CHECKING:
     from rich.progress import Progress as Bar
@@ -42,11 +42,18 @@ class _JsonLines:
         self.start = time.monotonic()
 
     def __call__(self, stage: str, share: float) -> None:
+        if isinstance(share, Remark):
+            self._say({"remark": stage, "seconds": round(time.monotonic() - self.start, 3)})
+            return
         line: dict[str, object] = {
             "stage": stage, "share": round(share, 4), "seconds": round(time.monotonic() - self.start, 3),
         }  # fmt: skip
         if isinstance(share, Counted):
             line |= {"done": share.done, "total": share.total, "seconds_left": round(share.seconds_left, 1)}
+        self._say(line)
+
+    @staticmethod
+    def _say(line: dict[str, object]) -> None:
         with contextlib.suppress(OSError, ValueError):  # nobody reads any more: the work goes on
             print(json.dumps(line), file=sys.stderr, flush=True)  # noqa: T201  (this is the output asked for)
 
@@ -69,12 +76,22 @@ class _Terminal:
             if time.monotonic() - self.start < PATIENCE:
                 return
             self.bar = self._open()
+        if isinstance(share, Remark):
+            self._remark(stage)
+            return
         if stage != self.stage or self.task is None:
             if self.task is not None:
                 self.bar.remove_task(self.task)
             self.task = self.bar.add_task(stage, total=1.0)
             self.stage = stage
-        self.bar.update(self.task, completed=min(max(share, 0.0), 1.0))
+        self.bar.update(self.task, description=stage, completed=min(max(share, 0.0), 1.0))
+
+    def _remark(self, text: str) -> None:
+        """Say on the line of the stage how the work stands, until it goes on."""
+        assert self.bar is not None
+        if self.task is None:
+            self.task = self.bar.add_task(self.stage, total=1.0)
+        self.bar.update(self.task, description=f"{self.stage}: {text}" if self.stage else text)
 
     @staticmethod
     def _open() -> Bar:

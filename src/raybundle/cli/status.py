@@ -2,11 +2,16 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 import click
 
-from raybundle.cli.common import FOLDER, Command, facts
+from raybundle.cli.common import FOLDER, Command, counted, facts, significant
+
+if TYPE_CHECKING:
+    from raybundle.commands.status import Status
 
 
 @click.command("status", cls=Command)
@@ -14,37 +19,57 @@ from raybundle.cli.common import FOLDER, Command, facts
 def command(project: Path) -> None:
     """Show the stages of a project folder or of a calibration: what the last run made, what came from the cache.
 
+    Also how far a stage in work is, where the products lie and what they take. Of a result folder it shows the parts
+    that an adjustment left beside it which was cut short.
+
     \b
     Example:
       raybundle status facade-project
     """  # noqa: D301
-    from raybundle.pipeline.project import Project  # noqa: PLC0415
-    from raybundle.results.folder import PROJECT  # noqa: PLC0415
+    from raybundle.commands.status import status_of  # noqa: PLC0415  (what computes is loaded after the help)
 
-    of_calibration = (project / PROJECT / "project.db").is_file()
-    opened = Project.open(project / PROJECT if of_calibration else project, create=False)
-    try:
-        records = {r.name: r for r in opened.stages()}
-    finally:
-        opened.close()
-    facts(stages={n: records.get(n) for n in _stages(of_calibration=of_calibration)})
-    click.echo(f" {'stage':12s} {'seconds':>8s} {'CPU s':>8s} {'memory':>8s}  finished")
-    for name in _stages(of_calibration=of_calibration):
-        r = records.get(name)
+    found = status_of(project)
+    facts(
+        stages=found.stages, running=found.running, works=found.works, listed=found.listed, store=found.store,
+        bytes=found.bytes, left=found.left,
+    )  # fmt: skip
+    for line in lines(found):
+        click.echo(line)
+
+
+def lines(found: Status) -> Iterator[str]:
+    """The status in words."""
+    if found.stages:
+        yield f" {'stage':12s} {'seconds':>8s} {'CPU s':>8s} {'memory':>8s}  finished"
+    for name, r in found.stages.items():
         if r is None:
-            click.echo(f" {name:12s} {'-':>8s} {'-':>8s} {'-':>8s}  not done")
+            yield f" {name:12s} {'-':>8s} {'-':>8s} {'-':>8s}  not done"
             continue
         source = "from cache" if r.from_cache else r.finished.replace("T", " ").rstrip("Z")
         figures = f"{r.seconds:8.1f} {r.cpu_seconds:8.1f} {r.peak_memory_mb:6.0f}MB"
-        click.echo(f" {name:12s} {figures}  {source}  {r.summary}".rstrip())
+        yield f" {name:12s} {figures}  {source}  {r.summary}".rstrip()
+    if found.elsewhere:
+        yield " CPU s and memory are those of the machine where the command ran; what workers took is not counted"
+    at = found.running
+    if at is not None:
+        how = "in work" if found.works else "cut short" if found.listed is None else "waits for shards"
+        yield f" {how}: {at.stage}, {at.done} of {at.total} done ({at.noted})"
+    elif found.works:
+        yield " a run works in it now"
+    if found.listed is not None:
+        done, total = found.listed
+        yield f" for shards: {counted(total, 'task')} in the list, {done} of them done"
+    if found.stages:
+        where = f"{found.store}, which the next run takes too; " if found.store else ""
+        yield f" products: {where}in its folder {_size(found.bytes)}"
+    for left in found.left:
+        what = "that works now" if left.in_use else "that was cut short: the same command goes on, or delete the folder"
+        others = f", and in {', '.join(left.stores)}" if left.stores else ""
+        yield f" {left.folder}: parts of an adjustment {what} ({_size(left.bytes)}{others})"
 
 
-def _stages(*, of_calibration: bool) -> tuple[str, ...]:
-    """What the stages are called, in order."""
-    if of_calibration:
-        from raybundle.workflows.calibrating import CALIBRATE  # noqa: PLC0415
-
-        return CALIBRATE.titles()
-    from raybundle.workflows.orient import stages  # noqa: PLC0415
-
-    return stages()
+def _size(taken: float) -> str:
+    for unit, size in (("GB", 1e9), ("MB", 1e6)):
+        if taken >= size:
+            return f"{significant(taken / size, 3)} {unit}"
+    return f"{significant(taken / 1e3, 3)} kB"

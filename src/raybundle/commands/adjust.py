@@ -69,6 +69,10 @@ def run_adjust(settings: AdjustSettings, progress: Progress = silent) -> Adjustm
     check_pages(settings)
     check_tables(settings.tables)
     wanted = accuracy_class(settings.accuracy_class)
+    if settings.store:
+        from raybundle.pipeline.stores import check_store  # noqa: PLC0415
+
+        check_store(settings.store, out=settings.out, apart=(settings.block,), lasting=False)
     with within_memory(
         Path(settings.block),
         settings.out,

@@ -32,11 +32,14 @@ class Compared:
 
     results: tuple[ResultFolder, ResultFolder]
     cautions: tuple[str, ...]
+    same: str = ""
+    """how near the numbers of both are, in words"""
 
 
 def run_compare(settings: CompareSettings, progress: Progress = silent) -> Compared:
     """Read both results and write the comparison; raises InputError."""
     from raybundle.report.compare import write_comparison  # noqa: PLC0415  (what computes is loaded after the help)
+    from raybundle.report.sameness import sameness  # noqa: PLC0415
     from raybundle.results.folder import read_result  # noqa: PLC0415
 
     out = settings.out
@@ -47,4 +50,5 @@ def run_compare(settings: CompareSettings, progress: Progress = silent) -> Compa
     progress("reading results", 0.0)
     a, b = read_result(settings.first), read_result(settings.second)
     progress("comparing", 0.0)
-    return Compared(results=(a, b), cautions=tuple(write_comparison(a, b, out)))
+    cautions = tuple(write_comparison(a, b, out))
+    return Compared(results=(a, b), cautions=cautions, same=sameness(a.path, b.path).sentence)

@@ -40,7 +40,9 @@ class EstimateCostSettings:
     )  # fmt: skip
     iterations: int = setting(6, "Iterations of the adjustment.", limits=Range(low=1, high=1000))
     workers: int = setting(1, "Processes that work at once.", limits=Range(low=1, high=100_000))
-    memory: float = setting(8.0, "Memory of a process.", metavar="GB", limits=Range(low=0.1, high=1e6))
+    memory: float | None = setting(
+        None, "Memory of a machine; without it what is free on this one.", metavar="GB", limits=Range(low=0.1, high=1e6)
+    )  # fmt: skip
     disk: float | None = setting(
         None, "Disk that is free for products; without it that of the current folder.", metavar="GB", limits=POSITIVE
     )
@@ -77,7 +79,8 @@ def estimate_cost(photos: str | Path | None = None, *, progress: Progress = sile
 
 def run_estimate_cost(s: EstimateCostSettings, photos: Path | None, progress: Progress = silent) -> Estimate:
     """Count photographs, take constants, and estimate."""
-    from raybundle.workflows.costs.estimate import estimate  # noqa: PLC0415  (what computes is loaded after the help)
+    from raybundle.numerics.machine import available_memory  # noqa: PLC0415  (what computes is loaded after the help)
+    from raybundle.workflows.costs.estimate import estimate  # noqa: PLC0415
     from raybundle.workflows.costs.photographs import image_points_of  # noqa: PLC0415
     from raybundle.workflows.costs.stages import Asked  # noqa: PLC0415
 
@@ -85,9 +88,10 @@ def run_estimate_cost(s: EstimateCostSettings, photos: Path | None, progress: Pr
         raise InputError(f"either {option('measure', True)} or {option('shipped', True, flag='no-measure')}")
     images, megapixels = _size(s, photos)
     points = image_points_of(megapixels) if s.points_per_image is None else s.points_per_image
+    memory = s.memory or available_memory() / 1e9
     asked = Asked(
         images=images, megapixels=megapixels, overlap=_overlap(s), image_points=points, iterations=s.iterations,
-        workers=s.workers, memory_gb=s.memory, network_gbit=s.network, store_gbit=s.store_line, latency_ms=LATENCY_MS,
+        workers=s.workers, memory_gb=memory, network_gbit=s.network, store_gbit=s.store_line, latency_ms=LATENCY_MS,
     )  # fmt: skip
     free = shutil.disk_usage(Path.cwd()).free / 1e9 if s.disk is None else s.disk
     return estimate(asked, constants_of(s, progress), disk_gb=free)

@@ -216,14 +216,13 @@ def run_orient(settings: OrientSettings, progress: Progress = silent) -> Orienta
     from raybundle.io.block.toml import read_cameras  # noqa: PLC0415
     from raybundle.io.photos.photo import shown  # noqa: PLC0415
     from raybundle.io.trajectories import read_trajectory  # noqa: PLC0415
-    from raybundle.pipeline.project import discard_empty, store_given  # noqa: PLC0415
-    from raybundle.pipeline.store import whole_url  # noqa: PLC0415
+    from raybundle.pipeline.project import discard_empty  # noqa: PLC0415
     from raybundle.results.folder import check_target  # noqa: PLC0415
     from raybundle.workflows.earlier_result import less_fixed  # noqa: PLC0415
     from raybundle.workflows.orient import orient as oriented  # noqa: PLC0415
 
     out, result = settings.out, settings.out / "result"
-    settings = replace(settings, store=whole_url(settings.store or store_given(out)))
+    settings = replace(settings, store=_store_of(settings))
     cameras = () if settings.calibration is None else read_cameras(settings.calibration)
     options, given = settings.options(), settings.given()
     wanted, record = accuracy_class(settings.accuracy_class), record_of(settings).over(record_in(out))
@@ -259,6 +258,26 @@ def run_orient(settings: OrientSettings, progress: Progress = silent) -> Orienta
     return done
 
 
+def _store_of(settings: OrientSettings) -> str:
+    """Where the products lie: as is said, or as the last run was told; raises InputError where they cannot."""
+    from raybundle.pipeline.project import HERE, store_given  # noqa: PLC0415
+    from raybundle.pipeline.store import whole_url  # noqa: PLC0415
+
+    out, remembered = settings.out, "" if settings.store else store_given(settings.out)
+    url = settings.store or remembered
+    if url not in {"", HERE}:
+        from raybundle.pipeline.stores import check_store  # noqa: PLC0415
+
+        try:
+            check_store(url, out=out, apart=settings.photos)
+        except InputError as error:
+            if not remembered:
+                raise
+            other = f"or give {option('store', 'URL')}, or {option('store', HERE)} for its folder"
+            raise InputError(f"{error}; so the last run was told: {other}", file=out / "project.toml") from None
+    return whole_url(url)
+
+
 def accuracy_outcome(settings: OrientSettings, done: Orientation) -> Outcome | None:
     """What became of the accuracy that was asked for; None where none was."""
     from raybundle.adjustment.accuracy_class import accuracy_class  # noqa: PLC0415
@@ -285,12 +304,12 @@ def settings_asked(project: Path) -> OrientSettings:
 
 def keep_settings(settings: OrientSettings) -> None:
     """Write the settings, as given or by default, into project.toml; its other tables, as [record], stay."""
-    from raybundle.pipeline.project import Project  # noqa: PLC0415
+    from raybundle.pipeline.project import HERE, Project  # noqa: PLC0415
     from raybundle.pipeline.settings_file import with_table  # noqa: PLC0415
 
     lines = ["# what the last run was asked for; `raybundle status` shows what it did", *toml_lines("orient", settings)]
     text = "\n".join(lines).encode("utf-8", "replace").decode()
-    project = Project.open(settings.out)
+    project = Project.open(settings.out, store=settings.store or HERE)  # not as the last run was told
     try:
         project.write_settings(with_table(settings.out / "project.toml", "orient", text))
     finally:

@@ -19,8 +19,8 @@ if TYPE_CHECKING:
     from raybundle.workflows.surface_grids import Grids
     from raybundle.workflows.surface_product import Context, Written
 
-WORK, PAGE = "work", "surface.html"
-"""Of the folder: the project with all that is kept for the next run; what shows how good the surface is"""
+WORK, PAGE, IN_3D = "work", "surface.html", "surface_3d.html"
+"""Of the folder: the project with all that is kept for the next run; what shows how good the surface is, and itself"""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -166,15 +166,19 @@ def _write_page(
     done: Surface, out: Path, context: Context, told: tuple[str, ...], *, name: str, language: str
 ) -> None:  # fmt: skip
     """Write the page that shows how complete and how good the surface is."""
+    from raybundle.report.network_page import write_network_page  # noqa: PLC0415
     from raybundle.report.surface_page import write_surface_page  # noqa: PLC0415
     from raybundle.workflows.height_files import HeightFile  # noqa: PLC0415
-    from raybundle.workflows.surface_summary import summary_of  # noqa: PLC0415
+    from raybundle.workflows.surface_summary import sample_of, summary_of  # noqa: PLC0415
 
     file = None
     if done.heights is not None and context.plane is not None:
         file = HeightFile.of(done.heights.grid, context.plane, context.unit, done.block.name)
     summary = summary_of(done, context.unit, file)
     write_surface_page(summary, out / PAGE, name=name, remarks=told, language=language)
+    title = f"Surface of {name}"
+    cloud = sample_of(done) if len(done) else None
+    write_network_page(done.adjustment, out / IN_3D, title=title, language=language, cloud=cloud)
 
 
 def _grid_of(s: SurfaceSettings, result: Path, export: Export, progress: Progress) -> Grids:
@@ -210,7 +214,7 @@ def _check_out(out: Path) -> None:
 
     if out.exists() and not out.is_dir():
         raise InputError("is a file; give a folder", file=out)
-    others = {p.name for p in out.iterdir()} - {WORK, PAGE} - files_of_all() if out.is_dir() else set[str]()
+    others = {p.name for p in out.iterdir()} - {WORK, PAGE, IN_3D} - files_of_all() if out.is_dir() else set[str]()
     if others:
         raise InputError(f"holds {min(others)}, which is not of a surface; choose another {option('out')}", file=out)
 

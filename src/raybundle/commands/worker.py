@@ -32,7 +32,7 @@ class WorkerSettings:
     """What a worker works for: a cluster, or a share of the tasks in a project."""
 
     cluster: str = setting(
-        "", "Work for the scheduler of this folder until interrupted, and wait for it where it is gone.",
+        "", "Work for the scheduler of this folder until interrupted, and wait for one, also at first.",
         metavar="FOLDER",
     )  # fmt: skip
     shard: str = setting(
@@ -63,7 +63,7 @@ def run_worker(
     if settings.cluster:
         from raybundle.pipeline.choosing import on_dask  # noqa: PLC0415  (what computes is loaded after the help)
 
-        on_dask().work(settings.cluster, settings.jobs, told)
+        on_dask("dask_machines").work(settings.cluster, settings.jobs, told)
         return None
     from raybundle.pipeline.shards import do_shard  # noqa: PLC0415
 
@@ -85,4 +85,4 @@ def run_scheduler(settings: SchedulerSettings, folder: Path, told: Callable[[str
     """Be the scheduler of a cluster until interrupted; its folder gets certificates where it has none."""
     from raybundle.pipeline.choosing import on_dask  # noqa: PLC0415
 
-    on_dask().schedule(folder, settings.host, settings.port, told)
+    on_dask("dask_machines").schedule(folder, settings.host, settings.port, told)

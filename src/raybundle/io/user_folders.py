@@ -24,3 +24,9 @@ def user_folder(what: Literal["data", "cache"]) -> Path:
     else:
         base = Path(os.environ.get(variable) or Path.home() / usual)
     return base / "raybundle"
+
+
+def made_again_folder() -> Path:
+    """Where what can be made again is kept: RAYBUNDLE_CACHE, or the system's place for it."""
+    given = os.environ.get("RAYBUNDLE_CACHE", "")
+    return Path(given) if given else user_folder("cache")

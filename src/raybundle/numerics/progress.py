@@ -14,6 +14,29 @@ def silent(stage: str, share: float) -> None:
     del stage, share
 
 
+class Remark(float):
+    """No share: what is said instead of a stage's name is how the work stands, as that nobody is there to do it."""
+
+    __slots__ = ()
+
+
+def in_rounds(progress: Progress) -> Progress:
+    """The same for a stage that is done several times, each with a share of its own: from the second on with a number.
+
+    A share that falls back begins the next round.
+    """
+    last, rounds = dict[str, float](), dict[str, int]()
+
+    def tell(stage: str, share: float) -> None:
+        if not isinstance(share, Remark):
+            rounds[stage] = rounds.get(stage, 1) + (share < last.get(stage, 0.0))
+            last[stage] = float(share)
+        number = rounds.get(stage, 1)
+        progress(stage if number == 1 else f"{stage}, round {number}", share)
+
+    return tell
+
+
 class Counted(float):
     """A share done that is so many pieces of so many: who wants to know only the share takes it as the number it is."""
 

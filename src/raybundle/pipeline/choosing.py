@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+from importlib import import_module
 from types import ModuleType
 
 from raybundle.errors import InputError
+from raybundle.numerics.progress import Progress, silent
 from raybundle.pipeline.clusters import cluster_at
 from raybundle.pipeline.executors import Executor, Staying, Threads
 from raybundle.pipeline.shards import Shards
@@ -13,22 +15,23 @@ from raybundle.settings import option
 SHARDS = "shards"
 
 
-def executor_for(cluster: str, jobs: int, memory: float) -> Executor:
+def executor_for(cluster: str, jobs: int, memory: float, progress: Progress = silent) -> Executor:
     """Threads of this process, or those elsewhere.
 
     cluster  empty: here; "shards"; or a folder or address as `cluster_at` takes it
     jobs     threads here; 0: as many as there are processors
     memory   bytes that tasks in work here may need together; elsewhere it is for who starts the workers
+    progress is told where workers or a scheduler are waited for
     raises   InputError where there is no such cluster, or the extra [cluster] is not installed
     """
     if not cluster:
         return Threads(jobs, memory)
     if cluster == SHARDS:
         return Shards()
-    return on_dask().Dask(cluster_at(cluster))
+    return on_dask().Dask(cluster_at(cluster), progress=progress)
 
 
-def staying_for(cluster: str, jobs: int, memory: float) -> Executor:
+def staying_for(cluster: str, jobs: int, memory: float, progress: Progress = silent) -> Executor:
     """Processes that stay from one list of tasks to the next, here or elsewhere: for sweeps, one behind the other.
 
     cluster  empty: here; or a folder or address as `cluster_at` takes it
@@ -41,14 +44,13 @@ def staying_for(cluster: str, jobs: int, memory: float) -> Executor:
             f"{option('cluster', SHARDS)} is for tasks that do not wait for each other, and an adjustment has dozens "
             "of sweeps, one behind the other; start a scheduler and workers as jobs, and give their folder"
         )
-    return executor_for(cluster, jobs, memory) if cluster else Staying(jobs, memory)
+    return executor_for(cluster, jobs, memory, progress) if cluster else Staying(jobs, memory)
 
 
-def on_dask() -> ModuleType:
-    """The module that knows Dask; raises InputError where that is not installed."""
+def on_dask(module: str = "on_dask") -> ModuleType:
+    """A module that knows Dask; raises InputError where that is not installed."""
     try:
-        from raybundle.pipeline import on_dask as module  # noqa: PLC0415  (an extra, and a second to load)
+        return import_module(f"raybundle.pipeline.{module}")  # an extra, and a second to load
     except ImportError as error:
         missing = error.name or "distributed"
         raise InputError(f"a cluster needs the package {missing}: pip install 'raybundle[cluster]'") from None
-    return module

@@ -10,6 +10,7 @@ An address alone is for a scheduler on this machine: what goes over a network is
 
 from __future__ import annotations
 
+import datetime as dt
 import hashlib
 import ipaddress
 import json
@@ -41,6 +42,15 @@ APPEAR_S = 60.0
 """Within which a file that one machine wrote is seen by another: NFS asks again after at most so long (acdirmax)."""
 MATTERS = ("numpy", "scipy", "opencv-python-headless", "poselib")
 """Distributions beside raybundle by which results may differ in their last digits."""
+RENEW = f"delete {', '.join(CERTIFICATES)} there, start the scheduler again, which makes new ones, and then the workers"
+
+
+class NoScheduler(InputError):
+    """No scheduler is there, or it does not answer: one may come."""
+
+    def __init__(self, why: str, remedy: str, *, file: Path | str) -> None:
+        super().__init__(f"{why}{remedy}", file=file)
+        self.why = f"{file}: {why}"
 
 
 @dataclass(frozen=True, slots=True)
@@ -75,17 +85,16 @@ def cluster_at(where: str) -> Cluster:
     folder = Path(where)
     file = folder / SCHEDULER
     if not file.is_file():
-        raise InputError(
-            f"has no {SCHEDULER}: no scheduler was started there; `raybundle scheduler {folder}` starts one",
+        raise NoScheduler(
+            f"has no {SCHEDULER}: no scheduler was started there", f"; `raybundle scheduler {folder}` starts one",
             file=folder,
-        )
+        )  # fmt: skip
     tree = read_json(file)
     found = Cluster(tree.get("address").text(), folder, tree.get("raybundle").text() if tree.has("raybundle") else "")
     missing = [f.name for f in found.files if not f.is_file()]
     if missing:
         raise InputError(
-            f"lacks {', '.join(missing)}: without certificates nothing goes over a network; "
-            f"`raybundle scheduler {folder}` makes them",
+            f"lacks {', '.join(missing)}: without certificates nothing goes over a network; {RENEW}",
             file=folder,
         )
     if not found.address.startswith("tls://"):
@@ -123,9 +132,26 @@ def write_scheduler(folder: Path, address: str) -> None:
             temporary.unlink(missing_ok=True)
 
 
+def check_certificates(folder: Path) -> None:
+    """Raise InputError for certificates that are none, or whose time is over."""
+    from cryptography.x509 import load_pem_x509_certificate  # noqa: PLC0415  (an extra)
+
+    for name in CERTIFICATES[:2]:
+        try:
+            until = load_pem_x509_certificate((folder / name).read_bytes()).not_valid_after_utc
+        except (OSError, ValueError):
+            raise InputError(f"holds no certificate; {RENEW}", file=folder / name) from None
+        if until < dt.datetime.now(dt.UTC):
+            raise InputError(f"the certificates ended on {until:%Y-%m-%d}; {RENEW}", file=folder)
+    _context(Cluster("", folder))
+
+
 def check_answers(cluster: Cluster) -> None:
     """Raise InputError where a scheduler does not answer, or does not know our certificate."""
     parts = urlsplit(cluster.address)
+    if cluster.folder is not None:
+        check_certificates(cluster.folder)
+    comes, where = False, cluster.folder or cluster.address
     try:
         with ExitStack() as stack:
             line: socket.socket = stack.enter_context(
@@ -141,13 +167,16 @@ def check_answers(cluster: Cluster) -> None:
         what = f"the scheduler at {cluster.address} does not take the certificates in this folder ({error.reason})"
     except TimeoutError:
         what = f"the scheduler at {cluster.address} does not answer within {ANSWER_S:g} s; is it one with certificates?"
+        comes = True
     except OSError as error:
+        comes = True
         what = f"no scheduler answers at {cluster.address} ({error.strerror or type(error).__name__})"
     else:
         return
-    raise InputError(
-        f"{what}. Start one, or go on without it: what is finished is kept", file=cluster.folder or cluster.address
-    )
+    remedy = ". Start one, or go on without it: what is finished is kept"
+    if comes:
+        raise NoScheduler(what, remedy, file=where)
+    raise InputError(f"{what}{remedy}", file=where)
 
 
 def _context(cluster: Cluster) -> ssl.SSLContext:
@@ -160,7 +189,7 @@ def _context(cluster: Cluster) -> ssl.SSLContext:
         context.load_cert_chain(cert, key)
     except (OSError, ssl.SSLError) as error:
         raise InputError(
-            f"certificates cannot be used: {error}; delete ca.pem, cert.pem, key.pem and start the scheduler again",
+            f"certificates cannot be used: {getattr(error, 'strerror', None) or error}; {RENEW}",
             file=cluster.folder,
         ) from None
     return context

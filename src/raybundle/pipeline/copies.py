@@ -19,7 +19,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from raybundle.errors import InputError
-from raybundle.io.user_folders import user_folder
+from raybundle.io.user_folders import made_again_folder
 from raybundle.pipeline.store import FULL, StoreLost
 
 VARIABLE, VARIABLE_GB = "RAYBUNDLE_PRODUCTS", "RAYBUNDLE_PRODUCTS_GB"
@@ -32,11 +32,19 @@ ABANDONED_S = 24 * 3600.0
 
 
 def copies_folder() -> Path:
-    """Where copies are: RAYBUNDLE_PRODUCTS, or the system's place for what can be made again."""
+    """Where copies are: RAYBUNDLE_PRODUCTS, or the place for what can be made again (`made_again_folder`)."""
     given = os.environ.get(VARIABLE, "")
-    if given:
-        return Path(given)
-    return user_folder("cache") / "products"
+    return Path(given) if given else made_again_folder() / "products"
+
+
+def check_copies() -> None:
+    """Raise InputError where the folder of copies is none, or their bound is no number."""
+    bytes_given()
+    folder = copies_folder()
+    stands = next(p for p in (folder, *folder.absolute().parents) if p.exists())
+    if not stands.is_dir():
+        what = f"{VARIABLE} = {os.environ[VARIABLE]}" if os.environ.get(VARIABLE) else f"{folder}, for copies,"
+        raise InputError(f"{what}: {stands} is a file; name a folder by {VARIABLE}")
 
 
 def bytes_given() -> float | None:
@@ -139,6 +147,8 @@ class Copies:
             try:
                 held = int(record.read_text())
             except (OSError, ValueError):
+                held = None
+            if held is not None and held < 0:  # nobody's count
                 held = None
             most = self._most(held or 0)
             if held is None or held + size > most or everything:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import hashlib
 import json
+import re
 from collections.abc import Mapping
 from collections.abc import Set as AbstractSet
 from dataclasses import fields, is_dataclass
@@ -13,6 +14,9 @@ from pathlib import Path
 from typing import Any, cast
 
 import numpy as np
+
+KEY = re.compile(r"[A-Za-z0-9_ -]+-[0-9a-f]{40}")
+"""Keys as `key_of` makes them."""
 
 
 def key_of(kind: str, *parts: object) -> str:

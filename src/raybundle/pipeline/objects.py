@@ -34,6 +34,11 @@ APPEARS_WHOLE = {
     "s3", "s3a", "gs", "gcs", "az", "abfs", "abfss", "adl", "oss", "ocilake", "oci", "tos", "obs", "hf", "memory",
 }  # fmt: skip
 """Protocols under which nobody sees an object before all of it was sent."""
+PACKAGES = {
+    "s3": "s3fs", "s3a": "s3fs", "gs": "gcsfs", "gcs": "gcsfs", "az": "adlfs", "abfs": "adlfs", "abfss": "adlfs",
+    "adl": "adlfs", "oss": "ossfs", "oci": "ocifs", "hf": "huggingface_hub", "sftp": "paramiko", "ssh": "paramiko",
+}  # fmt: skip
+"""What brings a protocol."""
 ONE_BY_ONE = 8
 """Products that are asked for one by one; of more the store lists all of their kind, a thousand a request."""
 HEADS = 512
@@ -65,6 +70,12 @@ class Objects:
     def shared(self) -> bool:
         """What lies in the memory of a process is its own."""
         return not self.url.startswith("memory://")
+
+    @property
+    def folder(self) -> Path | None:
+        """The folder of this machine in which it is; None: it is none."""
+        fs, root = self._open()
+        return Path(root) if "file" in ([fs.protocol] if isinstance(fs.protocol, str) else fs.protocol) else None
 
     def check(self) -> None:
         """By the token, which is written where there is none."""
@@ -288,8 +299,8 @@ class Objects:
 
     def _lost(self, error: Exception) -> StoreLost:
         """What is wrong, and what to do."""
-        said = f"{type(error).__name__}: {str(error).strip().partition(chr(10))[0]}".rstrip(": ")
-        if isinstance(error, PermissionError) or REFUSED.search(said):
+        said = _said(error)
+        if isinstance(error, PermissionError) or REFUSED.search(f"{type(error).__name__} {said}"):
             what = (
                 f"access is refused, or there are no credentials ({said}); give those of this service as its own tools "
                 "take them"
@@ -301,6 +312,12 @@ class Objects:
         return StoreLost(
             f"{what}. It was tried {TRIES} times; what is finished is kept, the same command goes on", file=self.url
         )
+
+
+def _said(error: Exception) -> str:
+    """What a service says, in its words."""
+    said = str(getattr(error, "strerror", None) or error).strip().partition("\n")[0]
+    return said or "no reason is given"
 
 
 def _exists(fs: Any, path: str) -> bool:
@@ -328,19 +345,22 @@ def _opened(url: str) -> tuple[Any, str]:
         raise InputError("a store at a URL needs the package fsspec: pip install 'raybundle[cluster]'") from None
     if urlsplit(url).password:
         raise InputError(
-            "holds a secret, which would stand in project.toml; give it as the tools of this service take it",
+            "holds a secret, which others would read in what is kept and said of a run; give it as the tools of this "
+            "service take it",
             file=urlsplit(url)._replace(netloc=urlsplit(url).hostname or "").geturl(),
         )
     try:
         fs, root = fsspec.core.url_to_fs(url, use_listings_cache=False)  # others write there
     except ImportError as error:
-        raise InputError(f"a package is missing: {error}", file=url) from None
+        package = PACKAGES.get(urlsplit(url).scheme, "")
+        remedy = f"; pip install {package}" if package else ""
+        raise StoreLost(f"a package is missing: {_said(error)}{remedy}", file=url) from None
     except ValueError as error:
-        raise InputError(
-            f"{error}; a store is as s3://bucket/folder, gs://, az:// or file:///folder", file=url
+        raise StoreLost(
+            f"{_said(error)}; a store is as s3://bucket/folder, gs://, az:// or file:///folder", file=url
         ) from None
     except Exception as error:  # noqa: BLE001  (some ask their service already)
-        raise StoreLost(f"cannot be reached ({type(error).__name__}: {error})", file=url) from None
+        raise StoreLost(f"cannot be reached ({_said(error)})", file=url) from None
     root = root.rstrip("/")
     if not root and not url.startswith("memory:"):
         raise InputError("names no bucket or folder; as s3://bucket/folder", file=url)

@@ -1,4 +1,4 @@
-"""Tasks on other machines, handed out by Dask distributed: the only module that knows Dask.
+"""Tasks on other machines, handed out by Dask distributed, which this module and `dask_machines` alone know.
 
 Dask carries tasks as text and hands small products back; what is done is known by the store, which all machines see.
 A worker says what raybundle it runs as a resource, and a task asks for that resource: no other worker is given it.
@@ -6,15 +6,13 @@ A worker says what raybundle it runs as a resource, and a task asks for that res
 
 from __future__ import annotations
 
-import asyncio
 import logging
+import math
 import os
-import signal
 import socket
-import sys
 import time
 import uuid
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, field
 from pathlib import Path
@@ -22,23 +20,22 @@ from queue import Empty, SimpleQueue
 from typing import Any
 
 from dask import config
-from distributed import Client, Future, Nanny, Scheduler, Security
+from distributed import Client, Future, Security
 from distributed import Worker as DaskWorker
 
 from raybundle.errors import InputError
+from raybundle.numerics.counting import counted
+from raybundle.numerics.progress import Progress, Remark, silent
 from raybundle.pipeline.clusters import (
-    CERTIFICATES,
     Cluster,
     check_answers,
-    cluster_at,
     signature,
     token_of,
     unseen,
-    write_scheduler,
 )
 from raybundle.pipeline.executors import ONE_THREAD
 from raybundle.pipeline.queues import drive
-from raybundle.pipeline.store import Folder, store_at, writing
+from raybundle.pipeline.store import Folder, store_at
 from raybundle.pipeline.tasks import Done, Task, do, do_written, written
 from raybundle.settings import read_with_flags, with_flags
 
@@ -51,6 +48,10 @@ LOOK_S = 1.0
 """Between two looks at which workers there are."""
 PATIENCE_S = 120.0
 """That a run waits for a worker that can do its tasks, and for a scheduler that was lost: a machine starts in less."""
+SAY_S, AGAIN_S = 5.0, 30.0
+"""After which a run says that it waits for a worker or the scheduler, and after which once more."""
+COUNTS = "RAYBUNDLE_WORKER_COUNTS"
+"""Names to the processes of a worker the folder in which each says how many tasks it has done."""
 BLIND = 3
 """Tasks that a worker could not do and this machine could, before the run ends: once may be a network that failed."""
 CONFIGURED = {
@@ -77,16 +78,17 @@ class Dask:
     cluster: Cluster
     memory: float = float("inf")
     patience: float = PATIENCE_S
+    progress: Progress = silent
 
     def run(self, tasks: Sequence[Task], store: Folder) -> Iterator[Done]:
         """Do tasks and yield them as they end."""
         if not tasks:
             return
         check_answers(self.cluster)
-        _quiet()
+        quiet()
         store.check_shared()
         store.path.mkdir(parents=True, exist_ok=True)
-        hands = _Workers(self.cluster, store, token_of(store), self.patience)
+        hands = _Workers(self.cluster, store, token_of(store), self.patience, self.progress)
         try:
             yield from drive(tasks, hands, store, self.memory)
         finally:
@@ -94,7 +96,7 @@ class Dask:
                 hands.client.close(timeout=2)
 
 
-def _security(cluster: Cluster) -> Security:
+def security_of(cluster: Cluster) -> Security:
     """Encrypted where there are certificates, all of one kind for all ends."""
     if cluster.folder is None:
         return Security(require_encryption=False)
@@ -104,7 +106,7 @@ def _security(cluster: Cluster) -> Security:
     return Security(require_encryption=True, tls_ca_file=ca, **ends)
 
 
-def _quiet() -> None:
+def quiet() -> None:
     """What Dask has to say of lost connections is said by us, in words that help."""
     config.set(CONFIGURED)
     for name in ("distributed", "tornado.application", "asyncio"):
@@ -121,6 +123,7 @@ class _Workers:
     store: Folder
     token: str
     patience: float
+    progress: Progress = silent
     client: Client = field(init=False)
     futures: dict[Future, tuple[Task, ...]] = field(default_factory=dict[Future, tuple[Task, ...]])
     waiting: list[Task] = field(default_factory=list[Task])
@@ -132,6 +135,10 @@ class _Workers:
     looked: float = 0.0
     seen: float = field(default_factory=time.monotonic)
     """when a worker was seen that can do our tasks"""
+    most: int = 0
+    """workers that were seen at once"""
+    told: float = -math.inf
+    """when it was last said that somebody is waited for"""
     blind: int = 0
     name: str = field(default_factory=lambda: uuid.uuid4().hex[:8])
     count: int = 0
@@ -140,7 +147,7 @@ class _Workers:
         """Connect; raises InputError."""
         try:
             self.client = Client(
-                self.cluster.address, security=_security(self.cluster), timeout=30, set_as_default=False,
+                self.cluster.address, security=security_of(self.cluster), timeout=30, set_as_default=False,
             )  # fmt: skip
         except (OSError, TimeoutError) as error:
             raise InputError(self._gone(str(error).partition("\n")[0]), file=self.cluster.address) from None
@@ -239,11 +246,21 @@ class _Workers:
 
     def _connected(self) -> None:
         """Wait for the scheduler; raises InputError where it is gone."""
-        until = time.monotonic() + self.patience
+        began = time.monotonic()
         while self.client.status != "running":
-            if self.client.status in {"closed", "closing"} or time.monotonic() > until:
+            waited = time.monotonic() - began
+            if self.client.status in {"closed", "closing"} or waited > self.patience:
                 raise InputError(self._gone("the connection was lost"), file=self.cluster.address)
+            self._say_waiting("the scheduler does not answer any more", waited)
             time.sleep(LOOK_S / 5)
+
+    def _say_waiting(self, why: str, waited: float) -> None:
+        """Say now and then for whom is waited, and for how long."""
+        now = time.monotonic()
+        if waited > SAY_S and now > self.told + AGAIN_S:
+            self.told = now
+            left = max(self.patience - waited, 0.0)
+            self.progress(f"{why}: waiting for up to {left:.0f} s more", Remark())
 
     def _gone(self, why: str) -> str:
         return (
@@ -261,7 +278,13 @@ class _Workers:
         self.looked = time.monotonic()
         fit = [w for w in workers.values() if signature() in w["resources"]]
         self.threads = max(sum(w["nthreads"] for w in fit), 1)
+        if len(fit) < self.most:
+            lost = counted(self.most - len(fit), "worker")
+            self.progress(f"{lost} lost, {len(fit)} left", Remark())
+        self.most = len(fit)
         if fit:
+            if self.told > self.seen:
+                self.progress(f"{counted(len(fit), 'worker')} there: it goes on", Remark())
             self.seen = self.looked
         elif self.looked > self.seen + self.patience:
             others = sorted({f"{w['host']}: {', '.join(w['resources']) or 'no raybundle'}" for w in workers.values()})
@@ -271,6 +294,9 @@ class _Workers:
                 "finished is kept",
                 file=self.cluster.folder or self.cluster.address,
             )
+        else:
+            there = f"none of {counted(len(workers), 'worker')} is of this version" if workers else "no worker is there"
+            self._say_waiting(there, self.looked - self.seen)
 
 
 def together(tasks: Sequence[Task]) -> list[tuple[Task, ...]]:
@@ -301,123 +327,21 @@ def _elsewhere(
         return [nothing] * len(texts), socket.gethostname(), refused
     with suppress(OSError):  # where it is not, the files were given with their whole paths, or are named as missing
         os.chdir(here)
-    return [do_written(text, store_at(folder, url)) for text in texts], socket.gethostname(), ""
+    done = [do_written(text, store_at(folder, url)) for text in texts]
+    _count(sum(not d.failed for d in done))
+    return done, socket.gethostname(), ""
+
+
+def _count(more: int) -> None:
+    """Say to who started this process how many tasks it has done."""
+    where = os.environ.get(COUNTS)
+    if where:
+        file = Path(where) / str(os.getpid())
+        with suppress(OSError, ValueError):
+            file.write_text(str(more + (int(file.read_text()) if file.exists() else 0)))
 
 
 def dask_setup(worker: DaskWorker) -> None:
     """Make a worker that somebody else started one of ours, where it is told to load this module before."""
     worker.state.total_resources[signature()] = 1
     worker.state.available_resources[signature()] = 1
-
-
-def make_certificates(folder: Path) -> None:
-    """Write certificates for the machines of one cluster, valid for a year (Dask's own: one for all ends)."""
-    made = Security.temporary()
-    texts = (made.tls_ca_file, made.tls_scheduler_cert, made.tls_scheduler_key)
-    with writing(folder):
-        folder.mkdir(parents=True, exist_ok=True)
-        for name, text in zip(CERTIFICATES, texts, strict=True):
-            number = os.open(folder / name, os.O_WRONLY | os.O_CREAT | os.O_EXCL, 0o600)
-            with os.fdopen(number, "w", encoding="utf-8") as file:
-                file.write(text)
-
-
-def schedule(folder: Path, host: str, port: int, tell: Callable[[str], None]) -> None:
-    """Be the scheduler of a cluster until interrupted; its folder gets certificates where it has none.
-
-    host  name or address of this machine for the others; empty: the one by which it reaches the network
-    port  0: any that is free
-    """
-    missing = [name for name in CERTIFICATES if not (folder / name).is_file()]
-    if len(missing) == len(CERTIFICATES):
-        make_certificates(folder)
-    elif missing:
-        raise InputError(f"lacks {', '.join(missing)}; put them there, or delete the other certificates", file=folder)
-    _quiet()
-    with suppress(asyncio.CancelledError):
-        asyncio.run(_schedule(folder, host, port, tell))
-
-
-async def _schedule(folder: Path, host: str, port: int, tell: Callable[[str], None]) -> None:
-    security = _security(Cluster("", folder))
-    _end_on_signal()
-    try:
-        scheduler = Scheduler(
-            host=host or None, port=port, protocol="tls", security=security, dashboard=False,
-            dashboard_address="127.0.0.1:0",
-        )  # fmt: skip
-        await scheduler
-    except (OSError, ValueError) as error:
-        raise InputError(f"the scheduler cannot listen at {host or 'this machine'}, port {port}: {error}") from None
-    try:
-        write_scheduler(folder, scheduler.address)
-        tell(f"scheduler: {scheduler.address} ({signature()})")
-        await scheduler.finished()
-    finally:
-        await scheduler.close()
-
-
-def work(where: str, jobs: int, tell: Callable[[str], None]) -> None:
-    """Be workers of a cluster until interrupted, with one thread each; a scheduler that is gone is waited for.
-
-    where   folder or address, as `cluster_at` takes it
-    raises  InputError for a scheduler of another version, and for certificates that are not of the cluster
-    """
-    _quiet()
-    with suppress(asyncio.CancelledError):
-        asyncio.run(_work(where, jobs or os.cpu_count() or 1, tell))
-
-
-async def _work(where: str, jobs: int, tell: Callable[[str], None]) -> None:
-    _end_on_signal()
-    _checked_version(cluster_at(where), where)
-    check_answers(cluster_at(where))
-    await asyncio.gather(*(_one_worker(where, tell) for _ in range(jobs)))
-
-
-async def _one_worker(where: str, tell: Callable[[str], None]) -> None:
-    """One worker after the other: each lives as long as its connection to the scheduler."""
-    while True:
-        try:
-            cluster = cluster_at(where)
-            await asyncio.to_thread(check_answers, cluster)
-        except InputError:  # it was there when this began
-            await asyncio.sleep(LOOK_S)
-            continue
-        _checked_version(cluster, where)
-        nanny = Nanny(
-            cluster.address, nthreads=1, security=_security(cluster), resources={signature(): 1}, memory_limit="0",
-            death_timeout=PATIENCE_S, dashboard=False, host=_listens(cluster),
-            dashboard_address="127.0.0.1:0",
-            config=config.config,
-        )  # fmt: skip
-        try:
-            await nanny
-            tell(f"worker of {cluster.address} ({signature()})")
-            await nanny.finished()
-        except (OSError, TimeoutError, RuntimeError):  # the scheduler went away meanwhile
-            await asyncio.sleep(LOOK_S)
-        finally:
-            await nanny.close()
-
-
-def _listens(cluster: Cluster) -> str | None:
-    """Where a worker listens: what is not encrypted is not to be reached from elsewhere."""
-    return "127.0.0.1" if cluster.folder is None else None
-
-
-def _checked_version(cluster: Cluster, where: str) -> None:
-    """Raise InputError where the scheduler is of another version: nobody would give this worker a task."""
-    if cluster.runs and cluster.runs != signature():
-        raise InputError(
-            f"the scheduler runs {cluster.runs}, this is {signature()}; install the same version on all machines",
-            file=where,
-        )
-
-
-def _end_on_signal() -> None:
-    """End as by an interrupt where the system asks for it."""
-    task = asyncio.current_task()
-    assert task is not None
-    if sys.platform != "win32":  # which has no such signal, and whose loops take none
-        asyncio.get_running_loop().add_signal_handler(signal.SIGTERM, task.cancel)

@@ -6,6 +6,7 @@
                              Of a run with an object store they lie there (`objects`), which project.toml remembers
     PROJECT/result/          the result folder
     PROJECT/block/           the photographs alone, where they are measured by hand and `orient` made no result
+    PROJECT/running.json     how far a stage in work is
     PROJECT/failed-tasks.log what tasks said that failed three times
     PROJECT/surface/         dense points of `surface`, with what is kept for its next run
     PROJECT/film/            what is known of the film that the photographs are scans of
@@ -49,8 +50,9 @@ HERE = "project"
 OWN = {
     "project.db", "project.db-wal", "project.db-shm", "project.toml", "cache", "result", "block", "film", "surface",
     "measured.db", "measured.db-wal", "measured.db-shm", "measured-result", "measured-masks", "failed-tasks.log",
+    "running.json",
 }  # fmt: skip
-_LEFTOVER = re.compile(r"\.result\.[0-9a-f]{8}\.(?:partial|old)|\.project\.toml\.[0-9a-f]{8}")
+_LEFTOVER = re.compile(r"\.result\.[0-9a-f]{8}\.(?:partial|old)|\.(?:project\.toml|running\.json)\.[0-9a-f]{8}")
 """Names under which a killed run leaves what it had begun to write."""
 _PRODUCT = re.compile(
     r"[A-Za-z0-9_ -]+-[0-9a-f]{40}\.npz|\.[A-Za-z0-9_ -]+-[0-9a-f]{40}\.[0-9a-f]{8}|\.pixels-[a-z0-9_]{8}"
@@ -291,7 +293,7 @@ def small_of(product: Mapping[str, Array]) -> dict[str, Any]:
 def discard_empty(folder: Path) -> None:
     """Delete a project folder that a run began and that holds no product: there is nothing to continue."""
     held = {str(p.relative_to(folder)) for p in folder.rglob("*") if not p.is_dir()}
-    if held <= {"project.db", "project.db-wal", "project.db-shm", "project.toml"}:
+    if held <= {"project.db", "project.db-wal", "project.db-shm", "project.toml", "running.json"}:
         shutil.rmtree(folder, ignore_errors=True)
 
 

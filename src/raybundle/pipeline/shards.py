@@ -8,14 +8,14 @@ the same command goes on when the shards are through.  Which shard does what mak
 
 from __future__ import annotations
 
+import hashlib
 import json
 import os
 import time
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterator, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any
 
 import msgspec
 import numpy as np
@@ -24,9 +24,9 @@ from raybundle.errors import InputError, TasksWaiting
 from raybundle.numerics.arrays import Array
 from raybundle.numerics.counting import counted
 from raybundle.numerics.progress import Counted, Progress, silent
-from raybundle.pipeline.clusters import signature
-from raybundle.pipeline.executors import Processes
-from raybundle.pipeline.keys import key_of
+from raybundle.pipeline.clusters import TOKEN, signature
+from raybundle.pipeline.executors import Processes, Threads
+from raybundle.pipeline.keys import KEY, key_of
 from raybundle.pipeline.project import products_of
 from raybundle.pipeline.queues import Queue
 from raybundle.pipeline.store import Folder
@@ -39,6 +39,8 @@ HANDED = "handed"
 FAILED, LOST = "!failed", "!lost"
 HAND_OVER_S = 5.0
 """Small products are handed over so often: what a killed shard loses."""
+ALONE_S, TOGETHER_S = 60.0, 1.0
+"""CPU seconds that one task, or several, take at most that the run does itself: a queue takes longer to begin."""
 LOOK_S = 1.0
 """Between two looks whether other shards have made what is needed."""
 
@@ -64,11 +66,18 @@ class Shards:
                         yield follows
             if found or all(FAILED in product for product in products.values()):
                 store.forget(archive)  # kept by now; what failed is tried again by the next run
+        if wanted and _little(wanted.values()):
+            yield from Threads(1).run([*wanted.values()], store)
+            wanted = {}
         if not wanted:
             store.place.forget_text(TASKS)
             return
-        facts = {"raybundle": signature(), "tasks": len(wanted), "flags": with_flags(), "folder": str(Path.cwd())}
-        lines = [json.dumps(facts), *(written(t).decode() for t in wanted.values())]
+        lines = [written(t).decode() for t in wanted.values()]
+        facts = {
+            "raybundle": signature(), "tasks": len(wanted), "flags": with_flags(), "folder": str(Path.cwd()),
+            "sum": _sum(lines),
+        }  # fmt: skip
+        lines = [json.dumps(facts), *lines]
         file = store.place.keep_text(TASKS, "\n".join(lines) + "\n")
         project = store.url or store.path.parent
         raise TasksWaiting(
@@ -76,6 +85,28 @@ class Shards:
             f"  Run `raybundle worker {option('shard', 'I/N')} {project}` for each I from 0 to N - 1, in any order, "
             "then the same command again."
         )
+
+
+def _little(tasks: Collection[Task]) -> bool:
+    """Whether it takes less to do tasks here than to wait in a queue for them."""
+    cost = sum(t.cost for t in tasks)
+    return cost <= (ALONE_S if len(tasks) == 1 else TOGETHER_S)
+
+
+def _sum(lines: Sequence[str]) -> str:
+    """By which a list is known that is not as it was written."""
+    return hashlib.sha256("\n".join(lines).encode()).hexdigest()
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class _Facts:
+    """First line of a list."""
+
+    raybundle: str
+    tasks: int
+    flags: bool
+    folder: str
+    sum: str = ""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -102,7 +133,7 @@ def do_shard(
     of_url = isinstance(project, str) and "://" in project
     store = Folder(Path.cwd() / "cache", str(project)) if of_url else products_of(Path(project).absolute())
     store.check_shared()
-    tasks = _listed(store)
+    tasks = _listed(store, None if of_url else Path(project))
     if tasks is None:
         return ShardDone(made=0, failed=(), waiting=0)
     made, small = {t.key for t in tasks}, {t.key for t in tasks if t.small}
@@ -111,7 +142,7 @@ def do_shard(
     handed_over = _keys_handed(store)
     there = store.those([t.key for t in mine if not t.small])
     waiting = [t for t in mine if t.key not in (handed_over if t.small else there)]
-    begun, count = time.monotonic(), 0
+    begun, count, before = time.monotonic(), 0, len(mine) - len(waiting)
     while waiting:
         ready = _ready(waiting, made, small, store)
         if not ready:
@@ -132,36 +163,90 @@ def do_shard(
                 if time.monotonic() > handed + HAND_OVER_S:
                     _hand_over(store, handing)
                     handing, handed = {}, time.monotonic()
-                progress("shard", Counted((count + len(failed)) / len(mine), count, len(mine), 0.0))
+                over = before + count + len(failed)
+                progress("shard", Counted(over / len(mine), over, len(mine), 0.0))
         finally:
             _hand_over(store, handing)
-        over = {t.key for t in ready}
-        waiting, begun = [t for t in waiting if t.key not in over], time.monotonic()
+        tried = {t.key for t in ready}
+        waiting, begun = [t for t in waiting if t.key not in tried], time.monotonic()
     names = {t.key: t.name or t.key for t in mine}
     return ShardDone(made=count, failed=tuple((names[k], why) for k, why in failed.items()), waiting=len(waiting))
 
 
-def _listed(store: Folder) -> list[Task] | None:
-    """The tasks of the list in a store; None: there is none, nothing is to be done."""
+def _listed(store: Folder, project: Path | None) -> list[Task] | None:
+    """The tasks of the list in a store; None: there is none, nothing is to be done.
+
+    project  its folder; None: the URL of the store was given
+    raises   InputError, with the line, for a list that is not as it was written: nothing of it is done
+    """
     file = f"{store.place.name}/{TASKS}"
-    if not (store.url or store.path.is_dir()):
-        raise InputError("is no project folder, or no run has begun in it", file=store.path.parent)
+    if project is not None and not (project / "project.db").is_file():
+        raise InputError("is no project folder, or no run has begun in it", file=project)
     try:
         text = store.place.text(TASKS)
-        if text is None:
-            return None
-        first, *lines = text.encode().splitlines()
-        facts = msgspec.json.decode(first, type=dict[str, Any])
-    except (OSError, ValueError) as error:
-        raise InputError(f"cannot be read: {error}", file=file) from None
-    if facts["raybundle"] != signature():
+        if text is None and project is None and store.place.text(TOKEN) is None:
+            raise InputError("holds no products of a project: no run has begun there", file=store.url)
+    except (OSError, UnicodeDecodeError) as error:
+        raise InputError(f"cannot be read: {getattr(error, 'strerror', None) or error}", file=file) from None
+    if text is None:
+        return None
+    first, *lines = text.splitlines() or [""]
+    facts = _facts(first, file)
+    if facts.raybundle != signature():
         raise InputError(
-            f"is of {facts['raybundle']}, this is {signature()}; install the same version on all machines", file=file
+            f"is of {facts.raybundle}, this is {signature()}; install the same version on all machines", file=file
         )
+    found: list[Task] = []
+    for k, line in enumerate(lines, start=2):
+        try:
+            task = read_task(line.encode())
+        except (ValueError, TypeError) as error:
+            raise _damaged(f"is no task ({error})", file, k) from None
+        for key in (task.key, *task.inputs, *task.after):
+            if not KEY.fullmatch(key):
+                raise _damaged(f"{key!r} is no key of a product", file, k)
+        found.append(task)
+    if len(found) != facts.tasks:
+        raise _damaged(f"{len(found)} tasks, and {facts.tasks} were written", file, len(lines) + 1)
+    if _sum(lines) != facts.sum:
+        raise _damaged("what follows is not what was written", file, 2)
     with suppress(OSError):  # where it is not, the files were given with their whole paths, or are named as missing
-        os.chdir(facts["folder"])
-    read_with_flags(bool(facts["flags"]))
-    return [read_task(line) for line in lines]
+        os.chdir(facts.folder)
+    read_with_flags(facts.flags)
+    return found
+
+
+def tasks_listed(project: Path, url: str) -> tuple[int, int] | None:
+    """Tasks of the list of a project that are done, and all of them; None: there is no list that can be read.
+
+    url  of the store of its products; empty: they lie in the folder
+    """
+    store = Folder(project / "cache", url)
+    try:
+        lines = (store.place.text(TASKS) or "").splitlines()[1:]
+        tasks = [msgspec.json.decode(line, type=Task) for line in lines]
+    except (OSError, ValueError):
+        return None
+    if not tasks:
+        return None
+    small = {t.key for t in tasks if t.small}
+    done = len(store.those([t.key for t in tasks if not t.small])) + len(small & _keys_handed(store))
+    return done, len(tasks)
+
+
+def _facts(line: str, file: str) -> _Facts:
+    try:
+        return msgspec.json.decode(line, type=_Facts)
+    except ValueError as error:
+        raise _damaged(f"does not say what the list is ({error})" if line else "is empty", file, 1) from None
+
+
+def _damaged(what: str, file: str, line: int) -> InputError:
+    return InputError(
+        f"{what}; the list is damaged and nothing of it is done. Run the command again that wrote it",
+        file=file,
+        line=line,
+    )
 
 
 def _keys_handed(store: Folder) -> set[str]:

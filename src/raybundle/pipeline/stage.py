@@ -11,11 +11,13 @@ from collections.abc import Callable, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, field
 from functools import partial
+from pathlib import Path
 from typing import Any, Generic, TypeVar
 
 from raybundle.errors import InputError
 from raybundle.numerics.arrays import Array
 from raybundle.numerics.progress import Counted, Progress, silent
+from raybundle.pipeline import running
 from raybundle.pipeline.executors import Executor, Processes, Threads
 from raybundle.pipeline.keys import key_of
 from raybundle.pipeline.project import Project, Timed
@@ -48,7 +50,10 @@ class Counting:
     total: int
     done: int
     costs: Sequence[Task]
+    folder: Path | None = None
+    """of the project, where it is noted for who looks at it"""
     began: float = field(default_factory=time.perf_counter)
+    noted: float = 0.0
     spent: float = 0.0
     """cost of what this run has done"""
     cost: float = 0.0
@@ -57,13 +62,20 @@ class Counting:
     def __post_init__(self) -> None:
         """What there is to do."""
         self.cost = sum(t.cost for t in self.costs)
+        self._note()
+
+    def _note(self) -> None:
+        if self.folder is not None and self.costs and time.monotonic() > self.noted + running.EVERY_S:
+            running.note(self.folder, self.what, self.done, self.total)
+            self.noted = time.monotonic()
 
     def one_more(self, cost: float) -> None:
         """A task has ended."""
         self.done, self.spent = min(self.done + 1, self.total), self.spent + cost
-        share = min(self.spent / self.cost, 1.0) if self.cost else 1.0
-        left = (time.perf_counter() - self.began) * (1 / share - 1) if share else 0.0
-        self.progress(self.what, Counted(share, self.done, self.total, left))
+        spent = min(self.spent / self.cost, 1.0) if self.cost else 1.0
+        left = (time.perf_counter() - self.began) * (1 / spent - 1) if spent else 0.0
+        self.progress(self.what, Counted(self.done / max(self.total, 1), self.done, self.total, left))
+        self._note()
 
 
 @dataclass(slots=True, kw_only=True)
@@ -99,7 +111,10 @@ class Means:
         there = self.store.those([t.key for t in tasks if not t.small])
         missing = [t for t in tasks if t.key not in (self._small if t.small else there)]
         self.made += len(missing)
-        told = Counting(self.progress, what, total=len(tasks), done=len(tasks) - len(missing), costs=missing)
+        told = Counting(
+            self.progress, what, total=len(tasks), done=len(tasks) - len(missing), costs=missing,
+            folder=self.project.folder,
+        )  # fmt: skip
         failed: dict[str, str] = {}
         again: list[Done] = []
         executor = self.executor
@@ -116,6 +131,7 @@ class Means:
             missing = [done.task for done in again]
         else:
             failed |= {done.task.key: done.failed for done in again}
+        running.forget(self.project.folder)
         return failed
 
     def _once(self, missing: Sequence[Task], told: Counting, failed: dict[str, str], executor: Executor) -> list[Done]:

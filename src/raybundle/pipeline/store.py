@@ -61,6 +61,11 @@ class ProductGone(InputError):
 class StoreLost(InputError):
     """Products can be neither read nor written any more: no task can be done, and none is to blame."""
 
+    def __init__(self, what: str, *, file: Path | str) -> None:
+        super().__init__(what, file=file)
+        self.what = what
+        """the same without the place"""
+
 
 class Place(Protocol):
     """Where the files of products lie."""

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import traceback
 from collections.abc import Callable
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field, is_dataclass, replace
 from functools import lru_cache
 from importlib import import_module
 from typing import Any, cast, get_type_hints
@@ -76,10 +76,16 @@ def function_of(name: str) -> TaskFunction:
 
 
 def options_of(name: str) -> type:
-    """The data class of the options of a function, by its annotation."""
-    hints = get_type_hints(function_of(name))
+    """The data class of the options of a function, by its annotation; raises TypeError for what does no tasks."""
+    try:
+        hints = get_type_hints(function_of(name))
+    except (TypeError, ImportError, ValueError, AttributeError, NameError) as error:
+        raise TypeError(f"{name!r} is no function of tasks ({error})") from None
     hints.pop("return", None)
-    return list(hints.values())[1]
+    kinds = [*hints.values()]
+    if len(kinds) != 2 or not is_dataclass(kinds[1]):
+        raise TypeError(f"{name!r} is no function of tasks")
+    return cast("type", kinds[1])
 
 
 def do(task: Task, store: Folder) -> Done:

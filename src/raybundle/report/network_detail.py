@@ -8,6 +8,7 @@ import numpy as np
 
 from raybundle.block import Role
 from raybundle.numerics.arrays import Array, Index
+from raybundle.numerics.thinning import one_of_each_cell
 from raybundle.report.figures.svg import spread_rows
 from raybundle.report.view import View
 
@@ -17,8 +18,6 @@ POINT_BYTES = 6_000_000
 """Of the points with their rays: with the program and the images a page stays below 10 MB"""
 WORST = 10
 """One in so many points is there for being the worst determined"""
-FINEST = 20
-"""Halvings of the extent in which cells are looked for: three of them are told apart in one 64-bit number"""
 TRIES = 8
 
 
@@ -74,26 +73,8 @@ def _sample(view: View, rows: Index, room: int) -> tuple[Index, float, int]:
     std = np.full(len(rows), np.nan) if view.std is None else np.sqrt(np.mean(np.square(view.std[rows]), axis=1))
     order = np.argsort(np.where(np.isfinite(std), -std, np.inf), kind="stable")
     worst = order[: min(room // WORST, int(np.isfinite(std).sum()))]
-    first, cell = _one_of_each_cell(view.adjusted.points.xyz[rows], room - len(worst))
+    first, cell = one_of_each_cell(view.adjusted.points.xyz[rows], room - len(worst))
     return rows[np.union1d(worst, first)], cell, len(worst)
-
-
-def _one_of_each_cell(xyz: Array, room: int) -> tuple[Index, float]:
-    """The first place (n, 3) in each occupied cell of the finest grid with at most `room` of them, and its edge."""
-    low = xyz.min(axis=0)
-    extent = float((xyz - low).max()) or 1.0
-    coarse, fine = 0.0, float(FINEST)
-    best, edge = np.zeros(0, np.int64), extent
-    for _ in range(12):  # to a 200th of an octave
-        halvings = (coarse + fine) / 2
-        cell = extent / 2**halvings
-        i, j, k = ((xyz - low) / cell).astype(np.int64).T
-        _, first = np.unique((i << 42) | (j << 21) | k, return_index=True)
-        if len(first) <= room:
-            coarse, best, edge = halvings, first, cell
-        else:
-            fine = halvings
-    return best, edge
 
 
 def shown_images(view: View) -> Index:

@@ -27,6 +27,7 @@ from raybundle.report.sigma_classes import sigma_classes
 from raybundle.report.text.numbers import counted, grouped, plain
 from raybundle.report.text.words import datum_words
 from raybundle.report.view import FREE_UNIT, View, view_of, with_near_viewpoints
+from raybundle.surfaces.summary import CloudSample
 
 MOST_ELLIPSOIDS = 2_000
 """Error ellipsoids that a page holds; those of control and check points before others."""
@@ -68,7 +69,7 @@ SAID = (
 
 def write_network_page(
     adjustment: Adjustment, path: str | Path, planned: Planned | None = None, *, title: str = "",
-    language: str = ENGLISH,
+    language: str = ENGLISH, cloud: CloudSample | None = None,
 ) -> None:  # fmt: skip
     """Write the network view: object points, images, control, scale bars, error ellipsoids and rays, to be turned.
 
@@ -77,6 +78,7 @@ def write_network_page(
     planned     of a plan: its object in colours of its precision, photographs that are to be taken yet
     title       what the page is called; empty: after the block
     language    of the page, as "de"; InputError for one that there is not
+    cloud       dense points of the surface, to be coloured by photograph or by standard deviation
 
     Points beyond what a page of 10 MB can hold are thinned by a grid, the worst kept, images and ellipsoids evenly, and
     the page says so.  What it does not tell: an ellipsoid describes random errors in the datum of the result; one that
@@ -88,6 +90,8 @@ def write_network_page(
     contents = network_contents(view)
     if planned is not None:
         contents |= _of_plan(contents, planned, view)
+    if cloud is not None and len(cloud.xyz):
+        contents |= _of_cloud(contents, cloud, view)
     say = language_of(language, [title, *view.given.points.ids, *view.given.images.ids, view.given.name])
     words: list[str] = contents.pop("remarks")
     contents |= {"words": {w: say.text(w) for w in SAID}, "decimal": say.text("0.5")[1]}
@@ -220,6 +224,25 @@ def _of_plan(contents: dict[str, Any], planned: Planned, view: View) -> dict[str
             "surface": _classes(view.factor * planned.sigma, view.unit, wanted, "seen by less than two images"),
         },
     }
+
+
+def _of_cloud(contents: dict[str, Any], cloud: CloudSample, view: View) -> dict[str, Any]:
+    """Dense points in 16 bits a coordinate, and what is said of them."""
+    low = cloud.xyz.min(axis=0)
+    step = max(float(np.ptp(cloud.xyz, axis=0).max()) / 65535, 1e-300)
+    sigma = view.factor * cloud.sigma
+    shown = f"{counted(len(cloud.xyz), 'dense point')} {'is' if len(cloud.xyz) == 1 else 'are'} shown"
+    if cloud.cell:
+        shown += f", one of each cell of {plain(cloud.cell, 2)} {view.length_unit}"
+    return {
+        "remarks": [f"{shown}. Standard deviations of dense points are those along the ray.", *contents["remarks"]],
+        "cloud": {
+            "low": (low - np.array(contents["origin"])).tolist(), "step": step,
+            "xyz": _packed(np.round((cloud.xyz - low) / step), "<u2"), "rgb": _packed(cloud.colour, "u1"),
+            "image": _packed(cloud.image, "<u2"), "sigma": _packed(sigma, "<f4"), "names": list(cloud.names),
+        },
+        "classes": {**contents["classes"], "cloud": _classes(sigma, view.unit)},
+    }  # fmt: skip
 
 
 def _wanted_words(planned: Planned, view: View) -> list[str]:

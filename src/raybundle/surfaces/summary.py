@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from raybundle.numerics.arrays import Array
+from raybundle.numerics.arrays import Array, Index
 
 QUANTILES = (0.5, 0.9, 0.99)
 PICTURE_PX = 200
@@ -46,6 +46,23 @@ class HeightSummary:
     """of the cells that have a height"""
     profile: Array
     """(n, 3) place, height and standard deviation along the middle row"""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class CloudSample:
+    """Some of the points of a surface, spread over it; arrays (n, ...)."""
+
+    xyz: Array
+    """(n, 3) in the block's frame"""
+    colour: Array
+    """(n, 3) uint8"""
+    sigma: Array
+    """(n,) standard deviation along the ray, all parts"""
+    image: Index
+    """(n,) position of its reference in `names`"""
+    names: tuple[str, ...]
+    cell: float
+    """edge of the cells of which each gives one point; 0: all are there"""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -29,7 +29,7 @@ from raybundle.calibration.given import calibration_notices, held_notices
 from raybundle.errors import InputError, NoConvergence, NoOrientation, NotSolvable, RankDefect
 from raybundle.numerics.arrays import Array, Index, Mask
 from raybundle.numerics.counting import counted, counted_are
-from raybundle.numerics.progress import Progress, silent
+from raybundle.numerics.progress import Progress, in_rounds, silent
 from raybundle.orientation.given_points import intersected_where_better, without_given_ties
 from raybundle.placing.control_doubts import doubted_control, notice, words
 from raybundle.settings import option
@@ -55,6 +55,7 @@ def adjust(
     (bad input) or NotSolvable (no orientation found, datum or rank defect, no convergence).
     """
     began = time.perf_counter()
+    progress = in_rounds(progress)
     options = AdjustmentOptions() if options is None else options
     check_entry(block, options)
     options = _as_before(block, options)

@@ -150,7 +150,7 @@ def orient(
     method = feature_method(options.features)
     jobs = options.jobs or os.cpu_count() or 1
     memory = options.memory_gb * 1e9
-    executor = executor_for(options.cluster, jobs, memory)
+    executor = executor_for(options.cluster, jobs, memory, progress)
     project = Project.open(folder, store=options.store)
     run = Run(project=project, executor=executor, progress=progress, jobs=jobs, memory=memory)
     asked = Asked(

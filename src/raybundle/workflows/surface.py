@@ -13,6 +13,7 @@ from pathlib import Path
 
 import numpy as np
 
+from raybundle.adjustment.result import Adjustment
 from raybundle.block import Block
 from raybundle.errors import InputError
 from raybundle.io.photos.photo import Photo, read_photo
@@ -31,8 +32,8 @@ from raybundle.workflows.surfacing import SURFACE
 class Surface:
     """What was measured; the points are read one reference after the other."""
 
-    block: Block
-    """the adjusted one"""
+    adjustment: Adjustment
+    """that it rests on"""
     store: Folder
     clouds: tuple[tuple[int, str], ...]
     """references, rows of the block's images, and the keys of their points"""
@@ -50,6 +51,11 @@ class Surface:
     left_out: tuple[tuple[str, str], ...]
     """photographs and pairs without a part in it, and why"""
     records: tuple[StageRecord, ...] = field(default=(), repr=False)
+
+    @property
+    def block(self) -> Block:
+        """With adjusted values."""
+        return self.adjustment.adjusted
 
     def __len__(self) -> int:
         """How many points."""
@@ -91,7 +97,7 @@ def surface(
         clouds = tuple(sorted(state.clouds.items()))
         counts = tuple(len(project.products.wanted(key, ("image",))["image"]) for _, key in clouds)
         return Surface(
-            block=state.block, store=project.products, clouds=clouds, counts=counts, options=options,
+            adjustment=adjustment, store=project.products, clouds=clouds, counts=counts, options=options,
             maps=state.maps, sigmas=state.sigmas, heights=state.heights, orthophoto=state.orthophoto,
             left_out=state.left_out, records=tuple(project.records),
         )  # fmt: skip
@@ -106,11 +112,6 @@ def _photographs(block: Block, folders: Sequence[Path]) -> tuple[dict[int, Photo
         ident = block.images.ids[i]
         if not block.images.oriented[i]:
             continue
-        if i in block.images.frames:
-            lost.append(
-                (ident, "its file is turned or reduced against its camera; give the photograph as it was taken")
-            )
-            continue
         path = next((f / name for f in folders if (f / name).is_file()), None)
         if path is None:
             lost.append((ident, f"{name} is in none of the folders of the photographs"))
@@ -121,8 +122,9 @@ def _photographs(block: Block, folders: Sequence[Path]) -> tuple[dict[int, Photo
         except InputError as error:
             lost.append((ident, str(error)))
             continue
-        if (photo.width_px, photo.height_px) != (camera.width_px, camera.height_px):
-            given, taken = f"{photo.width_px} x {photo.height_px}", f"{camera.width_px} x {camera.height_px}"
+        frame = block.images.frames.get(i, camera)
+        if (photo.width_px, photo.height_px) != (frame.width_px, frame.height_px):
+            given, taken = f"{photo.width_px} x {photo.height_px}", f"{frame.width_px} x {frame.height_px}"
             lost.append((ident, f"{name} has {given} px, its camera {taken}"))
             continue
         found[i] = photo

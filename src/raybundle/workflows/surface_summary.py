@@ -5,10 +5,12 @@ from __future__ import annotations
 import numpy as np
 
 from raybundle.numerics.arrays import Array
+from raybundle.numerics.thinning import one_of_each_cell
 from raybundle.pipeline.store import Folder
 from raybundle.surfaces.depth_map import GRAZING, DepthMap
 from raybundle.surfaces.summary import (
     QUANTILES,
+    CloudSample,
     HeightSummary,
     MapSummary,
     OrthophotoSummary,
@@ -24,6 +26,8 @@ from raybundle.workflows.surfacing.heights import tile_window
 SAMPLE = 7
 """One in so many points tells the quantiles."""
 LAGS_PX = np.arange(0.0, 25.0)
+SHOWN, LOOKED_AT = 250_000, 12
+"""Points of a page (16 bytes each), and how many times as many are looked at for them"""
 PICTURE_CELLS = 900
 """Longer side of the pictures of heights."""
 
@@ -108,6 +112,28 @@ def _heights(surface: Surface, file: HeightFile) -> HeightSummary | None:
     return HeightSummary(
         height=pictures[0], sigma=pictures[1], cell=k * file.cell, left=file.left, top=file.top,
         share=known / (file.width * file.height), profile=np.stack([across, *profile], axis=1),
+    )  # fmt: skip
+
+
+def sample_of(surface: Surface) -> CloudSample:
+    """Points spread over a surface, as many as a page shows: one of each cell of the finest grid that gives so many.
+
+    Of a cloud that is many times larger only every so many points are looked at.
+    """
+    step = max(1, len(surface) // (LOOKED_AT * SHOWN))
+    parts = [
+        (c.xyz[::step], c.colour[::step], np.linalg.norm(c.parts[::step].astype(float), axis=1), c.image[::step])
+        for c in surface.parts()
+    ]
+    xyz, colour, sigma, image = (np.concatenate(x) for x in zip(*parts, strict=True))
+    rows, cell = np.arange(len(xyz)), 0.0
+    if len(xyz) > SHOWN:
+        first, cell = one_of_each_cell(xyz, SHOWN)
+        rows = np.sort(first)
+    refs = [i for i, _ in surface.clouds]
+    return CloudSample(
+        xyz=xyz[rows], colour=colour[rows], sigma=sigma[rows], image=np.searchsorted(np.array(refs), image[rows]),
+        names=tuple(surface.block.images.ids[i] for i in refs), cell=cell,
     )  # fmt: skip
 
 

@@ -35,8 +35,9 @@ from raybundle.numerics.progress import Progress, silent
 from raybundle.pipeline.choosing import staying_for
 from raybundle.pipeline.clusters import token_of
 from raybundle.pipeline.executors import Executor, Staying
-from raybundle.pipeline.store import Folder
+from raybundle.pipeline.store import Folder, whole_url
 from raybundle.settings import option
+from raybundle.workflows.left import NOTES, forget_left, forget_stores, note_store, part_store
 
 SHARE = 0.8
 """Of the memory that is free, what is taken where nothing is asked for."""
@@ -76,7 +77,13 @@ class Room:
     def folder(self) -> Path:
         """The folder."""
         stack, cut_short = ExitStack(), self._cut_short
-        found = stack.enter_context(continued_folder(self.out, lambda: not cut_short[0]))
+
+        def ended() -> bool:
+            if not cut_short[0]:  # parts of runs before this one may lie in other stores than its own
+                forget_stores(found)
+            return not cut_short[0]
+
+        found = stack.enter_context(continued_folder(self.out, ended))
         finalize(self, stack.close)
         return found
 
@@ -143,19 +150,18 @@ class Within:
     def _next_store(self) -> Folder:
         self.stores += 1
         made = self._store(self.stores)
+        if self.store:
+            note_store(self._notes, self.stores, whole_url(self.store))
         made.place.check()
         return made
 
     @property
     def _notes(self) -> Folder:
-        return Folder(self.room.folder / "notes")
+        return Folder(self.room.folder / NOTES)
 
     def _store(self, number: int) -> Folder:
         """One of the stores, at a URL by a name that no other result has."""
-        name = f"parts-{number}"
-        return Folder(
-            self.room.folder / name, self.store and f"{self.store.rstrip('/')}/{token_of(self._notes)}-{name}"
-        )
+        return part_store(self.room.folder, number, self.store, token_of(self._notes) if self.store else "")
 
     def notices(self) -> tuple[Notice, ...]:
         """What was done, where anything was."""
@@ -164,18 +170,20 @@ class Within:
         if self.cluster:
             message = (
                 f"the normal equations were reduced in {counted(self.parts, 'part')} (Helmert-Wolf) by workers of "
-                "a cluster; all figures are those of one piece"
+                "a cluster; figures are those of one piece within rounding"
             )
             return (Notice(code="in_parts", message=message),)
         message = (
             f"the normal equations were reduced in {counted(self.parts, 'part')} (Helmert-Wolf): in one piece the "
             f"adjustment would take {self.needed / 1e9:.3g} GB, and {self.allowed / 1e9:.3g} GB were allowed "
-            f"({option('memory')}); all figures are those of one piece"
+            f"({option('memory')}); figures are those of one piece within rounding"
         )
         least = BASE + IN_PARTS * self.observations
         if least > self.allowed:
-            more = f"Even so it takes about {least / 1e9:.3g} GB"
-            message = f"{message}. {more}"
+            message = (
+                f"{message}. So many image points take about {least / 1e9:.3g} GB however they are cut; where that is "
+                "not there, leave out some"
+            )
         return (Notice(code="in_parts", message=message),)
 
 
@@ -211,7 +219,7 @@ def within_memory(
     assert count is not None
     left = allowed - BASE - IN_PARTS * count
     workers = max(1, min(jobs or os.cpu_count() or 1, int(left // PROCESS)))
-    executor = staying_for(cluster, workers, left - workers * BASE) if cluster or workers > 1 else None
+    executor = staying_for(cluster, workers, left - workers * BASE, progress) if cluster or workers > 1 else None
     room = Room(out)
     found = Within(allowed, room, count, executor=executor, workers=workers, cluster=cluster, store=store)
     try:
@@ -222,6 +230,7 @@ def within_memory(
                 o = source.observations
                 columns = {f.name: large.kept(getattr(o, f.name)) for f in fields(o)}
                 yield replace(source, observations=replace(o, **columns)), found
+        forget_left(out)  # of runs with other options
     except NotSolvable:
         raise
     except BaseException:

@@ -10,7 +10,7 @@ from pathlib import Path
 
 import msgspec
 
-from raybundle.io.user_folders import user_folder
+from raybundle.io.user_folders import made_again_folder
 
 REVISION = 2
 """Raised with every change of what is measured; constants of another are measured again"""
@@ -131,10 +131,7 @@ def shipped() -> Constants:
 
 def cache_file() -> Path:
     """Where the constants of this machine are kept: RAYBUNDLE_CACHE, or the system's place for what is made again."""
-    given = os.environ.get("RAYBUNDLE_CACHE", "")
-    if given:
-        return Path(given) / "cost.json"
-    return user_folder("cache") / "cost.json"
+    return made_again_folder() / "cost.json"
 
 
 def kept() -> Constants | None:

@@ -93,6 +93,13 @@ def estimate(a: Asked, c: Constants, *, disk_gb: float = float("nan"), parts: tu
     return Estimate(asked=a, constants=c, stages=stages, parts=sizes, limits=_limits(a, c, stages, sizes, disk_gb))
 
 
+def _together(a: Asked, c: Constants, sizes: tuple[Size, ...]) -> Limit:
+    """Memory of the driver and all workers of one machine, each with a front as large as any of so many at once."""
+    largest = sorted((front_memory(s, c) for s in sizes for _ in range(min(s.count, a.workers))), reverse=True)
+    needed = driver_memory(a, c) + sum(largest[: a.workers])
+    return Limit(what="memory of driver and workers together", needed=needed / 1000, given=a.memory_gb, unit="GB")
+
+
 def _limits(
     a: Asked, c: Constants, stages: tuple[StageCost, ...], sizes: tuple[Size, ...], disk_gb: float
 ) -> tuple[Limit, ...]:
@@ -112,6 +119,7 @@ def _limits(
             what="memory of the largest front", needed=max(front_memory(s, c) for s in sizes) / 1000,
             given=given / 1000, unit="GB",
         ),
+        *([_together(a, c, sizes)] if a.workers > 1 and not a.network_gbit else []),
         Limit(what="disk", needed=sum(s.disk_gb for s in stages), given=disk_gb, unit="GB"),
     ]  # fmt: skip
     known = [limit for limit in found if limit.given > 0]

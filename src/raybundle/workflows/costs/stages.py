@@ -22,9 +22,9 @@ class Asked:
     iterations: int
     workers: int
     memory_gb: float
-    """of a process"""
+    """of a machine"""
     network_gbit: float
-    """of a worker"""
+    """of a worker; 0: one machine does all"""
     store_gbit: float
     """of the store that all share"""
     latency_ms: float

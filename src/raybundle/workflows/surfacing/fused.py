@@ -9,8 +9,10 @@ import numpy as np
 
 from raybundle.adjustment.queries import joint_orientation
 from raybundle.adjustment.result import Adjustment
+from raybundle.block import Block
 from raybundle.errors import InputError
 from raybundle.io.block.arrays import arrays_of_block, block_of_arrays
+from raybundle.io.photos.framed import in_camera_frame
 from raybundle.io.photos.photo import Photo, read_colour
 from raybundle.numerics.arrays import Array
 from raybundle.pipeline.keys import key_of
@@ -168,15 +170,17 @@ def cloud_of(store: Folder, task: CloudTask) -> Product:
     mine, found = views[0], maps[0]
     known = np.isfinite(mine.t)
     if not task.others or not known.any():
-        return _cloud(store, task, found, mine, np.zeros(0, int), np.zeros(0, np.uint8))
+        return _cloud(store, task, block, found, mine, np.zeros(0, int), np.zeros(0, np.uint8))
     between = float(np.nanmin(mine.t)), float(np.nanmax(mine.t)) * (1 + 1e-6)
     tables = [transfer(block, mine.rays, j, between) for j in task.others]
     told = agreement(mine, views[1:], tables, task.others, own=task.own)
     at = np.flatnonzero(known)[told.kept]
-    return _cloud(store, task, found, mine, at, told.agree[told.kept])
+    return _cloud(store, task, block, found, mine, at, told.agree[told.kept])
 
 
-def _cloud(store: Folder, task: CloudTask, found: DepthMap, mine: MapView, at: Array, confirmed: Array) -> Product:
+def _cloud(
+    store: Folder, task: CloudTask, block: Block, found: DepthMap, mine: MapView, at: Array, confirmed: Array
+) -> Product:  # fmt: skip
     """Points of a map by their places in it."""
     xy, t = mine.grid.xy_px.reshape(-1, 2)[at], np.asarray(found.t, float).ravel()[at]
     by_t, xyz = mine.rays.by_t(xy, t), mine.rays.points(xy, t)
@@ -196,7 +200,7 @@ def _cloud(store: Folder, task: CloudTask, found: DepthMap, mine: MapView, at: A
         towards = (n * by_t[part]).sum(axis=1) ** 2
         across[part] = np.stack([(noise + rough)[part] * towards, np.einsum("ni,nij,nj->n", n, C, n)], axis=1)
     used = used_sources(found.views.ravel()[at], found.shift.shape[2])
-    pixels = read_colour(task.photo)
+    pixels = in_camera_frame(read_colour(task.photo), block, task.own)
     colour = pixels[np.floor(xy[:, 1]).astype(int), np.floor(xy[:, 0]).astype(int)]
     if colour.dtype != np.uint8:
         colour = (colour / 257).astype(np.uint8)

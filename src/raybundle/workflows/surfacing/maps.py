@@ -12,8 +12,9 @@ from raybundle.block import Block
 from raybundle.block.select import selected
 from raybundle.errors import InputError
 from raybundle.io.block.arrays import arrays_of_block, block_of_arrays
+from raybundle.io.photos.framed import in_camera_frame
 from raybundle.io.photos.photo import Photo
-from raybundle.numerics.arrays import Index
+from raybundle.numerics.arrays import Array, Index
 from raybundle.pipeline.executors import Threads
 from raybundle.pipeline.keys import key_of
 from raybundle.pipeline.stage import Means, Stage
@@ -115,7 +116,11 @@ def map_of(store: Folder, task: MapTask) -> Product:
     block = block_of_arrays(store.wanted(task.block))
     chosen = Sources(reference=task.reference, sources=task.sources, pairs=(), seen=0.0)
     options = DepthOptions(density=task.density, threads=task.threads, memory=task.memory)
-    return depth_map(block, chosen, lambda image: grey_of(task.photos[image]), options).as_arrays()
+
+    def greys(image: int) -> Array:
+        return in_camera_frame(grey_of(task.photos[image]), block, image)
+
+    return depth_map(block, chosen, greys, options).as_arrays()
 
 
 def _put(state: SurfaceState, found: Maps) -> SurfaceState:

@@ -1,0 +1,226 @@
+"""Scheduler and workers of a cluster: processes of Dask distributed that a user starts, and that hold for long."""
+
+from __future__ import annotations
+
+import asyncio
+import os
+import signal
+import sys
+import tempfile
+from collections.abc import Callable
+from contextlib import suppress
+from dataclasses import dataclass
+from pathlib import Path
+
+from dask import config
+from distributed import Nanny, Scheduler, Security
+
+from raybundle.errors import InputError
+from raybundle.numerics.counting import counted
+from raybundle.pipeline.clusters import (
+    CERTIFICATES,
+    Cluster,
+    NoScheduler,
+    check_answers,
+    check_certificates,
+    cluster_at,
+    signature,
+    write_scheduler,
+)
+from raybundle.pipeline.on_dask import COUNTS, LOOK_S, PATIENCE_S, quiet, security_of
+from raybundle.pipeline.store import writing
+from raybundle.settings import option
+
+TELL_S = 60.0
+"""Between two lines of a worker that say what it has done."""
+
+
+def make_certificates(folder: Path) -> None:
+    """Write certificates for the machines of one cluster, valid for a year (Dask's own: one for all ends)."""
+    made = Security.temporary()
+    texts = (made.tls_ca_file, made.tls_scheduler_cert, made.tls_scheduler_key)
+    with writing(folder):
+        folder.mkdir(parents=True, exist_ok=True)
+        for name, text in zip(CERTIFICATES, texts, strict=True):
+            number = os.open(folder / name, os.O_WRONLY | os.O_CREAT | os.O_EXCL, 0o600)
+            with os.fdopen(number, "w", encoding="utf-8") as file:
+                file.write(text)
+
+
+def schedule(folder: Path, host: str, port: int, tell: Callable[[str], None]) -> None:
+    """Be the scheduler of a cluster until interrupted; its folder gets certificates where it has none.
+
+    host    name or address of this machine for the others; empty: the one by which it reaches the network
+    port    0: any that is free
+    raises  InputError where one answers there already, where it cannot listen, and for certificates that are none or
+            whose time is over; nothing is left then that was not there before
+    """
+    _refuse_second(folder)
+    missing = [name for name in CERTIFICATES if not (folder / name).is_file()]
+    stood, made = folder.exists(), len(missing) == len(CERTIFICATES)
+    if made:
+        make_certificates(folder)
+    elif missing:
+        raise InputError(f"lacks {', '.join(missing)}; put them there, or delete the other certificates", file=folder)
+    quiet()
+    try:
+        check_certificates(folder)
+        with suppress(asyncio.CancelledError):
+            asyncio.run(_schedule(folder, host, port, tell))
+    except InputError:
+        for name in CERTIFICATES if made else ():
+            (folder / name).unlink(missing_ok=True)
+        if not stood:
+            with suppress(OSError):
+                folder.rmdir()
+        raise
+
+
+def _refuse_second(folder: Path) -> None:
+    """Raise InputError where a scheduler of this cluster answers: workers and runs would not all find the same one."""
+    try:
+        found = cluster_at(str(folder))
+        check_answers(found)
+    except InputError:
+        return
+    raise InputError(
+        f"a scheduler is at work for it already ({found.address}); one does for all, or choose another folder",
+        file=folder,
+    )
+
+
+async def _schedule(folder: Path, host: str, port: int, tell: Callable[[str], None]) -> None:
+    security = security_of(Cluster("", folder))
+    _end_on_signal()
+    try:
+        scheduler = Scheduler(
+            host=host or None, port=port, protocol="tls", security=security, dashboard=False,
+            dashboard_address="127.0.0.1:0",
+        )  # fmt: skip
+        await scheduler
+    except (OSError, ValueError, RuntimeError) as error:  # Dask says the last one, with the reason behind it
+        why = error.__cause__ if isinstance(error, RuntimeError) and error.__cause__ is not None else error
+        said = getattr(why, "strerror", None) or str(why)
+        where = f"{host or 'this machine'}, port {port or 'any'}"
+        raise InputError(
+            f"the scheduler cannot listen at {where}: {said}; give {option('host')} by which the others reach this "
+            f"machine, and {option('port')} that is free, or none"
+        ) from None
+    try:
+        write_scheduler(folder, scheduler.address)
+        tell(f"scheduler: {scheduler.address} ({signature()})")
+        await scheduler.finished()
+    finally:
+        await scheduler.close()
+
+
+def work(where: str, jobs: int, tell: Callable[[str], None]) -> None:
+    """Be workers of a cluster until interrupted, with one thread each; a scheduler that is not there is waited for.
+
+    where   folder or address, as `cluster_at` takes it
+    raises  InputError for a scheduler of another version, and for certificates that are not of the cluster
+    """
+    quiet()
+    with suppress(asyncio.CancelledError):
+        asyncio.run(_work(where, jobs or os.cpu_count() or 1, tell))
+
+
+async def _work(where: str, jobs: int, tell: Callable[[str], None]) -> None:
+    _end_on_signal()
+    with tempfile.TemporaryDirectory() as folder:
+        telling = _Telling(tell, Path(folder))
+        _checked_version(await _there(where, telling, NoScheduler), where)
+        now_and_then = asyncio.create_task(telling.now_and_then())
+        try:
+            await asyncio.gather(*(_one_worker(where, telling) for _ in range(jobs)))
+        finally:
+            now_and_then.cancel()
+            tell(f"{counted(telling.count(), 'task')} done in all")
+
+
+@dataclass(slots=True)
+class _Telling:
+    """What workers of one command say: what stays as it is once."""
+
+    tell: Callable[[str], None]
+    folder: Path
+    """in which each process says how many tasks it has done"""
+    waits: str = ""
+
+    def waiting(self, why: str) -> None:
+        """Say for what is waited."""
+        if why != self.waits:
+            self.tell(f"waits for a scheduler: {why}")
+        self.waits = why
+
+    def count(self) -> int:
+        """Tasks that were done."""
+        with suppress(OSError, ValueError):
+            return sum(int(f.read_text() or 0) for f in self.folder.iterdir())
+        return 0
+
+    async def now_and_then(self) -> None:
+        """Say how many tasks were done, where there are more of them."""
+        before = 0
+        while True:
+            await asyncio.sleep(TELL_S)
+            count = self.count()
+            if count > before:
+                self.tell(f"{counted(count, 'task')} done so far")
+            before = count
+
+
+async def _there(where: str, telling: _Telling, waited_for: type[InputError]) -> Cluster:
+    """The cluster, when its scheduler answers; raises InputError of other kinds than what is waited for."""
+    while True:
+        try:
+            cluster = cluster_at(where)
+            await asyncio.to_thread(check_answers, cluster)
+        except waited_for as error:
+            telling.waiting(error.why if isinstance(error, NoScheduler) else str(error))
+            await asyncio.sleep(LOOK_S)
+        else:
+            telling.waits = ""
+            return cluster
+
+
+async def _one_worker(where: str, telling: _Telling) -> None:
+    """One worker after the other: each lives as long as its connection to the scheduler."""
+    while True:
+        cluster = await _there(where, telling, InputError)  # it was there when this began
+        _checked_version(cluster, where)
+        nanny = Nanny(
+            cluster.address, nthreads=1, security=security_of(cluster), resources={signature(): 1}, memory_limit="0",
+            death_timeout=PATIENCE_S, dashboard=False, host=_listens(cluster),
+            dashboard_address="127.0.0.1:0", config=config.config, env={COUNTS: str(telling.folder)},
+        )  # fmt: skip
+        try:
+            await nanny
+            telling.tell(f"worker of {cluster.address} ({signature()})")
+            await nanny.finished()
+        except (OSError, TimeoutError, RuntimeError):  # the scheduler went away meanwhile
+            await asyncio.sleep(LOOK_S)
+        finally:
+            await nanny.close()
+
+
+def _listens(cluster: Cluster) -> str | None:
+    """Where a worker listens: what is not encrypted is not to be reached from elsewhere."""
+    return "127.0.0.1" if cluster.folder is None else None
+
+
+def _checked_version(cluster: Cluster, where: str) -> None:
+    """Raise InputError where the scheduler is of another version: nobody would give this worker a task."""
+    if cluster.runs and cluster.runs != signature():
+        raise InputError(
+            f"the scheduler runs {cluster.runs}, this is {signature()}; install the same version on all machines",
+            file=where,
+        )
+
+
+def _end_on_signal() -> None:
+    """End as by an interrupt where the system asks for it."""
+    task = asyncio.current_task()
+    assert task is not None
+    if sys.platform != "win32":  # which has no such signal, and whose loops take none
+        asyncio.get_running_loop().add_signal_handler(signal.SIGTERM, task.cancel)

@@ -1,0 +1,97 @@
+"""Whether products may lie where a run is told: said before anything is computed or remembered."""
+
+from __future__ import annotations
+
+import os
+import secrets
+from collections.abc import Sequence
+from pathlib import Path
+from urllib.parse import urlsplit
+
+from raybundle.errors import InputError
+from raybundle.pipeline.copies import check_copies
+from raybundle.pipeline.objects import Objects, objects_at
+from raybundle.pipeline.store import StoreLost, whole_url
+from raybundle.settings import option
+
+READ_ONLY = {"http", "https"}
+"""Protocols by which nothing can be kept."""
+KINDS = "as s3://bucket/folder, gs://, az:// or file:///folder"
+
+
+def check_store(given: str, *, out: Path, apart: Sequence[Path] = (), lasting: bool = True) -> None:
+    """Raise InputError for a URL where the products of a run cannot lie, with the setting as it was given.
+
+    given    the URL
+    out      project or result folder of the run
+    apart    what the run reads: folders of photographs, photographs, a block
+    lasting  whether the place is one for good: it gets what it is known by; or nothing of this is left there
+    """
+    named = option("store", shown_url(given))
+    if "://" not in given:
+        raise InputError(f"{named} is no URL; {KINDS}")
+    try:
+        scheme, secret = urlsplit(given).scheme, urlsplit(given).password
+    except ValueError as error:
+        raise InputError(f"{named} is no URL ({error}); {KINDS}") from None
+    if secret:
+        raise InputError(
+            f"{named} was given with a secret, which others would read in what is kept and said of a run; give it as "
+            "the tools of this service take it"
+        )
+    if scheme in READ_ONLY:
+        raise InputError(f"{named}: nothing can be kept by {scheme}; give an object store, {KINDS}")
+    if scheme == "memory":
+        raise InputError(
+            f"{named} keeps nothing: it lies in the memory of this process and is gone with it; give a place, {KINDS}"
+        )
+    try:
+        place = objects_at(whole_url(given))
+        folder = place.folder
+        if folder is not None:
+            _check_folder(named, folder, out, apart)
+        check_copies()
+        _check_written(place, lasting=lasting)
+    except StoreLost as error:
+        raise InputError(f"{named}: {error.what}") from None
+
+
+def shown_url(url: str) -> str:
+    """A URL as it may be shown: without a secret."""
+    try:
+        parts = urlsplit(url)
+        return parts._replace(netloc=parts.hostname or "").geturl() if parts.password else url
+    except ValueError:
+        return url
+
+
+def _check_folder(named: str, folder: Path, out: Path, apart: Sequence[Path]) -> None:
+    """Raise InputError for a folder on this machine that holds something else, or cannot be made."""
+    if folder.exists() and not folder.is_dir():
+        raise InputError(f"{named} is a file; give a folder")
+    place = Path(os.path.realpath(folder))
+    for other, what in ((out, "the result"), *((p, "what the run reads") for p in apart)):
+        at = Path(os.path.realpath(other))
+        inside = at == place or at in place.parents if at.is_dir() or other == out else at.parent == place
+        if inside:
+            raise InputError(f"{named} lies in the folder of {what} ({other}); give a folder of its own")
+    try:
+        folder.mkdir(parents=True, exist_ok=True)
+    except OSError as error:
+        raise InputError(f"{named} cannot be made: {error.strerror or error}; give a folder that can") from None
+    probe = folder / f".probe.{secrets.token_hex(4)}"
+    try:
+        probe.write_bytes(b"")
+        probe.unlink()
+    except OSError as error:
+        raise InputError(f"{named} cannot be written: {error.strerror or error}; give a folder that can") from None
+
+
+def _check_written(place: Objects, *, lasting: bool) -> None:
+    """Write what the place is known by; raises StoreLost, InputError."""
+    if lasting:
+        place.check()
+        return
+    probe = Objects(f"{place.url}/probe-{secrets.token_hex(8)}")
+    probe.check()
+    probe.clear()
