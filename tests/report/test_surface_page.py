@@ -9,7 +9,7 @@ import pytest
 from raybundle.report.figures.raster import classed, shaded
 from raybundle.report.sigma_classes import sigma_classes
 from raybundle.report.surface_page import write_surface_page
-from raybundle.surfaces.summary import HeightSummary, MapSummary, SurfaceSummary, reduced
+from raybundle.surfaces.summary import HeightSummary, MapSummary, OrthophotoSummary, SurfaceSummary, reduced
 
 
 def summary(unit="m"):
@@ -84,3 +84,17 @@ def test_pictures_of_any_shape_are_drawn(shape):
 def test_what_was_not_measured_is_grey():
     values = np.array([[1.0, np.nan], [2.0, 3.0]])
     assert (shaded(values, 1.0)[0][0, 1] == (236, 239, 242)).all()
+
+
+@pytest.mark.parametrize(
+    ("language", "words"), [("en", "70 % of its pixels are seen"), ("de", "seiner Pixel sieht eine Aufnahme")]
+)
+def test_the_orthophoto_is_shown_with_what_its_places_are_good_for(tmp_path, language, words):
+    picture = np.full((20, 30, 4), 255, np.uint8)
+    picture[:6] = 0
+    shown = OrthophotoSummary(picture=picture, pixel=0.01, left=0.0, top=1.0, share=0.7, sigma=0.0005)
+    told = page(tmp_path, replace(summary(), orthophoto=shown), language=language).replace("\N{NO-BREAK SPACE}", " ")
+    assert words in told
+    assert re.search("0[.,]50 mm", told[told.index('id="orthophoto"') :])
+    none = replace(shown, picture=picture * 0, share=0.0, sigma=float("nan"))
+    assert "nan" not in page(tmp_path, replace(summary(), orthophoto=none))

@@ -276,3 +276,15 @@ def test_gltf_says_what_it_holds(made):
     told = json.loads(data[20 : 20 + length])
     assert told["asset"]["extras"]["unit"] == "m"
     assert int.from_bytes(data[8:12], "little") == len(data)
+
+
+def test_a_full_disk_is_told_and_leaves_nothing_half_written(made, half, monkeypatch):
+    def full(*_args):
+        raise OSError(28, "No space left on device")
+
+    before = (made[1] / "mesh.obj").read_bytes()
+    monkeypatch.setattr("raybundle.workflows.surface_products.mesh._write_glb", full)
+    with pytest.raises(InputError, match=r"No space left on device; free space or choose another folder"):
+        surface(half / "block", made[1], photos=(half,), jobs=1, **{**ASKED, "mesh": 0.2})
+    assert (made[1] / "mesh.obj").read_bytes() == before
+    assert not list(made[1].glob(".*.partial"))
