@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-import csv
 from collections.abc import Iterator
 from dataclasses import dataclass
 from pathlib import Path
 
 import numpy as np
+
+from raybundle.io.reading.rows import BadRow, cells_of
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -60,7 +61,10 @@ def sameness(first: Path, second: Path) -> Sameness:
 
 def _differences(a: str, b: str) -> Iterator[tuple[str, float]] | None:
     """Largest difference of each column; None where rows, columns or texts are others."""
-    one, other = (list(csv.reader(text.splitlines())) for text in (a, b))
+    try:
+        one, other = (list(cells_of(text.splitlines())) for text in (a, b))
+    except BadRow:
+        return None
     if [len(row) for row in one] != [len(row) for row in other] or one[0] != other[0]:
         return None
     found: list[tuple[str, float]] = []

@@ -64,7 +64,7 @@ def _row(o: Opened, number: int, r: Region) -> list[float]:
     rows, columns = np.nonzero(r.cells)
     x, y = o.places(np.array([[columns.mean() + 0.5, rows.mean() + 0.5]]))[0]
     numbers = (r.area, r.area_sigma, r.mean, r.mean_sigma, r.volume, r.volume_sigma, r.edge, r.peak)
-    return [float(number), float(x), float(y), *map(float, numbers)]
+    return np.array([number, x, y, *numbers], float).tolist()
 
 
 def _areas(o: Opened, row: list[float], r: Region) -> list[Drawn]:
