@@ -112,6 +112,12 @@ def test_heights_are_written_with_what_orientation_does_to_them(half, tmp_path):
         read_heights(tmp_path / "s")
 
 
+def test_a_language_that_there_is_not_is_told_before_anything_is_measured(half, tmp_path):
+    with pytest.raises(InputError, match="xx"):
+        surface(half / "block", tmp_path / "s", photos=(half,), language="xx")
+    assert not (tmp_path / "s").exists()
+
+
 def test_a_plane_is_asked_for_with_heights_alone(half, tmp_path):
     with pytest.raises(InputError, match="vertical= says where heights are given; ask for them with dsm="):
         surface(half / "block", tmp_path / "s", photos=(half,), vertical=True)

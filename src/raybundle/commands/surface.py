@@ -109,6 +109,7 @@ def run_surface(settings: SurfaceSettings, progress: Progress = silent) -> Measu
     """Measure what the settings ask for, and write the points."""
     from raybundle.io.formats.base import FREE_SCALE, GIVE_SCALE  # noqa: PLC0415
     from raybundle.pipeline.project import discard_empty, photographs_of  # noqa: PLC0415
+    from raybundle.report.languages.language import language_of  # noqa: PLC0415
     from raybundle.workflows.sources import read_source, result_within  # noqa: PLC0415
     from raybundle.workflows.surface import surface as measured  # noqa: PLC0415
     from raybundle.workflows.surface_product import Context  # noqa: PLC0415
@@ -138,6 +139,7 @@ def run_surface(settings: SurfaceSettings, progress: Progress = silent) -> Measu
     _check_out(out)
     for name in wanted:
         PRODUCTS[name].check()
+    language_of(s.language, [])  # one that there is not is told before anything is measured
     grids = _grid_of(s, result, export, progress)
     try:
         done = measured(
@@ -166,6 +168,7 @@ def _write_page(
     done: Surface, out: Path, context: Context, told: tuple[str, ...], *, name: str, language: str
 ) -> None:  # fmt: skip
     """Write the page that shows how complete and how good the surface is."""
+    from raybundle.report.languages.language import language_of  # noqa: PLC0415
     from raybundle.report.network_page import write_network_page  # noqa: PLC0415
     from raybundle.report.surface_page import write_surface_page  # noqa: PLC0415
     from raybundle.workflows.height_files import HeightFile  # noqa: PLC0415
@@ -176,7 +179,7 @@ def _write_page(
         file = HeightFile.of(done.heights.grid, context.plane, context.unit, done.block.name)
     summary = summary_of(done, context.unit, file)
     write_surface_page(summary, out / PAGE, name=name, remarks=told, language=language)
-    title = f"Surface of {name}"
+    title = language_of(language, [name]).text(f"Surface of {name}")
     cloud = sample_of(done) if len(done) else None
     write_network_page(done.adjustment, out / IN_3D, title=title, language=language, cloud=cloud)
 
