@@ -254,6 +254,7 @@ def test_from_a_stage_by_the_beginning_of_its_name(done, photos, tmp_path, capsy
     capsys.readouterr()
     assert main(["status", str(project)]) == 0
     told = {line.split()[0]: line for line in capsys.readouterr().out.splitlines()[1:]}
+    assert "in its folder" in told.pop("products:")
     assert list(told) == list(stages())
     cached = {name for name, line in told.items() if "from cache" in line}
     wanted = set(stages()[: stages().index(first)]) - {"photographs", "adjustment"}
