@@ -28,7 +28,8 @@ def summary(unit="m"):
     )  # fmt: skip
     return SurfaceSummary(
         points=1000, unit=unit, sigma=(0.0005, 0.001, 0.002), parts=np.full((3, 3), 0.0003),
-        rays=np.array([0, 0, 300, 700]), incidence=0.01, correlation=np.array([[0.0, 1.0], [5.0, 0.1]]), maps=maps,
+        shares=(0.4, 0.3, 0.3), rays=np.array([0, 0, 300, 700]), incidence=0.01, maps=maps,
+        correlation=np.array([[0.0, 1.0], [5.0, 0.1]]),
         left_out=(("d.jpg", "no other photograph is of use with it"),), heights=heights,
     )  # fmt: skip
 

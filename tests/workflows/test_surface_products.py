@@ -2,6 +2,7 @@
 
 import json
 import re
+from dataclasses import replace
 
 import cv2
 import numpy as np
@@ -10,9 +11,10 @@ import trimesh
 from scipy.spatial import KDTree
 
 from raybundle.adjustment.predict import predicted_px
+from raybundle.block import PixelFrame
 from raybundle.commands.surface import surface
 from raybundle.errors import InputError
-from raybundle.io.block.folder import read_block
+from raybundle.io.block.folder import read_block, write_block
 from raybundle.io.formats import las as las_format
 from raybundle.io.formats.las import steps_for
 from raybundle.io.reading.trees import read_toml
@@ -54,6 +56,21 @@ def test_all_are_written_and_told(made):
     told = {name: " ".join(w.told) for name, w in done.written}
     assert re.search(r"standard deviation of a place in plan [\d.]+ m in the median", told["ortho"])
     assert "3 depth maps" in told["depths"]
+
+
+def test_a_file_that_is_stored_turned_gives_the_same_orthophoto(made, half, tmp_path):
+    block = read_block(half / "block")
+    k, camera = 0, block.cameras[0]
+    for i, name in enumerate(block.images.file):
+        picture = cv2.imread(str(half / name))
+        cv2.imwrite(str(tmp_path / name), cv2.rotate(picture, cv2.ROTATE_180) if i == k else picture)
+    frame = PixelFrame(turned=180, width_px=camera.width_px, height_px=camera.height_px)
+    write_block(replace(block, images=replace(block.images, frames={k: frame})), tmp_path / "block")
+    done = surface(tmp_path / "block", tmp_path / "s", photos=(tmp_path,), jobs=1, density="4", dsm=CELL, ortho=PIXEL)
+    assert not done.surface.left_out
+    for name in ("orthophoto.tif", "orthophoto_sigma.tif"):
+        with rasterio.open(made[1] / name) as one, rasterio.open(tmp_path / "s" / name) as other:
+            assert np.array_equal(one.read(), other.read(), equal_nan=True)
 
 
 def test_a_pixel_of_the_orthophoto_has_the_colour_of_what_is_there(made, half):

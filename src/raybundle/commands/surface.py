@@ -15,6 +15,7 @@ from raybundle.settings import ANY, NOT_NEGATIVE, POSITIVE, made, option, other_
 
 if TYPE_CHECKING:
     from raybundle.io.formats import Export
+    from raybundle.surfaces.summary import SurfaceSummary
     from raybundle.workflows.surface import Surface
     from raybundle.workflows.surface_grids import Grids
     from raybundle.workflows.surface_product import Context, Written
@@ -157,17 +158,17 @@ def run_surface(settings: SurfaceSettings, progress: Progress = silent) -> Measu
         points=done if s.thin is None else thinned(done, s.thin),
     )  # fmt: skip
     written = tuple((name, p.write(done, out, context)) for name, p in sorted(PRODUCTS.items()) if name in wanted)
-    _write_page(done, out, context, grids.told, name=done.block.name or result.resolve().name, language=s.language)
-    sigma, shares = _told(done)
+    name = done.block.name or result.resolve().name
+    told = _write_pages(done, out, context, grids.told, name=name, language=s.language)
     return MeasuredSurface(
-        surface=done, written=written, remarks=grids.told, unit=unit, median_sigma=sigma, shares=shares
+        surface=done, written=written, remarks=grids.told, unit=unit, median_sigma=told.sigma[0], shares=told.shares
     )
 
 
-def _write_page(
+def _write_pages(
     done: Surface, out: Path, context: Context, told: tuple[str, ...], *, name: str, language: str
-) -> None:  # fmt: skip
-    """Write the page that shows how complete and how good the surface is."""
+) -> SurfaceSummary:  # fmt: skip
+    """Write the pages that show how complete and how good the surface is, and itself; what the first one tells."""
     from raybundle.report.languages.language import language_of  # noqa: PLC0415
     from raybundle.report.network_page import write_network_page  # noqa: PLC0415
     from raybundle.report.surface_page import write_surface_page  # noqa: PLC0415
@@ -182,6 +183,7 @@ def _write_page(
     title = language_of(language, [name]).text(f"Surface of {name}")
     cloud = sample_of(done) if len(done) else None
     write_network_page(done.adjustment, out / IN_3D, title=title, language=language, cloud=cloud)
+    return summary
 
 
 def _grid_of(s: SurfaceSettings, result: Path, export: Export, progress: Progress) -> Grids:
@@ -220,16 +222,3 @@ def _check_out(out: Path) -> None:
     others = {p.name for p in out.iterdir()} - {WORK, PAGE, IN_3D} - files_of_all() if out.is_dir() else set[str]()
     if others:
         raise InputError(f"holds {min(others)}, which is not of a surface; choose another {option('out')}", file=out)
-
-
-def _told(done: Surface) -> tuple[float, tuple[float, float, float]]:
-    """The median standard deviation along the ray, and the median shares of its parts."""
-    import numpy as np  # noqa: PLC0415
-
-    parts = [np.asarray(c.parts[::7], float) ** 2 for c in done.parts()]
-    square = np.concatenate(parts) if parts else np.zeros((0, 3))
-    if not len(square):
-        return float("nan"), (0.0, 0.0, 0.0)
-    total = square.sum(axis=1)
-    noise, roughness, orientation = np.median(square / total[:, None], axis=0).tolist()
-    return float(np.median(np.sqrt(total))), (noise, roughness, orientation)

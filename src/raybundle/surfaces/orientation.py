@@ -183,6 +183,15 @@ class CommonRoot:
     root: Array
     """(k, q) root root' is their covariance, or an estimate of it by q draws"""
 
+    def as_arrays(self) -> dict[str, Array]:
+        """What a store keeps."""
+        return {"unknowns": self.unknowns, "root": self.root}
+
+    @classmethod
+    def of_arrays(cls, a: Mapping[str, Array]) -> CommonRoot:
+        """That of `as_arrays`."""
+        return cls(unknowns=np.asarray(a["unknowns"]), root=np.asarray(a["root"]))
+
     @classmethod
     def of(cls, joint: JointOrientation) -> CommonRoot:
         """Exact where there are no more unknowns than `MOST_ERRORS`, else projected on so many at random.

@@ -92,6 +92,8 @@ class SurfaceSummary:
     """standard deviation along the ray: quantiles of all points"""
     parts: Array
     """(3, quantiles) the same of noise, roughness, orientation and calibration"""
+    shares: tuple[float, float, float]
+    """of noise, roughness and orientation in the variance, in the median"""
     rays: Array
     """(n,) points by the number of photographs that measured them, from 0"""
     incidence: float

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from contextlib import AbstractContextManager
 from dataclasses import dataclass, field
 from pathlib import Path
@@ -20,7 +20,7 @@ from raybundle.numerics.arrays import Array
 from raybundle.surfaces.height_model import HeightModel, Holes
 from raybundle.surfaces.heights import Heights
 from raybundle.workflows.height_grid import HeightGrid
-from raybundle.workflows.height_tiles import BLOCK_CELLS, TILE_CELLS, moved_of
+from raybundle.workflows.height_tiles import BLOCK_CELLS, TILE_CELLS, Window, moved_of, tile_of_number, tiles_across
 from raybundle.workflows.object_plane import MapLevel, Plane
 from raybundle.workflows.surface import Surface
 
@@ -100,13 +100,15 @@ class _Whole:
 
 def write_heights(surface: Surface, file: HeightFile, out: Path) -> tuple[str, ...]:
     """Write the files of the heights of a surface tile by tile; what is to be told of them."""
-    whole = _Whole()
+    measured, whole = surface.heights, _Whole()
+    assert measured is not None
     with new_files(*(out / f for f in FILES)) as (heights, sigmas, about, moved):
         with file.new(heights, ("height",)) as write_height, file.new(sigmas, BANDS) as write_sigmas:
-            for tile, x, y, width, height in _tiles(file):
-                one, many = _tile(surface, file, whole, (tile, x, y, width, height))
-                write_height(x, y, one)
-                write_sigmas(x, y, many)
+            for tile in range(tiles_across(measured.grid) * -(-file.height // TILE_CELLS)):
+                window = tile_of_number(measured.grid, tile)
+                one, many = _tile(surface, file, whole, tile, window)
+                write_height(window.x, window.y, one)
+                write_sigmas(window.x, window.y, many)
         if whole.moved is None:
             raise InputError("no point of the surface lies above the area of the heights; choose another")
         np.savez_compressed(moved, moved=whole.moved, block=np.array(BLOCK_CELLS))
@@ -118,15 +120,12 @@ def write_heights(surface: Surface, file: HeightFile, out: Path) -> tuple[str, .
     return (f"{told}; standard deviation {sigma:.2g}{unit} in the median",)
 
 
-def _tile(
-    surface: Surface, file: HeightFile, whole: _Whole, window: tuple[int, int, int, int, int]
-) -> tuple[Array, Array]:
+def _tile(surface: Surface, file: HeightFile, whole: _Whole, tile: int, window: Window) -> tuple[Array, Array]:
     """Heights and the bands of the second file (h, w, bands) of a tile."""
-    tile, x, y, width, height = window
     measured = surface.heights
     assert measured is not None
     if tile not in measured.tiles:
-        empty = np.full((height, width, 1), np.nan, np.float32)
+        empty = np.full((window.height, window.width, 1), np.nan, np.float32)
         return empty, np.repeat(empty, len(BANDS), axis=2)
     a = surface.store.wanted(measured.tiles[tile])
     h = Heights.of_arrays(a)
@@ -134,19 +133,11 @@ def _tile(
     if whole.moved is None:
         rows, columns = -(-file.height // BLOCK_CELLS), -(-file.width // BLOCK_CELLS)
         whole.moved = np.zeros((rows, columns, part.shape[2]), np.float32)
-    r, c = y // BLOCK_CELLS, x // BLOCK_CELLS
+    r, c = window.y // BLOCK_CELLS, window.x // BLOCK_CELLS
     whole.moved[r : r + part.shape[0], c : c + part.shape[1]] = part
     whole.add(h, float(a["length"]))
     bands = [h.sigma, *(getattr(h, name).astype(np.float32) for name in KEPT[1:])]
     return h.height[..., None], np.stack(bands, axis=2)
-
-
-def _tiles(file: HeightFile) -> Iterator[tuple[int, int, int, int, int]]:
-    across = -(-file.width // TILE_CELLS)
-    for tile in range(across * -(-file.height // TILE_CELLS)):
-        row, column = divmod(tile, across)
-        x, y = column * TILE_CELLS, row * TILE_CELLS
-        yield tile, x, y, min(TILE_CELLS, file.width - x), min(TILE_CELLS, file.height - y)
 
 
 def write_model(model: HeightModel, file: HeightFile, out: Path) -> None:

@@ -11,7 +11,7 @@ import numpy as np
 from raybundle.adjustment.predict import predicted_px
 from raybundle.block import Block
 from raybundle.io.block.arrays import block_of_arrays
-from raybundle.io.photos.photo import Photo, read_colour
+from raybundle.io.photos.photo import Photo
 from raybundle.io.pictures.resampling import sampled
 from raybundle.numerics.arrays import Array, Index
 from raybundle.pipeline.store import Folder, Product
@@ -30,6 +30,7 @@ from raybundle.workflows.height_tiles import (
     tiles_across,
 )
 from raybundle.workflows.rectify import Grid
+from raybundle.workflows.surface_tasks import colours_of
 
 TILE_PX = 512
 """Side of a tile of an orthophoto: a multiple of what its file has."""
@@ -147,18 +148,11 @@ class _Work:
     @classmethod
     def of(cls, store: Folder, task: PartTask) -> _Work:
         block = block_of_arrays(store.wanted(task.block))
-        pixels = read_colour(task.photo)
-        pixels = np.repeat(pixels[..., None], 3, axis=2) if pixels.ndim == 2 else pixels[..., :3]
-        if pixels.dtype != np.uint8:
-            pixels = (pixels / 257).astype(np.uint8)
         px = float(store.wanted(task.look, ("px",))["px"]) * task.pixels.pixel / task.grid.grid.pixel
-        factor = max(1, int(px))
-        small = cv2.resize(pixels, None, fx=1 / factor, fy=1 / factor, interpolation=cv2.INTER_AREA)
-        root = store.wanted(task.together)
-        together = CommonRoot(unknowns=root["unknowns"], root=root["root"])
+        picture, factor = colours_of(task.photo, block, 0, px)
+        together = CommonRoot.of_arrays(store.wanted(task.together))
         return cls(
-            store=store, task=task, block=block, picture=np.asarray(small),
-            factor=np.array([small.shape[1] / pixels.shape[1], small.shape[0] / pixels.shape[0]]),
+            store=store, task=task, block=block, picture=picture, factor=factor,
             viewer=task.grid.plane.coordinates(block.images.centre[:1])[0],
             shifts=ShiftCovariance.of_arrays(store.wanted(task.shifts)).among(together), choice=dict(task.choice),
             heights=dict(task.heights), grams={},

@@ -18,10 +18,9 @@ from raybundle.surfaces.summary import (
     reduced,
 )
 from raybundle.workflows.height_files import HeightFile
-from raybundle.workflows.height_tiles import TILE_CELLS
+from raybundle.workflows.height_tiles import TILE_CELLS, tile_of_number
 from raybundle.workflows.orthophoto_files import tiles_of
 from raybundle.workflows.surface import Surface
-from raybundle.workflows.surfacing.heights import tile_window
 
 SAMPLE = 7
 """One in so many points tells the quantiles."""
@@ -50,12 +49,20 @@ def summary_of(surface: Surface, unit: str, file: HeightFile | None = None) -> S
         correlation.append(found)
     return SurfaceSummary(
         points=len(surface), unit=unit, sigma=_quantiles(np.sqrt(squares.sum(axis=1))),
-        parts=np.array([_quantiles(np.sqrt(squares[:, k])) for k in range(3)]), rays=rays[: _last(rays)],
+        parts=np.array([_quantiles(np.sqrt(squares[:, k])) for k in range(3)]), shares=_shares(squares),
+        rays=rays[: _last(rays)],
         incidence=grazed / max(len(surface), 1), maps=tuple(maps), left_out=surface.left_out,
         correlation=np.stack([LAGS_PX, np.mean(correlation, axis=0)], axis=1) if maps else np.zeros((0, 2)),
         heights=None if file is None else _heights(surface, file),
         orthophoto=None if surface.orthophoto is None else _orthophoto(surface),
     )  # fmt: skip
+
+
+def _shares(squares: Array) -> tuple[float, float, float]:
+    if not len(squares):
+        return 0.0, 0.0, 0.0
+    noise, roughness, orientation = np.median(squares / squares.sum(axis=1)[:, None], axis=0).tolist()
+    return noise, roughness, orientation
 
 
 def _last(counts: Array) -> int:
@@ -97,7 +104,8 @@ def _heights(surface: Surface, file: HeightFile) -> HeightSummary | None:
     profile = np.full((2, file.width), np.nan)
     middle, known = file.height // 2, 0
     for tile, key in measured.tiles.items():
-        x, y, width, height = tile_window(grid, tile)
+        w = tile_of_number(grid, tile)
+        x, y, width, height = w.x, w.y, w.width, w.height
         a = surface.store.wanted(key, ("height", "local", "step", "orientation"))
         both = np.stack([a["height"], np.hypot(np.hypot(a["local"], a["step"]), a["orientation"])]).astype(float)
         known += int(np.isfinite(both[0]).sum())

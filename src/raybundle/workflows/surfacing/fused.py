@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -10,10 +10,8 @@ import numpy as np
 from raybundle.adjustment.queries import joint_orientation
 from raybundle.adjustment.result import Adjustment
 from raybundle.block import Block
-from raybundle.errors import InputError
 from raybundle.io.block.arrays import arrays_of_block, block_of_arrays
-from raybundle.io.photos.framed import in_camera_frame
-from raybundle.io.photos.photo import Photo, read_colour
+from raybundle.io.photos.photo import Photo
 from raybundle.numerics.arrays import Array
 from raybundle.pipeline.keys import key_of
 from raybundle.pipeline.stage import Means, Stage
@@ -26,7 +24,7 @@ from raybundle.surfaces.pairs import Sources
 from raybundle.surfaces.refine import used_sources
 from raybundle.surfaces.transfer import ReferenceRays, transfer
 from raybundle.workflows.surface_state import SURFACE, Cloud
-from raybundle.workflows.surfacing.maps import PART, part_of
+from raybundle.workflows.surface_tasks import all_done, colours_of, stored_part
 
 VERSION = 2
 SHIFTS, SIGMA, CLOUD = "surface shifts", "surface sigma", "surface points"
@@ -102,10 +100,10 @@ def fuse(i: Inputs, means: Means) -> Fused:
                 name=i.adjustment.adjusted.images.ids[k],
             )
         )  # fmt: skip
-    _done(means, sigma, "standard deviations of depths")
+    all_done(means, sigma, "standard deviations of depths")
     sigmas = {k: t.key for k, t in zip(of, sigma, strict=True)}
     tasks = [_task(i, means, of[k], shifts[k], sigmas) for k in of]
-    _done(means, tasks, "maps against each other")
+    all_done(means, tasks, "maps against each other")
     return Fused(clouds={k: t.key for k, t in zip(of, tasks, strict=True)}, shifts=shifts, sigmas=sigmas)
 
 
@@ -122,21 +120,13 @@ def _shifts(means: Means, adjustment: Adjustment, about: str, s: Sources, t_rang
     return key
 
 
-def _done(means: Means, tasks: Sequence[Task], what: str) -> None:
-    for reason in means.do(tasks, what, apart=True).values():
-        raise InputError(reason)
-
-
 def _task(i: Inputs, means: Means, s: Sources, shifts: str, sigmas: Mapping[int, str]) -> Task:
     """The task of a reference."""
     block, k = i.adjustment.adjusted, s.reference
     pairs = sorted((p for p in s.pairs if p.source in i.maps), key=lambda p: (-p.points, p.source))
     others = sorted(p.source for p in pairs[:MOST_MAPS])
     images = sorted([k, *others])
-    part = arrays_of_block(part_of(block, np.array(images)))
-    own = key_of(PART, VERSION, part)
-    if not means.store.has(own):
-        means.store.store(own, part)
+    own = stored_part(block, images, means.store)
     place = {image: n for n, image in enumerate(images)}
     maps, sigma = tuple(i.maps[j] for j in (k, *others)), tuple(sigmas[j] for j in (k, *others))
     options = CloudTask(
@@ -200,17 +190,13 @@ def _cloud(
         towards = (n * by_t[part]).sum(axis=1) ** 2
         across[part] = np.stack([(noise + rough)[part] * towards, np.einsum("ni,nij,nj->n", n, C, n)], axis=1)
     used = used_sources(found.views.ravel()[at], found.shift.shape[2])
-    pixels = in_camera_frame(read_colour(task.photo), block, task.own)
+    pixels, _ = colours_of(task.photo, block, task.own)
     colour = pixels[np.floor(xy[:, 1]).astype(int), np.floor(xy[:, 0]).astype(int)]
-    if colour.dtype != np.uint8:
-        colour = (colour / 257).astype(np.uint8)
-    if colour.ndim == 1:
-        colour = np.repeat(colour[:, None], 3, axis=1)
     parts = np.stack([np.sqrt(noise) * length, np.sqrt(rough) * length, along * length], axis=1)
     return Cloud(
         xyz=xyz, sigma=sigma.astype(np.float32), parts=parts.astype(np.float32),
         views=(1 + used.sum(axis=1)).astype(np.uint8), confirmed=confirmed.astype(np.uint8),
-        incidence=np.asarray(found.incidence, np.float32).ravel()[at], colour=colour[:, :3],
+        incidence=np.asarray(found.incidence, np.float32).ravel()[at], colour=colour,
         image=np.full(len(at), task.image, np.int32), normal=normal.astype(np.float32),
         across=np.sqrt(np.maximum(across, 0.0)).astype(np.float32), size=np.sqrt(area).astype(np.float32),
         place=at.astype(np.int64),

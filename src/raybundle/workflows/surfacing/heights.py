@@ -9,8 +9,7 @@ import numpy as np
 
 from raybundle.adjustment.queries import joint_orientation
 from raybundle.adjustment.result import Adjustment
-from raybundle.errors import InputError
-from raybundle.io.block.arrays import arrays_of_block, block_of_arrays
+from raybundle.io.block.arrays import block_of_arrays
 from raybundle.numerics.arrays import Array, Index
 from raybundle.pipeline.keys import key_of
 from raybundle.pipeline.stage import Means, Stage
@@ -25,7 +24,7 @@ from raybundle.surfaces.transfer import ReferenceRays
 from raybundle.workflows.height_grid import HeightGrid
 from raybundle.workflows.height_tiles import BLOCK_CELLS, TILE_CELLS, tile_of_number, tiles_across
 from raybundle.workflows.surface_state import SURFACE, MeasuredHeights
-from raybundle.workflows.surfacing.maps import PART, part_of
+from raybundle.workflows.surface_tasks import all_done, stored_part
 
 VERSION, STEPS_VERSION = 1, 2
 TOGETHER, ABOVE, LAYER, TILE = "surface orientation", "surface above", "surface layer", "surface heights"
@@ -89,44 +88,36 @@ def measure(i: Inputs, means: Means) -> MeasuredHeights:
     refs = sorted(i.clouds)
     together = _together(i, means)
     tasks = [_above(i, means, k, together) for k in refs]
-    _done(means, tasks, "points above the grid")
+    all_done(means, tasks, "points above the grid")
     above = {k: t.key for k, t in zip(refs, tasks, strict=True)}
     there = dict[int, list[int]]()
     for k, key in above.items():
         for tile in means.store.wanted(key, ("tiles",))["tiles"].tolist():
             there.setdefault(tile, []).append(k)
     layers = [_tile(i.grid, tile, mine, [above[k] for k in mine]) for tile, mine in sorted(there.items())]
-    _done(means, layers, "heights")
+    all_done(means, layers, "heights")
     keys = {tile: t.key for tile, t in zip(sorted(there), layers, strict=True)}
     tiles = [_steps(i.grid, tile, keys) for tile in sorted(keys)]
-    _done(means, tiles, "steps between heights")
+    all_done(means, tiles, "steps between heights")
     found = {tile: t.key for tile, t in zip(sorted(keys), tiles, strict=True)}
     return MeasuredHeights(grid=i.grid, tiles=found, above=above, together=together)
-
-
-def _done(means: Means, tasks: Sequence[Task], what: str) -> None:
-    for reason in means.do(tasks, what, apart=True).values():
-        raise InputError(reason)
 
 
 def _together(i: Inputs, means: Means) -> str:
     """The key of the independent errors behind all orientations."""
     images = sorted({j for s in i.chosen if s.reference in i.clouds for j in (s.reference, *s.sources)})
-    key = key_of(TOGETHER, VERSION, arrays_of_block(i.adjustment.adjusted), i.adjustment.options, images)
+    # what each reference shifts by depends on all that this does
+    key = key_of(TOGETHER, VERSION, [i.shifts[k] for k in sorted(i.clouds)], images)
     if not means.store.has(key):
-        made = CommonRoot.of(joint_orientation(i.adjustment, images))
-        means.store.store(key, {"unknowns": made.unknowns, "root": made.root})
+        means.store.store(key, CommonRoot.of(joint_orientation(i.adjustment, images)).as_arrays())
     return key
 
 
 def _above(i: Inputs, means: Means, k: int, together: str) -> Task:
     """The task of a reference."""
     block = i.adjustment.adjusted
-    part = arrays_of_block(part_of(block, np.array([k])))
-    own = key_of(PART, VERSION, part)
-    if not means.store.has(own):
-        means.store.store(own, part)
-    points = len(means.store.wanted(i.clouds[k], ("image",))["image"])
+    own = stored_part(block, [k], means.store)
+    points = len(means.store.lent(i.clouds[k], ("image",))["image"])
     inputs = (own, i.clouds[k], i.maps[k], i.shifts[k], together)
     options = AboveTask(block=own, cloud=i.clouds[k], map=i.maps[k], shifts=i.shifts[k], together=together, grid=i.grid)
     return Task(
@@ -161,12 +152,6 @@ def _steps(grid: HeightGrid, tile: int, layers: Mapping[int, str]) -> Task:
     )  # fmt: skip
 
 
-def tile_window(grid: HeightGrid, tile: int) -> tuple[int, int, int, int]:
-    """First column and row of a tile, and how many of them it has."""
-    w = tile_of_number(grid, tile)
-    return w.x, w.y, w.width, w.height
-
-
 def above_of(store: Folder, task: AboveTask) -> Product:
     """The task: the points of a reference above the grid, tile by tile, and how orientation moves parts of tiles."""
     cloud = store.wanted(task.cloud, ("xyz", "normal", "across", "size", "place"))
@@ -180,10 +165,8 @@ def above_of(store: Folder, task: AboveTask) -> Product:
     kept = (upright > STEEPEST * size) & (cells >= 0).all(axis=1) & (cells < [g.width, g.height]).all(axis=1)
     at = np.flatnonzero(kept)
     column, row = cells[at].T
-    block = (row // BLOCK_CELLS).astype(np.int64) * -(-g.width // BLOCK_CELLS) + (column // BLOCK_CELLS).astype(
-        np.int64
-    )
-    tile = (row // TILE_CELLS).astype(np.int64) * tiles_across(task.grid) + (column // TILE_CELLS).astype(np.int64)
+    block = _number(column, row, BLOCK_CELLS, g.width)
+    tile = _number(column, row, TILE_CELLS, g.width)
     order = np.lexsort((block, tile))
     at, tile, block = at[order], tile[order], block[order]
     tiles, begin = np.unique(tile, return_index=True)
@@ -219,8 +202,7 @@ def _moved(
         b + np.unique(np.linspace(0, n - 1, min(n, SAMPLES)).astype(int)) for b, n in zip(begin, count, strict=True)
     ]
     chosen = np.concatenate(some) if some else np.zeros(0, int)
-    root = store.wanted(task.together)
-    together = CommonRoot(unknowns=root["unknowns"], root=root["root"])
+    together = CommonRoot.of_arrays(store.wanted(task.together))
     shifts = ShiftCovariance.of_arrays(store.wanted(task.shifts)).among(together)
     found = DepthMap.of_arrays(store.wanted(task.map))
     place = cloud["place"][at[chosen]]
@@ -240,7 +222,7 @@ def _moved(
 
 def tile_of(store: Folder, task: TileTask) -> Product:
     """The task: the heights of a tile, and by how much each reference weighs in its parts."""
-    x, y, width, height = tile_window(task.grid, task.tile)
+    own = tile_of_number(task.grid, task.tile)
     parts, lengths = list[PointsOfCells](), list[float]()
     for image, key in zip(task.images, task.above, strict=True):
         a = store.lent(key)
@@ -249,7 +231,7 @@ def tile_of(store: Folder, task: TileTask) -> Product:
         lengths.append(float(a["length"]))
         parts.append(
             PointsOfCells(
-                column=a["column"][mine] - x, row=a["row"][mine] - y, height=a["height"][mine],
+                column=a["column"][mine] - own.x, row=a["row"][mine] - own.y, height=a["height"][mine],
                 slope=np.asarray(a["slope"][mine], float), local=np.asarray(a["local"][mine], float),
                 orientation=np.asarray(a["orientation"][mine], float),
                 image=np.full(mine.stop - mine.start, image, np.int32),
@@ -257,10 +239,10 @@ def tile_of(store: Folder, task: TileTask) -> Product:
         )  # fmt: skip
     points = PointsOfCells.joined(parts)
     length = float(np.average(lengths, weights=[max(len(p), 1) for p in parts]))
-    found, weights = on_grid(points, (height, width), length)
-    across = -(-width // BLOCK_CELLS)
-    block = _number(points.column, points.row, BLOCK_CELLS, width)
-    share = np.zeros((len(task.images), across * -(-height // BLOCK_CELLS)))
+    found, weights = on_grid(points, (own.height, own.width), length)
+    across = -(-own.width // BLOCK_CELLS)
+    block = _number(points.column, points.row, BLOCK_CELLS, own.width)
+    share = np.zeros((len(task.images), across * -(-own.height // BLOCK_CELLS)))
     row_of = np.searchsorted(np.array(task.images), points.image)
     np.add.at(share, (row_of, block), weights)
     share /= np.maximum(share.sum(axis=0), 1e-300)
@@ -272,22 +254,17 @@ def tile_of(store: Folder, task: TileTask) -> Product:
 
 def steps_in(store: Folder, task: StepTask) -> Product:
     """The task: the heights of a tile, with what steps within the resolution do to them."""
-    own = dict(store.wanted(task.own))
-    length = float(own["length"])
-    x, y, width, height = tile_window(task.grid, task.tile)
+    found, own = dict(store.wanted(task.own)), tile_of_number(task.grid, task.tile)
+    length = float(found["length"])
     rim = min(halo(length), TILE_CELLS)
-    around = np.full((2, height + 2 * rim, width + 2 * rim), np.nan)
+    window = own.grown(rim)
+    height, local = (np.full((window.height, window.width), np.nan) for _ in range(2))
     for tile, key in ((task.tile, task.own), *task.others):
         a = store.lent(key, ("height", "local"))
-        u, v, w, h = tile_window(task.grid, tile)
-        left, top = max(u, x - rim), max(v, y - rim)
-        right, bottom = min(u + w, x + width + rim), min(v + h, y + height + rim)
-        to = slice(top - y + rim, bottom - y + rim), slice(left - x + rim, right - x + rim)
-        by = slice(top - v, bottom - v), slice(left - u, right - u)
-        for values, name in zip(around, ("height", "local"), strict=True):
-            values[to] = a[name][by]
-    steps = steps_of(around[0], around[1], length, task.grid.grid.pixel)
-    return {**own, "step": steps[rim : rim + height, rim : rim + width]}
+        for into, name in ((height, "height"), (local, "local")):
+            window.take(into, tile_of_number(task.grid, tile), a[name])
+    steps = steps_of(height, local, length, task.grid.grid.pixel)
+    return {**found, "step": steps[rim : rim + own.height, rim : rim + own.width]}
 
 
 STAGE = SURFACE.register(

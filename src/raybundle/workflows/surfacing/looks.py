@@ -11,8 +11,8 @@ import numpy as np
 from raybundle.adjustment.predict import predicted_px
 from raybundle.block import Block
 from raybundle.errors import InputError
-from raybundle.io.block.arrays import arrays_of_block, block_of_arrays
-from raybundle.io.photos.photo import Photo, read_colour
+from raybundle.io.block.arrays import block_of_arrays
+from raybundle.io.photos.photo import Photo
 from raybundle.numerics.arrays import Array, Index
 from raybundle.pipeline.keys import key_of
 from raybundle.pipeline.stage import Means, Stage
@@ -26,14 +26,12 @@ from raybundle.surfaces.sight_lines import SIGMAS, seen_from
 from raybundle.surfaces.transfer import ReferenceRays
 from raybundle.workflows.height_grid import HeightGrid
 from raybundle.workflows.height_tiles import TILE_CELLS, Window, around, heights_in, tile_of_number
+from raybundle.workflows.rectify import STEEPEST
 from raybundle.workflows.surface_state import SURFACE, Looks, MeasuredHeights
-from raybundle.workflows.surfacing.maps import PART, part_of
+from raybundle.workflows.surface_tasks import all_done, colours_of, stored_part
 
-VERSION = 3
+VERSION = 4
 LOOK = "surface looks"
-STEEPEST = 0.26
-"""Cosine of the angle between ray and normal of the plane below which a photograph is not used (75 degrees), as in
-`rectify`."""
 PROBES = 16
 """Cells along the side of a tile that are asked whether a photograph shows any of them."""
 GRAZING = 0.05
@@ -77,8 +75,7 @@ def measure(i: Inputs, means: Means) -> Looks:
     """All photographs by tasks, and their gains."""
     there = _tiles_of_each(i, means.store)
     tasks = {k: _task(i, means, k, tiles) for k, tiles in there.items() if tiles}
-    for reason in means.do(list(tasks.values()), "what photographs see", apart=True).values():
-        raise InputError(reason)
+    all_done(means, list(tasks.values()), "what photographs see")
     keys = {k: t.key for k, t in tasks.items()}
     if not keys:
         raise InputError("no photograph sees the area of the orthophoto; choose another")
@@ -110,10 +107,7 @@ def _some_points(heights: MeasuredHeights, tile: int, store: Folder) -> Array:
 
 
 def _task(i: Inputs, means: Means, k: int, tiles: list[int]) -> Task:
-    part = arrays_of_block(part_of(i.block, np.array([k])))
-    own = key_of(PART, VERSION, part)
-    if not means.store.has(own):
-        means.store.store(own, part)
+    own = stored_part(i.block, [k], means.store)
     heights = tuple(i.heights.tiles[t] for t in tiles)
     options = LookTask(
         block=own, photo=i.photos[k], map=i.maps[k], tiles=tuple(tiles), heights=heights,
@@ -151,7 +145,7 @@ def look_of(store: Folder, task: LookTask) -> Product:
         along = np.maximum(1 - (right * away[:, 0] + up * away[:, 1]) / away[:, 2], GRAZING)
         size = np.hypot(g.grid.pixel / (scale * np.sqrt(along))[kept], task.pixel) / task.pixel
         cost.reshape(-1)[cells[kept]] = np.log(size) - np.log(facing[kept])
-        colour.reshape(-1, 3)[cells] = _colours(read_colour(task.photo), xy, px)
+        colour.reshape(-1, 3)[cells] = _colours(task.photo, block, xy, px)
     tiles = [tile_of_number(g, t) for t in task.tiles]
     costs = np.full((len(tiles), TILE_CELLS, TILE_CELLS), np.inf, np.float16)
     colours = np.zeros((len(tiles), TILE_CELLS, TILE_CELLS, 3), np.uint8)
@@ -207,16 +201,9 @@ def _nothing_before(store: Folder, task: LookTask, block: Block, xyz: Array, xy:
         return ~(there - t > SIGMAS * theirs + room)
 
 
-def _colours(pixels: Array, xy: Array, px: float) -> Array:
+def _colours(photo: Photo, block: Block, xy: Array, px: float) -> Array:
     """Means (n, 3) over cells some pixels wide."""
-    factor = max(1, int(px))
-    if pixels.ndim == 2:
-        pixels = np.repeat(pixels[..., None], 3, axis=2)
-    pixels = pixels[..., :3]
-    if pixels.dtype != np.uint8:
-        pixels = (pixels / 257).astype(np.uint8)
-    small = cv2.resize(pixels, None, fx=1 / factor, fy=1 / factor, interpolation=cv2.INTER_AREA)
-    scale = np.array([small.shape[1] / pixels.shape[1], small.shape[0] / pixels.shape[0]])
+    small, scale = colours_of(photo, block, 0, px)
     place = (xy * scale).astype(int)
     return small[np.clip(place[:, 1], 0, small.shape[0] - 1), np.clip(place[:, 0], 0, small.shape[1] - 1)]
 

@@ -8,13 +8,11 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from raybundle.adjustment.result import Adjustment
-from raybundle.block import Block
-from raybundle.block.select import selected
 from raybundle.errors import InputError
-from raybundle.io.block.arrays import arrays_of_block, block_of_arrays
+from raybundle.io.block.arrays import block_of_arrays
 from raybundle.io.photos.framed import in_camera_frame
 from raybundle.io.photos.photo import Photo
-from raybundle.numerics.arrays import Array, Index
+from raybundle.numerics.arrays import Array
 from raybundle.pipeline.executors import Threads
 from raybundle.pipeline.keys import key_of
 from raybundle.pipeline.stage import Means, Stage
@@ -24,10 +22,11 @@ from raybundle.surfaces.depth_map import DepthOptions, depth_map
 from raybundle.surfaces.pairs import Sources
 from raybundle.ties.points import grey_of
 from raybundle.workflows.surface_state import SURFACE, SurfaceOptions, SurfaceState
+from raybundle.workflows.surface_tasks import PART, stored_part
 
 VERSION = 1
-PART, MAP = "surface part", "depth map"
-"""First words of the keys of what is kept"""
+MAP = "depth map"
+"""First word of the keys of what is kept"""
 PIXEL_S = 2.5e-5
 """CPU seconds of a pixel of a map, for the order and the time that is left."""
 PIXEL_BYTES = 450.0
@@ -76,10 +75,7 @@ def measure(i: Inputs, means: Means) -> Maps:
     tasks = list[Task]()
     for s in i.chosen:
         images = np.sort(np.array([s.reference, *s.sources]))
-        part = arrays_of_block(part_of(block, images))
-        own = key_of(PART, VERSION, part)
-        if not means.store.has(own):
-            means.store.store(own, part)
+        own = stored_part(block, images.tolist(), means.store)
         place = {int(image): k for k, image in enumerate(images)}
         photos = tuple(i.photos[int(image)] for image in images)
         options = MapTask(
@@ -101,14 +97,6 @@ def measure(i: Inputs, means: Means) -> Maps:
         raise InputError(f"no depth map could be made: {next(iter(failed.values()))}")
     lost = tuple((s.reference, failed[t.key]) for s, t in zip(i.chosen, tasks, strict=True) if t.key in failed)
     return Maps(keys=made, failed=lost)
-
-
-def part_of(block: Block, images: Index) -> Block:
-    """Some images of a block, ascending, and the points that they see."""
-    inside = np.zeros(len(block.images), bool)
-    inside[images] = True
-    part = selected(block, "image", inside)
-    return selected(part, "point", np.bincount(part.observations.point, minlength=len(part.points)) > 0)
 
 
 def map_of(store: Folder, task: MapTask) -> Product:

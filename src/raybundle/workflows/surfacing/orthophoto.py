@@ -8,8 +8,6 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from raybundle.block import Block
-from raybundle.errors import InputError
-from raybundle.io.block.arrays import arrays_of_block
 from raybundle.io.photos.photo import Photo
 from raybundle.numerics.arrays import Array
 from raybundle.pipeline.keys import key_of
@@ -22,9 +20,9 @@ from raybundle.workflows.height_tiles import TILE_CELLS, Window, tile_of_number
 from raybundle.workflows.orthophoto_pixels import PartTask, tiles_touched
 from raybundle.workflows.rectify import Grid
 from raybundle.workflows.surface_state import SURFACE, Looks, MadeOrthophoto, MeasuredHeights
-from raybundle.workflows.surfacing.maps import PART, part_of
+from raybundle.workflows.surface_tasks import all_done, stored_part
 
-VERSION = 4
+VERSION = 5
 CHOICE, PIXELS = "orthophoto choice", "orthophoto pixels"
 """First words of the keys of what is kept"""
 MOST = 12
@@ -64,14 +62,14 @@ class ChoiceTask:
 def make(i: Inputs, means: Means) -> MadeOrthophoto:
     """All of it by tasks."""
     tasks = {tile: t for tile in sorted(i.heights.tiles) if (t := _choice(i, tile)) is not None}
-    _done(means, list(tasks.values()), "seams")
+    all_done(means, list(tasks.values()), "seams")
     choice = {tile: t.key for tile, t in tasks.items()}
     mine = dict[int, list[int]]()
     for tile, key in choice.items():
         for k in means.store.wanted(key, ("images",))["images"].tolist():
             mine.setdefault(k, []).append(tile)
     parts = {k: _part(i, means, k, tiles, choice) for k, tiles in sorted(mine.items())}
-    _done(means, list(parts.values()), "pixels of the orthophoto")
+    all_done(means, list(parts.values()), "pixels of the orthophoto")
     tiles = dict[int, list[int]]()
     for k, t in parts.items():
         for tile in means.store.wanted(t.key, ("tiles",))["tiles"].tolist():
@@ -80,11 +78,6 @@ def make(i: Inputs, means: Means) -> MadeOrthophoto:
         grid=i.grid, choice=choice, parts={k: t.key for k, t in parts.items()},
         tiles={k: tuple(v) for k, v in sorted(tiles.items())}, gains=i.looks.gains,
     )  # fmt: skip
-
-
-def _done(means: Means, tasks: Sequence[Task], what: str) -> None:
-    for reason in means.do(tasks, what, apart=True).values():
-        raise InputError(reason)
 
 
 def _choice(i: Inputs, tile: int) -> Task | None:
@@ -105,10 +98,7 @@ def _choice(i: Inputs, tile: int) -> Task | None:
 
 def _part(i: Inputs, means: Means, k: int, tiles: Sequence[int], choice: Mapping[int, str]) -> Task:
     """The task of a photograph."""
-    part = arrays_of_block(part_of(i.block, np.array([k])))
-    own = key_of(PART, VERSION, part)
-    if not means.store.has(own):
-        means.store.store(own, part)
+    own = stored_part(i.block, [k], means.store)
     grid = i.heights.grid
     around = tiles_touched(grid, tiles)
     chosen_there = {t: choice[t] for t in around if t in choice}

@@ -1,0 +1,59 @@
+"""What stages of `surface` have in common that work by tasks: parts of blocks, tasks that must not fail, colours."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import cv2
+import numpy as np
+
+from raybundle.block import Block
+from raybundle.block.select import selected
+from raybundle.errors import InputError
+from raybundle.io.block.arrays import arrays_of_block
+from raybundle.io.photos.framed import in_camera_frame
+from raybundle.io.photos.photo import Photo, read_colour
+from raybundle.numerics.arrays import Array, Index
+from raybundle.pipeline.keys import key_of
+from raybundle.pipeline.stage import Means
+from raybundle.pipeline.store import Folder
+from raybundle.pipeline.tasks import Task
+
+PART = "surface part"
+"""First word of the keys of parts of the block"""
+
+
+def part_of(block: Block, images: Index) -> Block:
+    """Some images of a block, ascending, and the points that they see."""
+    inside = np.zeros(len(block.images), bool)
+    inside[images] = True
+    part = selected(block, "image", inside)
+    return selected(part, "point", np.bincount(part.observations.point, minlength=len(part.points)) > 0)
+
+
+def stored_part(block: Block, images: Sequence[int], store: Folder) -> str:
+    """The key of such a part, kept where it is not yet."""
+    arrays = arrays_of_block(part_of(block, np.array(images)))
+    key = key_of(PART, arrays)
+    if not store.has(key):
+        store.store(key, arrays)
+    return key
+
+
+def all_done(means: Means, tasks: Sequence[Task], what: str) -> None:
+    """Do tasks; raises InputError where one of them fails."""
+    for reason in means.do(tasks, what, apart=True).values():
+        raise InputError(reason)
+
+
+def colours_of(photo: Photo, block: Block, image: int, px: float = 1.0) -> tuple[Array, Array]:
+    """A photograph (h, w, 3) uint8 in its camera's frame, and the factors (2,) from the camera's pixels to these.
+
+    px  pixels to a place that is looked up: it is reduced where these are two or more
+    """
+    pixels = in_camera_frame(read_colour(photo), block, image)
+    factor = max(1, int(px))
+    if factor == 1:
+        return pixels, np.ones(2)
+    small = cv2.resize(pixels, None, fx=1 / factor, fy=1 / factor, interpolation=cv2.INTER_AREA)
+    return small, np.array([small.shape[1] / pixels.shape[1], small.shape[0] / pixels.shape[0]])
