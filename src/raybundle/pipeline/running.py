@@ -57,7 +57,7 @@ def running(folder: Path) -> Running | None:
 
 
 def works(folder: Path) -> bool:
-    """Whether a run works in a project now; never where the system has no such lock."""
+    """Whether a run works in a folder now; never where the system has no such lock."""
     lock = lock_of(folder)
     unlock(lock)
     return lock is None and os.name != "nt"

@@ -22,6 +22,7 @@ from raybundle.surfaces.heights import Heights
 from raybundle.workflows.height_grid import HeightGrid
 from raybundle.workflows.height_tiles import BLOCK_CELLS, TILE_CELLS, Window, moved_of, tile_of_number, tiles_across
 from raybundle.workflows.object_plane import MapLevel, Plane
+from raybundle.workflows.rectify import Grid
 from raybundle.workflows.surface import Surface
 
 HEIGHTS, SIGMAS, ABOUT, MOVED = "heights.tif", "heights_sigma.tif", "heights.toml", "heights_orientation.npz"
@@ -59,6 +60,11 @@ class HeightFile:
             left=g.left, top=g.top, cell=g.pixel, width=g.width, height=g.height, block=block, wkt=wkt,
             unit=plane.unit if isinstance(plane, MapLevel) else unit, plane=plane.as_mapping(),
         )  # fmt: skip
+
+    @property
+    def grid(self) -> Grid:
+        """Its cells in the plane."""
+        return Grid(left=self.left, top=self.top, pixel=self.cell, width=self.width, height=self.height)
 
     def new(self, path: Path, names: Sequence[str]) -> AbstractContextManager[Write]:
         """A GeoTIFF of these cells with bands of floats, NaN where nothing was measured."""

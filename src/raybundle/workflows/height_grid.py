@@ -14,9 +14,6 @@ from raybundle.numerics.arrays import Array
 from raybundle.workflows.object_plane import MapLevel, Plane
 from raybundle.workflows.rectify import Grid
 
-STEP = 1e-4
-"""Of the size of a tile, by which a place is moved for a difference of coordinates."""
-
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class HeightPlane:
@@ -76,13 +73,11 @@ class HeightGrid:
 
     def cells(self, uv: Array) -> Array:
         """(n, 2) columns and rows, from the upper left corner, of places (n, 2)."""
-        g = self.grid
-        return np.stack([(uv[:, 0] - g.left) / g.pixel, (g.top - uv[:, 1]) / g.pixel], axis=1)
+        return self.grid.cells(uv)
 
     def places(self, column: Array, row: Array) -> Array:
         """(n, 2) of the plane: the inverse of `cells`."""
-        g = self.grid
-        return np.stack([g.left + column * g.pixel, g.top - row * g.pixel], axis=1)
+        return self.grid.places(np.stack([column, row], axis=1))
 
     def points_at(self, column: Array, row: Array, height: Array) -> Array:
         """(n, 3) of the block, of columns and rows (n,) and heights (n,)."""

@@ -44,13 +44,11 @@ class Opened:
 
     def cells(self, xy: Array) -> Array:
         """(n, 2) columns and rows of places (n, 2)."""
-        f = self.file
-        return np.stack([(xy[:, 0] - f.left) / f.cell, (f.top - xy[:, 1]) / f.cell], axis=1)
+        return self.file.grid.cells(xy)
 
     def places(self, cells: Array) -> Array:
         """(n, 2) coordinates of columns and rows (n, 2)."""
-        f = self.file
-        return np.stack([f.left + cells[:, 0] * f.cell, f.top - cells[:, 1] * f.cell], axis=1)
+        return self.file.grid.places(cells)
 
 
 def opened(folder: Path, widest: float | None = None) -> Opened:

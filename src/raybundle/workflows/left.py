@@ -12,6 +12,7 @@ from pathlib import Path
 from raybundle.errors import InputError
 from raybundle.io.folders import NAME_BYTES, lock_of, place_of, unlock
 from raybundle.pipeline.clusters import TOKEN
+from raybundle.pipeline.running import works
 from raybundle.pipeline.store import Folder
 
 NOTES, STORES = "notes", "stores"
@@ -55,10 +56,8 @@ def left_beside(out: Path) -> tuple[Left, ...]:
 
 
 def _left(folder: Path) -> Left:
-    lock = lock_of(folder)
-    unlock(lock)
     urls = dict.fromkeys(url for _, url in _noted(folder))
-    return Left(folder=folder, bytes=bytes_in(folder), stores=tuple(urls), in_use=lock is None and os.name != "nt")
+    return Left(folder=folder, bytes=bytes_in(folder), stores=tuple(urls), in_use=works(folder))
 
 
 def bytes_in(folder: Path) -> int:

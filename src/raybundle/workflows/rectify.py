@@ -59,6 +59,14 @@ class Grid:
     width: int
     height: int
 
+    def cells(self, xy: Array) -> Array:
+        """(n, 2) columns and rows, from the upper left corner, of places (n, 2) in the plane."""
+        return np.stack([(xy[:, 0] - self.left) / self.pixel, (self.top - xy[:, 1]) / self.pixel], axis=1)
+
+    def places(self, cells: Array) -> Array:
+        """Places (n, 2) in the plane: the inverse of `cells`."""
+        return np.stack([self.left + cells[:, 0] * self.pixel, self.top - cells[:, 1] * self.pixel], axis=1)
+
     def part(self, column: int, row: int, width: int, height: int) -> Grid:
         """So many of its pixels from a column and a row on."""
         left, top = self.left + column * self.pixel, self.top - row * self.pixel
