@@ -254,8 +254,8 @@ def tile_of(store: Folder, task: TileTask) -> Product:
 
 def steps_in(store: Folder, task: StepTask) -> Product:
     """The task: the heights of a tile, with what steps within the resolution do to them."""
-    found, own = dict(store.wanted(task.own)), tile_of_number(task.grid, task.tile)
-    length = float(found["length"])
+    layer, own = dict(store.wanted(task.own)), tile_of_number(task.grid, task.tile)
+    length = float(layer["length"])
     rim = min(halo(length), TILE_CELLS)
     window = own.grown(rim)
     height, local = (np.full((window.height, window.width), np.nan) for _ in range(2))
@@ -264,7 +264,7 @@ def steps_in(store: Folder, task: StepTask) -> Product:
         for into, name in ((height, "height"), (local, "local")):
             window.take(into, tile_of_number(task.grid, tile), a[name])
     steps = steps_of(height, local, length, task.grid.grid.pixel)
-    return {**found, "step": steps[rim : rim + own.height, rim : rim + own.width]}
+    return {**layer, "step": steps[rim : rim + own.height, rim : rim + own.width]}
 
 
 STAGE = SURFACE.register(
