@@ -25,7 +25,7 @@ from threading import Event, Thread
 os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
 
 from blocking import FREE, OPTIONS, generated, read
-from raybundle.adjustment.engine import in_one_piece
+from raybundle.adjustment.engine import in_one_piece, made_by
 from raybundle.blocking.adjusted import in_parts
 from raybundle.numerics import large
 from raybundle.pipeline.store import Folder
@@ -65,7 +65,8 @@ def measured(way: str, path: Path) -> dict[str, float]:
             Thread(target=watch, daemon=True).start()
             parts = in_parts(store=lambda: Folder(Path(work) / "parts"), ready=READY)
             began = time.process_time()
-            done = adjust(block, options, factoring=parts if way == "in files and parts" else in_one_piece)
+            with made_by(parts if way == "in files and parts" else in_one_piece):
+                done = adjust(block, options)
             took = time.process_time() - began
             stop.set()
     count = len(done.given.observations)

@@ -1,6 +1,6 @@
 """CPU seconds and peak memory of every stage of `orient` after the features, for 500 to 8000 simulated photographs.
 
-    python benchmarks/stages_at_size.py [--images 500 1000 2000 4000 8000] [--profile STAGE ...]
+    python benchmarks/stages_at_size.py [--images 500 1000 2000 4000 8000] [--memory GB] [--profile STAGE ...]
 
 A flight in strips over a relief, as square as its number of photographs lets it be, by a camera whose constant and
 distortion differ from what the photographs state; positions with an error of 2 m.  There are no pixels: features are
@@ -208,8 +208,8 @@ class Watch:
         return result
 
 
-def stages(images: int, profiled: Sequence[str], ways: Sequence[str]) -> dict:
-    """Figures of all stages for so many photographs."""
+def stages(images: int, profiled: Sequence[str], ways: Sequence[str], memory_gb: float) -> dict:
+    """Figures of all stages for so many photographs, with so much memory as `orient --memory` states."""
     rng = np.random.default_rng(18)
     folder = WORK / str(images)
     shutil.rmtree(folder, ignore_errors=True)
@@ -224,7 +224,8 @@ def stages(images: int, profiled: Sequence[str], ways: Sequence[str]) -> dict:
         options = OrientOptions(precise=False)
         asked = Asked(inputs=(), name="flight", options=options, given=Given(), method=method)
         state = OrientState(asked=asked, given=Given(), method=method, photos=photos, features=found)
-        run = Run(project=project, executor=Threads(1))  # so that one process does all that is counted
+        # one process does all that is counted
+        run = Run(project=project, memory=1e9 * memory_gb, executor=Threads(1))
 
         def done(name: str, state: OrientState) -> OrientState:
             stage: Stage = ORIENT.stages[name]
@@ -247,7 +248,7 @@ def stages(images: int, profiled: Sequence[str], ways: Sequence[str]) -> dict:
         project.close()
         shutil.rmtree(folder, ignore_errors=True)
     return {
-        "images": images, "oriented": oriented, "pairs": len(state.pairs),
+        "images": images, "memory_gb": memory_gb, "oriented": oriented, "pairs": len(state.pairs),
         "image points": len(result.adjustment.given.observations), "sigma0": round(result.adjustment.sigma0, 4),
         "report_mb": round(report, 1), "stages": watch.figures,
     }  # fmt: skip
@@ -272,9 +273,9 @@ def compared(rows: list[dict], few: int, many: int) -> dict:
     }
 
 
-def kept(new: list[dict]) -> dict:
+def kept(new: list[dict], results: Path) -> dict:
     """These rows among those of earlier runs, and what they say together."""
-    earlier = json.loads(RESULTS.read_text())["rows"] if RESULTS.exists() else []
+    earlier = json.loads(results.read_text())["rows"] if results.exists() else []
     rows = {r["images"]: r for r in (*earlier, *new)}
     ordered = [rows[n] for n in sorted(rows)]
     times = [(n, 4 * n) for n in sorted(rows) if 4 * n in rows]
@@ -290,15 +291,18 @@ def main() -> int:
     parser.add_argument("--images", type=int, nargs="+", default=IMAGES)
     parser.add_argument("--one", type=int, help="so many photographs in this process")
     parser.add_argument("--profile", nargs="*", default=[], metavar="STAGE", help="print where stages spend their time")
+    parser.add_argument("--memory", type=float, default=4.0, metavar="GB", help="as of orient; results apart")
     parser.add_argument("--starts", nargs="+", default=["parts", "growing"], help="kinds of start")
     asked = parser.parse_args()
     if asked.one:
-        print(json.dumps(stages(asked.one, asked.profile, asked.starts)))
+        print(json.dumps(stages(asked.one, asked.profile, asked.starts, asked.memory)))
         return 0
+    bounded = asked.memory != parser.get_default("memory")
+    results = RESULTS.with_stem(f"{RESULTS.stem}_within") if bounded else RESULTS
     for n in asked.images:
-        command = [sys.executable, __file__, "--one", str(n), "--starts", *asked.starts]
+        command = [sys.executable, __file__, "--one", str(n), "--memory", str(asked.memory), "--starts", *asked.starts]
         row = json.loads(measured(command, cpus=1)["output"].splitlines()[-1])
-        RESULTS.write_text(json.dumps(kept([row]), indent=1) + "\n")
+        results.write_text(json.dumps(kept([row], results), indent=1) + "\n")
         print(json.dumps(row), flush=True)
     return 0
 

@@ -106,8 +106,8 @@ def test_a_minimum_in_which_cameras_look_away_is_doubted(monkeypatch):
     whole = adjust(block)
     o = block.observations
 
-    def away(given, observed, options, progress, factoring):
-        found = from_given(given, observed, options, progress, factoring)
+    def away(given, observed, options, progress):
+        found = from_given(given, observed, options, progress)
         lost = [Rejection(kind=RejectionKind.BEHIND_CAMERA) if k % 20 == 0 else None for k in range(len(o))]
         return replace(found, image_observations=replace(found.image_observations, rejected=tuple(lost)))
 

@@ -61,7 +61,7 @@ def all_large(monkeypatch):
 
 def within(block, options, out, memory_gb):
     with within_memory(block, out, memory_gb) as (kept, room):
-        return adjust(kept, options, factoring=room.factoring), room
+        return adjust(kept, options), room
 
 
 @pytest.mark.parametrize(
@@ -187,13 +187,13 @@ def test_what_is_free_decides_where_nothing_is_asked_for(tmp_path, monkeypatch):
     for free, parts in ((0.5 * need, True), (2.0 * need + 1e9, False)):
         monkeypatch.setattr("raybundle.workflows.within_memory.available_memory", lambda free=free: free)
         with within_memory(block, tmp_path / "out", 0.0) as (kept, room):
-            assert bool(adjust(kept, OPTIONS, factoring=room.factoring) and room.parts) == parts
+            assert bool(adjust(kept, OPTIONS) and room.parts) == parts
 
 
 def test_a_small_block_is_one_piece_however_little_is_free(tmp_path, monkeypatch):
     monkeypatch.setattr("raybundle.workflows.within_memory.available_memory", lambda: 1e6)
     with within_memory(flight(), tmp_path / "out", 0.0) as (kept, room):
-        assert adjust(kept, OPTIONS, factoring=room.factoring).converged
+        assert adjust(kept, OPTIONS).converged
         assert not room.parts
 
 
@@ -258,7 +258,7 @@ def test_a_run_that_is_cut_short_goes_on(tmp_path, all_large):
         stopped = None
         with suppress(KeyboardInterrupt), within_memory(block, tmp_path / "result", 0.01) as (kept, room):
             room.executor, stopped = worker, room
-            few = adjust(kept, OPTIONS, factoring=room.factoring)
+            few = adjust(kept, OPTIONS)
         counts.append(len(worker.done))
         del stopped, room, kept
         gc.collect()
@@ -266,7 +266,7 @@ def test_a_run_that_is_cut_short_goes_on(tmp_path, all_large):
     whole = Stopped(1_000_000)
     with within_memory(block, tmp_path / "other", 0.01) as (kept, room):
         room.executor = whole
-        wanted = adjust(kept, OPTIONS, factoring=room.factoring)
+        wanted = adjust(kept, OPTIONS)
     assert np.array_equal(few.image_observations.t, wanted.image_observations.t, equal_nan=True)
     assert len(whole.done) <= sum(counts) <= len(whole.done) + 12  # the sweep that was cut needs what was let go
     del few, wanted, kept, room
@@ -284,7 +284,7 @@ def test_what_cannot_be_solved_leaves_nothing(tmp_path, all_large):
     two_rays = np.isin(np.arange(len(o)), order[np.arange(len(o)) - first < 2])
     poor = with_rows(replace(block, cameras=(camera,), points=level), two_rays)
     with pytest.raises(NotSolvable) as error, within_memory(poor, tmp_path / "result", 0.01) as (kept, room):
-        decide(kept, OPTIONS, factoring=room.factoring)
+        decide(kept, OPTIONS)
     assert room.stores
     del kept, room, error
     gc.collect()
@@ -298,7 +298,7 @@ def test_processes_take_part_where_memory_allows(tmp_path, all_large, monkeypatc
     allowed = (BASE + 500.0 * len(block.observations)) / 1e9
     for jobs in (1, 2):
         with within_memory(block, tmp_path / "result", allowed, jobs=jobs) as (kept, room):
-            results.append(adjust(kept, OPTIONS, factoring=room.factoring))
+            results.append(adjust(kept, OPTIONS))
             assert isinstance(room.executor, Staying) == (jobs == 2)
             assert room.parts > 3
     a, b = (r.image_observations for r in results)

@@ -22,7 +22,6 @@ from raybundle.adjustment.engine import (
     adjust_block,
     as_start,
     free_parameters,
-    in_one_piece,
 )
 from raybundle.adjustment.known_before import against_known
 from raybundle.adjustment.options import AdjustmentOptions
@@ -80,7 +79,7 @@ class Adjusting(Protocol):
 
 def decide(
     block: Block, options: AdjustmentOptions, progress: Progress = silent, *, notices: tuple[Notice, ...] = (),
-    factoring: Factoring = in_one_piece,
+    factoring: Factoring | None = None,
 ) -> Adjustment:  # fmt: skip
     """Adjust a block with approximate values, with the decisions that the options and the block ask for.
 

@@ -6,7 +6,9 @@ What is free and what is rejected is decided by the caller (`decide`); here it i
 from __future__ import annotations
 
 import time
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Generator, Mapping
+from contextlib import contextmanager
+from contextvars import ContextVar
 from dataclasses import replace
 from typing import Literal
 
@@ -74,6 +76,19 @@ def in_one_piece(
     return Normals.of(system, options.jobs)
 
 
+_around: ContextVar[Factoring] = ContextVar("how normal equations are made", default=in_one_piece)
+
+
+@contextmanager
+def made_by(factoring: Factoring) -> Generator[None]:
+    """Normal equations of all adjustments meanwhile are made so, where a call does not say otherwise."""
+    before = _around.set(factoring)
+    try:
+        yield
+    finally:
+        _around.reset(before)
+
+
 def free_parameters(camera: Camera | Instrument) -> tuple[str, ...]:
     """The parameters that an `estimate` frees; "auto" starts with all but affinity and shear."""
     if camera.estimate == "auto":
@@ -92,7 +107,7 @@ def adjust_block(
     notices: tuple[Notice, ...] = (),
     extent: Extent = "report",
     start: Start = "approximate",
-    factoring: Factoring = in_one_piece,
+    factoring: Factoring | None = None,
 ) -> Adjustment:
     """Adjust a block whose images are oriented and whose points have coordinates, approximately.
 
@@ -102,7 +117,8 @@ def adjust_block(
     extent    decisions: of the statistics only redundancy numbers, tests and the interior orientations' covariances;
               tests: without these and what is said of the interior orientations, too
     start     adjusted: the values come from an adjustment of nearly the same; the first step is not damped
-    factoring how the normal equations are made and factored: in one piece, or in parts (`raybundle.blocking`)
+    factoring how the normal equations are made and factored: in one piece, or in parts (`raybundle.blocking`); None: as
+              `made_by` says, else in one piece
     raises    InputError, DatumDefect, RankDefect, NoConvergence
 
     Camera parameters that the network leaves open are kept near what was given (`steady`), and called not determinable.
@@ -148,7 +164,7 @@ def _finished(result: Adjustment, extent: Extent, progress: Progress) -> Adjustm
 
 def _with_settled_components(
     result: Adjustment, block: Block, options: AdjustmentOptions, free: dict[str, tuple[str, ...]],
-    reasons: Rejections, factoring: Factoring,
+    reasons: Rejections, factoring: Factoring | None,
 ) -> Adjustment:  # fmt: skip
     """The result with variance components that are iterated where one step is not enough."""
 
@@ -183,7 +199,7 @@ says more than an error would.
 
 def carry_out(
     block: Block, options: AdjustmentOptions, free: dict[str, tuple[str, ...]], reasons: Rejections,
-    progress: Progress = silent, *, start: Start = "approximate", factoring: Factoring = in_one_piece,
+    progress: Progress = silent, *, start: Start = "approximate", factoring: Factoring | None = None,
 ) -> tuple[Work, Rejections]:  # fmt: skip
     """Estimate and cofactors; observations whose point ends behind the camera or at infinity leave, then once more."""
     mask = np.array([bool(r) for r in reasons], bool)
@@ -239,7 +255,7 @@ def estimate_only(
     returns  the block, and the rows (m,) whose point ended behind the camera or has no projection
     """
     system = assemble(block, options, mask, free)
-    normals = Normals.of(system, options.jobs)
+    normals = _around.get()(system, options, free, mask)
     state = system.initial_state()
     if options.robust_start:
         found = solve(normals, state, options, huber=HUBER, tolerance=1e-1, approximate=True)
@@ -277,7 +293,7 @@ def reject_single_rays(block: Block, reasons: Rejections, mask: Mask) -> tuple[R
 
 def _estimate(
     block: Block, options: AdjustmentOptions, free: dict[str, tuple[str, ...]], mask: Mask, start: Start,
-    progress: Progress, factoring: Factoring,
+    progress: Progress, factoring: Factoring | None,
 ) -> Work:  # fmt: skip
     system = assemble(block, options, mask, free)
     state = system.initial_state()
@@ -291,7 +307,7 @@ def _estimate(
         return open_names(analyse(part, part.initial_state(), replace(options, datum="auto")).basis)
 
     parts = defects.check_components(block, mask, open_of) if datum.defect == 0 or _may_fall_apart(block, mask) else 1
-    normals = factoring(system, options, free, mask)
+    normals = (factoring or _around.get())(system, options, free, mask)
     if options.robust_start:
         state = solve(normals, state, options, huber=HUBER, tolerance=1e-2, approximate=True, progress=progress).state
     damping = FLOOR if start == "adjusted" else CAUTIOUS

@@ -10,7 +10,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from raybundle.adjustment.engine import adjust_block
+from raybundle.adjustment.engine import adjust_block, in_one_piece
 from raybundle.adjustment.options import AdjustmentOptions
 from raybundle.adjustment.result import Adjustment
 from raybundle.block import Block
@@ -32,7 +32,7 @@ def sample_under_noise(result: Adjustment) -> Adjustment | None:
     block = _part(result)
     options = AdjustmentOptions(jobs=result.options.jobs, noise="fields", residuals=result.options.residuals)
     try:
-        found = adjust_block(block, options)
+        found = adjust_block(block, options, factoring=in_one_piece)
     except (InputError, NotSolvable):
         return None
     return found if found.noise.kind == "fields" else None

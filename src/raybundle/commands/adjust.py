@@ -83,7 +83,7 @@ def run_adjust(settings: AdjustSettings, progress: Progress = silent) -> Adjustm
         store=settings.store,
     ) as (read, room):
         block, frame, remarks = in_block_frame(read)
-        done = adjust(block, settings.options(), progress, factoring=room.factoring)
+        done = adjust(block, settings.options(), progress)
     assumed = () if frame is None else frame.remarks
     notices = (
         Notice(code="coordinate_system", message=r, measured=None if r in assumed else Severity.REMARK) for r in remarks

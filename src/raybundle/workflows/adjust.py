@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import time
-from collections.abc import Callable
 from dataclasses import replace
 
 import numpy as np
@@ -11,7 +10,6 @@ import numpy as np
 from raybundle.adjustment import defects
 from raybundle.adjustment.check_points import with_check_notice
 from raybundle.adjustment.decide import decide
-from raybundle.adjustment.engine import Factoring, in_one_piece
 from raybundle.adjustment.entry import check_entry
 from raybundle.adjustment.identical_control import identical_notices
 from raybundle.adjustment.noise_sample import sample_under_noise
@@ -43,13 +41,8 @@ DOUBTED = 10.0
 """sigma0 from which on the approximate values are doubted."""
 
 
-def adjust(
-    block: Block, options: AdjustmentOptions | None = None, progress: Progress = silent, *,
-    factoring: Factoring = in_one_piece,
-) -> Adjustment:  # fmt: skip
+def adjust(block: Block, options: AdjustmentOptions | None = None, progress: Progress = silent) -> Adjustment:
     """Adjust a block, from nothing but observations and control if need be.
-
-    factoring  how the normal equations are made (`adjustment.engine.adjust_block`)
 
     Returns the adjusted block with precision, reliability and everything a report needs; raises InputError
     (bad input) or NotSolvable (no orientation found, datum or rank defect, no convergence).
@@ -64,10 +57,10 @@ def adjust(
     twins = identical_images(block)
     identical = identical_notices(block)
     try:
-        result = _adjusted(block, options, progress, factoring)
+        result = _adjusted(block, options, progress)
     except NotSolvable as error:
         why = [_twin_words(twins)] if twins else [n.message for n in identical]
-        why = why or (_control_words(block, options, factoring) if isinstance(error, NoConvergence) else [])
+        why = why or (_control_words(block, options) if isinstance(error, NoConvergence) else [])
         if why:
             raise error.worded("\n  ".join([str(error), *why])) from error
         raise
@@ -80,7 +73,7 @@ def adjust(
         result = replace(result, notices=(warning, *result.notices))
     doubt = None
     if result.sigma0 > POOR_FIT and block.points.is_control.any() and not identical and not _held(block):
-        doubt = doubted_control(block, result, options, _plainly(factoring))
+        doubt = doubted_control(block, result, options, _plainly)
     plain = (*identical, *([] if doubt is None else [notice(doubt, result.sigma0)]))
     if plain:
         # a large error has bent all others to it: what tests of single values say then is no measure
@@ -179,44 +172,44 @@ def _without_fields(result: Adjustment) -> tuple[Notice, ...]:
     return (Notice(code="noise_in_parts", message=message),)
 
 
-def _plainly(factoring: Factoring) -> Callable[[Block, AdjustmentOptions], Adjustment]:
-    return lambda block, options: _adjust(block, options, silent, factoring)
+def _plainly(block: Block, options: AdjustmentOptions) -> Adjustment:
+    return _adjust(block, options, silent)
 
 
-def _control_words(block: Block, options: AdjustmentOptions, factoring: Factoring) -> list[str]:
+def _control_words(block: Block, options: AdjustmentOptions) -> list[str]:
     """What control has to do with it that nothing can be adjusted."""
     if not block.points.is_control.any() or _held(block):
         return []
-    doubt = doubted_control(block, None, options, _plainly(factoring))
+    doubt = doubted_control(block, None, options, _plainly)
     return [] if doubt is None else [words(doubt, float("nan"))]
 
 
-def _adjusted(block: Block, options: AdjustmentOptions, progress: Progress, factoring: Factoring) -> Adjustment:
+def _adjusted(block: Block, options: AdjustmentOptions, progress: Progress) -> Adjustment:
     """The adjustment with one variance factor, or with those of groups of observations."""
     if not options.variance_groups:
-        return _adjust(block, options, progress, factoring)
-    return by_groups(block, options, lambda b, o: _adjust(b, o, progress, factoring))
+        return _adjust(block, options, progress)
+    return by_groups(block, options, lambda b, o: _adjust(b, o, progress))
 
 
-def _adjust(block: Block, options: AdjustmentOptions, progress: Progress, factoring: Factoring) -> Adjustment:
+def _adjust(block: Block, options: AdjustmentOptions, progress: Progress) -> Adjustment:
     block = with_scene_points(block)
     observed = np.bincount(block.observations.image, minlength=len(block.images)) > 0
     own = bool(block.images.oriented[observed].any() or _given_ties(block).any())
     afresh = own and _held(block) == 0
     try:
-        result = _from_given(block, observed, options, progress, factoring)
+        result = _from_given(block, observed, options, progress)
     except (NoOrientation, NoConvergence, RankDefect) as error:
-        fresh = _afresh(block, options, progress, factoring) if afresh else None
+        fresh = _afresh(block, options, progress) if afresh else None
         if fresh is None or fresh.sigma0 > DOUBTED:
             raise
         return _replaced(fresh, f"the approximate values of the block lead nowhere ({error.headline})")
     if result.sigma0 > DOUBTED and afresh:
-        fresh = _afresh(block, options, progress, factoring)
+        fresh = _afresh(block, options, progress)
         if fresh is not None and fresh.sigma0 < 0.5 * result.sigma0:
             return _replaced(fresh, f"the approximate values of the block lead to sigma0 {result.sigma0:.3g}")
     elif afresh and (lost := _behind(result)) > FEW_BEHIND * len(block.observations):
         # a minimum of its own, in which cameras look away from what they see
-        fresh = _afresh(block, options, progress, factoring)
+        fresh = _afresh(block, options, progress)
         if fresh is not None and fresh.sigma0 < max(DOUBTED, 2 * result.sigma0) and _behind(fresh) < 0.5 * lost:
             why = f"the approximate values of the block lead to {counted(lost, 'image point')} behind the cameras"
             return _replaced(fresh, why)
@@ -229,9 +222,7 @@ def _behind(result: Adjustment) -> int:
     return sum(kind is RejectionKind.BEHIND_CAMERA for kind in kinds)
 
 
-def _from_given(
-    block: Block, observed: Mask, options: AdjustmentOptions, progress: Progress, factoring: Factoring
-) -> Adjustment:
+def _from_given(block: Block, observed: Mask, options: AdjustmentOptions, progress: Progress) -> Adjustment:
     """The adjustment from the approximate values that were given, those that are missing or far off found."""
     notices = list[Notice]()
     given = intersected_where_better(block)
@@ -253,7 +244,7 @@ def _from_given(
         approximate = approximate_values(_with_known(start), progress)
         start = approximate.block
         notices += approximate.notices
-    return decide(start, options, progress, notices=tuple(notices), factoring=factoring)
+    return decide(start, options, progress, notices=tuple(notices))
 
 
 def _given_ties(block: Block) -> Mask:
@@ -313,7 +304,7 @@ def _held(block: Block) -> int:
     return 0 if block.images.held is None else int(block.images.held.sum())
 
 
-def _afresh(block: Block, options: AdjustmentOptions, progress: Progress, factoring: Factoring) -> Adjustment | None:
+def _afresh(block: Block, options: AdjustmentOptions, progress: Progress) -> Adjustment | None:
     """The adjustment from orientations and tie points of our own; None where there is none.
 
     Rough approximate values can lead into a minimum that is not the lowest one, or nowhere.
@@ -330,7 +321,7 @@ def _afresh(block: Block, options: AdjustmentOptions, progress: Progress, factor
     try:
         refuse_unoriented(blank)
         approximate = approximate_values(blank, progress)
-        return decide(approximate.block, options, progress, notices=approximate.notices, factoring=factoring)
+        return decide(approximate.block, options, progress, notices=approximate.notices)
     except (InputError, NotSolvable):
         return None
 

@@ -16,7 +16,7 @@ from pathlib import Path
 from weakref import finalize
 
 from raybundle.adjustment.assemble import System
-from raybundle.adjustment.engine import Factoring
+from raybundle.adjustment.engine import Factoring, made_by
 from raybundle.adjustment.normals import Normals
 from raybundle.adjustment.options import AdjustmentOptions
 from raybundle.adjustment.result import Notice
@@ -107,8 +107,12 @@ class Within:
     """who reduces parts; None: this process"""
     workers: int = 1
     """processes here that do"""
-    cluster: str = ""
-    """where it is; whoever names one wants parts, whatever fits into memory"""
+    elsewhere: bool = False
+    """whether workers of a cluster do"""
+    always: bool = False
+    """whether parts are wanted, whatever fits into memory"""
+    little: float = 0.0
+    """bytes of an adjustment that is made in one piece in any case"""
     store: str = ""
     """URL of the object store in which parts lie; empty: they lie in the room"""
     parts: int = 0
@@ -129,16 +133,17 @@ class Within:
     ) -> Normals:
         """The normal equations in one piece where that fits, or else in parts."""
         each = IN_FILES if self.arrays_in_files else IN_MEMORY
-        self.needed = BASE + each * self.observations
-        if not self.cluster and self.needed <= self.allowed and len(system.sizes) <= ORDERED:
+        self.needed = BASE + each * len(system.block.observations)
+        most = max(self.allowed, BASE + self.little)
+        if not self.always and self.needed <= most and len(system.sizes) <= ORDERED:
             whole = Normals.of(system, options.jobs)
             self.needed += bytes_of(whole)
-            if self.needed <= self.allowed:
+            if self.needed <= most:
                 return whole
             del whole
         if self._in_parts is None:
             left = max(self.allowed - BASE - IN_PARTS * self.observations, 0.0)
-            ready = AT_WORKERS if self.cluster else left / 2 / self.workers
+            ready = AT_WORKERS if self.elsewhere else left / 2 / self.workers
             self._in_parts = in_parts(store=self._next_store, ready=ready, executor=self.executor, notes=self._notes)
         made = self._in_parts(system, options, free, rejected)
         assert isinstance(made, WholeNormals)
@@ -167,7 +172,7 @@ class Within:
         """What was done, where anything was."""
         if not self.parts:
             return ()
-        if self.cluster:
+        if self.elsewhere:
             message = (
                 f"the normal equations were reduced in {counted(self.parts, 'part')} (Helmert-Wolf) by workers of "
                 "a cluster; figures are those of one piece within rounding"
@@ -217,19 +222,47 @@ def within_memory(
         source = read_block(source, progress=progress)
         count = len(source.observations)
     assert count is not None
+    executor = staying_for(cluster, jobs, allowed, progress) if cluster else None
+    with room_for(count, out, allowed, jobs=jobs, executor=executor, always=bool(cluster), store=store) as found:
+        if isinstance(source, Path):
+            yield read_in_pieces(source, progress=progress).whole(), found
+        else:
+            yield kept_large(source), found
+
+
+@contextmanager
+def room_for(
+    count: int, out: Path, allowed: float, *, jobs: int = 1, executor: Executor | None = None, always: bool = False,
+    store: str = "", little: float = 0.0,
+) -> Generator[Within]:  # fmt: skip
+    """Room for adjustments with so many image observations; those that are made meanwhile keep to it.
+
+    allowed   bytes that they may take
+    executor  workers of a cluster that reduce parts; None: processes here
+    always    parts, whatever fits into memory
+    little    bytes of an adjustment that is made in one piece whatever is allowed
+    and as of `within_memory`
+    """
     left = allowed - BASE - IN_PARTS * count
     workers = max(1, min(jobs or os.cpu_count() or 1, int(left // PROCESS)))
-    executor = staying_for(cluster, workers, left - workers * BASE, progress) if cluster or workers > 1 else None
+    elsewhere = executor is not None
+    if executor is None and workers > 1:
+        executor = Staying(workers, left - workers * BASE)
     room = Room(out)
-    found = Within(allowed, room, count, executor=executor, workers=workers, cluster=cluster, store=store)
+    found = Within(
+        allowed,
+        room,
+        count,
+        executor=executor,
+        workers=workers,
+        elsewhere=elsewhere,
+        always=always,
+        store=store,
+        little=little,
+    )
     try:
-        with large.in_files(room.folder if found.arrays_in_files else None):
-            if isinstance(source, Path):
-                yield read_in_pieces(source, progress=progress).whole(), found
-            else:
-                o = source.observations
-                columns = {f.name: large.kept(getattr(o, f.name)) for f in fields(o)}
-                yield replace(source, observations=replace(o, **columns)), found
+        with large.in_files(room.folder if found.arrays_in_files else None), made_by(found.factoring):
+            yield found
         forget_left(out)  # of runs with other options
     except NotSolvable:
         raise
@@ -240,6 +273,12 @@ def within_memory(
     finally:
         if isinstance(executor, Staying):
             executor.close()
+
+
+def kept_large(block: Block) -> Block:
+    """The block with its image observations where large arrays are now."""
+    o = block.observations
+    return replace(block, observations=replace(o, **{f.name: large.kept(getattr(o, f.name)) for f in fields(o)}))
 
 
 def _beyond(count: int, allowed: float) -> bool:

@@ -38,6 +38,7 @@ from raybundle.workflows.orient_state import ORIENT, OrientState, SceneState
 from raybundle.workflows.read_out import rolling_shutters, with_cause
 from raybundle.workflows.same_camera import shared_sensors
 from raybundle.workflows.scenes.placing import place_with_scenes
+from raybundle.workflows.stage_room import room_of
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -91,10 +92,11 @@ def adjust(i: Inputs, means: Means) -> Adjusted:
     placed, *apart = (replace(p, block=replace(p.block, name=i.name)) for p in (placed, *apart))
     placed = replace(placed, block=named_as_before(placed.block, i.earlier, placed.marked))
     placed = _relative(placed, i.photos, i.options.relative)
-    done = _adjusted(i, placed, apart, means)
+    with room_of(means, max(len(p.block.observations) for p in (placed, *apart))) as room:
+        done = _adjusted(i, placed, apart, means)
     rows = sum(len(a.given.observations) for a in (done.adjustment, *(p.adjustment for p in done.other_components)))
     told = (*i.notices, *([] if i.dropped is None else [i.dropped.notice(rows)]))
-    adjustment = replace(done.adjustment, notices=(*told, *done.adjustment.notices))
+    adjustment = replace(done.adjustment, notices=(*told, *done.adjustment.notices, *room.notices()))
     return replace(done, adjustment=adjustment, placed=placed, lost=lost)
 
 

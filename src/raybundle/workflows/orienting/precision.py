@@ -20,6 +20,7 @@ from raybundle.ties.precise import PreciseBlock, Visible, Weights, refine
 from raybundle.ties.windows import KINDS, greys, matched
 from raybundle.workflows.kept import Reasons, numbered, reasons_as_array, reasons_of_array, texts, unpacked
 from raybundle.workflows.orient_state import ORIENT, OrientState
+from raybundle.workflows.stage_room import room_of
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -54,7 +55,8 @@ def measure(i: Inputs, means: Means) -> Measured:
     visible = None if i.masks is None else _visible(i.masks, i.photos)
     match = partial(matched, means, i.photos)
     try:
-        found: list[PreciseBlock] = [refine(tie, match, means.jobs, means.progress, visible) for tie in i.ties]
+        with room_of(means, max(len(tie.block.observations) for tie in i.ties)):
+            found: list[PreciseBlock] = [refine(tie, match, means.jobs, means.progress, visible) for tie in i.ties]
     finally:
         greys.forget()
     return Measured(

@@ -35,6 +35,7 @@ from raybundle.workflows.kept import (
     unpacked,
 )
 from raybundle.workflows.orient_state import ORIENT, OrientState
+from raybundle.workflows.stage_room import room_of
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -92,9 +93,11 @@ def begin(i: Inputs, means: Means) -> Started:
     names, n = [p.name for p in i.photos], len(i.photos)
     diagonals = np.array([float(np.hypot(p.width_px, p.height_px)) for p in i.photos])
     join = partial(tracks_by_leaves, means, i.features)
-    sound = sound_pairs(trusted(i.pairs, n), i.features.xy_px(), names, diagonals, oriented_by, join)
+    with room_of(means):
+        sound = sound_pairs(trusted(i.pairs, n), i.features.xy_px(), names, diagonals, oriented_by, join)
+        ties = oriented_by(sound.tracks)
     return Started(
-        ties=oriented_by(sound.tracks), features=sum(i.features.count(k) for k in range(n)),
+        ties=ties, features=sum(i.features.count(k) for k in range(n)),
         matched=len(sound.tracks.image), notices=sound.notices,
     )  # fmt: skip
 
