@@ -2,10 +2,8 @@
 
 from __future__ import annotations
 
-import json
-import struct
 from pathlib import Path
-from typing import TextIO
+from typing import Any, TextIO
 
 import numpy as np
 from PIL import Image
@@ -34,7 +32,7 @@ def _write(surface: Surface, out: Path, context: Context) -> Written:
         Image.fromarray(mesh.picture).save(picture, format="JPEG", quality=92, subsampling=0)
         mtl.write_text(f"newmtl surface\nKa 0 0 0\nKd 1 1 1\nKs 0 0 0\nillum 1\nmap_Kd {PICTURE}\n", encoding="ascii")
         _write_obj(obj, mesh, unit)
-        _write_glb(glb, mesh, picture.read_bytes(), unit)
+        _write_glb(glb, mesh, picture, unit)
     told = (
         f"{len(mesh.xyz)} vertices, {len(mesh.triangles)} triangles; standard deviation of a height "
         f"{float(np.median(mesh.sigma)):.2g} {unit}".rstrip() + " in the median"
@@ -58,44 +56,30 @@ def _rows(file: TextIO, row: str, values: Array) -> None:
         file.write("\n".join([row] * len(part)) % tuple(part.ravel().tolist()) + "\n")
 
 
-def _write_glb(path: Path, mesh: Mesh, picture: bytes, unit: str) -> None:
+def _write_glb(path: Path, mesh: Mesh, picture: Path, unit: str) -> None:
     """Write glTF 2.0 in one binary file: vertices in single precision about their middle, which its node tells."""
+    import trimesh  # noqa: PLC0415  (0.2 s, for who writes meshes)
+    from trimesh.exchange.gltf import export_glb  # noqa: PLC0415
+    from trimesh.visual.material import PBRMaterial  # noqa: PLC0415
+    from trimesh.visual.texture import TextureVisuals  # noqa: PLC0415
+
+    def told(tree: dict[str, Any]) -> None:
+        tree["asset"] |= {"generator": "raybundle", "extras": {"unit": unit or "none: the scale is free"}}
+
     middle = np.round((mesh.xyz.min(axis=0) + mesh.xyz.max(axis=0)) / 2, 3)
-    xyz = ((mesh.xyz - middle) @ Y_UP.T).astype("<f4")
-    uv = (mesh.place * [1, -1] + [0, 1]).astype("<f4")  # from the upper left corner
-    index = mesh.triangles.astype("<u4")
-    views, data = [], b""
-    for part, target in ((xyz.tobytes(), 34962), (uv.tobytes(), 34962), (index.tobytes(), 34963), (picture, 0)):
-        views.append(
-            {"buffer": 0, "byteOffset": len(data), "byteLength": len(part), **({"target": target} if target else {})}
+    with Image.open(picture) as image:  # written as it stands in the file
+        material = PBRMaterial(
+            "surface", baseColorTexture=image, metallicFactor=0.0, roughnessFactor=1.0, doubleSided=True
         )
-        data += part + b"\0" * (-len(part) % 4)
-    whole = {
-        "asset": {"version": "2.0", "generator": "raybundle", "extras": {"unit": unit or "none: the scale is free"}},
-        "scene": 0, "scenes": [{"nodes": [0]}],
-        "nodes": [{"mesh": 0, "name": "surface", "translation": (Y_UP @ middle).tolist()}],
-        "meshes": [{"primitives": [{"attributes": {"POSITION": 0, "TEXCOORD_0": 1}, "indices": 2, "material": 0}]}],
-        "materials": [{
-            "name": "surface", "doubleSided": True,
-            "pbrMetallicRoughness": {"baseColorTexture": {"index": 0}, "metallicFactor": 0.0, "roughnessFactor": 1.0},
-        }],
-        "textures": [{"source": 0, "sampler": 0}],
-        "samplers": [{"magFilter": 9729, "minFilter": 9987, "wrapS": 33071, "wrapT": 33071}],
-        "images": [{"bufferView": 3, "mimeType": "image/jpeg"}],
-        "accessors": [
-            {"bufferView": 0, "componentType": 5126, "count": len(xyz), "type": "VEC3",
-             "min": xyz.min(axis=0).tolist(), "max": xyz.max(axis=0).tolist()},
-            {"bufferView": 1, "componentType": 5126, "count": len(uv), "type": "VEC2"},
-            {"bufferView": 2, "componentType": 5125, "count": index.size, "type": "SCALAR"},
-        ],
-        "bufferViews": views, "buffers": [{"byteLength": len(data)}],
-    }  # fmt: skip
-    text = json.dumps(whole, separators=(",", ":")).encode()
-    text += b" " * (-len(text) % 4)
-    with path.open("wb") as file:
-        file.write(struct.pack("<4sII", b"glTF", 2, 12 + 8 + len(text) + 8 + len(data)))
-        file.write(struct.pack("<I4s", len(text), b"JSON") + text)
-        file.write(struct.pack("<I4s", len(data), b"BIN\0") + data)
+        visual = TextureVisuals(uv=mesh.place, material=material)
+        surface = trimesh.Trimesh(
+            (mesh.xyz - middle) @ Y_UP.T, mesh.triangles, visual=visual, process=False, validate=False
+        )
+        scene = trimesh.Scene()
+        place = np.eye(4)
+        place[:3, 3] = Y_UP @ middle
+        scene.add_geometry(surface, node_name="surface", geom_name="surface", transform=place)
+        path.write_bytes(export_glb(scene, include_normals=False, tree_postprocessor=told))
 
 
 PRODUCT = register(Product(name="mesh", files=FILES, write=_write))
