@@ -225,7 +225,7 @@ def stages(images: int, profiled: Sequence[str], ways: Sequence[str], memory_gb:
         asked = Asked(inputs=(), name="flight", options=options, given=Given(), method=method)
         state = OrientState(asked=asked, given=Given(), method=method, photos=photos, features=found)
         # one process does all that is counted
-        run = Run(project=project, memory=1e9 * memory_gb, executor=Threads(1))
+        run = Run(project=project, adjusting=1e9 * memory_gb, executor=Threads(1))
 
         def done(name: str, state: OrientState) -> OrientState:
             stage: Stage = ORIENT.stages[name]

@@ -28,7 +28,7 @@ def means(tmp_path, monkeypatch):
     monkeypatch.setattr(stage_room, "LITTLE", 0.0)
     monkeypatch.setattr("raybundle.workflows.within_memory.in_parts", partial(in_parts, 60))
     project = Project.open(tmp_path / "project")
-    yield Means(project=project, executor=Threads(1), memory=1e6)
+    yield Means(project=project, executor=Threads(1), adjusting=1e6)
     project.close()
 
 
@@ -100,3 +100,11 @@ def test_a_whole_start_within_little_memory_orients_the_same(means):
         parts = start(block, ones, 0 * ones, 1, method="growing")
     assert np.array_equal(parts.block.images.oriented, one.block.images.oriented)
     assert parts.block.images.oriented.sum() > 15
+
+
+def test_a_result_in_parts_says_that_its_noise_is_white(means):
+    block = flight(control=0, observed=False)
+    with room_of(means, len(block.observations)):
+        parts = final_adjustment(placed(block), (), 1, silent, (), "fields")
+    assert parts.noise.kind == "white"
+    assert "noise_in_parts" in [n.code for n in parts.notices]

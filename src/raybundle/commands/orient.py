@@ -130,8 +130,9 @@ class OrientSettings:
     cluster: str = setting("", CLUSTER_HELP, metavar="FOLDER|shards")
     store: str = setting("", STORE_HELP, metavar="URL|project")
     memory: float = setting(
-        4.0, "Memory that the pixels of photographs may take while points are measured.", metavar="GB",
-        limits=Range(low=0.1, high=1e6),
+        0.0, "Memory that the pixels of photographs may take while points are measured, and an adjustment, in GB; 0: "
+        "4 for the pixels, and for adjustments four fifths of what is free, 1 at least.  What needs more is adjusted "
+        "in parts.", metavar="GB", limits=NOT_NEGATIVE,
     )  # fmt: skip
     redo_from: str = setting(
         "",

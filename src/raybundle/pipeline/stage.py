@@ -88,6 +88,8 @@ class Means:
     jobs: int = 1
     memory: float = 4e9
     """bytes that may be held"""
+    adjusting: float = 0.0
+    """bytes that an adjustment may take; 0: what is free allows it"""
     asked: int | None = None
     """tasks of this stage, and those of them that had to be done; None: it has no tasks"""
     made: int = 0
@@ -274,6 +276,7 @@ class Run:
     progress: Progress = silent
     jobs: int = 1
     memory: float = 4e9
+    adjusting: float = 0.0
 
     def workflow(self, workflow: Workflow[S], state: S) -> S:
         """The state after all stages of a workflow."""
@@ -320,7 +323,12 @@ class Run:
 
     def _done(self, stage: Stage[S, Any, Any], state: S, timed: Timed) -> S:
         means = Means(
-            project=self.project, executor=self.executor, progress=self.progress, jobs=self.jobs, memory=self.memory
+            project=self.project,
+            executor=self.executor,
+            progress=self.progress,
+            jobs=self.jobs,
+            memory=self.memory,
+            adjusting=self.adjusting,
         )
         if stage.codec is None:
             product = stage.function(stage.inputs(state), means)

@@ -31,6 +31,7 @@ from raybundle.numerics.progress import Progress, in_rounds, silent
 from raybundle.orientation.given_points import intersected_where_better, without_given_ties
 from raybundle.placing.control_doubts import doubted_control, notice, words
 from raybundle.settings import option
+from raybundle.workflows.noise_in_parts import in_parts, sample_words, without_fields
 
 LOOKED_AT = 500_000
 """Image observations up to which residuals are looked at for structure, and held calibrations are tested, without being
@@ -123,16 +124,16 @@ def _structure(result: Adjustment, options: AdjustmentOptions) -> tuple[Notice, 
     if not options.statistics or not result.sigma0 <= POOR_FIT:  # a fault of its own, which bends all residuals
         return ()
     if options.noise == "fields":
-        return _without_fields(result)
+        return without_fields(result)
     if options.noise != "auto":
         return ()
     more = f"Adjusted with noise fields ({option('noise', 'fields')}), as by `orient`, standard deviations contain it"
-    if _in_parts(result) or len(result.given.observations) > LOOKED_AT:
+    if in_parts(result) or len(result.given.observations) > LOOKED_AT:
         found = sample_under_noise(result)
         shared = None if found is None else shared_errors_notice(found, found.noise)
         if found is None or shared is None:
             return ()
-        told = f". Seen in {_sample_words(found)}"
+        told = f". Seen in {sample_words(found)}"
         return (replace(shared, message=f"{shared.message}{told}. {more}"),)
     if len(np.unique(result.given.observations.image[result.image_observations.used])) >= FEWEST_IMAGES:
         shared = shared_errors_notice(result, under_noise(result).noise)
@@ -141,35 +142,6 @@ def _structure(result: Adjustment, options: AdjustmentOptions) -> tuple[Notice, 
     if 2 * automatic(points).sum() < len(points) or (found := structure_notice(result)) is None:
         return ()
     return (replace(found, message=f"{found.message}. {more}"),)
-
-
-def _sample_words(found: Adjustment) -> str:
-    return f"a part of {counted(len(found.given.images), 'image')} that was adjusted by itself"
-
-
-def _in_parts(result: Adjustment) -> bool:
-    """Whether the normal equations were not there in one piece, as noise fields need them."""
-    work = result.handle.work
-    return work is not None and not work.normals.one_piece
-
-
-def _without_fields(result: Adjustment) -> tuple[Notice, ...]:
-    """What to say where noise fields were asked for and the normal equations were in parts."""
-    if not _in_parts(result):
-        return ()
-    message = (
-        f"standard deviations rest on white noise, though noise fields were asked for ({option('noise', 'fields')}): "
-        "the normal equations were reduced in parts, and fields need them in one piece. On photographs such standard "
-        "deviations are too small"
-    )
-    found = sample_under_noise(result)
-    shared = None if found is None else shared_errors_notice(found, found.noise)
-    if found is not None and shared is not None:
-        ratios = {"interior orientation": found.noise.ratio_interior, "object points": found.noise.ratio_points}
-        times = ", ".join(f"{r:.2g} for {what}" for what, r in ratios.items() if np.isfinite(r))
-        message += f", by these factors (medians) in {_sample_words(found)}: {times}"
-    message += f". Give it more memory ({option('memory', 'GB')}), or multiply them"
-    return (Notice(code="noise_in_parts", message=message),)
 
 
 def _plainly(block: Block, options: AdjustmentOptions) -> Adjustment:

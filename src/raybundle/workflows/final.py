@@ -26,6 +26,7 @@ from raybundle.placing.georeference import Georeferenced, rejected_marks
 from raybundle.placing.told_positions import camera_notices
 from raybundle.ties.block import flat_points
 from raybundle.workflows.connected_components import ConnectedComponent
+from raybundle.workflows.noise_in_parts import without_fields
 
 FINAL = 1e-4
 """Last step of the final adjustment, in standard deviations of the unknowns."""
@@ -82,6 +83,7 @@ def final_adjustment(
     ]
     structure = structure_notice(result)  # where standard deviations do not allow for it
     first += [structure] if structure is not None else []
+    first += without_fields(result) if chosen == "fields" else ()
     given = [g.id for g in groups if g.stored is not None and g.stored.estimate == ()]
     first += independent_notices(noise, chosen, int(result.adjusted.images.oriented.sum()))
     first += [*calibration_notices(result), *held_notices(result, given)]

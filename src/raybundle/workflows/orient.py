@@ -30,7 +30,7 @@ from raybundle.workflows.connected_components import ConnectedComponent, compone
 from raybundle.workflows.dropped import Dropped
 from raybundle.workflows.earlier_names import Earlier
 from raybundle.workflows.final import left_out
-from raybundle.workflows.orient_options import OrientOptions
+from raybundle.workflows.orient_options import PIXELS_GB, OrientOptions
 from raybundle.workflows.orient_state import Asked, OrientState
 from raybundle.workflows.orienting import ORIENT
 from raybundle.workflows.scenes.images import SceneImage
@@ -149,10 +149,17 @@ def orient(
     given = given or Given()
     method = feature_method(options.features)
     jobs = options.jobs or os.cpu_count() or 1
-    memory = options.memory_gb * 1e9
+    memory = (options.memory_gb or PIXELS_GB) * 1e9
     executor = executor_for(options.cluster, jobs, memory, progress)
     project = Project.open(folder, store=options.store)
-    run = Run(project=project, executor=executor, progress=progress, jobs=jobs, memory=memory)
+    run = Run(
+        project=project,
+        executor=executor,
+        progress=progress,
+        jobs=jobs,
+        memory=memory,
+        adjusting=options.memory_gb * 1e9,
+    )
     asked = Asked(
         inputs=tuple(inputs), name=folder.name, options=options, calibration=tuple(calibration), given=given,
         positions=positions, method=method, earlier=earlier,

@@ -11,6 +11,9 @@ from raybundle.placing.attitudes import Convention
 from raybundle.scenes.bias import BiasKind
 from raybundle.ties.start import StartMethod
 
+PIXELS_GB = 4.0
+"""Memory that image pixels take unasked while points are measured."""
+
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class OrientOptions:
@@ -31,8 +34,9 @@ class OrientOptions:
     """who does features and pairs, as `pipeline.choosing` takes it; empty: this process"""
     store: str = ""
     """where products lie, as `Project.open` takes it"""
-    memory_gb: float = 4.0
-    """memory that image pixels may take while points are measured"""
+    memory_gb: float = 0.0
+    """memory that image pixels may take while points are measured, and an adjustment; 0: PIXELS_GB, and four fifths of
+    what is free"""
     separate: tuple[str, ...] = ()
     """patterns of photographs' names, each a camera apart"""
     library: Path | None = None

@@ -8,7 +8,7 @@ from contextlib import contextmanager
 from raybundle.pipeline.executors import Threads
 from raybundle.pipeline.shards import Shards
 from raybundle.pipeline.stage import Means
-from raybundle.workflows.within_memory import Within, room_for
+from raybundle.workflows.within_memory import Within, room_for, unasked
 
 LITTLE = 50e6
 """Bytes of an adjustment that is made in one piece whatever is allowed: beside the program itself, parts would save
@@ -23,7 +23,7 @@ def room_of(means: Means, count: int = 0) -> Generator[Within]:
     """
     here = isinstance(means.executor, Threads | Shards)  # shards do not wait for each other, as sweeps do
     with room_for(
-        count, means.project.folder, means.memory, jobs=means.jobs, executor=None if here else means.executor,
-        store=means.store.url, little=LITTLE,
+        count, means.project.folder, means.adjusting or unasked(), jobs=means.jobs,
+        executor=None if here else means.executor, store=means.store.url, little=LITTLE,
     ) as found:  # fmt: skip
         yield found

@@ -216,7 +216,7 @@ def within_memory(
 
     Sweeps that a killed run has finished are there for the next one with the same result.
     """
-    allowed = memory_gb * 1e9 or max(ALWAYS, SHARE * available_memory())
+    allowed = memory_gb * 1e9 or unasked()
     count = image_points_in(source) if isinstance(source, Path) else len(source.observations)
     if isinstance(source, Path) and (count is None or not _beyond(count, allowed)):
         source = read_block(source, progress=progress)
@@ -228,6 +228,11 @@ def within_memory(
             yield read_in_pieces(source, progress=progress).whole(), found
         else:
             yield kept_large(source), found
+
+
+def unasked() -> float:
+    """Bytes that an adjustment takes where nothing is asked for."""
+    return max(ALWAYS, SHARE * available_memory())
 
 
 @contextmanager
