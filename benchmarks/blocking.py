@@ -4,7 +4,8 @@
                                   [--graph 100000]
 
 Blocks of ../shared/bench/generate_block.py with one camera for all images, control, a scale bar between its ends and
-observed projection centres; and free, with inner constraints.  One thread each.  --large: a block of so many images,
+observed projection centres; and free, with inner constraints.  One thread each.  The one piece is held against itself
+with its object points in another order, too: that is its own rounding.  --large: a block of so many images,
 some 1140 image points each, adjusted from columns on disk through a store, one task after the other, in a process of
 its own whose peak memory is told.  --graph: a made graph of so many images, some 100 image points each, is cut.
 """
@@ -31,9 +32,12 @@ from scipy.sparse import csr_matrix
 from scipy.sparse.csgraph import connected_components
 
 from raybundle.adjustment.assemble import assemble
-from raybundle.adjustment.engine import adjust_block, carry_out
+from raybundle.adjustment.datum import analyse, hold_minimal
+from raybundle.adjustment.engine import adjust_block, adjusted_block, carry_out
+from raybundle.adjustment.normals import Normals
 from raybundle.adjustment.options import AdjustmentOptions
 from raybundle.adjustment.precision import cofactors
+from raybundle.adjustment.work import Work
 from raybundle.block import Block, Distances, Role, Stations
 from raybundle.block.select import selected
 from raybundle.blocking.adjusted import in_parts
@@ -128,9 +132,33 @@ def compared(block: Block, leaf: int, worth: float) -> dict[str, object]:
         "step": float(np.abs(steps[1] - steps[0]).max() / np.abs(steps[0]).max()),
         "cofactors": float((apart / largest).max()),
         "redundancy numbers": float(np.abs(theirs.hat - ours.hat)[:, :2].max()),
+        "redundancy numbers, one piece in another order": own_rounding(one),
         "converged, in sigma": float((np.abs(one.state.xyz - parts.state.xyz)[used] / std[used]).max()),
         "CPU s, one piece": t1 - t0, "CPU s, parts": t2 - t1,
     }  # fmt: skip
+
+
+def own_rounding(one: Work) -> float:
+    """By what redundancy numbers of the one piece differ where its object points stand in another order."""
+    block = adjusted_block(one.system, one.state)
+    order = np.random.default_rng(2).permutation(len(block.points))
+    place = np.argsort(order).astype(np.int32)
+    o = block.observations
+    turned = replace(
+        block, points=block.points.rows(order), observations=replace(o, point=place[o.point])
+    ).of_tables(lambda t: t.renumbered("point", place))  # fmt: skip
+    found = []
+    for b, number in ((block, np.arange(len(order))), (turned, order)):
+        system = assemble(b, OPTIONS, np.zeros(len(o), bool), FREE)
+        state = system.initial_state()
+        datum = analyse(system, state, OPTIONS)
+        normals = Normals.of(system, OPTIONS.jobs)
+        normals.hold(system.control_held | hold_minimal(system, state, datum))
+        normals.reduce(state)
+        assert normals.factorise() == 0
+        name = number[b.observations.point[system.rows]] * len(b.images) + b.observations.image[system.rows]
+        found.append(cofactors(normals, state, datum).hat[np.argsort(name, kind="stable")])
+    return float(np.abs(found[0] - found[1])[:, :2].max())
 
 
 def large(images: int, folder: Path) -> dict[str, object]:
