@@ -57,8 +57,17 @@ static inline void row_costs(const uint64_t* reference, const SweepSource& o, in
   }
 }
 
+// A / step towards zero; a division proper takes longer than all comparisons of a row of pixels.
+struct Shared {
+  int64_t step;
+  int bits;  // of a step that is a power of two; else -1
+  explicit Shared(int of) : step(of), bits(std::has_single_bit(unsigned(of)) ? std::countr_zero(unsigned(of)) : -1) {}
+  int64_t operator()(int64_t a) const { return bits < 0 ? a / step : (a + ((a >> 63) & (step - 1))) >> bits; }
+};
+
 static void cell_costs(const Sweep& s, const uint64_t* reference, const SweepSource& o, const Cell& cell) {
   const int r = cell.y / s.step, c = cell.x / s.step;
+  const Shared shared(s.step);
   for (int l = 0; l < s.levels; ++l) {
     const int32_t* top = o.table + ((int64_t(l) * s.rows + r) * s.columns + c) * 2;
     const int32_t* low = top + int64_t(s.columns) * 2;
@@ -67,8 +76,8 @@ static void cell_costs(const Sweep& s, const uint64_t* reference, const SweepSou
     if (!seen) continue;
     for (int below = 0; below < cell.rows; ++below) {
       int32_t at[4];
-      for (int i = 0; i < 4; ++i) at[i] = int32_t(top[i] + (int64_t(low[i]) - top[i]) * below / s.step);
-      const int64_t dx = (int64_t(at[2]) - at[0]) / s.step, dy = (int64_t(at[3]) - at[1]) / s.step;
+      for (int i = 0; i < 4; ++i) at[i] = int32_t(top[i] + shared((int64_t(low[i]) - top[i]) * below));
+      const int64_t dx = shared(int64_t(at[2]) - at[0]), dy = shared(int64_t(at[3]) - at[1]);
       const size_t here = (size_t(l) * s.step + below) * s.step;
       row_costs(reference + int64_t(cell.y + below) * s.width + cell.x, o, at[0], at[1], dx, dy, cell.columns, cell.first + here, cell.second + here);
     }
