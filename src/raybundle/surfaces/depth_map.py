@@ -15,7 +15,7 @@ from raybundle.block import Block
 from raybundle.errors import InputError
 from raybundle.numerics.arrays import Array, Index, Mask
 from raybundle.surfaces import planes, roughness
-from raybundle.surfaces.filters import Flag, flags_of
+from raybundle.surfaces.filters import Flag, tested
 from raybundle.surfaces.noise import autocovariance, lost_freedom
 from raybundle.surfaces.normals import incidences, smoothed
 from raybundle.surfaces.orientation import ShiftCovariance
@@ -70,7 +70,7 @@ class DepthMap:
     noise: Array
     """variance of t by the noise of grey values"""
     roughness: Array
-    """variance of t by what the surface does within the window"""
+    """variance of t by what the surface does within the window, and by steps of which it may be on either side"""
     shift: Array
     """(rows, columns, sources, 2) change of t where a source's picture lies one pixel further [t / px]"""
     views: Index
@@ -360,10 +360,10 @@ def _map(work: _Work, grid: PixelGrid, fine: _Fine, grey: Array) -> DepthMap:
     incidence = incidences(work.rays, grid, t, smoothed(slopes, known, grid.stride))
     several = len(work.sources) > 1
     few: Mask = np.asarray((fine.views & (fine.views - 1) == 0) & several)  # a single bit
-    flags = flags_of(t, slopes, variance, incidence, few, grid.stride)
+    flags, by_steps = tested(t, slopes, variance, incidence, few, grid.stride)
     lost = ~known | (flags & np.uint8(Flag.LONELY | Flag.EDGE) > 0)
     noise = np.minimum(fine.noise, variance)
-    variance -= noise
+    variance += by_steps - noise
     slopes[:, lost] = np.nan
     for values in (t, noise, variance, fine.correlation, fine.contrast, incidence):
         values[lost] = np.nan

@@ -12,9 +12,15 @@ from raybundle.surfaces import roughness
 
 SIGMAS = 3.0
 """Standard deviations of a difference up to which neighbours agree."""
-AGREE, AGAINST = 5, 2
-"""Of eight neighbours that have to, and that may speak against it: most of a straight edge of things stays, and what
-juts out of it, where a window shows more of the other side, goes."""
+AGREE, AGAINST = 4, 3
+"""Of eight neighbours 4 px away that have to, and that may speak against it: a straight edge of things stays."""
+SURELY_AGREE, SURELY_AGAINST = 5, 2
+"""The same where a depth stands on one thing alone for sure.  Between the two it may be of either side of a step: how far
+its neighbours stand apart is part of its standard deviation."""
+NEAR_PX, NEAR_AGREE = 2, 6
+"""Distance of eight nearer neighbours, and how many have to agree: what wanders off with its window does so alone, as
+four maps of an exactly known object have it (benchmarks/surface_truth.py).  A coarser grid has none: there
+`SURELY_AGREE` of the others have to."""
 HOLE_PX, RIM_PX = 9, 2
 """Holes larger than a window and a pixel on each side, and what is lost around them: of 3 px that half a window
 reaches, the outer one has no weight."""
@@ -39,25 +45,26 @@ class Flag(IntFlag):
     taken out"""
 
 
-def flags_of(t: Array, slopes: Array, variance: Array, incidence: Array, few: Mask, stride: int) -> Array:
-    """(rows, columns) uint8 `Flag` of the pixels of a map, by a test of the map against itself.
+def tested(
+    t: Array, slopes: Array, variance: Array, incidence: Array, few: Mask, stride: int
+) -> tuple[Array, Array]:
+    """Flags (rows, columns) uint8 of the pixels of a map, by a test of it against itself, and variances by steps.
 
     t, slopes  NaN where there is no depth; slopes (2, rows, columns)
     few        seen by fewer sources than can check it
+
+    A variance by a step is the largest square of what neighbours stand apart, where too few agree to tell on which side
+    of it a depth is; else 0.
     """
     known = np.isfinite(t)
     own = np.where(known, variance, np.nan)
-    agree, against = np.zeros(t.shape, np.uint8), np.zeros(t.shape, np.uint8)
-    around = roughness.neighbours(stride)
-    for first, begin, end, last in roughness.strips(len(t), ROWS, stride):
-        here, there = slice(begin - first, end - first), slice(first, last)
-        apart = roughness.misfits(t[there], slopes[:, there], stride)
-        for misfit, (v, u) in zip(apart, around, strict=True):
-            with np.errstate(invalid="ignore"):
-                limit = SIGMAS * np.sqrt(own[there] + roughness.at_neighbour(own[there], v, u))
-                agree[begin:end] += (np.abs(misfit) <= limit)[here]
-                against[begin:end] += (np.abs(misfit) > limit)[here]
-    kept: Mask = known & (agree >= AGREE) & (against <= AGAINST)
+    agree, against, apart = _compared(t, slopes, own, stride, roughness.APART_PX)
+    sure: Mask = (agree >= SURELY_AGREE) & (against <= SURELY_AGAINST)
+    if stride <= NEAR_PX:
+        near = _compared(t, slopes, own, stride, NEAR_PX)[0] >= NEAR_AGREE
+    else:
+        near = agree >= SURELY_AGREE
+    kept: Mask = known & (sure | near & (agree >= AGREE) & (against <= AGAINST))
     edge = kept & _beside_holes(kept, stride)
     flags = np.zeros(t.shape, np.uint8)
     for flag, where in (
@@ -65,7 +72,24 @@ def flags_of(t: Array, slopes: Array, variance: Array, incidence: Array, few: Ma
         (Flag.LONELY, ~kept), (Flag.EDGE, edge),
     ):  # fmt: skip
         flags[known & where] |= np.uint8(flag)
-    return flags
+    return flags, np.where(kept & ~sure, apart, 0)
+
+
+def _compared(t: Array, slopes: Array, own: Array, stride: int, distance_px: float) -> tuple[Array, Array, Array]:
+    """How many of eight neighbours agree, how many do not (uint8), and the largest square of a misfit (float32)."""
+    agree, against = np.zeros(t.shape, np.uint8), np.zeros(t.shape, np.uint8)
+    apart = np.zeros(t.shape, np.float32)
+    around = roughness.neighbours(stride, distance_px)
+    for first, begin, end, last in roughness.strips(len(t), ROWS, stride):
+        here, there = slice(begin - first, end - first), slice(first, last)
+        misfits = roughness.misfits(t[there], slopes[:, there], stride, distance_px)
+        for misfit, (v, u) in zip(misfits, around, strict=True):
+            with np.errstate(invalid="ignore"):
+                limit = SIGMAS * np.sqrt(own[there] + roughness.at_neighbour(own[there], v, u))
+                agree[begin:end] += (np.abs(misfit) <= limit)[here]
+                against[begin:end] += (np.abs(misfit) > limit)[here]
+            apart[begin:end] = np.fmax(apart[begin:end], misfit[here] ** 2)
+    return agree, against, apart
 
 
 def _beside_holes(kept: Mask, stride: int) -> Mask:

@@ -93,12 +93,12 @@ def of_window(response: Array, power: float) -> Array:
     return found
 
 
-def misfits(t: Array, slopes: Array, stride: int) -> Array:
-    """(8, rows, columns) differences to eight neighbours 4 px away, less the mean of both slopes; NaN where unknown.
+def misfits(t: Array, slopes: Array, stride: int, distance_px: float = APART_PX) -> Array:
+    """(8, rows, columns) differences to eight neighbours so far away, less the mean of both slopes; NaN where unknown.
 
     Of a surface of second degree they are 0.
     """
-    around = neighbours(stride)
+    around = neighbours(stride, distance_px)
     found = np.empty((len(around), *t.shape), np.float32)
     for k, (v, u) in enumerate(around):
         a, b = (at_neighbour(s, v, u) + s for s in slopes)
@@ -106,9 +106,9 @@ def misfits(t: Array, slopes: Array, stride: int) -> Array:
     return found
 
 
-def neighbours(stride: int) -> list[tuple[int, int]]:
-    """Rows and columns of the grid to eight neighbours 4 px away."""
-    far = max(1, round(APART_PX / stride))
+def neighbours(stride: int, distance_px: float = APART_PX) -> list[tuple[int, int]]:
+    """Rows and columns of the grid to eight neighbours so far away."""
+    far = max(1, round(distance_px / stride))
     return [(v, u) for v, u in product((-far, 0, far), repeat=2) if u or v]
 
 
