@@ -28,54 +28,81 @@ static void census(const uint8_t* image, int width, int height, uint64_t* out) {
     }
 }
 
-// The smallest and the second smallest cost (levels, width) over the sources, of one row.
-static void row_costs(const Sweep& s, const uint64_t* reference, const SweepSource& o, int y, uint8_t* first, uint8_t* second) {
-  const int r = std::min(y / s.step, s.rows - 2), below = y - r * s.step;
-  const uint64_t* ref = reference + int64_t(y) * s.width;
+// The smallest and the second smallest cost (levels, step, step) over the sources, of one cell of the tables.
+struct Cell {
+  int x, y, columns, rows;  // its first pixel, and how many
+  uint8_t *first, *second;
+};
+
+constexpr int kTogether = 16;  // pixels whose comparisons are counted together
+
+// One row of pixels of a cell at one level, whose places go on from (px, py) by (dx, dy).
+static inline void row_costs(const uint64_t* reference, const SweepSource& o, int64_t px, int64_t py, int64_t dx, int64_t dy, int count, uint8_t* first,
+                             uint8_t* second) {
+  const auto outside = [&](int64_t x, int64_t y) { return uint64_t(x >> kFraction) >= uint64_t(o.width) || uint64_t(y >> kFraction) >= uint64_t(o.height); };
+  for (int begin = 0; begin < count; begin += kTogether, first += kTogether, second += kTogether, reference += kTogether) {
+    const int n = std::min(kTogether, count - begin);
+    const bool whole = !outside(px, py) && !outside(px + (n - 1) * dx, py + (n - 1) * dy);
+    uint64_t differ[kTogether];
+    uint8_t cost[kTogether];
+    for (int i = 0; i < n; ++i, px += dx, py += dy)
+      differ[i] = !whole && outside(px, py) ? kUnknown : reference[i] ^ o.census[(py >> kFraction) * o.width + (px >> kFraction)];
+    // what is not known counts more than all comparisons
+    for (int i = 0; i < n; ++i) cost[i] = uint8_t(std::popcount(differ[i]) | -int(differ[i] >> 63));
+    for (int i = 0; i < n; ++i) {
+      const uint8_t worse = std::max(first[i], cost[i]);
+      first[i] = std::min(first[i], cost[i]);
+      second[i] = std::min(second[i], worse);
+    }
+  }
+}
+
+// A / step towards zero; a division proper takes longer than all comparisons of a row of pixels.
+struct Shared {
+  int64_t step;
+  int bits;  // of a step that is a power of two; else -1
+  explicit Shared(int of) : step(of), bits(std::has_single_bit(unsigned(of)) ? std::countr_zero(unsigned(of)) : -1) {}
+  int64_t operator()(int64_t a) const { return bits < 0 ? a / step : (a + ((a >> 63) & (step - 1))) >> bits; }
+};
+
+static void cell_costs(const Sweep& s, const uint64_t* reference, const SweepSource& o, const Cell& cell) {
+  const int r = cell.y / s.step, c = cell.x / s.step;
+  const Shared shared(s.step);
   for (int l = 0; l < s.levels; ++l) {
-    const int32_t* top = o.table + (int64_t(l) * s.rows + r) * s.columns * 2;
+    const int32_t* top = o.table + ((int64_t(l) * s.rows + r) * s.columns + c) * 2;
     const int32_t* low = top + int64_t(s.columns) * 2;
-    uint8_t *a = first + int64_t(l) * s.width, *b = second + int64_t(l) * s.width;
-    for (int c = 0; c + 1 < s.columns; ++c) {
+    bool seen = true;
+    for (int i = 0; i < 4; ++i) seen = seen && top[i] != kNowhere && low[i] != kNowhere;
+    if (!seen) continue;
+    for (int below = 0; below < cell.rows; ++below) {
       int32_t at[4];
-      bool seen = true;
-      for (int i = 0; i < 4; ++i) {
-        const int32_t from = top[2 * c + i], to = low[2 * c + i];
-        seen = seen && from != kNowhere && to != kNowhere;
-        at[i] = int32_t(from + (int64_t(to) - from) * below / s.step);
-      }
-      if (!seen) continue;
-      int64_t px = at[0], py = at[1];
-      const int64_t dx = (int64_t(at[2]) - at[0]) / s.step, dy = (int64_t(at[3]) - at[1]) / s.step;
-      const int end = std::min(s.width, (c + 1) * s.step);
-      for (int x = c * s.step; x < end; ++x, px += dx, py += dy) {
-        const int column = int(px >> kFraction), row = int(py >> kFraction);
-        if (unsigned(column) >= unsigned(o.width) || unsigned(row) >= unsigned(o.height)) continue;
-        const uint64_t differ = ref[x] ^ o.census[int64_t(row) * o.width + column];
-        if (differ & kUnknown) continue;
-        const uint8_t cost = uint8_t(std::popcount(differ)), worse = std::max(a[x], cost);
-        a[x] = std::min(a[x], cost);
-        b[x] = std::min(b[x], worse);
-      }
+      for (int i = 0; i < 4; ++i) at[i] = int32_t(top[i] + shared((int64_t(low[i]) - top[i]) * below));
+      const int64_t dx = shared(int64_t(at[2]) - at[0]), dy = shared(int64_t(at[3]) - at[1]);
+      const size_t here = (size_t(l) * s.step + below) * s.step;
+      row_costs(reference + int64_t(cell.y + below) * s.width + cell.x, o, at[0], at[1], dx, dy, cell.columns, cell.first + here, cell.second + here);
     }
   }
 }
 
 static void costs(const Sweep& s, const uint64_t* reference, const SweepSource* sources, int count, uint8_t* cost) {
-  const size_t size = size_t(s.levels) * size_t(s.width);
+  const size_t size = size_t(s.levels) * size_t(s.step) * size_t(s.step);
   std::vector<uint8_t> first(size), second(size);
-  for (int y = 0; y < s.height; ++y) {
-    std::fill(first.begin(), first.end(), kNobody);
-    std::fill(second.begin(), second.end(), kNobody);
-    for (int k = 0; k < count; ++k) row_costs(s, reference, sources[k], y, first.data(), second.data());
-    for (size_t i = 0; i < size; ++i) {
-      const uint8_t a = first[i], b = second[i];
-      first[i] = a == kNobody ? kNeutral : b == kNobody ? a : uint8_t((int(a) + int(b) + 1) / 2);
+  for (int y = 0; y < s.height; y += s.step)
+    for (int x = 0; x < s.width; x += s.step) {
+      const Cell cell{x, y, std::min(s.step, s.width - x), std::min(s.step, s.height - y), first.data(), second.data()};
+      std::fill(first.begin(), first.end(), kNobody);
+      std::fill(second.begin(), second.end(), kNobody);
+      for (int k = 0; k < count; ++k) cell_costs(s, reference, sources[k], cell);
+      for (size_t i = 0; i < size; ++i) {
+        const uint8_t a = first[i], b = second[i];
+        first[i] = a == kNobody ? kNeutral : b == kNobody ? a : uint8_t((int(a) + int(b) + 1) / 2);
+      }
+      for (int j = 0; j < cell.rows; ++j) {
+        uint8_t* out = cost + (int64_t(y + j) * s.width + x) * s.levels;
+        for (int l = 0; l < s.levels; ++l)
+          for (int i = 0; i < cell.columns; ++i) out[int64_t(i) * s.levels + l] = first[(size_t(l) * s.step + j) * s.step + i];
+      }
     }
-    uint8_t* out = cost + int64_t(y) * s.width * s.levels;
-    for (int x = 0; x < s.width; ++x)
-      for (int l = 0; l < s.levels; ++l) out[int64_t(x) * s.levels + l] = first[size_t(l) * s.width + x];
-  }
 }
 
 // A pixel of a path: cost + min(before, neighbours + slope, least + jump) - least; its smallest value.

@@ -9,7 +9,8 @@ import pytest
 from raybundle.block import Observations, Points
 from raybundle.errors import InputError
 from raybundle.surfaces import planes, roughness
-from raybundle.surfaces.depth_map import DepthMap, DepthOptions, Flag, depth_map
+from raybundle.surfaces.depth_map import DepthMap, DepthOptions, depth_map
+from raybundle.surfaces.filters import Flag
 from raybundle.surfaces.noise import autocovariance
 from raybundle.surfaces.pairs import Sources
 from raybundle.surfaces.refine import PixelGrid, Refined, Source, refine
@@ -115,6 +116,17 @@ def test_a_map_is_kept_and_is_the_same_for_any_number_of_threads(block, greys):
     for name, values in a.as_arrays().items():
         assert np.array_equal(values, b.as_arrays()[name], equal_nan=True)
         assert np.array_equal(values, kept.as_arrays()[name], equal_nan=True)
+
+
+def test_a_map_by_strips_is_that_of_all_rows(block, greys, measured, monkeypatch):
+    """To the last bit: growing reaches as far as strips overlap, and no local variance looks further."""
+    monkeypatch.setattr("raybundle.surfaces.depth_map.STRIP_BYTES", 1.0)
+    for name in ("depth_map", "filters", "roughness"):
+        monkeypatch.setattr(f"raybundle.surfaces.{name}.ROWS", 7)
+    parts = depth_map(block, CHOSEN, greys.__getitem__, DepthOptions(density=1))
+    for name, values in measured.as_arrays().items():
+        assert np.array_equal(values, parts.as_arrays()[name], equal_nan=values.dtype.kind == "f"), name
+
 
 
 def test_what_cannot_be_measured_is_told(ground, block, greys):

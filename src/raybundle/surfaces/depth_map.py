@@ -6,23 +6,25 @@ by the noise that was measured on the way.  Nothing here reads or writes files.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
-from enum import IntFlag
 
-import cv2
 import numpy as np
 
 from raybundle.block import Block
 from raybundle.errors import InputError
 from raybundle.numerics.arrays import Array, Index, Mask
 from raybundle.surfaces import planes, roughness
+from raybundle.surfaces.filters import Flag, tested
 from raybundle.surfaces.noise import autocovariance, lost_freedom
+from raybundle.surfaces.normals import incidences, smoothed
 from raybundle.surfaces.orientation import ShiftCovariance
 from raybundle.surfaces.pairs import Sources
-from raybundle.surfaces.refine import PixelGrid, Refined, RefineOptions, Source, grow, refine, used_sources
-from raybundle.surfaces.sweep import moved_px, reduction_for, swept
-from raybundle.surfaces.transfer import ReferenceRays, transfer
+from raybundle.surfaces.refine import (
+    PASSES, PixelGrid, Refined, RefineOptions, Source, grow, refine, used_sources,
+)  # fmt: skip
+from raybundle.surfaces.sweep import Start, moved_px, reduction_for, swept
+from raybundle.surfaces.transfer import ReferenceRays, Transfer, transfer
 
 COARSE = 4
 """Pixels from one to the next of the grid that is refined first: windows of 7 px overlap there."""
@@ -31,33 +33,13 @@ OUTER, BEYOND = 0.01, 0.25
 share of their range."""
 FEWEST_POINTS = 8
 """Tie points that tell the range of depths."""
-STRIP_BYTES = 64e6
+STRIP_BYTES = 48e6
 """Windows' responses that are in memory at once."""
-SIGMAS = 3.0
-"""Standard deviations of a difference up to which neighbours agree."""
-AGREE, AGAINST = 5, 2
-"""Of eight neighbours that have to, and that may speak against it: most of a straight edge of things stays, and what
-juts out of it, where a window shows more of the other side, goes."""
-HOLE_PX, RIM_PX = 9, 2
-"""Holes larger than a window and a pixel on each side, and what is lost around them: of 3 px that half a window
-reaches, the outer one has no weight."""
-GRAZING = 0.3
-"""Cosine between ray and normal below which a window shows hardly anything of the surface."""
-
-
-class Flag(IntFlag):
-    """What is to be known of a pixel."""
-
-    GRAZING = 1
-    STEP = 2
-    """A neighbour stands on another depth"""
-    FEW_SOURCES = 4
-    """Seen by one source only, where there are several: nothing checks it"""
-    LONELY = 8
-    """Its neighbours do not agree with it: taken out"""
-    EDGE = 16
-    """Beside a hole that is larger than a window: something begins there that hides the rest, and windows show both:
-    taken out"""
+SWEEP_BYTES = 100.0
+"""That costs of approximate depths may take for a pixel of the reference: as much as the map and its strips take."""
+LEAST_SWEEP_BYTES = 4e8
+ROWS = 64
+"""Of a map whose variances are made at once."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -88,7 +70,7 @@ class DepthMap:
     noise: Array
     """variance of t by the noise of grey values"""
     roughness: Array
-    """variance of t by what the surface does within the window"""
+    """variance of t by what the surface does within the window, and by steps of which it may be on either side"""
     shift: Array
     """(rows, columns, sources, 2) change of t where a source's picture lies one pixel further [t / px]"""
     views: Index
@@ -109,9 +91,12 @@ class DepthMap:
     def variance(self, shifts: ShiftCovariance | None = None) -> Array:
         """(rows, columns) of t: noise, roughness and, with `shifts`, orientation and calibration."""
         found = self.noise.astype(float) + self.roughness
-        known = np.isfinite(self.t)
-        if shifts is not None and known.any():
-            found[known] += shifts.of_depths(self.grid.xy_px[known], self.t[known].astype(float), self.shift[known])
+        for k in range(0, self.grid.rows if shifts is not None else 0, ROWS):
+            part = slice(k, k + ROWS)
+            known = np.isfinite(self.t[part])
+            if known.any():
+                xy, t = self.grid.rows_of(k, ROWS).xy_px[known], self.t[part][known].astype(float)
+                found[part][known] += shifts.of_depths(xy, t, self.shift[part][known])
         return found
 
     def points(self, block: Block, reference: int) -> Array:
@@ -121,7 +106,7 @@ class DepthMap:
 
     def smooth_slopes(self) -> Array:
         """(2, rows, columns) of t by column and row, means over a pixel and its neighbours [1 / px]."""
-        return _smooth(self.slopes, np.isfinite(self.t), self.grid.stride)
+        return smoothed(self.slopes, np.isfinite(self.t), self.grid.stride)
 
     def correlation_between(self, distance_px: Array) -> Array:
         """Correlation (...) of the errors by noise and roughness of usual pixels so far apart.
@@ -138,10 +123,9 @@ class DepthMap:
 
     def as_arrays(self) -> dict[str, Array]:
         """What a store keeps."""
-        g = self.grid
         named = {name: getattr(self, name) for name in STORED}
         return {
-            **named, "grid": np.array([g.x0, g.y0, g.stride, g.rows, g.columns]),
+            **named, "grid": self.grid.as_numbers(),
             "sources": np.array(self.sources, np.int32), "t_range": np.array(self.t_range),
             "correlation_px": np.array([self.correlation_px]),
         }  # fmt: skip
@@ -149,10 +133,9 @@ class DepthMap:
     @classmethod
     def of_arrays(cls, a: Mapping[str, Array]) -> DepthMap:
         """That of `as_arrays`."""
-        x0, y0, stride, rows, columns = (int(n) for n in a["grid"])
         low, high = a["t_range"].tolist()
         return cls(
-            grid=PixelGrid(x0=x0, y0=y0, stride=stride, rows=rows, columns=columns),
+            grid=PixelGrid.of_numbers(a["grid"]),
             sources=tuple(a["sources"].tolist()), t_range=(low, high), correlation_px=float(a["correlation_px"][0]),
             **{name: np.asarray(a[name]) for name in STORED},
         )  # fmt: skip
@@ -178,11 +161,21 @@ def depth_map(
     o = options or DepthOptions()
     if o.density not in (1, 2, 4):
         raise InputError(f"density {o.density}: a depth at every pixel, every second or every fourth: 1, 2 or 4")
+    if not chosen.sources:
+        raise InputError(f"image {block.images.ids[chosen.reference]}: no other photograph is of use with it")
     rays = ReferenceRays.of(block, chosen.reference)
     t_range = _range(block, rays, chosen.reference)
-    work = _Work.of(block, rays, chosen, greys, t_range, o)
-    found, coarse, noise = _approximate(work)
-    return _measured(work, found, coarse, noise)
+    tables = [transfer(block, rays, j, t_range) for j in chosen.sources]
+    reference, photographs = greys(chosen.reference), [greys(j) for j in chosen.sources]
+    start = _start(reference, photographs, tables, o)
+    sources = [
+        Source(grey=np.ascontiguousarray(photographs.pop(0), np.float32), transfer=table) for table in tables
+    ]
+    work = _Work(
+        rays=rays, reference=reference, grey=np.ascontiguousarray(reference, np.float32), sources=sources,
+        chosen=chosen, t_range=t_range, options=o,
+    )  # fmt: skip
+    return _measured(work, *_approximate(work, start))
 
 
 def _range(block: Block, rays: ReferenceRays, reference: int) -> tuple[float, float]:
@@ -207,42 +200,24 @@ class _Work:
     rays: ReferenceRays
     reference: Array
     """(h, w) uint8"""
-    photographs: Sequence[Array]
-    """(h, w) uint8 of each source"""
+    grey: Array
+    """(h, w) the same as float32"""
     sources: Sequence[Source]
     chosen: Sources
     t_range: tuple[float, float]
     options: DepthOptions
 
-    @classmethod
-    def of(
-        cls, block: Block, rays: ReferenceRays, chosen: Sources, greys: Callable[[int], Array],
-        t_range: tuple[float, float], options: DepthOptions,
-    ) -> _Work:  # fmt: skip
-        if not chosen.sources:
-            raise InputError(f"image {block.images.ids[chosen.reference]}: no other photograph is of use with it")
-        photographs = [greys(j) for j in chosen.sources]
-        sources = [
-            Source(grey=np.ascontiguousarray(g, np.float32), transfer=transfer(block, rays, j, t_range))
-            for j, g in zip(chosen.sources, photographs, strict=True)
-        ]
-        return cls(
-            rays=rays, reference=greys(chosen.reference), photographs=photographs, sources=sources, chosen=chosen,
-            t_range=t_range, options=options,
-        )  # fmt: skip
 
-    @property
-    def grey(self) -> Array:
-        """(h, w) float32 of the reference."""
-        return np.ascontiguousarray(self.reference, np.float32)
+def _start(reference: Array, photographs: Sequence[Array], tables: Sequence[Transfer], options: DepthOptions) -> Start:
+    """Approximate depths, in no more memory than the map takes later."""
+    height, width = reference.shape
+    memory = min(options.memory, max(LEAST_SWEEP_BYTES, SWEEP_BYTES * width * height))
+    scale = reduction_for(width, height, moved_px(tables, width, height), memory)
+    return swept(reference, photographs, tables, scale=scale, memory=memory)
 
 
-def _approximate(work: _Work) -> tuple[Refined, PixelGrid, Array]:
+def _approximate(work: _Work, start: Start) -> tuple[Refined, PixelGrid, Array]:
     """Refined pixels of a coarse grid, and the autocovariances of the noise."""
-    height, width = work.reference.shape
-    tables = [s.transfer for s in work.sources]
-    scale = reduction_for(width, height, moved_px(tables, width, height), work.options.memory)
-    start = swept(work.reference, work.photographs, tables, scale=scale)
     coarse = PixelGrid.over(work.reference, COARSE, RefineOptions().half)
     grey, threads = work.grey, work.options.threads
     found = refine(grey, work.sources, coarse, planes.of_start(start, coarse), threads=threads)
@@ -250,60 +225,113 @@ def _approximate(work: _Work) -> tuple[Refined, PixelGrid, Array]:
     return found, coarse, autocovariance(grey, work.sources, coarse, found)
 
 
+@dataclass(frozen=True, slots=True, kw_only=True)
+class _Fine:
+    """What is kept of the refined pixels of a map: arrays (rows, columns), float32 unless said otherwise."""
+
+    t: Array
+    slopes: Array
+    """(2, rows, columns); NaN, as t, where a pixel was not refined"""
+    noise: Array
+    """variance of t by grey values"""
+    theory: Array
+    """that and the variance of a usual roughness"""
+    residual: Array
+    """variance of grey values"""
+    correlation: Array
+    contrast: Array
+    shift: Array
+    """(rows, columns, sources, 2)"""
+    views: Index
+    """int32"""
+    reason: Array
+    """uint8"""
+
+    @classmethod
+    def empty(cls, grid: PixelGrid, sources: int) -> _Fine:
+        shape = grid.rows, grid.columns
+        return cls(
+            **{
+                name: np.empty(shape, np.float32)
+                for name in ("t", "noise", "theory", "residual", "correlation", "contrast")
+            },
+            slopes=np.empty((2, *shape), np.float32), shift=np.empty((*shape, sources, 2), np.float32),
+            views=np.empty(shape, np.int32), reason=np.empty(shape, np.uint8),
+        )  # fmt: skip
+
+    def take(self, rows: slice, part: Refined, noise: Array, window: Array) -> None:
+        """Rows that were refined, their variances by noise, and those by windows on a usual roughness."""
+        known = part.found
+        by_noise = np.where(known, noise, np.nan)
+        residual = part.grey_variance * part.contrast**2
+        for own, values in (
+            (self.t, part.t), (self.noise, by_noise), (self.theory, by_noise + window), (self.residual, residual),
+            (self.correlation, part.correlation), (self.contrast, part.contrast),
+        ):  # fmt: skip
+            own[rows] = np.where(known, values, np.nan)
+        self.slopes[:, rows] = np.where(known, part.slopes, np.nan)
+        self.shift[rows], self.views[rows], self.reason[rows] = part.shift, part.views, part.reason
+
+
 def _measured(work: _Work, found: Refined, coarse: PixelGrid, noise: Array) -> DepthMap:
     """The map at the density that is asked for."""
-    grey, threads, stride = work.grey, work.options.threads, work.options.density
-    grid = PixelGrid.over(work.reference, stride, RefineOptions().half)
+    grid = PixelGrid.over(work.reference, work.options.density, RefineOptions().half)
     whole = roughness.variogram(np.where(found.found, found.t, np.nan), _noise_of(found, noise, work), COARSE)
-    start = planes.of_refined(found, coarse, grid)
-    fine, window = _in_strips(work, grid, start, noise, whole.power)
-    grown = grow(grey, work.sources, grid, fine, autocovariance=noise, threads=threads)
-    more = grown.found & ~fine.found
-    if more.any():
-        again = np.where(more, grown.numbers[:3], np.nan).astype(np.float32)
-        rest, at_rest = _in_strips(work, grid, again, noise, whole.power)
-        fine = _joined(fine, rest)
-        window = np.where(rest.found, at_rest, window)
-    by_noise = np.where(fine.found, _noise_of(fine, noise, work), np.nan)
-    theory = by_noise + whole.strength * window
-    return _map(work, grid, fine, by_noise, theory, noise[0])
-
-
-def _in_strips(work: _Work, grid: PixelGrid, start: Array, noise: Array, power: float) -> tuple[Refined, Array]:
-    """Refined pixels, and the variance of each for a roughness of 1; windows' responses stand in memory by strips."""
-    side = (2 * RefineOptions().half + 1) ** 2
-    rows = max(1, int(STRIP_BYTES / (4.0 * side * max(grid.columns, 1))))
-    parts, window = list[Refined](), np.zeros((grid.rows, grid.columns), np.float32)
-    for begin in range(0, grid.rows, rows):
-        n = min(rows, grid.rows - begin)
-        strip = PixelGrid(
-            x0=grid.x0, y0=grid.y0 + begin * grid.stride, stride=grid.stride, rows=n, columns=grid.columns
-        )
-        part = refine(
-            work.grey, work.sources, strip, start[:, begin : begin + n], autocovariance=noise, response=True,
-            threads=work.options.threads,
-        )  # fmt: skip
+    fine = _Fine.empty(grid, len(work.sources))
+    for rows, part in _grown(work, grid, (found, coarse), noise):
         assert part.response is not None
-        window[begin : begin + n] = roughness.of_window(part.response, power)
-        parts.append(replace(part, response=None))
-    return _below_each_other(parts), window
+        window = whole.strength * roughness.of_window(part.response, whole.power)
+        fine.take(rows, part, _noise_of(part, noise, work), window)
+    return _map(work, grid, fine, noise[0])
 
 
-def _below_each_other(parts: Sequence[Refined]) -> Refined:
+def _grown(
+    work: _Work, grid: PixelGrid, approximate: tuple[Refined, PixelGrid], noise: Array
+) -> Iterator[tuple[slice, Refined]]:
+    """Refined pixels, strip by strip, with windows' responses; the same as of all rows at once.
+
+    Growing carries planes over as many rows as it makes passes: so many are there on both sides of a strip.
+    """
+    side = (2 * RefineOptions().half + 1) ** 2
+    at_once = max(2 * PASSES, int(STRIP_BYTES / (4.0 * side * max(grid.columns, 1))))
+    there: Refined | None = None
+    first = last = 0
+    for begin in range(0, grid.rows, at_once):
+        end = min(begin + at_once, grid.rows)
+        more = grid.rows_of(last, min(end + PASSES, grid.rows) - last)
+        if more.rows:
+            fresh = refine(
+                work.grey, work.sources, more, planes.of_refined(*approximate, more), autocovariance=noise,
+                response=True, threads=work.options.threads,
+            )  # fmt: skip
+            there = fresh if there is None else _below_each_other(_rows(there, begin - PASSES - first), fresh)
+            first, last = max(0, begin - PASSES), last + more.rows
+        assert there is not None
+        strip = grid.rows_of(first, last - first)
+        grown = grow(
+            work.grey, work.sources, strip, there, autocovariance=noise, threads=work.options.threads
+        )
+        yield slice(begin, end), _rows(grown, begin - first, end - first)
+
+
+def _rows(part: Refined, begin: int, end: int | None = None) -> Refined:
+    """Rows of what was refined."""
+    own = slice(max(0, begin), end)
     return replace(
-        parts[0], numbers=np.concatenate([p.numbers for p in parts], axis=1),
-        reason=np.concatenate([p.reason for p in parts]), iterations=np.concatenate([p.iterations for p in parts]),
-        views=np.concatenate([p.views for p in parts]), shift=np.concatenate([p.shift for p in parts]),
+        part, numbers=part.numbers[:, own], reason=part.reason[own], iterations=part.iterations[own],
+        views=part.views[own], shift=part.shift[own], response=None if part.response is None else part.response[own],
     )  # fmt: skip
 
 
-def _joined(first: Refined, second: Refined) -> Refined:
-    """The second where it was refined, else the first."""
-    new = second.found
+def _below_each_other(one: Refined, other: Refined) -> Refined:
+    assert one.response is not None
+    assert other.response is not None
     return replace(
-        first, numbers=np.where(new, second.numbers, first.numbers), reason=np.where(new, second.reason, first.reason),
-        iterations=np.where(new, second.iterations, first.iterations),
-        views=np.where(new, second.views, first.views), shift=np.where(new[..., None, None], second.shift, first.shift),
+        one, numbers=np.concatenate([one.numbers, other.numbers], axis=1),
+        reason=np.concatenate([one.reason, other.reason]),
+        iterations=np.concatenate([one.iterations, other.iterations]),
+        views=np.concatenate([one.views, other.views]), shift=np.concatenate([one.shift, other.shift]),
+        response=np.concatenate([one.response, other.response]),
     )  # fmt: skip
 
 
@@ -322,102 +350,26 @@ def _noise_of(found: Refined, noise: Array, work: _Work) -> Array:
     return found.variance * more
 
 
-def _map(work: _Work, grid: PixelGrid, fine: Refined, by_noise: Array, theory: Array, grey: Array) -> DepthMap:
+def _map(work: _Work, grid: PixelGrid, fine: _Fine, grey: Array) -> DepthMap:
     """Local variances, and what neighbours say of a pixel."""
-    known = fine.found
-    t, slopes = np.where(known, fine.t, np.nan), np.where(known, fine.slopes, np.nan)
-    residual = fine.grey_variance * fine.contrast**2
-    apart = roughness.misfits(t, slopes, grid.stride)
-    factor = roughness.local_factor(
-        theory, roughness.of_neighbours(apart), residual, grid.of(work.reference).astype(float), grid.stride
-    )
-    variance = theory * factor
-    incidence = incidences(work.rays, grid, t, _smooth(slopes, known, grid.stride))
-    flags = _flags(work, fine, apart, variance, incidence, grid.stride)
-    kept = known & (flags & np.uint8(Flag.LONELY | Flag.EDGE) == 0)
-
-    def of_kept(values: Array) -> Array:
-        return np.where(kept, values, np.nan).astype(np.float32)
-
-    noise = np.minimum(by_noise, variance)
-    o = RefineOptions()
+    t, slopes, known = fine.t, fine.slopes, np.isfinite(fine.t)
+    misfit = roughness.misfit(t, slopes, grid.stride)
+    factor = roughness.local_factor(fine.theory, misfit, fine.residual, grid.of(work.reference), grid.stride)
+    variance = fine.theory * factor
+    del misfit, factor
+    incidence = incidences(work.rays, grid, t, smoothed(slopes, known, grid.stride))
+    several = len(work.sources) > 1
+    few: Mask = np.asarray((fine.views & (fine.views - 1) == 0) & several)  # a single bit
+    flags, by_steps = tested(t, slopes, variance, incidence, few, grid.stride)
+    lost = ~known | (flags & np.uint8(Flag.LONELY | Flag.EDGE) > 0)
+    noise = np.minimum(fine.noise, variance)
+    variance += by_steps - noise
+    slopes[:, lost] = np.nan
+    for values in (t, noise, variance, fine.correlation, fine.contrast, incidence):
+        values[lost] = np.nan
     return DepthMap(
-        grid=grid, sources=work.chosen.sources, t_range=work.t_range, t=of_kept(t), slopes=of_kept(slopes),
-        noise=of_kept(noise), roughness=of_kept(variance - noise), shift=fine.shift, views=fine.views,
-        reason=fine.reason, flags=flags, correlation=of_kept(fine.correlation), contrast=of_kept(fine.contrast),
-        incidence=of_kept(incidence), grey=grey, correlation_px=2 * o.sigma,
+        grid=grid, sources=work.chosen.sources, t_range=work.t_range, t=t, slopes=slopes, noise=noise,
+        roughness=variance, shift=fine.shift, views=fine.views, reason=fine.reason, flags=flags,
+        correlation=fine.correlation, contrast=fine.contrast, incidence=incidence, grey=grey,
+        correlation_px=2 * RefineOptions().sigma,
     )  # fmt: skip
-
-
-def _flags(work: _Work, fine: Refined, apart: Array, variance: Array, incidence: Array, stride: int) -> Array:
-    """uint8 `Flag` of each pixel, by a test of the map against itself."""
-    known = fine.found
-    few = (used_sources(fine.views, len(work.sources)).sum(axis=-1) < 2) & (len(work.sources) > 1)
-    own = np.where(known, variance, np.nan)
-    agree, against = np.zeros(known.shape, np.uint8), np.zeros(known.shape, np.uint8)
-    for misfit, (v, u) in zip(apart, roughness.neighbours(stride), strict=True):
-        with np.errstate(invalid="ignore"):
-            limit = SIGMAS * np.sqrt(own + roughness.at_neighbour(own, v, u))
-            agree += np.abs(misfit) <= limit
-            against += np.abs(misfit) > limit
-    kept: Mask = known & (agree >= AGREE) & (against <= AGAINST)
-    edge = kept & _beside_holes(kept, stride)
-    flags = np.zeros(known.shape, np.uint8)
-    for flag, where in (
-        (Flag.GRAZING, ~(incidence >= GRAZING)), (Flag.STEP, against > 0), (Flag.FEW_SOURCES, few),
-        (Flag.LONELY, ~kept), (Flag.EDGE, edge),
-    ):  # fmt: skip
-        flags[known & where] |= np.uint8(flag)
-    return flags
-
-
-def _beside_holes(kept: Mask, stride: int) -> Mask:
-    """Pixels beside what is missing over more than a window."""
-    size, rim = 2 * round((HOLE_PX / stride - 1) / 2) + 1, max(1, round(RIM_PX / stride))
-    missing = np.pad((~kept).astype(np.uint8), size, mode="edge")
-    holes = cv2.morphologyEx(missing, cv2.MORPH_OPEN, np.ones((max(size, 3),) * 2, np.uint8))
-    return cv2.dilate(holes, np.ones((2 * rim + 1,) * 2, np.uint8))[size:-size, size:-size] > 0
-
-
-def _smooth(slopes: Array, known: Mask, stride: int) -> Array:
-    """Means of slopes (2, rows, columns) over a pixel and neighbours; a window on an edge has a slope of no thing."""
-    size = 2 * round(roughness.APART_PX / stride) + 1
-
-    def total(values: Array) -> Array:
-        return cv2.boxFilter(
-            values.astype(np.float64), -1, (size, size), normalize=False, borderType=cv2.BORDER_CONSTANT
-        )
-
-    n = np.maximum(total(known), 1)
-    return np.stack([total(np.where(known, s, 0)) / n for s in slopes])
-
-
-def incidences(rays: ReferenceRays, grid: PixelGrid, t: Array, slopes: Array) -> Array:
-    """(rows, columns) cosine of the angle between rays and the normals of planes of t."""
-    found = np.full(t.shape, np.nan, np.float32)
-    known = np.isfinite(t)
-    xy, tk = grid.xy_px[known], t[known].astype(float)
-    if not len(tk):
-        return found
-    normal, _ = planes_at(rays, xy, tk, slopes[:, known].astype(float))
-    d = rays.rays(xy)[1]
-    found[known] = -(normal * d).sum(axis=1) / np.linalg.norm(d, axis=1)
-    return found
-
-
-def planes_at(rays: ReferenceRays, xy_px: Array, t: Array, slopes: Array) -> tuple[Array, Array]:
-    """Normals (n, 3) towards the viewer of planes of t at pixels, and the object's area (n,) that a pixel shows.
-
-    slopes  (2, n) of t along the columns and rows [1 / px]
-    """
-    middle = rays.points(xy_px, t)
-    across, down = (
-        (rays.points(xy_px + 0.5 * axis, t + 0.5 * slope) - middle) * 2.0
-        for axis, slope in zip(np.eye(2), slopes, strict=True)
-    )
-    normal = np.cross(across, down)
-    area = np.linalg.norm(normal, axis=1)
-    normal /= np.maximum(area, 1e-300)[:, None]
-    away = (normal * rays.rays(xy_px)[1]).sum(axis=1) > 0
-    normal[away] *= -1
-    return normal, area

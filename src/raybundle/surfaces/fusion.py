@@ -8,7 +8,7 @@ how they are correlated, and gains little, since they share photographs, orienta
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -76,44 +76,69 @@ class Agreement:
 
 
 def agreement(
-    mine: MapView, others: Sequence[MapView], tables: Sequence[Transfer], order: Sequence[int], *, own: int
+    mine: MapView, others: Iterable[MapView], tables: Iterable[Transfer], order: Sequence[int], *, own: int
 ) -> Agreement:
     """Compare the points of a map with other maps.
 
     mine    the map whose points are looked at
-    others  maps that may see them
+    others  maps that may see them; they are asked for one after the other
     tables  where each of the others sees what `mine` sees
     order   (k,) a number of each of the others, `own` of this one: of equally good estimates the lower is kept
 
     What it does not tell: an error that all maps share, as one of orientation.
     """
-    known = np.isfinite(mine.t)
-    xy, t, sigma = mine.grid.xy_px[known], np.asarray(mine.t[known], float), np.asarray(mine.sigma[known], float)
-    count = len(t)
+    points = _Points.of(mine)
+    count = len(points.t)
     agree, against, behind = (np.zeros(count, np.uint8) for _ in range(3))
     best = np.ones(count, bool)
-    for begin in range(0, count, CHUNK):
-        part = slice(begin, begin + CHUNK)
-        xyz = mine.rays.points(xy[part], t[part])
-        length = sigma[part] / t[part] ** 2
-        step = mine.rays.points(xy[part], t[part] + sigma[part])
-        for other, table, number in zip(others, tables, order, strict=True):
-            place = table.at(xy[part], t[part])
-            seen = np.flatnonzero(np.isfinite(place).all(axis=1))
-            there, theirs, their_length = other.looked_up(place[seen])
-            told = np.isfinite(there)
-            seen, there, theirs, their_length = seen[told], there[told], theirs[told], their_length[told]
-            at = place[seen]
-            mine_there = other.rays.parameter(at, xyz[seen])
-            # how far my standard deviation moves the point along the other's ray
-            by_mine = other.rays.parameter(at, step[seen]) - mine_there
-            difference = mine_there - there
-            limit = SIGMAS * np.hypot(by_mine, theirs)
+    for other, table, number in zip(others, tables, order, strict=True):
+        for begin in range(0, count, CHUNK):
+            part = slice(begin, begin + CHUNK)
+            seen, difference, limit, length = points.beside(part, other, table)
             same, front = np.abs(difference) <= limit, difference > limit
             agree[part][seen[same]] += 1
             against[part][seen[front]] += 1
             behind[part][seen[~same & ~front]] += 1
+            ours = points.length[part][seen]
             with np.errstate(invalid="ignore"):
-                better = (their_length < length[seen]) | ((their_length == length[seen]) & (number < own))
+                better = (length < ours) | ((length == ours) & (number < own))
             best[part][seen[same & better]] = False
     return Agreement(agree=agree, against=against, behind=behind, best=best)
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class _Points:
+    """Points (n,) of a map."""
+
+    xy_px: Array
+    t: Array
+    xyz: Array
+    step: Array
+    """(n, 3) float32 to where a point lies whose t is larger by its standard deviation"""
+    length: Array
+    """standard deviation as a length"""
+
+    @classmethod
+    def of(cls, mine: MapView) -> _Points:
+        known = np.isfinite(mine.t)
+        xy, t, sigma = mine.grid.xy_px[known], np.asarray(mine.t[known], float), np.asarray(mine.sigma[known], float)
+        xyz, step = np.empty((len(t), 3)), np.empty((len(t), 3), np.float32)
+        for begin in range(0, len(t), CHUNK):
+            part = slice(begin, begin + CHUNK)
+            origin, direction = mine.rays.rays(xy[part])
+            xyz[part] = origin + direction / t[part, None]
+            step[part] = origin + direction / (t[part] + sigma[part])[:, None] - xyz[part]
+        return cls(xy_px=xy, t=t, xyz=xyz, step=step, length=sigma / t**2)
+
+    def beside(self, part: slice, other: MapView, table: Transfer) -> tuple[Array, Array, Array, Array]:
+        """Of some points those that another map knows: their numbers, differences of t there, limits, its lengths."""
+        place = table.at(self.xy_px[part], self.t[part])
+        seen = np.flatnonzero(np.isfinite(place).all(axis=1))
+        there, theirs, length = other.looked_up(place[seen])
+        told = np.isfinite(there)
+        seen, there, theirs, length = seen[told], there[told], theirs[told], length[told]
+        at, xyz = place[seen], self.xyz[part][seen]
+        mine_there = other.rays.parameter(at, xyz)
+        # how far my standard deviation moves the point along the other's ray
+        by_mine = other.rays.parameter(at, xyz + self.step[part][seen]) - mine_there
+        return seen, mine_there - there, SIGMAS * np.hypot(by_mine, theirs), length

@@ -12,7 +12,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from raybundle.numerics.arrays import Array
+from raybundle.numerics.arrays import Array, Mask
 from raybundle.surfaces.refine import LAG, PixelGrid, Refined, RefineOptions, Source, interpolated_lags
 from raybundle.surfaces.twin import cubic
 
@@ -37,11 +37,11 @@ def autocovariance(reference: Array, sources: Sequence[Source], grid: PixelGrid,
     products, textures = list[Array](), list[Array]()
     for s, source in enumerate(sources):
         seen = middles[(found.views[middles[:, 0], middles[:, 1]] >> s) & 1 == 1]
-        for residual, gradient in _patches(reference, source, grid, found, seen):
-            products.append(_by_lag(residual))
-            textures.append(_by_lag(gradient))
-    if len(products) >= FEWEST:
-        own = _without_interpolation(_of_weakest(np.stack(products), np.stack(textures)))
+        residuals, gradients = _patches(reference, source, grid, found, seen)
+        products.append(_by_lag(residuals))
+        textures.append(_by_lag(gradients))
+    if sum(len(p) for p in products) >= FEWEST:
+        own = _without_interpolation(_of_weakest(np.concatenate(products), np.concatenate(textures)))
     return np.repeat(own[None], 1 + len(sources), axis=0).astype(np.float32)
 
 
@@ -70,10 +70,10 @@ def _middles(reference: Array, grid: PixelGrid, found: Refined) -> Array:
 
 def _patches(
     reference: Array, source: Source, grid: PixelGrid, found: Refined, middles: Array
-) -> list[tuple[Array, Array]]:
-    """Residuals and gradients along the shift of depth (25, 25) of each patch, as grey values of the reference."""
+) -> tuple[Array, Array]:
+    """Residuals and gradients along the shift of depth (n, 25, 25) of patches, as grey values of the reference."""
     if not len(middles):
-        return []
+        return (np.zeros((0, 2 * HALF + 1, 2 * HALF + 1)),) * 2
     side = np.arange(-HALF, HALF + 1)
     dv, du = np.meshgrid(side, side, indexing="ij")
     row, column = middles.T
@@ -92,15 +92,16 @@ def _patches(
     g, gx, gy = (a.reshape(t.shape) for a in _sampled(source.grey, place))
     steep = gx * along[:, 0].reshape(t.shape) + gy * along[:, 1].reshape(t.shape)
     T = reference[y, x].astype(float)
-    pairs = []
-    for one, other, gradient in zip(T, g, steep, strict=True):
-        good = np.isfinite(other) & np.isfinite(gradient)
-        if good.mean() < SAME:
-            continue
-        A = np.stack([other[good], np.ones(int(good.sum()))], axis=1)
-        gain, level = np.linalg.lstsq(A, one[good], rcond=None)[0]
-        pairs.append((np.where(good, one - gain * other - level, np.nan), np.where(good, gain * gradient, np.nan)))
-    return pairs
+    good: Mask = np.asarray(np.isfinite(g) & np.isfinite(steep))
+    enough = good.mean(axis=(1, 2)) >= SAME
+    good, T, g, steep = good[enough], T[enough], g[enough], steep[enough]
+    n = good.sum(axis=(1, 2))[:, None, None]
+    one, other = (
+        a - np.where(good, a, 0).sum(axis=(1, 2), keepdims=True) / n for a in (T, np.where(good, g, 0))
+    )
+    square, product = (np.where(good, other * a, 0).sum(axis=(1, 2), keepdims=True) for a in (other, one))
+    gain = product / np.maximum(square, 1e-12)
+    return np.where(good, one - gain * other, np.nan), np.where(good, gain * steep, np.nan)
 
 
 def _sampled(grey: Array, place: Array) -> tuple[Array, Array, Array]:
@@ -119,20 +120,21 @@ def _sampled(grey: Array, place: Array) -> tuple[Array, Array, Array]:
     return g, gx, gy
 
 
-def _by_lag(image: Array) -> Array:
-    """(7, 7) mean products of values that lie so far apart; NaN take no part."""
-    there = np.isfinite(image)
-    mean = image[there].mean()
-    a = np.where(there, image - mean, 0)
-    h, w = a.shape
-    found = np.zeros((2 * LAG + 1, 2 * LAG + 1))
-    for dy in range(LAG + 1):
-        for dx in range(-LAG, LAG + 1):
-            one = slice(0, h - dy), slice(max(0, -dx), w - max(0, dx))
-            two = slice(dy, h), slice(max(0, dx), w - max(0, -dx))
-            n = max(1, int((there[one] & there[two]).sum()))
-            found[LAG + dy, LAG + dx] = found[LAG - dy, LAG - dx] = (a[one] * a[two]).sum() / n
-    return found
+def _by_lag(images: Array) -> Array:
+    """(n, 7, 7) mean products of values of images (n, h, w) that lie so far apart; NaN take no part."""
+    there = np.isfinite(images)
+    values = np.where(there, images, 0)
+    mean = values.sum(axis=(1, 2)) / np.maximum(there.sum(axis=(1, 2)), 1)
+    values = np.where(there, values - mean[:, None, None], 0)
+    size = tuple(n + LAG for n in images.shape[1:])
+
+    def products(a: Array) -> Array:
+        spectrum = np.fft.rfft2(a, size)
+        return np.fft.irfft2(spectrum.real**2 + spectrum.imag**2, size)
+
+    lags = np.arange(-LAG, LAG + 1)
+    at = np.ix_(np.arange(len(images)), lags, lags)
+    return products(values)[at] / np.maximum(np.round(products(there.astype(float))[at]), 1)
 
 
 def _of_weakest(products: Array, textures: Array) -> Array:

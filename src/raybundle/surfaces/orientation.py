@@ -10,6 +10,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
+from itertools import product
 
 import numpy as np
 
@@ -79,8 +80,8 @@ class ShiftCovariance:
         """
         found = np.zeros(len(t))
         k = sensitivity.reshape(len(t), -1)
-        for mine, F in self._factors(xy_px, t):
-            found[mine] = (np.einsum("ni,nij->nj", k[mine], F[:, :-3]) ** 2).sum(axis=1)
+        for mine, weights, nodes in self._cells(xy_px, t):
+            found[mine] = (_along(weights, nodes, k[mine]) ** 2).sum(axis=1)
         return found
 
     def of_points(self, xy_px: Array, t: Array, sensitivity: Array, by_t: Array) -> Array:
@@ -90,37 +91,45 @@ class ShiftCovariance:
         """
         found = np.zeros((len(t), 3, 3))
         for mine, point in self.moved_points(xy_px, t, sensitivity, by_t):
-            found[mine] = point @ point.transpose(0, 2, 1)
+            for i, j in ((0, 0), (0, 1), (0, 2), (1, 1), (1, 2), (2, 2)):
+                found[mine, i, j] = found[mine, j, i] = np.einsum("nq,nq->n", point[:, i], point[:, j])
         return found
 
     def moved_points(self, xy_px: Array, t: Array, sensitivity: Array, by_t: Array) -> Iterator[tuple[Index, Array]]:
         """Some of the object points, and how they move (m, 3, q) with each of q independent errors of variance 1."""
         k = sensitivity.reshape(len(t), -1)
-        for mine, F in self._factors(xy_px, t):
+        for mine, weights, nodes in self._cells(xy_px, t):
             # where a table shifts by d, what is shown shifts by -d against it
-            along = np.einsum("ni,nij->nj", k[mine], F[:, :-3])
-            yield mine, F[:, -3:] - by_t[mine, :, None] * along[:, None]
+            along = _along(weights, nodes, k[mine])
+            of_ray = (weights @ nodes[:, -3:].reshape(len(nodes), -1)).reshape(len(mine), 3, -1)
+            yield mine, of_ray - by_t[mine, :, None] * along[:, None]
 
-    def _factors(self, xy_px: Array, t: Array) -> Iterator[tuple[Index, Array]]:
-        """Pixels of one cell after the other, and their factors, linear between the nodes."""
+    def _cells(self, xy_px: Array, t: Array) -> Iterator[tuple[Index, Array, Array]]:
+        """Pixels of one cell after the other, their weights (m, 8) of its nodes, and the nodes' factors."""
         factors = self.partials @ self.root
-        rows, columns, levels, width, k = factors.shape
+        rows, columns, levels = factors.shape[:3]
         v, u = xy_px[:, 1] / self.steps_px[0], xy_px[:, 0] / self.steps_px[1]
         j, i = (np.clip(np.floor(x), 0, n - 2).astype(int) for x, n in ((v, rows), (u, columns)))
         level = np.clip((t - self.t0) / self.dt, 0, levels - 1)
         at = np.clip(np.floor(level), 0, levels - 2).astype(int)
-        for cell, mine in enumerate(rows_of_each(j * (columns - 1) + i, (rows - 1) * (columns - 1))):
+        cells = rows - 1, columns - 1, levels - 1
+        for cell, mine in enumerate(rows_of_each(np.ravel_multi_index((j, i, at), cells), int(np.prod(cells)))):
             if not len(mine):
                 continue
-            row, column = divmod(cell, columns - 1)
-            nodes = factors[row : row + 2, column : column + 2].reshape(4 * levels, width * k)
-            weights = np.zeros((len(mine), 4, levels))
-            down, right, deep = v[mine] - row, u[mine] - column, level[mine] - at[mine]
-            across = np.stack([(1 - down) * (1 - right), (1 - down) * right, down * (1 - right), down * right], axis=1)
-            each = np.arange(len(mine))
-            weights[each, :, at[mine]] = across * (1 - deep)[:, None]
-            weights[each, :, at[mine] + 1] = across * deep[:, None]
-            yield mine, (weights.reshape(len(mine), -1) @ nodes).reshape(len(mine), width, k)
+            row, column, first = (int(n) for n in np.unravel_index(cell, cells))
+            nodes = factors[row : row + 2, column : column + 2, first : first + 2].reshape(8, *factors.shape[3:])
+            down, right, deep = v[mine] - row, u[mine] - column, level[mine] - first
+            weights = [
+                (down if y else 1 - down) * (right if x else 1 - right) * (deep if z else 1 - deep)
+                for y, x, z in product((0, 1), repeat=3)
+            ]
+            yield mine, np.stack(weights, axis=1), nodes
+
+
+def _along(weights: Array, nodes: Array, k: Array) -> Array:
+    """(m, q) how depths move with each independent error, by sensitivities (m, 2s) and weights (m, 8) of nodes."""
+    both = (weights[:, :, None] * k[:, None, :]).reshape(len(k), -1)
+    return both @ nodes[:, :-3].reshape(both.shape[1], -1)
 
 
 def shift_covariance(

@@ -12,6 +12,8 @@ from raybundle.surfaces.sweep import Start
 
 HALF = 2
 """Planes are fitted to (2 half + 1)^2 pixels."""
+ROWS = 64
+"""Of a picture that are done at once."""
 FEWEST = 6
 """Of them that have to stand on the same thing: twice the unknowns of a plane."""
 
@@ -25,6 +27,17 @@ def fitted(t: Array, apart: float) -> Array:
     """
     h, w = t.shape
     padded = np.pad(t.astype(np.float32), HALF, constant_values=np.nan)
+    found = np.empty((3, h, w), np.float32)
+    for begin in range(0, h, ROWS):
+        end = min(begin + ROWS, h)
+        found[:, begin:end] = _fitted(padded[begin : end + 2 * HALF], apart)
+    return found
+
+
+def _fitted(padded: Array, apart: float) -> Array:
+    """Those of some rows, padded with `HALF` pixels on all sides."""
+    h, w = (n - 2 * HALF for n in padded.shape)
+    t = padded[HALF:-HALF, HALF:-HALF]
     sums = np.zeros((9, h, w), np.float32)
     for v, u in product(range(-HALF, HALF + 1), repeat=2):
         d = padded[v + HALF : v + HALF + h, u + HALF : u + HALF + w] - t
@@ -46,7 +59,7 @@ def fitted(t: Array, apart: float) -> Array:
     found = np.moveaxis(plane, -1, 0)
     found[1:, bad] = np.nan
     found[0] += t
-    return found.astype(np.float32)
+    return found
 
 
 def of_start(start: Start, grid: PixelGrid) -> Array:

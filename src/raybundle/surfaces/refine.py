@@ -28,6 +28,8 @@ LAG = 3
 MOST_SOURCES = 16
 STRIP = 8
 """Rows of pixels that a thread does at a time; a result does not depend on it."""
+PASSES = 8
+"""Of growing: a pixel reaches so many rows up and down."""
 AROUND = ((0, -1), (-1, 0), (0, 1), (1, 0), (-1, -1), (-1, 1), (1, -1), (1, 1))
 """Neighbours from which a pixel without a start takes its own, in this order: row, column."""
 NUMBERS = ("t", "a", "b", "first_order", "noise", "inflation", "grey_variance", "correlation", "contrast")
@@ -103,12 +105,26 @@ class PixelGrid:
         rows, columns = (max(0, -(-(n - 2 * margin) // stride)) for n in grey.shape)
         return cls(x0=margin, y0=margin, stride=stride, rows=rows, columns=columns)
 
+    @classmethod
+    def of_numbers(cls, numbers: Array) -> PixelGrid:
+        """That of `as_numbers`."""
+        x0, y0, stride, rows, columns = (int(n) for n in numbers)
+        return cls(x0=x0, y0=y0, stride=stride, rows=rows, columns=columns)
+
+    def as_numbers(self) -> Array:
+        """What a store keeps."""
+        return np.array([self.x0, self.y0, self.stride, self.rows, self.columns])
+
     @property
     def xy_px(self) -> Array:
         """(rows, columns, 2) centres of the pixels."""
         x = self.x0 + self.stride * np.arange(self.columns) + 0.5
         y = self.y0 + self.stride * np.arange(self.rows) + 0.5
         return np.stack(np.meshgrid(x, y), axis=-1)
+
+    def rows_of(self, begin: int, rows: int) -> PixelGrid:
+        """So many of its rows from one on, or those that are left."""
+        return replace(self, y0=self.y0 + begin * self.stride, rows=min(rows, self.rows - begin))
 
     def of(self, image: Array) -> Array:
         """Values (rows, columns, ...) of an image (h, w, ...) at the pixels."""
@@ -231,7 +247,7 @@ def grow(
     options: RefineOptions | None = None,
     *,
     autocovariance: Array | None = None,
-    passes: int = 8,
+    passes: int = PASSES,
     threads: int = 1,
 ) -> Refined:
     """Refine pixels without a start, or whose start led nowhere, from the planes of refined neighbours.
@@ -253,26 +269,30 @@ def grow(
         waiting = ~before & np.isnan(grown.t) & (grown.reason == Reason.NO_START)
         _run(work, grown, (todo | waiting).astype(np.uint8), 1 if k % 2 == 0 else -1)
         fresh = grown.found & ~before
-        if not fresh.any():
+        if k and not fresh.any():  # one pass goes forth along the rows, the next one back
             break
     return grown
 
 
 def _beside(grown: Refined, fresh: Mask, stride: int) -> Mask:
     """Pixels that are not refined beside fresh ones, with the planes of their best neighbours as starts."""
-    rows, columns = fresh.shape
-    best = np.full(fresh.shape, -np.inf)
-    starts = np.full((3, *fresh.shape), np.nan, np.float32)
-    t, (a, b) = grown.t, grown.slopes
+    near = np.zeros(tuple(n + 2 for n in fresh.shape), bool)
     for dy, dx in AROUND:
-        to = slice(max(0, -dy), rows - max(0, dy)), slice(max(0, -dx), columns - max(0, dx))
-        by = slice(max(0, dy), rows - max(0, -dy)), slice(max(0, dx), columns - max(0, -dx))
-        better = fresh[by] & ~grown.found[to] & (grown.correlation[by] > best[to])
-        plane = np.stack([t[by] - stride * (dx * a[by] + dy * b[by]), a[by], b[by]])
-        best[to] = np.where(better, grown.correlation[by], best[to])
-        starts[:, *to] = np.where(better, plane, starts[:, *to])
-    todo = np.isfinite(best)
-    grown.numbers[:3, todo] = starts[:, todo]
+        near[1 - dy : near.shape[0] - 1 - dy, 1 - dx : near.shape[1] - 1 - dx] |= fresh
+    todo: Mask = near[1:-1, 1:-1] & ~grown.found
+    row, column = np.nonzero(todo)
+    best, starts = np.full(len(row), -np.inf, np.float32), np.empty((3, len(row)), np.float32)
+    for dy, dx in AROUND:
+        j, i = row + dy, column + dx
+        inside = (j >= 0) & (j < fresh.shape[0]) & (i >= 0) & (i < fresh.shape[1])
+        j, i = np.where(inside, j, 0), np.where(inside, i, 0)
+        correlation = grown.correlation[j, i]
+        better = np.flatnonzero(inside & fresh[j, i] & (correlation > best))
+        j, i = j[better], i[better]
+        t, (a, b) = grown.t[j, i], grown.slopes[:, j, i]
+        best[better] = correlation[better]
+        starts[:, better] = t - stride * (dx * a + dy * b), a, b
+    grown.numbers[:3, row, column] = starts
     return todo
 
 

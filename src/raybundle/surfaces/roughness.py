@@ -38,6 +38,10 @@ is a mean of logarithms: of the variance known before, and of those that few nei
 LEFT = 0.5
 """Variance of the logarithm of a variance that witnesses leave, by the same least squares: 5.4 of squared errors, of
 which their normal distribution explains pi^2 / 2.  The mean of a variance is exp(LEFT / 2) times its median."""
+CHUNK = 50_000
+"""Windows at once."""
+ROWS = 64
+"""Of a map that are looked at together."""
 BRIGHTNESSES = 8
 """Classes of brightness: the noise of a sensor grows with it."""
 
@@ -81,17 +85,20 @@ def of_window(response: Array, power: float) -> Array:
     side = round(response.shape[-1] ** 0.5)
     v, u = (x.ravel() for x in np.mgrid[:side, :side].astype(np.float32))
     r = np.hypot(u[:, None] - u, v[:, None] - v) ** np.float32(power)
-    weights = -response.reshape(-1, side * side)
-    weights[:, side * side // 2] += 1
-    return np.maximum(-((weights @ r) * weights).sum(axis=1), 0).reshape(response.shape[:-1])
+    flat, found = response.reshape(-1, side * side), np.empty(response.shape[:-1], np.float32)
+    for k in range(0, len(flat), CHUNK):
+        weights = -flat[k : k + CHUNK]
+        weights[:, side * side // 2] += 1
+        found.reshape(-1)[k : k + CHUNK] = np.maximum(-((weights @ r) * weights).sum(axis=1), 0)
+    return found
 
 
-def misfits(t: Array, slopes: Array, stride: int) -> Array:
-    """(8, rows, columns) differences to eight neighbours 4 px away, less the mean of both slopes; NaN where unknown.
+def misfits(t: Array, slopes: Array, stride: int, distance_px: float = APART_PX) -> Array:
+    """(8, rows, columns) differences to eight neighbours so far away, less the mean of both slopes; NaN where unknown.
 
     Of a surface of second degree they are 0.
     """
-    around = neighbours(stride)
+    around = neighbours(stride, distance_px)
     found = np.empty((len(around), *t.shape), np.float32)
     for k, (v, u) in enumerate(around):
         a, b = (at_neighbour(s, v, u) + s for s in slopes)
@@ -99,10 +106,27 @@ def misfits(t: Array, slopes: Array, stride: int) -> Array:
     return found
 
 
-def neighbours(stride: int) -> list[tuple[int, int]]:
-    """Rows and columns of the grid to eight neighbours 4 px away."""
-    far = max(1, round(APART_PX / stride))
+def neighbours(stride: int, distance_px: float = APART_PX) -> list[tuple[int, int]]:
+    """Rows and columns of the grid to eight neighbours so far away."""
+    far = max(1, round(distance_px / stride))
     return [(v, u) for v, u in product((-far, 0, far), repeat=2) if u or v]
+
+
+def strips(rows: int, at_once: int, stride: int) -> list[tuple[int, int, int, int]]:
+    """Rows from begin to end of a map, so many at once, and the first and last of their neighbours."""
+    far = max(v for v, _ in neighbours(stride))
+    return [
+        (max(0, k - far), k, min(k + at_once, rows), min(k + at_once + far, rows)) for k in range(0, rows, at_once)
+    ]
+
+
+def misfit(t: Array, slopes: Array, stride: int) -> Array:
+    """(rows, columns) float32 median of the squared misfits of each pixel, by strips."""
+    found = np.empty(t.shape, np.float32)
+    for first, begin, end, last in strips(len(t), ROWS, stride):
+        apart = misfits(t[first:last], slopes[:, first:last], stride)[:, begin - first : end - first]
+        found[begin:end] = of_neighbours(apart)
+    return found
 
 
 def at_neighbour(values: Array, v: int, u: int) -> Array:
@@ -134,7 +158,7 @@ def local_factor(variance: Array, misfit: Array, residual: Array, brightness: Ar
     """
     known = np.isfinite(variance)
     around = _around(misfit, known, stride)
-    logarithm = np.zeros(variance.shape)
+    logarithm = np.zeros(variance.shape, np.float32)
     with np.errstate(invalid="ignore", divide="ignore"):
         for values, exponent in ((misfit, BY_MISFIT), (around, BY_MISFIT_AROUND)):
             ratio = np.log(values / variance)
@@ -143,7 +167,7 @@ def local_factor(variance: Array, misfit: Array, residual: Array, brightness: Ar
             logarithm += np.where(there, exponent * (ratio - usual), 0)
         ratio = np.log(residual / _usual(residual, brightness, known))
     logarithm += np.where(np.isfinite(ratio) & known, BY_RESIDUAL * ratio, 0)
-    return np.where(known, np.exp(logarithm + LEFT / 2), np.nan)
+    return np.where(known, np.exp(logarithm + np.float32(LEFT / 2)), np.nan)
 
 
 def _around(misfit: Array, known: Array, stride: int) -> Array:
@@ -154,7 +178,7 @@ def _around(misfit: Array, known: Array, stride: int) -> Array:
     values = np.minimum(np.where(there, misfit, 0), MOST * np.median(misfit[there]))
     size = 2 * round((3 * APART_PX / stride - 1) / 2) + 1
     total, n = (
-        cv2.boxFilter(x.astype(np.float64), -1, (size, size), normalize=False, borderType=cv2.BORDER_CONSTANT)
+        cv2.boxFilter(x.astype(np.float32), -1, (size, size), normalize=False, borderType=cv2.BORDER_CONSTANT)
         for x in (values, there)
     )
     return np.where(n > 0, total / np.maximum(n, 1), np.nan)
@@ -165,11 +189,14 @@ def _usual(residual: Array, brightness: Array, known: Array) -> Array:
     if not known.any():
         return residual
     edges = np.unique(np.quantile(brightness[known], np.linspace(0, 1, BRIGHTNESSES + 1)))
-    of = np.clip(np.searchsorted(edges, brightness, side="right") - 1, 0, max(len(edges) - 2, 0))
+    of = np.clip(np.searchsorted(edges, brightness, side="right") - 1, 0, max(len(edges) - 2, 0)).astype(np.uint8)
     at, middle = list[float](), list[float]()
     for k in range(max(len(edges) - 1, 1)):
         mine = known & (of == k)
         if mine.any():
             at.append(float(np.median(brightness[mine])))
             middle.append(float(np.median(residual[mine])))
-    return np.exp(np.interp(brightness, at, np.log(np.maximum(middle, 1e-12))))
+    found = np.empty(residual.shape, np.float32)
+    for k in range(0, len(found), ROWS):
+        found[k : k + ROWS] = np.exp(np.interp(brightness[k : k + ROWS], at, np.log(np.maximum(middle, 1e-12))))
+    return found

@@ -24,6 +24,8 @@ from raybundle.surfaces.transfer import Transfer, lagrange
 
 STEP_PX = 16
 """Pixels of the reduced reference from node to node of the tables; between them places are linear."""
+HALO = 64
+"""Rows on both sides of a band that are compared with it: paths forget what lies so far behind them."""
 FEWEST_LEVELS, MOST_LEVELS = 16, 256
 LANES = 16
 """Levels are a multiple of it, so that paths fill a processor's vectors."""
@@ -60,17 +62,22 @@ class Start:
 
 
 def reduction_for(width: int, height: int, moved: float, memory_bytes: float, least: int = 2) -> int:
-    """By how much photographs are reduced so that costs of all levels fit; moved: as `moved_px` says.
+    """By how much photographs are reduced so that costs of a band of rows fit; moved: as `moved_px` says.
 
     Raises InputError where that is more than 16 times.
     """
     for scale in range(least, 17):
-        if width * height / scale**2 * levels_of(moved / scale) * ALONG <= memory_bytes:
+        if rows_at_once(width // scale, levels_of(moved / scale), memory_bytes) >= min(height // scale, 4 * HALO):
             return scale
     raise InputError(
         f"depths of {width} x {height} px take more than {memory_bytes / 1e9:.2g} GB; give it more memory, or reduce "
         "the photographs"
     )
+
+
+def rows_at_once(width: int, levels: int, memory_bytes: float) -> int:
+    """Rows of a reduced reference whose costs fit."""
+    return int(memory_bytes / (max(width, 1) * levels * ALONG))
 
 
 def moved_px(tables: Sequence[Transfer], width: int, height: int) -> float:
@@ -92,13 +99,16 @@ def levels_of(moved: float) -> int:
     return -(-wanted // LANES) * LANES
 
 
-def swept(reference: Array, sources: Sequence[Array], tables: Sequence[Transfer], *, scale: int) -> Start:
+def swept(
+    reference: Array, sources: Sequence[Array], tables: Sequence[Transfer], *, scale: int, memory: float = np.inf
+) -> Start:
     """Approximate depth parameters of a reference.
 
     reference  (height, width) uint8 grey values, not reduced
     sources    (height, width) uint8 each
     tables     of each source, over one range of depth parameters
     scale      by how much the photographs are reduced
+    memory     bytes that costs may take: what takes more is done by bands of rows
 
     What is not told by one level alone, or by a patch of a few pixels, is NaN.  What it does not tell: how good a depth
     is; it errs by a third of a reduced pixel at best.
@@ -106,22 +116,53 @@ def swept(reference: Array, sources: Sequence[Array], tables: Sequence[Transfer]
     if not sources:
         raise InputError("a surface needs two photographs of the same part at least")
     small = _reduced(reference, scale)
+    reduced = [_reduced(s, scale) for s in sources]
     h, w = small.shape
     n = levels_of(moved_px(tables, reference.shape[1], reference.shape[0]) / scale)
     t = np.linspace(tables[0].t0, tables[0].t0 + tables[0].dt * (tables[0].places.shape[2] - 1), n)
-    v, u = (np.arange(0, size + STEP_PX, STEP_PX) + 0.5 for size in (h, w))
-    laid = [
-        _laid_out(_reduced(s, scale), on_grid(table, v * scale, u * scale, t) / scale, u, v, (h, w))
-        for s, table in zip(sources, tables, strict=True)
-    ]
-    cost = np.empty((h, w, n), np.uint8)
-    _costs(_census(small), [c for c, _ in laid], [places for _, places in laid], cost)
-    level, margin = _aggregated(small, cost)
-    known = (margin > UNIQUE) & _seen([places for _, places in laid], [c for c, _ in laid], (h, w))
+    census = _census(small)
+    level, known = np.empty((h, w), np.float32), np.empty((h, w), bool)
+    for first, begin, end, last in bands(h, rows_at_once(w, n, memory) if np.isfinite(memory) else h):
+        here = slice(begin - first, end - first)
+        found = _of_band(small[first:last], census[first:last], reduced, tables, (scale, first, t))
+        level[begin:end], known[begin:end] = found[0][here], found[1][here]
     whole = np.where(known, np.round(level * LANES), -LANES * LANES).astype(np.int16)
     cv2.filterSpeckles(whole, -LANES * LANES, SPECKLE_PX, LANES * APART_LEVELS)
     found = np.where(known & (whole >= 0), t[0] + level * (t[1] - t[0]), np.nan)
     return Start(t=found.astype(np.float32), scale=scale, levels=n)
+
+
+def bands(height: int, rows: int) -> list[tuple[int, int, int, int]]:
+    """Bands of at most so many rows: the first that is compared, those from begin to end that count, and the last."""
+    if rows >= height:
+        return [(0, 0, height, height)]
+    own = max(1, rows - 2 * HALO)
+    return [
+        (max(0, begin - HALO), begin, min(begin + own, height), min(begin + own + HALO, height))
+        for begin in range(0, height, own)
+    ]
+
+
+def _of_band(
+    image: Array, census: Array, sources: Sequence[Array], tables: Sequence[Transfer], at: tuple[int, int, Array]
+) -> tuple[Array, Array]:
+    """Levels of the rows of a reduced reference, and whether one is told.
+
+    at  scale, the band's first row, depth parameters of the levels
+    """
+    scale, first, t = at
+    h, w = image.shape
+    v, u = (np.arange(0, size + STEP_PX, STEP_PX) + 0.5 for size in (h, w))
+    laid = [
+        _laid_out(s, on_grid(table, (v + first) * scale, u * scale, t) / scale, u, v, (h, w))
+        for s, table in zip(sources, tables, strict=True)
+    ]
+    cost = np.empty((h, w, len(t)), np.uint8)
+    _costs(census, [c for c, _ in laid], [places for _, places in laid], cost)
+    seen = _seen([places for _, places in laid], [c for c, _ in laid], (h, w))
+    del laid
+    level, margin = _aggregated(image, cost)
+    return level, (margin > UNIQUE) & seen
 
 
 def on_grid(table: Transfer, v_px: Array, u_px: Array, t: Array) -> Array:
@@ -178,15 +219,12 @@ def _laid_out(source: Array, places: Array, u: Array, v: Array, size: tuple[int,
     H = fitted[0]
     if H is None:
         return nothing
-    moved = np.full(places.shape, np.nan)
-    seen: Mask = np.asarray(np.isfinite(places).all(axis=-1))
-    homogeneous = np.concatenate([places[seen], np.ones((int(seen.sum()), 1))], axis=1) @ H.T
     with np.errstate(all="ignore"):
-        moved[seen] = np.where(homogeneous[:, 2:] > 0, homogeneous[:, :2] / homogeneous[:, 2:], np.nan)
-    room = AROUND * np.array(size[::-1])
-    inside: Mask = np.asarray(np.isfinite(moved).all(axis=-1))
-    inside &= (np.where(inside[..., None], moved, -np.inf) >= -room).all(axis=-1)
-    inside &= (np.where(inside[..., None], moved, np.inf) <= size[::-1] + room).all(axis=-1)
+        moved = places @ H[:2, :2].T + H[:2, 2]
+        below = places @ H[2, :2] + H[2, 2]
+        moved /= np.where(below > 0, below, np.nan)[..., None]
+        room = AROUND * np.array(size[::-1])
+        inside: Mask = np.asarray(((moved >= -room) & (moved <= size[::-1] + room)).all(axis=-1))
     if not inside.any():
         return nothing
     origin = np.floor(moved[inside].min(axis=0)) - 8

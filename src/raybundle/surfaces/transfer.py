@@ -93,6 +93,10 @@ class ReferenceRays:
 
     def parameter(self, xy_px: Array, xyz: Array) -> Array:
         """Depth parameters (n,) of object points (n, 3) that stand on the rays of (n, 2)."""
+        if not isinstance(self.camera.sensor, Carried):
+            # all rays begin in the projection centre: which of them it is does not matter
+            away = xyz - self.centre
+            return 1 / (np.linalg.norm(away, axis=1) if self.axis is None else away @ (self.axis @ self.rotation))
         origin, direction = self.rays(xy_px)
         return (direction**2).sum(axis=1) / ((xyz - origin) * direction).sum(axis=1)
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -17,16 +17,17 @@ from raybundle.pipeline.keys import key_of
 from raybundle.pipeline.stage import Means, Stage
 from raybundle.pipeline.store import Folder, Product
 from raybundle.pipeline.tasks import Task
-from raybundle.surfaces.depth_map import DepthMap, planes_at
+from raybundle.surfaces.depth_map import DepthMap
 from raybundle.surfaces.fusion import MapView, agreement
+from raybundle.surfaces.normals import planes_at
 from raybundle.surfaces.orientation import ShiftCovariance, shift_covariance
 from raybundle.surfaces.pairs import Sources
-from raybundle.surfaces.refine import used_sources
+from raybundle.surfaces.refine import PixelGrid, used_sources
 from raybundle.surfaces.transfer import ReferenceRays, transfer
 from raybundle.workflows.surface_state import SURFACE, Cloud
 from raybundle.workflows.surface_tasks import all_done, colours_of, stored_part
 
-VERSION = 2
+VERSION = 3
 SHIFTS, SIGMA, CLOUD = "surface shifts", "surface sigma", "surface points"
 """First words of the keys of what is kept"""
 MOST_MAPS = 8
@@ -150,22 +151,29 @@ def sigma_of(store: Folder, task: SigmaTask) -> Product:
 def cloud_of(store: Folder, task: CloudTask) -> Product:
     """The task: the points of a reference that other maps confirm and none knows better."""
     block = block_of_arrays(store.wanted(task.block))
-    maps = [DepthMap.of_arrays(store.wanted(key)) for key in task.maps]
-    sigmas = [store.wanted(key)["sigma"] for key in task.sigmas]
-    images = (task.own, *task.others)
-    views = [
-        MapView(rays=ReferenceRays.of(block, j), grid=m.grid, t=m.t, slopes=m.slopes, sigma=s)
-        for j, m, s in zip(images, maps, sigmas, strict=True)
-    ]
-    mine, found = views[0], maps[0]
+    found = DepthMap.of_arrays(store.wanted(task.maps[0]))
+    sigma = store.wanted(task.sigmas[0])["sigma"]
+    mine = MapView(
+        rays=ReferenceRays.of(block, task.own), grid=found.grid, t=found.t, slopes=found.slopes, sigma=sigma
+    )
     known = np.isfinite(mine.t)
     if not task.others or not known.any():
         return _cloud(store, task, block, found, mine, np.zeros(0, int), np.zeros(0, np.uint8))
     between = float(np.nanmin(mine.t)), float(np.nanmax(mine.t)) * (1 + 1e-6)
     tables = [transfer(block, mine.rays, j, between) for j in task.others]
-    told = agreement(mine, views[1:], tables, task.others, own=task.own)
+    told = agreement(mine, _others(store, task, block), tables, task.others, own=task.own)
     at = np.flatnonzero(known)[told.kept]
     return _cloud(store, task, block, found, mine, at, told.agree[told.kept])
+
+
+def _others(store: Folder, task: CloudTask, block: Block) -> Iterator[MapView]:
+    """The maps that a reference is compared with, one after the other."""
+    for j, key, sigma in zip(task.others, task.maps[1:], task.sigmas[1:], strict=True):
+        kept = store.wanted(key, ("grid", "t", "slopes"))
+        yield MapView(
+            rays=ReferenceRays.of(block, j), grid=PixelGrid.of_numbers(kept["grid"]), t=kept["t"],
+            slopes=kept["slopes"], sigma=store.wanted(sigma)["sigma"],
+        )  # fmt: skip
 
 
 def _cloud(

@@ -24,7 +24,7 @@ from raybundle.ties.points import grey_of
 from raybundle.workflows.surface_state import SURFACE, SurfaceOptions, SurfaceState
 from raybundle.workflows.surface_tasks import PART, stored_part
 
-VERSION = 1
+VERSION = 2
 MAP = "depth map"
 """First word of the keys of what is kept"""
 PIXEL_S = 2.5e-5

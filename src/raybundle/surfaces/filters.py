@@ -1,0 +1,100 @@
+"""What neighbours of a map say of a pixel: flags, and which depths are taken out."""
+
+from __future__ import annotations
+
+from enum import IntFlag
+
+import cv2
+import numpy as np
+
+from raybundle.numerics.arrays import Array, Mask
+from raybundle.surfaces import roughness
+
+SIGMAS = 3.0
+"""Standard deviations of a difference up to which neighbours agree."""
+AGREE, AGAINST = 4, 3
+"""Of eight neighbours 4 px away that have to, and that may speak against it: a straight edge of things stays."""
+SURELY_AGREE, SURELY_AGAINST = 5, 2
+"""The same where a depth stands on one thing alone for sure.  Between the two it may be of either side of a step: how far
+its neighbours stand apart is part of its standard deviation."""
+NEAR_PX, NEAR_AGREE = 2, 6
+"""Distance of eight nearer neighbours, and how many have to agree: what wanders off with its window does so alone, as
+four maps of an exactly known object have it (benchmarks/surface_truth.py).  A coarser grid has none: there
+`SURELY_AGREE` of the others have to."""
+HOLE_PX, RIM_PX = 9, 2
+"""Holes larger than a window and a pixel on each side, and what is lost around them: of 3 px that half a window
+reaches, the outer one has no weight."""
+GRAZING = 0.3
+"""Cosine between ray and normal below which a window shows hardly anything of the surface."""
+ROWS = 64
+"""Of a map that are looked at together."""
+
+
+class Flag(IntFlag):
+    """What is to be known of a pixel."""
+
+    GRAZING = 1
+    STEP = 2
+    """A neighbour stands on another depth"""
+    FEW_SOURCES = 4
+    """Seen by one source only, where there are several: nothing checks it"""
+    LONELY = 8
+    """Its neighbours do not agree with it: taken out"""
+    EDGE = 16
+    """Beside a hole that is larger than a window: something begins there that hides the rest, and windows show both:
+    taken out"""
+
+
+def tested(
+    t: Array, slopes: Array, variance: Array, incidence: Array, few: Mask, stride: int
+) -> tuple[Array, Array]:
+    """Flags (rows, columns) uint8 of the pixels of a map, by a test of it against itself, and variances by steps.
+
+    t, slopes  NaN where there is no depth; slopes (2, rows, columns)
+    few        seen by fewer sources than can check it
+
+    A variance by a step is the largest square of what neighbours stand apart, where too few agree to tell on which side
+    of it a depth is; else 0.
+    """
+    known = np.isfinite(t)
+    own = np.where(known, variance, np.nan)
+    agree, against, apart = _compared(t, slopes, own, stride, roughness.APART_PX)
+    sure: Mask = (agree >= SURELY_AGREE) & (against <= SURELY_AGAINST)
+    if stride <= NEAR_PX:
+        near = _compared(t, slopes, own, stride, NEAR_PX)[0] >= NEAR_AGREE
+    else:
+        near = agree >= SURELY_AGREE
+    kept: Mask = known & (sure | near & (agree >= AGREE) & (against <= AGAINST))
+    edge = kept & _beside_holes(kept, stride)
+    flags = np.zeros(t.shape, np.uint8)
+    for flag, where in (
+        (Flag.GRAZING, ~(incidence >= GRAZING)), (Flag.STEP, against > 0), (Flag.FEW_SOURCES, few),
+        (Flag.LONELY, ~kept), (Flag.EDGE, edge),
+    ):  # fmt: skip
+        flags[known & where] |= np.uint8(flag)
+    return flags, np.where(kept & ~sure, apart, 0)
+
+
+def _compared(t: Array, slopes: Array, own: Array, stride: int, distance_px: float) -> tuple[Array, Array, Array]:
+    """How many of eight neighbours agree, how many do not (uint8), and the largest square of a misfit (float32)."""
+    agree, against = np.zeros(t.shape, np.uint8), np.zeros(t.shape, np.uint8)
+    apart = np.zeros(t.shape, np.float32)
+    around = roughness.neighbours(stride, distance_px)
+    for first, begin, end, last in roughness.strips(len(t), ROWS, stride):
+        here, there = slice(begin - first, end - first), slice(first, last)
+        misfits = roughness.misfits(t[there], slopes[:, there], stride, distance_px)
+        for misfit, (v, u) in zip(misfits, around, strict=True):
+            with np.errstate(invalid="ignore"):
+                limit = SIGMAS * np.sqrt(own[there] + roughness.at_neighbour(own[there], v, u))
+                agree[begin:end] += (np.abs(misfit) <= limit)[here]
+                against[begin:end] += (np.abs(misfit) > limit)[here]
+            apart[begin:end] = np.fmax(apart[begin:end], misfit[here] ** 2)
+    return agree, against, apart
+
+
+def _beside_holes(kept: Mask, stride: int) -> Mask:
+    """Pixels beside what is missing over more than a window."""
+    size, rim = 2 * round((HOLE_PX / stride - 1) / 2) + 1, max(1, round(RIM_PX / stride))
+    missing = np.pad((~kept).astype(np.uint8), size, mode="edge")
+    holes = cv2.morphologyEx(missing, cv2.MORPH_OPEN, np.ones((max(size, 3),) * 2, np.uint8))
+    return cv2.dilate(holes, np.ones((2 * rim + 1,) * 2, np.uint8))[size:-size, size:-size] > 0
