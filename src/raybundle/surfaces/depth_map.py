@@ -20,15 +20,15 @@ from raybundle.surfaces import planes, roughness
 from raybundle.surfaces.noise import autocovariance, lost_freedom
 from raybundle.surfaces.orientation import ShiftCovariance
 from raybundle.surfaces.pairs import Sources
+from raybundle.surfaces.rays import ReferenceRays
 from raybundle.surfaces.refine import PixelGrid, Refined, RefineOptions, Source, grow, refine, used_sources
 from raybundle.surfaces.sweep import moved_px, reduction_for, swept
-from raybundle.surfaces.transfer import ReferenceRays, transfer
+from raybundle.surfaces.transfer import transfer
 
 COARSE = 4
 """Pixels from one to the next of the grid that is refined first: windows of 7 px overlap there."""
-OUTER, BEYOND = 0.01, 0.25
-"""Tie points at either end that may be wrong, as a share of all, and by how much depths may lie beyond the others, as a
-share of their range."""
+OUTER = 0.01
+"""Tie points at either end that may be wrong, as a share of all."""
 FEWEST_POINTS = 8
 """Tie points that tell the range of depths."""
 STRIP_BYTES = 64e6
@@ -171,7 +171,7 @@ def depth_map(
     """Measure the depths of a reference.
 
     block   oriented; `chosen` are rows of its images
-    greys   gives the grey values (h, w) uint8 of an image as stored
+    greys   gives the grey values (h, w) of an image as stored, uint8, or float32 of that range where they are finer
 
     Raises InputError for a reference without sources or tie points, or whose depths do not fit the memory.
     """
@@ -196,8 +196,7 @@ def _range(block: Block, rays: ReferenceRays, reference: int) -> tuple[float, fl
         name = block.images.ids[reference]
         raise InputError(f"image {name}: {len(t)} tie points tell no range of depths, {FEWEST_POINTS} are needed")
     low, high = (float(q) for q in np.quantile(t, [OUTER, 1 - OUTER]))
-    more = BEYOND * max(high - low, 0.05 * high)
-    return max(low - more, 0.5 * low), high + more
+    return rays.widened(low, high)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -206,9 +205,9 @@ class _Work:
 
     rays: ReferenceRays
     reference: Array
-    """(h, w) uint8"""
+    """(h, w)"""
     photographs: Sequence[Array]
-    """(h, w) uint8 of each source"""
+    """(h, w) of each source"""
     sources: Sequence[Source]
     chosen: Sources
     t_range: tuple[float, float]
@@ -242,12 +241,17 @@ def _approximate(work: _Work) -> tuple[Refined, PixelGrid, Array]:
     height, width = work.reference.shape
     tables = [s.transfer for s in work.sources]
     scale = reduction_for(width, height, moved_px(tables, width, height), work.options.memory)
-    start = swept(work.reference, work.photographs, tables, scale=scale)
+    start = swept(_bytes(work.reference), [_bytes(g) for g in work.photographs], tables, scale=scale)
     coarse = PixelGrid.over(work.reference, COARSE, RefineOptions().half)
     grey, threads = work.grey, work.options.threads
     found = refine(grey, work.sources, coarse, planes.of_start(start, coarse), threads=threads)
     found = grow(grey, work.sources, coarse, found, threads=threads)
     return found, coarse, autocovariance(grey, work.sources, coarse, found)
+
+
+def _bytes(grey: Array) -> Array:
+    """(h, w) uint8."""
+    return grey if grey.dtype == np.uint8 else np.clip(grey, 0, 255).astype(np.uint8)
 
 
 def _measured(work: _Work, found: Refined, coarse: PixelGrid, noise: Array) -> DepthMap:
@@ -400,7 +404,7 @@ def incidences(rays: ReferenceRays, grid: PixelGrid, t: Array, slopes: Array) ->
     if not len(tk):
         return found
     normal, _ = planes_at(rays, xy, tk, slopes[:, known].astype(float))
-    d = rays.rays(xy)[1]
+    d = rays.directions(xy)
     found[known] = -(normal * d).sum(axis=1) / np.linalg.norm(d, axis=1)
     return found
 
@@ -418,6 +422,6 @@ def planes_at(rays: ReferenceRays, xy_px: Array, t: Array, slopes: Array) -> tup
     normal = np.cross(across, down)
     area = np.linalg.norm(normal, axis=1)
     normal /= np.maximum(area, 1e-300)[:, None]
-    away = (normal * rays.rays(xy_px)[1]).sum(axis=1) > 0
+    away = (normal * rays.directions(xy_px)).sum(axis=1) > 0
     normal[away] *= -1
     return normal, area

@@ -14,8 +14,9 @@ from dataclasses import dataclass
 import numpy as np
 
 from raybundle.numerics.arrays import Array, Mask
+from raybundle.surfaces.rays import ReferenceRays
 from raybundle.surfaces.refine import PixelGrid
-from raybundle.surfaces.transfer import ReferenceRays, Transfer
+from raybundle.surfaces.transfer import Transfer
 
 SIGMAS = 3.0
 """Standard deviations of a difference up to which two maps agree."""
@@ -51,8 +52,7 @@ class MapView:
         t = self.t[j, i] + self.slopes[0, j, i] * du + self.slopes[1, j, i] * dv
         lost = ~inside
         sigma = np.where(lost, np.nan, self.sigma[j, i])
-        with np.errstate(divide="ignore", invalid="ignore"):
-            length = sigma / np.square(self.t[j, i])
+        length = self.rays.lengths(self.t[j, i], sigma)
         return np.where(lost, np.nan, t), sigma, length
 
 
@@ -95,7 +95,7 @@ def agreement(
     for begin in range(0, count, CHUNK):
         part = slice(begin, begin + CHUNK)
         xyz = mine.rays.points(xy[part], t[part])
-        length = sigma[part] / t[part] ** 2
+        length = mine.rays.lengths(t[part], sigma[part])
         step = mine.rays.points(xy[part], t[part] + sigma[part])
         for other, table, number in zip(others, tables, order, strict=True):
             place = table.at(xy[part], t[part])

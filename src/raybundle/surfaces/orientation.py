@@ -19,7 +19,7 @@ from raybundle.block import Block, Camera
 from raybundle.numerics.arrays import Array, Index
 from raybundle.numerics.rotation import rotation_from_vector
 from raybundle.numerics.rows import rows_of_each
-from raybundle.surfaces.transfer import ReferenceRays
+from raybundle.surfaces.rays import ReferenceRays
 
 NODES, LEVELS = 12, 4
 """Nodes along the longer side of a reference, and levels of depth; between them shifts are linear."""
@@ -132,7 +132,7 @@ def shift_covariance(
     joint    of the reference and all its sources at least
     t_range  smallest and largest depth parameter
 
-    Raises InputError for a reference that is a satellite scene or has no orientation.
+    Raises InputError for a reference that has no orientation.
     """
     rays = ReferenceRays.of(block, reference)
     width, height = rays.camera.width_px, rays.camera.height_px
@@ -230,6 +230,6 @@ def _seen(
 ) -> tuple[Array, Array]:
     """Object points (n, 3) of a reference's pixels, and their places (n, 2s) in the sources."""
     own = views[reference]
-    xyz = replace(rays, camera=own.camera, rotation=own.rotation, centre=own.centre).points(xy, t)
+    xyz = rays.moved(own.camera, own.rotation, own.centre).points(xy, t)
     places = [image_points(views[i].camera, views[i].rotation, views[i].centre, xyz) for i in sources]
     return xyz, np.concatenate(places, axis=1)

@@ -18,7 +18,7 @@ from raybundle.pipeline.store import Folder, Product
 from raybundle.surfaces.displacement import displacement, gram
 from raybundle.surfaces.gaps import beside_steps, height_at, slopes_of
 from raybundle.surfaces.orientation import CommonRoot, ShiftCovariance
-from raybundle.surfaces.transfer import ReferenceRays
+from raybundle.surfaces.rays import ReferenceRays
 from raybundle.workflows.height_grid import HeightGrid
 from raybundle.workflows.height_tiles import (
     BLOCK_CELLS,

@@ -21,8 +21,9 @@ from raybundle.surfaces.depth_map import DepthMap, planes_at
 from raybundle.surfaces.fusion import MapView, agreement
 from raybundle.surfaces.orientation import ShiftCovariance, shift_covariance
 from raybundle.surfaces.pairs import Sources
+from raybundle.surfaces.rays import ReferenceRays
 from raybundle.surfaces.refine import used_sources
-from raybundle.surfaces.transfer import ReferenceRays, transfer
+from raybundle.surfaces.transfer import transfer
 from raybundle.workflows.surface_state import SURFACE, Cloud
 from raybundle.workflows.surface_tasks import all_done, colours_of, stored_part
 

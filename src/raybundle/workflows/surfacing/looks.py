@@ -21,9 +21,9 @@ from raybundle.pipeline.tasks import Task
 from raybundle.surfaces.depth_map import DepthMap
 from raybundle.surfaces.fusion import MapView
 from raybundle.surfaces.gaps import slopes_of
+from raybundle.surfaces.rays import ReferenceRays
 from raybundle.surfaces.seams import gains
 from raybundle.surfaces.sight_lines import SIGMAS, seen_from
-from raybundle.surfaces.transfer import ReferenceRays
 from raybundle.workflows.height_grid import HeightGrid
 from raybundle.workflows.height_tiles import TILE_CELLS, Window, around, heights_in, tile_of_number
 from raybundle.workflows.rectify import STEEPEST
@@ -196,9 +196,9 @@ def _nothing_before(store: Folder, task: LookTask, block: Block, xyz: Array, xy:
     there, theirs, _ = view.looked_up(xy)
     t = rays.parameter(xy, xyz)
     # a cell is flat in its middle only: what lies within its side before it is the surface itself
-    room = np.hypot(SIGMAS * sigma / task.grid.unit, task.grid.grid.pixel / task.grid.unit) * t**2
+    room = np.hypot(SIGMAS * sigma / task.grid.unit, task.grid.grid.pixel / task.grid.unit)
     with np.errstate(invalid="ignore"):
-        return ~(there - t > SIGMAS * theirs + room)
+        return ~(there - t > SIGMAS * theirs + rays.parameters(t, room))
 
 
 def _colours(photo: Photo, block: Block, xy: Array, px: float) -> Array:
