@@ -7,8 +7,8 @@ from scipy.spatial import KDTree
 from raybundle.planning.scenes import AerialStrips, aerial_scene
 from raybundle.planning.simulate import Survey, simulate
 from raybundle.surfaces.fusion import MapView, agreement
-from raybundle.surfaces.refine import PixelGrid
 from raybundle.surfaces.rays import ReferenceRays
+from raybundle.surfaces.refine import PixelGrid
 from raybundle.surfaces.transfer import transfer
 
 IMAGES, STRIDE, SIGMA = (3, 4, 5), 250, 1e-7

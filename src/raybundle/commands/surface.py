@@ -191,6 +191,7 @@ def _grid_of(s: SurfaceSettings, result: Path, export: Export, progress: Progres
     import numpy as np  # noqa: PLC0415
 
     from raybundle.commands.plane_settings import plane_in  # noqa: PLC0415
+    from raybundle.io.geo.plane_frames import frame_at, in_plane_system  # noqa: PLC0415
     from raybundle.io.geo.told_systems import plan_system  # noqa: PLC0415
     from raybundle.workflows.object_plane import MapLevel  # noqa: PLC0415
     from raybundle.workflows.rectify import check_area  # noqa: PLC0415
@@ -202,6 +203,9 @@ def _grid_of(s: SurfaceSettings, result: Path, export: Export, progress: Progres
             ways = f"{option('dsm', 'CELL')}, {option('ortho', 'CELL')} or {option('mesh', 'CELL')}"
             raise InputError(f"{given[0]} says where heights are given; ask for them with {ways}")
         return Grids()
+    frame = export.frame or frame_at(export.block.place)
+    if frame is not None:
+        export = replace(export, frame=in_plane_system(frame))
     in_map = export.frame is not None and plan_system(export.frame.crs) is not None
     level = in_map and not (set(OF_PLANE) & set(other_than_usual(s)))
     plane, told = plane_in(result, export, replace(s, horizontal=True) if level else s, progress)

@@ -1,7 +1,8 @@
 """Depth maps of several references against each other: what agrees, what one map sees through, which estimate is best.
 
 A point of a map is looked up in the other maps that see its place.  It agrees with one whose depth there differs by no
-more than both standard deviations allow; one that sees through it, to something behind, speaks against it; one in which
+more than noise and roughness of both allow, and what orientation lets them differ by: an error that it gives to both
+maps alike excuses nothing; one that sees through it, to something behind, speaks against it; one in which
 something else stands before it is silent.  Of estimates that agree the best stands for all: a mean would have to know
 how they are correlated, and gains little, since they share photographs, orientation and texture.
 """
@@ -13,7 +14,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from raybundle.numerics.arrays import Array, Mask
+from raybundle.numerics.arrays import Array, Index, Mask
 from raybundle.surfaces.rays import ReferenceRays
 from raybundle.surfaces.refine import PixelGrid
 from raybundle.surfaces.transfer import Transfer
@@ -34,25 +35,37 @@ class MapView:
     slopes: Array
     """(2, rows, columns) of t by column and row [1 / px]"""
     sigma: Array
-    """of t, all parts"""
+    """of t by noise and roughness"""
+    whole: Array | None = None
+    """of t, all parts, by which the best is chosen; None: `sigma`"""
 
-    def looked_up(self, xy_px: Array) -> tuple[Array, Array, Array]:
-        """Depth parameter at places (n, 2), its standard deviation, and that of the nearest pixel as a length.
+    @property
+    def all_parts(self) -> Array:
+        """Standard deviations of t, all parts."""
+        return self.sigma if self.whole is None else self.whole
 
-        A depth goes on from the nearest pixel along its slopes; NaN where that one has none.
-        """
-        g = self.grid
+    def nearest(self, xy_px: Array) -> Index:
+        """The nearest pixel (n,) of the map to places (n, 2), row by row; -1 beyond it."""
+        g, (rows, columns) = self.grid, self.t.shape
         column = np.round((xy_px[:, 0] - g.x0 - 0.5) / g.stride)
         row = np.round((xy_px[:, 1] - g.y0 - 0.5) / g.stride)
         with np.errstate(invalid="ignore"):
-            inside = (row >= 0) & (row < self.t.shape[0]) & (column >= 0) & (column < self.t.shape[1])
-        j, i = (np.where(inside, x, 0).astype(int) for x in (row, column))
+            inside = (row >= 0) & (row < rows) & (column >= 0) & (column < columns)
+        return np.where(inside, np.where(inside, row, 0) * columns + np.where(inside, column, 0), -1).astype(int)
+
+    def looked_up(self, xy_px: Array) -> tuple[Array, Array, Array]:
+        """Depth parameter at places (n, 2), its standard deviation, and all of it of the nearest pixel as a length.
+
+        A depth goes on from the nearest pixel along its slopes; NaN where that one has none.
+        """
+        g, at = self.grid, self.nearest(xy_px)
+        lost = at < 0
+        j, i = np.divmod(np.where(lost, 0, at), self.t.shape[1])
         du = xy_px[:, 0] - (g.x0 + 0.5 + g.stride * i)
         dv = xy_px[:, 1] - (g.y0 + 0.5 + g.stride * j)
         t = self.t[j, i] + self.slopes[0, j, i] * du + self.slopes[1, j, i] * dv
-        lost = ~inside
         sigma = np.where(lost, np.nan, self.sigma[j, i])
-        length = self.rays.lengths(self.t[j, i], sigma)
+        length = self.rays.lengths(self.t[j, i], np.where(lost, np.nan, self.all_parts[j, i]))
         return np.where(lost, np.nan, t), sigma, length
 
 
@@ -76,28 +89,31 @@ class Agreement:
 
 
 def agreement(
-    mine: MapView, others: Sequence[MapView], tables: Sequence[Transfer], order: Sequence[int], *, own: int
-) -> Agreement:
+    mine: MapView, others: Sequence[MapView], tables: Sequence[Transfer], order: Sequence[int], *, own: int,
+    apart: Sequence[float] = (),
+) -> Agreement:  # fmt: skip
     """Compare the points of a map with other maps.
 
     mine    the map whose points are looked at
     others  maps that may see them
     tables  where each of the others sees what `mine` sees
     order   (k,) a number of each of the others, `own` of this one: of equally good estimates the lower is kept
+    apart   (k,) standard deviations of the others' depth parameters against this map by orientation; (): none
 
     What it does not tell: an error that all maps share, as one of orientation.
     """
     known = np.isfinite(mine.t)
     xy, t, sigma = mine.grid.xy_px[known], np.asarray(mine.t[known], float), np.asarray(mine.sigma[known], float)
+    whole = np.asarray(mine.all_parts[known], float)
     count = len(t)
     agree, against, behind = (np.zeros(count, np.uint8) for _ in range(3))
     best = np.ones(count, bool)
     for begin in range(0, count, CHUNK):
         part = slice(begin, begin + CHUNK)
         xyz = mine.rays.points(xy[part], t[part])
-        length = mine.rays.lengths(t[part], sigma[part])
+        length = mine.rays.lengths(t[part], whole[part])
         step = mine.rays.points(xy[part], t[part] + sigma[part])
-        for other, table, number in zip(others, tables, order, strict=True):
+        for other, table, number, more in zip(others, tables, order, apart or [0.0] * len(others), strict=True):
             place = table.at(xy[part], t[part])
             seen = np.flatnonzero(np.isfinite(place).all(axis=1))
             there, theirs, their_length = other.looked_up(place[seen])
@@ -108,7 +124,7 @@ def agreement(
             # how far my standard deviation moves the point along the other's ray
             by_mine = other.rays.parameter(at, step[seen]) - mine_there
             difference = mine_there - there
-            limit = SIGMAS * np.hypot(by_mine, theirs)
+            limit = SIGMAS * np.hypot(np.hypot(by_mine, theirs), more)
             same, front = np.abs(difference) <= limit, difference > limit
             agree[part][seen[same]] += 1
             against[part][seen[front]] += 1

@@ -101,6 +101,13 @@ class ShiftCovariance:
             along = np.einsum("ni,nij->nj", k[mine], F[:, :-3])
             yield mine, F[:, -3:] - by_t[mine, :, None] * along[:, None]
 
+    def moved(self, xy_px: Array, t: Array, sensitivity: Array, by_t: Array) -> Array:
+        """How all of the object points move (n, 3, q)."""
+        found = np.zeros((len(t), 3, self.root.shape[1]))
+        for mine, point in self.moved_points(xy_px, t, sensitivity, by_t):
+            found[mine] = point
+        return found
+
     def _factors(self, xy_px: Array, t: Array) -> Iterator[tuple[Index, Array]]:
         """Pixels of one cell after the other, and their factors, linear between the nodes."""
         factors = self.partials @ self.root

@@ -36,7 +36,8 @@ def arrays_of_block(block: Block) -> dict[str, Array]:
     }  # fmt: skip
     scenes = {SCENES: np.array(_text_of_scenes(block))} if any(c.is_scene for c in block.cameras) else {}
     return {
-        "head": np.array(json.dumps({**_told(block), **lists})), **scenes,
+        "head": np.array(json.dumps({**_told(block), **lists})),
+        **scenes,
         **{f"{part}.{name}": values for part, table in parts.items() for name, values in arrays_of_records(table)},
     }
 

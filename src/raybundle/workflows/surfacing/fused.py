@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -12,26 +12,28 @@ from raybundle.adjustment.result import Adjustment
 from raybundle.block import Block
 from raybundle.io.block.arrays import arrays_of_block, block_of_arrays
 from raybundle.io.photos.photo import Photo
-from raybundle.numerics.arrays import Array
+from raybundle.numerics.arrays import Array, Index
 from raybundle.pipeline.keys import key_of
 from raybundle.pipeline.stage import Means, Stage
 from raybundle.pipeline.store import Folder, Product
 from raybundle.pipeline.tasks import Task
 from raybundle.surfaces.depth_map import DepthMap, planes_at
 from raybundle.surfaces.fusion import MapView, agreement
-from raybundle.surfaces.orientation import ShiftCovariance, shift_covariance
+from raybundle.surfaces.orientation import CommonRoot, ShiftCovariance, shift_covariance
 from raybundle.surfaces.pairs import Sources
 from raybundle.surfaces.rays import ReferenceRays
 from raybundle.surfaces.refine import used_sources
-from raybundle.surfaces.transfer import transfer
+from raybundle.surfaces.transfer import Transfer, transfer
 from raybundle.workflows.surface_state import SURFACE, Cloud
-from raybundle.workflows.surface_tasks import all_done, colours_of, stored_part
+from raybundle.workflows.surface_tasks import TOGETHER, all_done, colours_of, stored_part, stored_together
 
-VERSION = 2
+VERSION = 3
 SHIFTS, SIGMA, CLOUD = "surface shifts", "surface sigma", "surface points"
 """First words of the keys of what is kept"""
 MOST_MAPS = 8
 """Maps that a map is compared with, those that share most tie points: more cost time and confirm no better."""
+PROBES = 200
+"""Places at which it is seen by how much orientation lets two maps differ."""
 CHUNK = 200_000
 """Points whose covariances are made at once."""
 PIXEL_S = 4e-6
@@ -71,7 +73,9 @@ class CloudTask:
     maps: tuple[str, ...]
     """keys of its map and of the others'"""
     sigmas: tuple[str, ...]
-    shifts: str
+    shifts: tuple[str, ...]
+    """of how orientation moves its map and the others'"""
+    together: str
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -103,7 +107,8 @@ def fuse(i: Inputs, means: Means) -> Fused:
         )  # fmt: skip
     all_done(means, sigma, "standard deviations of depths")
     sigmas = {k: t.key for k, t in zip(of, sigma, strict=True)}
-    tasks = [_task(i, means, of[k], shifts[k], sigmas) for k in of]
+    together = stored_together(i.adjustment, i.chosen, shifts, means)
+    tasks = [_task(i, means, of[k], shifts, sigmas, together) for k in of]
     all_done(means, tasks, "maps against each other")
     return Fused(clouds={k: t.key for k, t in zip(of, tasks, strict=True)}, shifts=shifts, sigmas=sigmas)
 
@@ -121,7 +126,9 @@ def _shifts(means: Means, adjustment: Adjustment, about: str, s: Sources, t_rang
     return key
 
 
-def _task(i: Inputs, means: Means, s: Sources, shifts: str, sigmas: Mapping[int, str]) -> Task:
+def _task(
+    i: Inputs, means: Means, s: Sources, shifts: Mapping[int, str], sigmas: Mapping[int, str], together: str
+) -> Task:
     """The task of a reference."""
     block, k = i.adjustment.adjusted, s.reference
     pairs = sorted((p for p in s.pairs if p.source in i.maps), key=lambda p: (-p.points, p.source))
@@ -129,14 +136,15 @@ def _task(i: Inputs, means: Means, s: Sources, shifts: str, sigmas: Mapping[int,
     images = sorted([k, *others])
     own = stored_part(block, images, means.store)
     place = {image: n for n, image in enumerate(images)}
-    maps, sigma = tuple(i.maps[j] for j in (k, *others)), tuple(sigmas[j] for j in (k, *others))
+    maps, sigma, moved = (tuple(keys[j] for j in (k, *others)) for keys in (i.maps, sigmas, shifts))
     options = CloudTask(
         block=own, photo=i.photos[k], image=k, own=place[k], others=tuple(place[j] for j in others), maps=maps,
-        sigmas=sigma, shifts=shifts,
+        sigmas=sigma, shifts=moved, together=together,
     )  # fmt: skip
     return Task(
-        key=key_of(CLOUD, VERSION, own, i.photos[k].content, k, maps, sigma, shifts), function=f"{__name__}:cloud_of",
-        options=options, inputs=(own, *maps, *sigma, shifts), name=block.images.ids[k],
+        key=key_of(CLOUD, VERSION, own, i.photos[k].content, k, maps, sigma, moved, together),
+        function=f"{__name__}:cloud_of", options=options, inputs=(own, *maps, *sigma, *moved, together),
+        name=block.images.ids[k],
         cost=(1 + len(others)) * i.photos[k].width_px * i.photos[k].height_px * PIXEL_S,
     )  # fmt: skip
 
@@ -154,19 +162,56 @@ def cloud_of(store: Folder, task: CloudTask) -> Product:
     maps = [DepthMap.of_arrays(store.wanted(key)) for key in task.maps]
     sigmas = [store.wanted(key)["sigma"] for key in task.sigmas]
     images = (task.own, *task.others)
-    views = [
-        MapView(rays=ReferenceRays.of(block, j), grid=m.grid, t=m.t, slopes=m.slopes, sigma=s)
-        for j, m, s in zip(images, maps, sigmas, strict=True)
-    ]
+    views = [_view(block, j, m, s) for j, m, s in zip(images, maps, sigmas, strict=True)]
     mine, found = views[0], maps[0]
     known = np.isfinite(mine.t)
     if not task.others or not known.any():
         return _cloud(store, task, block, found, mine, np.zeros(0, int), np.zeros(0, np.uint8))
     between = float(np.nanmin(mine.t)), float(np.nanmax(mine.t)) * (1 + 1e-6)
     tables = [transfer(block, mine.rays, j, between) for j in task.others]
-    told = agreement(mine, views[1:], tables, task.others, own=task.own)
+    apart = _apart(store, task, maps, views, tables)
+    told = agreement(mine, views[1:], tables, task.others, own=task.own, apart=apart)
     at = np.flatnonzero(known)[told.kept]
     return _cloud(store, task, block, found, mine, at, told.agree[told.kept])
+
+
+def _view(block: Block, image: int, found: DepthMap, whole: Array) -> MapView:
+    """A map as others look into it."""
+    return MapView(
+        rays=ReferenceRays.of(block, image), grid=found.grid, t=found.t, slopes=found.slopes,
+        sigma=np.sqrt(found.variance()), whole=whole,
+    )  # fmt: skip
+
+
+def _apart(
+    store: Folder, task: CloudTask, maps: Sequence[DepthMap], views: Sequence[MapView], tables: Sequence[Transfer]
+) -> list[float]:
+    """By how much orientation lets the others' depth parameters differ from this map: medians over some places."""
+    together = CommonRoot.of_arrays(store.wanted(task.together))
+    shifts = [ShiftCovariance.of_arrays(store.wanted(key)).among(together) for key in task.shifts]
+    mine, known = views[0], np.flatnonzero(np.isfinite(views[0].t))
+    at = known[np.unique(np.linspace(0, len(known) - 1, PROBES).astype(int))]
+    own = _moved(shifts[0], maps[0], mine.rays, at)
+    xy, t = mine.grid.xy_px.reshape(-1, 2)[at], np.asarray(mine.t, float).ravel()[at]
+    normal, _ = planes_at(mine.rays, xy, t, maps[0].smooth_slopes().reshape(2, -1)[:, at].astype(float))
+    found = list[float]()
+    for view, other, shift, table in zip(views[1:], maps[1:], shifts[1:], tables, strict=True):
+        there = view.nearest(table.at(xy, t))
+        both = np.flatnonzero((there >= 0) & np.isfinite(view.t.ravel()[there]))
+        if not len(both):
+            found.append(0.0)
+            continue
+        place, n = there[both], normal[both]
+        by = np.abs((n * view.rays.by_t(view.grid.xy_px.reshape(-1, 2)[place], view.t.ravel()[place])).sum(axis=1))
+        off = np.einsum("ni,niq->nq", n, own[both] - _moved(shift, other, view.rays, place))
+        found.append(float(np.median(np.linalg.norm(off, axis=1) / by)))
+    return found
+
+
+def _moved(shifts: ShiftCovariance, found: DepthMap, rays: ReferenceRays, at: Index) -> Array:
+    """How the points of a map at some of its pixels move (n, 3, q) with each independent error of orientation."""
+    xy, t = found.grid.xy_px.reshape(-1, 2)[at], np.asarray(found.t, float).ravel()[at]
+    return shifts.moved(xy, t, found.shift.reshape(-1, found.shift.shape[2], 2)[at], rays.by_t(xy, t))
 
 
 def _cloud(
@@ -177,7 +222,7 @@ def _cloud(
     by_t, xyz = mine.rays.by_t(xy, t), mine.rays.points(xy, t)
     length = np.linalg.norm(by_t, axis=1)
     normal, area = planes_at(mine.rays, xy, t, found.smooth_slopes().reshape(2, -1)[:, at].astype(float))
-    shifts = ShiftCovariance.of_arrays(store.wanted(task.shifts))
+    shifts = ShiftCovariance.of_arrays(store.wanted(task.shifts[0]))
     sensitivity = found.shift.reshape(-1, found.shift.shape[2], 2)[at]
     noise, rough = (np.asarray(v, float).ravel()[at] for v in (found.noise, found.roughness))
     sigma, along, across = np.zeros((len(at), 3)), np.zeros(len(at)), np.zeros((len(at), 2))
@@ -206,7 +251,7 @@ def _cloud(
 
 STAGE = SURFACE.register(
     Stage(
-        name="fusion", after=("depth maps",), function=fuse, kinds=(SHIFTS, SIGMA, CLOUD),
+        name="fusion", after=("depth maps",), function=fuse, kinds=(SHIFTS, SIGMA, TOGETHER, CLOUD),
         put=lambda s, found: replace(s, clouds=found.clouds, shifts=found.shifts, sigmas=found.sigmas),
         inputs=lambda s: Inputs(adjustment=s.adjustment, photos=s.photos, chosen=s.chosen, maps=s.maps),
     )
