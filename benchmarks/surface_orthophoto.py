@@ -28,7 +28,7 @@ from tests.surface.truth import Portal  # noqa: E402
 
 from raybundle.adjustment.predict import predicted_px  # noqa: E402
 from raybundle.surfaces.gaps import closed, height_at  # noqa: E402
-from raybundle.surfaces.transfer import ReferenceRays  # noqa: E402
+from raybundle.surfaces.rays import ReferenceRays  # noqa: E402
 from raybundle.workflows.height_files import read_heights  # noqa: E402
 from raybundle.workflows.sources import read_source, result_within  # noqa: E402
 

@@ -44,7 +44,7 @@ from raybundle.numerics import native  # noqa: E402
 from raybundle.surfaces.depth_map import DepthMap, DepthOptions, depth_map  # noqa: E402
 from raybundle.surfaces.orientation import shift_covariance  # noqa: E402
 from raybundle.surfaces.pairs import sources_of_each  # noqa: E402
-from raybundle.surfaces.transfer import ReferenceRays  # noqa: E402
+from raybundle.surfaces.rays import ReferenceRays  # noqa: E402
 
 WORK = ROOT / "benchmarks/work"
 FOUNTAIN = ROOT.parent / "shared/data/photos/fountain-p11/images"

@@ -9,8 +9,9 @@ import cv2
 import numpy as np
 
 from raybundle.block import Block
+from raybundle.surfaces.rays import ReferenceRays
 from raybundle.surfaces.refine import PixelGrid, RefineOptions, Source, refine
-from raybundle.surfaces.transfer import ReferenceRays, transfer
+from raybundle.surfaces.transfer import transfer
 from tests.surface.truth import PORTAL, Depths, Portal
 
 REFERENCE, SOURCES = 1, (0, 2, 5, 8)

@@ -101,7 +101,7 @@ def test_incidences_are_those_of_the_ground(block, measured):
     slope = np.stack(
         [-0.1 * np.cos(x / 1.5) * np.cos(y / 1.7), 0.15 / 1.7 * np.sin(x / 1.5) * np.sin(y / 1.7), np.ones(len(x))]
     )
-    from raybundle.surfaces.transfer import ReferenceRays
+    from raybundle.surfaces.rays import ReferenceRays
 
     d = ReferenceRays.of(block, 0).rays(measured.grid.xy_px[known])[1].T
     cosine = -(slope * d).sum(axis=0) / np.linalg.norm(slope, axis=0) / np.linalg.norm(d, axis=0)

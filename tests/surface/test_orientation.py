@@ -15,7 +15,7 @@ from raybundle.numerics.rotation import rotation_from_vector
 from raybundle.planning.scenes import AerialStrips, aerial_scene
 from raybundle.planning.simulate import Survey, simulate
 from raybundle.surfaces.orientation import shift_covariance
-from raybundle.surfaces.transfer import ReferenceRays
+from raybundle.surfaces.rays import ReferenceRays
 
 REFERENCE, SOURCES = 4, (3, 5, 10)
 

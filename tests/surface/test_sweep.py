@@ -12,7 +12,8 @@ from raybundle.numerics import native
 from raybundle.surfaces import sweep
 from raybundle.surfaces.census import ACROSS, DOWN, NOWHERE, aggregate_twin, census_twin, costs_twin, fixed
 from raybundle.surfaces.pairs import sources_of_each
-from raybundle.surfaces.transfer import ReferenceRays, transfer
+from raybundle.surfaces.rays import ReferenceRays
+from raybundle.surfaces.transfer import transfer
 
 DEMO = Path(__file__).parents[2] / "demo_data"
 

@@ -9,7 +9,8 @@ from raybundle.adjustment.predict import predicted_px
 from raybundle.errors import InputError
 from raybundle.platforms import sensor_models
 from raybundle.surfaces import transfer as module
-from raybundle.surfaces.transfer import TOLERANCE_PX, ReferenceRays, lagrange, transfer
+from raybundle.surfaces.rays import ReferenceRays
+from raybundle.surfaces.transfer import TOLERANCE_PX, lagrange, transfer
 from tests.surface import scene
 
 

@@ -18,7 +18,7 @@ from raybundle.io.block.folder import read_block, write_block
 from raybundle.io.formats import las as las_format
 from raybundle.io.formats.las import steps_for
 from raybundle.io.reading.trees import read_toml
-from raybundle.surfaces.transfer import ReferenceRays
+from raybundle.surfaces.rays import ReferenceRays
 from raybundle.workflows import surface_grids
 from raybundle.workflows.orthophoto_files import tiles_of
 from tests.workflows.half_portal import PORTAL, half_portal

@@ -113,7 +113,7 @@ def run_surface(settings: SurfaceSettings, progress: Progress = silent) -> Measu
     from raybundle.report.languages.language import language_of  # noqa: PLC0415
     from raybundle.workflows.sources import read_source, result_within  # noqa: PLC0415
     from raybundle.workflows.surface import surface as measured  # noqa: PLC0415
-    from raybundle.workflows.surface_product import Context  # noqa: PLC0415
+    from raybundle.workflows.surface_product import Context, in_its_map  # noqa: PLC0415
     from raybundle.workflows.surface_products import PRODUCTS  # noqa: PLC0415
     from raybundle.workflows.surface_state import SurfaceOptions  # noqa: PLC0415
     from raybundle.workflows.surface_thinning import thinned  # noqa: PLC0415
@@ -122,7 +122,7 @@ def run_surface(settings: SurfaceSettings, progress: Progress = silent) -> Measu
     if not s.source.is_dir():
         raise InputError("there is no such folder; give a result or a project of orient", file=s.source)
     result = result_within(s.source)
-    export, _ = read_source(result)
+    export = in_its_map(read_source(result)[0])
     free = export.block.free_scale
     if free and not s.free_scale:
         raise InputError(

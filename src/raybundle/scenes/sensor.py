@@ -36,6 +36,8 @@ LOW_M = 60e3
 """Height above the ground of a sensor in the air, whose viewpoint is where it was in the middle of the scene."""
 VIEW_M = 600e3
 """Distance of the nominal viewpoint from the ground."""
+RANGES, DEEP_M = 4.0, 10e3
+"""Ground below the middle of a scene: in halves of the range of an RPC, and of a scene that tells no range."""
 PIXEL_MM = 0.01
 """Nominal size of a pixel; no result in px depends on it."""
 MEANINGS = {
@@ -56,6 +58,11 @@ class SceneSensor(SensorModel, ABC, registered=False):
     """Ellipsoidal height of the middle of the scene."""
     file: Path | None
     """Where the scene was read."""
+
+    @property
+    @abstractmethod
+    def depth_m(self) -> float:
+        """Below `height_m` by so much there is no ground."""
 
     @abstractmethod
     def observe(self, xyz: Array, values: Array) -> Observed:
@@ -149,6 +156,11 @@ class RpcSensor(SceneSensor, registered=False):
         self.height_m = float(rpc.ground_offset[2])
         self._finish()
 
+    @property
+    def depth_m(self) -> float:
+        """By the range of heights for which the polynomials hold."""
+        return RANGES * float(self.rpc.ground_scale[2])
+
     def observe(self, xyz: Array, values: Array) -> Observed:
         """As `SceneSensor`."""
         return observe_rpc_at(self.rpc, self.place, xyz, self.bias, values)
@@ -208,6 +220,11 @@ class LineSensor(SceneSensor, registered=False):
             self.centre = place.block_from_geographic(geographic_from_geocentric(sensor, scene.ellipsoid))[0]
             middle = self.localise(np.array([self.size_px], float) / 2, self.height_m, self.defaults)[0]
             self._view_m = float(np.linalg.norm(self.centre - middle))
+
+    @property
+    def depth_m(self) -> float:
+        """From the highest mountain to below the deepest shore."""
+        return DEEP_M
 
     @property
     def local_width(self) -> int:  # pyright: ignore[reportIncompatibleVariableOverride]

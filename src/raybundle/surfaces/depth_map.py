@@ -20,17 +20,17 @@ from raybundle.surfaces.noise import autocovariance, lost_freedom
 from raybundle.surfaces.normals import incidences, smoothed
 from raybundle.surfaces.orientation import ShiftCovariance
 from raybundle.surfaces.pairs import Sources
+from raybundle.surfaces.rays import ReferenceRays
 from raybundle.surfaces.refine import (
     PASSES, PixelGrid, Refined, RefineOptions, Source, grow, refine, used_sources,
 )  # fmt: skip
 from raybundle.surfaces.sweep import Start, moved_px, reduction_for, swept
-from raybundle.surfaces.transfer import ReferenceRays, Transfer, transfer
+from raybundle.surfaces.transfer import Transfer, transfer
 
 COARSE = 4
 """Pixels from one to the next of the grid that is refined first: windows of 7 px overlap there."""
-OUTER, BEYOND = 0.01, 0.25
-"""Tie points at either end that may be wrong, as a share of all, and by how much depths may lie beyond the others, as a
-share of their range."""
+OUTER = 0.01
+"""Tie points at either end that may be wrong, as a share of all."""
 FEWEST_POINTS = 8
 """Tie points that tell the range of depths."""
 STRIP_BYTES = 48e6
@@ -154,7 +154,7 @@ def depth_map(
     """Measure the depths of a reference.
 
     block   oriented; `chosen` are rows of its images
-    greys   gives the grey values (h, w) uint8 of an image as stored
+    greys   gives the grey values (h, w) of an image as stored, uint8, or float32 of that range where they are finer
 
     Raises InputError for a reference without sources or tie points, or whose depths do not fit the memory.
     """
@@ -167,7 +167,7 @@ def depth_map(
     t_range = _range(block, rays, chosen.reference)
     tables = [transfer(block, rays, j, t_range) for j in chosen.sources]
     reference, photographs = greys(chosen.reference), [greys(j) for j in chosen.sources]
-    start = _start(reference, photographs, tables, o)
+    start = _start(_bytes(reference), [_bytes(g) for g in photographs], tables, o)
     sources = [
         Source(grey=np.ascontiguousarray(photographs.pop(0), np.float32), transfer=table) for table in tables
     ]
@@ -189,8 +189,7 @@ def _range(block: Block, rays: ReferenceRays, reference: int) -> tuple[float, fl
         name = block.images.ids[reference]
         raise InputError(f"image {name}: {len(t)} tie points tell no range of depths, {FEWEST_POINTS} are needed")
     low, high = (float(q) for q in np.quantile(t, [OUTER, 1 - OUTER]))
-    more = BEYOND * max(high - low, 0.05 * high)
-    return max(low - more, 0.5 * low), high + more
+    return rays.widened(low, high)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -199,13 +198,18 @@ class _Work:
 
     rays: ReferenceRays
     reference: Array
-    """(h, w) uint8"""
+    """(h, w)"""
     grey: Array
     """(h, w) the same as float32"""
     sources: Sequence[Source]
     chosen: Sources
     t_range: tuple[float, float]
     options: DepthOptions
+
+
+def _bytes(grey: Array) -> Array:
+    """(h, w) uint8."""
+    return grey if grey.dtype == np.uint8 else np.clip(grey, 0, 255).astype(np.uint8)
 
 
 def _start(reference: Array, photographs: Sequence[Array], tables: Sequence[Transfer], options: DepthOptions) -> Start:

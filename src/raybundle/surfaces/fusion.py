@@ -1,7 +1,8 @@
 """Depth maps of several references against each other: what agrees, what one map sees through, which estimate is best.
 
 A point of a map is looked up in the other maps that see its place.  It agrees with one whose depth there differs by no
-more than both standard deviations allow; one that sees through it, to something behind, speaks against it; one in which
+more than noise and roughness of both allow, and what orientation lets them differ by: an error that it gives to both
+maps alike excuses nothing; one that sees through it, to something behind, speaks against it; one in which
 something else stands before it is silent.  Of estimates that agree the best stands for all: a mean would have to know
 how they are correlated, and gains little, since they share photographs, orientation and texture.
 """
@@ -13,9 +14,10 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from raybundle.numerics.arrays import Array, Mask
+from raybundle.numerics.arrays import Array, Index, Mask
+from raybundle.surfaces.rays import ReferenceRays
 from raybundle.surfaces.refine import PixelGrid
-from raybundle.surfaces.transfer import ReferenceRays, Transfer
+from raybundle.surfaces.transfer import Transfer
 
 SIGMAS = 3.0
 """Standard deviations of a difference up to which two maps agree."""
@@ -33,26 +35,39 @@ class MapView:
     slopes: Array
     """(2, rows, columns) of t by column and row [1 / px]"""
     sigma: Array
-    """of t, all parts"""
+    """of t by noise and roughness"""
+    whole: Array | None = None
+    """of t, all parts, by which the best is chosen; None: `sigma`"""
+    apart: float = 0.0
+    """of t by orientation, against the map whose points are looked up in this one"""
 
-    def looked_up(self, xy_px: Array) -> tuple[Array, Array, Array]:
-        """Depth parameter at places (n, 2), its standard deviation, and that of the nearest pixel as a length.
+    @property
+    def all_parts(self) -> Array:
+        """Standard deviations of t, all parts."""
+        return self.sigma if self.whole is None else self.whole
 
-        A depth goes on from the nearest pixel along its slopes; NaN where that one has none.
-        """
-        g = self.grid
+    def nearest(self, xy_px: Array) -> Index:
+        """The nearest pixel (n,) of the map to places (n, 2), row by row; -1 beyond it."""
+        g, (rows, columns) = self.grid, self.t.shape
         column = np.round((xy_px[:, 0] - g.x0 - 0.5) / g.stride)
         row = np.round((xy_px[:, 1] - g.y0 - 0.5) / g.stride)
         with np.errstate(invalid="ignore"):
-            inside = (row >= 0) & (row < self.t.shape[0]) & (column >= 0) & (column < self.t.shape[1])
-        j, i = (np.where(inside, x, 0).astype(int) for x in (row, column))
+            inside = (row >= 0) & (row < rows) & (column >= 0) & (column < columns)
+        return np.where(inside, np.where(inside, row, 0) * columns + np.where(inside, column, 0), -1).astype(int)
+
+    def looked_up(self, xy_px: Array) -> tuple[Array, Array, Array]:
+        """Depth parameter at places (n, 2), its standard deviation, and all of it of the nearest pixel as a length.
+
+        A depth goes on from the nearest pixel along its slopes; NaN where that one has none.
+        """
+        g, at = self.grid, self.nearest(xy_px)
+        lost = at < 0
+        j, i = np.divmod(np.where(lost, 0, at), self.t.shape[1])
         du = xy_px[:, 0] - (g.x0 + 0.5 + g.stride * i)
         dv = xy_px[:, 1] - (g.y0 + 0.5 + g.stride * j)
         t = self.t[j, i] + self.slopes[0, j, i] * du + self.slopes[1, j, i] * dv
-        lost = ~inside
         sigma = np.where(lost, np.nan, self.sigma[j, i])
-        with np.errstate(divide="ignore", invalid="ignore"):
-            length = sigma / np.square(self.t[j, i])
+        length = self.rays.lengths(self.t[j, i], np.where(lost, np.nan, self.all_parts[j, i]))
         return np.where(lost, np.nan, t), sigma, length
 
 
@@ -116,7 +131,7 @@ class _Points:
     step: Array
     """(n, 3) float32 to where a point lies whose t is larger by its standard deviation"""
     length: Array
-    """standard deviation as a length"""
+    """standard deviation, all parts, as a length"""
 
     @classmethod
     def of(cls, mine: MapView) -> _Points:
@@ -125,10 +140,9 @@ class _Points:
         xyz, step = np.empty((len(t), 3)), np.empty((len(t), 3), np.float32)
         for begin in range(0, len(t), CHUNK):
             part = slice(begin, begin + CHUNK)
-            origin, direction = mine.rays.rays(xy[part])
-            xyz[part] = origin + direction / t[part, None]
-            step[part] = origin + direction / (t[part] + sigma[part])[:, None] - xyz[part]
-        return cls(xy_px=xy, t=t, xyz=xyz, step=step, length=sigma / t**2)
+            xyz[part], step[part] = mine.rays.steps(xy[part], t[part], sigma[part])
+        length = mine.rays.lengths(t, np.asarray(mine.all_parts[known], float))
+        return cls(xy_px=xy, t=t, xyz=xyz, step=step, length=length)
 
     def beside(self, part: slice, other: MapView, table: Transfer) -> tuple[Array, Array, Array, Array]:
         """Of some points those that another map knows: their numbers, differences of t there, limits, its lengths."""
@@ -141,4 +155,4 @@ class _Points:
         mine_there = other.rays.parameter(at, xyz)
         # how far my standard deviation moves the point along the other's ray
         by_mine = other.rays.parameter(at, xyz + self.step[part][seen]) - mine_there
-        return seen, mine_there - there, SIGMAS * np.hypot(by_mine, theirs), length
+        return seen, mine_there - there, SIGMAS * np.hypot(np.hypot(by_mine, theirs), other.apart), length

@@ -12,9 +12,9 @@ import cv2
 import numpy as np
 
 from raybundle.numerics.arrays import Array, Mask
+from raybundle.surfaces.rays import ReferenceRays
 from raybundle.surfaces.refine import PixelGrid
 from raybundle.surfaces.roughness import APART_PX
-from raybundle.surfaces.transfer import ReferenceRays
 
 STEP_PX = 16.0
 """From node to node: a direction of a fisheye with c = 500 px errs by 1e-4 between them, its derivatives by less."""
@@ -28,6 +28,7 @@ class _Directions:
 
     nodes: Array
     """(rows, columns, 15) float32 direction; origin and direction by column; the same by row [1 / px]"""
+    rays: ReferenceRays
 
     @classmethod
     def of(cls, rays: ReferenceRays) -> _Directions:
@@ -38,7 +39,7 @@ class _Directions:
         for half in 0.5 * np.eye(2):
             (o0, d0), (o1, d1) = rays.rays(xy - half), rays.rays(xy + half)
             found += [o1 - o0, d1 - d0]
-        return cls(nodes=np.concatenate(found, axis=1).reshape(rows, columns, 15).astype(np.float32))
+        return cls(nodes=np.concatenate(found, axis=1).reshape(rows, columns, 15).astype(np.float32), rays=rays)
 
     def at(self, xy_px: Array) -> tuple[Array, Array, Array]:
         """Directions (n, 3), and (n, 2, 3) each of origins and directions by column and row."""
@@ -95,11 +96,11 @@ def incidences(rays: ReferenceRays, grid: PixelGrid, t: Array, slopes: Array) ->
 
 
 def _planes(field: _Directions, xy_px: Array, t: Array, slopes: Array) -> tuple[Array, Array, Array]:
-    """Normals, areas and directions of rays."""
+    """Normals, areas, and directions of rays away from the sensor."""
     d, origin_by, d_by = field.at(xy_px)
-    across, down = (
-        origin_by[:, k] + (d_by[:, k] - d * (slopes[k] / t)[:, None]) / t[:, None] for k in (0, 1)
-    )
+    s, by_t = field.rays.along(t)
+    across, down = (origin_by[:, k] + d_by[:, k] * s[:, None] + d * (slopes[k] * by_t)[:, None] for k in (0, 1))
+    d = d * -np.sign(by_t)[:, None]
     normal = np.cross(across, down)
     area = np.linalg.norm(normal, axis=1)
     normal /= np.maximum(area, 1e-300)[:, None]

@@ -20,7 +20,7 @@ from raybundle.block import Block, Camera
 from raybundle.numerics.arrays import Array, Index
 from raybundle.numerics.rotation import rotation_from_vector
 from raybundle.numerics.rows import rows_of_each
-from raybundle.surfaces.transfer import ReferenceRays
+from raybundle.surfaces.rays import ReferenceRays
 
 NODES, LEVELS = 12, 4
 """Nodes along the longer side of a reference, and levels of depth; between them shifts are linear."""
@@ -104,6 +104,13 @@ class ShiftCovariance:
             of_ray = (weights @ nodes[:, -3:].reshape(len(nodes), -1)).reshape(len(mine), 3, -1)
             yield mine, of_ray - by_t[mine, :, None] * along[:, None]
 
+    def moved(self, xy_px: Array, t: Array, sensitivity: Array, by_t: Array) -> Array:
+        """How all of the object points move (n, 3, q)."""
+        found = np.zeros((len(t), 3, self.root.shape[1]))
+        for mine, point in self.moved_points(xy_px, t, sensitivity, by_t):
+            found[mine] = point
+        return found
+
     def _cells(self, xy_px: Array, t: Array) -> Iterator[tuple[Index, Array, Array]]:
         """Pixels of one cell after the other, their weights (m, 8) of its nodes, and the nodes' factors."""
         factors = self.partials @ self.root
@@ -141,7 +148,7 @@ def shift_covariance(
     joint    of the reference and all its sources at least
     t_range  smallest and largest depth parameter
 
-    Raises InputError for a reference that is a satellite scene or has no orientation.
+    Raises InputError for a reference that has no orientation.
     """
     rays = ReferenceRays.of(block, reference)
     width, height = rays.camera.width_px, rays.camera.height_px
@@ -239,6 +246,6 @@ def _seen(
 ) -> tuple[Array, Array]:
     """Object points (n, 3) of a reference's pixels, and their places (n, 2s) in the sources."""
     own = views[reference]
-    xyz = replace(rays, camera=own.camera, rotation=own.rotation, centre=own.centre).points(xy, t)
+    xyz = rays.moved(own.camera, own.rotation, own.centre).points(xy, t)
     places = [image_points(views[i].camera, views[i].rotation, views[i].centre, xyz) for i in sources]
     return xyz, np.concatenate(places, axis=1)

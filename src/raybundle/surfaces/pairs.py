@@ -41,7 +41,7 @@ class PairOfImages:
     angle_deg: float
     """Median angle between their rays; NaN without common points."""
     scale: float
-    """Median ratio of the distances, source by reference."""
+    """Median ratio of the sizes of a pixel on the object, source by reference."""
 
     @property
     def refusal(self) -> str:
@@ -121,18 +121,29 @@ def _sources(block: Block, k: int, mine: list[Index], images_of: list[Index], mo
 
 
 def _pair(block: Block, k: int, j: int, at: Index, theirs: Index) -> tuple[PairOfImages, Array]:
-    """Two images, and what the second tells of the depths (n,) of the first's points, in units of the best pair."""
+    """Two images, and what the second tells of the depths (n,) of the first's points, in units of the best pair.
+
+    Of a scene by its nominal viewpoint, from which its middle is seen as the scene does: what angles and sizes differ
+    by over its width is less than a choice of pairs has to know.
+    """
     common, places, _ = np.intersect1d(at, theirs, assume_unique=True, return_indices=True)
     xyz, centre = block.points.xyz[common], block.images.centre
     a, b = xyz - centre[k], xyz - centre[j]
     far, near = np.linalg.norm(a, axis=1), np.linalg.norm(b, axis=1)
     angle = np.arccos(np.clip(np.einsum("ni,ni->n", a, b) / (far * near), -1.0, 1.0))
+    finer = near / far * (_angle_of_pixel(block, j) / _angle_of_pixel(block, k))
     pair = PairOfImages(
         reference=k, source=j, points=len(common), angle_deg=float(np.degrees(np.median(angle))),
-        scale=float(np.median(near / far)),
+        scale=float(np.median(finer)),
     )  # fmt: skip
     gain = np.zeros(len(at))
     with np.errstate(divide="ignore"):
         likely = np.exp(-(np.log(angle / BEST_RAD) ** 2) / (2 * WIDTH**2))
-    gain[places] = likely * np.minimum(near / far, far / near)
+    gain[places] = likely * np.minimum(finer, 1 / finer)
     return pair, gain
+
+
+def _angle_of_pixel(block: Block, image: int) -> float:
+    """The angle [rad] under which a pixel of an image is seen, in its middle."""
+    camera = block.camera_of(image)
+    return float(np.mean(camera.pixel_mm)) / abs(camera.sensor.camera_constant(camera.parameters))

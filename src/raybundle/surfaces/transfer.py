@@ -12,12 +12,11 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from raybundle.adjustment.predict import predicted_px
-from raybundle.block import Block, Camera
+from raybundle.block import Block
 from raybundle.errors import InputError
 from raybundle.numerics import native
 from raybundle.numerics.arrays import Array
-from raybundle.orientation.rays import camera_rays
-from raybundle.platforms.carried import Carried
+from raybundle.surfaces.rays import ReferenceRays
 
 TOLERANCE_PX = 0.005
 """Largest error of interpolation: a tenth of what least-squares matching measures at best."""
@@ -27,78 +26,7 @@ LOST = 0.01
 """Share of what a source sees that may have no place in the table before it is made finer"""
 MIDDLES = 6000
 """Middles of cells at which a table is compared with the models."""
-WIDEST = np.cos(np.radians(80.0))
-"""Beyond this angle off the axis the depth along the axis says little of the distance."""
 NODES = 4
-
-
-@dataclass(frozen=True, slots=True, kw_only=True)
-class ReferenceRays:
-    """Object points along the rays of a reference image: X = origin + direction / t.
-
-    t is the inverse depth along the axis [1 / length] where all rays are within 80 degrees of it: a plane is then
-    linear in the pixels of a picture without distortion.  Else it is the inverse distance.
-    """
-
-    camera: Camera
-    rotation: Array
-    """(3, 3) object axes to image axes"""
-    centre: Array
-    """(3,)"""
-    axis: Array | None
-    """(3,) in the image frame; None: t is the inverse distance"""
-
-    @classmethod
-    def of(cls, block: Block, image: int) -> ReferenceRays:
-        """Those of an oriented image.  Raises InputError for a satellite scene or an image without orientation."""
-        camera = block.camera_of(image)
-        if camera.is_scene:
-            raise InputError(f"image {block.images.ids[image]}: depths along rays are not those of a satellite scene")
-        if not block.images.oriented[image]:
-            raise InputError(f"image {block.images.ids[image]}: has no orientation; orient it first")
-        R, centre = block.images.rotation[image], block.images.centre[image]
-        free = cls(camera=camera, rotation=R, centre=centre, axis=None)
-        size = np.array([camera.width_px, camera.height_px])
-        side = np.linspace(0, 1, 17)
-        everywhere = np.stack(np.meshgrid(side, side), axis=-1).reshape(-1, 2) * size
-        d = free.in_sensor(everywhere)[1]
-        axis = free.in_sensor(size[None] / 2.0)[1][0] if isinstance(camera.sensor, Carried) else np.array([0, 0, -1.0])
-        return free if (d @ axis).min() < WIDEST else replace(free, axis=axis)
-
-    def in_sensor(self, xy_px: Array) -> tuple[Array, Array]:
-        """Origins and directions (n, 3) in the image frame of points (n, 2) [px]."""
-        model, values = self.camera.sensor, self.camera.parameters
-        if isinstance(model, Carried):
-            image = self.camera.image_from_pixel(xy_px).T
-            origin = model.point_on_ray(image, values, 0.0)
-            d = (model.point_on_ray(image, values, 1.0) - origin).T
-        else:
-            d = camera_rays(self.camera, xy_px)
-            origin = np.zeros((3, len(d)))
-        return origin.T, d if self.axis is None else d / (d @ self.axis)[:, None]
-
-    def rays(self, xy_px: Array) -> tuple[Array, Array]:
-        """Origins and directions (n, 3) in object space."""
-        origin, direction = self.in_sensor(xy_px)
-        return self.centre + origin @ self.rotation, direction @ self.rotation
-
-    def points(self, xy_px: Array, t: Array) -> Array:
-        """Object points (n, 3) at depth parameters (n,)."""
-        origin, direction = self.rays(xy_px)
-        return origin + direction / t[:, None]
-
-    def by_t(self, xy_px: Array, t: Array) -> Array:
-        """Derivatives (n, 3) of the object points by the depth parameters (n,)."""
-        return -self.rays(xy_px)[1] / t[:, None] ** 2
-
-    def parameter(self, xy_px: Array, xyz: Array) -> Array:
-        """Depth parameters (n,) of object points (n, 3) that stand on the rays of (n, 2)."""
-        if not isinstance(self.camera.sensor, Carried):
-            # all rays begin in the projection centre: which of them it is does not matter
-            away = xyz - self.centre
-            return 1 / (np.linalg.norm(away, axis=1) if self.axis is None else away @ (self.axis @ self.rotation))
-        origin, direction = self.rays(xy_px)
-        return (direction**2).sum(axis=1) / ((xyz - origin) * direction).sum(axis=1)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -167,7 +95,7 @@ def transfer(block: Block, rays: ReferenceRays, source: int, t_range: tuple[floa
     """
     low, high = t_range
     if not 0 < low < high < np.inf:
-        raise InputError(f"depths from {1 / low if low else np.inf:g} to {1 / high:g} are no range of depths")
+        raise InputError(f"depth parameters from {low:g} to {high:g} are no range of depths")
     smaller = min(rays.camera.width_px, rays.camera.height_px)
     step, levels = min(float(COARSEST_PX), smaller / (NODES - 1)), FEWEST_LEVELS
     while True:
@@ -198,10 +126,10 @@ def _tabulated(
     columns, rows = (max(NODES, int(np.ceil(n / step)) + 1) for n in (camera.width_px, camera.height_px))
     u, v = np.meshgrid(np.arange(columns) * step, np.arange(rows) * step)
     t = np.linspace(*t_range, levels)
-    origin, direction = rays.rays(np.stack([u.ravel(), v.ravel()], axis=1))
-    places = np.empty((len(origin), levels, 2))
-    for k in range(levels):
-        places[:, k] = predicted_px(block, source, origin + direction / t[k])
+    xy = np.stack([u.ravel(), v.ravel()], axis=1)
+    places = np.empty((len(xy), levels, 2))
+    for k, xyz in enumerate(rays.levels(xy, t)):
+        places[:, k] = predicted_px(block, source, xyz)
     places = places.reshape(rows, columns, levels, 2)
     return Transfer(
         places=_without_jumps(places, block.camera_of(source).width_px), u0_px=0.0, v0_px=0.0, step_px=step,

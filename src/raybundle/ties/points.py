@@ -45,11 +45,16 @@ def feature_count(photo: Photo, most: int) -> int:
 
 def grey_of(photo: Photo) -> Array:
     """Grey values, uint8; 16 bits are stretched between their 0.1 and 99.9 percentiles."""
+    return np.clip(exact_grey_of(photo), 0, 255).astype(np.uint8)
+
+
+def exact_grey_of(photo: Photo) -> Array:
+    """The same without rounding, float32 of 16 bits, whose noise rounding may hide; what is brighter stays so."""
     grey = read_grey(photo)
     if grey.dtype == np.uint8:
         return grey
     low, high = np.percentile(grey[::4, ::4], [0.1, 99.9])
-    return np.clip((grey.astype(np.float32) - low) * (255 / max(high - low, 1)), 0, 255).astype(np.uint8)
+    return (grey.astype(np.float32) - np.float32(low)) * np.float32(255 / max(high - low, 1))
 
 
 def detected(method: FeatureMethod, photo: Photo, count: int, masks: Masks | None = None) -> Features:

@@ -18,7 +18,7 @@ from raybundle.pipeline.store import Folder, Product
 from raybundle.surfaces.displacement import displacement, gram
 from raybundle.surfaces.gaps import beside_steps, height_at, slopes_of
 from raybundle.surfaces.orientation import CommonRoot, ShiftCovariance
-from raybundle.surfaces.transfer import ReferenceRays
+from raybundle.surfaces.rays import ReferenceRays
 from raybundle.workflows.height_grid import HeightGrid
 from raybundle.workflows.height_tiles import (
     BLOCK_CELLS,
@@ -153,7 +153,7 @@ class _Work:
         together = CommonRoot.of_arrays(store.wanted(task.together))
         return cls(
             store=store, task=task, block=block, picture=picture, factor=factor,
-            viewer=task.grid.plane.coordinates(block.images.centre[:1])[0],
+            viewer=ReferenceRays.of(block, 0).viewer(task.grid.plane.coordinates),
             shifts=ShiftCovariance.of_arrays(store.wanted(task.shifts)).among(together), choice=dict(task.choice),
             heights=dict(task.heights), grams={},
         )  # fmt: skip

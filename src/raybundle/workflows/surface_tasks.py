@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 
 import cv2
 import numpy as np
 
+from raybundle.adjustment.queries import joint_orientation
+from raybundle.adjustment.result import Adjustment
 from raybundle.block import Block
 from raybundle.block.select import selected
 from raybundle.errors import InputError
@@ -18,9 +20,13 @@ from raybundle.pipeline.keys import key_of
 from raybundle.pipeline.stage import Means
 from raybundle.pipeline.store import Folder
 from raybundle.pipeline.tasks import Task
+from raybundle.surfaces.orientation import CommonRoot
+from raybundle.surfaces.pairs import Sources
+from raybundle.ties.points import grey_of
 
-PART = "surface part"
-"""First word of the keys of parts of the block"""
+VERSION = 1
+PART, TOGETHER = "surface part", "surface orientation"
+"""First words of the keys of parts of the block, and of the errors of all orientations together"""
 
 
 def part_of(block: Block, images: Index) -> Block:
@@ -40,10 +46,30 @@ def stored_part(block: Block, images: Sequence[int], store: Folder) -> str:
     return key
 
 
+def stored_together(adjustment: Adjustment, chosen: Sequence[Sources], shifts: Mapping[int, str], means: Means) -> str:
+    """The key of the independent errors behind all orientations of references and their sources.
+
+    shifts  keys of how each reference's picture shifts, on which they depend
+    """
+    images = sorted({j for s in chosen if s.reference in shifts for j in (s.reference, *s.sources)})
+    key = key_of(TOGETHER, VERSION, [shifts[k] for k in sorted(shifts)], images)
+    if not means.store.has(key):
+        means.store.store(key, CommonRoot.of(joint_orientation(adjustment, images)).as_arrays())
+    return key
+
+
 def all_done(means: Means, tasks: Sequence[Task], what: str) -> None:
     """Do tasks; raises InputError where one of them fails."""
     for reason in means.do(tasks, what, apart=True).values():
         raise InputError(reason)
+
+
+def _shown(photo: Photo) -> Array:
+    """Red, green, blue (h, w, 3) uint8; more than 8 bits without colour, as of a scene, are stretched as grey is."""
+    colour = read_colour(photo)
+    if photo.bits > 8 and (colour == colour[..., :1]).all():
+        colour = np.repeat(grey_of(photo)[..., None], 3, axis=2)
+    return colour
 
 
 def colours_of(photo: Photo, block: Block, image: int, px: float = 1.0) -> tuple[Array, Array]:
@@ -51,7 +77,7 @@ def colours_of(photo: Photo, block: Block, image: int, px: float = 1.0) -> tuple
 
     px  pixels to a place that is looked up: it is reduced where these are two or more
     """
-    pixels = in_camera_frame(read_colour(photo), block, image)
+    pixels = in_camera_frame(_shown(photo), block, image)
     factor = max(1, int(px))
     if factor == 1:
         return pixels, np.ones(2)

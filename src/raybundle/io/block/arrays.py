@@ -21,7 +21,8 @@ from raybundle.numerics.records import Records
 from raybundle.observations import tables
 
 ELSEWHERE = {"place", "scene"}
-"""Fields that follow from the satellite scenes of a block, which are kept with these."""
+"""Fields of a block with satellite scenes, which `scene_arrays` tells."""
+SCENES = "scenes"
 OWN: Mapping[str, type[Records]] = {"images": Images, "observations": Observations, "points": Points}
 """Parts of a block that every block has; beside them stand the tables of observations."""
 LISTED: Mapping[str, type[Camera | Instrument]] = {"cameras": Camera, "instruments": Instrument}
@@ -33,8 +34,10 @@ def arrays_of_block(block: Block) -> dict[str, Array]:
     parts: dict[str, Records] = {
         "images": block.images, "observations": block.observations, "points": block.points, **block.tables,
     }  # fmt: skip
+    scenes = {SCENES: np.array(_text_of_scenes(block))} if any(c.is_scene for c in block.cameras) else {}
     return {
         "head": np.array(json.dumps({**_told(block), **lists})),
+        **scenes,
         **{f"{part}.{name}": values for part, table in parts.items() for name, values in arrays_of_records(table)},
     }
 
@@ -47,7 +50,19 @@ def block_of_arrays(a: Mapping[str, Array]) -> Block:
     observed = {name: table for name, table in parts.items() if name in tables}
     own = {name: part for name, part in parts.items() if name not in tables}
     made: Any = {**_known(Block, head), **lists, **own, "tables": observed}
-    return Block(**made)
+    return _with_scenes(Block(**made), str(a[SCENES])) if SCENES in a else Block(**made)
+
+
+def _text_of_scenes(block: Block) -> str:
+    from raybundle.io.block.scene_arrays import text_of_scenes  # noqa: PLC0415  (only where there are scenes)
+
+    return text_of_scenes(block)
+
+
+def _with_scenes(block: Block, text: str) -> Block:
+    from raybundle.io.block.scene_arrays import with_scenes  # noqa: PLC0415
+
+    return with_scenes(block, text)
 
 
 def arrays_of_records(table: Records) -> Iterator[tuple[str, Array]]:

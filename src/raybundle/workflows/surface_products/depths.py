@@ -13,8 +13,9 @@ from raybundle.io.folders import new_folder
 from raybundle.io.pictures.geotiff import TILE_PX, new_geotiff
 from raybundle.io.pictures.rectified import toml_text
 from raybundle.io.raster_library import raster_library
+from raybundle.numerics.arrays import Array
 from raybundle.surfaces.depth_map import DepthMap
-from raybundle.surfaces.transfer import ReferenceRays
+from raybundle.surfaces.rays import ReferenceRays
 from raybundle.workflows.surface import Surface
 from raybundle.workflows.surface_product import Context, Product, Written, register
 
@@ -25,7 +26,6 @@ PLACE = (
     "outer corner of a pixel in the photograph as stored: x = left + column * step, y = top + row * step, from the "
     "outer corner of its first pixel; the TIFF has the same with y upwards, from -top on"
 )
-AXIS, DISTANCE = "along the optical axis, from the projection centre", "distance from the projection centre"
 
 
 def _write(surface: Surface, out: Path, context: Context) -> Written:
@@ -40,19 +40,20 @@ def _write(surface: Surface, out: Path, context: Context) -> Written:
         for (image, key), name in zip(sorted(surface.maps.items()), names, strict=True):
             found = DepthMap.of_arrays(surface.store.wanted(key))
             sigma = surface.store.wanted(surface.sigmas[image], ("sigma",))["sigma"]
-            measured += _write_one(folder / name, found, np.asarray(sigma))
-            about[json.dumps(name)] = _about(surface, image, found)
+            rays = ReferenceRays.of(surface.block, image)
+            measured += _write_one(folder / name, rays, found, np.asarray(sigma))
+            about[json.dumps(name)] = _about(surface, image, rays, found)
         (folder / ABOUT).write_text(toml_text(about), encoding="utf-8")
     told = f"{len(names)} depth maps, {measured} depths"
     return Written(files=(out / FOLDER,), told=(told,))
 
 
-def _write_one(path: Path, found: DepthMap, sigma: np.ndarray) -> int:
+def _write_one(path: Path, rays: ReferenceRays, found: DepthMap, sigma: Array) -> int:
     """Write a map; how many depths it has."""
     g = found.grid
     t = np.asarray(found.t, float)
-    with np.errstate(divide="ignore", invalid="ignore"):
-        bands = np.stack([1 / t, sigma / t**2, np.asarray(found.flags, float)], axis=2).astype(np.float32)
+    bands = np.stack([rays.depths(t), rays.lengths(t, sigma), np.asarray(found.flags, float)], axis=2)
+    bands = bands.astype(np.float32)
     left, top = g.x0 + 0.5 - g.stride / 2, g.y0 + 0.5 - g.stride / 2
     with new_geotiff(
         raster_library(), path, {"count": len(BANDS), "dtype": "float32", "nodata": float("nan")},
@@ -63,12 +64,11 @@ def _write_one(path: Path, found: DepthMap, sigma: np.ndarray) -> int:
     return int(np.isfinite(t).sum())
 
 
-def _about(surface: Surface, image: int, found: DepthMap) -> dict[str, Any]:
+def _about(surface: Surface, image: int, rays: ReferenceRays, found: DepthMap) -> dict[str, Any]:
     ids, g = surface.block.images.ids, found.grid
-    rays = ReferenceRays.of(surface.block, image)
     return {
         "image": ids[image], "file": surface.block.images.file[image],
-        "depth": AXIS if rays.axis is not None else DISTANCE, "left": g.x0 + 0.5 - g.stride / 2,
+        "depth": rays.told, "left": g.x0 + 0.5 - g.stride / 2,
         "top": g.y0 + 0.5 - g.stride / 2, "step": g.stride, "sources": [ids[s] for s in found.sources],
     }  # fmt: skip
 

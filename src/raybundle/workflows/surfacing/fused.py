@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -12,7 +12,7 @@ from raybundle.adjustment.result import Adjustment
 from raybundle.block import Block
 from raybundle.io.block.arrays import arrays_of_block, block_of_arrays
 from raybundle.io.photos.photo import Photo
-from raybundle.numerics.arrays import Array
+from raybundle.numerics.arrays import Array, Index
 from raybundle.pipeline.keys import key_of
 from raybundle.pipeline.stage import Means, Stage
 from raybundle.pipeline.store import Folder, Product
@@ -20,18 +20,21 @@ from raybundle.pipeline.tasks import Task
 from raybundle.surfaces.depth_map import DepthMap
 from raybundle.surfaces.fusion import MapView, agreement
 from raybundle.surfaces.normals import planes_at
-from raybundle.surfaces.orientation import ShiftCovariance, shift_covariance
+from raybundle.surfaces.orientation import CommonRoot, ShiftCovariance, shift_covariance
 from raybundle.surfaces.pairs import Sources
+from raybundle.surfaces.rays import ReferenceRays
 from raybundle.surfaces.refine import PixelGrid, used_sources
-from raybundle.surfaces.transfer import ReferenceRays, transfer
+from raybundle.surfaces.transfer import Transfer, transfer
 from raybundle.workflows.surface_state import SURFACE, Cloud
-from raybundle.workflows.surface_tasks import all_done, colours_of, stored_part
+from raybundle.workflows.surface_tasks import TOGETHER, all_done, colours_of, stored_part, stored_together
 
-VERSION = 3
+VERSION = 4
 SHIFTS, SIGMA, CLOUD = "surface shifts", "surface sigma", "surface points"
 """First words of the keys of what is kept"""
 MOST_MAPS = 8
 """Maps that a map is compared with, those that share most tie points: more cost time and confirm no better."""
+PROBES = 200
+"""Places at which it is seen by how much orientation lets two maps differ."""
 CHUNK = 200_000
 """Points whose covariances are made at once."""
 PIXEL_S = 4e-6
@@ -71,7 +74,9 @@ class CloudTask:
     maps: tuple[str, ...]
     """keys of its map and of the others'"""
     sigmas: tuple[str, ...]
-    shifts: str
+    shifts: tuple[str, ...]
+    """of how orientation moves its map and the others'"""
+    together: str
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -103,7 +108,8 @@ def fuse(i: Inputs, means: Means) -> Fused:
         )  # fmt: skip
     all_done(means, sigma, "standard deviations of depths")
     sigmas = {k: t.key for k, t in zip(of, sigma, strict=True)}
-    tasks = [_task(i, means, of[k], shifts[k], sigmas) for k in of]
+    together = stored_together(i.adjustment, i.chosen, shifts, means)
+    tasks = [_task(i, means, of[k], shifts, sigmas, together) for k in of]
     all_done(means, tasks, "maps against each other")
     return Fused(clouds={k: t.key for k, t in zip(of, tasks, strict=True)}, shifts=shifts, sigmas=sigmas)
 
@@ -121,7 +127,9 @@ def _shifts(means: Means, adjustment: Adjustment, about: str, s: Sources, t_rang
     return key
 
 
-def _task(i: Inputs, means: Means, s: Sources, shifts: str, sigmas: Mapping[int, str]) -> Task:
+def _task(
+    i: Inputs, means: Means, s: Sources, shifts: Mapping[int, str], sigmas: Mapping[int, str], together: str
+) -> Task:
     """The task of a reference."""
     block, k = i.adjustment.adjusted, s.reference
     pairs = sorted((p for p in s.pairs if p.source in i.maps), key=lambda p: (-p.points, p.source))
@@ -129,14 +137,15 @@ def _task(i: Inputs, means: Means, s: Sources, shifts: str, sigmas: Mapping[int,
     images = sorted([k, *others])
     own = stored_part(block, images, means.store)
     place = {image: n for n, image in enumerate(images)}
-    maps, sigma = tuple(i.maps[j] for j in (k, *others)), tuple(sigmas[j] for j in (k, *others))
+    maps, sigma, moved = (tuple(keys[j] for j in (k, *others)) for keys in (i.maps, sigmas, shifts))
     options = CloudTask(
         block=own, photo=i.photos[k], image=k, own=place[k], others=tuple(place[j] for j in others), maps=maps,
-        sigmas=sigma, shifts=shifts,
+        sigmas=sigma, shifts=moved, together=together,
     )  # fmt: skip
     return Task(
-        key=key_of(CLOUD, VERSION, own, i.photos[k].content, k, maps, sigma, shifts), function=f"{__name__}:cloud_of",
-        options=options, inputs=(own, *maps, *sigma, shifts), name=block.images.ids[k],
+        key=key_of(CLOUD, VERSION, own, i.photos[k].content, k, maps, sigma, moved, together),
+        function=f"{__name__}:cloud_of", options=options, inputs=(own, *maps, *sigma, *moved, together),
+        name=block.images.ids[k],
         cost=(1 + len(others)) * i.photos[k].width_px * i.photos[k].height_px * PIXEL_S,
     )  # fmt: skip
 
@@ -151,29 +160,77 @@ def sigma_of(store: Folder, task: SigmaTask) -> Product:
 def cloud_of(store: Folder, task: CloudTask) -> Product:
     """The task: the points of a reference that other maps confirm and none knows better."""
     block = block_of_arrays(store.wanted(task.block))
-    found = DepthMap.of_arrays(store.wanted(task.maps[0]))
-    sigma = store.wanted(task.sigmas[0])["sigma"]
-    mine = MapView(
-        rays=ReferenceRays.of(block, task.own), grid=found.grid, t=found.t, slopes=found.slopes, sigma=sigma
-    )
+    kept = store.wanted(task.maps[0])
+    found = DepthMap.of_arrays(kept)
+    mine = _view(block, task.own, kept, store.wanted(task.sigmas[0])["sigma"])
     known = np.isfinite(mine.t)
     if not task.others or not known.any():
         return _cloud(store, task, block, found, mine, np.zeros(0, int), np.zeros(0, np.uint8))
     between = float(np.nanmin(mine.t)), float(np.nanmax(mine.t)) * (1 + 1e-6)
     tables = [transfer(block, mine.rays, j, between) for j in task.others]
-    told = agreement(mine, _others(store, task, block), tables, task.others, own=task.own)
+    own = _Probes.of(store, task, found, mine)
+    told = agreement(mine, _others(store, task, block, own, tables), tables, task.others, own=task.own)
     at = np.flatnonzero(known)[told.kept]
     return _cloud(store, task, block, found, mine, at, told.agree[told.kept])
 
 
-def _others(store: Folder, task: CloudTask, block: Block) -> Iterator[MapView]:
+def _view(block: Block, image: int, kept: Product, whole: Array) -> MapView:
+    """A map as others look into it."""
+    return MapView(
+        rays=ReferenceRays.of(block, image), grid=PixelGrid.of_numbers(kept["grid"]), t=kept["t"],
+        slopes=kept["slopes"], sigma=np.sqrt(kept["noise"] + kept["roughness"]), whole=whole,
+    )  # fmt: skip
+
+
+def _others(
+    store: Folder, task: CloudTask, block: Block, own: _Probes, tables: Sequence[Transfer]
+) -> Iterator[MapView]:
     """The maps that a reference is compared with, one after the other."""
-    for j, key, sigma in zip(task.others, task.maps[1:], task.sigmas[1:], strict=True):
-        kept = store.wanted(key, ("grid", "t", "slopes"))
-        yield MapView(
-            rays=ReferenceRays.of(block, j), grid=PixelGrid.of_numbers(kept["grid"]), t=kept["t"],
-            slopes=kept["slopes"], sigma=store.wanted(sigma)["sigma"],
-        )  # fmt: skip
+    for k, (j, table) in enumerate(zip(task.others, tables, strict=True), 1):
+        kept = store.lent(task.maps[k], ("grid", "t", "slopes", "noise", "roughness", "shift"))
+        view = _view(block, j, kept, store.wanted(task.sigmas[k])["sigma"])
+        shifts = ShiftCovariance.of_arrays(store.wanted(task.shifts[k])).among(own.together)
+        yield replace(view, apart=own.apart(view, kept["shift"], shifts, table))
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class _Probes:
+    """Some points of a map, at which it is seen by how much orientation lets another map differ."""
+
+    together: CommonRoot
+    xy_px: Array
+    t: Array
+    normal: Array
+    """(n, 3)"""
+    moved: Array
+    """(n, 3, q) with each independent error of orientation"""
+
+    @classmethod
+    def of(cls, store: Folder, task: CloudTask, found: DepthMap, mine: MapView) -> _Probes:
+        together = CommonRoot.of_arrays(store.wanted(task.together))
+        shifts = ShiftCovariance.of_arrays(store.wanted(task.shifts[0])).among(together)
+        known = np.flatnonzero(np.isfinite(mine.t))
+        at = known[np.unique(np.linspace(0, len(known) - 1, PROBES).astype(int))]
+        xy, t = mine.grid.xy_px.reshape(-1, 2)[at], np.asarray(mine.t, float).ravel()[at]
+        normal, _ = planes_at(mine.rays, xy, t, found.smooth_slopes().reshape(2, -1)[:, at].astype(float))
+        return cls(together=together, xy_px=xy, t=t, normal=normal, moved=_moved(shifts, mine, found.shift, at))
+
+    def apart(self, view: MapView, shift: Array, shifts: ShiftCovariance, table: Transfer) -> float:
+        """By how much orientation lets the depth parameter of another map differ: the median over the points."""
+        there = view.nearest(table.at(self.xy_px, self.t))
+        both = np.flatnonzero((there >= 0) & np.isfinite(view.t.ravel()[there]))
+        if not len(both):
+            return 0.0
+        place, n = there[both], self.normal[both]
+        by = np.abs((n * view.rays.by_t(view.grid.xy_px.reshape(-1, 2)[place], view.t.ravel()[place])).sum(axis=1))
+        off = np.einsum("ni,niq->nq", n, self.moved[both] - _moved(shifts, view, shift, place))
+        return float(np.median(np.linalg.norm(off, axis=1) / by))
+
+
+def _moved(shifts: ShiftCovariance, view: MapView, shift: Array, at: Index) -> Array:
+    """How the points of a map at some of its pixels move (n, 3, q) with each independent error of orientation."""
+    xy, t = view.grid.xy_px.reshape(-1, 2)[at], np.asarray(view.t, float).ravel()[at]
+    return shifts.moved(xy, t, shift.reshape(-1, shift.shape[2], 2)[at], view.rays.by_t(xy, t))
 
 
 def _cloud(
@@ -184,7 +241,7 @@ def _cloud(
     by_t, xyz = mine.rays.by_t(xy, t), mine.rays.points(xy, t)
     length = np.linalg.norm(by_t, axis=1)
     normal, area = planes_at(mine.rays, xy, t, found.smooth_slopes().reshape(2, -1)[:, at].astype(float))
-    shifts = ShiftCovariance.of_arrays(store.wanted(task.shifts))
+    shifts = ShiftCovariance.of_arrays(store.wanted(task.shifts[0]))
     sensitivity = found.shift.reshape(-1, found.shift.shape[2], 2)[at]
     noise, rough = (np.asarray(v, float).ravel()[at] for v in (found.noise, found.roughness))
     sigma, along, across = np.zeros((len(at), 3)), np.zeros(len(at)), np.zeros((len(at), 2))
@@ -213,7 +270,7 @@ def _cloud(
 
 STAGE = SURFACE.register(
     Stage(
-        name="fusion", after=("depth maps",), function=fuse, kinds=(SHIFTS, SIGMA, CLOUD),
+        name="fusion", after=("depth maps",), function=fuse, kinds=(SHIFTS, SIGMA, TOGETHER, CLOUD),
         put=lambda s, found: replace(s, clouds=found.clouds, shifts=found.shifts, sigmas=found.sigmas),
         inputs=lambda s: Inputs(adjustment=s.adjustment, photos=s.photos, chosen=s.chosen, maps=s.maps),
     )

@@ -7,7 +7,6 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from raybundle.adjustment.queries import joint_orientation
 from raybundle.adjustment.result import Adjustment
 from raybundle.io.block.arrays import block_of_arrays
 from raybundle.numerics.arrays import Array, Index
@@ -19,15 +18,15 @@ from raybundle.surfaces.depth_map import DepthMap
 from raybundle.surfaces.heights import STEEPEST, PointsOfCells, on_grid
 from raybundle.surfaces.orientation import CommonRoot, ShiftCovariance
 from raybundle.surfaces.pairs import Sources
+from raybundle.surfaces.rays import ReferenceRays
 from raybundle.surfaces.relief import halo, steps_of
-from raybundle.surfaces.transfer import ReferenceRays
 from raybundle.workflows.height_grid import HeightGrid
 from raybundle.workflows.height_tiles import BLOCK_CELLS, TILE_CELLS, tile_of_number, tiles_across
 from raybundle.workflows.surface_state import SURFACE, MeasuredHeights
-from raybundle.workflows.surface_tasks import all_done, stored_part
+from raybundle.workflows.surface_tasks import all_done, stored_part, stored_together
 
 VERSION, STEPS_VERSION = 1, 2
-TOGETHER, ABOVE, LAYER, TILE = "surface orientation", "surface above", "surface layer", "surface heights"
+ABOVE, LAYER, TILE = "surface above", "surface layer", "surface heights"
 """First words of the keys of what is kept"""
 SAMPLES = 48
 """Points of a part and map whose mean stands for all of them."""
@@ -86,7 +85,7 @@ class StepTask:
 def measure(i: Inputs, means: Means) -> MeasuredHeights:
     """All tiles by tasks."""
     refs = sorted(i.clouds)
-    together = _together(i, means)
+    together = stored_together(i.adjustment, i.chosen, i.shifts, means)
     tasks = [_above(i, means, k, together) for k in refs]
     all_done(means, tasks, "points above the grid")
     above = {k: t.key for k, t in zip(refs, tasks, strict=True)}
@@ -101,16 +100,6 @@ def measure(i: Inputs, means: Means) -> MeasuredHeights:
     all_done(means, tiles, "steps between heights")
     found = {tile: t.key for tile, t in zip(sorted(keys), tiles, strict=True)}
     return MeasuredHeights(grid=i.grid, tiles=found, above=above, together=together)
-
-
-def _together(i: Inputs, means: Means) -> str:
-    """The key of the independent errors behind all orientations."""
-    images = sorted({j for s in i.chosen if s.reference in i.clouds for j in (s.reference, *s.sources)})
-    # what each reference shifts by depends on all that this does
-    key = key_of(TOGETHER, VERSION, [i.shifts[k] for k in sorted(i.clouds)], images)
-    if not means.store.has(key):
-        means.store.store(key, CommonRoot.of(joint_orientation(i.adjustment, images)).as_arrays())
-    return key
 
 
 def _above(i: Inputs, means: Means, k: int, together: str) -> Task:
@@ -210,9 +199,7 @@ def _moved(
     rays = ReferenceRays.of(block_of_arrays(store.wanted(task.block)), 0)
     sensitivity = found.shift.reshape(-1, found.shift.shape[2], 2)[place]
     normal = np.asarray(cloud["normal"][at[chosen]], float)
-    each = np.zeros((len(chosen), together.root.shape[1]))
-    for mine, point in shifts.moved_points(xy, t, sensitivity, rays.by_t(xy, t)):
-        each[mine] = np.einsum("ni,nij->nj", normal[mine], point)
+    each = np.einsum("ni,nij->nj", normal, shifts.moved(xy, t, sensitivity, rays.by_t(xy, t)))
     each /= upright[chosen, None]
     of = np.repeat(np.arange(len(blocks)), [len(s) for s in some])
     moved = np.zeros((len(blocks), each.shape[1]))
@@ -269,7 +256,7 @@ def steps_in(store: Folder, task: StepTask) -> Product:
 
 STAGE = SURFACE.register(
     Stage(
-        name="heights", after=("fusion",), function=measure, kinds=(TOGETHER, ABOVE, LAYER, TILE),
+        name="heights", after=("fusion",), function=measure, kinds=(ABOVE, LAYER, TILE),
         put=lambda s, found: replace(s, heights=found), when=lambda s: s.options.grid is not None,
         told=lambda s: f"{len(s.heights.tiles)} tiles" if s.heights else "",
         inputs=lambda s: Inputs(

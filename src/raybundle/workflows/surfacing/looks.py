@@ -21,9 +21,9 @@ from raybundle.pipeline.tasks import Task
 from raybundle.surfaces.depth_map import DepthMap
 from raybundle.surfaces.fusion import MapView
 from raybundle.surfaces.gaps import slopes_of
+from raybundle.surfaces.rays import ReferenceRays
 from raybundle.surfaces.seams import gains
 from raybundle.surfaces.sight_lines import SIGMAS, seen_from
-from raybundle.surfaces.transfer import ReferenceRays
 from raybundle.workflows.height_grid import HeightGrid
 from raybundle.workflows.height_tiles import TILE_CELLS, Window, around, heights_in, tile_of_number
 from raybundle.workflows.rectify import STEEPEST
@@ -136,7 +136,7 @@ def look_of(store: Folder, task: LookTask) -> Product:
     if len(cells):
         row, column = np.divmod(cells, window.width)
         uv = g.places(window.x + column + 0.5, window.y + row + 0.5)
-        viewer = g.plane.coordinates(block.images.centre[:1])[0]
+        viewer = ReferenceRays.of(block, 0).viewer(g.plane.coordinates)
         away = viewer - np.column_stack([uv, height[row, column]])
         facing = away[:, 2] / np.linalg.norm(away, axis=1)
         kept = facing > STEEPEST
@@ -176,7 +176,7 @@ def _seen(
         scale = 2 * np.sqrt(np.abs(np.linalg.det(np.stack([right - xy, down - xy], axis=1))))
     inside &= scale > 0
     cells, xy, scale = cells[inside], xy[inside], scale[inside]
-    viewer = g.plane.coordinates(block.images.centre[:1])[0]
+    viewer = ReferenceRays.of(block, 0).viewer(g.plane.coordinates)
     column_row = g.cells(viewer[None, :2])[0] - [window.x, window.y]
     seen = seen_from(height, sigma, np.append(column_row, viewer[2]), cells)
     cells, xy, scale = cells[seen], xy[seen], scale[seen]
@@ -196,9 +196,9 @@ def _nothing_before(store: Folder, task: LookTask, block: Block, xyz: Array, xy:
     there, theirs, _ = view.looked_up(xy)
     t = rays.parameter(xy, xyz)
     # a cell is flat in its middle only: what lies within its side before it is the surface itself
-    room = np.hypot(SIGMAS * sigma / task.grid.unit, task.grid.grid.pixel / task.grid.unit) * t**2
+    room = np.hypot(SIGMAS * sigma / task.grid.unit, task.grid.grid.pixel / task.grid.unit)
     with np.errstate(invalid="ignore"):
-        return ~(there - t > SIGMAS * theirs + room)
+        return ~(there - t > SIGMAS * theirs + rays.parameters(t, room))
 
 
 def _colours(photo: Photo, block: Block, xy: Array, px: float) -> Array:

@@ -20,7 +20,7 @@ from raybundle.pipeline.store import Folder, Product
 from raybundle.pipeline.tasks import Task
 from raybundle.surfaces.depth_map import DepthOptions, depth_map
 from raybundle.surfaces.pairs import Sources
-from raybundle.ties.points import grey_of
+from raybundle.ties.points import exact_grey_of
 from raybundle.workflows.surface_state import SURFACE, SurfaceOptions, SurfaceState
 from raybundle.workflows.surface_tasks import PART, stored_part
 
@@ -106,7 +106,7 @@ def map_of(store: Folder, task: MapTask) -> Product:
     options = DepthOptions(density=task.density, threads=task.threads, memory=task.memory)
 
     def greys(image: int) -> Array:
-        return in_camera_frame(grey_of(task.photos[image]), block, image)
+        return in_camera_frame(exact_grey_of(task.photos[image]), block, image)
 
     return depth_map(block, chosen, greys, options).as_arrays()
 
