@@ -35,6 +35,12 @@ class MapView:
     sigma: Array
     """of t, all parts"""
 
+    def shows(self, xy_px: Array) -> Mask:
+        """Which places (n, 2) lie among its pixels, with a depth or without."""
+        g = self.grid
+        low, size = np.array([g.x0, g.y0]), g.stride * np.array([g.columns, g.rows])
+        return ((xy_px >= low) & (xy_px < low + size)).all(axis=1)
+
     def looked_up(self, xy_px: Array) -> tuple[Array, Array, Array]:
         """Depth parameter at places (n, 2), its standard deviation, and that of the nearest pixel as a length.
 
@@ -66,8 +72,19 @@ class Agreement:
     """uint8, maps that see through it"""
     behind: Array
     """uint8, maps in which something else stands before it"""
+    shown: Array
+    """uint8, maps among whose pixels its place lies, with a depth there or without"""
     best: Mask
     """no map that agrees knows the place better"""
+
+    @property
+    def confirmed(self) -> float:
+        """Share of what other maps may show that one of them confirms.
+
+        On a surface it is the completeness of the others there.  Where grey values resemble each other by chance, as on
+        water, leaves in the wind and noise, depths are found here and there, and hardly any twice.
+        """
+        return float((self.agree > 0).sum() / max(int((self.shown > 0).sum()), 1))
 
     @property
     def kept(self) -> Mask:
@@ -90,7 +107,7 @@ def agreement(
     known = np.isfinite(mine.t)
     xy, t, sigma = mine.grid.xy_px[known], np.asarray(mine.t[known], float), np.asarray(mine.sigma[known], float)
     count = len(t)
-    agree, against, behind = (np.zeros(count, np.uint8) for _ in range(3))
+    agree, against, behind, shown = (np.zeros(count, np.uint8) for _ in range(4))
     best = np.ones(count, bool)
     for begin in range(0, count, CHUNK):
         part = slice(begin, begin + CHUNK)
@@ -100,6 +117,7 @@ def agreement(
         for other, table, number in zip(others, tables, order, strict=True):
             place = table.at(xy[part], t[part])
             seen = np.flatnonzero(np.isfinite(place).all(axis=1))
+            shown[part][seen] += other.shows(place[seen])
             there, theirs, their_length = other.looked_up(place[seen])
             told = np.isfinite(there)
             seen, there, theirs, their_length = seen[told], there[told], theirs[told], their_length[told]
@@ -116,4 +134,4 @@ def agreement(
             with np.errstate(invalid="ignore"):
                 better = (their_length < length[seen]) | ((their_length == length[seen]) & (number < own))
             best[part][seen[same & better]] = False
-    return Agreement(agree=agree, against=against, behind=behind, best=best)
+    return Agreement(agree=agree, against=against, behind=behind, shown=shown, best=best)

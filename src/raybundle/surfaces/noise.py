@@ -94,7 +94,7 @@ def _patches(
     T = reference[y, x].astype(float)
     pairs = []
     for one, other, gradient in zip(T, g, steep, strict=True):
-        good = np.isfinite(other) & np.isfinite(gradient)
+        good = np.isfinite(other) & np.isfinite(gradient) & np.isfinite(one)
         if good.mean() < SAME:
             continue
         A = np.stack([other[good], np.ones(int(good.sum()))], axis=1)

@@ -92,13 +92,17 @@ def levels_of(moved: float) -> int:
     return -(-wanted // LANES) * LANES
 
 
-def swept(reference: Array, sources: Sequence[Array], tables: Sequence[Transfer], *, scale: int) -> Start:
+def swept(
+    reference: Array, sources: Sequence[Array], tables: Sequence[Transfer], *, scale: int,
+    free: Sequence[Mask | None] = (),
+) -> Start:  # fmt: skip
     """Approximate depth parameters of a reference.
 
     reference  (height, width) uint8 grey values, not reduced
     sources    (height, width) uint8 each
     tables     of each source, over one range of depth parameters
     scale      by how much the photographs are reduced
+    free       (height, width) of each source where it may be measured in, None: everywhere; (): of all everywhere
 
     What is not told by one level alone, or by a patch of a few pixels, is NaN.  What it does not tell: how good a depth
     is; it errs by a third of a reduced pixel at best.
@@ -111,8 +115,8 @@ def swept(reference: Array, sources: Sequence[Array], tables: Sequence[Transfer]
     t = np.linspace(tables[0].t0, tables[0].t0 + tables[0].dt * (tables[0].places.shape[2] - 1), n)
     v, u = (np.arange(0, size + STEP_PX, STEP_PX) + 0.5 for size in (h, w))
     laid = [
-        _laid_out(_reduced(s, scale), on_grid(table, v * scale, u * scale, t) / scale, u, v, (h, w))
-        for s, table in zip(sources, tables, strict=True)
+        _laid_out(_reduced(s, scale), on_grid(table, v * scale, u * scale, t) / scale, u, v, (h, w), _all_of(m, scale))
+        for s, table, m in zip(sources, tables, free or [None] * len(sources), strict=True)
     ]
     cost = np.empty((h, w, n), np.uint8)
     _costs(_census(small), [c for c, _ in laid], [places for _, places in laid], cost)
@@ -160,7 +164,14 @@ def _reduced(image: Array, scale: int) -> Array:
     return cv2.resize(image[: h * scale, : w * scale], (w, h), interpolation=cv2.INTER_AREA)
 
 
-def _laid_out(source: Array, places: Array, u: Array, v: Array, size: tuple[int, int]) -> tuple[Array, Array]:
+def _all_of(free: Mask | None, scale: int) -> Mask | None:
+    """Reduced pixels that are free as a whole."""
+    return None if free is None else _reduced(np.where(free, np.uint8(255), np.uint8(0)), scale) == 255
+
+
+def _laid_out(
+    source: Array, places: Array, u: Array, v: Array, size: tuple[int, int], free: Mask | None
+) -> tuple[Array, Array]:  # fmt: skip
     """The census of a source turned and scaled as the reference sees it, and places (levels, rows, columns, 2) in it.
 
     A census compares neighbours to the right and below: a source that is rolled, or nearer, has other neighbours there.
@@ -195,7 +206,8 @@ def _laid_out(source: Array, places: Array, u: Array, v: Array, size: tuple[int,
     shift = np.array([[1, 0, -origin[0]], [0, 1, -origin[1]], [0, 0, 1]])
     M = np.linalg.inv(half) @ shift @ H @ half
     laid = cv2.warpPerspective(source, M, (across, down), flags=cv2.INTER_LINEAR)
-    whole = cv2.warpPerspective(np.full(source.shape, 255, np.uint8), M, (across, down), flags=cv2.INTER_NEAREST)
+    known = np.full(source.shape, 255, np.uint8) if free is None else np.where(free, np.uint8(255), np.uint8(0))
+    whole = cv2.warpPerspective(known, M, (across, down), flags=cv2.INTER_NEAREST)
     shown = cv2.erode(whole, np.ones((7, 9), np.uint8), borderType=cv2.BORDER_CONSTANT, borderValue=0) > 0
     census = _census(laid)
     census[~shown] = UNKNOWN

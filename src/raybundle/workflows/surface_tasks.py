@@ -12,8 +12,9 @@ from raybundle.block.select import selected
 from raybundle.errors import InputError
 from raybundle.io.block.arrays import arrays_of_block
 from raybundle.io.photos.framed import in_camera_frame
+from raybundle.io.photos.masks import MaskFile, Masks
 from raybundle.io.photos.photo import Photo, read_colour
-from raybundle.numerics.arrays import Array, Index
+from raybundle.numerics.arrays import Array, Index, Mask
 from raybundle.pipeline.keys import key_of
 from raybundle.pipeline.stage import Means
 from raybundle.pipeline.store import Folder
@@ -57,3 +58,9 @@ def colours_of(photo: Photo, block: Block, image: int, px: float = 1.0) -> tuple
         return pixels, np.ones(2)
     small = cv2.resize(pixels, None, fx=1 / factor, fy=1 / factor, interpolation=cv2.INTER_AREA)
     return small, np.array([small.shape[1] / pixels.shape[1], small.shape[0] / pixels.shape[0]])
+
+
+def free_of(photo: Photo, mask: MaskFile | None, block: Block, image: int) -> Mask | None:
+    """(h, w) where a photograph may be measured in, in its camera's frame; None: everywhere."""
+    found = None if mask is None else Masks(photos=(photo,), files={photo.name: mask}).of(photo)
+    return None if found is None else in_camera_frame(np.where(found, np.uint8(255), np.uint8(0)), block, image) == 255

@@ -23,14 +23,17 @@ from raybundle.surfaces.orientation import ShiftCovariance, shift_covariance
 from raybundle.surfaces.pairs import Sources
 from raybundle.surfaces.refine import used_sources
 from raybundle.surfaces.transfer import ReferenceRays, transfer
+from raybundle.workflows.surface_region import SurfaceRegion
 from raybundle.workflows.surface_state import SURFACE, Cloud
 from raybundle.workflows.surface_tasks import all_done, colours_of, stored_part
 
-VERSION = 2
+VERSION = 3
 SHIFTS, SIGMA, CLOUD = "surface shifts", "surface sigma", "surface points"
 """First words of the keys of what is kept"""
 MOST_MAPS = 8
 """Maps that a map is compared with, those that share most tie points: more cost time and confirm no better."""
+CONFIRMED = 0.5
+"""Share of its depths that other maps confirm below which a map has found chance likenesses, and none is given."""
 CHUNK = 200_000
 """Points whose covariances are made at once."""
 PIXEL_S = 4e-6
@@ -45,6 +48,7 @@ class Inputs:
     photos: Mapping[int, Photo]
     chosen: tuple[Sources, ...]
     maps: Mapping[int, str]
+    region: SurfaceRegion | None
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -71,6 +75,8 @@ class CloudTask:
     """keys of its map and of the others'"""
     sigmas: tuple[str, ...]
     shifts: str
+    region: SurfaceRegion | None = None
+    """of which points are given; None: all"""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -131,10 +137,12 @@ def _task(i: Inputs, means: Means, s: Sources, shifts: str, sigmas: Mapping[int,
     maps, sigma = tuple(i.maps[j] for j in (k, *others)), tuple(sigmas[j] for j in (k, *others))
     options = CloudTask(
         block=own, photo=i.photos[k], image=k, own=place[k], others=tuple(place[j] for j in others), maps=maps,
-        sigmas=sigma, shifts=shifts,
+        sigmas=sigma, shifts=shifts, region=i.region,
     )  # fmt: skip
+    part = [] if i.region is None else [i.region]
     return Task(
-        key=key_of(CLOUD, VERSION, own, i.photos[k].content, k, maps, sigma, shifts), function=f"{__name__}:cloud_of",
+        key=key_of(CLOUD, VERSION, own, i.photos[k].content, k, maps, sigma, shifts, *part),
+        function=f"{__name__}:cloud_of",
         options=options, inputs=(own, *maps, *sigma, shifts), name=block.images.ids[k],
         cost=(1 + len(others)) * i.photos[k].width_px * i.photos[k].height_px * PIXEL_S,
     )  # fmt: skip
@@ -164,8 +172,13 @@ def cloud_of(store: Folder, task: CloudTask) -> Product:
     between = float(np.nanmin(mine.t)), float(np.nanmax(mine.t)) * (1 + 1e-6)
     tables = [transfer(block, mine.rays, j, between) for j in task.others]
     told = agreement(mine, views[1:], tables, task.others, own=task.own)
-    at = np.flatnonzero(known)[told.kept]
-    return _cloud(store, task, block, found, mine, at, told.agree[told.kept])
+    kept = told.kept.copy()
+    if told.confirmed < CONFIRMED:
+        kept[:] = False
+    if task.region is not None:
+        xy, t = mine.grid.xy_px[known][kept], np.asarray(mine.t, float)[known][kept]
+        kept[kept] = task.region.holds(mine.rays.points(xy, t))
+    return _cloud(store, task, block, found, mine, np.flatnonzero(known)[kept], told.agree[kept])
 
 
 def _cloud(
@@ -207,6 +220,8 @@ STAGE = SURFACE.register(
     Stage(
         name="fusion", after=("depth maps",), function=fuse, kinds=(SHIFTS, SIGMA, CLOUD),
         put=lambda s, found: replace(s, clouds=found.clouds, shifts=found.shifts, sigmas=found.sigmas),
-        inputs=lambda s: Inputs(adjustment=s.adjustment, photos=s.photos, chosen=s.chosen, maps=s.maps),
+        inputs=lambda s: Inputs(
+            adjustment=s.adjustment, photos=s.photos, chosen=s.chosen, maps=s.maps, region=s.options.region
+        ),
     )
 )  # fmt: skip
