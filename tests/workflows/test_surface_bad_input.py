@@ -67,12 +67,9 @@ def test_water_and_sky_are_no_surface(half, tmp_path, capsys, kind, density):
 
 def test_photographs_without_overlap_are_named(half, tmp_path, capsys):
     block = read_block(half / "block")
-    o = block.observations
-    # each point is seen by one photograph alone, but for some that two have: too few for a pair
-    first = np.zeros(len(o), bool)
-    first[np.unique(o.point, return_index=True)[1]] = True
-    some = np.isin(o.point, np.unique(o.point)[:8])
-    write_block(selected(block, "observation", first | some), tmp_path / "block")
+    rays = np.bincount(block.observations.point, minlength=len(block.points))
+    few = np.isin(np.arange(len(rays)), np.flatnonzero(rays == 3)[::12][:10])  # hold the photographs, and no more
+    write_block(selected(block, "point", few), tmp_path / "block")
     words = ["surface", str(tmp_path / "block"), "--photos", str(half), "--out", str(tmp_path / "s")]
     assert main(words) != 0
     told = capsys.readouterr().err

@@ -8,6 +8,7 @@ import signal
 import subprocess
 import sys
 import time
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -16,6 +17,8 @@ import pytest
 from raybundle.cli.main import main
 from raybundle.commands.surface import surface
 from raybundle.pipeline.store import Folder
+from raybundle.surfaces.resampled import difference
+from raybundle.workflows.height_files import read_heights
 from tests.pipeline.machines import Machines
 from tests.workflows.half_portal import half_portal
 
@@ -148,3 +151,31 @@ def test_a_run_that_is_killed_goes_on_to_the_same_bits(half, here, tmp_path):
     assert made.items() <= after.items()
     same(here, products_of(out))
     assert not [p for p in out.rglob(".*") if p.is_file()]
+
+
+@pytest.mark.long
+def test_two_surfaces_of_one_adjustment_move_by_the_same_errors(half, tmp_path, capsys):
+    pytest.importorskip("rasterio")
+    for name, other in (("a", "portal_03"), ("b", "portal_08")):
+        photos = tmp_path / f"photos-{name}"
+        photos.mkdir()
+        for stem in ("portal_02", other):
+            (photos / f"{stem}.png").write_bytes((half / f"{stem}.png").read_bytes())
+        given = words(half, tmp_path / name, "--photos", str(photos), "--jobs", "1")
+        given.remove(str(half))
+        given.remove("--photos")
+        assert main(given) == 0
+    a, b = (read_heights(tmp_path / name)[0] for name in "ab")
+    assert a.errors
+    assert a.errors == b.errors
+    assert a.moved.shape == b.moved.shape
+    capsys.readouterr()
+    assert main(["heights", "difference", str(tmp_path / "a"), str(tmp_path / "b")]) == 0
+    assert "both are of one adjustment: what its orientation moves alike" in capsys.readouterr().out
+    found = difference(a, b)
+    some = found.known / found.known.sum()
+    apart = difference(replace(a, errors=""), b)
+    assert found.sum_of(some).orientation < apart.sum_of(some).orientation
+    # and what they differ by is what that lets expect
+    mean = found.sum_of(some)
+    assert abs(mean.value) < 4 * mean.sigma

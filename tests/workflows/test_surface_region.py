@@ -1,17 +1,21 @@
 """A part of a surface, and photographs of which a part is masked: three of the portal, at half their size."""
 
+from types import SimpleNamespace
+
 import cv2
 import numpy as np
 import pytest
 
 from raybundle.commands.surface import surface
 from raybundle.errors import InputError
-from raybundle.surfaces.depth_map import DepthMap, depth_range
+from raybundle.numerics.progress import silent
+from raybundle.surfaces.depth_map import DepthMap
 from raybundle.surfaces.refine import Reason
-from raybundle.surfaces.region import shown_part
 from raybundle.surfaces.transfer import ReferenceRays
 from raybundle.workflows.height_grid import HeightPlane
 from raybundle.workflows.surface_region import SurfaceRegion
+from raybundle.workflows.surface_state import SurfaceOptions, SurfaceState
+from raybundle.workflows.surfacing.sources import STAGE, choose
 from tests.workflows.half_portal import half_portal
 
 BOX = (-0.6, -0.4, 0.5, 0.5)
@@ -84,23 +88,28 @@ def test_what_lies_around_a_part_costs_nothing(whole, part):
     assert tried < pixels
 
 
-def test_photographs_that_show_nothing_of_a_part_are_left_out_and_told(half, part, tmp_path):
+def test_photographs_that_show_nothing_of_a_part_are_left_out_and_told(part):
     block, plane = part.surface.block, region_of(part).plane
 
-    def shown(u):
+    def chosen(u):
         slab = SurfaceRegion.of(plane, [[np.array([[u, -3.0], [u + 0.1, -3], [u + 0.1, 3], [u, 3]])]])
-        rays = [ReferenceRays.of(block, k) for k in range(3)]
-        return [shown_part(r, depth_range(block, r, k), slab) is not None for k, r in enumerate(rays)]
+        state = SurfaceState(
+            adjustment=part.surface.adjustment, photos=dict.fromkeys(range(3)), options=SurfaceOptions(region=slab)
+        )  # fmt: skip
+        try:
+            return slab, STAGE.put(state, choose(STAGE.inputs(state), SimpleNamespace(progress=silent)))
+        except InputError:
+            return slab, None
 
-    u = next(u for u in np.arange(-4.0, 4.0, 0.1) if sum(shown(u)) in {1, 2})
-    seen = shown(u)
-    done = surface(
-        half / "block", tmp_path / "b", photos=(half,), density="4", jobs=1, region=(f"{u} -3, {u + 0.1} -3, {u} 3",)
-    )
-    told = {name for name, why in done.surface.left_out if why == "shows nothing of the region"}
-    assert told == {name for name, yes in zip(block.images.ids, seen, strict=True) if not yes}
-    assert set(done.surface.maps) == {k for k, yes in enumerate(seen) if yes}
-    assert "shows nothing of the region" in (tmp_path / "b/surface.html").read_text()
+    slab, state = next((r, s) for r, s in map(chosen, np.arange(-4.0, 4.0, 0.1)) if s and 0 < len(s.chosen) < 3)
+    told = {name for name, why in state.left_out if why == "shows nothing of the region"}
+    assert told == {block.images.ids[k] for k in {0, 1, 2} - {s.reference for s in state.chosen}}
+    assert all(0 < state.shares[s.reference] < 0.5 for s in state.chosen)
+    # what is left out has none of the tie points in the region, what is not shows some or looks past it
+    o = block.observations
+    there = slab.holds(block.points.xyz)[o.point]
+    for k in {0, 1, 2} - {s.reference for s in state.chosen}:
+        assert not (there & (o.image == k)).any()
 
 
 def test_a_part_is_an_outline_a_file_or_a_rectangle(half, tmp_path):

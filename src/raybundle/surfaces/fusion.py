@@ -77,14 +77,13 @@ class Agreement:
     best: Mask
     """no map that agrees knows the place better"""
 
-    @property
-    def confirmed(self) -> float:
-        """Share of what other maps may show that one of them confirms.
+    def confirmed(self, among: Mask) -> float:
+        """Share of what other maps may show, of some points (n,), that one of them confirms.
 
         On a surface it is the completeness of the others there.  Where grey values resemble each other by chance, as on
         water, leaves in the wind and noise, depths are found here and there, and hardly any twice.
         """
-        return float((self.agree > 0).sum() / max(int((self.shown > 0).sum()), 1))
+        return float((among & (self.agree > 0)).sum() / max(int((among & (self.shown > 0)).sum()), 1))
 
     @property
     def kept(self) -> Mask:

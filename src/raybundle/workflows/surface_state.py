@@ -42,6 +42,8 @@ class MeasuredHeights:
     """by reference"""
     together: str
     """key of the independent errors behind all orientations"""
+    adjustment: str
+    """that these are of"""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

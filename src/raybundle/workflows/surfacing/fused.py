@@ -172,12 +172,10 @@ def cloud_of(store: Folder, task: CloudTask) -> Product:
     between = float(np.nanmin(mine.t)), float(np.nanmax(mine.t)) * (1 + 1e-6)
     tables = [transfer(block, mine.rays, j, between) for j in task.others]
     told = agreement(mine, views[1:], tables, task.others, own=task.own)
-    kept = told.kept.copy()
-    if told.confirmed < CONFIRMED:
-        kept[:] = False
+    inside = np.ones(len(told.agree), bool)
     if task.region is not None:
-        xy, t = mine.grid.xy_px[known][kept], np.asarray(mine.t, float)[known][kept]
-        kept[kept] = task.region.holds(mine.rays.points(xy, t))
+        inside = task.region.holds(mine.rays.points(mine.grid.xy_px[known], np.asarray(mine.t, float)[known]))
+    kept = told.kept & inside & (told.confirmed(inside) >= CONFIRMED)
     return _cloud(store, task, block, found, mine, np.flatnonzero(known)[kept], told.agree[kept])
 
 

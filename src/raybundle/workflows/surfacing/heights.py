@@ -9,7 +9,8 @@ import numpy as np
 
 from raybundle.adjustment.queries import joint_orientation
 from raybundle.adjustment.result import Adjustment
-from raybundle.io.block.arrays import block_of_arrays
+from raybundle.errors import InputError
+from raybundle.io.block.arrays import arrays_of_block, block_of_arrays
 from raybundle.numerics.arrays import Array, Index
 from raybundle.pipeline.keys import key_of
 from raybundle.pipeline.stage import Means, Stage
@@ -17,7 +18,7 @@ from raybundle.pipeline.store import Folder, Product
 from raybundle.pipeline.tasks import Task
 from raybundle.surfaces.depth_map import DepthMap
 from raybundle.surfaces.heights import STEEPEST, PointsOfCells, on_grid
-from raybundle.surfaces.orientation import CommonRoot, ShiftCovariance
+from raybundle.surfaces.orientation import MOST_ERRORS, CommonRoot, ShiftCovariance
 from raybundle.surfaces.pairs import Sources
 from raybundle.surfaces.relief import halo, steps_of
 from raybundle.surfaces.transfer import ReferenceRays
@@ -26,7 +27,7 @@ from raybundle.workflows.height_tiles import BLOCK_CELLS, TILE_CELLS, tile_of_nu
 from raybundle.workflows.surface_state import SURFACE, MeasuredHeights
 from raybundle.workflows.surface_tasks import all_done, stored_part
 
-VERSION, STEPS_VERSION = 1, 2
+VERSION, STEPS_VERSION = 2, 2
 TOGETHER, ABOVE, LAYER, TILE = "surface orientation", "surface above", "surface layer", "surface heights"
 """First words of the keys of what is kept"""
 SAMPLES = 48
@@ -86,7 +87,8 @@ class StepTask:
 def measure(i: Inputs, means: Means) -> MeasuredHeights:
     """All tiles by tasks."""
     refs = sorted(i.clouds)
-    together = _together(i, means)
+    about = key_of("adjustment", VERSION, arrays_of_block(i.adjustment.adjusted), i.adjustment.options)
+    together = _together(i, means, about)
     tasks = [_above(i, means, k, together) for k in refs]
     all_done(means, tasks, "points above the grid")
     above = {k: t.key for k, t in zip(refs, tasks, strict=True)}
@@ -100,17 +102,33 @@ def measure(i: Inputs, means: Means) -> MeasuredHeights:
     tiles = [_steps(i.grid, tile, keys) for tile in sorted(keys)]
     all_done(means, tiles, "steps between heights")
     found = {tile: t.key for tile, t in zip(sorted(keys), tiles, strict=True)}
-    return MeasuredHeights(grid=i.grid, tiles=found, above=above, together=together)
+    return MeasuredHeights(grid=i.grid, tiles=found, above=above, together=together, adjustment=about)
 
 
-def _together(i: Inputs, means: Means) -> str:
-    """The key of the independent errors behind all orientations."""
-    images = sorted({j for s in i.chosen if s.reference in i.clouds for j in (s.reference, *s.sources)})
-    # what each reference shifts by depends on all that this does
-    key = key_of(TOGETHER, VERSION, [i.shifts[k] for k in sorted(i.clouds)], images)
-    if not means.store.has(key):
-        means.store.store(key, CommonRoot.of(joint_orientation(i.adjustment, images)).as_arrays())
-    return key
+def _together(i: Inputs, means: Means, about: str) -> str:
+    """The key of the independent errors behind all orientations.
+
+    Where there are few of them, those of all photographs of the adjustment: another surface of it, of other
+    photographs, then moves by the same.  about: the key of the adjustment
+    """
+    block = i.adjustment.adjusted
+    mine = sorted({j for s in i.chosen if s.reference in i.clouds for j in (s.reference, *s.sources)})
+    every = np.flatnonzero(block.images.oriented).tolist()
+    # more unknowns than errors that are kept: each surface keeps its own, which tell more of it
+    for images in (every, mine) if len(every) <= MOST_ERRORS // 6 else (mine,):
+        key = key_of(TOGETHER, VERSION, about, images)
+        if means.store.has(key):
+            return key
+        try:
+            joint = joint_orientation(i.adjustment, images)
+        except InputError:  # a photograph that took no part in the adjustment
+            if images == mine:
+                raise
+            continue
+        if images == mine or len(joint.unknowns) <= MOST_ERRORS:
+            means.store.store(key, CommonRoot.of(joint).as_arrays())
+            return key
+    raise AssertionError
 
 
 def _above(i: Inputs, means: Means, k: int, together: str) -> Task:
