@@ -13,6 +13,7 @@ from raybundle.surfaces.depth_map import DepthMap
 from raybundle.surfaces.refine import Reason
 from raybundle.surfaces.transfer import ReferenceRays
 from raybundle.workflows.height_grid import HeightPlane
+from raybundle.workflows.height_tiles import tile_of_number
 from raybundle.workflows.surface_region import SurfaceRegion
 from raybundle.workflows.surface_state import SurfaceOptions, SurfaceState
 from raybundle.workflows.surfacing.sources import STAGE, choose
@@ -141,7 +142,9 @@ def test_rays_that_pass_an_area_are_told_however_long_they_are():
     assert region.meets(one, other).tolist() == [True, False, False, False, True]
 
 
+@pytest.mark.long
 def test_nothing_is_measured_where_a_mask_is_black_nor_by_what_it_hides(half, whole, tmp_path):
+    pytest.importorskip("rasterio")
     masks = tmp_path / "masks"
     masks.mkdir()
     block = whole.surface.block
@@ -150,7 +153,7 @@ def test_nothing_is_measured_where_a_mask_is_black_nor_by_what_it_hides(half, wh
     free = np.full((height, width), 255, np.uint8)
     free[height // 4 : height // 2, width // 4 : width // 2] = 0
     cv2.imwrite(str(masks / f"{names[0]}.png"), free)
-    done = surface(half / "block", tmp_path / "s", photos=(half,), density="4", jobs=1, masks=masks)
+    done = surface(half / "block", tmp_path / "s", photos=(half,), density="4", jobs=1, masks=masks, ortho=0.05)
     assert any(
         r.startswith("1 of 3 photographs have a mask; no depth is measured where it is black") for r in done.remarks
     )
@@ -178,5 +181,17 @@ def test_nothing_is_measured_where_a_mask_is_black_nor_by_what_it_hides(half, wh
         assert masked.sum() > 50
         assert not (used & masked).any()
         assert used[inside & ~masked].mean() > 0.5
+    # nor does an orthophoto take its colours there
+    grid, taken = done.surface.heights.grid, 0
+    for tile, key in done.surface.orthophoto.choice.items():
+        row, column = np.nonzero(done.surface.store.wanted(key)["image"] == 0)
+        height = done.surface.store.wanted(done.surface.heights.tiles[tile])["height"][row, column]
+        w = tile_of_number(grid, tile)
+        there = np.floor(predicted_px(block, 0, grid.points_at(w.x + column + 0.5, w.y + row + 0.5, height))).astype(
+            int
+        )
+        assert (free[there[:, 1], there[:, 0]] > 0).all()
+        taken += len(row)
+    assert taken > 50
     with pytest.raises(InputError, match="there is no such folder of masks"):
         surface(half / "block", tmp_path / "t", photos=(half,), density="4", masks=tmp_path / "none")
