@@ -128,7 +128,6 @@ def test_a_map_by_strips_is_that_of_all_rows(block, greys, measured, monkeypatch
         assert np.array_equal(values, parts.as_arrays()[name], equal_nan=values.dtype.kind == "f"), name
 
 
-
 def test_what_cannot_be_measured_is_told(ground, block, greys):
     with pytest.raises(InputError, match="density 3"):
         depth_map(block, CHOSEN, greys.__getitem__, DepthOptions(density=3))

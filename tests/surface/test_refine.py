@@ -44,6 +44,37 @@ def test_depths_are_found_with_every_sensor(model):
     assert np.sqrt(np.mean(slopes**2)) < 0.02
 
 
+@pytest.mark.parametrize("on", [pytest.param(True, marks=needs_kernel), False])
+def test_windows_that_reach_where_nothing_may_be_measured_are_not_used(ground, monkeypatch, on):
+    """Grey values there are NaN, of the reference and of sources; elsewhere nothing changes."""
+    if not on:
+        monkeypatch.setattr(native, "module", lambda: None)
+    grid = ground.grid(9)
+    start = ground.start(grid, 0.3)
+    whole = refine(ground.grey[0], ground.sources, grid, start)
+    height, width = ground.grey[0].shape
+    grey = ground.grey[0].copy()
+    grey[:, : width // 3] = np.nan
+    sources = list(ground.sources)
+    hidden = sources[0].grey.copy()
+    hidden[: height // 2] = np.nan
+    sources[0] = replace(sources[0], grey=hidden)
+    found = refine(grey, sources, grid, start)
+    x = grid.xy_px[..., 0]
+    assert not found.found[x < width // 3 + 3].any()
+    assert whole.found[x < width // 3 + 3].any()
+    away = whole.found & (x > width // 3 + 4)
+    assert found.found[away].mean() > 0.95
+    first = found.views & 1
+    assert first[found.found].any()
+    assert not first[found.found].all()
+    same = away & found.found & (found.views == whole.views)
+    assert same.any()
+    assert np.array_equal(found.numbers[:, same], whole.numbers[:, same])
+    assert np.isfinite(found.numbers[:, found.found]).all()
+    assert np.isfinite(found.shift).all()
+
+
 @needs_kernel
 @pytest.mark.parametrize("chain", [0, 1, -1])
 @pytest.mark.parametrize("coloured", [False, True])

@@ -2,33 +2,58 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
     from raybundle.commands.orient import OrientSettings
+    from raybundle.io.photos.photo import Photo
 
 
 def masks_of_run(settings: OrientSettings) -> Path | None:
-    """The folder of masks that a run takes: as it was given, and with it what was drawn by hand in the project.
+    """The folder of masks that a run of `orient` takes: as it was given, with what was drawn by hand in the project.
 
     Where something is drawn, both are written together into PROJECT/measured-masks; the journal stays what counts.
     """
-    from raybundle.io.block.folder import read_block  # noqa: PLC0415  (loaded after the help)
-    from raybundle.io.photos.photo import find_photos  # noqa: PLC0415
+    from raybundle.io.photos.photo import find_photos  # noqa: PLC0415  (loaded after the help)
+
+    return _with_drawn(settings.out, settings.masks, lambda: find_photos(settings.photos).photos, settings.out)
+
+
+def masks_of_result(source: Path, given: Path | None, folders: Sequence[Path], into: Path) -> Path | None:
+    """The folder of masks of what a result shows: as given, else as its project was, with what was drawn there.
+
+    folders  in which the photographs are
+    into     folder in whose measured-masks both are written together, where something is drawn
+    """
+    from raybundle.io.block.folder import read_block  # noqa: PLC0415
+    from raybundle.measuring.masks import photographs_in  # noqa: PLC0415
+    from raybundle.measuring.session import block_folder  # noqa: PLC0415
+    from raybundle.pipeline.project import masks_given  # noqa: PLC0415
+    from raybundle.workflows.sources import result_within  # noqa: PLC0415
+
+    def photos() -> Sequence[Photo]:
+        return photographs_in(read_block(block_folder(source)), folders)
+
+    return _with_drawn(source, given or masks_given(result_within(source)), photos, into)
+
+
+def _with_drawn(project: Path, given: Path | None, photos: Callable[[], Sequence[Photo]], into: Path) -> Path | None:
+    """The given folder, or one of those masks and the drawn ones."""
+    from raybundle.io.block.folder import read_block  # noqa: PLC0415
     from raybundle.measuring.journal import journal_path, state_of  # noqa: PLC0415
     from raybundle.measuring.masks import FOLDER, drawn_by_file, write_masks  # noqa: PLC0415
     from raybundle.measuring.session import block_folder, holds_block  # noqa: PLC0415
 
-    out, given = settings.out, settings.masks
-    if not holds_block(out):
+    if not holds_block(project):
         return given
-    state = state_of(journal_path(out))
+    state = state_of(journal_path(project))
     if not state.masks:
         return given
-    drawn = drawn_by_file(read_block(block_folder(out)), state)
-    photos = find_photos(settings.photos).photos
-    if not any(p.name in drawn for p in photos):
+    drawn = drawn_by_file(read_block(block_folder(project)), state)
+    found = photos()
+    if not any(p.name in drawn for p in found):
         return given
-    write_masks(out / FOLDER, photos, drawn, given)
-    return out / FOLDER
+    write_masks(into / FOLDER, found, drawn, given)
+    return into / FOLDER

@@ -12,7 +12,7 @@ from raybundle.adjustment.options import NOISE_HELP, NoiseModel
 from raybundle.commands.camera_settings import APART, KNOWN, LIBRARY
 from raybundle.commands.pages import COORDINATES_HELP, LANGUAGE_HELP, NO_REPORT_HELP, PDF_HELP, check_pages
 from raybundle.commands.record_settings import ACCURACY_CLASS, CLIENT, OPERATOR, TITLE, record_in, record_of
-from raybundle.commands.worker import CLUSTER_HELP, STORE_HELP
+from raybundle.commands.worker import CLUSTER_HELP, STORE_HELP, store_of
 from raybundle.errors import InputError
 from raybundle.numerics.progress import Progress, silent
 from raybundle.report.languages import ENGLISH
@@ -223,7 +223,7 @@ def run_orient(settings: OrientSettings, progress: Progress = silent) -> Orienta
     from raybundle.workflows.orient import orient as oriented  # noqa: PLC0415
 
     out, result = settings.out, settings.out / "result"
-    settings = replace(settings, store=_store_of(settings))
+    settings = replace(settings, store=store_of(settings.out, settings.store, settings.photos))
     cameras = () if settings.calibration is None else read_cameras(settings.calibration)
     options, given = settings.options(), settings.given()
     wanted, record = accuracy_class(settings.accuracy_class), record_of(settings).over(record_in(out))
@@ -257,26 +257,6 @@ def run_orient(settings: OrientSettings, progress: Progress = silent) -> Orienta
             discard_empty(out)
         raise
     return done
-
-
-def _store_of(settings: OrientSettings) -> str:
-    """Where the products lie: as is said, or as the last run was told; raises InputError where they cannot."""
-    from raybundle.pipeline.project import HERE, store_given  # noqa: PLC0415
-    from raybundle.pipeline.store import whole_url  # noqa: PLC0415
-
-    out, remembered = settings.out, "" if settings.store else store_given(settings.out)
-    url = settings.store or remembered
-    if url not in {"", HERE}:
-        from raybundle.pipeline.stores import check_store  # noqa: PLC0415
-
-        try:
-            check_store(url, out=out, apart=settings.photos)
-        except InputError as error:
-            if not remembered:
-                raise
-            other = f"or give {option('store', 'URL')}, or {option('store', HERE)} for its folder"
-            raise InputError(f"{error}; so the last run was told: {other}", file=out / "project.toml") from None
-    return whole_url(url)
 
 
 def accuracy_outcome(settings: OrientSettings, done: Orientation) -> Outcome | None:

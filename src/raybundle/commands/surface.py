@@ -9,16 +9,19 @@ from typing import TYPE_CHECKING, Any, Literal
 from raybundle.commands.convert import FREE_SCALE_HELP
 from raybundle.commands.pages import LANGUAGE_HELP
 from raybundle.commands.plane_settings import OF_PLANE, PlaneSettings
+from raybundle.commands.worker import CLUSTER_HELP, STORE_HELP, store_of
 from raybundle.errors import InputError
 from raybundle.numerics.progress import Progress, silent
-from raybundle.settings import ANY, NOT_NEGATIVE, POSITIVE, made, option, other_than_usual, path_of, setting
+from raybundle.settings import ANY, NOT_NEGATIVE, POSITIVE, made, option, other_than_usual, path_of, setting, toml_lines
 
 if TYPE_CHECKING:
     from raybundle.io.formats import Export
     from raybundle.surfaces.summary import SurfaceSummary
+    from raybundle.workflows.object_plane import Plane
     from raybundle.workflows.surface import Surface
     from raybundle.workflows.surface_grids import Grids
     from raybundle.workflows.surface_product import Context, Written
+    from raybundle.workflows.surface_region import SurfaceRegion
 
 WORK, PAGE, IN_3D = "work", "surface.html", "surface_3d.html"
 """Of the folder: the project with all that is kept for the next run; what shows how good the surface is, and itself"""
@@ -51,13 +54,24 @@ class SurfaceSettings(PlaneSettings):
     thin: float | None = setting(
         None, "Write of the points of each cube of this size the best one alone.", limits=POSITIVE, metavar="LENGTH"
     )
+    region: tuple[str, ...] = setting(
+        (), "Measure this part of the object alone, and nothing around it: a file (GeoJSON, KML, CSV, what OGR reads) "
+        "or corners X Y, X Y, ... in plan of the plane or the map, whatever the height.  [default: all that is shown]",
+        metavar="FILE|CORNERS",
+    )  # fmt: skip
     extent: tuple[float, float, float, float] | None = setting(
-        None, "Part of the plane, in its coordinates; of a map, east and north.  [default: where the points lie]",
+        None, "A rectangle of the plane instead, in its coordinates; of a map, east and north.",
         metavar="LEFT BOTTOM RIGHT TOP", limits=(ANY, ANY, ANY, ANY),
     )  # fmt: skip
     photos: tuple[Path, ...] = setting(
         (), "Where the photographs are.  [default: as the project knows]", metavar="FOLDER"
     )
+    masks: Path | None = setting(
+        None, "Masks of the photographs, named as `orient` takes them: where they are 0 nothing is measured, and no "
+        "colour is taken.  [default: those of the project, and what is drawn there]", metavar="DIR",
+    )  # fmt: skip
+    cluster: str = setting("", CLUSTER_HELP, metavar="FOLDER|shards")
+    store: str = setting("", STORE_HELP, metavar="URL|project")
     jobs: int = setting(0, "How many processors; 0: all.", limits=NOT_NEGATIVE)
     memory: float = setting(
         1.0, "Memory that the approximate depths of a photograph may take; of large photographs they are coarser where "
@@ -108,6 +122,8 @@ def surface(
 
 def run_surface(settings: SurfaceSettings, progress: Progress = silent) -> MeasuredSurface:
     """Measure what the settings ask for, and write the points."""
+    from raybundle.commands.drawn_masks import masks_of_result  # noqa: PLC0415
+    from raybundle.commands.earlier_products import note_written, settle_earlier  # noqa: PLC0415
     from raybundle.io.formats.base import FREE_SCALE, GIVE_SCALE  # noqa: PLC0415
     from raybundle.pipeline.project import discard_empty, photographs_of  # noqa: PLC0415
     from raybundle.report.languages.language import language_of  # noqa: PLC0415
@@ -141,11 +157,16 @@ def run_surface(settings: SurfaceSettings, progress: Progress = silent) -> Measu
     for name in wanted:
         PRODUCTS[name].check()
     language_of(s.language, [])  # one that there is not is told before anything is measured
-    grids = _grid_of(s, result, export, progress)
+    grids, region = _grid_of(s, result, export, progress)
+    s = replace(s, store=store_of(out / WORK, s.store, (s.source, *folders)))
+    options = SurfaceOptions(
+        density=int(s.density), grid=grids.heights, orthophoto=grids.orthophoto, region=region
+    )  # fmt: skip
     try:
+        _keep_settings(s, out / WORK)
         done = measured(
-            result, out / WORK, SurfaceOptions(density=int(s.density), grid=grids.heights, orthophoto=grids.orthophoto),
-            photos=folders, jobs=s.jobs, memory=s.memory * 1e9, progress=progress,
+            result, out / WORK, options, photos=folders, masks=masks_of_result(s.source, s.masks, folders, out / WORK),
+            jobs=s.jobs, memory=s.memory * 1e9, cluster=s.cluster, store=s.store, progress=progress,
         )  # fmt: skip
     except InputError:
         discard_empty(out / WORK)
@@ -157,11 +178,14 @@ def run_surface(settings: SurfaceSettings, progress: Progress = silent) -> Measu
         export=export, unit=unit, wanted=wanted, plane=grids.plane, mesh=s.mesh, progress=progress,
         points=done if s.thin is None else thinned(done, s.thin),
     )  # fmt: skip
+    earlier = settle_earlier(done, out, out / WORK, wanted)
     written = tuple((name, p.write(done, out, context)) for name, p in sorted(PRODUCTS.items()) if name in wanted)
     name = done.block.name or result.resolve().name
-    told = _write_pages(done, out, context, grids.told, name=name, language=s.language)
+    note_written(done, out / WORK, wanted)
+    remarks = (*grids.told, *done.remarks, *earlier)
+    told = _write_pages(done, out, context, remarks, name=name, language=s.language)
     return MeasuredSurface(
-        surface=done, written=written, remarks=grids.told, unit=unit, median_sigma=told.sigma[0], shares=told.shares
+        surface=done, written=written, remarks=remarks, unit=unit, median_sigma=told.sigma[0], shares=told.shares
     )
 
 
@@ -186,31 +210,67 @@ def _write_pages(
     return summary
 
 
-def _grid_of(s: SurfaceSettings, result: Path, export: Export, progress: Progress) -> Grids:
-    """The plane, its cells and the pixels of an orthophoto that are asked for."""
-    import numpy as np  # noqa: PLC0415
-
+def _grid_of(
+    s: SurfaceSettings, result: Path, export: Export, progress: Progress
+) -> tuple[Grids, SurfaceRegion | None]:  # fmt: skip
+    """The plane, its cells and the pixels of an orthophoto that are asked for, and the part that is measured."""
     from raybundle.commands.plane_settings import plane_in  # noqa: PLC0415
     from raybundle.io.geo.told_systems import plan_system  # noqa: PLC0415
     from raybundle.workflows.object_plane import MapLevel  # noqa: PLC0415
     from raybundle.workflows.rectify import check_area  # noqa: PLC0415
     from raybundle.workflows.surface_grids import Grids, grids_over  # noqa: PLC0415
 
-    given = [option(name) for name in (*OF_PLANE, "extent") if name in other_than_usual(s)]
-    if s.dsm is None and s.ortho is None and s.mesh is None:
+    given = [option(name) for name in OF_PLANE if name in other_than_usual(s)]
+    if s.region and s.extent is not None:
+        raise InputError(f"{option('region')} and {option('extent')} both say which part; give one of them")
+    part = bool(s.region) or s.extent is not None
+    gridded = any(asked is not None for asked in (s.dsm, s.ortho, s.mesh))
+    if not gridded and not part:
         if given:
             ways = f"{option('dsm', 'CELL')}, {option('ortho', 'CELL')} or {option('mesh', 'CELL')}"
-            raise InputError(f"{given[0]} says where heights are given; ask for them with {ways}")
-        return Grids()
+            raise InputError(
+                f"{given[0]} says where heights are given; ask for them with {ways}, or for a part of the object with "
+                f"{option('region')}"
+            )
+        return Grids(), None
     in_map = export.frame is not None and plan_system(export.frame.crs) is not None
     level = in_map and not (set(OF_PLANE) & set(other_than_usual(s)))
     plane, told = plane_in(result, export, replace(s, horizontal=True) if level else s, progress)
-    extent = None if s.extent is None else np.array(s.extent)
-    if isinstance(plane, MapLevel) and extent is not None:
-        check_area(plane, extent)
-    return grids_over(
-        export.block, plane, extent, density=int(s.density), heights=s.dsm, orthophoto=s.ortho, mesh=s.mesh, told=told
-    )
+    region = _region_in(s, plane) if part else None
+    if isinstance(plane, MapLevel) and region is not None:
+        check_area(plane, region.extent, setting="region" if s.region else "extent")
+    if not gridded:
+        return Grids(told=told), region
+    grids = grids_over(
+        export.block, plane, None if region is None else region.extent, density=int(s.density), heights=s.dsm,
+        orthophoto=s.ortho, mesh=s.mesh, told=told,
+    )  # fmt: skip
+    return grids, region
+
+
+def _region_in(s: SurfaceSettings, plane: Plane) -> SurfaceRegion:
+    """The part of a plane that is asked for."""
+    from raybundle.workflows.height_grid import HeightPlane  # noqa: PLC0415
+    from raybundle.workflows.heights_read import areas_in  # noqa: PLC0415
+    from raybundle.workflows.object_plane import MapLevel  # noqa: PLC0415
+    from raybundle.workflows.surface_region import SurfaceRegion  # noqa: PLC0415
+
+    wkt = plane.system.to_wkt() if isinstance(plane, MapLevel) else ""
+    return SurfaceRegion.of(HeightPlane.of(plane), areas_in(wkt, s.region, s.extent))
+
+
+def _keep_settings(settings: SurfaceSettings, work: Path) -> None:
+    """Write the settings into project.toml, as `orient` does: there the next run finds where products lie."""
+    from raybundle.pipeline.project import HERE, Project  # noqa: PLC0415
+    from raybundle.pipeline.settings_file import with_table  # noqa: PLC0415
+
+    lines = ["# what the last run was asked for", *toml_lines("surface", settings)]
+    text = "\n".join(lines).encode("utf-8", "replace").decode()
+    project = Project.open(work, store=settings.store or HERE)  # not as the last run was told
+    try:
+        project.write_settings(with_table(work / "project.toml", "surface", text))
+    finally:
+        project.close()
 
 
 def _check_out(out: Path) -> None:

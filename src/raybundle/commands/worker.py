@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -15,8 +15,8 @@ if TYPE_CHECKING:
     from raybundle.pipeline.shards import ShardDone
 
 CLUSTER_HELP = (
-    "Features and pairs on other machines: the folder of a cluster, which `raybundle scheduler FOLDER` makes (extra "
-    "[cluster]); or shards, to write the tasks down for `raybundle worker` and end."
+    "Tasks on other machines, as features and depth maps: the folder of a cluster, which `raybundle scheduler FOLDER` "
+    "makes (extra [cluster]); or shards, to write the tasks down for `raybundle worker` and end."
 )
 """Of the setting `cluster`, which every command has whose stages can be done elsewhere"""
 STORE_HELP = (
@@ -71,6 +71,30 @@ def run_worker(
         raise InputError("of which project? Its folder is given beside the share")
     number, of = _share(settings.shard)
     return do_shard(project, number, of, jobs=settings.jobs, wait_s=settings.wait, progress=progress)
+
+
+def store_of(project: Path, given: str, apart: Sequence[Path]) -> str:
+    """Where the products of a run lie: as is said, or as the last run in its project was told.
+
+    apart   what the run reads
+    raises  InputError where they cannot lie there
+    """
+    from raybundle.pipeline.project import HERE, store_given  # noqa: PLC0415
+    from raybundle.pipeline.store import whole_url  # noqa: PLC0415
+
+    remembered = "" if given else store_given(project)
+    url = given or remembered
+    if url not in {"", HERE}:
+        from raybundle.pipeline.stores import check_store  # noqa: PLC0415
+
+        try:
+            check_store(url, out=project, apart=apart)
+        except InputError as error:
+            if not remembered:
+                raise
+            other = f"or give {option('store', 'URL')}, or {option('store', HERE)} for its folder"
+            raise InputError(f"{error}; so the last run was told: {other}", file=project / "project.toml") from None
+    return whole_url(url)
 
 
 def _share(text: str) -> tuple[int, int]:

@@ -464,8 +464,9 @@ def store_given(folder: Path) -> str:
     if not file.is_file():
         return ""
     try:
-        asked = read_toml(file).tree().get("orient")
-        return asked.get("store").text() if asked.has("store") else ""
+        tree = read_toml(file).tree()
+        asked = [tree.get(command) for command in ("orient", "surface") if tree.has(command)]
+        return next((a.get("store").text() for a in asked if a.has("store")), "")
     except InputError:
         return ""
 

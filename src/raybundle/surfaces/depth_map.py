@@ -22,8 +22,16 @@ from raybundle.surfaces.orientation import ShiftCovariance
 from raybundle.surfaces.pairs import Sources
 from raybundle.surfaces.rays import ReferenceRays
 from raybundle.surfaces.refine import (
-    PASSES, PixelGrid, Refined, RefineOptions, Source, grow, refine, used_sources,
+    PASSES,
+    PixelGrid,
+    Refined,
+    RefineOptions,
+    Source,
+    grow,
+    refine,
+    used_sources,
 )  # fmt: skip
+from raybundle.surfaces.region import Region, Shown, part_of_grid, shown_part, swept_part, wanted_pixels
 from raybundle.surfaces.sweep import Start, moved_px, reduction_for, swept
 from raybundle.surfaces.transfer import Transfer, transfer
 
@@ -149,14 +157,20 @@ STORED = (
 
 
 def depth_map(
-    block: Block, chosen: Sources, greys: Callable[[int], Array], options: DepthOptions | None = None
-) -> DepthMap:
+    block: Block, chosen: Sources, greys: Callable[[int], Array], options: DepthOptions | None = None, *,
+    free: Callable[[int], Mask | None] = lambda _: None, region: Region | None = None,
+) -> DepthMap:  # fmt: skip
     """Measure the depths of a reference.
 
     block   oriented; `chosen` are rows of its images
     greys   gives the grey values (h, w) of an image as stored, uint8, or float32 of that range where they are finer
+    free    gives the pixels (h, w) of an image that may be measured in; None: all of them
+    region  part of the object that alone is wanted; around it more has a depth, and pixels further away have none
 
-    Raises InputError for a reference without sources or tie points, or whose depths do not fit the memory.
+    A depth in a region is that of the whole map but for what is taken of all of it: where the approximate depths begin,
+    the noise of grey values and the usual roughness.  Both agree within a small part of their standard deviations.
+    Raises InputError for a reference without sources or tie points, or whose depths do not fit the memory, and for one
+    that shows nothing of the region.
     """
     o = options or DepthOptions()
     if o.density not in (1, 2, 4):
@@ -164,21 +178,28 @@ def depth_map(
     if not chosen.sources:
         raise InputError(f"image {block.images.ids[chosen.reference]}: no other photograph is of use with it")
     rays = ReferenceRays.of(block, chosen.reference)
-    t_range = _range(block, rays, chosen.reference)
+    t_range = depth_range(block, rays, chosen.reference)
+    shown = None if region is None else shown_part(rays, t_range, region)
+    if region is not None and shown is None:
+        raise InputError(f"image {block.images.ids[chosen.reference]}: shows nothing of the region")
     tables = [transfer(block, rays, j, t_range) for j in chosen.sources]
     reference, photographs = greys(chosen.reference), [greys(j) for j in chosen.sources]
-    start = _start(_bytes(reference), [_bytes(g) for g in photographs], tables, o)
+    masks = [free(j) for j in chosen.sources]
+    start = _start(_bytes(reference), [_bytes(g) for g in photographs], masks, tables, (shown, o))
     sources = [
-        Source(grey=np.ascontiguousarray(photographs.pop(0), np.float32), transfer=table) for table in tables
+        Source(grey=_measurable(photographs.pop(0), mask), transfer=table)
+        for mask, table in zip(masks, tables, strict=True)
     ]
     work = _Work(
-        rays=rays, reference=reference, grey=np.ascontiguousarray(reference, np.float32), sources=sources,
-        chosen=chosen, t_range=t_range, options=o,
+        rays=rays, reference=reference, grey=_measurable(reference, free(chosen.reference)), sources=sources,
+        chosen=chosen, t_range=t_range, options=o, shown=shown,
     )  # fmt: skip
+    if region is not None and shown is not None:
+        work = work.only(wanted_pixels(rays, start, shown, region))
     return _measured(work, *_approximate(work, start))
 
 
-def _range(block: Block, rays: ReferenceRays, reference: int) -> tuple[float, float]:
+def depth_range(block: Block, rays: ReferenceRays, reference: int) -> tuple[float, float]:
     """Depth parameters between which the object lies, by the tie points that the reference sees."""
     o = block.observations
     placed: Mask = np.asarray(np.isfinite(block.points.xyz).all(axis=1))
@@ -200,11 +221,29 @@ class _Work:
     reference: Array
     """(h, w)"""
     grey: Array
-    """(h, w) the same as float32"""
+    """(h, w) the same as float32; NaN where nothing is measured"""
     sources: Sequence[Source]
+    """their grey values are NaN where nothing may be measured: windows that reach there have no texture"""
     chosen: Sources
     t_range: tuple[float, float]
     options: DepthOptions
+    shown: Shown | None
+    """where the reference may show what is wanted; None: everywhere"""
+
+    def only(self, wanted: Mask) -> _Work:
+        """The same where nothing else of the reference is measured."""
+        return replace(self, grey=np.where(wanted, self.grey, np.float32(np.nan)))
+
+    def grid(self, stride: int) -> PixelGrid:
+        """Pixels that are measured, every so many."""
+        whole = PixelGrid.over(self.reference, stride, RefineOptions().half)
+        return whole if self.shown is None else part_of_grid(whole, self.shown, COARSE)
+
+
+def _measurable(grey: Array, free: Mask | None) -> Array:
+    """(h, w) float32 grey values; NaN where nothing may be measured."""
+    found = np.ascontiguousarray(grey, np.float32)
+    return found if free is None else np.where(free, found, np.float32(np.nan))
 
 
 def _bytes(grey: Array) -> Array:
@@ -212,17 +251,23 @@ def _bytes(grey: Array) -> Array:
     return grey if grey.dtype == np.uint8 else np.clip(grey, 0, 255).astype(np.uint8)
 
 
-def _start(reference: Array, photographs: Sequence[Array], tables: Sequence[Transfer], options: DepthOptions) -> Start:
-    """Approximate depths, in no more memory than the map takes later."""
+def _start(
+    reference: Array, photographs: Sequence[Array], free: Sequence[Mask | None], tables: Sequence[Transfer],
+    asked: tuple[Shown | None, DepthOptions],
+) -> Start:  # fmt: skip
+    """Approximate depths of the reference, or of what is wanted of it, in no more memory than the map takes later."""
+    shown, options = asked
     height, width = reference.shape
     memory = min(options.memory, max(LEAST_SWEEP_BYTES, SWEEP_BYTES * width * height))
     scale = reduction_for(width, height, moved_px(tables, width, height), memory)
-    return swept(reference, photographs, tables, scale=scale, memory=memory)
+    if shown is None:
+        return swept(reference, photographs, tables, scale=scale, memory=memory, free=free)
+    return swept_part(reference, photographs, tables, shown, scale=scale, memory=memory, free=free)
 
 
 def _approximate(work: _Work, start: Start) -> tuple[Refined, PixelGrid, Array]:
     """Refined pixels of a coarse grid, and the autocovariances of the noise."""
-    coarse = PixelGrid.over(work.reference, COARSE, RefineOptions().half)
+    coarse = work.grid(COARSE)
     grey, threads = work.grey, work.options.threads
     found = refine(grey, work.sources, coarse, planes.of_start(start, coarse), threads=threads)
     found = grow(grey, work.sources, coarse, found, threads=threads)
@@ -279,7 +324,7 @@ class _Fine:
 
 def _measured(work: _Work, found: Refined, coarse: PixelGrid, noise: Array) -> DepthMap:
     """The map at the density that is asked for."""
-    grid = PixelGrid.over(work.reference, work.options.density, RefineOptions().half)
+    grid = work.grid(work.options.density)
     whole = roughness.variogram(np.where(found.found, found.t, np.nan), _noise_of(found, noise, work), COARSE)
     fine = _Fine.empty(grid, len(work.sources))
     for rows, part in _grown(work, grid, (found, coarse), noise):
@@ -312,9 +357,7 @@ def _grown(
             first, last = max(0, begin - PASSES), last + more.rows
         assert there is not None
         strip = grid.rows_of(first, last - first)
-        grown = grow(
-            work.grey, work.sources, strip, there, autocovariance=noise, threads=work.options.threads
-        )
+        grown = grow(work.grey, work.sources, strip, there, autocovariance=noise, threads=work.options.threads)
         yield slice(begin, end), _rows(grown, begin - first, end - first)
 
 
@@ -351,7 +394,9 @@ def _noise_of(found: Refined, noise: Array, work: _Work) -> Array:
     lost = lost_freedom(noise[0], o)
     correlated = white / lost
     more = np.maximum(white - spent, 1) / np.maximum(correlated - spent, 1) / lost
-    return found.variance * more
+    variance = found.variance * more
+    # where no noise was found, its autocovariance may be that of anything: such a pixel agrees with no neighbour
+    return np.where(variance > 0, variance, np.nan)
 
 
 def _map(work: _Work, grid: PixelGrid, fine: _Fine, grey: Array) -> DepthMap:

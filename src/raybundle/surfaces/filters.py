@@ -45,9 +45,7 @@ class Flag(IntFlag):
     taken out"""
 
 
-def tested(
-    t: Array, slopes: Array, variance: Array, incidence: Array, few: Mask, stride: int
-) -> tuple[Array, Array]:
+def tested(t: Array, slopes: Array, variance: Array, incidence: Array, few: Mask, stride: int) -> tuple[Array, Array]:
     """Flags (rows, columns) uint8 of the pixels of a map, by a test of it against itself, and variances by steps.
 
     t, slopes  NaN where there is no depth; slopes (2, rows, columns)

@@ -46,6 +46,12 @@ class MapView:
         """Standard deviations of t, all parts."""
         return self.sigma if self.whole is None else self.whole
 
+    def shows(self, xy_px: Array) -> Mask:
+        """Which places (n, 2) lie among its pixels, with a depth or without."""
+        g = self.grid
+        low, size = np.array([g.x0, g.y0]), g.stride * np.array([g.columns, g.rows])
+        return ((xy_px >= low) & (xy_px < low + size)).all(axis=1)
+
     def nearest(self, xy_px: Array) -> Index:
         """The nearest pixel (n,) of the map to places (n, 2), row by row; -1 beyond it."""
         g, (rows, columns) = self.grid, self.t.shape
@@ -81,8 +87,18 @@ class Agreement:
     """uint8, maps that see through it"""
     behind: Array
     """uint8, maps in which something else stands before it"""
+    shown: Array
+    """uint8, maps among whose pixels its place lies, with a depth there or without"""
     best: Mask
     """no map that agrees knows the place better"""
+
+    def confirmed(self, among: Mask) -> float:
+        """Share of what other maps may show, of some points (n,), that one of them confirms.
+
+        On a surface it is the completeness of the others there.  Where grey values resemble each other by chance, as on
+        water, leaves in the wind and noise, depths are found here and there, and hardly any twice.
+        """
+        return float((among & (self.agree > 0)).sum() / max(int((among & (self.shown > 0)).sum()), 1))
 
     @property
     def kept(self) -> Mask:
@@ -104,12 +120,15 @@ def agreement(
     """
     points = _Points.of(mine)
     count = len(points.t)
-    agree, against, behind = (np.zeros(count, np.uint8) for _ in range(3))
+    agree, against, behind, shown = (np.zeros(count, np.uint8) for _ in range(4))
     best = np.ones(count, bool)
     for other, table, number in zip(others, tables, order, strict=True):
         for begin in range(0, count, CHUNK):
             part = slice(begin, begin + CHUNK)
-            seen, difference, limit, length = points.beside(part, other, table)
+            place = table.at(points.xy_px[part], points.t[part])
+            there = np.flatnonzero(np.isfinite(place).all(axis=1))
+            shown[part][there] += other.shows(place[there])
+            seen, difference, limit, length = points.beside(part, other, there, place[there])
             same, front = np.abs(difference) <= limit, difference > limit
             agree[part][seen[same]] += 1
             against[part][seen[front]] += 1
@@ -118,7 +137,7 @@ def agreement(
             with np.errstate(invalid="ignore"):
                 better = (length < ours) | ((length == ours) & (number < own))
             best[part][seen[same & better]] = False
-    return Agreement(agree=agree, against=against, behind=behind, best=best)
+    return Agreement(agree=agree, against=against, behind=behind, shown=shown, best=best)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -144,14 +163,15 @@ class _Points:
         length = mine.rays.lengths(t, np.asarray(mine.all_parts[known], float))
         return cls(xy_px=xy, t=t, xyz=xyz, step=step, length=length)
 
-    def beside(self, part: slice, other: MapView, table: Transfer) -> tuple[Array, Array, Array, Array]:
-        """Of some points those that another map knows: their numbers, differences of t there, limits, its lengths."""
-        place = table.at(self.xy_px[part], self.t[part])
-        seen = np.flatnonzero(np.isfinite(place).all(axis=1))
-        there, theirs, length = other.looked_up(place[seen])
+    def beside(self, part: slice, other: MapView, seen: Index, place: Array) -> tuple[Array, Array, Array, Array]:
+        """Of some points those that another map knows: their numbers, differences of t there, limits, its lengths.
+
+        seen, place  numbers in the part and places (n, 2) of those that it may see
+        """
+        there, theirs, length = other.looked_up(place)
         told = np.isfinite(there)
-        seen, there, theirs, length = seen[told], there[told], theirs[told], length[told]
-        at, xyz = place[seen], self.xyz[part][seen]
+        seen, at, there, theirs, length = seen[told], place[told], there[told], theirs[told], length[told]
+        xyz = self.xyz[part][seen]
         mine_there = other.rays.parameter(at, xyz)
         # how far my standard deviation moves the point along the other's ray
         by_mine = other.rays.parameter(at, xyz + self.step[part][seen]) - mine_there

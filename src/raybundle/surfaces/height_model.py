@@ -75,6 +75,10 @@ class HeightModel:
     """distance in cells at which errors of two points by noise and roughness correlate by 1 / e"""
     holes: Holes | None = None
     """None: all heights were measured"""
+    errors: str = ""
+    """what the independent errors are known by: heights of another surface that names the same move by the same"""
+    adjustment: str = ""
+    """what the adjustment is known by that they are of"""
 
     @property
     def shape(self) -> tuple[int, int]:

@@ -68,9 +68,7 @@ def _middles(reference: Array, grid: PixelGrid, found: Refined) -> Array:
     return at[np.linspace(0, len(at) - 1, min(PATCHES, len(at))).astype(int)] if len(at) else at.reshape(0, 2)
 
 
-def _patches(
-    reference: Array, source: Source, grid: PixelGrid, found: Refined, middles: Array
-) -> tuple[Array, Array]:
+def _patches(reference: Array, source: Source, grid: PixelGrid, found: Refined, middles: Array) -> tuple[Array, Array]:
     """Residuals and gradients along the shift of depth (n, 25, 25) of patches, as grey values of the reference."""
     if not len(middles):
         return (np.zeros((0, 2 * HALF + 1, 2 * HALF + 1)),) * 2
@@ -92,13 +90,11 @@ def _patches(
     g, gx, gy = (a.reshape(t.shape) for a in _sampled(source.grey, place))
     steep = gx * along[:, 0].reshape(t.shape) + gy * along[:, 1].reshape(t.shape)
     T = reference[y, x].astype(float)
-    good: Mask = np.asarray(np.isfinite(g) & np.isfinite(steep))
+    good: Mask = np.asarray(np.isfinite(g) & np.isfinite(steep) & np.isfinite(T))
     enough = good.mean(axis=(1, 2)) >= SAME
     good, T, g, steep = good[enough], T[enough], g[enough], steep[enough]
     n = good.sum(axis=(1, 2))[:, None, None]
-    one, other = (
-        a - np.where(good, a, 0).sum(axis=(1, 2), keepdims=True) / n for a in (T, np.where(good, g, 0))
-    )
+    one, other = (a - np.where(good, a, 0).sum(axis=(1, 2), keepdims=True) / n for a in (T, np.where(good, g, 0)))
     square, product = (np.where(good, other * a, 0).sum(axis=(1, 2), keepdims=True) for a in (other, one))
     gain = product / np.maximum(square, 1e-12)
     return np.where(good, one - gain * other, np.nan), np.where(good, gain * steep, np.nan)

@@ -47,9 +47,7 @@ class _Directions:
         x, y = (xy_px / STEP_PX).astype(np.float32).T
         i, j = np.clip(x.astype(int), 0, columns - 2), np.clip(y.astype(int), 0, rows - 2)
         fx, fy = (x - i)[:, None], (y - j)[:, None]
-        top, low = (
-            (1 - fx) * self.nodes[j + k, i] + fx * self.nodes[j + k, i + 1] for k in (0, 1)
-        )
+        top, low = ((1 - fx) * self.nodes[j + k, i] + fx * self.nodes[j + k, i + 1] for k in (0, 1))
         both = (1 - fy) * top + fy * low
         by = both[:, 3:].reshape(-1, 2, 2, 3)
         return both[:, :3], by[:, :, 0], by[:, :, 1]

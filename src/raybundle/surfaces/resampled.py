@@ -76,7 +76,11 @@ def _between(height: Array, x: Array, y: Array) -> Array:
 
 
 def difference(before: HeightModel, after: HeightModel) -> HeightModel:
-    """Heights of `after` less those of `before` on the same grid, whose errors have nothing in common."""
+    """Heights of `after` less those of `before` on the same grid.
+
+    Their noise has nothing in common.  Orientations of one adjustment, which name the same independent errors, do: what
+    moves both alike cancels.
+    """
     a, b = before.heights, after.heights
     both = np.isfinite(a.height) & np.isfinite(b.height)
 
@@ -85,13 +89,22 @@ def difference(before: HeightModel, after: HeightModel) -> HeightModel:
 
     pair = np.where(both, a.image.astype(np.int64) * MAPS + b.image, -1)
     _, image = np.unique(pair, return_inverse=True)
+    same = before.errors != "" and before.errors == after.errors
+    if same:
+        moved = after.moved - before.moved
+        of_block = np.linalg.norm(moved.astype(float), axis=2)
+        of_cells = np.kron(of_block, np.ones((before.block,) * 2))[: both.shape[0], : both.shape[1]]
+        orientation = np.where(both, of_cells, np.nan).astype(np.float32)
+    else:
+        moved = np.concatenate([-before.moved, after.moved], axis=2)
+        orientation = together("orientation")
     heights = Heights(
         height=np.where(both, b.height.astype(float) - a.height, np.nan).astype(np.float32), local=together("local"),
-        step=np.nan_to_num(together("step")), orientation=together("orientation"), point=together("point"),
+        step=np.nan_to_num(together("step")), orientation=orientation, point=together("point"),
         points=np.where(both, np.minimum(a.points, b.points), 0).astype(np.uint16),
         image=np.where(both, image.reshape(both.shape), -1).astype(np.int32),
     )  # fmt: skip
-    moved = np.concatenate([-before.moved, after.moved], axis=2)
     return HeightModel(
-        heights=heights, moved=moved, block=before.block, cell=before.cell, length=max(before.length, after.length)
-    )
+        heights=heights, moved=moved, block=before.block, cell=before.cell, length=max(before.length, after.length),
+        errors=before.errors if same else "", adjustment=before.adjustment if same else "",
+    )  # fmt: skip

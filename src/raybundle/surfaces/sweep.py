@@ -100,8 +100,9 @@ def levels_of(moved: float) -> int:
 
 
 def swept(
-    reference: Array, sources: Sequence[Array], tables: Sequence[Transfer], *, scale: int, memory: float = np.inf
-) -> Start:
+    reference: Array, sources: Sequence[Array], tables: Sequence[Transfer], *, scale: int, memory: float = np.inf,
+    free: Sequence[Mask | None] = (),
+) -> Start:  # fmt: skip
     """Approximate depth parameters of a reference.
 
     reference  (height, width) uint8 grey values, not reduced
@@ -109,6 +110,7 @@ def swept(
     tables     of each source, over one range of depth parameters
     scale      by how much the photographs are reduced
     memory     bytes that costs may take: what takes more is done by bands of rows
+    free       (height, width) of each source where it may be measured in, None: everywhere; (): of all everywhere
 
     What is not told by one level alone, or by a patch of a few pixels, is NaN.  What it does not tell: how good a depth
     is; it errs by a third of a reduced pixel at best.
@@ -120,11 +122,11 @@ def swept(
     h, w = small.shape
     n = levels_of(moved_px(tables, reference.shape[1], reference.shape[0]) / scale)
     t = np.linspace(tables[0].t0, tables[0].t0 + tables[0].dt * (tables[0].places.shape[2] - 1), n)
-    census = _census(small)
+    census, masks = _census(small), [_all_of(m, scale) for m in free or [None] * len(sources)]
     level, known = np.empty((h, w), np.float32), np.empty((h, w), bool)
     for first, begin, end, last in bands(h, rows_at_once(w, n, memory) if np.isfinite(memory) else h):
         here = slice(begin - first, end - first)
-        found = _of_band(small[first:last], census[first:last], reduced, tables, (scale, first, t))
+        found = _of_band(small[first:last], census[first:last], (reduced, masks), tables, (scale, first, t))
         level[begin:end], known[begin:end] = found[0][here], found[1][here]
     whole = np.where(known, np.round(level * LANES), -LANES * LANES).astype(np.int16)
     cv2.filterSpeckles(whole, -LANES * LANES, SPECKLE_PX, LANES * APART_LEVELS)
@@ -144,18 +146,20 @@ def bands(height: int, rows: int) -> list[tuple[int, int, int, int]]:
 
 
 def _of_band(
-    image: Array, census: Array, sources: Sequence[Array], tables: Sequence[Transfer], at: tuple[int, int, Array]
-) -> tuple[Array, Array]:
+    image: Array, census: Array, sources: tuple[Sequence[Array], Sequence[Mask | None]], tables: Sequence[Transfer],
+    at: tuple[int, int, Array],
+) -> tuple[Array, Array]:  # fmt: skip
     """Levels of the rows of a reduced reference, and whether one is told.
 
-    at  scale, the band's first row, depth parameters of the levels
+    sources  reduced, and where they may be measured in
+    at       scale, the band's first row, depth parameters of the levels
     """
     scale, first, t = at
     h, w = image.shape
     v, u = (np.arange(0, size + STEP_PX, STEP_PX) + 0.5 for size in (h, w))
     laid = [
-        _laid_out(s, on_grid(table, (v + first) * scale, u * scale, t) / scale, u, v, (h, w))
-        for s, table in zip(sources, tables, strict=True)
+        _laid_out(s, on_grid(table, (v + first) * scale, u * scale, t) / scale, u, v, (h, w), m)
+        for s, m, table in zip(*sources, tables, strict=True)
     ]
     cost = np.empty((h, w, len(t)), np.uint8)
     _costs(census, [c for c, _ in laid], [places for _, places in laid], cost)
@@ -201,7 +205,14 @@ def _reduced(image: Array, scale: int) -> Array:
     return cv2.resize(image[: h * scale, : w * scale], (w, h), interpolation=cv2.INTER_AREA)
 
 
-def _laid_out(source: Array, places: Array, u: Array, v: Array, size: tuple[int, int]) -> tuple[Array, Array]:
+def _all_of(free: Mask | None, scale: int) -> Mask | None:
+    """Reduced pixels that are free as a whole."""
+    return None if free is None else _reduced(np.where(free, np.uint8(255), np.uint8(0)), scale) == 255
+
+
+def _laid_out(
+    source: Array, places: Array, u: Array, v: Array, size: tuple[int, int], free: Mask | None
+) -> tuple[Array, Array]:  # fmt: skip
     """The census of a source turned and scaled as the reference sees it, and places (levels, rows, columns, 2) in it.
 
     A census compares neighbours to the right and below: a source that is rolled, or nearer, has other neighbours there.
@@ -233,7 +244,8 @@ def _laid_out(source: Array, places: Array, u: Array, v: Array, size: tuple[int,
     shift = np.array([[1, 0, -origin[0]], [0, 1, -origin[1]], [0, 0, 1]])
     M = np.linalg.inv(half) @ shift @ H @ half
     laid = cv2.warpPerspective(source, M, (across, down), flags=cv2.INTER_LINEAR)
-    whole = cv2.warpPerspective(np.full(source.shape, 255, np.uint8), M, (across, down), flags=cv2.INTER_NEAREST)
+    known = np.full(source.shape, 255, np.uint8) if free is None else np.where(free, np.uint8(255), np.uint8(0))
+    whole = cv2.warpPerspective(known, M, (across, down), flags=cv2.INTER_NEAREST)
     shown = cv2.erode(whole, np.ones((7, 9), np.uint8), borderType=cv2.BORDER_CONSTANT, borderValue=0) > 0
     census = _census(laid)
     census[~shown] = UNKNOWN

@@ -117,7 +117,10 @@ def write_heights(surface: Surface, file: HeightFile, out: Path) -> tuple[str, .
                 write_sigmas(window.x, window.y, many)
         if whole.moved is None:
             raise InputError("no point of the surface lies above the area of the heights; choose another")
-        np.savez_compressed(moved, moved=whole.moved, block=np.array(BLOCK_CELLS))
+        np.savez_compressed(
+            moved, moved=whole.moved, block=np.array(BLOCK_CELLS), errors=np.array(measured.together),
+            adjustment=np.array(measured.adjustment),
+        )  # fmt: skip
         about.write_text(toml_text({**file.as_mapping(), "length_cells": whole.length}), encoding="utf-8")
     share = sum(whole.cells) / (file.width * file.height)
     sigma = float(np.median(np.concatenate(whole.sigma)))
@@ -156,7 +159,10 @@ def write_model(model: HeightModel, file: HeightFile, out: Path) -> None:
             write(0, 0, h.height[..., None])
         with file.new(sigmas, BANDS) as write:
             write(0, 0, np.stack(bands, axis=2).astype(np.float32))
-        kept = {"moved": model.moved, "block": np.array(model.block)}
+        kept = {
+            "moved": model.moved, "block": np.array(model.block), "errors": np.array(model.errors),
+            "adjustment": np.array(model.adjustment),
+        }  # fmt: skip
         if model.holes is not None:
             kept |= {"holes": model.holes.number.astype(np.int32), "holes_sigma": model.holes.sigma.astype(np.float32)}
         np.savez_compressed(moved, allow_pickle=False, **kept)
@@ -180,6 +186,7 @@ def read_heights(folder: str | Path) -> tuple[HeightModel, HeightFile]:
     with np.load(folder / MOVED, allow_pickle=False) as kept:
         moved, block = kept["moved"], int(kept["block"])
         holes = Holes(number=kept["holes"], sigma=kept["holes_sigma"]) if "holes" in kept else None
+        errors, adjustment = (str(kept[name]) if name in kept else "" for name in ("errors", "adjustment"))
     heights = Heights(
         height=height, local=found["local"], step=np.nan_to_num(found["step"]), orientation=found["orientation"],
         point=found["point"],
@@ -188,7 +195,7 @@ def read_heights(folder: str | Path) -> tuple[HeightModel, HeightFile]:
     )  # fmt: skip
     model = HeightModel(
         heights=heights, moved=moved, block=block, cell=numbers["pixel"], length=numbers["length_cells"],
-        holes=holes,
+        holes=holes, errors=errors, adjustment=adjustment,
     )  # fmt: skip
     told = {k: v.value for k, v in tree.mapping().items()}
     plane = {k: v for k, v in told.items() if k not in {"left", "top", "pixel", "width_px", "height_px", "block"}}

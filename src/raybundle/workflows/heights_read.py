@@ -72,17 +72,9 @@ def covered_by(o: Opened, outlines: Sequence[str], extent: Sequence[float] | Non
 
     raises  InputError for an outline that crosses itself or lies beyond the grid
     """
-    if extent is not None:
-        left, bottom, right, top = extent
-        if not (left < right and bottom < top):
-            raise InputError(
-                f"the extent {left:g} {bottom:g} {right:g} {top:g} is empty; give left, bottom, right, top"
-            )
-        groups = [[np.array([[left, bottom], [right, bottom], [right, top], [left, top]])]]
-    elif outlines:
-        groups = [rings for given in outlines for rings in _areas(o, given)]
-    else:
+    if extent is None and not outlines:
         return o.model.known.astype(float)
+    groups = areas_in(o.file.wkt, outlines, extent)
     found = np.zeros(o.model.shape)
     wanted = 0.0
     for rings in groups:
@@ -109,8 +101,22 @@ def _size(rings: Sequence[Array]) -> float:
     return one(rings[0]) - sum(one(r) for r in rings[1:])
 
 
-def _areas(o: Opened, given: str) -> list[list[Array]]:
-    """The rings of each area, the outer one first, in the coordinates of the grid."""
+def areas_in(wkt: str, outlines: Sequence[str], extent: Sequence[float] | None) -> list[list[Array]]:
+    """Areas in plan of a plane, by outlines in files or coordinates, or a rectangle: of each its rings.
+
+    wkt     coordinate system of a map; empty: the plane is one of the object
+    raises  InputError for an outline that crosses itself, a file without areas, and an extent that is empty
+    """
+    if extent is None:
+        return [rings for given in outlines for rings in _areas(wkt, given)]
+    left, bottom, right, top = extent
+    if not (left < right and bottom < top):
+        raise InputError(f"the extent {left:g} {bottom:g} {right:g} {top:g} is empty; give left, bottom, right, top")
+    return [[np.array([[left, bottom], [right, bottom], [right, top], [left, top]])]]
+
+
+def _areas(wkt: str, given: str) -> list[list[Array]]:
+    """The rings of each area, the outer one first, in coordinates of the plane."""
     path = Path(given)
     if path.suffix.lower() in TEXT and path.is_file():
         return [[checked_ring(read_outline(path), f"the outline {path.name}")]]
@@ -119,7 +125,7 @@ def _areas(o: Opened, given: str) -> list[list[Array]]:
         raise InputError("holds no area; lines and points enclose nothing", file=path if path.exists() else None)
     found = list[list[Array]]()
     for s in shapes:
-        rings = [_in_grid(o, r, s.crs, typed=s.typed, path=path) for r in (s.xy, *s.holes)]
+        rings = [_in_plane(wkt, r, s.crs, typed=s.typed, path=path) for r in (s.xy, *s.holes)]
         found.append([checked_ring(r, "the outline") for r in rings])
     return found
 
@@ -134,7 +140,7 @@ def lines_of(o: Opened, given: str) -> list[Array]:
         if not shapes:
             raise InputError("holds no line", file=path if path.exists() else None)
         # of coordinates that were typed, three places or more are a line here, and no area
-        found = [_in_grid(o, s.xy, s.crs, typed=s.typed, path=path) for s in shapes]
+        found = [_in_plane(o.file.wkt, s.xy, s.crs, typed=s.typed, path=path) for s in shapes]
     for line in found:
         if len(line) < 2 or not np.linalg.norm(np.diff(line, axis=0), axis=1).min() > 0:
             raise InputError(
@@ -143,9 +149,9 @@ def lines_of(o: Opened, given: str) -> list[Array]:
     return found
 
 
-def _in_grid(o: Opened, xy: Array, crs: str, *, typed: bool, path: Path) -> Array:
-    """Coordinates of a file in those of the grid."""
-    if typed or not o.file.wkt:
+def _in_plane(wkt: str, xy: Array, crs: str, *, typed: bool, path: Path) -> Array:
+    """Coordinates of a file in those of a map, or of a plane of the object as they are."""
+    if typed or not wkt:
         if not typed and path.suffix.lower() in {".kml", ".kmz"}:
             raise InputError(
                 "is in longitude and latitude, and these heights lie on a plane of the object, in no map; give "
@@ -153,7 +159,7 @@ def _in_grid(o: Opened, xy: Array, crs: str, *, typed: bool, path: Path) -> Arra
                 file=path,
             )
         return np.asarray(xy, float)
-    return in_crs(xy, crs or GEOGRAPHIC, o.file.wkt)
+    return in_crs(xy, crs or GEOGRAPHIC, wkt)
 
 
 def on_same_grid(first: Opened, second: Opened) -> HeightModel:

@@ -8,11 +8,14 @@ from raybundle.adjustment.result import Notice
 from raybundle.io.photos.masks import Masks
 from raybundle.numerics.counting import counted
 
+OF_FEATURES, OF_DEPTHS = "features are taken only where it is not black", "no depth is measured where it is black"
+"""What a mask does."""
 
-def mask_notices(masks: Masks) -> list[Notice]:
+
+def mask_notices(masks: Masks, does: str = OF_FEATURES) -> list[Notice]:
     """What there is to say of masks."""
     n, missing = len(masks.photos), masks.missing
-    message = f"{len(masks.files)} of {n} photographs have a mask; features are taken only where it is not black"
+    message = f"{len(masks.files)} of {n} photographs have a mask; {does}"
     if missing:
         message += f"; {len(missing)} without a mask are used whole ({_first_names(missing)})"
     told = [Notice(code="masks", message=message, ids=missing)]
@@ -31,7 +34,7 @@ def mask_notices(masks: Masks) -> list[Notice]:
             "over the upright picture they hide the wrong part: turn them back, or save them with EXIF orientation 1"
         )
         told.append(Notice(code="mask_orientation", message=message, ids=names))
-    for share, what in ((0.0, "everything: no feature is taken there"), (1.0, "nothing")):
+    for share, what in ((0.0, "everything: nothing is measured there"), (1.0, "nothing")):
         if names := masks.with_free(share):
             message = (
                 f"{_first_names(names)}: the mask of {counted(len(names), 'photograph')} hides {what}. Where every "

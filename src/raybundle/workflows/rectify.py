@@ -103,7 +103,7 @@ def grid_over(extent: Array, pixel: float, *, most: float = LARGEST_PX, setting:
     return Grid(left=left, top=top, pixel=pixel, width=width, height=height)
 
 
-def check_area(plane: MapLevel, area: Array) -> None:
+def check_area(plane: MapLevel, area: Array, *, setting: str = "extent") -> None:
     """Raise InputError where an area of the map lies away from the points by more than their own extent."""
     low, high = plane.extent[:2], plane.extent[2:]
     room = high - low
@@ -111,7 +111,7 @@ def check_area(plane: MapLevel, area: Array) -> None:
         named = [f"{a} {l:.10g} to {h:.10g}" for a, l, h in zip(("east", "north"), area[:2], area[2:], strict=True)]
         mine = [f"{l:.0f} to {h:.0f}" for l, h in zip(low, high, strict=True)]
         raise InputError(
-            f"{option('extent')} is {', '.join(named)} in {system_name(plane.frame.crs)}, away from the points of the "
+            f"{option(setting)} is {', '.join(named)} in {system_name(plane.frame.crs)}, away from the points of the "
             f"result, {mine[0]} and {mine[1]}; of level ground it is given in the map"
         )
 

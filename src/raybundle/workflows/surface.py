@@ -16,6 +16,7 @@ import numpy as np
 from raybundle.adjustment.result import Adjustment
 from raybundle.block import Block
 from raybundle.errors import InputError
+from raybundle.io.photos.masks import Masks, find_masks
 from raybundle.io.photos.photo import Photo, read_photo
 from raybundle.measuring.session import adjusted_again
 from raybundle.numerics.progress import Progress, silent
@@ -24,6 +25,7 @@ from raybundle.pipeline.project import Project, StageRecord
 from raybundle.pipeline.stage import Run
 from raybundle.pipeline.store import Folder
 from raybundle.settings import option
+from raybundle.workflows.mask_notices import OF_DEPTHS, mask_notices
 from raybundle.workflows.surface_state import Cloud, MadeOrthophoto, MeasuredHeights, SurfaceOptions, SurfaceState
 from raybundle.workflows.surfacing import SURFACE
 
@@ -50,6 +52,8 @@ class Surface:
     """of that grid, where it was asked for"""
     left_out: tuple[tuple[str, str], ...]
     """photographs and pairs without a part in it, and why"""
+    remarks: tuple[str, ...] = ()
+    """of masks"""
     records: tuple[StageRecord, ...] = field(default=(), repr=False)
 
     @property
@@ -73,8 +77,11 @@ def surface(
     options: SurfaceOptions,
     *,
     photos: Sequence[Path],
+    masks: Path | None = None,
     jobs: int = 0,
     memory: float = 2e9,
+    cluster: str = "",
+    store: str = "",
     progress: Progress = silent,
 ) -> Surface:
     """Measure the surface that the photographs of a result show.
@@ -82,6 +89,8 @@ def surface(
     source  result folder: its block is adjusted once more, which ends at once, for all covariances
     folder  project folder, where finished maps are kept and taken from
     photos  folders in which the photographs are looked for
+    masks   folder of masks, as COLMAP or Metashape name them; None: photographs are measured whole
+    cluster, store  where tasks are done and products lie, as `executor_for` and `Project.open` take it
     memory  bytes that the approximate depths of a photograph may take
     raises  InputError where no two photographs show the same part, and where none is found
 
@@ -90,19 +99,44 @@ def surface(
     jobs = jobs or os.cpu_count() or 1
     adjustment = adjusted_again(source, progress)
     found, lost = _photographs(adjustment.adjusted, photos)
-    project = Project.open(folder)
+    worn = None if masks is None else find_masks(masks, tuple(found.values()))
+    project = Project.open(folder, store=store)
     try:
-        run = Run(project=project, executor=executor_for("", jobs, memory), progress=progress, jobs=jobs, memory=memory)
-        state = run.workflow(SURFACE, SurfaceState(adjustment=adjustment, photos=found, options=options, left_out=lost))
+        run = Run(
+            project=project, executor=executor_for(cluster, jobs, memory, progress), progress=progress, jobs=jobs,
+            memory=memory,
+        )  # fmt: skip
+        begin = SurfaceState(adjustment=adjustment, photos=found, options=options, masks=worn, left_out=lost)
+        state = run.workflow(SURFACE, begin)
         clouds = tuple(sorted(state.clouds.items()))
         counts = tuple(len(project.products.wanted(key, ("image",))["image"]) for _, key in clouds)
+        if not sum(counts):
+            raise InputError(_nothing(state, project.products))
         return Surface(
             adjustment=adjustment, store=project.products, clouds=clouds, counts=counts, options=options,
             maps=state.maps, sigmas=state.sigmas, heights=state.heights, orthophoto=state.orthophoto,
-            left_out=state.left_out, records=tuple(project.records),
+            left_out=state.left_out, remarks=_remarks(worn), records=tuple(project.records),
         )  # fmt: skip
     finally:
         project.close()
+
+
+def _nothing(state: SurfaceState, store: Folder) -> str:
+    """Why a surface has no point."""
+    depths, pixels = 0, 0
+    for key in state.maps.values():
+        t = store.wanted(key, ("t",))["t"]
+        depths, pixels = depths + int(np.isfinite(t).sum()), pixels + t.size
+    share = f"{depths / max(pixels, 1):.1%} of {pixels} pixels have a depth, and other photographs do not confirm them"
+    of = "" if state.options.region is None else " of the region"
+    return (
+        f"nothing could be measured{of}: {share}. Sky, water, glass and bare walls have no texture that stays, and "
+        "what moves is not where it was; take photographs of it with texture, overlapping by 60 % or more"
+    )
+
+
+def _remarks(masks: Masks | None) -> tuple[str, ...]:
+    return () if masks is None else tuple(n.message for n in mask_notices(masks, OF_DEPTHS))
 
 
 def _photographs(block: Block, folders: Sequence[Path]) -> tuple[dict[int, Photo], tuple[tuple[str, str], ...]]:

@@ -7,12 +7,14 @@ from dataclasses import dataclass, field
 
 from raybundle.adjustment.result import Adjustment
 from raybundle.block import Block
+from raybundle.io.photos.masks import Masks
 from raybundle.io.photos.photo import Photo
 from raybundle.numerics.arrays import Array
 from raybundle.pipeline.stage import Workflow
 from raybundle.surfaces.pairs import Sources
 from raybundle.workflows.height_grid import HeightGrid
 from raybundle.workflows.rectify import Grid
+from raybundle.workflows.surface_region import SurfaceRegion
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -25,6 +27,8 @@ class SurfaceOptions:
     """on which heights are given; None: none are"""
     orthophoto: Grid | None = None
     """pixels of a true orthophoto in the plane of the heights; None: none is made"""
+    region: SurfaceRegion | None = None
+    """part of the object that alone is measured; None: all of it"""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -38,6 +42,8 @@ class MeasuredHeights:
     """by reference"""
     together: str
     """key of the independent errors behind all orientations"""
+    adjustment: str
+    """that these are of"""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -111,8 +117,12 @@ class SurfaceState:
     photos: Mapping[int, Photo]
     """by image; those that are not there are no references and no sources"""
     options: SurfaceOptions
+    masks: Masks | None = None
+    """of the photographs; None: they are measured whole"""
     chosen: tuple[Sources, ...] = ()
     """of the references, in the order of the images"""
+    shares: Mapping[int, float] = field(default_factory=dict[int, float])
+    """of the pixels of each reference that may show what is measured; empty: all of them"""
     maps: Mapping[int, str] = field(default_factory=dict[int, str])
     """key of the depth map of each reference"""
     clouds: Mapping[int, str] = field(default_factory=dict[int, str])

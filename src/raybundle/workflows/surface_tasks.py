@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 
 import cv2
 import numpy as np
@@ -14,13 +14,14 @@ from raybundle.block.select import selected
 from raybundle.errors import InputError
 from raybundle.io.block.arrays import arrays_of_block
 from raybundle.io.photos.framed import in_camera_frame
+from raybundle.io.photos.masks import MaskFile, Masks
 from raybundle.io.photos.photo import Photo, read_colour
-from raybundle.numerics.arrays import Array, Index
+from raybundle.numerics.arrays import Array, Index, Mask
 from raybundle.pipeline.keys import key_of
 from raybundle.pipeline.stage import Means
 from raybundle.pipeline.store import Folder
 from raybundle.pipeline.tasks import Task
-from raybundle.surfaces.orientation import CommonRoot
+from raybundle.surfaces.orientation import MOST_ERRORS, CommonRoot
 from raybundle.surfaces.pairs import Sources
 from raybundle.ties.points import grey_of
 
@@ -46,16 +47,37 @@ def stored_part(block: Block, images: Sequence[int], store: Folder) -> str:
     return key
 
 
-def stored_together(adjustment: Adjustment, chosen: Sequence[Sources], shifts: Mapping[int, str], means: Means) -> str:
+def adjustment_key(adjustment: Adjustment) -> str:
+    """The key of an adjustment."""
+    return key_of("adjustment", VERSION, arrays_of_block(adjustment.adjusted), adjustment.options)
+
+
+def stored_together(
+    adjustment: Adjustment, chosen: Sequence[Sources], references: Sequence[int], means: Means, about: str
+) -> str:
     """The key of the independent errors behind all orientations of references and their sources.
 
-    shifts  keys of how each reference's picture shifts, on which they depend
+    Where there are few of them, those of all photographs of the adjustment: another surface of it, of other
+    photographs, then moves by the same.  about: the key of the adjustment
     """
-    images = sorted({j for s in chosen if s.reference in shifts for j in (s.reference, *s.sources)})
-    key = key_of(TOGETHER, VERSION, [shifts[k] for k in sorted(shifts)], images)
-    if not means.store.has(key):
-        means.store.store(key, CommonRoot.of(joint_orientation(adjustment, images)).as_arrays())
-    return key
+    there = set(references)
+    mine = sorted({j for s in chosen if s.reference in there for j in (s.reference, *s.sources)})
+    every = np.flatnonzero(adjustment.adjusted.images.oriented).tolist()
+    # more unknowns than errors that are kept: each surface keeps its own, which tell more of it
+    for images in (every, mine) if len(every) <= MOST_ERRORS // 6 else (mine,):
+        key = key_of(TOGETHER, VERSION, about, images)
+        if means.store.has(key):
+            return key
+        try:
+            joint = joint_orientation(adjustment, images)
+        except InputError:  # a photograph that took no part in the adjustment
+            if images == mine:
+                raise
+            continue
+        if images == mine or len(joint.unknowns) <= MOST_ERRORS:
+            means.store.store(key, CommonRoot.of(joint).as_arrays())
+            return key
+    raise AssertionError
 
 
 def all_done(means: Means, tasks: Sequence[Task], what: str) -> None:
@@ -83,3 +105,9 @@ def colours_of(photo: Photo, block: Block, image: int, px: float = 1.0) -> tuple
         return pixels, np.ones(2)
     small = cv2.resize(pixels, None, fx=1 / factor, fy=1 / factor, interpolation=cv2.INTER_AREA)
     return small, np.array([small.shape[1] / pixels.shape[1], small.shape[0] / pixels.shape[0]])
+
+
+def free_of(photo: Photo, mask: MaskFile | None, block: Block, image: int) -> Mask | None:
+    """(h, w) where a photograph may be measured in, in its camera's frame; None: everywhere."""
+    found = None if mask is None else Masks(photos=(photo,), files={photo.name: mask}).of(photo)
+    return None if found is None else in_camera_frame(np.where(found, np.uint8(255), np.uint8(0)), block, image) == 255

@@ -80,7 +80,9 @@ def _lines(found: MeasuredDifference) -> list[str]:
         )
     if len(m.regions) > MOST_SHOWN:
         lines.append(f"  and {len(m.regions) - MOST_SHOWN} more")
-    if not found.in_map:
+    if found.orientations:
+        lines.append(found.orientations)
+    elif not found.in_map:
         lines.append("both have to be in one frame: with the same control, or points in common that have not moved")
     if not unit:
         lines.append(FREE)

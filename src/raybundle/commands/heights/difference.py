@@ -13,6 +13,13 @@ if TYPE_CHECKING:
     from raybundle.surfaces.movements import Movements
 
 
+COMMON = "both are of one adjustment: what its orientation moves alike in both is not in the difference"
+APART = (
+    "both are of one adjustment, by other photographs of many: what their orientations have in common is not known "
+    "here, and standard deviations take them as independent"
+)
+
+
 @dataclass(frozen=True, slots=True, kw_only=True)
 class HeightsDifferenceSettings:
     """Two surfaces."""
@@ -32,6 +39,8 @@ class MeasuredDifference:
     compared: float
     """share of the heights before that have one after"""
     in_map: bool
+    orientations: str
+    """what is known of both together, in words; empty: they are independent"""
     files: tuple[Path, ...]
 
 
@@ -50,9 +59,13 @@ def run_difference(settings: HeightsDifferenceSettings) -> MeasuredDifference:
     model = difference(before.model, on_same_grid(before, after))
     if not model.known.any():
         raise InputError(f"shows nothing of what {s.before} shows: no cell has a height in both", file=s.after)
+    a, b = before.model, after.model
+    orientations = ""
+    if a.adjustment and a.adjustment == b.adjustment:
+        orientations = COMMON if model.errors else APART
     found = movements(model)
     files = write_movements(before, model, found, s.out) if s.out is not None else ()
     return MeasuredDifference(
         movements=found, unit=before.unit, compared=float(model.known.sum() / before.model.known.sum()),
-        in_map=bool(before.file.wkt), files=files,
+        in_map=bool(before.file.wkt), orientations=orientations, files=files,
     )  # fmt: skip

@@ -10,7 +10,7 @@ import numpy as np
 from raybundle.adjustment.queries import joint_orientation
 from raybundle.adjustment.result import Adjustment
 from raybundle.block import Block
-from raybundle.io.block.arrays import arrays_of_block, block_of_arrays
+from raybundle.io.block.arrays import block_of_arrays
 from raybundle.io.photos.photo import Photo
 from raybundle.numerics.arrays import Array, Index
 from raybundle.pipeline.keys import key_of
@@ -25,8 +25,16 @@ from raybundle.surfaces.pairs import Sources
 from raybundle.surfaces.rays import ReferenceRays
 from raybundle.surfaces.refine import PixelGrid, used_sources
 from raybundle.surfaces.transfer import Transfer, transfer
+from raybundle.workflows.surface_region import SurfaceRegion
 from raybundle.workflows.surface_state import SURFACE, Cloud
-from raybundle.workflows.surface_tasks import TOGETHER, all_done, colours_of, stored_part, stored_together
+from raybundle.workflows.surface_tasks import (
+    TOGETHER,
+    adjustment_key,
+    all_done,
+    colours_of,
+    stored_part,
+    stored_together,
+)
 
 VERSION = 4
 SHIFTS, SIGMA, CLOUD = "surface shifts", "surface sigma", "surface points"
@@ -35,6 +43,8 @@ MOST_MAPS = 8
 """Maps that a map is compared with, those that share most tie points: more cost time and confirm no better."""
 PROBES = 200
 """Places at which it is seen by how much orientation lets two maps differ."""
+CONFIRMED = 0.5
+"""Share of its depths that other maps confirm below which a map has found chance likenesses, and none is given."""
 CHUNK = 200_000
 """Points whose covariances are made at once."""
 PIXEL_S = 4e-6
@@ -49,6 +59,7 @@ class Inputs:
     photos: Mapping[int, Photo]
     chosen: tuple[Sources, ...]
     maps: Mapping[int, str]
+    region: SurfaceRegion | None
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -77,6 +88,8 @@ class CloudTask:
     shifts: tuple[str, ...]
     """of how orientation moves its map and the others'"""
     together: str
+    region: SurfaceRegion | None = None
+    """of which points are given; None: all"""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -95,7 +108,7 @@ def fuse(i: Inputs, means: Means) -> Fused:
     """What each reference gives to the cloud."""
     of = {s.reference: s for s in i.chosen if s.reference in i.maps}
     shifts, sigma = dict[int, str](), list[Task]()
-    about = key_of("adjustment", VERSION, arrays_of_block(i.adjustment.adjusted), i.adjustment.options)
+    about = adjustment_key(i.adjustment)
     for k, s in of.items():
         low, high = means.store.wanted(i.maps[k], ("t_range",))["t_range"].tolist()
         shifts[k] = _shifts(means, i.adjustment, about, s, (low, high))
@@ -108,7 +121,7 @@ def fuse(i: Inputs, means: Means) -> Fused:
         )  # fmt: skip
     all_done(means, sigma, "standard deviations of depths")
     sigmas = {k: t.key for k, t in zip(of, sigma, strict=True)}
-    together = stored_together(i.adjustment, i.chosen, shifts, means)
+    together = stored_together(i.adjustment, i.chosen, list(of), means, about)
     tasks = [_task(i, means, of[k], shifts, sigmas, together) for k in of]
     all_done(means, tasks, "maps against each other")
     return Fused(clouds={k: t.key for k, t in zip(of, tasks, strict=True)}, shifts=shifts, sigmas=sigmas)
@@ -140,10 +153,11 @@ def _task(
     maps, sigma, moved = (tuple(keys[j] for j in (k, *others)) for keys in (i.maps, sigmas, shifts))
     options = CloudTask(
         block=own, photo=i.photos[k], image=k, own=place[k], others=tuple(place[j] for j in others), maps=maps,
-        sigmas=sigma, shifts=moved, together=together,
+        sigmas=sigma, shifts=moved, together=together, region=i.region,
     )  # fmt: skip
+    part = [] if i.region is None else [i.region]
     return Task(
-        key=key_of(CLOUD, VERSION, own, i.photos[k].content, k, maps, sigma, moved, together),
+        key=key_of(CLOUD, VERSION, own, i.photos[k].content, k, maps, sigma, moved, together, *part),
         function=f"{__name__}:cloud_of", options=options, inputs=(own, *maps, *sigma, *moved, together),
         name=block.images.ids[k],
         cost=(1 + len(others)) * i.photos[k].width_px * i.photos[k].height_px * PIXEL_S,
@@ -168,10 +182,13 @@ def cloud_of(store: Folder, task: CloudTask) -> Product:
         return _cloud(store, task, block, found, mine, np.zeros(0, int), np.zeros(0, np.uint8))
     between = float(np.nanmin(mine.t)), float(np.nanmax(mine.t)) * (1 + 1e-6)
     tables = [transfer(block, mine.rays, j, between) for j in task.others]
-    own = _Probes.of(store, task, found, mine)
-    told = agreement(mine, _others(store, task, block, own, tables), tables, task.others, own=task.own)
-    at = np.flatnonzero(known)[told.kept]
-    return _cloud(store, task, block, found, mine, at, told.agree[told.kept])
+    probes = _Probes.of(store, task, found, mine)
+    told = agreement(mine, _others(store, task, block, probes, tables), tables, task.others, own=task.own)
+    inside = np.ones(len(told.agree), bool)
+    if task.region is not None:
+        inside = task.region.holds(mine.rays.points(mine.grid.xy_px[known], np.asarray(mine.t, float)[known]))
+    given = told.kept & inside & (told.confirmed(inside) >= CONFIRMED)
+    return _cloud(store, task, block, found, mine, np.flatnonzero(known)[given], told.agree[given])
 
 
 def _view(block: Block, image: int, kept: Product, whole: Array) -> MapView:
@@ -272,6 +289,8 @@ STAGE = SURFACE.register(
     Stage(
         name="fusion", after=("depth maps",), function=fuse, kinds=(SHIFTS, SIGMA, TOGETHER, CLOUD),
         put=lambda s, found: replace(s, clouds=found.clouds, shifts=found.shifts, sigmas=found.sigmas),
-        inputs=lambda s: Inputs(adjustment=s.adjustment, photos=s.photos, chosen=s.chosen, maps=s.maps),
+        inputs=lambda s: Inputs(
+            adjustment=s.adjustment, photos=s.photos, chosen=s.chosen, maps=s.maps, region=s.options.region
+        ),
     )
 )  # fmt: skip

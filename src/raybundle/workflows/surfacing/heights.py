@@ -23,9 +23,9 @@ from raybundle.surfaces.relief import halo, steps_of
 from raybundle.workflows.height_grid import HeightGrid
 from raybundle.workflows.height_tiles import BLOCK_CELLS, TILE_CELLS, tile_of_number, tiles_across
 from raybundle.workflows.surface_state import SURFACE, MeasuredHeights
-from raybundle.workflows.surface_tasks import all_done, stored_part, stored_together
+from raybundle.workflows.surface_tasks import adjustment_key, all_done, stored_part, stored_together
 
-VERSION, STEPS_VERSION = 1, 2
+VERSION, STEPS_VERSION = 2, 2
 ABOVE, LAYER, TILE = "surface above", "surface layer", "surface heights"
 """First words of the keys of what is kept"""
 SAMPLES = 48
@@ -85,7 +85,8 @@ class StepTask:
 def measure(i: Inputs, means: Means) -> MeasuredHeights:
     """All tiles by tasks."""
     refs = sorted(i.clouds)
-    together = stored_together(i.adjustment, i.chosen, i.shifts, means)
+    about = adjustment_key(i.adjustment)
+    together = stored_together(i.adjustment, i.chosen, refs, means, about)
     tasks = [_above(i, means, k, together) for k in refs]
     all_done(means, tasks, "points above the grid")
     above = {k: t.key for k, t in zip(refs, tasks, strict=True)}
@@ -99,7 +100,7 @@ def measure(i: Inputs, means: Means) -> MeasuredHeights:
     tiles = [_steps(i.grid, tile, keys) for tile in sorted(keys)]
     all_done(means, tiles, "steps between heights")
     found = {tile: t.key for tile, t in zip(sorted(keys), tiles, strict=True)}
-    return MeasuredHeights(grid=i.grid, tiles=found, above=above, together=together)
+    return MeasuredHeights(grid=i.grid, tiles=found, above=above, together=together, adjustment=about)
 
 
 def _above(i: Inputs, means: Means, k: int, together: str) -> Task:

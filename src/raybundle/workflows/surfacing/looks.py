@@ -12,6 +12,7 @@ from raybundle.adjustment.predict import predicted_px
 from raybundle.block import Block
 from raybundle.errors import InputError
 from raybundle.io.block.arrays import block_of_arrays
+from raybundle.io.photos.masks import MaskFile, Masks
 from raybundle.io.photos.photo import Photo
 from raybundle.numerics.arrays import Array, Index
 from raybundle.pipeline.keys import key_of
@@ -28,7 +29,7 @@ from raybundle.workflows.height_grid import HeightGrid
 from raybundle.workflows.height_tiles import TILE_CELLS, Window, around, heights_in, tile_of_number
 from raybundle.workflows.rectify import STEEPEST
 from raybundle.workflows.surface_state import SURFACE, Looks, MeasuredHeights
-from raybundle.workflows.surface_tasks import all_done, colours_of, stored_part
+from raybundle.workflows.surface_tasks import all_done, colours_of, free_of, stored_part
 
 VERSION = 4
 LOOK = "surface looks"
@@ -50,6 +51,7 @@ class Inputs:
 
     block: Block
     photos: Mapping[int, Photo]
+    masks: Masks | None
     maps: Mapping[int, str]
     heights: MeasuredHeights
     pixel: float
@@ -69,6 +71,7 @@ class LookTask:
     """keys of the heights of these"""
     grid: HeightGrid
     pixel: float
+    mask: MaskFile | None = None
 
 
 def measure(i: Inputs, means: Means) -> Looks:
@@ -111,11 +114,12 @@ def _task(i: Inputs, means: Means, k: int, tiles: list[int]) -> Task:
     heights = tuple(i.heights.tiles[t] for t in tiles)
     options = LookTask(
         block=own, photo=i.photos[k], map=i.maps[k], tiles=tuple(tiles), heights=heights,
-        grid=i.heights.grid, pixel=i.pixel,
+        grid=i.heights.grid, pixel=i.pixel, mask=None if i.masks is None else i.masks.files.get(i.photos[k].name),
     )  # fmt: skip
+    worn = [] if i.masks is None else [i.masks.key(i.photos[k])]
     inputs = (own, i.maps[k], *heights)
     return Task(
-        key=key_of(LOOK, VERSION, inputs, i.photos[k].content, tiles, i.heights.grid, i.pixel),
+        key=key_of(LOOK, VERSION, inputs, i.photos[k].content, tiles, i.heights.grid, i.pixel, *worn),
         function=f"{__name__}:look_of", options=options, inputs=inputs, name=i.block.images.ids[k],
         cost=len(tiles) * TILE_CELLS**2 * CELL_S,
     )  # fmt: skip
@@ -183,6 +187,10 @@ def _seen(
     row, column = np.divmod(cells, window.width)
     xyz = g.points_at(window.x + column + 0.5, window.y + row + 0.5, height.ravel()[cells])
     free = _nothing_before(store, task, block, xyz, xy, sigma.ravel()[cells])
+    used = free_of(task.photo, task.mask, block, 0)
+    if used is not None:
+        column, row = xy.astype(int).T
+        free &= used[row, column]
     return cells[free], xy[free], scale[free]
 
 
@@ -229,7 +237,7 @@ STAGE = SURFACE.register(
         put=lambda s, found: replace(s, looks=found), when=lambda s: s.options.orthophoto is not None,
         told=lambda s: f"{len(s.looks.keys)} photographs" if s.looks else "",
         inputs=lambda s: Inputs(
-            block=s.block, photos=s.photos, maps=s.maps, heights=s.wanted_heights,
+            block=s.block, photos=s.photos, masks=s.masks, maps=s.maps, heights=s.wanted_heights,
             pixel=s.wanted_orthophoto.pixel,
         ),
     )

@@ -11,8 +11,9 @@ from raybundle.adjustment.result import Adjustment
 from raybundle.errors import InputError
 from raybundle.io.block.arrays import block_of_arrays
 from raybundle.io.photos.framed import in_camera_frame
+from raybundle.io.photos.masks import MaskFile, Masks
 from raybundle.io.photos.photo import Photo
-from raybundle.numerics.arrays import Array
+from raybundle.numerics.arrays import Array, Mask
 from raybundle.pipeline.executors import Threads
 from raybundle.pipeline.keys import key_of
 from raybundle.pipeline.stage import Means, Stage
@@ -21,8 +22,9 @@ from raybundle.pipeline.tasks import Task
 from raybundle.surfaces.depth_map import DepthOptions, depth_map
 from raybundle.surfaces.pairs import Sources
 from raybundle.ties.points import exact_grey_of
+from raybundle.workflows.surface_region import SurfaceRegion
 from raybundle.workflows.surface_state import SURFACE, SurfaceOptions, SurfaceState
-from raybundle.workflows.surface_tasks import PART, stored_part
+from raybundle.workflows.surface_tasks import PART, free_of, stored_part
 
 VERSION = 2
 MAP = "depth map"
@@ -40,6 +42,8 @@ class Inputs:
     adjustment: Adjustment
     photos: Mapping[int, Photo]
     chosen: tuple[Sources, ...]
+    shares: Mapping[int, float]
+    masks: Masks | None
     options: SurfaceOptions
 
 
@@ -58,6 +62,10 @@ class MapTask:
     threads: int
     """what is found does not depend on them"""
     memory: float
+    masks: tuple[MaskFile | None, ...] = ()
+    """of the photographs; (): none has one"""
+    region: SurfaceRegion | None = None
+    """what alone is measured; None: all"""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -81,12 +89,18 @@ def measure(i: Inputs, means: Means) -> Maps:
         options = MapTask(
             block=own, photos=photos, reference=place[s.reference], sources=tuple(place[j] for j in s.sources),
             density=i.options.density, threads=max(1, means.jobs // len(i.chosen)) if here else 1, memory=means.memory,
+            masks=() if i.masks is None else tuple(i.masks.files.get(p.name) for p in photos), region=i.options.region,
         )  # fmt: skip
         pixels = block.cameras[int(block.images.camera[s.reference])]
-        size = pixels.width_px * pixels.height_px
+        size = pixels.width_px * pixels.height_px * i.shares.get(s.reference, 1.0)
+        # without masks and region as ever: what is there stays
+        more = [] if i.masks is None else [[i.masks.key(p) for p in photos]]
+        more += [] if i.options.region is None else [i.options.region]
         tasks.append(
             Task(
-                key=key_of(MAP, VERSION, own, [p.content for p in photos], s.reference, s.sources, i.options.density),
+                key=key_of(
+                    MAP, VERSION, own, [p.content for p in photos], s.reference, s.sources, i.options.density, *more
+                ),
                 function=f"{__name__}:map_of", options=options, inputs=(own,), name=block.images.ids[s.reference],
                 cost=size * PIXEL_S / i.options.density**2, memory=size * PIXEL_BYTES,
             )
@@ -108,7 +122,10 @@ def map_of(store: Folder, task: MapTask) -> Product:
     def greys(image: int) -> Array:
         return in_camera_frame(exact_grey_of(task.photos[image]), block, image)
 
-    return depth_map(block, chosen, greys, options).as_arrays()
+    def free(image: int) -> Mask | None:
+        return free_of(task.photos[image], task.masks[image] if task.masks else None, block, image)
+
+    return depth_map(block, chosen, greys, options, free=free, region=task.region).as_arrays()
 
 
 def _put(state: SurfaceState, found: Maps) -> SurfaceState:
@@ -121,6 +138,9 @@ STAGE = SURFACE.register(
     Stage(
         name="depth maps", after=("sources",), function=measure, put=_put, kinds=(PART, MAP),
         told=lambda s: f"{len(s.maps)} of {len(s.chosen)}",
-        inputs=lambda s: Inputs(adjustment=s.adjustment, photos=s.photos, chosen=s.chosen, options=s.options),
+        inputs=lambda s: Inputs(
+            adjustment=s.adjustment, photos=s.photos, chosen=s.chosen, shares=s.shares, masks=s.masks,
+            options=s.options,
+        ),
     )
 )  # fmt: skip

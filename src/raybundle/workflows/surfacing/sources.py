@@ -2,12 +2,17 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from collections.abc import Mapping
+from dataclasses import dataclass, field, replace
 
 from raybundle.block import Block
 from raybundle.errors import InputError
 from raybundle.pipeline.stage import Means, Stage
+from raybundle.surfaces.depth_map import depth_range
 from raybundle.surfaces.pairs import Sources, sources_of_each
+from raybundle.surfaces.region import shown_part
+from raybundle.surfaces.transfer import ReferenceRays
+from raybundle.workflows.surface_region import SurfaceRegion
 from raybundle.workflows.surface_state import SURFACE, SurfaceState
 
 
@@ -18,11 +23,23 @@ class Inputs:
     block: Block
     images: tuple[int, ...]
     """those whose photographs are there"""
+    region: SurfaceRegion | None
 
 
-def choose(i: Inputs, means: Means) -> tuple[Sources, ...]:
-    """The sources of each photograph that is there; raises InputError where no two show the same part of the object."""
-    del means
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Chosen:
+    """What measures what."""
+
+    sources: tuple[Sources, ...]
+    shares: Mapping[int, float] = field(default_factory=dict[int, float])
+    """of the pixels of each reference that may show the region; empty: no region is asked for"""
+
+
+def choose(i: Inputs, means: Means) -> Chosen:
+    """The sources of each photograph that is there; raises InputError where no two show the same part of the object.
+
+    Of a region they are those of the whole: a reference measures the same, whatever else is measured.
+    """
     there = set(i.images)
     found = [s for s in sources_of_each(i.block, among=i.images) if s.reference in there]
     if not any(s.sources for s in found):
@@ -35,11 +52,36 @@ def choose(i: Inputs, means: Means) -> tuple[Sources, ...]:
         raise InputError(
             f"a surface needs two photographs that show the same part of the object from different places; {why}"
         )
-    return tuple(found)
+    if i.region is None:
+        return Chosen(sources=tuple(found))
+    shares = dict[int, float]()
+    for n, s in enumerate(found):
+        means.progress("photographs of the region", n / len(found))
+        if s.sources:
+            shares[s.reference] = _share(i.block, s.reference, i.region)
+    if not any(shares.values()):
+        left, bottom, right, top = i.region.extent
+        raise InputError(
+            f"no photograph that measures anything shows the region, {left:.10g} to {right:.10g} and {bottom:.10g} to "
+            f"{top:.10g} in the plane; choose another"
+        )
+    return Chosen(sources=tuple(found), shares=shares)
 
 
-def _put(state: SurfaceState, chosen: tuple[Sources, ...]) -> SurfaceState:
-    ids = state.block.images.ids
+def _share(block: Block, k: int, region: SurfaceRegion) -> float:
+    """Of the pixels of a reference that may show the region."""
+    rays = ReferenceRays.of(block, k)
+    try:
+        t_range = depth_range(block, rays, k)
+    except InputError:
+        return 1.0  # its map says why there is none
+    shown = shown_part(rays, t_range, region)
+    return 0.0 if shown is None else shown.share
+
+
+def _put(state: SurfaceState, found: Chosen) -> SurfaceState:
+    ids, chosen = state.block.images.ids, found.sources
+    blind = [k for k, share in found.shares.items() if not share]
     alone = [(ids[s.reference], _why(s)) for s in chosen if not s.sources]
     pairs = [
         (f"{ids[p.reference]} and {ids[p.source]}", p.refusal)
@@ -47,7 +89,11 @@ def _put(state: SurfaceState, chosen: tuple[Sources, ...]) -> SurfaceState:
         for p in s.refused
         if p.reference < p.source
     ]
-    return replace(state, chosen=tuple(s for s in chosen if s.sources), left_out=(*state.left_out, *alone, *pairs))
+    unseen = [(ids[k], "shows nothing of the region") for k in blind]
+    return replace(
+        state, chosen=tuple(s for s in chosen if s.sources and s.reference not in blind), shares=found.shares,
+        left_out=(*state.left_out, *alone, *unseen, *pairs),
+    )  # fmt: skip
 
 
 def _why(s: Sources) -> str:
@@ -65,6 +111,6 @@ def _told(state: SurfaceState) -> str:
 STAGE = SURFACE.register(
     Stage(
         name="sources", function=choose, put=_put, told=_told, little=True,
-        inputs=lambda s: Inputs(block=s.block, images=tuple(sorted(s.photos))),
+        inputs=lambda s: Inputs(block=s.block, images=tuple(sorted(s.photos)), region=s.options.region),
     )
 )  # fmt: skip

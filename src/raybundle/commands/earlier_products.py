@@ -1,0 +1,71 @@
+"""Products that an earlier run of `surface` left in its folder and that this one does not write."""
+
+from __future__ import annotations
+
+import shutil
+from collections.abc import Collection
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from raybundle.workflows.surface import Surface
+
+TABLE = "written"
+"""Of project.toml: of which points each product is"""
+
+
+def settle_earlier(surface: Surface, out: Path, work: Path, wanted: Collection[str]) -> tuple[str, ...]:
+    """Remove products of other points than these; those of the same points stay.  What is to be told of both.
+
+    A file beside points that it was not made of would be taken for one of them.
+    """
+    from raybundle.settings import option  # noqa: PLC0415
+    from raybundle.workflows.surface_products import PRODUCTS  # noqa: PLC0415
+
+    before, key = _written(work), _key(surface)
+    told = list[str]()
+    for name, product in sorted(PRODUCTS.items()):
+        there = [out / f for f in product.files if (out / f).exists()]
+        if not there or name in wanted:
+            continue
+        names = ", ".join(p.name for p in there)
+        if before.get(name) == key:
+            told.append(f"{names}: of an earlier run, of the same points")
+            continue
+        for path in there:
+            shutil.rmtree(path) if path.is_dir() else path.unlink()
+        told.append(f"{names}: removed, it was of other points; ask for it with {option(name)}")
+    return tuple(told)
+
+
+def note_written(surface: Surface, work: Path, written: Collection[str]) -> None:
+    """Note of which points products are."""
+    from raybundle.pipeline.project import Project  # noqa: PLC0415
+    from raybundle.pipeline.settings_file import with_table  # noqa: PLC0415
+
+    key = _key(surface)
+    known = {name: k for name, k in _written(work).items() if k == key} | {name or "points": key for name in written}
+    lines = [f"[{TABLE}]", *(f'{name} = "{k}"' for name, k in sorted(known.items()))]
+    project = Project.open(work)
+    try:
+        project.write_settings(with_table(work / "project.toml", TABLE, "\n".join(lines)))
+    finally:
+        project.close()
+
+
+def _key(surface: Surface) -> str:
+    from raybundle.pipeline.keys import key_of  # noqa: PLC0415
+
+    return key_of("points", surface.clouds)
+
+
+def _written(work: Path) -> dict[str, str]:
+    """Product -> the key of its points, as the last run noted."""
+    from raybundle.errors import InputError  # noqa: PLC0415
+    from raybundle.io.reading.trees import read_toml  # noqa: PLC0415
+
+    path = work / "project.toml"
+    try:
+        return {k: v.text() for k, v in read_toml(path).tree().get(TABLE).mapping().items()} if path.is_file() else {}
+    except InputError:
+        return {}

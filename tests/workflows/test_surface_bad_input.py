@@ -1,0 +1,154 @@
+"""A surface of what shows none, of what does not fit together, on a full disk, and in a folder that was used before."""
+
+import errno
+import os
+import shutil
+from dataclasses import replace
+
+import cv2
+import numpy as np
+import pytest
+
+from raybundle.block.select import selected
+from raybundle.cli.main import main
+from raybundle.commands.surface import surface
+from raybundle.errors import InputError
+from raybundle.io.block.folder import read_block, write_block
+from raybundle.pipeline import store as stores
+from tests.workflows.half_portal import half_portal
+
+BOX = (-0.6, -0.4, 0.5, 0.5)
+
+
+@pytest.fixture(scope="module")
+def half(tmp_path_factory):
+    return half_portal(tmp_path_factory.mktemp("half"))
+
+
+def picture(kind, shape, rng):
+    """Grey values (h, w) of what shows the same in no two photographs."""
+    h, w = shape
+    sky = np.linspace(90, 200, h)[:, None] * np.ones((1, w)) + rng.normal(0, 1.5, shape)
+    if kind == "sky":
+        return sky
+    sizes = {"water": ((3, 3, 12), (8, 8, 15), (30, 30, 20)), "swell": ((40, 6, 25),), "leaves": ((2, 2, 35),)}
+    for down, across, strength in sizes[kind]:
+        small = rng.normal(0, 1, (h // down + 2, w // across + 2))
+        sky += strength * cv2.resize(small, (w, h), interpolation=cv2.INTER_CUBIC)
+    return sky
+
+
+@pytest.mark.parametrize(
+    ("kind", "density"),
+    [("sky", "4"), ("leaves", "4"), pytest.param("water", "2", marks=pytest.mark.long),
+     pytest.param("swell", "2", marks=pytest.mark.long)],
+)  # fmt: skip
+def test_water_and_sky_are_no_surface(half, tmp_path, capsys, kind, density):
+    rng = np.random.default_rng(5)
+    for path in half.glob("*.png"):
+        grey = picture(kind, cv2.imread(str(path)).shape[:2], rng)
+        cv2.imwrite(str(tmp_path / path.name), np.clip(grey, 0, 255).astype(np.uint8))
+    words = [
+        "surface",
+        str(half / "block"),
+        "--photos",
+        str(tmp_path),
+        "--density",
+        density,
+        "--out",
+        str(tmp_path / "s"),
+    ]
+    assert main([*words, "--jobs", "1"]) == 2
+    told = capsys.readouterr().err
+    assert "nothing could be measured: " in told
+    assert "Sky, water, glass and bare walls have no texture that stays" in told
+    assert not (tmp_path / "s/points.ply").exists()
+
+
+def test_photographs_without_overlap_are_named(half, tmp_path, capsys):
+    block = read_block(half / "block")
+    rays = np.bincount(block.observations.point, minlength=len(block.points))
+    few = np.isin(np.arange(len(rays)), np.flatnonzero(rays == 3)[::12][:10])  # hold the photographs, and no more
+    write_block(selected(block, "point", few), tmp_path / "block")
+    words = ["surface", str(tmp_path / "block"), "--photos", str(half), "--out", str(tmp_path / "s")]
+    assert main(words) != 0
+    told = capsys.readouterr().err
+    assert "a surface needs two photographs that show the same part of the object" in told
+    assert not (tmp_path / "s").exists()
+
+
+def test_without_a_scale_metres_are_refused_and_products_say_so(half, tmp_path, capsys):
+    pytest.importorskip("rasterio")
+    pytest.importorskip("laspy")
+    write_block(replace(read_block(half / "block"), free_scale=True), tmp_path / "block")
+    words = [
+        "surface", str(tmp_path / "block"), "--photos", str(half), "--density", "4", "--dsm", "0.05", "--mesh", "0.1",
+        "--las", "--extent", *map(str, BOX), "--out", str(tmp_path / "s"),
+    ]  # fmt: skip
+    assert main(words) == 2
+    assert "--free-scale for a surface without" in capsys.readouterr().err
+    assert not (tmp_path / "s").exists()
+    assert main([*words, "--free-scale", "--jobs", "1"]) == 0
+    told = capsys.readouterr().out
+    assert "(the scale is free) in the median" in told
+    assert "coordinates and standard deviations have no unit" in told
+    s = tmp_path / "s"
+    assert b'comment scale = "free"' in (s / "points.ply").read_bytes()[:2000]
+    assert b'comment scale = "free"' in (s / "mesh.ply").read_bytes()[:2000]
+    assert 'scale = "free"' in (s / "heights.toml").read_text()
+    assert "the scale is free" in (s / "mesh.obj").read_text()[:200]
+
+
+def test_a_full_disk_is_told_and_what_is_finished_is_kept(half, tmp_path, capsys, monkeypatch):
+    words = [
+        "surface", str(half / "block"), "--photos", str(half), "--density", "4", "--extent", *map(str, BOX),
+        "--out", str(tmp_path / "s"), "--jobs", "1",
+    ]  # fmt: skip
+    written, count = stores.write_archive, [0]
+
+    def full(file, product):
+        count[0] += "slopes" in product
+        if count[0] > 1:
+            raise OSError(errno.ENOSPC, os.strerror(errno.ENOSPC))
+        written(file, product)
+
+    monkeypatch.setattr(stores, "write_archive", full)
+    assert main(words) == 2
+    assert "no space is left; free space and run the same command again" in capsys.readouterr().err
+    monkeypatch.undo()
+    kept = {p.name: p.stat().st_mtime_ns for p in tmp_path.glob("s/work/cache/*/depth map-*.npz")}
+    assert len(kept) == 1
+    assert not (tmp_path / "s/points.ply").exists()
+    assert main(words) == 0
+    after = {p.name: p.stat().st_mtime_ns for p in tmp_path.glob("s/work/cache/*/depth map-*.npz")}
+    assert kept.items() < after.items()
+
+
+def test_products_of_an_earlier_run_stay_while_they_are_of_the_same_points(half, tmp_path):
+    pytest.importorskip("rasterio")
+
+    def run(**more):
+        return surface(
+            half / "block", tmp_path / "s", photos=(half,), density="4", jobs=1, **{"extent": BOX, **more}
+        )  # fmt: skip
+
+    run(dsm=0.05, depths=True)
+    names = {"heights.tif", "heights_sigma.tif", "heights.toml", "heights_orientation.npz"}
+    same = run()
+    assert (
+        "heights.tif, heights_sigma.tif, heights.toml, heights_orientation.npz: of an earlier run, of the same points"
+        in (same.remarks)
+    )
+    assert names <= {p.name for p in (tmp_path / "s").iterdir()}
+    other = run(extent=(-0.5, -0.4, 0.5, 0.5), depths=True)
+    assert any(
+        r.endswith("heights_orientation.npz: removed, it was of other points; ask for it with dsm=")
+        for r in other.remarks
+    )
+    there = {p.name for p in (tmp_path / "s").iterdir()}
+    assert not names & there
+    assert any(n.startswith("depth") for n in there)
+    shutil.rmtree(tmp_path / "s/work")
+    assert any("depth" in r and "removed" in r for r in run().remarks)
+    with pytest.raises(InputError, match="both say which part"):
+        run(region=("0 0, 1 0, 1 1",))
