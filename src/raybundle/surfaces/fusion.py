@@ -39,7 +39,7 @@ class MapView:
         """Which places (n, 2) lie among its pixels, with a depth or without."""
         g = self.grid
         low, size = np.array([g.x0, g.y0]), g.stride * np.array([g.columns, g.rows])
-        return ((xy_px >= low) & (xy_px < low + size)).all(axis=1)
+        return np.asarray(((xy_px >= low) & (xy_px < low + size)).all(axis=1))
 
     def looked_up(self, xy_px: Array) -> tuple[Array, Array, Array]:
         """Depth parameter at places (n, 2), its standard deviation, and that of the nearest pixel as a length.
