@@ -186,6 +186,7 @@ def test_nothing_is_measured_where_a_mask_is_black_nor_by_what_it_hides(half, wh
     for tile, key in done.surface.orthophoto.choice.items():
         row, column = np.nonzero(done.surface.store.wanted(key)["image"] == 0)
         height = done.surface.store.wanted(done.surface.heights.tiles[tile])["height"][row, column]
+        row, column, height = (a[np.isfinite(height)] for a in (row, column, height))  # not those that were filled
         w = tile_of_number(grid, tile)
         there = np.floor(predicted_px(block, 0, grid.points_at(w.x + column + 0.5, w.y + row + 0.5, height))).astype(
             int

@@ -124,33 +124,17 @@ def run_surface(settings: SurfaceSettings, progress: Progress = silent) -> Measu
     """Measure what the settings ask for, and write the points."""
     from raybundle.commands.drawn_masks import masks_of_result  # noqa: PLC0415
     from raybundle.commands.earlier_products import note_written, settle_earlier  # noqa: PLC0415
-    from raybundle.io.formats.base import FREE_SCALE, GIVE_SCALE  # noqa: PLC0415
-    from raybundle.pipeline.project import discard_empty, photographs_of  # noqa: PLC0415
+    from raybundle.pipeline.project import discard_empty  # noqa: PLC0415
     from raybundle.report.languages.language import language_of  # noqa: PLC0415
-    from raybundle.workflows.sources import read_source, result_within  # noqa: PLC0415
     from raybundle.workflows.surface import surface as measured  # noqa: PLC0415
-    from raybundle.workflows.surface_product import Context, in_its_map  # noqa: PLC0415
+    from raybundle.workflows.surface_product import Context  # noqa: PLC0415
     from raybundle.workflows.surface_products import PRODUCTS  # noqa: PLC0415
     from raybundle.workflows.surface_state import SurfaceOptions  # noqa: PLC0415
     from raybundle.workflows.surface_thinning import thinned  # noqa: PLC0415
 
     s = settings
-    if not s.source.is_dir():
-        raise InputError("there is no such folder; give a result or a project of orient", file=s.source)
-    result = result_within(s.source)
-    export = in_its_map(read_source(result)[0])
+    result, export, folders = _source_of(s)
     free = export.block.free_scale
-    if free and not s.free_scale:
-        raise InputError(
-            f"{FREE_SCALE}, so that lengths of the surface would be in no unit; {GIVE_SCALE}, or "
-            f"{option('free_scale', True)} for a surface without",
-            file=s.source,
-        )
-    folders = s.photos or photographs_of(result)
-    if not folders:
-        raise InputError(
-            f"where its photographs are is not known; say so with {option('photos', 'FOLDER')}", file=s.source
-        )
     out = s.out or s.source / "surface"
     wanted = frozenset(name for name in PRODUCTS if not name or getattr(s, name) not in (None, False))
     _check_out(out)
@@ -187,6 +171,31 @@ def run_surface(settings: SurfaceSettings, progress: Progress = silent) -> Measu
     return MeasuredSurface(
         surface=done, written=written, remarks=remarks, unit=unit, median_sigma=told.sigma[0], shares=told.shares
     )
+
+
+def _source_of(s: SurfaceSettings) -> tuple[Path, Export, tuple[Path, ...]]:
+    """The result folder, its block, and the folders of its photographs."""
+    from raybundle.io.formats.base import FREE_SCALE, GIVE_SCALE  # noqa: PLC0415
+    from raybundle.pipeline.project import photographs_of  # noqa: PLC0415
+    from raybundle.workflows.sources import read_source, result_within  # noqa: PLC0415
+    from raybundle.workflows.surface_product import in_its_map  # noqa: PLC0415
+
+    if not s.source.is_dir():
+        raise InputError("there is no such folder; give a result or a project of orient", file=s.source)
+    result = result_within(s.source)
+    export = in_its_map(read_source(result)[0])
+    if export.block.free_scale and not s.free_scale:
+        raise InputError(
+            f"{FREE_SCALE}, so that lengths of the surface would be in no unit; {GIVE_SCALE}, or "
+            f"{option('free_scale', True)} for a surface without",
+            file=s.source,
+        )
+    folders = s.photos or photographs_of(result)
+    if not folders:
+        raise InputError(
+            f"where its photographs are is not known; say so with {option('photos', 'FOLDER')}", file=s.source
+        )
+    return result, export, folders
 
 
 def _write_pages(

@@ -50,7 +50,7 @@ class MapView:
         """Which places (n, 2) lie among its pixels, with a depth or without."""
         g = self.grid
         low, size = np.array([g.x0, g.y0]), g.stride * np.array([g.columns, g.rows])
-        return ((xy_px >= low) & (xy_px < low + size)).all(axis=1)
+        return np.asarray(((xy_px >= low) & (xy_px < low + size)).all(axis=1))
 
     def nearest(self, xy_px: Array) -> Index:
         """The nearest pixel (n,) of the map to places (n, 2), row by row; -1 beyond it."""
