@@ -5,9 +5,13 @@
 SCENES is a folder of images with RPC, as the pair and the triplet of the tests of s2p.  They are oriented; every second
 tie point is taken out of the block, which is adjusted without, and intersected with that orientation: so what
 orientation has done to all is not in the difference, and the difference is compared with what noise, roughness and steps
-say of the height, and the image points of the intersection.  Tie points and surface are measured in the same grey
-values; their errors are taken as independent, which they are not quite.  DSM is a GeoTIFF of heights above the ellipsoid of another program, brought onto
-ours by one shift, for each has an orientation of its own.
+say of the height, and the image points of the intersection.
+
+Tie points and surface are measured in the same grey values, so their errors are no independent ones: the difference
+scatters by less than the root of both squares.  If one of two estimates of the same data is efficient, the variance of
+the difference is the difference of the variances (Hausman 1978): "independent" and "of the same data" are the two ends
+between which the truth lies.  DSM is a GeoTIFF of heights above the ellipsoid of another program, brought onto ours by
+one shift in space, for each program has an orientation of its own.
 """
 
 from __future__ import annotations
@@ -31,6 +35,8 @@ from raybundle.io.raster_library import raster_library  # noqa: E402
 from raybundle.surfaces.height_model import HeightModel  # noqa: E402
 from raybundle.workflows.height_files import HeightFile, read_heights  # noqa: E402
 
+REACH, FEWEST = 64, 500
+"""Cells by which another's heights may be moved, and cells in common that tell whether they fit."""
 NEIGHBOURS = np.array([[0, 0], [0, 1], [1, 0], [1, 1]])
 
 
@@ -87,7 +93,8 @@ def at(model: HeightModel, cells: np.ndarray) -> tuple[np.ndarray, ...]:
     value = (1 - v) * ((1 - u) * a + u * b) + v * ((1 - u) * c + u * d)
     by_u, by_v = (1 - v) * (b - a) + v * (d - c), (1 - u) * (c - a) + u * (d - b)
     # errors of neighbours are alike over some cells: the mean of their standard deviations is that of the height
-    sigma = np.mean([s[j + dj, i + di] for dj, di in NEIGHBOURS], axis=0)
+    weights = ((1 - u) * (1 - v), u * (1 - v), (1 - u) * v, u * v)
+    sigma = sum(w * s[j + dj, i + di] for w, (dj, di) in zip(weights, NEIGHBOURS, strict=True))
     return np.where(good, value, np.nan), sigma, by_u, by_v
 
 
@@ -118,7 +125,11 @@ def beside_ties(folder: Path, work: Path, cell: float, density: str) -> tuple[di
         "median_m": round(float(np.median(d)), 3), "robust_m": round(spread(d), 3),
         "sigma_point_m": round(float(np.median(np.sqrt(own))), 3), "sigma_height_m": round(float(np.median(sigma)), 3),
         "sigma_with_orientation_m": round(float(np.nanmedian(np.where(model.known, model.sigma, np.nan))), 3),
-        "differences": told(d / np.hypot(sigma, np.sqrt(own))),
+        "independent": told(d / np.hypot(sigma, np.sqrt(own))),
+        "of_the_same_data": {
+            "mean_chi2": round(float(np.mean(d**2) / abs(np.mean(sigma**2 - own))), 3),
+            "robust_chi2": round(spread(d) ** 2 / abs(float(np.median(sigma**2 - own))), 3),
+        },
     }  # fmt: skip
     return figures, model, file
 
@@ -137,6 +148,7 @@ def beside_another(model: HeightModel, file: HeightFile, other: Path) -> dict[st
             resampling=Resampling.bilinear,
         )  # fmt: skip
     h = model.heights.height.astype(float)
+    there, first = _brought_near(h, there)
     by_v, by_u = np.gradient(h, file.cell)
     d = h - there
     good = np.isfinite(d) & np.isfinite(by_u) & np.isfinite(by_v)
@@ -149,9 +161,29 @@ def beside_another(model: HeightModel, file: HeightFile, other: Path) -> dict[st
     left = e - A @ shift
     return {
         "cells": int(good.sum()), "median_m": round(float(np.median(e)), 3), "robust_m": round(spread(e), 3),
-        "shift_m": np.round(shift * [-1, -1, 1], 2).tolist(), "left_robust_m": round(spread(left), 3),
+        "shift_m": np.round(shift * [-1, -1, 1] + np.append(first * file.cell, 0.0), 2).tolist(), "left_robust_m": round(spread(left), 3),
         "left_within_2_m": round(float(np.mean(np.abs(left) < 2)), 4),
     }  # fmt: skip
+
+
+def _brought_near(ours: np.ndarray, theirs: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Another's heights moved by whole cells to where they fit best, and by how many east and north."""
+    by, step = np.zeros(2, int), REACH // 4
+    while step:
+        tried = [by + step * np.array([i, j]) for i in range(-4, 5) for j in range(-4, 5)]
+        by = min(tried, key=lambda b: _misfit(ours, _moved(theirs, b)))
+        step //= 2
+    return _moved(theirs, by), by * [1, -1]
+
+
+def _moved(heights: np.ndarray, by: np.ndarray) -> np.ndarray:
+    return np.roll(heights, (by[1], by[0]), axis=(0, 1))
+
+
+def _misfit(ours: np.ndarray, theirs: np.ndarray) -> float:
+    d = (ours - theirs)[::3, ::3]
+    d = d[np.isfinite(d)]
+    return spread(d) if len(d) > FEWEST else float("inf")
 
 
 def main() -> None:
