@@ -2,10 +2,10 @@
 
     python benchmarks/surface_scenes.py SCENES [--heights DSM] [--cell METRES] [--density 1|2|4] [--work FOLDER]
 
-SCENES is a folder of images with RPC, as the pair and the triplet of the tests of s2p.  They are oriented; every second
-tie point is taken out of the block, which is adjusted without, and intersected with that orientation: so what
-orientation has done to all is not in the difference, and the difference is compared with what noise, roughness and steps
-say of the height, and the image points of the intersection.
+SCENES is a folder of images with RPC, as the pair and the triplet of the tests of s2p.  They are oriented; every
+second tie point is taken out of the block, which is adjusted without, and intersected with that orientation: so what
+orientation has done to all is not in the difference, and the difference is compared with what noise, roughness and
+steps say of the height, and the image points of the intersection.
 
 Tie points and surface are measured in the same grey values, so their errors are no independent ones: the difference
 scatters by less than the root of both squares.  If one of two estimates of the same data is efficient, the variance of
@@ -98,7 +98,9 @@ def at(model: HeightModel, cells: np.ndarray) -> tuple[np.ndarray, ...]:
     return np.where(good, value, np.nan), sigma, by_u, by_v
 
 
-def beside_ties(folder: Path, work: Path, cell: float, density: str) -> tuple[dict[str, object], HeightModel, HeightFile]:
+def beside_ties(
+    folder: Path, work: Path, cell: float, density: str
+) -> tuple[dict[str, object], HeightModel, HeightFile]:
     """Orientation, surface, and differences at tie points that took no part."""
     if not (work / "project/result/result.json").is_file():
         rb.orient(folder, work / "project", report=False)
@@ -161,7 +163,8 @@ def beside_another(model: HeightModel, file: HeightFile, other: Path) -> dict[st
     left = e - A @ shift
     return {
         "cells": int(good.sum()), "median_m": round(float(np.median(e)), 3), "robust_m": round(spread(e), 3),
-        "shift_m": np.round(shift * [-1, -1, 1] + np.append(first * file.cell, 0.0), 2).tolist(), "left_robust_m": round(spread(left), 3),
+        "shift_m": np.round(shift * [-1, -1, 1] + np.append(first * file.cell, 0.0), 2).tolist(),
+        "left_robust_m": round(spread(left), 3),
         "left_within_2_m": round(float(np.mean(np.abs(left) < 2)), 4),
     }  # fmt: skip
 

@@ -113,7 +113,7 @@ def run_surface(settings: SurfaceSettings, progress: Progress = silent) -> Measu
     from raybundle.report.languages.language import language_of  # noqa: PLC0415
     from raybundle.workflows.sources import read_source, result_within  # noqa: PLC0415
     from raybundle.workflows.surface import surface as measured  # noqa: PLC0415
-    from raybundle.workflows.surface_product import Context  # noqa: PLC0415
+    from raybundle.workflows.surface_product import Context, in_its_map  # noqa: PLC0415
     from raybundle.workflows.surface_products import PRODUCTS  # noqa: PLC0415
     from raybundle.workflows.surface_state import SurfaceOptions  # noqa: PLC0415
     from raybundle.workflows.surface_thinning import thinned  # noqa: PLC0415
@@ -122,7 +122,7 @@ def run_surface(settings: SurfaceSettings, progress: Progress = silent) -> Measu
     if not s.source.is_dir():
         raise InputError("there is no such folder; give a result or a project of orient", file=s.source)
     result = result_within(s.source)
-    export, _ = read_source(result)
+    export = in_its_map(read_source(result)[0])
     free = export.block.free_scale
     if free and not s.free_scale:
         raise InputError(
@@ -191,7 +191,6 @@ def _grid_of(s: SurfaceSettings, result: Path, export: Export, progress: Progres
     import numpy as np  # noqa: PLC0415
 
     from raybundle.commands.plane_settings import plane_in  # noqa: PLC0415
-    from raybundle.io.geo.plane_frames import frame_at, in_plane_system  # noqa: PLC0415
     from raybundle.io.geo.told_systems import plan_system  # noqa: PLC0415
     from raybundle.workflows.object_plane import MapLevel  # noqa: PLC0415
     from raybundle.workflows.rectify import check_area  # noqa: PLC0415
@@ -203,9 +202,6 @@ def _grid_of(s: SurfaceSettings, result: Path, export: Export, progress: Progres
             ways = f"{option('dsm', 'CELL')}, {option('ortho', 'CELL')} or {option('mesh', 'CELL')}"
             raise InputError(f"{given[0]} says where heights are given; ask for them with {ways}")
         return Grids()
-    frame = export.frame or frame_at(export.block.place)
-    if frame is not None:
-        export = replace(export, frame=in_plane_system(frame))
     in_map = export.frame is not None and plan_system(export.frame.crs) is not None
     level = in_map and not (set(OF_PLANE) & set(other_than_usual(s)))
     plane, told = plane_in(result, export, replace(s, horizontal=True) if level else s, progress)

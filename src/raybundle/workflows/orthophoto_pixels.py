@@ -153,7 +153,7 @@ class _Work:
         together = CommonRoot.of_arrays(store.wanted(task.together))
         return cls(
             store=store, task=task, block=block, picture=picture, factor=factor,
-            viewer=task.grid.plane.coordinates(block.images.centre[:1])[0],
+            viewer=ReferenceRays.of(block, 0).viewer(task.grid.plane.coordinates),
             shifts=ShiftCovariance.of_arrays(store.wanted(task.shifts)).among(together), choice=dict(task.choice),
             heights=dict(task.heights), grams={},
         )  # fmt: skip

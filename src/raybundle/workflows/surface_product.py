@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import Protocol
 
 from raybundle.io.formats import Export
+from raybundle.io.geo.plane_frames import frame_at, in_plane_system
+from raybundle.io.scene_export import scene_images, with_viewpoints
 from raybundle.numerics.progress import Progress
 from raybundle.workflows.object_plane import Plane
 from raybundle.workflows.surface import Surface
@@ -64,6 +66,18 @@ class Product:
     write: Callable[[Surface, Path, Context], Written]
     check: Callable[[], None] = lambda: None
     """raises InputError where something is missing that it needs, as a library"""
+
+
+def in_its_map(export: Export) -> Export:
+    """A block of scenes with the plane system in which its products lie, and without what its scenes are made of.
+
+    That is its own system where it has one, else the zone of UTM in which it stands, with heights above the ellipsoid.
+    """
+    if not scene_images(export.block).any():
+        return export
+    frame = export.frame or frame_at(export.block.place)
+    frame = None if frame is None else in_plane_system(frame)
+    return replace(export, block=with_viewpoints(export.block), frame=frame)
 
 
 PRODUCTS: dict[str, Product] = {}

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from abc import ABC, abstractmethod
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from typing import ClassVar, Self
 
@@ -77,6 +77,10 @@ class ReferenceRays(ABC):
     @abstractmethod
     def directions(self, xy_px: Array) -> Array:
         """Directions (n, 3) of the rays in object space, away from the sensor, of any length."""
+
+    @abstractmethod
+    def viewer(self, coordinates: Callable[[Array], Array]) -> Array:
+        """The place (3,) that the image looks from, in coordinates (n, 3) that a function gives of object points."""
 
     @abstractmethod
     def lengths(self, t: Array, sigma: Array) -> Array:

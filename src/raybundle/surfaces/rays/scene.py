@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
 from typing import cast
 
@@ -9,7 +10,7 @@ import numpy as np
 
 from raybundle.block import Camera
 from raybundle.numerics.arrays import Array
-from raybundle.scenes.sensor import SceneSensor
+from raybundle.scenes.sensor import VIEW_M, SceneSensor
 from raybundle.surfaces.rays.reference import BEYOND, ReferenceRays
 
 STEP_M = 10.0
@@ -66,6 +67,16 @@ class SceneRays(ReferenceRays):
     def directions(self, xy_px: Array) -> Array:
         """As `ReferenceRays`."""
         return -self.by_t(xy_px, np.full(len(xy_px), self.sensor.depth_m))
+
+    def viewer(self, coordinates: Callable[[Array], Array]) -> Array:
+        """As `ReferenceRays`: as far away as a satellite, in the direction that rays have on the ground.
+
+        In coordinates of a map a long ray is bent.
+        """
+        middle = np.array([[self.camera.width_px / 2, self.camera.height_px / 2]])
+        t = np.full(1, self.sensor.depth_m)
+        ground, above = (coordinates(self.points(middle, t + up))[0] for up in (0.0, STEP_M))
+        return ground + (above - ground) * (VIEW_M / float(np.linalg.norm(above - ground)))
 
     def lengths(self, t: Array, sigma: Array) -> Array:
         """As `ReferenceRays`: heights."""

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -95,6 +95,10 @@ class StationRays(ReferenceRays):
     def directions(self, xy_px: Array) -> Array:
         """As `ReferenceRays`."""
         return self.rays(xy_px)[1]
+
+    def viewer(self, coordinates: Callable[[Array], Array]) -> Array:
+        """As `ReferenceRays`: the projection centre."""
+        return coordinates(self.centre[None])[0]
 
     def lengths(self, t: Array, sigma: Array) -> Array:
         """As `ReferenceRays`: along the axis, or the distance."""

@@ -136,7 +136,7 @@ def look_of(store: Folder, task: LookTask) -> Product:
     if len(cells):
         row, column = np.divmod(cells, window.width)
         uv = g.places(window.x + column + 0.5, window.y + row + 0.5)
-        viewer = g.plane.coordinates(block.images.centre[:1])[0]
+        viewer = ReferenceRays.of(block, 0).viewer(g.plane.coordinates)
         away = viewer - np.column_stack([uv, height[row, column]])
         facing = away[:, 2] / np.linalg.norm(away, axis=1)
         kept = facing > STEEPEST
@@ -176,7 +176,7 @@ def _seen(
         scale = 2 * np.sqrt(np.abs(np.linalg.det(np.stack([right - xy, down - xy], axis=1))))
     inside &= scale > 0
     cells, xy, scale = cells[inside], xy[inside], scale[inside]
-    viewer = g.plane.coordinates(block.images.centre[:1])[0]
+    viewer = ReferenceRays.of(block, 0).viewer(g.plane.coordinates)
     column_row = g.cells(viewer[None, :2])[0] - [window.x, window.y]
     seen = seen_from(height, sigma, np.append(column_row, viewer[2]), cells)
     cells, xy, scale = cells[seen], xy[seen], scale[seen]
