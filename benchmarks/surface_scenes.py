@@ -1,6 +1,6 @@
 """Heights of a surface of satellite scenes beside tie points that took no part, and beside another program's heights.
 
-    python benchmarks/surface_scenes.py SCENES [--heights DSM] [--cell METRES] [--density 1|2|4] [--work FOLDER]
+    python benchmarks/surface_scenes.py SCENES [--heights DSM] [--cell METRES] [--density 1|2|4] [--keep NAME]
 
 SCENES is a folder of images with RPC, as the pair and the triplet of the tests of s2p.  They are oriented; every
 second tie point is taken out of the block, which is adjusted without, and intersected with that orientation: so what
@@ -197,6 +197,7 @@ def main() -> None:
     parser.add_argument("--cell", type=float, default=0.5)
     parser.add_argument("--density", default="1", choices=("1", "2", "4"))
     parser.add_argument("--work", type=Path, help="where orientation and surface are kept")
+    parser.add_argument("--keep", metavar="NAME", help="into benchmarks/results/surface_scenes.json, under this name")
     given = parser.parse_args()
     if not given.scenes.is_dir():
         print(f"skipped: {given.scenes} is not there")
@@ -207,6 +208,10 @@ def main() -> None:
     if given.heights is not None:
         figures["another"] = beside_another(model, file, given.heights)
     print(json.dumps(figures, indent=1))
+    if given.keep:
+        file = ROOT / "benchmarks/results/surface_scenes.json"
+        kept = json.loads(file.read_text()) if file.is_file() else {}
+        file.write_text(json.dumps({**kept, given.keep: figures}, indent=1) + "\n")
 
 
 if __name__ == "__main__":
