@@ -21,7 +21,14 @@ from raybundle.surfaces.normals import incidences, smoothed
 from raybundle.surfaces.orientation import ShiftCovariance
 from raybundle.surfaces.pairs import Sources
 from raybundle.surfaces.refine import (
-    PASSES, PixelGrid, Refined, RefineOptions, Source, grow, refine, used_sources,
+    PASSES,
+    PixelGrid,
+    Refined,
+    RefineOptions,
+    Source,
+    grow,
+    refine,
+    used_sources,
 )  # fmt: skip
 from raybundle.surfaces.sweep import Start, moved_px, reduction_for, swept
 from raybundle.surfaces.transfer import ReferenceRays, Transfer, transfer
@@ -35,8 +42,8 @@ FEWEST_POINTS = 8
 """Tie points that tell the range of depths."""
 STRIP_BYTES = 48e6
 """Windows' responses that are in memory at once."""
-SWEEP_BYTES = 100.0
-"""That costs of approximate depths may take for a pixel of the reference: as much as the map and its strips take."""
+MAP_BYTES = 100.0
+"""That a map and what it is made of take for a pixel of the reference, and as much costs of approximate depths may."""
 LEAST_SWEEP_BYTES = 4e8
 ROWS = 64
 """Of a map whose variances are made at once."""
@@ -50,7 +57,7 @@ class DepthOptions:
     """every so many pixels: 1, 2 or 4"""
     threads: int = 1
     memory: float = 2e9
-    """bytes that approximate depths may take"""
+    """bytes that approximate depths may take: they are found by bands of rows where they would take more"""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -91,7 +98,9 @@ class DepthMap:
     def variance(self, shifts: ShiftCovariance | None = None) -> Array:
         """(rows, columns) of t: noise, roughness and, with `shifts`, orientation and calibration."""
         found = self.noise.astype(float) + self.roughness
-        for k in range(0, self.grid.rows if shifts is not None else 0, ROWS):
+        if shifts is None:
+            return found
+        for k in range(0, self.grid.rows, ROWS):
             part = slice(k, k + ROWS)
             known = np.isfinite(self.t[part])
             if known.any():
@@ -168,9 +177,7 @@ def depth_map(
     tables = [transfer(block, rays, j, t_range) for j in chosen.sources]
     reference, photographs = greys(chosen.reference), [greys(j) for j in chosen.sources]
     start = _start(reference, photographs, tables, o)
-    sources = [
-        Source(grey=np.ascontiguousarray(photographs.pop(0), np.float32), transfer=table) for table in tables
-    ]
+    sources = [Source(grey=np.ascontiguousarray(photographs.pop(0), np.float32), transfer=table) for table in tables]
     work = _Work(
         rays=rays, reference=reference, grey=np.ascontiguousarray(reference, np.float32), sources=sources,
         chosen=chosen, t_range=t_range, options=o,
@@ -208,10 +215,22 @@ class _Work:
     options: DepthOptions
 
 
+def bytes_needed(pixels: int, memory: float) -> float:
+    """Memory that the map of a photograph takes while it is made, the photographs themselves included.
+
+    memory  bytes that are there; approximate depths are found by bands of rows where they would take more
+    """
+    return _sweep_bytes(pixels, memory) + MAP_BYTES * pixels
+
+
+def _sweep_bytes(pixels: int, memory: float) -> float:
+    return min(memory, max(LEAST_SWEEP_BYTES, MAP_BYTES * pixels))
+
+
 def _start(reference: Array, photographs: Sequence[Array], tables: Sequence[Transfer], options: DepthOptions) -> Start:
     """Approximate depths, in no more memory than the map takes later."""
     height, width = reference.shape
-    memory = min(options.memory, max(LEAST_SWEEP_BYTES, SWEEP_BYTES * width * height))
+    memory = _sweep_bytes(width * height, options.memory)
     scale = reduction_for(width, height, moved_px(tables, width, height), memory)
     return swept(reference, photographs, tables, scale=scale, memory=memory)
 
@@ -308,9 +327,7 @@ def _grown(
             first, last = max(0, begin - PASSES), last + more.rows
         assert there is not None
         strip = grid.rows_of(first, last - first)
-        grown = grow(
-            work.grey, work.sources, strip, there, autocovariance=noise, threads=work.options.threads
-        )
+        grown = grow(work.grey, work.sources, strip, there, autocovariance=noise, threads=work.options.threads)
         yield slice(begin, end), _rows(grown, begin - first, end - first)
 
 

@@ -15,8 +15,8 @@ SIGMAS = 3.0
 AGREE, AGAINST = 4, 3
 """Of eight neighbours 4 px away that have to, and that may speak against it: a straight edge of things stays."""
 SURELY_AGREE, SURELY_AGAINST = 5, 2
-"""The same where a depth stands on one thing alone for sure.  Between the two it may be of either side of a step: how far
-its neighbours stand apart is part of its standard deviation."""
+"""The same where a depth stands on one thing alone for sure.  Between the two it may be of either side of a step: how
+far its neighbours stand apart is part of its standard deviation."""
 NEAR_PX, NEAR_AGREE = 2, 6
 """Distance of eight nearer neighbours, and how many have to agree: what wanders off with its window does so alone, as
 four maps of an exactly known object have it (benchmarks/surface_truth.py).  A coarser grid has none: there
@@ -45,9 +45,7 @@ class Flag(IntFlag):
     taken out"""
 
 
-def tested(
-    t: Array, slopes: Array, variance: Array, incidence: Array, few: Mask, stride: int
-) -> tuple[Array, Array]:
+def tested(t: Array, slopes: Array, variance: Array, incidence: Array, few: Mask, stride: int) -> tuple[Array, Array]:
     """Flags (rows, columns) uint8 of the pixels of a map, by a test of it against itself, and variances by steps.
 
     t, slopes  NaN where there is no depth; slopes (2, rows, columns)
@@ -60,10 +58,9 @@ def tested(
     own = np.where(known, variance, np.nan)
     agree, against, apart = _compared(t, slopes, own, stride, roughness.APART_PX)
     sure: Mask = (agree >= SURELY_AGREE) & (against <= SURELY_AGAINST)
+    near: Mask = agree >= SURELY_AGREE
     if stride <= NEAR_PX:
         near = _compared(t, slopes, own, stride, NEAR_PX)[0] >= NEAR_AGREE
-    else:
-        near = agree >= SURELY_AGREE
     kept: Mask = known & (sure | near & (agree >= AGREE) & (against <= AGAINST))
     edge = kept & _beside_holes(kept, stride)
     flags = np.zeros(t.shape, np.uint8)

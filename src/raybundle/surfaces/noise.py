@@ -68,12 +68,11 @@ def _middles(reference: Array, grid: PixelGrid, found: Refined) -> Array:
     return at[np.linspace(0, len(at) - 1, min(PATCHES, len(at))).astype(int)] if len(at) else at.reshape(0, 2)
 
 
-def _patches(
-    reference: Array, source: Source, grid: PixelGrid, found: Refined, middles: Array
-) -> tuple[Array, Array]:
+def _patches(reference: Array, source: Source, grid: PixelGrid, found: Refined, middles: Array) -> tuple[Array, Array]:
     """Residuals and gradients along the shift of depth (n, 25, 25) of patches, as grey values of the reference."""
     if not len(middles):
-        return (np.zeros((0, 2 * HALF + 1, 2 * HALF + 1)),) * 2
+        none = np.zeros((0, 2 * HALF + 1, 2 * HALF + 1))
+        return none, none
     side = np.arange(-HALF, HALF + 1)
     dv, du = np.meshgrid(side, side, indexing="ij")
     row, column = middles.T
@@ -96,9 +95,7 @@ def _patches(
     enough = good.mean(axis=(1, 2)) >= SAME
     good, T, g, steep = good[enough], T[enough], g[enough], steep[enough]
     n = good.sum(axis=(1, 2))[:, None, None]
-    one, other = (
-        a - np.where(good, a, 0).sum(axis=(1, 2), keepdims=True) / n for a in (T, np.where(good, g, 0))
-    )
+    one, other = (a - np.where(good, a, 0).sum(axis=(1, 2), keepdims=True) / n for a in (T, np.where(good, g, 0)))
     square, product = (np.where(good, other * a, 0).sum(axis=(1, 2), keepdims=True) for a in (other, one))
     gain = product / np.maximum(square, 1e-12)
     return np.where(good, one - gain * other, np.nan), np.where(good, gain * steep, np.nan)

@@ -46,9 +46,7 @@ class _Directions:
         x, y = (xy_px / STEP_PX).astype(np.float32).T
         i, j = np.clip(x.astype(int), 0, columns - 2), np.clip(y.astype(int), 0, rows - 2)
         fx, fy = (x - i)[:, None], (y - j)[:, None]
-        top, low = (
-            (1 - fx) * self.nodes[j + k, i] + fx * self.nodes[j + k, i + 1] for k in (0, 1)
-        )
+        top, low = ((1 - fx) * self.nodes[j + k, i] + fx * self.nodes[j + k, i + 1] for k in (0, 1))
         both = (1 - fy) * top + fy * low
         by = both[:, 3:].reshape(-1, 2, 2, 3)
         return both[:, :3], by[:, :, 0], by[:, :, 1]
@@ -97,9 +95,7 @@ def incidences(rays: ReferenceRays, grid: PixelGrid, t: Array, slopes: Array) ->
 def _planes(field: _Directions, xy_px: Array, t: Array, slopes: Array) -> tuple[Array, Array, Array]:
     """Normals, areas and directions of rays."""
     d, origin_by, d_by = field.at(xy_px)
-    across, down = (
-        origin_by[:, k] + (d_by[:, k] - d * (slopes[k] / t)[:, None]) / t[:, None] for k in (0, 1)
-    )
+    across, down = (origin_by[:, k] + (d_by[:, k] - d * (slopes[k] / t)[:, None]) / t[:, None] for k in (0, 1))
     normal = np.cross(across, down)
     area = np.linalg.norm(normal, axis=1)
     normal /= np.maximum(area, 1e-300)[:, None]

@@ -115,9 +115,7 @@ def neighbours(stride: int, distance_px: float = APART_PX) -> list[tuple[int, in
 def strips(rows: int, at_once: int, stride: int) -> list[tuple[int, int, int, int]]:
     """Rows from begin to end of a map, so many at once, and the first and last of their neighbours."""
     far = max(v for v, _ in neighbours(stride))
-    return [
-        (max(0, k - far), k, min(k + at_once, rows), min(k + at_once + far, rows)) for k in range(0, rows, at_once)
-    ]
+    return [(max(0, k - far), k, min(k + at_once, rows), min(k + at_once + far, rows)) for k in range(0, rows, at_once)]
 
 
 def misfit(t: Array, slopes: Array, stride: int) -> Array:

@@ -82,7 +82,7 @@ def surface(
     source  result folder: its block is adjusted once more, which ends at once, for all covariances
     folder  project folder, where finished maps are kept and taken from
     photos  folders in which the photographs are looked for
-    memory  bytes that the approximate depths of a photograph may take
+    memory  bytes that depth maps in work may take together
     raises  InputError where no two photographs show the same part, and where none is found
 
     What it does not tell: errors that all photographs of a place share, as of reflections, water and moving shadows.

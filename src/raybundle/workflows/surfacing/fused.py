@@ -153,9 +153,7 @@ def cloud_of(store: Folder, task: CloudTask) -> Product:
     block = block_of_arrays(store.wanted(task.block))
     found = DepthMap.of_arrays(store.wanted(task.maps[0]))
     sigma = store.wanted(task.sigmas[0])["sigma"]
-    mine = MapView(
-        rays=ReferenceRays.of(block, task.own), grid=found.grid, t=found.t, slopes=found.slopes, sigma=sigma
-    )
+    mine = MapView(rays=ReferenceRays.of(block, task.own), grid=found.grid, t=found.t, slopes=found.slopes, sigma=sigma)
     known = np.isfinite(mine.t)
     if not task.others or not known.any():
         return _cloud(store, task, block, found, mine, np.zeros(0, int), np.zeros(0, np.uint8))
