@@ -1,6 +1,6 @@
 """Depth maps of the rendered portal against exact depths, their variances against the errors; fountain-p11 by itself.
 
-    python benchmarks/surface_truth.py [--maps 2 7 12 13] [--density 2] [--no-fountain]
+    python benchmarks/surface_truth.py [--maps 2 7 12 13] [--density 2] [--union 4] [--no-fountain]
 
 portal     the demonstration set, adjusted as `raybundle demo` does it; exact depths by ray casting
            (tests/surface/truth.py).  Of each map: share of the visible pixels that have a depth, robust error, share
@@ -12,6 +12,8 @@ sgbm       OpenCV's three-way SGBM at full size on the rectified pair of the ref
 neighbours correlation of normalised errors by distance along the rows, beside the one that is stated
 spread     variance of the logarithm of squared normalised errors, less that of normal ones: what the exponents of the
            local variance leave (src/raybundle/surfaces/roughness.py, LEFT)
+union      --union DENSITY: maps of all photographs; of the object's surface that three or more photographs see (by rays
+           to points spread evenly over it) the share at which a map has a depth within 20 mm of the truth
 fountain   two maps of one reference with disjoint sources: chi-square of their difference by noise and orientation, and
            by all parts as if the surface disturbed the two independently
 
@@ -50,6 +52,8 @@ WORK = ROOT / "benchmarks/work"
 FOUNTAIN = ROOT.parent / "shared/data/photos/fountain-p11/images"
 INCIDENCES, CONTRASTS = (0, 0.3, 0.5, 0.7, 0.85, 1.01), (0, 6, 9, 12, 16, 999)
 LAGS_PX = (4, 8, 16, 24, 48, 80)
+POINTS, WITHIN_M, SAME_M = 50_000, 0.02, 0.005
+"""Over the object; how near a depth has to be to the truth, and a ray to its point."""
 LEAST = 200
 """Pixels of a class that is told."""
 
@@ -205,6 +209,68 @@ def of_portal(numbers, density: int) -> Iterator[list[dict]]:
         yield told
 
 
+def of_union(density: int) -> dict:
+    """What all maps together cover."""
+    adjustment = adjusted_again(made(WORK / "portal", "demo", "--set", str(PORTAL)))
+    block = adjustment.adjusted
+    (ROOT / ".pytest_cache/d/surface").mkdir(parents=True, exist_ok=True)
+    truth = Portal(ROOT / ".pytest_cache/d/surface")
+    by_name = {file: k for k, file in enumerate(truth.block.images.file)}
+    points = spread(truth)
+    seen, covered, shares_of = np.zeros(len(points), int), np.zeros(len(points), bool), {}
+
+    def greys(image):
+        return portal.grey(block, image).astype(np.uint8)
+
+    for k, chosen in enumerate(sources_of_each(block)):
+        file = block.images.file[k]
+        rays = ReferenceRays.of(truth.block, by_name[file])
+        visible, place = visible_in(truth, rays, points)
+        seen += visible
+        if not chosen.sources:
+            continue
+        found = depth_map(block, chosen, greys, DepthOptions(density=density))
+        g, mine = found.grid, np.flatnonzero(visible)
+        at = place[mine]
+        column = np.round((at[:, 0] - g.x0 - 0.5) / g.stride).astype(int)
+        row = np.round((at[:, 1] - g.y0 - 0.5) / g.stride).astype(int)
+        inside = (row >= 0) & (row < g.rows) & (column >= 0) & (column < g.columns)
+        mine, at, row, column = mine[inside], at[inside], row[inside], column[inside]
+        du, dv = at[:, 0] - (g.x0 + 0.5 + g.stride * column), at[:, 1] - (g.y0 + 0.5 + g.stride * row)
+        t = found.t[row, column] + found.slopes[0, row, column] * du + found.slopes[1, row, column] * dv
+        right = np.abs(1 / t - 1 / rays.parameter(at, points[mine])) < WITHIN_M
+        covered[mine[right]] = True
+        shares_of[file] = round(float(right.sum() / visible.sum()), 4)
+        print(file, shares_of[file], flush=True)
+    several = seen >= 3
+    return {
+        "density": density, "points": len(points), "seen_by_three": int(several.sum()),
+        "covered": round(float(covered[several].mean()), 4), "maps": shares_of,
+    }  # fmt: skip
+
+
+def spread(truth: Portal) -> np.ndarray:
+    """(n, 3) points spread evenly over the object."""
+    vertices, triangles, _ = truth.mesh
+    a, b, c = (vertices[triangles[:, k]] for k in range(3))
+    area = np.linalg.norm(np.cross(b - a, c - a), axis=1)
+    place = (np.arange(POINTS) + 0.5) / POINTS * area.sum()
+    mine = np.searchsorted(np.cumsum(area), place)
+    return (a[mine] + b[mine] + c[mine]) / 3
+
+
+def visible_in(truth: Portal, rays: ReferenceRays, points: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """(n,) whether a photograph shows points (n, 3), and where (n, 2) [px]."""
+    place = image_points(rays.camera, rays.rotation, rays.centre, points)
+    with np.errstate(invalid="ignore"):
+        visible = ((place > 0) & (place < [rays.camera.width_px, rays.camera.height_px])).all(axis=1)
+    d = points[visible] - rays.centre
+    length = np.linalg.norm(d, axis=1)
+    met, _ = truth.cast(rays.centre, d / length[:, None])
+    visible[visible] = np.abs(met - length) < SAME_M
+    return visible, place
+
+
 def of_fountain(density: int) -> dict:
     """Two maps of one reference with disjoint sources."""
     adjustment = adjusted_again(made(WORK / "fountain", "orient", str(FOUNTAIN)))
@@ -255,12 +321,15 @@ def main() -> None:
     parser = argparse.ArgumentParser()
     parser.add_argument("--maps", type=int, nargs="*", default=[2, 7, 12, 13])
     parser.add_argument("--density", type=int, default=2)
+    parser.add_argument("--union", type=int, default=0, choices=[0, 1, 2, 4])
     parser.add_argument("--no-fountain", action="store_true")
     given = parser.parse_args()
     cv2.setNumThreads(1)
     if given.maps:
         for told in of_portal(given.maps, given.density):
             keep("portal", {"density": given.density, "maps": told})
+    if given.union:
+        keep("union", of_union(given.union))
     if not given.no_fountain and FOUNTAIN.exists():
         keep("fountain", of_fountain(4))
 

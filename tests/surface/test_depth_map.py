@@ -8,7 +8,7 @@ import pytest
 
 from raybundle.block import Observations, Points
 from raybundle.errors import InputError
-from raybundle.surfaces import planes, roughness
+from raybundle.surfaces import filters, planes, roughness
 from raybundle.surfaces.depth_map import DepthMap, DepthOptions, depth_map
 from raybundle.surfaces.filters import Flag
 from raybundle.surfaces.noise import autocovariance
@@ -148,6 +148,26 @@ def test_a_thing_that_juts_out_alone_is_taken_out(block, greys):
     assert lost.mean() > 0.5
     taken = (found.flags & (Flag.LONELY | Flag.EDGE)) > 0
     assert np.isnan(found.t[taken]).all()
+
+
+@pytest.mark.parametrize("stride", [1, 2, 4])
+def test_depths_beside_a_step_say_how_far_apart_its_sides_stand(stride):
+    """A ledge in a plane: its edge stays, with the step in its variance; a single pixel that wanders off goes."""
+    n, sigma, step = 160 // stride, 1e-4, 2e-2
+    x = np.arange(n) * stride
+    t = 0.3 + 1e-5 * x + np.where(x < 80, 0.0, step) + np.zeros((n, 1))
+    t[n // 4, n // 4] += step
+    empty = np.zeros_like(t)
+    slopes = np.stack([empty + 1e-5, empty])
+    flags, more = filters.tested(t, slopes, empty + sigma**2, empty + 1, empty > 1, stride)
+    taken = (flags & (Flag.LONELY | Flag.EDGE)) > 0
+    assert taken[n // 4, n // 4]
+    beside = np.abs(x - 80 + stride / 2) < 4
+    row = n // 2
+    assert not taken[row][~beside & (x > 8) & (x < 150)].any()
+    doubtful = ~taken & (more > 0)
+    assert np.allclose(np.sqrt(more[doubtful]), step, rtol=0.05)
+    assert (flags[row][beside] & Flag.STEP).all()
 
 
 @pytest.mark.parametrize("blur", [0.0, 0.7])

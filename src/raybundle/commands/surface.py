@@ -74,8 +74,8 @@ class SurfaceSettings(PlaneSettings):
     store: str = setting("", STORE_HELP, metavar="URL|project")
     jobs: int = setting(0, "How many processors; 0: all.", limits=NOT_NEGATIVE)
     memory: float = setting(
-        1.0, "Memory that the approximate depths of a photograph may take; of large photographs they are coarser where "
-        "it is short.", limits=POSITIVE, metavar="GB",
+        2.0, "Memory that depth maps in work may take together; approximate depths are found by bands of rows where "
+        "they would take more.", limits=POSITIVE, metavar="GB",
     )  # fmt: skip
     free_scale: bool = setting(False, FREE_SCALE_HELP)
     language: str = setting("en", LANGUAGE_HELP, metavar="CODE")

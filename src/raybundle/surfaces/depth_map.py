@@ -43,8 +43,8 @@ FEWEST_POINTS = 8
 """Tie points that tell the range of depths."""
 STRIP_BYTES = 48e6
 """Windows' responses that are in memory at once."""
-SWEEP_BYTES = 100.0
-"""That costs of approximate depths may take for a pixel of the reference: as much as the map and its strips take."""
+MAP_BYTES = 100.0
+"""That a map and what it is made of take for a pixel of the reference, and as much costs of approximate depths may."""
 LEAST_SWEEP_BYTES = 4e8
 ROWS = 64
 """Of a map whose variances are made at once."""
@@ -58,7 +58,7 @@ class DepthOptions:
     """every so many pixels: 1, 2 or 4"""
     threads: int = 1
     memory: float = 2e9
-    """bytes that approximate depths may take"""
+    """bytes that approximate depths may take: they are found by bands of rows where they would take more"""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -99,7 +99,9 @@ class DepthMap:
     def variance(self, shifts: ShiftCovariance | None = None) -> Array:
         """(rows, columns) of t: noise, roughness and, with `shifts`, orientation and calibration."""
         found = self.noise.astype(float) + self.roughness
-        for k in range(0, self.grid.rows if shifts is not None else 0, ROWS):
+        if shifts is None:
+            return found
+        for k in range(0, self.grid.rows, ROWS):
             part = slice(k, k + ROWS)
             known = np.isfinite(self.t[part])
             if known.any():
@@ -251,6 +253,18 @@ def _bytes(grey: Array) -> Array:
     return grey if grey.dtype == np.uint8 else np.clip(grey, 0, 255).astype(np.uint8)
 
 
+def bytes_needed(pixels: int, memory: float) -> float:
+    """Memory that the map of a photograph takes while it is made, the photographs themselves included.
+
+    memory  bytes that are there; approximate depths are found by bands of rows where they would take more
+    """
+    return _sweep_bytes(pixels, memory) + MAP_BYTES * pixels
+
+
+def _sweep_bytes(pixels: int, memory: float) -> float:
+    return min(memory, max(LEAST_SWEEP_BYTES, MAP_BYTES * pixels))
+
+
 def _start(
     reference: Array, photographs: Sequence[Array], free: Sequence[Mask | None], tables: Sequence[Transfer],
     asked: tuple[Shown | None, DepthOptions],
@@ -258,7 +272,7 @@ def _start(
     """Approximate depths of the reference, or of what is wanted of it, in no more memory than the map takes later."""
     shown, options = asked
     height, width = reference.shape
-    memory = min(options.memory, max(LEAST_SWEEP_BYTES, SWEEP_BYTES * width * height))
+    memory = _sweep_bytes(width * height, options.memory)
     scale = reduction_for(width, height, moved_px(tables, width, height), memory)
     if shown is None:
         return swept(reference, photographs, tables, scale=scale, memory=memory, free=free)

@@ -12,15 +12,15 @@ from raybundle.surfaces import roughness
 
 SIGMAS = 3.0
 """Standard deviations of a difference up to which neighbours agree."""
-AGREE, AGAINST = 4, 3
+AGREE, AGAINST = 3, 4
 """Of eight neighbours 4 px away that have to, and that may speak against it: a straight edge of things stays."""
 SURELY_AGREE, SURELY_AGAINST = 5, 2
-"""The same where a depth stands on one thing alone for sure.  Between the two it may be of either side of a step: how far
-its neighbours stand apart is part of its standard deviation."""
-NEAR_PX, NEAR_AGREE = 2, 6
-"""Distance of eight nearer neighbours, and how many have to agree: what wanders off with its window does so alone, as
-four maps of an exactly known object have it (benchmarks/surface_truth.py).  A coarser grid has none: there
-`SURELY_AGREE` of the others have to."""
+"""The same where a depth stands on one thing alone for sure.  Between the two it may be of either side of a step: how
+far its neighbours stand apart is part of its standard deviation."""
+NEAR_PX, NEAR_AGREE, NEAR_SURELY = 2, 6, 5
+"""Distance of eight nearer neighbours, and how many have to agree: what wanders off with its window does so alone.  By
+four maps of an exactly known object (benchmarks/surface_truth.py): more stays than by the others alone, and less of it
+is wrong.  A coarser grid has none: there `SURELY_AGREE` of the others have to."""
 HOLE_PX, RIM_PX = 9, 2
 """Holes larger than a window and a pixel on each side, and what is lost around them: of 3 px that half a window
 reaches, the outer one has no weight."""
@@ -58,11 +58,10 @@ def tested(t: Array, slopes: Array, variance: Array, incidence: Array, few: Mask
     own = np.where(known, variance, np.nan)
     agree, against, apart = _compared(t, slopes, own, stride, roughness.APART_PX)
     sure: Mask = (agree >= SURELY_AGREE) & (against <= SURELY_AGAINST)
+    near, enough = agree, SURELY_AGREE
     if stride <= NEAR_PX:
-        near = _compared(t, slopes, own, stride, NEAR_PX)[0] >= NEAR_AGREE
-    else:
-        near = agree >= SURELY_AGREE
-    kept: Mask = known & (sure | near & (agree >= AGREE) & (against <= AGAINST))
+        near, enough = _compared(t, slopes, own, stride, NEAR_PX)[0], NEAR_AGREE
+    kept: Mask = known & ((sure & (near >= NEAR_SURELY)) | ((near >= enough) & (agree >= AGREE) & (against <= AGAINST)))
     edge = kept & _beside_holes(kept, stride)
     flags = np.zeros(t.shape, np.uint8)
     for flag, where in (

@@ -71,7 +71,8 @@ def _middles(reference: Array, grid: PixelGrid, found: Refined) -> Array:
 def _patches(reference: Array, source: Source, grid: PixelGrid, found: Refined, middles: Array) -> tuple[Array, Array]:
     """Residuals and gradients along the shift of depth (n, 25, 25) of patches, as grey values of the reference."""
     if not len(middles):
-        return (np.zeros((0, 2 * HALF + 1, 2 * HALF + 1)),) * 2
+        none = np.zeros((0, 2 * HALF + 1, 2 * HALF + 1))
+        return none, none
     side = np.arange(-HALF, HALF + 1)
     dv, du = np.meshgrid(side, side, indexing="ij")
     row, column = middles.T

@@ -276,15 +276,16 @@ def grow(
 
 def _beside(grown: Refined, fresh: Mask, stride: int) -> Mask:
     """Pixels that are not refined beside fresh ones, with the planes of their best neighbours as starts."""
-    near = np.zeros(tuple(n + 2 for n in fresh.shape), bool)
+    rows, columns = fresh.shape
+    near = np.zeros((rows + 2, columns + 2), bool)
     for dy, dx in AROUND:
-        near[1 - dy : near.shape[0] - 1 - dy, 1 - dx : near.shape[1] - 1 - dx] |= fresh
+        near[1 - dy : rows + 1 - dy, 1 - dx : columns + 1 - dx] |= fresh
     todo: Mask = near[1:-1, 1:-1] & ~grown.found
     row, column = np.nonzero(todo)
     best, starts = np.full(len(row), -np.inf, np.float32), np.empty((3, len(row)), np.float32)
     for dy, dx in AROUND:
         j, i = row + dy, column + dx
-        inside = (j >= 0) & (j < fresh.shape[0]) & (i >= 0) & (i < fresh.shape[1])
+        inside = (j >= 0) & (j < rows) & (i >= 0) & (i < columns)
         j, i = np.where(inside, j, 0), np.where(inside, i, 0)
         correlation = grown.correlation[j, i]
         better = np.flatnonzero(inside & fresh[j, i] & (correlation > best))

@@ -91,7 +91,7 @@ def surface(
     photos  folders in which the photographs are looked for
     masks   folder of masks, as COLMAP or Metashape name them; None: photographs are measured whole
     cluster, store  where tasks are done and products lie, as `executor_for` and `Project.open` take it
-    memory  bytes that the approximate depths of a photograph may take
+    memory  bytes that depth maps in work may take together
     raises  InputError where no two photographs show the same part, and where none is found
 
     What it does not tell: errors that all photographs of a place share, as of reflections, water and moving shadows.

@@ -19,7 +19,7 @@ from raybundle.pipeline.keys import key_of
 from raybundle.pipeline.stage import Means, Stage
 from raybundle.pipeline.store import Folder, Product
 from raybundle.pipeline.tasks import Task
-from raybundle.surfaces.depth_map import DepthOptions, depth_map
+from raybundle.surfaces.depth_map import DepthOptions, bytes_needed, depth_map
 from raybundle.surfaces.pairs import Sources
 from raybundle.ties.points import exact_grey_of
 from raybundle.workflows.surface_region import SurfaceRegion
@@ -29,10 +29,8 @@ from raybundle.workflows.surface_tasks import PART, free_of, stored_part
 VERSION = 2
 MAP = "depth map"
 """First word of the keys of what is kept"""
-PIXEL_S = 2.5e-5
+PIXEL_S = 2e-5
 """CPU seconds of a pixel of a map, for the order and the time that is left."""
-PIXEL_BYTES = 450.0
-"""Bytes that a map takes for a pixel of its photographs at density 1 while it is made."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -102,7 +100,7 @@ def measure(i: Inputs, means: Means) -> Maps:
                     MAP, VERSION, own, [p.content for p in photos], s.reference, s.sources, i.options.density, *more
                 ),
                 function=f"{__name__}:map_of", options=options, inputs=(own,), name=block.images.ids[s.reference],
-                cost=size * PIXEL_S / i.options.density**2, memory=size * PIXEL_BYTES,
+                cost=size * PIXEL_S / i.options.density**2, memory=bytes_needed(size, means.memory),
             )
         )  # fmt: skip
     failed = means.do(tasks, "depth maps", apart=True)
