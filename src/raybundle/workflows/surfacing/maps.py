@@ -100,7 +100,7 @@ def measure(i: Inputs, means: Means) -> Maps:
                     MAP, VERSION, own, [p.content for p in photos], s.reference, s.sources, i.options.density, *more
                 ),
                 function=f"{__name__}:map_of", options=options, inputs=(own,), name=block.images.ids[s.reference],
-                cost=size * PIXEL_S / i.options.density**2, memory=bytes_needed(size, means.memory),
+                cost=size * PIXEL_S / i.options.density**2, memory=bytes_needed(int(size), means.memory),
             )
         )  # fmt: skip
     failed = means.do(tasks, "depth maps", apart=True)
