@@ -7,7 +7,8 @@ import numpy as np
 from raybundle.numerics.arrays import Array
 from raybundle.numerics.thinning import one_of_each_cell
 from raybundle.pipeline.store import Folder
-from raybundle.surfaces.depth_map import GRAZING, DepthMap
+from raybundle.surfaces.depth_map import DepthMap
+from raybundle.surfaces.filters import GRAZING
 from raybundle.surfaces.summary import (
     QUANTILES,
     CloudSample,
