@@ -12,7 +12,7 @@ from raybundle.surfaces import roughness
 
 SIGMAS = 3.0
 """Standard deviations of a difference up to which neighbours agree."""
-AGREE, AGAINST = 3, 4
+AGREE, AGAINST = 4, 3
 """Of eight neighbours 4 px away that have to, and that may speak against it: a straight edge of things stays."""
 SURELY_AGREE, SURELY_AGAINST = 5, 2
 """The same where a depth stands on one thing alone for sure.  Between the two it may be of either side of a step: how
