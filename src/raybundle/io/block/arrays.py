@@ -50,7 +50,7 @@ def block_of_arrays(a: Mapping[str, Array]) -> Block:
     observed = {name: table for name, table in parts.items() if name in tables}
     own = {name: part for name, part in parts.items() if name not in tables}
     made: Any = {**_known(Block, head), **lists, **own, "tables": observed}
-    return _with_scenes(Block(**made), str(a[SCENES])) if SCENES in a else Block(**made)
+    return _with_scenes(Block(**made), own_json_of(str(a[SCENES]))) if SCENES in a else Block(**made)
 
 
 def _text_of_scenes(block: Block) -> str:
@@ -59,10 +59,10 @@ def _text_of_scenes(block: Block) -> str:
     return text_of_scenes(block)
 
 
-def _with_scenes(block: Block, text: str) -> Block:
+def _with_scenes(block: Block, told: Mapping[str, Any]) -> Block:
     from raybundle.io.block.scene_arrays import with_scenes  # noqa: PLC0415
 
-    return with_scenes(block, text)
+    return with_scenes(block, told)
 
 
 def arrays_of_records(table: Records) -> Iterator[tuple[str, Array]]:

@@ -11,7 +11,6 @@ import numpy as np
 
 from raybundle.block import Block
 from raybundle.io.block.scenes import projected
-from raybundle.io.reading.trees import own_json_of
 from raybundle.numerics.geodesy import Ellipsoid
 from raybundle.numerics.places import Geocentric, Local, Projected
 from raybundle.scenes.corrections import Fixes, FixesAt, Pieces
@@ -36,9 +35,8 @@ def text_of_scenes(block: Block) -> str:
     return json.dumps({"place": _told(block.place), "sensors": sensors})
 
 
-def with_scenes(block: Block, text: str) -> Block:
+def with_scenes(block: Block, told: Mapping[str, Any]) -> Block:
     """A block with the scenes that `text_of_scenes` told; files that they were read from are not among them."""
-    told: dict[str, Any] = own_json_of(text)
     place = _made(told["place"])
     sensors = {int(k): _sensor(place, s) for k, s in told["sensors"].items()}
     cameras = tuple(replace(c, scene=sensors.get(k)) for k, c in enumerate(block.cameras))
