@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 
 from raybundle.blocking.adjusted import in_parts
+from raybundle.commands.status import status_of
 from raybundle.numerics.progress import silent
 from raybundle.orientation.cleaning import clean
 from raybundle.pipeline.executors import Staying, Threads
@@ -16,7 +17,7 @@ from raybundle.pipeline.stage import Means
 from raybundle.ties.start import start
 from raybundle.workflows import stage_room
 from raybundle.workflows.final import final_adjustment
-from raybundle.workflows.left import left_beside
+from raybundle.workflows.left import OF_STAGES, left_beside
 from raybundle.workflows.stage_room import room_of
 from tests.blocking.networks import flight
 from tests.workflows.test_never_nothing import placed
@@ -49,7 +50,7 @@ def test_the_final_adjustment_is_that_of_one_piece(means):
     assert [n.code for n in room.notices()] == ["in_parts"]
     del parts, room
     gc.collect()
-    assert not left_beside(means.project.folder)
+    assert not left_beside(means.project.folder / OF_STAGES)
 
 
 def test_processes_give_the_same_bits(means):
@@ -108,3 +109,23 @@ def test_a_result_in_parts_says_that_its_noise_is_white(means):
         parts = final_adjustment(placed(block), (), 1, silent, (), "fields")
     assert parts.noise.kind == "white"
     assert "noise_in_parts" in [n.code for n in parts.notices]
+
+
+def interrupted(means, block):
+    with room_of(means, len(block.observations)) as room:
+        adjusted(block)
+        assert room.parts > 3
+        raise KeyboardInterrupt
+
+
+def test_what_an_interrupted_stage_left_is_told_and_gone_on_from(means):
+    block = flight(control=0, observed=False)
+    with pytest.raises(KeyboardInterrupt):
+        interrupted(means, block)
+    gc.collect()
+    (left,) = status_of(means.project.folder).left
+    assert left.bytes > 0
+    with room_of(means, len(block.observations)):
+        assert adjusted(block).converged
+    gc.collect()
+    assert not status_of(means.project.folder).left

@@ -43,10 +43,11 @@ def status_of(folder: Path) -> Status:
     from raybundle.pipeline.running import running, works  # noqa: PLC0415
     from raybundle.pipeline.shards import tasks_listed  # noqa: PLC0415
     from raybundle.results.folder import PROJECT  # noqa: PLC0415
-    from raybundle.workflows.left import bytes_in, left_beside  # noqa: PLC0415
+    from raybundle.workflows.left import OF_STAGES, bytes_in, left_beside  # noqa: PLC0415
 
     of_calibration = (folder / PROJECT / "project.db").is_file()
     project, left = folder / PROJECT if of_calibration else folder, left_beside(folder)
+    left = (*left, *left_beside(project / OF_STAGES))
     if left and not (project / "project.db").is_file():
         return Status(stages={}, left=left)
     store = store_given(project)

@@ -17,6 +17,8 @@ from raybundle.pipeline.store import Folder
 
 NOTES, STORES = "notes", "stores"
 """Store of the numbers of sweeps; its text that says where else parts lie: a line for each store, number and URL"""
+OF_STAGES = "adjustment"
+"""Within a project, beside what the parts of its own adjustments stand, as beside a result"""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -50,9 +52,11 @@ def left_beside(out: Path) -> tuple[Left, ...]:
     place = place_of(out)
     stem = os.fsdecode(os.fsencode(place.name)[:NAME_BYTES])
     ours = re.compile(re.escape(f".{stem}.parts") + r"\d*")
-    if not place.parent.is_dir():
+    try:
+        there = sorted(place.parent.iterdir())
+    except OSError:  # there is none, or it cannot be looked into
         return ()
-    return tuple(_left(p) for p in sorted(place.parent.iterdir()) if ours.fullmatch(p.name) and p.is_dir())
+    return tuple(_left(p) for p in there if ours.fullmatch(p.name) and p.is_dir())
 
 
 def _left(folder: Path) -> Left:

@@ -8,6 +8,7 @@ from contextlib import contextmanager
 from raybundle.pipeline.executors import Threads
 from raybundle.pipeline.shards import Shards
 from raybundle.pipeline.stage import Means
+from raybundle.workflows.left import OF_STAGES
 from raybundle.workflows.within_memory import Within, room_for, unasked
 
 LITTLE = 50e6
@@ -23,7 +24,7 @@ def room_of(means: Means, count: int = 0) -> Generator[Within]:
     """
     here = isinstance(means.executor, Threads | Shards)  # shards do not wait for each other, as sweeps do
     with room_for(
-        count, means.project.folder, means.adjusting or unasked(), jobs=means.jobs,
+        count, means.project.folder / OF_STAGES, means.adjusting or unasked(), jobs=means.jobs,
         executor=None if here else means.executor, store=means.store.url, little=LITTLE,
     ) as found:  # fmt: skip
         yield found
