@@ -285,6 +285,10 @@ def test_the_cells_of_heights_follow_the_points_where_nobody_says(made):
     assert grids(orthophoto=0.5).heights.grid.pixel == 0.5
     assert grids(mesh=0.1).orthophoto.pixel == pytest.approx(pixel)
     assert grids(heights=0.1).orthophoto is None
+    fine = 1.5 * pixel
+    (told,) = grids(heights=fine).told
+    assert f"a cell of {fine:g} is less than two distances between points wide" in told
+    assert not grids(heights=4 * pixel).told
 
 
 def test_gltf_says_what_it_holds(made):

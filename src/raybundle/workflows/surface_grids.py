@@ -8,6 +8,7 @@ import numpy as np
 
 from raybundle.block import Block
 from raybundle.numerics.arrays import Array
+from raybundle.settings import option
 from raybundle.workflows.height_grid import HeightGrid, HeightPlane
 from raybundle.workflows.object_plane import Plane
 from raybundle.workflows.rectify import Grid, grid_over, two_digits, usual_pixel, whole_pixels
@@ -45,10 +46,16 @@ def grids_over(
     """
     area = plane.extent if extent is None else extent
     pixel, name = usual_pixel(block, plane), "dsm"
-    cell = heights
+    cell, least = heights, two_digits(POINTS * density * pixel)
     if cell is None:
         name = "ortho" if orthophoto is not None else "mesh"
         cell = two_digits(max(POINTS * density * pixel, orthophoto or 0.0))
+    elif cell < 0.75 * least:
+        remark = (
+            f"a cell of {cell:g} is less than two distances between points wide ({density} x {pixel:g} each): some "
+            f"have none; {option('dsm', least)} gives most of them one"
+        )
+        told = (*told, remark)
     grid_over(area, cell, setting=name)  # as asked for, before it is made whole cells
     grid = grid_over(whole_pixels(area, cell) if extent is None else area, cell, setting=name)
     picture = None
