@@ -140,8 +140,8 @@ def test_a_driver_that_is_killed_goes_on_with_nothing_lost(tmp_path, expected):
 
 @pytest.mark.skipif(os.name == "nt", reason="an interrupt is sent as a signal")
 def test_an_interrupt_keeps_what_is_finished(tmp_path, expected):
-    with begun(tmp_path, 0.1, stderr=subprocess.PIPE) as driver:
-        for _ in range(6):
+    with begun(tmp_path, 0.5, stderr=subprocess.PIPE) as driver:  # long enough not to be done before it is interrupted
+        for _ in range(3):
             driver.stdout.readline()
         driver.send_signal(signal.SIGINT)
         _, told = driver.communicate()

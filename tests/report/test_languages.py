@@ -109,7 +109,7 @@ CODES = frozenset(
     descriptors end facts fields figures first fisheye folded fonts ft general gnss gps heading heic
     horizontal html ignore
     inner ins jpeg known language last length lens levelled little middle minimal mwMW@%‰—…∞√≥≤ named names nan natural
-    notes
+    notes factoring
     numpy order orient paragraph png pointer pushbroom rad rational raw rawpy raybundle rb recognised report scipy
     second sha256 shift snooping specialist spherical start statements stay sx sy sz table templates tiff
     trouble upright values vertical vx vy vz webp white wx wy wz xy
@@ -123,6 +123,7 @@ ENDING = (
     "has no coordinate; give", "longitude {} to {}, latitude", "a frame camera, whose",
     "a push-frame camera", "a radar, which", "or leave {} out", "does not fit on", "for sheets that are joined",
     "at any scale", "with {} sheets",
+    "have a depth, and other photographs do not confirm", "nothing could be measured{}: {}",
 )  # fmt: skip
 """Errors that end a run, made in parts: there is no report then"""
 FORMATS = re.compile(r"ISD|DIMAP [12]|GeoTIFF with|metadata XML|RPC as text|MRK file|PhotoModeler's|apriltag-36h11")
@@ -254,6 +255,9 @@ CONTRADICT = (
     "by their median (limit {} %)"
 )
 MADE = {
+    "So many image points take about {} GB however they are cut; where that is not there, leave out some",
+    ". Standard deviations of dense points are those along the ray.", "shows nothing of the region",
+    "{}: of an earlier run, of the same points", "{}: removed, it was of other points; ask for it with {}",
     "Scene {}", "Strip {}", "scene {}", "shift in {}, knot {}, {}", "velocity", "feet", "across X", "across Y",
     "not connected", "no approximate orientation for {} of {} images: {}", "fits no other photograph",
     CONTRADICT, "not one and the same picture at a whole multiple or part of its size",

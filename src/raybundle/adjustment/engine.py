@@ -76,7 +76,7 @@ def in_one_piece(
     return Normals.of(system, options.jobs)
 
 
-_around: ContextVar[Factoring] = ContextVar("how normal equations are made", default=in_one_piece)
+_around: ContextVar[Factoring] = ContextVar("factoring", default=in_one_piece)
 
 
 @contextmanager
