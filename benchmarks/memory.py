@@ -25,7 +25,7 @@ from threading import Event, Thread
 os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
 
 from blocking import FREE, OPTIONS, generated, read
-from raybundle.adjustment.engine import in_one_piece, made_by
+from raybundle.adjustment.factoring import in_one_piece, made_by
 from raybundle.blocking.adjusted import in_parts
 from raybundle.numerics import large
 from raybundle.pipeline.store import Folder

@@ -6,7 +6,8 @@ import numpy as np
 import pytest
 
 from raybundle.adjustment.decide import decide
-from raybundle.adjustment.engine import adjust_block, free_parameters, in_one_piece
+from raybundle.adjustment.engine import adjust_block, free_parameters
+from raybundle.adjustment.factoring import in_one_piece
 from raybundle.adjustment.options import AdjustmentOptions
 from raybundle.adjustment.precision import cofactors
 from raybundle.adjustment.queries import covariance

@@ -15,14 +15,8 @@ from typing import Protocol
 import numpy as np
 
 from raybundle.adjustment.asked_parameters import check_asked, with_asked
-from raybundle.adjustment.engine import (
-    Extent,
-    Factoring,
-    Start,
-    adjust_block,
-    as_start,
-    free_parameters,
-)
+from raybundle.adjustment.engine import Extent, Start, adjust_block, as_start, free_parameters
+from raybundle.adjustment.factoring import Factoring
 from raybundle.adjustment.known_before import against_known
 from raybundle.adjustment.options import AdjustmentOptions
 from raybundle.adjustment.pixel_shape import beyond_sensor, shape_limit, under_its_noise, untold_shape

@@ -6,9 +6,7 @@ What is free and what is rejected is decided by the caller (`decide`); here it i
 from __future__ import annotations
 
 import time
-from collections.abc import Callable, Generator, Mapping
-from contextlib import contextmanager
-from contextvars import ContextVar
+from collections.abc import Mapping
 from dataclasses import replace
 from typing import Literal
 
@@ -19,6 +17,7 @@ from raybundle.adjustment.assemble import State, System, assemble
 from raybundle.adjustment.cell_means import systematic_notices
 from raybundle.adjustment.components import Found, settled_components, variance_components
 from raybundle.adjustment.datum import Datum, analyse, hold_minimal, open_names
+from raybundle.adjustment.factoring import Factoring, around
 from raybundle.adjustment.handle import EMPTY, Handle
 from raybundle.adjustment.interior import interior_results
 from raybundle.adjustment.network import network_figures
@@ -63,30 +62,7 @@ from raybundle.numerics.progress import Progress, silent
 from raybundle.numerics.statistics import family_wise_normal, family_wise_tau, global_test
 
 Extent = Literal["report", "decisions", "tests"]
-Factoring = Callable[[System, AdjustmentOptions, Mapping[str, tuple[str, ...]], Mask], Normals]
-"""Makes the normal equations of a system, of which these parameters are free and these image observations rejected."""
 Start = Literal["approximate", "adjusted"]
-
-
-def in_one_piece(
-    system: System, options: AdjustmentOptions, free: Mapping[str, tuple[str, ...]], rejected: Mask
-) -> Normals:
-    """The normal equations as one sparse matrix."""
-    del free, rejected
-    return Normals.of(system, options.jobs)
-
-
-_around: ContextVar[Factoring] = ContextVar("factoring", default=in_one_piece)
-
-
-@contextmanager
-def made_by(factoring: Factoring) -> Generator[None]:
-    """Normal equations of all adjustments meanwhile are made so, where a call does not say otherwise."""
-    before = _around.set(factoring)
-    try:
-        yield
-    finally:
-        _around.reset(before)
 
 
 def free_parameters(camera: Camera | Instrument) -> tuple[str, ...]:
@@ -255,7 +231,7 @@ def estimate_only(
     returns  the block, and the rows (m,) whose point ended behind the camera or has no projection
     """
     system = assemble(block, options, mask, free)
-    normals = _around.get()(system, options, free, mask)
+    normals = around()(system, options, free, mask)
     state = system.initial_state()
     if options.robust_start:
         found = solve(normals, state, options, huber=HUBER, tolerance=1e-1, approximate=True)
@@ -307,7 +283,7 @@ def _estimate(
         return open_names(analyse(part, part.initial_state(), replace(options, datum="auto")).basis)
 
     parts = defects.check_components(block, mask, open_of) if datum.defect == 0 or _may_fall_apart(block, mask) else 1
-    normals = (factoring or _around.get())(system, options, free, mask)
+    normals = (factoring or around())(system, options, free, mask)
     if options.robust_start:
         state = solve(normals, state, options, huber=HUBER, tolerance=1e-2, approximate=True, progress=progress).state
     damping = FLOOR if start == "adjusted" else CAUTIOUS

@@ -10,7 +10,8 @@ from dataclasses import replace
 
 import numpy as np
 
-from raybundle.adjustment.engine import adjust_block, in_one_piece
+from raybundle.adjustment.engine import adjust_block
+from raybundle.adjustment.factoring import in_one_piece
 from raybundle.adjustment.options import AdjustmentOptions
 from raybundle.adjustment.result import Adjustment
 from raybundle.block import Block

@@ -6,7 +6,7 @@ from collections.abc import Callable, Mapping
 from itertools import count
 
 from raybundle.adjustment.assemble import System
-from raybundle.adjustment.engine import Factoring
+from raybundle.adjustment.factoring import Factoring
 from raybundle.adjustment.normals import Normals
 from raybundle.adjustment.options import AdjustmentOptions
 from raybundle.blocking.columns import InMemory

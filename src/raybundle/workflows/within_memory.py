@@ -16,7 +16,7 @@ from pathlib import Path
 from weakref import finalize
 
 from raybundle.adjustment.assemble import System
-from raybundle.adjustment.engine import Factoring, made_by
+from raybundle.adjustment.factoring import Factoring, made_by
 from raybundle.adjustment.normals import Normals
 from raybundle.adjustment.options import AdjustmentOptions
 from raybundle.adjustment.result import Notice
