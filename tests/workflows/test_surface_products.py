@@ -297,6 +297,7 @@ def test_gltf_says_what_it_holds(made):
     told = json.loads(data[20 : 20 + length])
     assert told["asset"]["extras"]["unit"] == "m"
     assert int.from_bytes(data[8:12], "little") == len(data)
+    assert (made[1] / "mesh.jpg").read_bytes() in data  # not encoded once more
 
 
 def test_a_full_disk_is_told_and_leaves_nothing_half_written(made, half, monkeypatch):

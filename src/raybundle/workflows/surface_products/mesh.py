@@ -7,6 +7,7 @@ from typing import Any, TextIO
 
 import numpy as np
 from PIL import Image
+from PIL.JpegImagePlugin import JpegImageFile
 
 from raybundle.io.folders import new_files
 from raybundle.io.formats.ply import write_vertices
@@ -56,6 +57,15 @@ def _rows(file: TextIO, row: str, values: Array) -> None:
         file.write("\n".join([row] * len(part)) % tuple(part.ravel().tolist()) + "\n")
 
 
+class _AsStored(JpegImageFile):
+    """A picture that is written as it stands in its file: encoded once more it would lose what it shows."""
+
+    def save(self, fp: Any, format: str | None = None, **params: Any) -> None:  # noqa: A002  (as its base calls it)
+        """Write the bytes of the file."""
+        del format, params
+        fp.write(Path(str(self.filename)).read_bytes())
+
+
 def _write_glb(path: Path, mesh: Mesh, picture: Path, unit: str) -> None:
     """Write glTF 2.0 in one binary file: vertices in single precision about their middle, which its node tells."""
     import trimesh  # noqa: PLC0415  (0.2 s, for who writes meshes)
@@ -67,7 +77,7 @@ def _write_glb(path: Path, mesh: Mesh, picture: Path, unit: str) -> None:
         tree["asset"] |= {"generator": "raybundle", "extras": {"unit": unit or "none: the scale is free"}}
 
     middle = np.round((mesh.xyz.min(axis=0) + mesh.xyz.max(axis=0)) / 2, 3)
-    with Image.open(picture) as image:  # written as it stands in the file
+    with _AsStored(picture) as image:
         material = PBRMaterial(
             "surface", baseColorTexture=image, metallicFactor=0.0, roughnessFactor=1.0, doubleSided=True
         )
