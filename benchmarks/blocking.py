@@ -34,6 +34,7 @@ from scipy.sparse.csgraph import connected_components
 from raybundle.adjustment.assemble import assemble
 from raybundle.adjustment.datum import analyse, hold_minimal
 from raybundle.adjustment.engine import adjust_block, adjusted_block, carry_out
+from raybundle.adjustment.factoring import made_by
 from raybundle.adjustment.normals import Normals
 from raybundle.adjustment.options import AdjustmentOptions
 from raybundle.adjustment.precision import cofactors
@@ -108,7 +109,8 @@ def compared(block: Block, leaf: int, worth: float) -> dict[str, object]:
     t0 = time.process_time()
     one, _ = carry_out(block, OPTIONS, FREE, none)
     t1 = time.process_time()
-    parts, _ = carry_out(block, OPTIONS, FREE, none, factoring=in_parts(leaf, worth=worth))
+    with made_by(in_parts(leaf, worth=worth)):
+        parts, _ = carry_out(block, OPTIONS, FREE, none)
     t2 = time.process_time()
     assert one.found is not None
     assert parts.found is not None

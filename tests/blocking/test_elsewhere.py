@@ -13,6 +13,7 @@ import numpy as np
 import pytest
 
 from raybundle.adjustment.decide import decide
+from raybundle.adjustment.factoring import made_by
 from raybundle.adjustment.options import AdjustmentOptions
 from raybundle.blocking import tasks as blocking_tasks
 from raybundle.blocking.adjusted import in_parts
@@ -49,7 +50,8 @@ def stores(folder):
 def adjusted(block, folder, executor, options=OPTIONS):
     """The block adjusted with all decisions, by whoever does the tasks."""
     store, notes = stores(folder)
-    return decide(block, options, factoring=in_parts(LEAF, store=store, executor=executor, notes=notes))
+    with made_by(in_parts(LEAF, store=store, executor=executor, notes=notes)):
+        return decide(block, options)
 
 
 def numbers(result):

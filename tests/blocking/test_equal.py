@@ -7,7 +7,7 @@ import pytest
 
 from raybundle.adjustment.decide import decide
 from raybundle.adjustment.engine import adjust_block, free_parameters
-from raybundle.adjustment.factoring import in_one_piece
+from raybundle.adjustment.factoring import in_one_piece, made_by
 from raybundle.adjustment.options import AdjustmentOptions
 from raybundle.adjustment.precision import cofactors
 from raybundle.adjustment.queries import covariance
@@ -58,6 +58,15 @@ def apart(a, b, of=None):
     return float(np.nanmax(np.abs(a - b) / unit))
 
 
+def made_as(factoring, adjusting, block, options):
+    with made_by(factoring):
+        return adjusting(block, options)
+
+
+def by_parts(adjusting, block, options):
+    return made_as(in_parts(60), adjusting, block, options)
+
+
 def stds(cofactors):
     """Roots of the diagonals (n, k)."""
     return np.sqrt(np.diagonal(np.asarray(cofactors, float), axis1=-2, axis2=-1))
@@ -67,7 +76,7 @@ def stds(cofactors):
 def test_a_network_in_parts_is_the_one_piece(name):
     make, options = NETWORKS[name]
     block = make()
-    one, parts = adjust_block(block, options), adjust_block(block, options, factoring=in_parts(60))
+    one, parts = adjust_block(block, options), by_parts(adjust_block, block, options)
     tree = parts.handle.work.normals.parts.network.tree
     assert sum(not c for c in tree.children) >= 3
     assert (parts.iterations, parts.redundancy, parts.datum) == (one.iterations, one.redundancy, one.datum)
@@ -133,7 +142,7 @@ def test_a_separator_block_that_is_dropped_is_noticed(monkeypatch):
         return found
 
     monkeypatch.setattr(sweeps, "up", up)
-    parts = adjust_block(block, OPTIONS, factoring=in_parts(60))
+    parts = by_parts(adjust_block, block, OPTIONS)
     assert dropped
     assert apart(stds(one.precision.images), stds(parts.precision.images)) > 1e-6
     assert np.abs(one.image_observations.redundancy - parts.image_observations.redundancy).max() > 1e-6
@@ -143,8 +152,8 @@ def test_questions_are_answered_from_the_parts():
     block = flight()
     names = f"point:{block.points.ids[3]}", f"point:{block.points.ids[150]}", f"image:{block.images.ids[2]}"
     one = covariance(adjust_block(block, OPTIONS), names)
-    first = adjust_block(block, OPTIONS, factoring=in_parts(60))
-    others = [adjust_block(block, OPTIONS, factoring=in_parts(60)) for _ in range(5)]
+    first = by_parts(adjust_block, block, OPTIONS)
+    others = [by_parts(adjust_block, block, OPTIONS) for _ in range(5)]
     for result in (first, others[-1]):
         assert apart(one.matrix, covariance(result, names).matrix) < 1e-9
 
@@ -157,7 +166,7 @@ def test_what_is_not_determined_is_named_as_in_one_piece():
     errors = []
     for factoring in (in_one_piece, in_parts(60)):
         with pytest.raises(NotSolvable) as error:
-            adjust_block(thinned(block), OPTIONS, factoring=factoring)
+            made_as(factoring, adjust_block, thinned(block), OPTIONS)
         errors.append(str(error.value).splitlines()[0])
     assert errors[0] == errors[1]
 
@@ -179,7 +188,7 @@ def test_blunders_are_found_and_parameters_chosen_alike():
     camera = replace(block.cameras[0], estimate="auto")
     block = replace(block, cameras=(camera,), observations=replace(o, xy_px=xy))
     options = replace(OPTIONS, reject="snooping")
-    one, parts = decide(block, options), decide(block, options, factoring=in_parts(60))
+    one, parts = decide(block, options), by_parts(decide, block, options)
     reasons = [[r and r.kind for r in a.image_observations.rejected] for a in (one, parts)]
     assert reasons[0] == reasons[1]
     assert sum(r is not None for r in reasons[1]) >= 4

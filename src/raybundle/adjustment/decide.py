@@ -8,7 +8,6 @@ from __future__ import annotations
 import time
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
-from functools import partial
 from itertools import groupby
 from typing import Protocol
 
@@ -16,7 +15,6 @@ import numpy as np
 
 from raybundle.adjustment.asked_parameters import check_asked, with_asked
 from raybundle.adjustment.engine import Extent, Start, adjust_block, as_start, free_parameters
-from raybundle.adjustment.factoring import Factoring
 from raybundle.adjustment.known_before import against_known
 from raybundle.adjustment.options import AdjustmentOptions
 from raybundle.adjustment.pixel_shape import beyond_sensor, shape_limit, under_its_noise, untold_shape
@@ -72,19 +70,15 @@ class Adjusting(Protocol):
 
 
 def decide(
-    block: Block, options: AdjustmentOptions, progress: Progress = silent, *, notices: tuple[Notice, ...] = (),
-    factoring: Factoring | None = None,
-) -> Adjustment:  # fmt: skip
-    """Adjust a block with approximate values, with the decisions that the options and the block ask for.
-
-    factoring  as of `adjust_block`
-    """
+    block: Block, options: AdjustmentOptions, progress: Progress = silent, *, notices: tuple[Notice, ...] = ()
+) -> Adjustment:
+    """Adjust a block with approximate values, with the decisions that the options and the block ask for."""
     began = time.perf_counter()
-    start, choices = decisions(block, options, partial(adjust_block, factoring=factoring), progress)
+    start, choices = decisions(block, options, adjust_block, progress)
     final = replace(options, robust_start=options.robust_start and start is block)
     result = adjust_block(
         start, final, progress, free=choices.free, rejected=choices.reasons, notices=(*notices, *choices.notices),
-        start="approximate" if start is block else "adjusted", factoring=factoring,
+        start="approximate" if start is block else "adjusted",
     )  # fmt: skip
     result = against_known(_labelled(under_its_noise(result), choices))
     return replace(result, given=block, options=options, seconds=time.perf_counter() - began)

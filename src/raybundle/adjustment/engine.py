@@ -17,7 +17,7 @@ from raybundle.adjustment.assemble import State, System, assemble
 from raybundle.adjustment.cell_means import systematic_notices
 from raybundle.adjustment.components import Found, settled_components, variance_components
 from raybundle.adjustment.datum import Datum, analyse, hold_minimal, open_names
-from raybundle.adjustment.factoring import Factoring, around
+from raybundle.adjustment.factoring import around
 from raybundle.adjustment.handle import EMPTY, Handle
 from raybundle.adjustment.interior import interior_results
 from raybundle.adjustment.network import network_figures
@@ -83,7 +83,6 @@ def adjust_block(
     notices: tuple[Notice, ...] = (),
     extent: Extent = "report",
     start: Start = "approximate",
-    factoring: Factoring | None = None,
 ) -> Adjustment:
     """Adjust a block whose images are oriented and whose points have coordinates, approximately.
 
@@ -93,10 +92,9 @@ def adjust_block(
     extent    decisions: of the statistics only redundancy numbers, tests and the interior orientations' covariances;
               tests: without these and what is said of the interior orientations, too
     start     adjusted: the values come from an adjustment of nearly the same; the first step is not damped
-    factoring how the normal equations are made and factored: in one piece, or in parts (`raybundle.blocking`); None: as
-              `made_by` says, else in one piece
     raises    InputError, DatumDefect, RankDefect, NoConvergence
 
+    The normal equations are made in one piece, or as `factoring.made_by` says, as in parts (`raybundle.blocking`).
     Camera parameters that the network leaves open are kept near what was given (`steady`), and called not determinable.
 
     What it does not do: find approximate values (`raybundle.orientation`), reject blunders or choose
@@ -107,22 +105,22 @@ def adjust_block(
     free = free if free is not None else {c.id: free_parameters(c) for c in block.parametrised}
     reasons = rejected or (None,) * len(block.observations)
     try:
-        work, found = carry_out(block, options, free, reasons, progress, start=start, factoring=factoring)
+        work, found = carry_out(block, options, free, reasons, progress, start=start)
         result = result_of(work, block, options, found, notices, time.perf_counter() - began, progress, extent)
-        return _finished(_with_settled_components(result, block, options, free, found, factoring), extent, progress)
+        return _finished(_with_settled_components(result, block, options, free, found), extent, progress)
     except TooFewObservations:
         raise
     except (RankDefect, NoConvergence) as error:
         steady = steadied(block, free, error)
         if steady is None:
             raise
-        work, found = carry_out(steady.block, options, free, reasons, progress, start=start, factoring=factoring)
+        work, found = carry_out(steady.block, options, free, reasons, progress, start=start)
         system = work.system
         if system.observations - len(steady.added) - system.unknowns + work.datum.defect < 0:
             raise  # fewer observations than unknowns: what is said would be what was added
     seconds = time.perf_counter() - began
     result = result_of(work, steady.block, options, found, notices, seconds, progress, extent, steady.added)
-    result = _with_settled_components(result, steady.block, options, free, found, factoring)
+    result = _with_settled_components(result, steady.block, options, free, found)
     result = without_priors(result, block, steady.added)
     return _finished(result, extent, progress)
 
@@ -140,7 +138,7 @@ def _finished(result: Adjustment, extent: Extent, progress: Progress) -> Adjustm
 
 def _with_settled_components(
     result: Adjustment, block: Block, options: AdjustmentOptions, free: dict[str, tuple[str, ...]],
-    reasons: Rejections, factoring: Factoring | None,
+    reasons: Rejections,
 ) -> Adjustment:  # fmt: skip
     """The result with variance components that are iterated where one step is not enough."""
 
@@ -150,7 +148,7 @@ def _with_settled_components(
             options, tolerance=max(options.tolerance, 1e-3), robust_start=False,
             max_iterations=min(options.max_iterations, NEARBY),
         )  # fmt: skip
-        work, now = carry_out(start, brief, free, reasons, start="adjusted", factoring=factoring)
+        work, now = carry_out(start, brief, free, reasons, start="adjusted")
         state = work.state
         whitened, _ = work.normals.residuals(state)
         statistics = image_statistics(work.system, whitened, work.found, 1.0, now)
@@ -175,7 +173,7 @@ says more than an error would.
 
 def carry_out(
     block: Block, options: AdjustmentOptions, free: dict[str, tuple[str, ...]], reasons: Rejections,
-    progress: Progress = silent, *, start: Start = "approximate", factoring: Factoring | None = None,
+    progress: Progress = silent, *, start: Start = "approximate",
 ) -> tuple[Work, Rejections]:  # fmt: skip
     """Estimate and cofactors; observations whose point ends behind the camera or at infinity leave, then once more."""
     mask = np.array([bool(r) for r in reasons], bool)
@@ -184,7 +182,7 @@ def carry_out(
     defects.check_rays(block, mask)
     reasons, mask = reject_single_rays(block, reasons, mask)
     defects.check_images(block, mask, free)
-    work = _estimate(block, options, free, mask, start, progress, factoring)
+    work = _estimate(block, options, free, mask, start, progress)
     defects.check_scatter(work.system, work.normals.residuals(work.solution.state)[0])
     for _ in range(5):
         _, flags = work.normals.residuals(work.solution.state)
@@ -200,7 +198,7 @@ def carry_out(
             new[i] = Rejection(kind=RejectionKind.BEHIND_CAMERA)
         reasons, mask = reject_single_rays(block, tuple(new), np.array([bool(r) for r in new], bool))
         defects.check_images(block, mask, free)
-        work = _estimate(block, options, free, mask, start, progress, factoring)
+        work = _estimate(block, options, free, mask, start, progress)
     weak = not work.solution.step < UNENDING or defects.without_base(work.system, work.solution.state)
     # an iteration that creeps off with all points ends anywhere
     share = defects.NO_BASE if not work.solution.converged and weak else defects.NOWHERE
@@ -269,7 +267,7 @@ def reject_single_rays(block: Block, reasons: Rejections, mask: Mask) -> tuple[R
 
 def _estimate(
     block: Block, options: AdjustmentOptions, free: dict[str, tuple[str, ...]], mask: Mask, start: Start,
-    progress: Progress, factoring: Factoring | None,
+    progress: Progress,
 ) -> Work:  # fmt: skip
     system = assemble(block, options, mask, free)
     state = system.initial_state()
@@ -283,7 +281,7 @@ def _estimate(
         return open_names(analyse(part, part.initial_state(), replace(options, datum="auto")).basis)
 
     parts = defects.check_components(block, mask, open_of) if datum.defect == 0 or _may_fall_apart(block, mask) else 1
-    normals = (factoring or around())(system, options, free, mask)
+    normals = around()(system, options, free, mask)
     if options.robust_start:
         state = solve(normals, state, options, huber=HUBER, tolerance=1e-2, approximate=True, progress=progress).state
     damping = FLOOR if start == "adjusted" else CAUTIOUS

@@ -28,7 +28,7 @@ _around: ContextVar[Factoring] = ContextVar("factoring", default=in_one_piece)
 
 @contextmanager
 def made_by(factoring: Factoring) -> Generator[None]:
-    """Normal equations of all adjustments meanwhile are made so, where a call does not say otherwise."""
+    """Normal equations of all adjustments meanwhile are made so."""
     before = _around.set(factoring)
     try:
         yield

@@ -11,7 +11,7 @@ from dataclasses import replace
 import numpy as np
 
 from raybundle.adjustment.engine import adjust_block
-from raybundle.adjustment.factoring import in_one_piece
+from raybundle.adjustment.factoring import in_one_piece, made_by
 from raybundle.adjustment.options import AdjustmentOptions
 from raybundle.adjustment.result import Adjustment
 from raybundle.block import Block
@@ -33,7 +33,8 @@ def sample_under_noise(result: Adjustment) -> Adjustment | None:
     block = _part(result)
     options = AdjustmentOptions(jobs=result.options.jobs, noise="fields", residuals=result.options.residuals)
     try:
-        found = adjust_block(block, options, factoring=in_one_piece)
+        with made_by(in_one_piece):  # as fields need them
+            found = adjust_block(block, options)
     except (InputError, NotSolvable):
         return None
     return found if found.noise.kind == "fields" else None
