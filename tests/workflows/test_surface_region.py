@@ -10,8 +10,8 @@ from raybundle.commands.surface import surface
 from raybundle.errors import InputError
 from raybundle.numerics.progress import silent
 from raybundle.surfaces.depth_map import DepthMap
+from raybundle.surfaces.rays import ReferenceRays
 from raybundle.surfaces.refine import Reason
-from raybundle.surfaces.transfer import ReferenceRays
 from raybundle.workflows.height_grid import HeightPlane
 from raybundle.workflows.height_tiles import tile_of_number
 from raybundle.workflows.surface_region import SurfaceRegion

@@ -133,14 +133,15 @@ class Within:
     ) -> Normals:
         """The normal equations in one piece where that fits, or else in parts."""
         each = IN_FILES if self.arrays_in_files else IN_MEMORY
-        self.needed = BASE + each * len(system.block.observations)
+        needed = BASE + each * len(system.block.observations)
         most = max(self.allowed, BASE + self.little)
-        if not self.always and self.needed <= most and len(system.sizes) <= ORDERED:
+        if not self.always and needed <= most and len(system.sizes) <= ORDERED:
             whole = Normals.of(system, options.jobs)
-            self.needed += bytes_of(whole)
-            if self.needed <= most:
+            needed += bytes_of(whole)
+            if needed <= most:
                 return whole
             del whole
+        self.needed = needed  # of what was cut last: others that a stage adjusts fit
         if self._in_parts is None:
             left = max(self.allowed - BASE - IN_PARTS * self.observations, 0.0)
             ready = AT_WORKERS if self.elsewhere else left / 2 / self.workers

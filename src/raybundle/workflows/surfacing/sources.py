@@ -10,8 +10,8 @@ from raybundle.errors import InputError
 from raybundle.pipeline.stage import Means, Stage
 from raybundle.surfaces.depth_map import depth_range
 from raybundle.surfaces.pairs import Sources, sources_of_each
+from raybundle.surfaces.rays import ReferenceRays
 from raybundle.surfaces.region import shown_part
-from raybundle.surfaces.transfer import ReferenceRays
 from raybundle.workflows.surface_region import SurfaceRegion
 from raybundle.workflows.surface_state import SURFACE, SurfaceState
 
