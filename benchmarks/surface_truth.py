@@ -1,17 +1,20 @@
 """Depth maps of the rendered portal against exact depths, their variances against the errors; fountain-p11 by itself.
 
-    python benchmarks/surface_truth.py [--maps 2 7 12 13] [--density 2] [--union 4] [--no-fountain]
+    python benchmarks/surface_truth.py [--maps 2 7 12 13] [--density 2] [--union 4] [--between 2]
+                                       [--pandora PYTHON] [--no-fountain]
 
 portal     the demonstration set, adjusted as `raybundle demo` does it; exact depths by ray casting
            (tests/surface/truth.py).  Of each map: share of the visible pixels that have a depth, robust error, share
            within 20 mm, and chi-squares of the errors by noise, roughness and orientation: the mean, the robust one
            ((median |e / sigma| / 0.6745)^2), shares within 1 and 1.96 sigma and beyond 5 sigma; of all pixels, of
            interior ones (whose eight neighbours on the grid are there), by classes of incidence, sources and contrast
-sgbm       OpenCV's three-way SGBM at full size on the rectified pair of the reference and its best source: robust error
-           and share of the visible pixels, in the same run
+peers      OpenCV's three-way SGBM, and with --pandora pandora with libSGM, at full size on the rectified pair of the
+           reference and its best source, in the same run: robust error, share within 20 mm, share of the visible pixels
 neighbours correlation of normalised errors by distance along the rows, beside the one that is stated
 spread     variance of the logarithm of squared normalised errors, less that of normal ones: what the exponents of the
            local variance leave (src/raybundle/surfaces/roughness.py, LEFT)
+between    --between DENSITY: of all pairs of maps, orientation exact, the correlation of their errors at one place, and
+           the stated one (src/raybundle/surfaces/heights.py, between_maps)
 union      --union DENSITY: maps of all photographs; of the object's surface that three or more photographs see (by rays
            to points spread evenly over it) the share at which a map has a depth within 20 mm of the truth
 fountain   two maps of one reference with disjoint sources: chi-square of their difference by noise and orientation, and
@@ -25,10 +28,11 @@ import json
 import platform
 import subprocess
 import sys
+import tempfile
 import time
 from collections.abc import Iterator
-from dataclasses import replace
-from itertools import pairwise
+from dataclasses import dataclass, replace
+from itertools import combinations, pairwise
 from pathlib import Path
 
 import cv2
@@ -44,9 +48,11 @@ from raybundle.adjustment.queries import joint_orientation  # noqa: E402
 from raybundle.measuring.session import adjusted_again  # noqa: E402
 from raybundle.numerics import native  # noqa: E402
 from raybundle.surfaces.depth_map import DepthMap, DepthOptions, depth_map  # noqa: E402
+from raybundle.surfaces.heights import between_maps  # noqa: E402
 from raybundle.surfaces.orientation import shift_covariance  # noqa: E402
-from raybundle.surfaces.pairs import sources_of_each  # noqa: E402
+from raybundle.surfaces.pairs import PairOfImages, sources_of_each  # noqa: E402
 from raybundle.surfaces.rays import ReferenceRays  # noqa: E402
+from raybundle.surfaces.transfer import transfer  # noqa: E402
 
 WORK = ROOT / "benchmarks/work"
 FOUNTAIN = ROOT.parent / "shared/data/photos/fountain-p11/images"
@@ -54,6 +60,8 @@ INCIDENCES, CONTRASTS = (0, 0.3, 0.5, 0.7, 0.85, 1.01), (0, 6, 9, 12, 16, 999)
 LAGS_PX = (4, 8, 16, 24, 48, 80)
 POINTS, WITHIN_M, SAME_M = 50_000, 0.02, 0.005
 """Over the object; how near a depth has to be to the truth, and a ray to its point."""
+SAME_PLACE, LEAST_PLACES = 0.002, 3000
+"""How near two exact depths are to be of one place, as a share; places at which two maps are compared at least."""
 LEAST = 200
 """Pixels of a class that is told."""
 
@@ -90,51 +98,101 @@ def classes(x, values, edges) -> dict[str, float]:
     return found
 
 
-def sgbm(block, reference: int, source: int, t_range, greys) -> np.ndarray:
-    """(h, w) depth parameters of a rectified pair in the pixels of the reference; NaN where there is none."""
-    rays = ReferenceRays.of(block, reference)
-    camera = rays.camera
-    h, w = camera.height_px, camera.width_px
-    y, x = np.mgrid[:h, :w] + 0.5
-    d = rays.rays(np.stack([x.ravel(), y.ravel()], axis=1))[1]
-    centres, rotations = block.images.centre, block.images.rotation
-    base = centres[source] - centres[reference]
-    along = base / np.linalg.norm(base)
-    forward = -(rotations[reference][2] + rotations[source][2])
-    forward -= along * (forward @ along)
-    forward /= np.linalg.norm(forward)
-    R = np.stack([along, np.cross(forward, along), forward])
-    f = camera.values["c"] / camera.pixel_mm[0]
-    q = d @ R.T
-    u, v = f * q[:, 0] / q[:, 2], f * q[:, 1] / q[:, 2]
-    # depth along the rectified axis: X = centre + d / t
-    deep = (q[:, 2]).reshape(h, w)
-    lows, highs = (np.nanmin(deep) / t_range[1], np.nanmax(deep) / t_range[0])
-    least = int(f * np.linalg.norm(base) / highs) - 2
-    count = int(np.ceil((f * np.linalg.norm(base) / lows - least + 2) / 16)) * 16
-    x0, y0 = np.floor(u.min()), np.floor(v.min())
-    columns, rows = int(np.ceil(u.max()) - x0), int(np.ceil(v.max()) - y0)
-    pictures = []
-    for image, left in ((reference, x0), (source, x0 - least - count)):
-        X, Y = np.meshgrid(
-            np.arange(columns + (count if image == source else 0)) + left + 0.5, np.arange(rows) + y0 + 0.5
-        )
-        direction = np.stack([X / f, Y / f, np.ones_like(X)], axis=-1).reshape(-1, 3) @ R
-        own = ReferenceRays.of(block, image)
-        place = image_points(own.camera, own.rotation, own.centre, own.centre + direction).reshape(*X.shape, 2) - 0.5
-        place = np.where(np.isfinite(place), place, -9).astype(np.float32)
-        pictures.append(cv2.remap(greys(image), place[..., 0], place[..., 1], cv2.INTER_CUBIC, borderValue=0))
-    one = cv2.copyMakeBorder(pictures[0], 0, 0, count, 0, cv2.BORDER_CONSTANT, value=0)
+@dataclass(frozen=True, slots=True, kw_only=True)
+class RectifiedPair:
+    """A reference and a source as rows that show the same, the reference with `count` empty columns on its left."""
+
+    left: np.ndarray
+    right: np.ndarray
+    count: int
+    """columns by which the source may lie further left, of which 0 stands for `least` to the depth's far end"""
+    least: int
+    place: tuple[np.ndarray, np.ndarray]
+    """row and column (h, w) of each pixel of the reference in `left` less the empty columns"""
+    by_column: np.ndarray
+    """(h, w) depth parameter for a column"""
+
+    @classmethod
+    def of(cls, block, reference: int, source: int, t_range, greys) -> "RectifiedPair":
+        """Turned about their centres so that the base lies along the rows."""
+        rays = ReferenceRays.of(block, reference)
+        camera = rays.camera
+        h, w = camera.height_px, camera.width_px
+        y, x = np.mgrid[:h, :w] + 0.5
+        d = rays.rays(np.stack([x.ravel(), y.ravel()], axis=1))[1]
+        centres, rotations = block.images.centre, block.images.rotation
+        base = centres[source] - centres[reference]
+        along = base / np.linalg.norm(base)
+        forward = -(rotations[reference][2] + rotations[source][2])
+        forward -= along * (forward @ along)
+        forward /= np.linalg.norm(forward)
+        R = np.stack([along, np.cross(forward, along), forward])
+        f = camera.values["c"] / camera.pixel_mm[0]
+        q = d @ R.T
+        u, v = f * q[:, 0] / q[:, 2], f * q[:, 1] / q[:, 2]
+        # depth along the rectified axis: X = centre + d / t
+        deep = (q[:, 2]).reshape(h, w)
+        lows, highs = (np.nanmin(deep) / t_range[1], np.nanmax(deep) / t_range[0])
+        least = int(f * np.linalg.norm(base) / highs) - 2
+        count = int(np.ceil((f * np.linalg.norm(base) / lows - least + 2) / 16)) * 16
+        x0, y0 = np.floor(u.min()), np.floor(v.min())
+        columns, rows = int(np.ceil(u.max()) - x0), int(np.ceil(v.max()) - y0)
+        pictures = []
+        for image, left in ((reference, x0), (source, x0 - least - count)):
+            X, Y = np.meshgrid(
+                np.arange(columns + (count if image == source else 0)) + left + 0.5, np.arange(rows) + y0 + 0.5
+            )
+            direction = np.stack([X / f, Y / f, np.ones_like(X)], axis=-1).reshape(-1, 3) @ R
+            own = ReferenceRays.of(block, image)
+            place = (
+                image_points(own.camera, own.rotation, own.centre, own.centre + direction).reshape(*X.shape, 2) - 0.5
+            )
+            place = np.where(np.isfinite(place), place, -9).astype(np.float32)
+            pictures.append(cv2.remap(greys(image), place[..., 0], place[..., 1], cv2.INTER_CUBIC, borderValue=0))
+        one = cv2.copyMakeBorder(pictures[0], 0, 0, count, 0, cv2.BORDER_CONSTANT, value=0)
+        j, i = np.clip(np.floor(v - y0).astype(int), 0, rows - 1), np.clip(np.floor(u - x0).astype(int), 0, columns - 1)
+        return cls(
+            left=one, right=pictures[1], count=count, least=least, place=(j.reshape(h, w), i.reshape(h, w)),
+            by_column=deep / (f * np.linalg.norm(base)),
+        )  # fmt: skip
+
+    def depths(self, columns: np.ndarray) -> np.ndarray:
+        """(h, w) depth parameters in the pixels of the reference, of columns as `left` has them; NaN where none are."""
+        # the source's canvas starts `least + count` further left, the reference's `count`: what is left is `least`
+        found = np.where(self.left > 0, columns, np.nan)[:, self.count :]
+        return self.by_column * (found[self.place] + self.least)
+
+
+def sgbm(pair: RectifiedPair) -> np.ndarray:
+    """(h, w) depth parameters by OpenCV's semi-global matching along three paths."""
     matcher = cv2.StereoSGBM_create(
-        0, count, 5, P1=200, P2=800, disp12MaxDiff=1, uniquenessRatio=5, speckleWindowSize=100, speckleRange=2,
+        0, pair.count, 5, P1=200, P2=800, disp12MaxDiff=1, uniquenessRatio=5, speckleWindowSize=100, speckleRange=2,
         preFilterCap=31, mode=cv2.STEREO_SGBM_MODE_SGBM_3WAY,
     )  # fmt: skip
-    # the source's canvas starts `least + count` further left, the reference's `count`: what is left of both is `least`
-    found = matcher.compute(one, pictures[1])[:, count:].astype(np.float32) / 16
-    found[(found < 0) | (pictures[0] == 0)] = np.nan
-    j, i = np.clip(np.floor(v - y0).astype(int), 0, rows - 1), np.clip(np.floor(u - x0).astype(int), 0, columns - 1)
-    disparity = found[j, i].reshape(h, w) + least
-    return deep * disparity / (f * np.linalg.norm(base))
+    found = matcher.compute(pair.left, pair.right).astype(np.float32) / 16
+    return pair.depths(np.where(found < 0, np.nan, found))
+
+
+def pandora(pair: RectifiedPair, python: str) -> np.ndarray:
+    """(h, w) depth parameters by pandora with libSGM, run by a Python that has them."""
+    with tempfile.TemporaryDirectory() as folder:
+        files = [str(Path(folder) / name) for name in ("left.tif", "right.tif")]
+        for path, pixels in zip(files, (pair.left, pair.right), strict=True):
+            cv2.imwrite(path, pixels)
+        script = [python, str(ROOT / "benchmarks/peer_pandora.py"), *files, str(-pair.count), "0", folder]
+        subprocess.run(script, check=True, capture_output=True)
+        return pair.depths(-np.load(Path(folder) / "disparity.npy"))
+
+
+def beside(theirs: np.ndarray, exact: np.ndarray) -> dict[str, float]:
+    """A peer's depths: robust error, share within 20 mm, share of the visible pixels."""
+    error = np.abs(1 / theirs - 1 / exact)
+    there = np.isfinite(error)
+    return {
+        "error_mm": round(1000 * robust(error[there]), 3),
+        "within_20_mm": round(float(np.mean(error[there] < WITHIN_M)), 4),
+        "complete": round(float(there.sum() / np.isfinite(exact).sum()), 4),
+    }  # fmt: skip
 
 
 def neighbours(found: DepthMap, variance, e) -> dict[str, dict[str, float]]:
@@ -154,7 +212,7 @@ def neighbours(found: DepthMap, variance, e) -> dict[str, dict[str, float]]:
     return told
 
 
-def of_portal(numbers, density: int) -> Iterator[list[dict]]:
+def of_portal(numbers, density: int, peer: str) -> Iterator[list[dict]]:
     """Every map against its truth: those that are done, after each."""
     adjustment = adjusted_again(made(WORK / "portal", "demo", "--set", str(PORTAL)))
     block = adjustment.adjusted
@@ -179,16 +237,14 @@ def of_portal(numbers, density: int) -> Iterator[list[dict]]:
         x = np.where(known, e / np.sqrt(variance), np.nan)
         used = ((found.views[..., None] >> np.arange(len(found.sources))) & 1).sum(axis=-1)
         mm = 1000 * np.abs(1 / found.t - 1 / exact)
-        theirs = sgbm(block, k, chosen[k].sources[0], found.t_range, greys)
-        their = np.abs(1 / theirs - 1 / depths.t)
-        there = np.isfinite(their)
+        pair = RectifiedPair.of(block, k, chosen[k].sources[0], found.t_range, greys)
+        peers = {"sgbm": sgbm(pair)} | ({"pandora": pandora(pair, peer)} if peer else {})
         told.append(
             {
                 "map": block.images.file[k], "sources": len(found.sources),
                 "seconds": round(seconds, 1), "complete": round(float(known.sum() / np.isfinite(exact).sum()), 4),
                 "error_mm": round(robust(mm[known]), 3), "within_20_mm": round(float(np.mean(mm[known] < 20)), 4),
-                "sgbm_error_mm": round(1000 * robust(their[there]), 3),
-                "sgbm_complete": round(float(there.sum() / np.isfinite(depths.t).sum()), 4),
+                "peers": {name: beside(theirs, depths.t) for name, theirs in peers.items()},
                 "all": shares(x[known]), "interior": shares(x[known & inner]),
                 "interior_share": round(float((known & inner).sum() / known.sum()), 3),
                 "incidence": classes(x[known], found.incidence[known], INCIDENCES),
@@ -271,6 +327,70 @@ def visible_in(truth: Portal, rays: ReferenceRays, points: np.ndarray) -> tuple[
     return visible, place
 
 
+def of_pairs_of_maps(density: int) -> dict:
+    """Correlation at one place of the errors that two maps have by noise and roughness, and what is stated of it."""
+    adjustment = adjusted_again(made(WORK / "portal", "demo", "--set", str(PORTAL)))
+    (ROOT / ".pytest_cache/d/surface").mkdir(parents=True, exist_ok=True)
+    truth = Portal(ROOT / ".pytest_cache/d/surface")
+    images = adjustment.adjusted.images
+    exact = replace(images, centre=truth.block.images.centre, rotation=truth.block.images.rotation)
+    block = replace(adjustment.adjusted, images=exact, cameras=truth.block.cameras)
+
+    def greys(image):
+        return portal.grey(block, image).astype(np.uint8)
+
+    chosen, maps = sources_of_each(adjustment.adjusted), []
+    for s in chosen:
+        found = depth_map(block, s, greys, DepthOptions(density=density))
+        t = found.grid.of(truth.depths(s.reference).t)
+        maps.append((found, ReferenceRays.of(block, s.reference), t, (found.t - t) / np.sqrt(found.variance())))
+        print(block.images.file[s.reference], flush=True)
+    pairs = []
+    for k, j in combinations(range(len(chosen)), 2):
+        if told := pair_of_maps(maps[k], maps[j], transfer(block, maps[k][1], j, maps[k][0].t_range)):
+            stated = between_maps(one_pair(chosen, k, j, told["angle_deg"]))
+            pairs.append({"maps": [k, j], "stated": stated, **told})
+    apart = np.array([p["measured"] - p["stated"] for p in pairs])
+    measured, weight = (np.array([p[name] for p in pairs]) for name in ("measured", "places"))
+    return {
+        "density": density, "mean_measured": round(float(np.average(measured, weights=weight)), 3),
+        "mean_stated": between_maps(chosen), "within_0.1": round(float(np.mean(np.abs(apart) < 0.1)), 3),
+        "pairs": pairs,
+    }  # fmt: skip
+
+
+def pair_of_maps(mine, other, table) -> dict[str, float]:
+    """Correlation of the normalised errors of two maps (map, rays, exact depths, errors) where they show one place."""
+    (found, rays, t, x), (there, theirs, t2, x2) = mine, other
+    known, g = np.isfinite(x), there.grid
+    xy, exact = found.grid.xy_px[known], t[known].astype(float)
+    at = table.at(xy, exact)
+    column, row = (np.round((at[:, k] - low - 0.5) / g.stride) for k, low in ((0, g.x0), (1, g.y0)))
+    with np.errstate(invalid="ignore"):
+        inside = np.flatnonzero((column >= 0) & (column < g.columns) & (row >= 0) & (row < g.rows))
+    column, row = column[inside].astype(int), row[inside].astype(int)
+    again = theirs.parameter(at[inside], rays.points(xy[inside], exact[inside]))
+    same = np.abs(again / t2[row, column] - 1) < SAME_PLACE
+    a, b = x[known][inside], x2[row, column]
+    same &= (np.abs(a) < 3) & (np.abs(b) < 3)
+    if same.sum() < LEAST_PLACES:
+        return {}
+    d, d2 = rays.rays(xy[inside][same])[1], theirs.rays(at[inside][same])[1]
+    cosine = (d * d2).sum(axis=1) / np.linalg.norm(d, axis=1) / np.linalg.norm(d2, axis=1)
+    return {
+        "angle_deg": round(float(np.degrees(np.arccos(np.median(cosine)))), 1), "places": int(same.sum()),
+        "measured": round(float(np.corrcoef(a[same], b[same])[0, 1]), 3),
+    }  # fmt: skip
+
+
+def one_pair(chosen, k: int, j: int, angle_deg: float) -> list:
+    """The sources of two references, of which only each other is known."""
+    return [
+        replace(chosen[a], pairs=(PairOfImages(reference=a, source=b, points=1, angle_deg=angle_deg, scale=1.0),))
+        for a, b in ((k, j), (j, k))
+    ]
+
+
 def of_fountain(density: int) -> dict:
     """Two maps of one reference with disjoint sources."""
     adjustment = adjusted_again(made(WORK / "fountain", "orient", str(FOUNTAIN)))
@@ -322,12 +442,16 @@ def main() -> None:
     parser.add_argument("--maps", type=int, nargs="*", default=[2, 7, 12, 13])
     parser.add_argument("--density", type=int, default=2)
     parser.add_argument("--union", type=int, default=0, choices=[0, 1, 2, 4])
+    parser.add_argument("--between", type=int, default=0, choices=[0, 1, 2, 4])
+    parser.add_argument("--pandora", default="", metavar="PYTHON", help="one that has pandora and its plugin libSGM")
     parser.add_argument("--no-fountain", action="store_true")
     given = parser.parse_args()
     cv2.setNumThreads(1)
     if given.maps:
-        for told in of_portal(given.maps, given.density):
+        for told in of_portal(given.maps, given.density, given.pandora):
             keep("portal", {"density": given.density, "maps": told})
+    if given.between:
+        keep("between_maps", of_pairs_of_maps(given.between))
     if given.union:
         keep("union", of_union(given.union))
     if not given.no_fountain and FOUNTAIN.exists():

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
 import cv2
@@ -145,10 +145,32 @@ def ornament(x: Array, z: Array, rng: np.random.Generator) -> Array:
     return d
 
 
-def facade(rng: np.random.Generator, cell: float) -> Sheet:
+@dataclass(frozen=True, slots=True)
+class Moved:
+    """A square of the wall that has moved outwards by `by`; lower left corner, side [m]."""
+
+    x: float
+    z: float
+    side: float
+    by: float
+
+    def out(self, x: Array, z: Array) -> Array:
+        """How far the wall at (x, z) has moved; its rim rises within a facet."""
+        edge = 0.004
+        return (
+            self.by
+            * band(x, self.x - edge / 2, self.x + self.side + edge / 2, edge)
+            * band(z, self.z - edge / 2, self.z + self.side + edge / 2, edge)
+        )
+
+
+def facade(rng: np.random.Generator, cell: float, reliefs: Sequence[Moved] = ()) -> Sheet:
     """The wall."""
     x, z = np.meshgrid(np.arange(-2.3, 2.3001, cell), np.arange(0, 3.6001, cell))
-    xyz = np.stack([x, -facade_depth(x, z, rng), z], axis=2)
+    out = facade_depth(x, z, rng)
+    for relief in reliefs:
+        out = out + relief.out(x, z)
+    xyz = np.stack([x, -out, z], axis=2)
     # the niche shows a part of the texture of its own, unrolled
     u, v, arch = x, z - 1.95, np.hypot(x, np.maximum(z - 1.95, 0))
     unrolled = np.arcsin(np.minimum(arch / 0.46, 1)) * 0.46 / np.maximum(arch, 1e-6)
@@ -282,9 +304,9 @@ def targets() -> list[Target]:
     return found
 
 
-def sheets(rng: np.random.Generator, cell: float) -> list[Sheet]:
+def sheets(rng: np.random.Generator, cell: float, reliefs: Sequence[Moved] = ()) -> list[Sheet]:
     """The whole object; `cell` [m] is the width of a facet."""
-    parts = [facade(rng, cell)]
+    parts = [facade(rng, cell, reliefs)]
     parts += [column("column 1", -1.08, rng, (0.02, 0.02), cell), column("column 2", 1.08, rng, (0.26, 0.02), cell)]
     parts.append(figure(rng, cell / 1.5))
     for k, x in enumerate((-1.08, 1.08)):

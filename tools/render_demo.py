@@ -15,9 +15,12 @@ import argparse
 import csv
 import math
 import time
+from collections.abc import Sequence
+from itertools import product
 from pathlib import Path
 from typing import Any
 
+import cv2
 import drjit as dr
 import mitsuba as mi
 import numpy as np
@@ -25,6 +28,7 @@ from demo_scene import (
     BAR,
     SEED,
     WALL_M,
+    Moved,
     Sheet,
     directions,
     network,
@@ -50,6 +54,8 @@ SUN = (0.50, 0.72, -0.62)
 CHUNK = 1 << 22
 """Rays traced at once."""
 CHECK_POINTS = 400
+MARGIN_M, DEEP_M = 0.05, (-0.12, 0.02)
+"""What is rendered around a relief, and between which depths the wall stands there (y)."""
 MEASURED_PX = 0.05
 BAR_SIGMA = 5e-5
 
@@ -77,7 +83,7 @@ def mesh(sheet: Sheet, textures: dict[str, Any]) -> Any:
     return made
 
 
-def scenes(cell: float, texel: float) -> tuple[Any, Any]:
+def scenes(cell: float, texel: float, reliefs: Sequence[Moved] = ()) -> tuple[Any, Any]:
     """The object in the light of the sun and in that of the sky: apart, each needs few samples."""
     rng = np.random.default_rng(SEED)
 
@@ -91,26 +97,32 @@ def scenes(cell: float, texel: float) -> tuple[Any, Any]:
         **{t.id: target_card(t.code) for t in targets()},
     }
     bitmaps = {name: mi.Bitmap(np.ascontiguousarray(pixels)) for name, pixels in textures.items()}
-    parts = {f"mesh{k}": mesh(s, bitmaps) for k, s in enumerate(sheets(rng, cell))}
+    parts = {f"mesh{k}": mesh(s, bitmaps) for k, s in enumerate(sheets(rng, cell, reliefs))}
     sun = {"type": "directional", "direction": list(SUN), "irradiance": {"type": "rgb", "value": [3.7, 3.45, 3.05]}}
     sky = {"type": "constant", "radiance": {"type": "rgb", "value": [0.44, 0.48, 0.56]}}
     lit = [mi.load_dict({"type": "scene", **parts, "light": light}) for light in (sun, sky)]
     return lit[0], lit[1]
 
 
-def radiance(world: Any, camera: Camera, centre: Array, rotation: Array, samples: int, seed: int) -> Array:
-    """Linear radiance (h, w, 3), each pixel the mean of `samples` paths spread over its point spread function."""
+def radiance(
+    world: Any, camera: Camera, centre: Array, rotation: Array, samples: int, seed: int, only: Array | None = None
+) -> Array:  # fmt: skip
+    """Linear radiance (h, w, 3), each pixel the mean of `samples` paths spread over its point spread function.
+
+    only  (h, w) pixels that are rendered; the others are 0
+    """
     rng = np.random.default_rng((SEED, seed))
     integrator = mi.load_dict({"type": "path", "max_depth": 3})
     width, height = camera.width_px, camera.height_px
-    rows = max(1, CHUNK // (width * samples))
     spread = BLUR_PX * ndtri(plastic(samples))
     spread -= spread.mean(axis=0)
-    result = np.zeros((height, width, 3))
-    for first in range(0, height, rows):
-        last = min(first + rows, height)
-        y, x = np.mgrid[first:last, 0:width].reshape(2, -1)
-        n = len(x)
+    pixels = np.flatnonzero(np.ones((height, width), bool) if only is None else only)
+    at_once = max(1, CHUNK // (width * samples)) * width
+    result = np.zeros((height * width, 3))
+    for first in range(0, len(pixels), at_once):
+        mine = pixels[first : first + at_once]
+        y, x = np.divmod(mine, width)
+        n = len(mine)
         turn = rng.uniform(0, 2 * np.pi, n)
         c, s = np.cos(turn)[:, None], np.sin(turn)[:, None]
         dx, dy = c * spread[:, 0] - s * spread[:, 1], s * spread[:, 0] + c * spread[:, 1]
@@ -121,8 +133,23 @@ def radiance(world: Any, camera: Camera, centre: Array, rotation: Array, samples
         sampler.seed(int(rng.integers(1 << 31)), n * samples)
         rays = mi.RayDifferential3f(o=point3(centre), d=mi.Vector3f(*d))
         colour = np.array(integrator.sample(world, sampler, rays)[0]).reshape(3, n, samples)
-        result[first:last] = np.minimum(colour, 6.0).mean(axis=2).T.reshape(last - first, width, 3)
-    return result
+        result[mine] = np.minimum(colour, 6.0).mean(axis=2).T
+    return result.reshape(height, width, 3)
+
+
+def around(reliefs: Sequence[Moved], camera: Camera, centre: Array, rotation: Array) -> Array:
+    """(h, w) pixels that may show a relief or its shadow: those within the square around it, grown by `MARGIN_M`."""
+    found = np.zeros((camera.height_px, camera.width_px), bool)
+    for r in reliefs:
+        x, z = (np.linspace(low - MARGIN_M, low + r.side + MARGIN_M, 21) for low in (r.x, r.z))
+        xy, _ = projected(camera, centre, rotation, np.array(list(product(x, DEEP_M, z))))
+        # far outside of the picture distortion has no meaning
+        near = xy[(np.abs(xy - [camera.width_px / 2, camera.height_px / 2]) < camera.width_px).all(axis=1)]
+        if len(near) < 3:
+            continue
+        hull = cv2.convexHull(np.round(near).astype(np.int32))
+        found |= cv2.fillConvexPoly(np.zeros(found.shape, np.uint8), hull, 1) > 0
+    return found
 
 
 def plastic(n: int) -> Array:
@@ -254,25 +281,36 @@ def main() -> None:
     parser.add_argument("--texel", type=float, default=0.001, help="width of a texture's pixel [m]")
     parser.add_argument("--quality", type=int, default=91)
     parser.add_argument("--threads", type=int, default=2)
+    parser.add_argument(
+        "--relief", type=float, nargs=4, action="append", default=[], metavar=("X", "Z", "SIDE", "BY"),
+        help="a square of the wall that has moved by BY towards the camera [m]; may be repeated",
+    )  # fmt: skip
+    parser.add_argument("--onto", type=Path, help="photographs in which only what shows a relief is rendered anew")
     arguments = parser.parse_args()
     mi.set_variant("llvm_ad_rgb")
     dr.set_thread_count(arguments.threads)
-    sun, sky = scenes(arguments.cell, arguments.texel)
+    reliefs = [Moved(*numbers) for numbers in arguments.relief]
+    sun, sky = scenes(arguments.cell, arguments.texel, reliefs)
     camera = true_camera(*arguments.size)
     photographs = network(np.random.default_rng((SEED, 5)))
     arguments.out.mkdir(parents=True, exist_ok=True)
-    block = truth(sky, camera, photographs)
-    write_block(block, arguments.out / "truth")
-    write_measured(block, arguments.out / "measured.csv")
+    if arguments.onto is None:
+        block = truth(sky, camera, photographs)
+        write_block(block, arguments.out / "truth")
+        write_measured(block, arguments.out / "measured.csv")
     (arguments.out / "photos").mkdir(exist_ok=True)
     for k in chosen(arguments.images, len(photographs)):
         name, centre, rotation, orientation = photographs[k]
         start = time.monotonic()
+        only = None if arguments.onto is None else around(reliefs, camera, centre, rotation)
         linear = sum(
-            radiance(world, camera, centre, rotation, samples, k)
+            radiance(world, camera, centre, rotation, samples, k, only)
             for world, samples in zip((sun, sky), arguments.samples, strict=True)
         )
-        Image.fromarray(developed(linear, k)).save(
+        pixels = developed(linear, k)
+        if only is not None:
+            pixels = np.where(only[..., None], pixels, np.asarray(Image.open(arguments.onto / f"{name}.jpg")))
+        Image.fromarray(pixels).save(
             arguments.out / "photos" / f"{name}.jpg", quality=arguments.quality, subsampling="4:2:0",
             exif=exif(camera, orientation, k),
         )  # fmt: skip

@@ -6,7 +6,8 @@ from scipy.ndimage import gaussian_filter
 
 from raybundle.errors import InputError
 from raybundle.surfaces.height_model import HeightModel
-from raybundle.surfaces.heights import Heights, PointsOfCells, between, on_grid, within
+from raybundle.surfaces.heights import BETWEEN_MAPS, Heights, PointsOfCells, between, between_maps, on_grid, within
+from raybundle.surfaces.pairs import PairOfImages, Sources
 
 FINE = 4
 """Points along the side of a cell"""
@@ -134,3 +135,34 @@ def test_a_sum_over_holes_is_refused():
     model = HeightModel(heights=heights, moved=np.zeros((1, 1, 1), np.float32), block=32, cell=1.0, length=1.0)
     with pytest.raises(InputError, match="1 of 16 cells have no height"):
         model.sum_of(np.ones(shape))
+
+
+def sources(reference, *mine, angle_deg, points=100):
+    pairs = tuple(
+        PairOfImages(reference=reference, source=k, points=points, angle_deg=angle_deg, scale=1.0)
+        for k in range(4)
+        if k != reference
+    )
+    return Sources(reference=reference, sources=mine, pairs=pairs, seen=1.0)
+
+
+def test_maps_correlate_more_the_more_photographs_they_share_and_the_more_alike_they_look():
+    same = between_maps([sources(0, 1, angle_deg=10), sources(1, 0, angle_deg=10)])
+    assert same == pytest.approx(0.31 + 0.23 * np.cos(np.radians(10)), abs=1e-3)
+    apart = between_maps([sources(0, 2, angle_deg=10), sources(1, 3, angle_deg=10)])
+    assert apart == pytest.approx(0.23 * np.cos(np.radians(10)), abs=1e-3)
+    steep = between_maps([sources(0, 1, angle_deg=60), sources(1, 0, angle_deg=60)])
+    assert apart < steep < same
+    assert between_maps([sources(0, 1, angle_deg=10)]) == BETWEEN_MAPS  # of one map nothing is known
+
+
+def test_a_cell_of_several_maps_is_the_worse_the_more_they_correlate():
+    def flat(column, _):
+        return 0 * column, (0.0, 0.0)
+
+    both = PointsOfCells.joined([points_above((8, 8), height=flat, image=k) for k in (0, 1)])
+    little, much = (on_grid(both, (8, 8), 50.0, apart)[0].local for apart in (0.2, 0.6))
+    # points of one map in a small cell are all but one: half of the variance is common, half as far as maps are
+    expected = [np.sqrt(0.5 * (1 + apart)) for apart in (0.2, 0.6)]
+    assert np.median(little) == pytest.approx(0.01 * expected[0], rel=0.03)
+    assert np.median(much) == pytest.approx(0.01 * expected[1], rel=0.03)

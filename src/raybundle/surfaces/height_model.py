@@ -73,6 +73,8 @@ class HeightModel:
     """side of a cell, in the unit of the heights"""
     length: float
     """distance in cells at which errors of two points by noise and roughness correlate by 1 / e"""
+    apart: float = BETWEEN_MAPS
+    """their correlation at one place where they are of two maps"""
     holes: Holes | None = None
     """None: all heights were measured"""
     errors: str = ""
@@ -126,12 +128,12 @@ class HeightModel:
         image = h.image[box]
         own = float(((w[there] * h.local[box][there].astype(float)) ** 2).sum())
         s = np.where(there, w * np.nan_to_num(h.point[box].astype(float)), 0.0)
-        found = own + BETWEEN_MAPS * self._with_neighbours(s)
+        found = own + self.apart * self._with_neighbours(s)
         for one in np.unique(image[there]):
             part = np.where(image == one, s, 0.0)
             r, c = (np.flatnonzero(part.any(axis=axis)) for axis in (1, 0))
             if len(r):
-                found += (1 - BETWEEN_MAPS) * self._with_neighbours(part[r[0] : r[-1] + 1, c[0] : c[-1] + 1])
+                found += (1 - self.apart) * self._with_neighbours(part[r[0] : r[-1] + 1, c[0] : c[-1] + 1])
         # differences of neighbours may all but cancel: rounding leaves no negative variance
         found = max(found, 0.0) + self._by_steps(np.where(there, w * h.step[box].astype(float), 0.0))
         if self.holes is None:
@@ -171,7 +173,7 @@ class HeightModel:
         (r, c), (r2, c2) = np.divmod(one, columns), np.divmod(other, columns)
         h, apart = self.heights, (r - r2, c - c2)
         same = h.image.flat[one] == h.image.flat[other]
-        share = np.where(same, 1.0, BETWEEN_MAPS) * between(apart[1], apart[0], self.length)
+        share = np.where(same, 1.0, self.apart) * between(apart[1], apart[0], self.length)
         found = share * h.point.flat[one].astype(float) * h.point.flat[other]
         found = np.where(one == other, h.local.flat[one].astype(float) ** 2, found)
         near = np.exp(-(apart[0] ** 2 + apart[1] ** 2) / step_length(self.length) ** 2)

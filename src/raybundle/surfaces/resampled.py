@@ -106,5 +106,6 @@ def difference(before: HeightModel, after: HeightModel) -> HeightModel:
     )  # fmt: skip
     return HeightModel(
         heights=heights, moved=moved, block=before.block, cell=before.cell, length=max(before.length, after.length),
+        apart=max(before.apart, after.apart),
         errors=before.errors if same else "", adjustment=before.adjustment if same else "",
     )  # fmt: skip

@@ -18,7 +18,7 @@ from raybundle.io.raster_library import raster_library
 from raybundle.io.reading.trees import read_toml
 from raybundle.numerics.arrays import Array
 from raybundle.surfaces.height_model import HeightModel, Holes
-from raybundle.surfaces.heights import Heights
+from raybundle.surfaces.heights import BETWEEN_MAPS, Heights
 from raybundle.workflows.height_grid import HeightGrid
 from raybundle.workflows.height_tiles import BLOCK_CELLS, TILE_CELLS, Window, moved_of, tile_of_number, tiles_across
 from raybundle.workflows.object_plane import MapLevel, Plane
@@ -121,12 +121,17 @@ def write_heights(surface: Surface, file: HeightFile, out: Path) -> tuple[str, .
             moved, moved=whole.moved, block=np.array(BLOCK_CELLS), errors=np.array(measured.together),
             adjustment=np.array(measured.adjustment),
         )  # fmt: skip
-        about.write_text(toml_text({**file.as_mapping(), "length_cells": whole.length}), encoding="utf-8")
+        about.write_text(_about(file, whole.length, measured.apart), encoding="utf-8")
     share = sum(whole.cells) / (file.width * file.height)
     sigma = float(np.median(np.concatenate(whole.sigma)))
     unit = f" {file.unit}" if file.unit else ""
     told = f"{file.width} x {file.height} cells of {file.cell:g}{unit}, {share:.0%} of them with a height"
     return (f"{told}; standard deviation {sigma:.2g}{unit} in the median",)
+
+
+def _about(file: HeightFile, length: float, apart: float) -> str:
+    """The text of heights.toml."""
+    return toml_text({**file.as_mapping(), "length_cells": length, "between_maps": apart})
 
 
 def _tile(surface: Surface, file: HeightFile, whole: _Whole, tile: int, window: Window) -> tuple[Array, Array]:
@@ -166,7 +171,7 @@ def write_model(model: HeightModel, file: HeightFile, out: Path) -> None:
         if model.holes is not None:
             kept |= {"holes": model.holes.number.astype(np.int32), "holes_sigma": model.holes.sigma.astype(np.float32)}
         np.savez_compressed(moved, allow_pickle=False, **kept)
-        about.write_text(toml_text({**file.as_mapping(), "length_cells": model.length}), encoding="utf-8")
+        about.write_text(_about(file, model.length, model.apart), encoding="utf-8")
 
 
 def read_heights(folder: str | Path) -> tuple[HeightModel, HeightFile]:
@@ -195,7 +200,7 @@ def read_heights(folder: str | Path) -> tuple[HeightModel, HeightFile]:
     )  # fmt: skip
     model = HeightModel(
         heights=heights, moved=moved, block=block, cell=numbers["pixel"], length=numbers["length_cells"],
-        holes=holes, errors=errors, adjustment=adjustment,
+        apart=tree.optional("between_maps", BETWEEN_MAPS), holes=holes, errors=errors, adjustment=adjustment,
     )  # fmt: skip
     told = {k: v.value for k, v in tree.mapping().items()}
     plane = {k: v for k, v in told.items() if k not in {"left", "top", "pixel", "width_px", "height_px", "block"}}

@@ -44,6 +44,8 @@ class MeasuredHeights:
     """key of the independent errors behind all orientations"""
     adjustment: str
     """that these are of"""
+    apart: float
+    """correlation of noise and roughness of two maps at one place"""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

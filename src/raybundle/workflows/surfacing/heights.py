@@ -15,7 +15,7 @@ from raybundle.pipeline.stage import Means, Stage
 from raybundle.pipeline.store import Folder, Product
 from raybundle.pipeline.tasks import Task
 from raybundle.surfaces.depth_map import DepthMap
-from raybundle.surfaces.heights import STEEPEST, PointsOfCells, on_grid
+from raybundle.surfaces.heights import STEEPEST, PointsOfCells, between_maps, on_grid
 from raybundle.surfaces.orientation import CommonRoot, ShiftCovariance
 from raybundle.surfaces.pairs import Sources
 from raybundle.surfaces.rays import ReferenceRays
@@ -68,6 +68,8 @@ class TileTask:
     """of the references that have points in it"""
     images: tuple[int, ...]
     grid: HeightGrid
+    apart: float
+    """correlation of noise and roughness of two references at one place"""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -94,13 +96,14 @@ def measure(i: Inputs, means: Means) -> MeasuredHeights:
     for k, key in above.items():
         for tile in means.store.wanted(key, ("tiles",))["tiles"].tolist():
             there.setdefault(tile, []).append(k)
-    layers = [_tile(i.grid, tile, mine, [above[k] for k in mine]) for tile, mine in sorted(there.items())]
+    apart = between_maps(i.chosen)
+    layers = [_tile(i.grid, tile, mine, [above[k] for k in mine], apart) for tile, mine in sorted(there.items())]
     all_done(means, layers, "heights")
     keys = {tile: t.key for tile, t in zip(sorted(there), layers, strict=True)}
     tiles = [_steps(i.grid, tile, keys) for tile in sorted(keys)]
     all_done(means, tiles, "steps between heights")
     found = {tile: t.key for tile, t in zip(sorted(keys), tiles, strict=True)}
-    return MeasuredHeights(grid=i.grid, tiles=found, above=above, together=together, adjustment=about)
+    return MeasuredHeights(grid=i.grid, tiles=found, above=above, together=together, adjustment=about, apart=apart)
 
 
 def _above(i: Inputs, means: Means, k: int, together: str) -> Task:
@@ -116,11 +119,12 @@ def _above(i: Inputs, means: Means, k: int, together: str) -> Task:
     )  # fmt: skip
 
 
-def _tile(grid: HeightGrid, tile: int, images: Sequence[int], above: Sequence[str]) -> Task:
+def _tile(grid: HeightGrid, tile: int, images: Sequence[int], above: Sequence[str], apart: float) -> Task:
     """The task of a tile."""
+    key = key_of(LAYER, VERSION, tile, images, above, grid, apart)
     return Task(
-        key=key_of(LAYER, VERSION, tile, images, above, grid), function=f"{__name__}:tile_of", inputs=tuple(above),
-        options=TileTask(tile=tile, above=tuple(above), images=tuple(images), grid=grid),
+        key=key, function=f"{__name__}:tile_of", inputs=tuple(above),
+        options=TileTask(tile=tile, above=tuple(above), images=tuple(images), grid=grid, apart=apart),
         name=f"tile {tile}", cost=TILE_CELLS**2 * CELL_S * (1 + len(above)),
     )  # fmt: skip
 
@@ -227,7 +231,7 @@ def tile_of(store: Folder, task: TileTask) -> Product:
         )  # fmt: skip
     points = PointsOfCells.joined(parts)
     length = float(np.average(lengths, weights=[max(len(p), 1) for p in parts]))
-    found, weights = on_grid(points, (own.height, own.width), length)
+    found, weights = on_grid(points, (own.height, own.width), length, task.apart)
     across = -(-own.width // BLOCK_CELLS)
     block = _number(points.column, points.row, BLOCK_CELLS, own.width)
     share = np.zeros((len(task.images), across * -(-own.height // BLOCK_CELLS)))
