@@ -1,7 +1,7 @@
 """Heights of a surface above a plane, on a grid: of each cell the layer that lies on top, with its standard deviations.
 
-Points of a cell are brought to its middle along their own slopes, parted into layers where they stand apart, and those
-of the uppermost layer are combined by their weights: the height of a cell is the mean of its uppermost layer over the
+Points of a cell are parted into layers where they stand apart, and those of the uppermost layer are combined by their
+weights and brought to its middle by their mean slope: the height of a cell is the mean of its uppermost layer over the
 cell, not that of its middle.  What the points share (windows that overlap, photographs, orientation) does not get
 better with their number, and the standard deviations say so.
 """
@@ -157,13 +157,30 @@ def on_grid(
     same = _share_of_one_map(p.image, w, new, count)
     shared = within(length) * (same + (1 - same) * apart)
     flat = {name: values.reshape(-1) for name, values in found.items()}
-    flat["height"][at] = np.add.reduceat(w * middle, new)
-    flat["local"][at] = np.sqrt(alone * (1 - shared) + together * shared)
+    height, off = _at_middles(p, w, new, columns, at)
+    flat["height"][at] = height
+    # a slope is as uncertain as a height is over the length of correlation
+    flat["local"][at] = np.sqrt((alone * (1 - shared) + together * shared) * (1 + off / length**2))
     flat["point"][at] = np.sqrt(together)
     flat["orientation"][at] = np.add.reduceat(w * p.orientation, new)
     flat["points"][at] = np.minimum(count, np.iinfo(np.uint16).max)
     flat["image"][at] = p.image[_largest(w, new, count)]
     return Heights(**found), weights
+
+
+def _at_middles(p: PointsOfCells, w: Array, new: Index, columns: int, at: Index) -> tuple[Array, Array]:
+    """(cells,) heights by points that are a cell's one after the other, and squares of how far these lie off its middle.
+
+    All of them together are brought to the middle by their mean slope: that of each is uncertain, and over half a cell
+    its error would be larger than that of the height.
+    """
+
+    def mean(values: Array) -> Array:
+        return np.add.reduceat(w * values, new)
+
+    right, down = at % columns + 0.5 - mean(p.column), at // columns + 0.5 - mean(p.row)
+    height = mean(p.height) + mean(p.slope[:, 0]) * right + mean(p.slope[:, 1]) * down
+    return height, right**2 + down**2
 
 
 def _uppermost(cell: Index, middle: Array, p: PointsOfCells) -> Mask:

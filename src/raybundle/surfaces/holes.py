@@ -13,7 +13,7 @@ from dataclasses import replace
 from typing import cast
 
 import numpy as np
-from scipy.ndimage import distance_transform_edt, gaussian_filter, label
+from scipy.ndimage import binary_dilation, distance_transform_edt, gaussian_filter, label
 from scipy.sparse import csr_array
 from scipy.sparse.linalg import spsolve
 
@@ -29,20 +29,31 @@ AROUND = 8.0
 EIGHT = np.ones((3, 3), int)
 
 
-def filled(model: HeightModel, limit: float) -> HeightModel:
+def filled(model: HeightModel, limit: float, within: Mask | None = None) -> HeightModel:
     """The same with holes filled that heights enclose and whose cells lie no further than `limit` cells from one.
+
+    within  (rows, columns) where cells so near are filled, too, that are of a wider hole, or of one that is open to
+            the edge of the grid: an outline may cut them off
 
     What it does not tell: what stands in a hole and shows nowhere around it.
     """
     unknown = ~model.known
     number, _ = parts_of(unknown)
     edge = np.unique(np.concatenate([number[0], number[-1], number[:, 0], number[:, -1]]))
-    depth = np.asarray(distance_transform_edt(unknown))
+    depth = depths(model)
     deepest = _largest(number, depth)
     small = deepest <= limit
     small[edge] = False
     small[0] = False
-    return spanned(model, small[number])
+    wanted = small[number]
+    if within is not None:
+        wanted |= unknown & within & (depth <= limit)
+    return spanned(model, wanted)
+
+
+def depths(model: HeightModel) -> Array:
+    """(rows, columns) how far each cell lies from the nearest one with a height [cells]."""
+    return np.asarray(distance_transform_edt(~model.known))
 
 
 def spanned(model: HeightModel, wanted: Mask) -> HeightModel:
@@ -61,8 +72,10 @@ def spanned(model: HeightModel, wanted: Mask) -> HeightModel:
     depth, (row, column) = cast("tuple[Array, Array]", found)
     height = np.where(known, h.height, np.nan).astype(float)
     _span(height, wanted)
+    wanted = wanted & np.isfinite(height)
+    number = np.where(wanted, number, 0)
     power, strength = _variogram(height, np.where(known, h.local, np.nan))
-    deepest = _largest(number, depth)[number]
+    deepest = np.where(_open(number, known)[number], np.inf, _largest(number, depth)[number])
     gap = 2 * strength * depth**power * (1 - depth / np.maximum(2 * deepest, 1)) ** power
     sigma = np.where(wanted, np.sqrt(np.maximum(gap, 0.0)), 0.0)
     near = {k: np.where(wanted, getattr(h, k)[row, column], getattr(h, k)) for k in NEAREST}
@@ -83,6 +96,16 @@ def parts_of(mask: Mask) -> tuple[Index, int]:
     return cast("tuple[Index, int]", label(mask, EIGHT))
 
 
+def _open(number: Index, known: Mask) -> Array:
+    """(holes + 1,) whether a hole goes on, into what is not known or beyond the grid: it is spanned from one side."""
+    found = np.zeros(int(number.max()) + 1, bool)
+    around = np.pad((number == 0) & ~known, 1, constant_values=True)
+    beside = np.asarray(binary_dilation(around, EIGHT))[1:-1, 1:-1]
+    found[np.unique(number[beside])] = True
+    found[0] = False
+    return found
+
+
 def _largest(number: Index, values: Array) -> Array:
     """(holes + 1,) the largest value of each."""
     found = np.zeros(int(number.max()) + 1)
@@ -92,7 +115,8 @@ def _largest(number: Index, values: Array) -> Array:
 
 def _span(height: Array, wanted: Mask) -> None:
     """Fill heights in place: each is the mean of its known or wanted neighbours above, below, left and right."""
-    reachable, _ = parts_of(wanted | np.isfinite(height))
+    # by sides alone: what touches a height at a corner only is the mean of none
+    reachable = cast("tuple[Index, int]", label(wanted | np.isfinite(height)))[0]
     touched = np.unique(reachable[np.isfinite(height)])
     wanted = wanted & np.isin(reachable, touched)
     at = np.flatnonzero(wanted.ravel())

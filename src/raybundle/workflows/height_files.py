@@ -19,6 +19,7 @@ from raybundle.io.reading.trees import read_toml
 from raybundle.numerics.arrays import Array
 from raybundle.surfaces.height_model import HeightModel, Holes
 from raybundle.surfaces.heights import BETWEEN_MAPS, Heights
+from raybundle.surfaces.nodes import NodeSums, of_blocks
 from raybundle.workflows.height_grid import HeightGrid
 from raybundle.workflows.height_tiles import BLOCK_CELLS, TILE_CELLS, Window, moved_of, tile_of_number, tiles_across
 from raybundle.workflows.object_plane import MapLevel, Plane
@@ -86,7 +87,7 @@ class HeightFile:
 class _Whole:
     """What is known of all tiles when each was written."""
 
-    moved: Array | None = None
+    moved: NodeSums | None = None
     lengths: list[float] = field(default_factory=list[float])
     cells: list[int] = field(default_factory=list[int])
     sigma: list[Array] = field(default_factory=list[Array])
@@ -118,7 +119,7 @@ def write_heights(surface: Surface, file: HeightFile, out: Path) -> tuple[str, .
         if whole.moved is None:
             raise InputError("no point of the surface lies above the area of the heights; choose another")
         np.savez_compressed(
-            moved, moved=whole.moved, block=np.array(BLOCK_CELLS), errors=np.array(measured.together),
+            moved, nodes=whole.moved.nodes, block=np.array(BLOCK_CELLS), errors=np.array(measured.together),
             adjustment=np.array(measured.adjustment),
         )  # fmt: skip
         about.write_text(_about(file, whole.length, measured.apart), encoding="utf-8")
@@ -145,10 +146,9 @@ def _tile(surface: Surface, file: HeightFile, whole: _Whole, tile: int, window: 
     h = Heights.of_arrays(a)
     part = moved_of(surface.store, measured.above, measured.grid, tile, measured.tiles[tile])
     if whole.moved is None:
-        rows, columns = -(-file.height // BLOCK_CELLS), -(-file.width // BLOCK_CELLS)
-        whole.moved = np.zeros((rows, columns, part.shape[2]), np.float32)
-    r, c = window.y // BLOCK_CELLS, window.x // BLOCK_CELLS
-    whole.moved[r : r + part.shape[0], c : c + part.shape[1]] = part
+        whole.moved = NodeSums.of((file.height, file.width), BLOCK_CELLS, part.shape[3])
+    first = window.y // BLOCK_CELLS, window.x // BLOCK_CELLS
+    whole.moved.add(first, part, np.isfinite(h.height), BLOCK_CELLS)
     whole.add(h, float(a["length"]))
     bands = [h.sigma, *(getattr(h, name).astype(np.float32) for name in KEPT[1:])]
     return h.height[..., None], np.stack(bands, axis=2)
@@ -165,7 +165,7 @@ def write_model(model: HeightModel, file: HeightFile, out: Path) -> None:
         with file.new(sigmas, BANDS) as write:
             write(0, 0, np.stack(bands, axis=2).astype(np.float32))
         kept = {
-            "moved": model.moved, "block": np.array(model.block), "errors": np.array(model.errors),
+            "nodes": model.moved, "block": np.array(model.block), "errors": np.array(model.errors),
             "adjustment": np.array(model.adjustment),
         }  # fmt: skip
         if model.holes is not None:
@@ -189,7 +189,9 @@ def read_heights(folder: str | Path) -> tuple[HeightModel, HeightFile]:
         wkt = one.crs.to_wkt() if one.crs else ""
     found = dict(zip(KEPT[1:], bands[1:], strict=True))
     with np.load(folder / MOVED, allow_pickle=False) as kept:
-        moved, block = kept["moved"], int(kept["block"])
+        # older files have one value for each block
+        moved = kept["nodes"] if "nodes" in kept else of_blocks(kept["moved"])
+        block = int(kept["block"])
         holes = Holes(number=kept["holes"], sigma=kept["holes_sigma"]) if "holes" in kept else None
         errors, adjustment = (str(kept[name]) if name in kept else "" for name in ("errors", "adjustment"))
     heights = Heights(

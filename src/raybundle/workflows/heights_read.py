@@ -67,20 +67,24 @@ def opened(folder: Path, widest: float | None = None) -> Opened:
     return Opened(folder=folder, model=model, file=file)
 
 
-def covered_by(o: Opened, outlines: Sequence[str], extent: Sequence[float] | None) -> Array:
-    """(rows, columns) share of each cell within outlines, files or coordinates; without any, all cells with a height.
+def outlined(o: Opened, outlines: Sequence[str], extent: Sequence[float] | None) -> list[list[Array]]:
+    """Areas by outlines, files or coordinates, or a rectangle: of each its rings, in columns and rows.
 
-    raises  InputError for an outline that crosses itself or lies beyond the grid
+    raises  InputError for an outline that crosses itself
     """
-    if extent is None and not outlines:
-        return o.model.known.astype(float)
-    groups = areas_in(o.file.wkt, outlines, extent)
+    return [[o.cells(r) for r in rings] for rings in areas_in(o.file.wkt, outlines, extent)]
+
+
+def covered_by(o: Opened, areas: Sequence[Sequence[Array]]) -> Array:
+    """(rows, columns) share of each cell within areas, each by its rings in columns and rows.
+
+    raises  InputError where areas overlap or lie beyond the grid
+    """
     found = np.zeros(o.model.shape)
     wanted = 0.0
-    for rings in groups:
-        cells = [o.cells(r) for r in rings]
-        wanted += _size(cells)
-        found += coverage(cells, o.model.shape)
+    for rings in areas:
+        wanted += _size(rings)
+        found += coverage(rings, o.model.shape)
     if found.max() > 1 + 1e-6:
         raise InputError("two of the outlines overlap; give areas that lie apart, or one round all of them")
     lost = 1 - float(found.sum()) / wanted
