@@ -80,7 +80,7 @@ class DepthMap:
     roughness: Array
     """variance of t by what the surface does within the window, and by steps of which it may be on either side"""
     shift: Array
-    """(rows, columns, sources, 2) change of t where a source's picture lies one pixel further [t / px]"""
+    """(rows, columns, sources, 2) change of t where a source's table says one pixel further [t / px]"""
     views: Index
     """int32, bit s: source s was used"""
     reason: Array
