@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -65,7 +65,7 @@ def run_section(settings: HeightsSectionSettings) -> MeasuredSections:
     from raybundle.surfaces.sections import section  # noqa: PLC0415  (what computes is loaded after the help)
     from raybundle.workflows.heights_read import lines_of, opened  # noqa: PLC0415
 
-    s = settings
+    s = replace(settings, out=tuple(dict.fromkeys(settings.out)))
     if not s.line:
         raise InputError(f"no line is given; say along what with {option('line', 'CORNERS')}")
     for path in s.out:

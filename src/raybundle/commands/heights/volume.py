@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -91,6 +91,10 @@ def run_volume(settings: HeightsVolumeSettings) -> MeasuredVolume:
     elif ((covered > 0) & ~model.known).any():
         raise InputError(_lost(o, before, model, covered), file=s.source)
     found = volume(model, covered, [r for rings in areas for r in rings] if base is None else base)
+    if s.above != RIM and level is None:
+        # what was filled below a surface, as the ground is, is no part of the surface that is missing
+        own = ~o.model.known if o.model.holes is None else ~o.model.known | o.model.holes.filled
+        found = replace(found, filled=float(covered[own].sum() / covered.sum()))
     if 100 * found.filled > s.most_filled:
         raise InputError(
             f"{found.filled:.0%} of the area was filled, more than {s.most_filled:g} %; photograph what is missing, or "
