@@ -101,7 +101,7 @@ def information(nodes: Array, block: int, weights: Array) -> Array:
     at = _at_corners(number)
     one, other = (np.broadcast_to(x, (len(at), 4, 4)).ravel() for x in (at[:, :, None], at[:, None, :]))
     between = csr_array((products.ravel(), (one, other)), shape=(number.size, number.size))
-    M = nodes.reshape(number.size, -1).astype(float)
+    M = nodes.reshape(number.size, nodes.shape[2]).astype(float)
     return M.T @ (between @ M)
 
 
