@@ -119,9 +119,11 @@ def test_holes_that_an_outline_or_the_edge_cuts_off_are_filled(tmp_path, capsys)
     exact = 0.13 * 0.2 * (0.2 * 0.565 + 0.1 * 0.2)
     assert beside["net"]["value"] == pytest.approx(exact, abs=3 * beside["net"]["sigma"])
     wide = refused(capsys, *volume, "--extent", 0.5, 0.1, 0.7, 0.3)
-    assert "has no height (100 of its cells)" in wide
+    assert "has no height (95 of its cells)" in wide
     assert "fill it with --fill 0.2," in wide
-    assert told(capsys, *volume, "--extent", 0.5, 0.1, 0.7, 0.3, "--fill", 0.2, "--most-filled", 60)["filled"] == 0.5
+    assert told(capsys, *volume, "--extent", 0.5, 0.1, 0.7, 0.3, "--fill", 0.2, "--most-filled", 60)[
+        "filled"
+    ] == pytest.approx(0.5)
 
 
 def test_a_surface_differs_from_itself_by_nothing(cone, capsys):

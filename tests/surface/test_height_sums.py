@@ -1,5 +1,6 @@
 """Volumes, sections, filled holes, steps, contours and the ground, beside numbers by hand and drawn errors."""
 
+import warnings
 from dataclasses import replace
 
 import numpy as np
@@ -8,7 +9,7 @@ import pytest
 from raybundle.errors import InputError
 from raybundle.surfaces.contours import contours, ring_lines, smoothed
 from raybundle.surfaces.ground import ground, standing
-from raybundle.surfaces.holes import filled
+from raybundle.surfaces.holes import filled, spanned
 from raybundle.surfaces.outlines import coverage
 from raybundle.surfaces.relief import half_side, steps_of
 from raybundle.surfaces.sections import section
@@ -197,6 +198,62 @@ def test_holes_are_filled_within_what_is_stated(power):
     w[hole, hole] = 1
     # all of a hole is wrong together
     assert done.sum_of(w).local > 0.99 * done.holes.sigma[hole, hole].sum()
+
+
+def test_areas_over_filled_holes_have_what_the_surface_does_in_them():
+    """Of a rough surface with six holes of 10 x 10 cells, against the whole of it."""
+    rng = np.random.default_rng(3)
+    n = 128
+    f = np.hypot(*np.meshgrid(np.fft.fftfreq(n), np.fft.fftfreq(n)))
+    f[0, 0] = np.inf
+    z = []
+    for _ in range(8):
+        surface = np.fft.ifft2(np.fft.fft2(rng.normal(size=(n, n))) * f**-1.6).real
+        height = 0.02 * surface / surface.std()
+        model = made(height, sigma=5e-4, rng=rng)
+        for r, c in rng.integers(10, 100, (6, 2)).tolist():
+            model = holed(model, slice(r, r + 10), slice(c, c + 10))
+        exact = volume(made(height, sigma=1e-6), np.ones((n, n)), 0.0).true_area
+        found = volume(filled(model, 10), np.ones((n, n)), 0.0)
+        z.append((found.true_area - exact) / found.true_area_sigma)
+    assert np.abs(z).max() < 2
+    assert abs(np.mean(z)) < 1
+
+
+def test_a_dome_stands_on_the_plane_by_heights_at_its_outline():
+    """A paraboloid that falls off beyond the outline: heights half a cell inside of it would be too high a base."""
+    x, y = middles((60, 60))
+    model = made(0.2 - ((x - 0.3) ** 2 + (y - 0.3) ** 2) / 2, sigma=1e-4, rng=np.random.default_rng(1))
+    rings = [np.array([[20.0, 20.0], [40.0, 20.0], [40.0, 40.0], [20.0, 40.0]])]
+    found = volume(model, coverage(rings, (60, 60)), rings)
+    # over a square of the side a: mean of the whole a^2 / 6, of its outline a^2 / 4 + a^2 / 12
+    exact = 0.2**2 * (0.2**2 / 3 - 0.2**2 / 6) / 2
+    assert found.net.value == pytest.approx(exact, abs=3 * found.net.sigma)
+    assert found.net.sigma < 0.02 * exact
+
+
+def test_holes_that_are_open_to_the_edge_go_on_as_what_is_around():
+    x, y = middles(SHAPE)
+    model = holed(made(0.3 * x + 0.1 * y, sigma=1e-5), slice(0, 5), slice(0, 50))
+    assert not filled(model, 20).known[:5, :50].any()
+    within = np.zeros(SHAPE, bool)
+    within[2:30, 10:30] = True
+    done = filled(model, 2, within)
+    assert done.known[3:5, 10:30].all()
+    assert not done.known[2, 10:30].any()
+    assert np.abs(done.heights.height - (0.3 * x + 0.1 * y))[3:5, 10:30].max() < 1e-4
+    # cells that touch what is known at a corner alone have no neighbour to be the mean of
+    lone = holed(made(np.zeros(SHAPE)), slice(0, 3), slice(0, 3))
+    height = lone.heights.height.copy()
+    height[3, 2], height[2, 3] = np.nan, np.nan
+    lone = replace(lone, heights=replace(lone.heights, height=height))
+    corner = np.zeros(SHAPE, bool)
+    corner[2, 2] = True
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        done = spanned(lone, corner)
+    assert not done.known[2, 2]
+    assert not done.holes.filled.any()
 
 
 def test_a_plane_goes_on_through_a_hole_and_edges_stay_open():

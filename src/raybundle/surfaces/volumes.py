@@ -219,8 +219,8 @@ def _true_area(model: HeightModel, covered: Array) -> tuple[float, float]:
 def _uneven(model: HeightModel) -> Array:
     """(rows, columns) variance of the slopes that a surface has in holes beside that of what spans them.
 
-    Of neighbours that are one cell apart, by how much a surface differs from what spans a hole one cell from its rim:
-    where that is least in the hole.
+    What spans a hole differs from the surface by a variance of 2 c one cell from its rim, where it is least, and slopes
+    are those of two cells: of a variogram c d^p they vary by c 2^(p - 1), which is half of it where p is 1.
     """
     found = np.zeros(model.shape)
     if model.holes is None or not model.holes.filled.any():
@@ -229,7 +229,7 @@ def _uneven(model: HeightModel) -> Array:
     least = np.full(int(number.max()) + 1, np.inf)
     np.minimum.at(least, number.ravel(), variance.ravel())
     filled = model.holes.filled
-    found[filled] = least[number[filled]] / model.cell**2
+    found[filled] = least[number[filled]] / 2 / model.cell**2
     return found
 
 

@@ -24,6 +24,11 @@ def measured(value: float, sigma: float, unit: str, power: int = 1) -> str:
     )
 
 
+def two_digits(sigma: float) -> str:
+    """A standard deviation."""
+    return significant(sigma, 2) if sigma > 0 else "0"
+
+
 def plain(value: float, digits: int = 6) -> str:
     """A number that is exact or has no standard deviation, to six digits or whole."""
     if value and not 1e-4 <= abs(value) < 1e15:
