@@ -104,8 +104,8 @@ def test_a_base_by_the_rim_takes_off_what_orientation_does():
     with pytest.raises(InputError, match="holds no cell"):
         volume(model, np.zeros(SHAPE), 0.0)
     bare = holed(model, slice(2, 7), slice(0, 96))
+    one = np.array([[3.2, 3.2], [4.2, 3.2], [4.2, 4.2], [3.2, 4.2]])
     with pytest.raises(InputError, match="0 of 8 places along the outline have a height, too few for a plane"):
-        one = np.array([[3.2, 3.2], [4.2, 3.2], [4.2, 4.2], [3.2, 4.2]])
         volume(bare, np.where(bare.known, 1.0, 0.0), [one])
 
 

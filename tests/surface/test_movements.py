@@ -17,7 +17,7 @@ def pair(rng, **more):
     """The differences of two measurements of one relief."""
     x, y = middles(SHAPE)
     relief = 0.01 * np.sin(20 * x) * np.cos(15 * y)
-    before, after = (made(relief, rng=rng, sigma=4e-4, common=1e-3, **more) for _ in range(2))
+    before, after = (made(relief, rng=rng, sigma=4e-4, **{"common": 1e-3, **more}) for _ in range(2))
     return difference(before, after)
 
 
@@ -27,9 +27,9 @@ def raised(model, by, rows=slice(18, 48), columns=slice(30, 60)):
     return replace(model, heights=replace(model.heights, height=height))
 
 
-def alarms(count, seed):
+def alarms(count, seed, **more):
     rng = np.random.default_rng(seed)
-    found = [movements(pair(rng)) for _ in range(count)]
+    found = [movements(pair(rng, **more)) for _ in range(count)]
     return sum(bool(m.regions) for m in found), sum(m.whole.significant for m in found)
 
 
@@ -38,6 +38,21 @@ def test_what_has_not_moved_is_left_alone():
     # 5 % of 60 are 3; 8 or more have a chance of 1 %
     assert local <= 7
     assert whole <= 7
+
+
+@pytest.mark.parametrize("common", [1e-4, 2e-2])
+def test_tilts_by_orientation_are_no_movement(common):
+    """Less than the noise over a block, and 25 times as much: drawn by the joint covariance of the heights."""
+    local, whole = alarms(PAIRS, 16, common=common)
+    assert local <= 7
+    assert whole <= 7
+    rng = np.random.default_rng(17)
+    d = pair(rng, common=common)
+    left = movements(d).local
+    r, c = np.mgrid[: SHAPE[0], : SHAPE[1]] - np.array(SHAPE)[:, None, None] / 2
+    slope = [float((left * k).sum() / (k**2).sum()) * 64 for k in (r, c)]
+    # of tilts of some millimetres over the whole hundredths are left
+    assert np.abs(slope).max() < 1e-4
 
 
 @pytest.mark.long

@@ -169,7 +169,7 @@ def on_grid(
 
 
 def _at_middles(p: PointsOfCells, w: Array, new: Index, columns: int, at: Index) -> tuple[Array, Array]:
-    """(cells,) heights by points that are a cell's one after the other, and squares of how far these lie off its middle.
+    """(cells,) heights by points, a cell's one after the other, and squares of how far these lie off its middle.
 
     All of them together are brought to the middle by their mean slope: that of each is uncertain, and over half a cell
     its error would be larger than that of the height.

@@ -101,7 +101,7 @@ def _open(number: Index, known: Mask) -> Array:
     """(holes + 1,) whether a hole goes on, into what is not known or beyond the grid: it is spanned from one side."""
     found = np.zeros(int(number.max()) + 1, bool)
     around = np.pad((number == 0) & ~known, 1, constant_values=True)
-    beside = np.asarray(binary_dilation(around, EIGHT))[1:-1, 1:-1]
+    beside = cast("Mask", binary_dilation(around, EIGHT))[1:-1, 1:-1]
     found[np.unique(number[beside])] = True
     found[0] = False
     return found
@@ -118,7 +118,7 @@ def _planes(height: Array, number: Index, opened: Array) -> Array:
         if box is None or not opened[k]:
             continue
         rows, columns = (slice(max(b.start - reach, 0), b.stop + reach) for b in box)
-        near = np.asarray(distance_transform_edt(number[rows, columns] != k)) <= reach
+        near = cast("Array", distance_transform_edt(number[rows, columns] != k)) <= reach
         z = height[rows, columns]
         r, c = np.nonzero(near & np.isfinite(z))
         A = np.stack([np.ones(len(r)), r - r.mean(), c - c.mean()], axis=1)

@@ -146,8 +146,8 @@ def _lower(at: Array, count: int) -> tuple[Index, Array]:
 
 
 def of_blocks(values: Array) -> Array:
-    """Nodes by one value (rows, columns, q) for each block, that of its middle; blocks with none but zeros have none."""
-    empty = ~values.any(axis=2)
+    """Nodes by one value (rows, columns, q) for each block, that of its middle; a block of zeros has none."""
+    empty = np.asarray(~values.any(axis=2))
     if empty.all():
         return np.zeros((values.shape[0] + 1, values.shape[1] + 1, values.shape[2]), values.dtype)
     found = _from_nearest(values.astype(float), ~empty)
@@ -182,7 +182,7 @@ def fits(column: Array, row: Array, values: Array, begin: Index) -> Array:
 
 @dataclass(slots=True, kw_only=True)
 class NodeSums:
-    """Nodes by what is fitted to blocks, tile by tile: where blocks meet, each counts by what it knows of the corner."""
+    """Nodes by what is fitted to blocks, tile by tile: each block counts by what it knows of a corner."""
 
     total: Array
     weight: Array = field(init=False)

@@ -81,7 +81,8 @@ def difference(before: HeightModel, after: HeightModel) -> HeightModel:
     """Heights of `after` less those of `before` on the same grid.
 
     Their noise has nothing in common.  Orientations of one adjustment, which name the same independent errors, do: what
-    moves both alike cancels.  Cells that both have from one measurement, as a surface and its ground, differ by nothing.
+    moves both alike cancels.  Cells that both have from one measurement, as a surface and its ground, differ by nothing
+    at all.
     """
     a, b = before.heights, after.heights
     both = np.isfinite(a.height) & np.isfinite(b.height)

@@ -123,13 +123,16 @@ def areas_in(wkt: str, outlines: Sequence[str], extent: Sequence[float] | None) 
 
 
 def _shapes(given: str, name: str) -> tuple[Shape, ...]:
-    """What a file or coordinates hold.  Raises InputError for numbers that are no corners, and as `read_shapes` does."""
+    """What a file or coordinates hold.
+
+    raises  InputError for numbers that are no corners, and as `read_shapes` does
+    """
     if not Path(given).exists() and re.fullmatch(r"[\d\s.,;+\-eE]+", given) and re.search(r"\d", given):
         pairs = [p.split() for p in re.split(r"[;,]", given)]
         if any(len(p) != 2 or None in map(number_of, p) for p in pairs):
             raise InputError(
-                f"{option(name, given)} is no file and no corners: these are written X Y, X Y, ... with a blank between "
-                "the two numbers of a corner and a comma between corners"
+                f"{option(name, given)} is no file and no corners: these are written X Y, X Y, ... with a blank "
+                "between the two numbers of a corner and a comma between corners"
             )
     return read_shapes(given)
 
