@@ -1,4 +1,8 @@
-"""What neighbours of a map say of a pixel: flags, and which depths are taken out."""
+"""What neighbours of a map say of a pixel: flags, and which depths are doubtful.
+
+A doubtful depth is as a rule right (nine of ten of an exactly known object, benchmarks/surface_truth.py), but a map
+alone cannot tell: it stays where other maps confirm it.
+"""
 
 from __future__ import annotations
 
@@ -39,10 +43,13 @@ class Flag(IntFlag):
     FEW_SOURCES = 4
     """Seen by one source only, where there are several: nothing checks it"""
     LONELY = 8
-    """Its neighbours do not agree with it: taken out"""
+    """Its neighbours do not agree with it: doubtful"""
     EDGE = 16
     """Beside a hole that is larger than a window: something begins there that hides the rest, and windows show both:
-    taken out"""
+    doubtful"""
+
+
+DOUBTFUL = Flag.LONELY | Flag.EDGE
 
 
 def tested(t: Array, slopes: Array, variance: Array, incidence: Array, few: Mask, stride: int) -> tuple[Array, Array]:
@@ -51,8 +58,8 @@ def tested(t: Array, slopes: Array, variance: Array, incidence: Array, few: Mask
     t, slopes  NaN where there is no depth; slopes (2, rows, columns)
     few        seen by fewer sources than can check it
 
-    A variance by a step is the largest square of what neighbours stand apart, where too few agree to tell on which side
-    of it a depth is; else 0.
+    A variance by a step is the largest square of what neighbours stand apart: of doubtful depths, and where too few
+    agree to tell on which side of it a depth is; else 0.
     """
     known = np.isfinite(t)
     own = np.where(known, variance, np.nan)
@@ -69,7 +76,7 @@ def tested(t: Array, slopes: Array, variance: Array, incidence: Array, few: Mask
         (Flag.LONELY, ~kept), (Flag.EDGE, edge),
     ):  # fmt: skip
         flags[known & where] |= np.uint8(flag)
-    return flags, np.where(kept & ~sure, apart, 0)
+    return flags, np.where(known & (~(kept & sure) | edge), apart, 0)
 
 
 def _compared(t: Array, slopes: Array, own: Array, stride: int, distance_px: float) -> tuple[Array, Array, Array]:
