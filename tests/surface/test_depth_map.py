@@ -290,12 +290,12 @@ def test_a_map_of_the_portal_is_as_good_as_it_says(truth):
     from tests.surface.portal import grey
 
     chosen = sources_of_each(truth.block)[12]  # a rolled one
-    found = depth_map(
-        truth.block, chosen, lambda k: grey(truth.block, k).astype(np.uint8), DepthOptions(density=4)
-    ).sure()
+    every = depth_map(truth.block, chosen, lambda k: grey(truth.block, k).astype(np.uint8), DepthOptions(density=4))
+    found = every.sure()
     exact = found.grid.of(truth.depths(12).t)
     known = np.isfinite(found.t) & np.isfinite(exact)
-    assert known.sum() / np.isfinite(exact).sum() > 0.65
+    assert known.sum() / np.isfinite(exact).sum() > 0.6
+    assert np.isfinite(every.t - exact).sum() / np.isfinite(exact).sum() > 0.75
     x = ((found.t - exact) / np.sqrt(found.variance()))[known]
     assert 0.6 < robust(x) ** 2 < 1.25
     assert np.mean(np.abs(x) < 1.96) > 0.91

@@ -79,7 +79,7 @@ class DepthMap:
     noise: Array
     """variance of t by the noise of grey values"""
     roughness: Array
-    """variance of t by what the surface does within the window, and by steps of which it may be on either side"""
+    """variance of t by what the surface does within the window"""
     step: Array
     """variance of t of doubtful depths by steps: how far their neighbours stand apart; 0 elsewhere"""
     shift: Array
@@ -451,10 +451,9 @@ def _map(work: _Work, grid: PixelGrid, fine: _Fine, grey: Array) -> DepthMap:
     incidence = incidences(work.rays, grid, t, smoothed(slopes, known, grid.stride))
     several = len(work.sources) > 1
     few: Mask = np.asarray((fine.views & (fine.views - 1) == 0) & several)  # a single bit
-    flags, by_steps = tested(t, slopes, variance, incidence, few, grid.stride)
+    flags, step = tested(t, slopes, variance, incidence, few, grid.stride)
     noise = np.minimum(fine.noise, variance)
-    step = np.where(doubtful_of(flags), by_steps, 0).astype(np.float32)
-    variance += by_steps - step - noise
+    variance -= noise
     incidence[~known] = np.nan
     return DepthMap(
         grid=grid, sources=work.chosen.sources, t_range=work.t_range, t=t, slopes=slopes, noise=noise,
