@@ -22,7 +22,7 @@ import numpy as np
 from raybundle.numerics.arrays import Array, Index, Mask
 from raybundle.surfaces.rays import ReferenceRays
 from raybundle.surfaces.refine import PixelGrid
-from raybundle.surfaces.transfer import Transfer
+from raybundle.surfaces.transfer import Projection, Transfer
 
 SIGMAS = 3.0
 """Standard deviations of a difference up to which two maps agree."""
@@ -133,7 +133,7 @@ class Agreement:
 
 
 def agreement(
-    mine: MapView, others: Iterable[MapView], tables: Iterable[Transfer], order: Sequence[int], *, own: int
+    mine: MapView, others: Iterable[MapView], tables: Iterable[Transfer | Projection], order: Sequence[int], *, own: int
 ) -> Agreement:
     """Compare the points of a map with other maps.
 

@@ -24,7 +24,7 @@ from raybundle.surfaces.orientation import CommonRoot, ShiftCovariance, shift_co
 from raybundle.surfaces.pairs import Sources
 from raybundle.surfaces.rays import ReferenceRays
 from raybundle.surfaces.refine import PixelGrid, used_sources
-from raybundle.surfaces.transfer import Transfer, transfer
+from raybundle.surfaces.transfer import Projection, Transfer, places_in
 from raybundle.workflows.surface_region import SurfaceRegion
 from raybundle.workflows.surface_state import SURFACE, Cloud
 from raybundle.workflows.surface_tasks import (
@@ -181,7 +181,7 @@ def cloud_of(store: Folder, task: CloudTask) -> Product:
     if not task.others or not known.any():
         return _cloud(store, task, block, found, mine, np.zeros(0, int), np.zeros(0, np.uint8))
     between = float(np.nanmin(mine.t)), float(np.nanmax(mine.t)) * (1 + 1e-6)
-    tables = [transfer(block, mine.rays, j, between) for j in task.others]
+    tables = [places_in(block, mine.rays, j, between) for j in task.others]
     probes = _Probes.of(store, task, found, mine)
     told = agreement(mine, _others(store, task, block, probes, tables), tables, task.others, own=task.own)
     inside = np.ones(len(told.agree), bool)
@@ -201,7 +201,7 @@ def _view(block: Block, image: int, kept: Product, whole: Array) -> MapView:
 
 
 def _others(
-    store: Folder, task: CloudTask, block: Block, own: _Probes, tables: Sequence[Transfer]
+    store: Folder, task: CloudTask, block: Block, own: _Probes, tables: Sequence[Transfer | Projection]
 ) -> Iterator[MapView]:
     """The maps that a reference is compared with, one after the other."""
     for k, (j, table) in enumerate(zip(task.others, tables, strict=True), 1):
@@ -233,7 +233,7 @@ class _Probes:
         normal, _ = planes_at(mine.rays, xy, t, found.smooth_slopes().reshape(2, -1)[:, at].astype(float))
         return cls(together=together, xy_px=xy, t=t, normal=normal, moved=_moved(shifts, mine, found.shift, at))
 
-    def apart(self, view: MapView, shift: Array, shifts: ShiftCovariance, table: Transfer) -> float:
+    def apart(self, view: MapView, shift: Array, shifts: ShiftCovariance, table: Transfer | Projection) -> float:
         """By how much orientation lets the depth parameter of another map differ: the median over the points."""
         there = view.nearest(table.at(self.xy_px, self.t))
         both = np.flatnonzero((there >= 0) & np.isfinite(view.t.ravel()[there]))
