@@ -29,7 +29,7 @@ SHARED_PHOTOGRAPHS, SHARED_SURFACE = 0.31, 0.23
 """What photographs that both use add to it, as a share of all, and what one surface does to both, by the cosine of the
 angle between their rays.  By least squares of what was measured of 91 pairs of maps of an exactly known object: 84 % of
 them lie within 0.1 of it, and within 0.1 five pairs of maps from the same two photographs, which took no part in it
-(benchmarks/surface_truth.py --between)."""
+(benchmarks/surface_truth.py)."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
