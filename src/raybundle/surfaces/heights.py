@@ -102,17 +102,21 @@ def between_maps(chosen: Sequence[Sources]) -> float:
     Their photographs' noise is in both as far as they share photographs; what the surface does within the windows is
     alike as far as they look from alike directions.
     """
-    photographs = {s.reference: {s.reference, *s.sources} for s in chosen if s.sources}
+    of = {s.reference: s for s in chosen if s.sources}
     total = weight = 0.0
-    for s in chosen:
+    for s in of.values():
         for pair in s.pairs:
-            a, b = photographs.get(s.reference), photographs.get(pair.source)
-            if a is None or b is None or not np.isfinite(pair.angle_deg):
-                continue
-            shared = len(a & b) / float(np.sqrt(len(a) * len(b)))
-            one = SHARED_PHOTOGRAPHS * shared + SHARED_SURFACE * max(float(np.cos(np.radians(pair.angle_deg))), 0.0)
-            total, weight = total + pair.points * one, weight + pair.points
+            if pair.source in of and np.isfinite(pair.angle_deg):
+                total += pair.points * between_two(s, of[pair.source], pair.angle_deg)
+                weight += pair.points
     return round(total / weight, 3) if weight else BETWEEN_MAPS
+
+
+def between_two(one: Sources, other: Sources, angle_deg: float) -> float:
+    """Correlation of noise and roughness of two maps at one place, their references' rays so far apart."""
+    a, b = ({s.reference, *s.sources} for s in (one, other))
+    shared = len(a & b) / float(np.sqrt(len(a) * len(b)))
+    return SHARED_PHOTOGRAPHS * shared + SHARED_SURFACE * max(float(np.cos(np.radians(angle_deg))), 0.0)
 
 
 def on_grid(
