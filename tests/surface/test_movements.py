@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 
 from raybundle.surfaces.movements import movements
+from raybundle.surfaces.nodes import variances
 from raybundle.surfaces.resampled import difference, resampled
 from tests.surface.height_models import made, middles
 
@@ -108,11 +109,15 @@ def test_blunders_and_holes_are_no_movement():
 
 def test_heights_of_another_grid_lie_between_its_cells():
     x, y = middles(SHAPE)
-    model = made(0.3 * x - 0.2 * y, sigma=1e-4)
+    model = made(0.3 * x - 0.2 * y, sigma=1e-4, common=1e-3)
     like = made(np.zeros((40, 50)), cell=0.012)
     found = resampled(model, 3.25, 2.5, 1.2, like)
     x0, y0 = 0.0325 + (np.arange(50) + 0.5) * 0.012, 0.64 - 0.025 - (np.arange(40) + 0.5) * 0.012
     assert np.abs(found.heights.height - (0.3 * x0 - 0.2 * y0[:, None])).max() < 1e-6
+    # what orientation does is that of the places, in blocks of 32 cells of the first grid
+    column, row = (3.25 + (np.arange(50) + 0.5) * 1.2) / 32, (2.5 + (np.arange(40) + 0.5) * 1.2) / 32
+    exact = 1e-6 * (1 + ((row[:, None] - 1) / 2) ** 2 + ((column - 1.5) / 2) ** 2)
+    assert np.allclose(variances(found.moved, found.block, found.shape), exact, rtol=1e-4)
     assert found.length == pytest.approx(model.length / 1.2)
     assert found.cell == 0.012
     beyond = resampled(model, 60, 0, 1.2, like)
