@@ -80,7 +80,7 @@ def _quantiles(values: Array) -> tuple[float, ...]:
 def _of_map(surface: Surface, image: int, given: int) -> tuple[MapSummary, Array]:
     """What is told of a map, and how its errors are correlated by distance."""
     store: Folder = surface.store
-    place = store.wanted(surface.clouds[image], ("place",))["place"]
+    place = store.wanted(dict(surface.clouds)[image], ("place",))["place"]
     found = DepthMap.of_arrays(store.wanted(surface.maps[image])).sure(place)
     sigma = store.wanted(surface.sigmas[image], ("sigma",))["sigma"]
     with np.errstate(divide="ignore", invalid="ignore"):

@@ -38,7 +38,7 @@ def _write(surface: Surface, out: Path, context: Context) -> Written:
     measured = 0
     with new_folder(out / FOLDER, replacing=True) as folder:
         for (image, key), name in zip(sorted(surface.maps.items()), names, strict=True):
-            given = surface.store.wanted(surface.clouds[image], ("place",))["place"]
+            given = surface.store.wanted(dict(surface.clouds)[image], ("place",))["place"]
             found = DepthMap.of_arrays(surface.store.wanted(key)).sure(given)
             sigma = surface.store.wanted(surface.sigmas[image], ("sigma",))["sigma"]
             rays = ReferenceRays.of(surface.block, image)
