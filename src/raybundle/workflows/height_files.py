@@ -12,6 +12,7 @@ import numpy as np
 
 from raybundle.errors import InputError
 from raybundle.io.folders import new_files
+from raybundle.io.geo.told_systems import system_with_heights
 from raybundle.io.pictures.geotiff import Write, new_geotiff
 from raybundle.io.pictures.rectified import toml_text
 from raybundle.io.raster_library import raster_library
@@ -32,6 +33,8 @@ BANDS = (
     "image",
 )  # fmt: skip
 """Of the second file"""
+ONLY_HEIGHT = ("height",)
+"""Of the first"""
 KEPT = ("", "local", "step", "orientation", "point", "points", "image")
 """Fields of `Heights` that these are; the first follows from three others"""
 
@@ -67,11 +70,15 @@ class HeightFile:
         return Grid(left=self.left, top=self.top, pixel=self.cell, width=self.width, height=self.height)
 
     def new(self, path: Path, names: Sequence[str]) -> AbstractContextManager[Write]:
-        """A GeoTIFF of these cells with bands of floats, NaN where nothing was measured."""
+        """A GeoTIFF of these cells with bands of floats, NaN where nothing was measured.
+
+        That of the heights has the system with what they count from, where anything says it.
+        """
+        whole = system_with_heights(str(self.plane["system"])) if self.wkt and names == ONLY_HEIGHT else None
         return new_geotiff(
             raster_library(), path, {"count": len(names), "dtype": "float32", "nodata": float("nan")},
-            width=self.width, height=self.height, left=self.left, top=self.top, pixel=self.cell, wkt=self.wkt,
-            names=names,
+            width=self.width, height=self.height, left=self.left, top=self.top, pixel=self.cell,
+            wkt=self.wkt if whole is None else whole.to_wkt(), names=names,
         )  # fmt: skip
 
     def as_mapping(self) -> dict[str, Any]:
@@ -109,7 +116,7 @@ def write_heights(surface: Surface, file: HeightFile, out: Path) -> tuple[str, .
     measured, whole = surface.heights, _Whole()
     assert measured is not None
     with new_files(*(out / f for f in FILES)) as (heights, sigmas, about, moved):
-        with file.new(heights, ("height",)) as write_height, file.new(sigmas, BANDS) as write_sigmas:
+        with file.new(heights, ONLY_HEIGHT) as write_height, file.new(sigmas, BANDS) as write_sigmas:
             for tile in range(tiles_across(measured.grid) * -(-file.height // TILE_CELLS)):
                 window = tile_of_number(measured.grid, tile)
                 one, many = _tile(surface, file, whole, tile, window)
@@ -160,7 +167,7 @@ def write_model(model: HeightModel, file: HeightFile, out: Path) -> None:
     sigma = np.where(model.known, model.sigma, np.nan)
     bands = [sigma, *(np.where(model.known, getattr(h, name), np.nan) for name in KEPT[1:])]
     with new_files(*(out / f for f in FILES)) as (heights, sigmas, about, moved):
-        with file.new(heights, ("height",)) as write:
+        with file.new(heights, ONLY_HEIGHT) as write:
             write(0, 0, h.height[..., None])
         with file.new(sigmas, BANDS) as write:
             write(0, 0, np.stack(bands, axis=2).astype(np.float32))
@@ -186,7 +193,7 @@ def read_heights(folder: str | Path) -> tuple[HeightModel, HeightFile]:
         if (one.width, one.height) != (many.width, many.height) or many.count != len(BANDS):
             raise InputError(f"{SIGMAS} does not belong to {HEIGHTS}", file=folder)
         height, bands = one.read(1), many.read()
-        wkt = one.crs.to_wkt() if one.crs else ""
+        wkt = many.crs.to_wkt() if many.crs else ""  # in plan
     found = dict(zip(KEPT[1:], bands[1:], strict=True))
     with np.load(folder / MOVED, allow_pickle=False) as kept:
         moved, block = kept["moved"], int(kept["block"])

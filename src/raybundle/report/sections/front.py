@@ -64,15 +64,20 @@ HECTARE = 1e4
 def front(o: Occasion) -> tuple[Section, ...]:
     """The page that a client reads."""
     d = o.delivery or delivery_of(o.view.adjustment)
-    parts: list[Part] = [Statements(statements=_head(o, d)), Facts(facts=_facts(o, d))]
-    drawn = object_view(o.view, from_above=d.flight is not None, heights=d.heights)
-    if drawn is not None:
-        parts.append(Figures(figures=(Figure(drawing=drawn.drawing, caption=drawn.caption),)))
-    parts += [*(_cameras(o) if o.qualities else (*_accuracy(o.view, d), *length_parts(o.view))), *_next(o, d)]
+    parts = [Statements(statements=head_of(o, d)), *glance_parts(o, d), *next_parts(o, d)]
     return (Section(anchor="front", title="At a glance", parts=tuple(parts)),)
 
 
-def _head(o: Occasion, d: Delivery) -> tuple[tuple[str, str], ...]:
+def glance_parts(o: Occasion, d: Delivery) -> tuple[Part, ...]:
+    """Key figures, the object, and how good its points are."""
+    parts: list[Part] = [Facts(facts=_facts(o, d))]
+    drawn = object_view(o.view, from_above=d.flight is not None, heights=d.heights)
+    if drawn is not None:
+        parts.append(Figures(figures=(Figure(drawing=drawn.drawing, caption=drawn.caption),)))
+    return (*parts, *(_cameras(o) if o.qualities else (*_accuracy(o.view, d), *length_parts(o.view))))
+
+
+def head_of(o: Occasion, d: Delivery) -> tuple[tuple[str, str], ...]:
     """Who, what, where and when, the verdict, and what was asked for."""
     r = d.record
     pairs = [
@@ -372,7 +377,7 @@ def _weakest(view: View) -> str:
     return f" The largest is that of point {view.given.points.ids[k]}, seen in {seen}."
 
 
-def _next(o: Occasion, d: Delivery) -> list[Part]:
+def next_parts(o: Occasion, d: Delivery) -> list[Part]:
     """What to do next, and what is handed over all the same."""
     steps, files = next_steps(o), handed_over(d.files)
     if steps:

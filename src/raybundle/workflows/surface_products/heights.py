@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from pathlib import Path
 
 from raybundle.io.raster_library import raster_library
+from raybundle.results.record import STATE
 from raybundle.workflows.height_files import FILES, HeightFile, write_heights
 from raybundle.workflows.surface import Surface
 from raybundle.workflows.surface_product import Context, Product, Written, register
@@ -14,6 +16,8 @@ def _write(surface: Surface, out: Path, context: Context) -> Written:
     assert surface.heights is not None
     assert context.plane is not None
     file = HeightFile.of(surface.heights.grid, context.plane, context.unit, surface.block.name)
+    if state := context.export.record.get(STATE):  # travels with all that is made of these heights
+        file = replace(file, plane={**file.plane, STATE: state})
     return Written(files=tuple(out / f for f in FILES), told=write_heights(surface, file, out))
 
 
