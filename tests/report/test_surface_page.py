@@ -28,7 +28,8 @@ def summary(unit="m"):
     )  # fmt: skip
     return SurfaceSummary(
         points=1000, unit=unit, sigma=(0.0005, 0.001, 0.002), position=(0.0007, 0.002, 0.003),
-        axes=np.array([[0.0003, 0.001, 0.002], [0.0004, 0.001, 0.002], [0.0005, 0.001, 0.002]]), parts=np.full((3, 3), 0.0003),
+        axes=np.array([[0.0003, 0.001, 0.002], [0.0004, 0.001, 0.002], [0.0005, 0.001, 0.002]]),
+        parts=np.full((3, 3), 0.0003),
         shares=(0.4, 0.3, 0.3), rays=np.array([0, 0, 300, 700]), incidence=0.01, maps=maps,
         correlation=np.array([[0.0, 1.0], [5.0, 0.1]]),
         left_out=(("d.jpg", "no other photograph is of use with it"),), heights=heights,
@@ -58,7 +59,8 @@ def test_a_surface_without_doubts_is_good_and_one_without_points_is_not(tmp_path
     good = replace(whole, left_out=(), maps=whole.maps[:1], heights=None)
     assert 'class="verdict good"' in page(tmp_path, good)
     none = replace(
-        good, points=0, sigma=(np.nan,) * 3, position=(np.nan,) * 3, axes=np.full((3, 3), np.nan), parts=np.full((3, 3), np.nan), rays=np.zeros(0, int),
+        good, points=0, sigma=(np.nan,) * 3,
+        position=(np.nan,) * 3, axes=np.full((3, 3), np.nan), parts=np.full((3, 3), np.nan), rays=np.zeros(0, int),
         maps=(replace(good.maps[0], measured=0, given=0, sigma=np.nan, picture=np.full((3, 4), np.nan)),),
     )  # fmt: skip
     assert 'class="verdict attention"' in page(tmp_path, none)

@@ -20,6 +20,12 @@ if TYPE_CHECKING:
 
 PAGE, IN_3D, PDF = "surface.html", "surface_3d.html", "surface.pdf"
 PAGES = (PAGE, IN_3D, PDF)
+OF_ALL = (
+    "levelled", "up_ambiguous", "up_uncertain", "scale_unchecked", "check_points_apart", "lengths_contradict",
+    "coordinate_system", "datum_lost", "relative_control", "calibration_contradicted", "systematic_residuals",
+    "residual_structure", "noise_in_parts", "errors_independent",
+)  # fmt: skip
+"""Cautions about all points alike, which are told before those about single marks and photographs"""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -72,6 +78,8 @@ def write_pages(
     cloud = sample_of(done) if len(done) else None
     write_network_page(done.adjustment, out / IN_3D, title=title, language=settings.language, cloud=cloud)
     told = as_told(n for n in rests.view.adjustment.notices if n.severity is not Severity.REMARK)
+    rank = {code: k for k, code in enumerate(OF_ALL)}
+    told.sort(key=lambda n: (n.severity is not Severity.FAULT, rank.get(n.code, len(OF_ALL))))
     return SurfacePages(
         files=(*pages, out / IN_3D), summary=summary, verdict=verdict_sentence(rests), warnings=tuple(told)
     )
@@ -125,7 +133,7 @@ def outside_told(done: Surface, grids: Grids) -> tuple[str, ...]:
     if not outside:
         return ()
     share = f"{significant(100 * outside / len(done), 2)} %"
-    needed = option("extent", *(f"{v:g}" for v in area))
+    needed = option("extent", *(float(f"{v:.10g}") for v in area))
     told = (
         f"{counted(outside, 'point')}, {share} of them, beside the area of the heights, which is that of the tie points"
     )

@@ -129,10 +129,9 @@ def _told(surface: Surface, pixels: dict[int, int], sigma: list[Array], of: str)
     off = np.hypot(*np.concatenate(sigma).T)
     half, most = (significant(float(np.quantile(off, q)), 2) for q in (0.5, 0.95))
     beyond = float((off > g.pixel).mean())
-    told = [
-        f"{size}, {share:.0%} of them seen, by {counted(len(pixels), 'photograph')}; standard deviation of a place in "
-        f"plan {half}{of} in the median, below {most}{of} for 95 % of them, above a pixel for {beyond:.1%}"
-    ]
+    seen = f"{size}, {share:.0%} of them seen, by {counted(len(pixels), 'photograph')}"
+    good = f"{half}{of} in the median, below {most}{of} for 95 % of them, above a pixel for {beyond:.1%}"
+    told = [f"{seen}; standard deviation of a place in plan {good}"]
     if share < MOST_SEEN:
         told.append(
             f"of its cells {known:.0%} have a height, without which no pixel is seen"
