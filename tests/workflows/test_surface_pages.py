@@ -15,8 +15,8 @@ from raybundle.commands import surface as command
 from raybundle.commands.surface_pages import outside_told
 from raybundle.io.block.folder import read_block
 from raybundle.report.write import write_result
+from raybundle.results.notices import as_its_result
 from raybundle.results.record import Record
-from raybundle.results.state import as_its_result
 from raybundle.settings import on_the_command_line
 from raybundle.workflows.rectify import grid_over
 from raybundle.workflows.surface_grids import Grids, area_of_points

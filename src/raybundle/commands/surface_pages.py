@@ -95,8 +95,8 @@ def _occasion(done: Surface, result: Path, context: Context, settings: SurfaceSe
     from raybundle.report.outcome import Outcome  # noqa: PLC0415
     from raybundle.report.text.words import verdict  # noqa: PLC0415
     from raybundle.report.view import view_of  # noqa: PLC0415
+    from raybundle.results.notices import as_its_result, lost_accuracy  # noqa: PLC0415
     from raybundle.results.record import Record  # noqa: PLC0415
-    from raybundle.results.state import as_its_result, lost_accuracy  # noqa: PLC0415
 
     adjustment = as_its_result(done.adjustment, result)
     names = {f.name for f in fields(Record)}

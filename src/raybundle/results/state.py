@@ -3,11 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
-from raybundle.adjustment.result import Adjustment, Notice
 from raybundle.adjustment.severity import SEVERITY, Severity
 from raybundle.errors import InputError
 from raybundle.io.reading.trees import read_json
@@ -34,9 +32,9 @@ def state_words(result: Mapping[str, Any]) -> str:
         first = " ".join(str(faults[0].get("message", "")).split())
         first = first if len(first) <= LONG else f"{first[:LONG].rsplit(' ', 1)[0]} ..."
         told.append(f"not to be used yet, {counted(len(faults), 'matter')} to settle: {first}")
-    if _lost(result):
+    if lost(result):
         told.append("the accuracy that was asked for is not kept")
-    if any(n.get("code") == "levelled" for n in _notices(result)):
+    if any(n.get("code") == "levelled" for n in notices_in(result)):
         told.append(RELATIVE)
     return "; ".join(told)
 
@@ -53,56 +51,27 @@ def faults_of(folder: Path) -> tuple[str, ...]:
     return tuple(str(n.get("message", "")) for n in _faults(told)) if isinstance(told, dict) else ()
 
 
-def lost_accuracy(folder: Path) -> bool:
-    """Whether an accuracy was asked for of a result that is not kept."""
-    try:
-        told = read_json(folder / "result.json").value
-    except InputError:
-        return False
-    return isinstance(told, dict) and _lost(told)
-
-
-def _lost(result: Mapping[str, Any]) -> bool:
+def lost(result: Mapping[str, Any]) -> bool:
+    """Whether an accuracy was asked for that is not kept."""
     wanted = result.get("accuracy_class")
     return isinstance(wanted, dict) and wanted.get("kept") is False
 
 
-def as_its_result(adjustment: Adjustment, folder: Path) -> Adjustment:
-    """An adjustment that was made again with the notices of its result: what came before it, as the photographs' up.
-
-    folder  the result; one without a result.json, as of a block, has none but the adjustment's own
-    """
-    try:
-        told = read_json(folder / "result.json").value
-    except InputError:
-        return adjustment
-    return replace(adjustment, notices=_as_notices(told)) if isinstance(told, dict) else adjustment
-
-
-def _as_notices(result: Mapping[str, Any]) -> tuple[Notice, ...]:
-    return tuple(
-        Notice(
-            code=str(n.get("code", "")), message=str(n.get("message", "")), measured=_severity(n),
-            ids=tuple(str(i) for i in n.get("ids") or ()),
-        )
-        for n in _notices(result)
-    )  # fmt: skip
-
-
 def _faults(result: Mapping[str, Any]) -> list[Mapping[str, Any]]:
-    return [n for n in _notices(result) if _fault(n)]
+    return [n for n in notices_in(result) if _fault(n)]
 
 
-def _notices(result: Mapping[str, Any]) -> list[Mapping[str, Any]]:
+def notices_in(result: Mapping[str, Any]) -> list[Mapping[str, Any]]:
+    """What a result.json warns of."""
     notices = result.get("warnings")
     return [n for n in notices if isinstance(n, dict)] if isinstance(notices, list) else []
 
 
 def _fault(notice: Mapping[str, Any]) -> bool:
-    return _severity(notice) is Severity.FAULT
+    return severity_of(notice) is Severity.FAULT
 
 
-def _severity(notice: Mapping[str, Any]) -> Severity:
-    """Results of versions that did not write how grave a notice is tell its code."""
+def severity_of(notice: Mapping[str, Any]) -> Severity:
+    """How grave it is; results of versions that did not write how grave a notice is tell its code."""
     told = notice.get("severity", SEVERITY.get(str(notice.get("code", "")), Severity.REMARK))
     return Severity(told) if told in [s.value for s in Severity] else Severity.REMARK
