@@ -134,7 +134,5 @@ def outside_told(done: Surface, grids: Grids) -> tuple[str, ...]:
         return ()
     share = f"{significant(100 * outside / len(done), 2)} %"
     needed = option("extent", *(float(f"{v:.10g}") for v in area))
-    told = (
-        f"{counted(outside, 'point')}, {share} of them, beside the area of the heights, which is that of the tie points"
-    )
-    return (f"{told}; {needed} holds all but 0.1 % of them at each edge",)
+    told = f"{counted(outside, 'point')}, {share} of them, beside the area of the heights, that of the tie points"
+    return (f"{told}; {needed} holds all but 0.1 % at each edge",)
