@@ -179,3 +179,17 @@ def test_the_page_in_print(half, warned, tmp_path):
 def test_shares_are_a_hundred_together(shares):
     assert sum(whole_shares(shares)) == 100
     assert all(abs(100 * s - n) < 1 for s, n in zip(shares, whole_shares(shares), strict=True))
+
+
+def test_the_report_of_a_result_names_the_dense_points_beside_it(half, tmp_path):
+    adjusted = rb.adjust(read_block(half / "block"))
+    write_result(adjusted, tmp_path / "result")
+    assert "Dense points" not in (tmp_path / "result/report.html").read_text()
+    (tmp_path / "surface").mkdir()
+    (tmp_path / "surface/surface.html").write_text("dense")
+    for language, words in (
+        ("en", "Dense points: ../surface/surface.html"),
+        ("de", "Dichte Punkte: ../surface/surface.html"),
+    ):
+        write_result(adjusted, tmp_path / "result", language=language)
+        assert words in (tmp_path / "result/report.html").read_text()

@@ -58,6 +58,9 @@ MOST_ROWS, FEW_ROWS = 5, 3
 MOST_TURNED = 100_000
 """Points whose standard deviations are turned into the client's axes"""
 HECTARE = 1e4
+SURFACE_AGAIN = (
+    "They are of the result that stood here when they were measured; surface measures them again of this one."
+)
 
 
 @chapter("front", after="", part="client")
@@ -380,6 +383,8 @@ def _weakest(view: View) -> str:
 def next_parts(o: Occasion, d: Delivery) -> list[Part]:
     """What to do next, and what is handed over all the same."""
     steps, files = next_steps(o), handed_over(d.files)
+    dense = [Paragraph(text=f"Dense points: {d.surface}, of the result that stood here when they were measured.")]
+    dense = dense if d.surface else []
     if steps:
         every = len(steps) + steps_left(o)
         rests = tuple(f"{counted(every - k, 'more matter')}: see the warnings." if k < every else ""
@@ -387,7 +392,7 @@ def next_parts(o: Occasion, d: Delivery) -> list[Part]:
         listed_ = f"Handed over: {', '.join(name for name, _ in files)}." if files else ""
         return [
             Heading(text="What to do next"), Statements(statements=steps, rests=rests),
-            *([Heading(text="What is handed over"), Paragraph(text=listed_)] if listed_ else []),
+            *([Heading(text="What is handed over"), Paragraph(text=listed_)] if listed_ else []), *dense,
         ]  # fmt: skip
     settled = "Nothing has to be settled."
     if any(x.kept is False for x in d.outcomes):
@@ -395,4 +400,5 @@ def next_parts(o: Occasion, d: Delivery) -> list[Part]:
     told = "; ".join(f"{name} ({words})" for name, words in files)
     return [
         Heading(text="What is handed over"), Paragraph(text=f"{settled} Handed over: {told}." if told else settled),
+        *dense,
     ]  # fmt: skip
