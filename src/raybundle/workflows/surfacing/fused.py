@@ -17,7 +17,7 @@ from raybundle.pipeline.keys import key_of
 from raybundle.pipeline.stage import Means, Stage
 from raybundle.pipeline.store import Folder, Product
 from raybundle.pipeline.tasks import Task
-from raybundle.surfaces.depth_map import DepthMap
+from raybundle.surfaces.depth_map import DepthMap, doubtful_of
 from raybundle.surfaces.fusion import MapView, agreement
 from raybundle.surfaces.normals import planes_at
 from raybundle.surfaces.orientation import CommonRoot, ShiftCovariance, shift_covariance
@@ -36,7 +36,7 @@ from raybundle.workflows.surface_tasks import (
     stored_together,
 )
 
-VERSION = 4
+VERSION = 5
 SHIFTS, SIGMA, CLOUD = "surface shifts", "surface sigma", "surface points"
 """First words of the keys of what is kept"""
 MOST_MAPS = 8
@@ -188,14 +188,15 @@ def cloud_of(store: Folder, task: CloudTask) -> Product:
     if task.region is not None:
         inside = task.region.holds(mine.rays.points(mine.grid.xy_px[known], np.asarray(mine.t, float)[known]))
     given = told.kept & inside & (told.confirmed(inside) >= CONFIRMED)
-    return _cloud(store, task, block, found, mine, np.flatnonzero(known)[given], told.agree[given])
+    return _cloud(store, task, block, found, mine, np.flatnonzero(known)[given], told.confirming[given])
 
 
 def _view(block: Block, image: int, kept: Product, whole: Array) -> MapView:
     """A map as others look into it."""
     return MapView(
         rays=ReferenceRays.of(block, image), grid=PixelGrid.of_numbers(kept["grid"]), t=kept["t"],
-        slopes=kept["slopes"], sigma=np.sqrt(kept["noise"] + kept["roughness"]), whole=whole,
+        slopes=kept["slopes"], sigma=np.sqrt(kept["noise"] + kept["roughness"]), doubtful=doubtful_of(kept["flags"]),
+        whole=whole,
     )  # fmt: skip
 
 
@@ -204,7 +205,7 @@ def _others(
 ) -> Iterator[MapView]:
     """The maps that a reference is compared with, one after the other."""
     for k, (j, table) in enumerate(zip(task.others, tables, strict=True), 1):
-        kept = store.lent(task.maps[k], ("grid", "t", "slopes", "noise", "roughness", "shift"))
+        kept = store.lent(task.maps[k], ("grid", "t", "slopes", "noise", "roughness", "shift", "flags"))
         view = _view(block, j, kept, store.wanted(task.sigmas[k])["sigma"])
         shifts = ShiftCovariance.of_arrays(store.wanted(task.shifts[k])).among(own.together)
         yield replace(view, apart=own.apart(view, kept["shift"], shifts, table))
@@ -260,7 +261,7 @@ def _cloud(
     normal, area = planes_at(mine.rays, xy, t, found.smooth_slopes().reshape(2, -1)[:, at].astype(float))
     shifts = ShiftCovariance.of_arrays(store.wanted(task.shifts[0]))
     sensitivity = found.shift.reshape(-1, found.shift.shape[2], 2)[at]
-    noise, rough = (np.asarray(v, float).ravel()[at] for v in (found.noise, found.roughness))
+    noise, rough = (np.asarray(v, float).ravel()[at] for v in (found.noise, found.roughness + found.step))
     sigma, along, across = np.zeros((len(at), 3)), np.zeros(len(at)), np.zeros((len(at), 2))
     for begin in range(0, len(at), CHUNK):
         part = slice(begin, begin + CHUNK)
