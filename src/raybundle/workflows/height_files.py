@@ -6,7 +6,7 @@ from collections.abc import Mapping, Sequence
 from contextlib import AbstractContextManager
 from dataclasses import dataclass, field
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -25,6 +25,9 @@ from raybundle.workflows.height_tiles import BLOCK_CELLS, TILE_CELLS, Window, mo
 from raybundle.workflows.object_plane import MapLevel, Plane
 from raybundle.workflows.rectify import Grid
 from raybundle.workflows.surface import Surface
+
+if TYPE_CHECKING:
+    from pyproj import CRS
 
 HEIGHTS, SIGMAS, ABOUT, MOVED = "heights.tif", "heights_sigma.tif", "heights.toml", "heights_orientation.npz"
 FILES = (HEIGHTS, SIGMAS, ABOUT, MOVED)
@@ -74,12 +77,19 @@ class HeightFile:
 
         That of the heights has the system with what they count from, where anything says it.
         """
-        whole = system_with_heights(str(self.plane["system"])) if self.wkt and names == ONLY_HEIGHT else None
+        system = self.with_heights if names == ONLY_HEIGHT else None
+        if system is not None and not system.is_compound:  # GDAL keeps no third dimension in the file itself
+            names, system = ("height above the ellipsoid",), None
         return new_geotiff(
             raster_library(), path, {"count": len(names), "dtype": "float32", "nodata": float("nan")},
             width=self.width, height=self.height, left=self.left, top=self.top, pixel=self.cell,
-            wkt=self.wkt if whole is None else whole.to_wkt(), names=names,
+            wkt=self.wkt if system is None else system.to_wkt(), names=names,
         )  # fmt: skip
+
+    @property
+    def with_heights(self) -> CRS | None:
+        """The system of a map with what heights count from; None where nothing says it."""
+        return system_with_heights(str(self.plane.get("system", ""))) if self.wkt and "system" in self.plane else None
 
     def as_mapping(self) -> dict[str, Any]:
         """What the file holds, beside the numbers of the heights."""
