@@ -120,7 +120,8 @@ def write_surface_page(
 def _grade(s: SurfaceSummary, rests: Occasion | None) -> Grade:
     """Never better than that of the adjustment."""
     own: Grade = "attention" if not s.points else "remarks" if _doubts(s) else "good"
-    return own if rests is None else min(own, grade_of(rests), key=("attention", "remarks", "good").index)
+    order: tuple[Grade, ...] = ("attention", "remarks", "good")
+    return own if rests is None else order[min(order.index(own), order.index(grade_of(rests)))]
 
 
 def _head(rests: Occasion | None) -> list[Part]:

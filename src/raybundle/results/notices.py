@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import replace
 from pathlib import Path
-from typing import Any, cast
+from typing import Any
 
 from raybundle.adjustment.result import Adjustment, Notice
 from raybundle.errors import InputError
@@ -33,7 +33,7 @@ def _told(folder: Path) -> Mapping[str, Any] | None:
         told = read_json(folder / "result.json").value
     except InputError:
         return None
-    return cast("Mapping[str, Any]", told) if isinstance(told, dict) else None
+    return told if isinstance(told, dict) else None
 
 
 def _notice(told: Mapping[str, Any]) -> Notice:
