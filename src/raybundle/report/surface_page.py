@@ -102,7 +102,8 @@ def write_surface_page(
         sections.append(_orthophoto(summary.orthophoto, factor, unit, summary.unit))
     sections += [_maps(summary, factor, unit), _errors(summary, factor, unit)]
     doubts = " ".join(filter(None, (_doubts(summary), "" if rests is None else verdict_sentence(rests))))
-    head = f"{grouped(summary.points)} points from {counted(len(summary.maps), 'depth map')}"
+    given = sum(1 for m in summary.maps if m.given)
+    head = f"{grouped(summary.points)} points from {counted(given, 'depth map')}"
     if summary.points:
         head += f"; standard deviation of a point {sigma_told(factor * summary.position[0], unit)} in the median"
     title = "" if rests is None or rests.delivery is None else rests.delivery.record.title
@@ -202,12 +203,12 @@ def _result(
 
 
 def _of_maps(s: SurfaceSummary) -> str:
-    maps = f"of {counted(len(s.maps), 'depth map')}"
+    maps = f"of {counted(sum(1 for m in s.maps if m.given), 'depth map')}"
     return f"{maps}; thinned, {grouped(s.points)} were measured" if s.written else maps
 
 
 def _heights(h: HeightSummary, factor: float, unit: str, length: str) -> Section:
-    where = "above the plane" if length else "above the plane, in no unit"
+    where = "in the map" if h.in_map else "above the plane" if length else "above the plane, in no unit"
     figures = [
         Figure(
             drawing=height_map(h.height, h.cell, h.left, h.top, length, f"heights {where}"),

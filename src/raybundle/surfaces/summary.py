@@ -46,6 +46,8 @@ class HeightSummary:
     """of the cells that have a height"""
     profile: Array
     """(n, 3) place, height and standard deviation along the middle row"""
+    in_map: bool = False
+    """whether heights count as those of a map do, and not from a plane of the object"""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -125,6 +125,7 @@ def _heights(surface: Surface, file: HeightFile) -> HeightSummary | None:
     return HeightSummary(
         height=pictures[0], sigma=pictures[1], cell=k * file.cell, left=file.left, top=file.top,
         share=known / (file.width * file.height), profile=np.stack([across, *profile], axis=1),
+        in_map=bool(file.wkt),
     )  # fmt: skip
 
 
