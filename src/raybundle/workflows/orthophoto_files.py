@@ -15,6 +15,7 @@ from raybundle.io.pictures.rectified import toml_text
 from raybundle.io.raster_library import raster_library
 from raybundle.numerics.arrays import Array
 from raybundle.numerics.counting import counted, grouped, significant
+from raybundle.results.record import STATE
 from raybundle.settings import option
 from raybundle.workflows.height_files import HeightFile
 from raybundle.workflows.height_tiles import Window
@@ -81,8 +82,11 @@ def _tile(surface: Surface, tile: int) -> TileOfOrthophoto:
     )
 
 
-def write_orthophoto(surface: Surface, plane: Plane, unit: str, out: Path) -> tuple[str, ...]:
-    """Write the files tile by tile; what is to be told of them."""
+def write_orthophoto(surface: Surface, plane: Plane, unit: str, out: Path, state: str = "") -> tuple[str, ...]:
+    """Write the files tile by tile; what is to be told of them.
+
+    state  why the result is not to be used yet, which orthophoto.toml tells
+    """
     made = surface.orthophoto
     assert made is not None
     g, library = made.grid, raster_library()
@@ -110,7 +114,9 @@ def write_orthophoto(surface: Surface, plane: Plane, unit: str, out: Path) -> tu
                 for k, n in zip(*np.unique(t.image[t.image >= 0], return_counts=True), strict=True):
                     pixels[int(k)] = pixels.get(int(k), 0) + int(n)
                 some.append(t.sigma[np.isfinite(t.sigma[..., 0])][::13])
-        about.write_text(toml_text(_about(surface, plane, unit, pixels)), encoding="utf-8")
+        about.write_text(
+            toml_text({**_about(surface, plane, unit, pixels), **({STATE: state} if state else {})}), encoding="utf-8"
+        )
     return _told(surface, pixels, some, f" {plane.unit if isinstance(plane, MapLevel) else unit}".rstrip())
 
 
