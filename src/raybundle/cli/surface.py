@@ -8,7 +8,6 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from raybundle.adjustment.severity import Severity
 from raybundle.cli.common import FOLDER, NEW_FOLDER, Command, common_options, counted, facts, significant
 from raybundle.cli.settings import options_of, values_of
 from raybundle.commands.surface import WORK, SurfaceSettings, run_surface
@@ -127,6 +126,8 @@ def _without_part(done: MeasuredSurface) -> list[str]:
 
 def _adjustment(done: MeasuredSurface) -> list[str]:
     """What is to be said of what the points rest on: its verdict, every fault, and the gravest cautions."""
+    from raybundle.adjustment.severity import Severity  # noqa: PLC0415  (what computes is loaded after the help)
+
     told = done.pages.warnings
     faults = [n for n in told if n.severity is Severity.FAULT]
     cautions = [n for n in told if n.severity is Severity.CAUTION]
