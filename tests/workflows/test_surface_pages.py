@@ -14,6 +14,7 @@ from raybundle.cli.surface import whole_shares
 from raybundle.commands import surface as command
 from raybundle.commands.surface_pages import outside_told
 from raybundle.io.block.folder import read_block
+from raybundle.io.geo.told_systems import system_with_heights
 from raybundle.report.write import write_result
 from raybundle.results.notices import as_its_result
 from raybundle.results.record import Record
@@ -193,3 +194,14 @@ def test_the_report_of_a_result_names_the_dense_points_beside_it(half, tmp_path)
     ):
         write_result(adjusted, tmp_path / "result", language=language)
         assert words in (tmp_path / "result/report.html").read_text()
+
+
+@pytest.mark.parametrize(
+    ("system", "compound"),
+    [("EPSG:25832+7837", True), ("EPSG:32633+ellipsoid", False), ("EPSG:32633", None), ("EPSG:4326", None)],
+)
+def test_what_heights_of_a_map_count_from_is_known_where_its_system_says_it(system, compound):
+    found = system_with_heights(system)
+    assert (None if found is None else found.is_compound) == compound
+    if found is not None:
+        assert len(found.axis_info) == 3
