@@ -66,6 +66,11 @@ def test_a_surface_without_doubts_is_good_and_one_without_points_is_not(tmp_path
     assert 'class="verdict attention"' in page(tmp_path, none)
 
 
+def test_large_standard_deviations_are_in_metres(tmp_path):
+    text = page(tmp_path, replace(summary(), position=(3.48, 4.0, 5.0)))
+    assert re.search(r"standard deviation of a point 3\.5\sm in the median", text)
+
+
 def test_lengths_without_a_scale_have_no_unit(tmp_path):
     text = page(tmp_path, summary(unit=""))
     assert "mm" not in re.sub(r"data:image[^\"]*|<style>.*</style>", "", text, flags=re.DOTALL)

@@ -94,7 +94,8 @@ def write_surface_page(
     """
     names = [name, *(m.name for m in summary.maps), *(what for what, _ in summary.left_out), *written]
     say = language_of(language, [*names, *(rests.language.names if rests else ())])
-    factor, unit = (1000.0, "mm") if summary.unit == "m" else (1.0, summary.unit)
+    small = summary.unit == "m" and not summary.position[0] >= 1
+    factor, unit = (1000.0, "mm") if small else (1.0, summary.unit)
     sections = [_result(summary, factor, unit, remarks, _head(rests)), *_adjustment(rests), *_files(written)]
     if summary.heights is not None:
         sections.append(_heights(summary.heights, factor, unit, summary.unit))
