@@ -6,12 +6,13 @@ from collections.abc import Mapping, Sequence
 from contextlib import AbstractContextManager
 from dataclasses import dataclass, field
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from raybundle.errors import InputError
 from raybundle.io.folders import new_files
+from raybundle.io.geo.told_systems import system_with_heights
 from raybundle.io.pictures.geotiff import Write, new_geotiff
 from raybundle.io.pictures.rectified import toml_text
 from raybundle.io.raster_library import raster_library
@@ -26,6 +27,9 @@ from raybundle.workflows.object_plane import MapLevel, Plane
 from raybundle.workflows.rectify import Grid
 from raybundle.workflows.surface import Surface
 
+if TYPE_CHECKING:
+    from pyproj import CRS
+
 HEIGHTS, SIGMAS, ABOUT, MOVED = "heights.tif", "heights_sigma.tif", "heights.toml", "heights_orientation.npz"
 FILES = (HEIGHTS, SIGMAS, ABOUT, MOVED)
 BANDS = (
@@ -33,6 +37,8 @@ BANDS = (
     "image",
 )  # fmt: skip
 """Of the second file"""
+ONLY_HEIGHT = ("height",)
+"""Of the first"""
 KEPT = ("", "local", "step", "orientation", "point", "points", "image")
 """Fields of `Heights` that these are; the first follows from three others"""
 
@@ -68,12 +74,23 @@ class HeightFile:
         return Grid(left=self.left, top=self.top, pixel=self.cell, width=self.width, height=self.height)
 
     def new(self, path: Path, names: Sequence[str]) -> AbstractContextManager[Write]:
-        """A GeoTIFF of these cells with bands of floats, NaN where nothing was measured."""
+        """A GeoTIFF of these cells with bands of floats, NaN where nothing was measured.
+
+        That of the heights has the system with what they count from, where anything says it.
+        """
+        system = self.with_heights if names == ONLY_HEIGHT else None
+        if system is not None and not system.is_compound:  # GDAL keeps no third dimension in the file itself
+            names, system = ("height above the ellipsoid",), None
         return new_geotiff(
             raster_library(), path, {"count": len(names), "dtype": "float32", "nodata": float("nan")},
-            width=self.width, height=self.height, left=self.left, top=self.top, pixel=self.cell, wkt=self.wkt,
-            names=names,
+            width=self.width, height=self.height, left=self.left, top=self.top, pixel=self.cell,
+            wkt=self.wkt if system is None else system.to_wkt(), names=names,
         )  # fmt: skip
+
+    @property
+    def with_heights(self) -> CRS | None:
+        """The system of a map with what heights count from; None where nothing says it."""
+        return system_with_heights(str(self.plane.get("system", ""))) if self.wkt and "system" in self.plane else None
 
     def as_mapping(self) -> dict[str, Any]:
         """What the file holds, beside the numbers of the heights."""
@@ -110,7 +127,7 @@ def write_heights(surface: Surface, file: HeightFile, out: Path) -> tuple[str, .
     measured, whole = surface.heights, _Whole()
     assert measured is not None
     with new_files(*(out / f for f in FILES)) as (heights, sigmas, about, moved):
-        with file.new(heights, ("height",)) as write_height, file.new(sigmas, BANDS) as write_sigmas:
+        with file.new(heights, ONLY_HEIGHT) as write_height, file.new(sigmas, BANDS) as write_sigmas:
             for tile in range(tiles_across(measured.grid) * -(-file.height // TILE_CELLS)):
                 window = tile_of_number(measured.grid, tile)
                 one, many = _tile(surface, file, whole, tile, window)
@@ -160,7 +177,7 @@ def write_model(model: HeightModel, file: HeightFile, out: Path) -> None:
     sigma = np.where(model.known, model.sigma, np.nan)
     bands = [sigma, *(np.where(model.known, getattr(h, name), np.nan) for name in KEPT[1:])]
     with new_files(*(out / f for f in FILES)) as (heights, sigmas, about, moved):
-        with file.new(heights, ("height",)) as write:
+        with file.new(heights, ONLY_HEIGHT) as write:
             write(0, 0, h.height[..., None])
         with file.new(sigmas, BANDS) as write:
             write(0, 0, np.stack(bands, axis=2).astype(np.float32))
@@ -186,7 +203,7 @@ def read_heights(folder: str | Path) -> tuple[HeightModel, HeightFile]:
         if (one.width, one.height) != (many.width, many.height) or many.count != len(BANDS):
             raise InputError(f"{SIGMAS} does not belong to {HEIGHTS}", file=folder)
         height, bands = one.read(1), many.read()
-        wkt = one.crs.to_wkt() if one.crs else ""
+        wkt = many.crs.to_wkt() if many.crs else ""  # in plan
     found = dict(zip(KEPT[1:], bands[1:], strict=True))
     with np.load(folder / MOVED, allow_pickle=False) as kept:
         # older files have one value for each block

@@ -14,6 +14,7 @@ from raybundle.io.pictures.geotiff import TILE_PX, new_geotiff
 from raybundle.io.pictures.rectified import toml_text
 from raybundle.io.raster_library import raster_library
 from raybundle.numerics.arrays import Array
+from raybundle.numerics.counting import counted
 from raybundle.surfaces.depth_map import DepthMap
 from raybundle.surfaces.rays import ReferenceRays
 from raybundle.workflows.surface import Surface
@@ -45,7 +46,7 @@ def _write(surface: Surface, out: Path, context: Context) -> Written:
             measured += _write_one(folder / name, rays, found, np.asarray(sigma))
             about[json.dumps(name)] = _about(surface, image, rays, found)
         (folder / ABOUT).write_text(toml_text(about), encoding="utf-8")
-    told = f"{len(names)} depth maps, {measured} depths"
+    told = f"{counted(len(names), 'depth map')}, {counted(measured, 'depth')}"
     return Written(files=(out / FOLDER,), told=(told,))
 
 
