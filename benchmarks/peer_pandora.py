@@ -3,7 +3,7 @@
     peer_pandora.py LEFT.tif RIGHT.tif LOWEST HIGHEST WORK
 
 WORK/disparity.npy holds columns (h, w) float32 by which the right picture's place lies from the left one's, NaN where
-there is none; prints one JSON line.  Its settings are those of its own examples; both pictures are padded with zeros,
+there is none; prints one JSON line.  Its settings are those of its own examples, its penalties the default ones; both pictures are padded with zeros,
 which count as no data.
 """
 
@@ -31,7 +31,7 @@ def main() -> None:
     given.work.mkdir(parents=True, exist_ok=True)
     pipeline = {
         "matching_cost": {"matching_cost_method": "census", "window_size": 5, "subpix": 1},
-        "optimization": {"optimization_method": "sgm", "overcounting": False, "penalty": {"P1": 8, "P2": 32}},
+        "optimization": {"optimization_method": "sgm", "overcounting": False},
         "disparity": {"disparity_method": "wta", "invalid_disparity": "NaN"},
         "refinement": {"refinement_method": "vfit"},
         "filter": {"filter_method": "median", "filter_size": 3},
