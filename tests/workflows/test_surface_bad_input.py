@@ -77,10 +77,26 @@ def test_photographs_without_overlap_are_named(half, tmp_path, capsys):
     assert not (tmp_path / "s").exists()
 
 
+def without_scale(block):
+    """The block without all that fixes its scale."""
+    p = block.points
+    points = replace(p, role=np.zeros_like(p.role), sigma=np.full_like(p.sigma, np.nan))
+    images = replace(block.images, held=np.zeros_like(block.images.held))
+    return replace(block, points=points, images=images, distances=block.distances.rows(np.zeros(0, int)))
+
+
+def test_what_is_adjusted_fixes_the_scale_whatever_a_folder_says(half, tmp_path):
+    write_block(replace(read_block(half / "block"), free_scale=True), tmp_path / "block")
+    done = surface(tmp_path / "block", tmp_path / "s", photos=(half,), density="4", jobs=1, extent=BOX)
+    assert done.unit == "m"
+    assert b"comment unit m" in done.points.read_bytes()[:2000]
+
+
 def test_without_a_scale_metres_are_refused_and_products_say_so(half, tmp_path, capsys):
     pytest.importorskip("rasterio")
     pytest.importorskip("laspy")
-    write_block(replace(read_block(half / "block"), free_scale=True), tmp_path / "block")
+    write_block(without_scale(read_block(half / "block")), tmp_path / "block")
+    assert "free" not in (tmp_path / "block/block.toml").read_text()
     words = [
         "surface", str(tmp_path / "block"), "--photos", str(half), "--density", "4", "--dsm", "0.05", "--mesh", "0.1",
         "--las", "--extent", *map(str, BOX), "--out", str(tmp_path / "s"),

@@ -60,8 +60,7 @@ def _lines(done: MeasuredSurface) -> list[str]:
         )
     told += [f"{w.files[0]}: {line}" for _, w in done.written for line in w.told]
     told += done.remarks
-    empty = [ids[i] for (i, _), n in zip(s.clouds, s.counts, strict=True) if not n]
-    told += [f"no point of {name}: no other depth map confirms any" for name in empty[:MOST_LEFT_OUT]]
+    told += [f"no point of {name}: {why}" for name, why in s.pointless]
     told += [f"left out: {what}: {why}" for what, why in lost[:MOST_LEFT_OUT]]
     if len(lost) > MOST_LEFT_OUT:
         told.append(f"left out: {len(lost) - MOST_LEFT_OUT} more")

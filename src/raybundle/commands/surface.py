@@ -12,7 +12,7 @@ from raybundle.commands.plane_settings import OF_PLANE, PlaneSettings
 from raybundle.commands.worker import CLUSTER_HELP, STORE_HELP, store_of
 from raybundle.errors import InputError
 from raybundle.numerics.progress import Progress, silent
-from raybundle.settings import ANY, NOT_NEGATIVE, POSITIVE, made, option, other_than_usual, path_of, setting, toml_lines
+from raybundle.settings import ANY, POSITIVE, Range, made, option, other_than_usual, path_of, setting, toml_lines
 
 if TYPE_CHECKING:
     from raybundle.io.formats import Export
@@ -23,6 +23,8 @@ if TYPE_CHECKING:
     from raybundle.workflows.surface_product import Context, Written
     from raybundle.workflows.surface_region import SurfaceRegion
 
+MOST_JOBS = 1024
+"""Processors of one machine"""
 WORK, PAGE, IN_3D = "work", "surface.html", "surface_3d.html"
 """Of the folder: the project with all that is kept for the next run; what shows how good the surface is, and itself"""
 
@@ -72,10 +74,10 @@ class SurfaceSettings(PlaneSettings):
     )  # fmt: skip
     cluster: str = setting("", CLUSTER_HELP, metavar="FOLDER|shards")
     store: str = setting("", STORE_HELP, metavar="URL|project")
-    jobs: int = setting(0, "How many processors; 0: all.", limits=NOT_NEGATIVE)
+    jobs: int = setting(0, "How many processors; 0: all.", limits=Range(low=0, high=MOST_JOBS))
     memory: float = setting(
         2.0, "Memory that depth maps in work may take together; approximate depths are found by bands of rows where "
-        "they would take more.", limits=POSITIVE, metavar="GB",
+        "they would take more. One map is made whatever is allowed.", limits=POSITIVE, metavar="GB",
     )  # fmt: skip
     free_scale: bool = setting(False, FREE_SCALE_HELP)
     language: str = setting("en", LANGUAGE_HELP, metavar="CODE")
@@ -120,21 +122,31 @@ def surface(
     return run_surface(made(SurfaceSettings, given), progress)
 
 
+@dataclass(frozen=True, slots=True, kw_only=True)
+class _Asked:
+    """What is measured, of what, into which folder."""
+
+    settings: SurfaceSettings
+    result: Path
+    export: Export
+    folders: tuple[Path, ...]
+    """of the photographs"""
+    out: Path
+    wanted: frozenset[str]
+    """names of products"""
+    grids: Grids
+    region: SurfaceRegion | None
+    progress: Progress
+
+
 def run_surface(settings: SurfaceSettings, progress: Progress = silent) -> MeasuredSurface:
     """Measure what the settings ask for, and write the points."""
-    from raybundle.commands.drawn_masks import masks_of_result  # noqa: PLC0415
-    from raybundle.commands.earlier_products import note_written, settle_earlier  # noqa: PLC0415
-    from raybundle.pipeline.project import discard_empty  # noqa: PLC0415
+    from raybundle.pipeline.store import ProductGone  # noqa: PLC0415
     from raybundle.report.languages.language import language_of  # noqa: PLC0415
-    from raybundle.workflows.surface import surface as measured  # noqa: PLC0415
-    from raybundle.workflows.surface_product import Context  # noqa: PLC0415
     from raybundle.workflows.surface_products import PRODUCTS  # noqa: PLC0415
-    from raybundle.workflows.surface_state import SurfaceOptions  # noqa: PLC0415
-    from raybundle.workflows.surface_thinning import thinned  # noqa: PLC0415
 
     s = settings
     result, export, folders = _source_of(s)
-    free = export.block.free_scale
     out = s.out or s.source / "surface"
     wanted = frozenset(name for name in PRODUCTS if not name or getattr(s, name) not in (None, False))
     _check_out(out)
@@ -143,31 +155,71 @@ def run_surface(settings: SurfaceSettings, progress: Progress = silent) -> Measu
     language_of(s.language, [])  # one that there is not is told before anything is measured
     grids, region = _grid_of(s, result, export, progress)
     s = replace(s, store=store_of(out / WORK, s.store, (s.source, *folders)))
+    asked = _Asked(
+        settings=s, result=result, export=export, folders=folders, out=out, wanted=wanted, grids=grids, region=region,
+        progress=progress,
+    )  # fmt: skip
+    mended = set[str]()
+    while True:
+        before = len(mended)
+        try:
+            return _delivered(asked, _measured(asked), mended)
+        except ProductGone as error:  # found when products were written: its stage makes it
+            mended.add(error.key)
+            if len(mended) == before:
+                raise
+
+
+def _measured(a: _Asked) -> Surface:
+    """The surface; a folder in which nothing was kept is removed where it cannot be measured."""
+    from raybundle.commands.drawn_masks import masks_of_result  # noqa: PLC0415
+    from raybundle.pipeline.project import discard_empty  # noqa: PLC0415
+    from raybundle.workflows.surface import surface as measured  # noqa: PLC0415
+    from raybundle.workflows.surface_state import SurfaceOptions  # noqa: PLC0415
+
+    s, work = a.settings, a.out / WORK
     options = SurfaceOptions(
-        density=int(s.density), grid=grids.heights, orthophoto=grids.orthophoto, region=region
+        density=int(s.density), grid=a.grids.heights, orthophoto=a.grids.orthophoto, region=a.region
     )  # fmt: skip
     try:
-        _keep_settings(s, out / WORK)
-        done = measured(
-            result, out / WORK, options, photos=folders, masks=masks_of_result(s.source, s.masks, folders, out / WORK),
-            jobs=s.jobs, memory=s.memory * 1e9, cluster=s.cluster, store=s.store, progress=progress,
+        _keep_settings(s, work)
+        return measured(
+            a.result, work, options, photos=a.folders, masks=masks_of_result(s.source, s.masks, a.folders, work),
+            free_scale=s.free_scale, jobs=s.jobs, memory=s.memory * 1e9, cluster=s.cluster, store=s.store,
+            progress=a.progress,
         )  # fmt: skip
     except InputError:
-        discard_empty(out / WORK)
-        if out.is_dir() and not any(out.iterdir()):
-            out.rmdir()
+        discard_empty(work)
+        if a.out.is_dir() and not any(a.out.iterdir()):
+            a.out.rmdir()
         raise
-    unit = "" if free else export.block.length_unit
-    context = Context(
-        export=export, unit=unit, wanted=wanted, plane=grids.plane, mesh=s.mesh, progress=progress,
-        points=done if s.thin is None else thinned(done, s.thin),
-    )  # fmt: skip
-    earlier = settle_earlier(done, out, out / WORK, wanted)
-    written = tuple((name, p.write(done, out, context)) for name, p in sorted(PRODUCTS.items()) if name in wanted)
-    name = done.block.name or result.resolve().name
-    note_written(done, out / WORK, wanted)
-    remarks = (*grids.told, *done.remarks, *earlier)
-    told = _write_pages(done, out, context, remarks, name=name, language=s.language)
+
+
+def _delivered(a: _Asked, done: Surface, mended: set[str]) -> MeasuredSurface:
+    """Write what is asked for; `mended` gets the keys of kept products that were found damaged."""
+    from raybundle.commands.earlier_products import note_written, settle_earlier  # noqa: PLC0415
+    from raybundle.workflows.surface import mended_words  # noqa: PLC0415
+    from raybundle.workflows.surface_product import Context  # noqa: PLC0415
+    from raybundle.workflows.surface_products import PRODUCTS  # noqa: PLC0415
+    from raybundle.workflows.surface_thinning import thinned  # noqa: PLC0415
+
+    s, out, wanted = a.settings, a.out, a.wanted
+    # of what was adjusted, not of what a folder says
+    export = replace(a.export, block=replace(a.export.block, free_scale=done.free_scale))
+    unit = "" if done.free_scale else export.block.length_unit
+    try:
+        context = Context(
+            export=export, unit=unit, wanted=wanted, plane=a.grids.plane, mesh=s.mesh, progress=a.progress,
+            points=done if s.thin is None else thinned(done, s.thin),
+        )  # fmt: skip
+        earlier = settle_earlier(done, out, out / WORK, wanted)
+        written = tuple((name, p.write(done, out, context)) for name, p in sorted(PRODUCTS.items()) if name in wanted)
+        note_written(done, out / WORK, wanted)
+        name = done.block.name or a.result.resolve().name
+        remarks = (*a.grids.told, *done.remarks, *mended_words(mended | done.store.mended), *earlier)
+        told = _write_pages(done, out, context, remarks, name=name, language=s.language)
+    finally:
+        mended |= done.store.mended
     return MeasuredSurface(
         surface=done, written=written, remarks=remarks, unit=unit, median_sigma=told.sigma[0], shares=told.shares
     )
@@ -175,7 +227,6 @@ def run_surface(settings: SurfaceSettings, progress: Progress = silent) -> Measu
 
 def _source_of(s: SurfaceSettings) -> tuple[Path, Export, tuple[Path, ...]]:
     """The result folder, its block, and the folders of its photographs."""
-    from raybundle.io.formats.base import FREE_SCALE, GIVE_SCALE  # noqa: PLC0415
     from raybundle.pipeline.project import photographs_of  # noqa: PLC0415
     from raybundle.workflows.sources import read_source, result_within  # noqa: PLC0415
     from raybundle.workflows.surface_product import in_its_map  # noqa: PLC0415
@@ -184,12 +235,6 @@ def _source_of(s: SurfaceSettings) -> tuple[Path, Export, tuple[Path, ...]]:
         raise InputError("there is no such folder; give a result or a project of orient", file=s.source)
     result = result_within(s.source)
     export = in_its_map(read_source(result)[0])
-    if export.block.free_scale and not s.free_scale:
-        raise InputError(
-            f"{FREE_SCALE}, so that lengths of the surface would be in no unit; {GIVE_SCALE}, or "
-            f"{option('free_scale', True)} for a surface without",
-            file=s.source,
-        )
     folders = s.photos or photographs_of(result)
     if not folders:
         raise InputError(
