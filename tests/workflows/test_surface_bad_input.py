@@ -1,6 +1,7 @@
 """A surface of what shows none, of what does not fit together, on a full disk, and in a folder that was used before."""
 
 import errno
+import json
 import os
 import shutil
 from dataclasses import replace
@@ -82,7 +83,7 @@ def without_scale(block):
     p = block.points
     points = replace(p, role=np.zeros_like(p.role), sigma=np.full_like(p.sigma, np.nan))
     images = replace(block.images, held=np.zeros_like(block.images.held))
-    return replace(block, points=points, images=images, distances=block.distances.rows(np.zeros(0, int)))
+    return replace(block, points=points, images=images, tables={})
 
 
 def test_what_is_adjusted_fixes_the_scale_whatever_a_folder_says(half, tmp_path):
@@ -113,6 +114,36 @@ def test_without_a_scale_metres_are_refused_and_products_say_so(half, tmp_path, 
     assert b'comment scale = "free"' in (s / "mesh.ply").read_bytes()[:2000]
     assert 'scale = "free"' in (s / "heights.toml").read_text()
     assert "the scale is free" in (s / "mesh.obj").read_text()[:200]
+
+
+@pytest.mark.parametrize(
+    ("asked", "told"),
+    [
+        ({"extent": (0.0, 0.0, 0.001, 0.001)}, r"is 0\.001 x 0\.001, and points lie 0\.0\d+ apart \(density=\)"),
+        ({"region": ("0 0, 1 1",)}, "region=: '0 0, 1 1' is neither a file nor three corners .* asked for with extent="),
+        ({"region": ("",)}, "region=: '' is neither a file"),
+        ({"region": ("nan nan, 1 1, 0 1",)}, "region=: 'nan nan, 1 1, 0 1' is neither a file nor three corners"),
+        ({"region": ("1 0, 0 1, 0 0, 1 1",)}, "region=: '1 0, 0 1, 0 0, 1 1': the outline crosses itself"),
+        ({"region": ("nothing.geojson",)}, r"nothing\.geojson: .*no such file"),
+        ({"region": ("plan.geojson",)}, r"plan\.geojson: is in EPSG:25832, and these heights lie on a plane"),
+        ({"jobs": 10**9}, "jobs=.*at most 1024"),
+    ],
+)  # fmt: skip
+def test_a_part_that_is_none_is_told_before_anything_is_measured(half, tmp_path, monkeypatch, asked, told):
+    monkeypatch.chdir(tmp_path)
+    ring = [[-0.3, -0.3], [0.3, -0.3], [0.3, 0.3], [-0.3, -0.3]]
+    system = {"type": "name", "properties": {"name": "urn:ogc:def:crs:EPSG::25832"}}
+    feature = {"type": "Feature", "properties": {}, "geometry": {"type": "Polygon", "coordinates": [ring]}}
+    shapes = {"type": "FeatureCollection", "crs": system, "features": [feature]}
+    (tmp_path / "plan.geojson").write_text(json.dumps(shapes))
+    with pytest.raises(InputError, match=told):
+        surface(half / "block", tmp_path / "s", photos=(half,), density="4", **asked)
+    assert not (tmp_path / "s").exists()
+
+
+def test_a_folder_without_a_result_is_told(half, tmp_path):
+    with pytest.raises(InputError, match=r"holds no result\.json, block\.toml or project\.db"):
+        surface(tmp_path, tmp_path / "s", photos=(half,))
 
 
 def test_a_full_disk_is_told_and_what_is_finished_is_kept(half, tmp_path, capsys, monkeypatch):

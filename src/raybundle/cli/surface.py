@@ -48,7 +48,7 @@ def command(source: Path, progress: str, **given: Any) -> None:
 def _lines(done: MeasuredSurface) -> list[str]:
     """What the command prints."""
     s = done.surface
-    ids, lost = s.block.images.ids, s.left_out
+    lost = s.left_out
     some = [i for i, n in zip((i for i, _ in s.clouds), s.counts, strict=True) if n]
     told = [f"{done.points}: {counted(len(s), 'point')} from {counted(len(some), 'depth map')}"]
     if len(s):

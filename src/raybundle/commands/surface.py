@@ -15,6 +15,7 @@ from raybundle.numerics.progress import Progress, silent
 from raybundle.settings import ANY, POSITIVE, Range, made, option, other_than_usual, path_of, setting, toml_lines
 
 if TYPE_CHECKING:
+    from raybundle.block import Block
     from raybundle.io.formats import Export
     from raybundle.surfaces.summary import SurfaceSummary
     from raybundle.workflows.object_plane import Plane
@@ -234,6 +235,12 @@ def _source_of(s: SurfaceSettings) -> tuple[Path, Export, tuple[Path, ...]]:
     if not s.source.is_dir():
         raise InputError("there is no such folder; give a result or a project of orient", file=s.source)
     result = result_within(s.source)
+    if not any((result / name).is_file() for name in ("block.toml", "result.json")):
+        raise InputError(
+            "is neither a result, nor a block folder or a project of orient: it holds no result.json, block.toml or "
+            "project.db",
+            file=s.source,
+        )
     export = in_its_map(read_source(result)[0])
     folders = s.photos or photographs_of(result)
     if not folders:
@@ -290,7 +297,7 @@ def _grid_of(
     in_map = export.frame is not None and plan_system(export.frame.crs) is not None
     level = in_map and not (set(OF_PLANE) & set(other_than_usual(s)))
     plane, told = plane_in(result, export, replace(s, horizontal=True) if level else s, progress)
-    region = _region_in(s, plane) if part else None
+    region = _region_in(s, export.block, plane) if part else None
     if isinstance(plane, MapLevel) and region is not None:
         check_area(plane, region.extent, setting="region" if s.region else "extent")
     if not gridded:
@@ -302,15 +309,16 @@ def _grid_of(
     return grids, region
 
 
-def _region_in(s: SurfaceSettings, plane: Plane) -> SurfaceRegion:
+def _region_in(s: SurfaceSettings, block: Block, plane: Plane) -> SurfaceRegion:
     """The part of a plane that is asked for."""
     from raybundle.workflows.height_grid import HeightPlane  # noqa: PLC0415
-    from raybundle.workflows.heights_read import areas_in  # noqa: PLC0415
     from raybundle.workflows.object_plane import MapLevel  # noqa: PLC0415
-    from raybundle.workflows.surface_region import SurfaceRegion  # noqa: PLC0415
+    from raybundle.workflows.rectify import usual_pixel  # noqa: PLC0415
+    from raybundle.workflows.surface_part import region_asked  # noqa: PLC0415
 
     wkt = plane.system.to_wkt() if isinstance(plane, MapLevel) else ""
-    return SurfaceRegion.of(HeightPlane.of(plane), areas_in(wkt, s.region, s.extent))
+    apart = int(s.density) * usual_pixel(block, plane)
+    return region_asked(HeightPlane.of(plane), wkt, s.region, s.extent, apart)
 
 
 def _keep_settings(settings: SurfaceSettings, work: Path) -> None:

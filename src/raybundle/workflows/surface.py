@@ -190,10 +190,12 @@ def _beyond(state: SurfaceState, memory: float) -> tuple[str, ...]:
     most, largest = max(sizes, default=(0.0, -1))
     if most <= memory:
         return ()
-    return (
-        f"{option('memory')} allows {memory / 1e9:.2g} GB, and the depth map of {state.block.images.ids[largest]} alone "
-        f"takes about {most / 1e9:.2g} GB: maps are made one at a time",
+    name = state.block.images.ids[largest]
+    what = (
+        f"{option('memory')} allows {memory / 1e9:.2g} GB, and the depth map of {name} "
+        f"alone takes about {most / 1e9:.2g} GB: maps are made one at a time"
     )
+    return (what,)
 
 
 def _photographs(block: Block, folders: Sequence[Path]) -> tuple[dict[int, Photo], tuple[tuple[str, str], ...]]:
