@@ -428,5 +428,7 @@ def writing(folder: Path) -> Generator[None]:
         if isinstance(error, IsADirectoryError | NotADirectoryError | FileExistsError):
             what = f"something else stands at {error.filename2 or error.filename} ({what})"
             advice = "move it away and run the same command again"
-        text = f"cannot be written: {what}; {advice}. What is finished is kept, the run continues there"
+        kept = folder.is_dir() and any(folder.rglob("*.npz"))
+        more = ". What is finished is kept, the run continues there" if kept else ""
+        text = f"cannot be written: {what}; {advice}{more}"
         raise InputError(text, file=folder) from None
