@@ -15,8 +15,9 @@ spread     variance of the logarithm of squared normalised errors, less that of 
            local variance leave (src/raybundle/surfaces/roughness.py, LEFT)
 between    --between DENSITY: of all pairs of maps, orientation exact, the correlation of their errors at one place, and
            the stated one (src/raybundle/surfaces/heights.py, between_maps)
-union      --union DENSITY: maps of all photographs; of the object's surface that three or more photographs see (by rays
-           to points spread evenly over it) the share at which a map has a depth within 20 mm of the truth
+union      --union DENSITY: maps of all photographs, and doubtful depths that others confirm: share of each map's
+           visible pixels, their errors; of the object's surface that three or more photographs see (by rays to points
+           spread evenly over it) the share at which a map has a depth within 20 mm of the truth
 fountain   two maps of one reference with disjoint sources: chi-square of their difference by noise and orientation, and
            by all parts as if the surface disturbed the two independently
 
@@ -48,11 +49,13 @@ from raybundle.adjustment.queries import joint_orientation  # noqa: E402
 from raybundle.measuring.session import adjusted_again  # noqa: E402
 from raybundle.numerics import native  # noqa: E402
 from raybundle.surfaces.depth_map import DepthMap, DepthOptions, depth_map  # noqa: E402
+from raybundle.surfaces.fusion import WITNESSES, MapView, agreement  # noqa: E402
 from raybundle.surfaces.heights import between_maps  # noqa: E402
 from raybundle.surfaces.orientation import shift_covariance  # noqa: E402
 from raybundle.surfaces.pairs import PairOfImages, sources_of_each  # noqa: E402
 from raybundle.surfaces.rays import ReferenceRays  # noqa: E402
 from raybundle.surfaces.transfer import transfer  # noqa: E402
+from raybundle.workflows.surfacing.fused import MOST_MAPS  # noqa: E402
 
 WORK = ROOT / "benchmarks/work"
 FOUNTAIN = ROOT.parent / "shared/data/photos/fountain-p11/images"
@@ -225,7 +228,7 @@ def of_portal(numbers, density: int, peer: str) -> Iterator[list[dict]]:
 
     for k in numbers:
         began = time.process_time()
-        found = depth_map(block, chosen[k], greys, DepthOptions(density=density))
+        found = depth_map(block, chosen[k], greys, DepthOptions(density=density)).sure()
         seconds = time.process_time() - began
         joint = joint_orientation(adjustment, (k, *chosen[k].sources))
         variance = found.variance(shift_covariance(block, joint, k, chosen[k].sources, found.t_range))
@@ -266,43 +269,81 @@ def of_portal(numbers, density: int, peer: str) -> Iterator[list[dict]]:
 
 
 def of_union(density: int) -> dict:
-    """What all maps together cover."""
+    """What all maps together cover, doubtful depths among them that others confirm."""
     adjustment = adjusted_again(made(WORK / "portal", "demo", "--set", str(PORTAL)))
     block = adjustment.adjusted
     (ROOT / ".pytest_cache/d/surface").mkdir(parents=True, exist_ok=True)
     truth = Portal(ROOT / ".pytest_cache/d/surface")
-    by_name = {file: k for k, file in enumerate(truth.block.images.file)}
     points = spread(truth)
-    seen, covered, shares_of = np.zeros(len(points), int), np.zeros(len(points), bool), {}
+    chosen = {s.reference: s for s in sources_of_each(block) if s.sources}
 
     def greys(image):
         return portal.grey(block, image).astype(np.uint8)
 
-    for k, chosen in enumerate(sources_of_each(block)):
-        file = block.images.file[k]
-        rays = ReferenceRays.of(truth.block, by_name[file])
-        visible, place = visible_in(truth, rays, points)
+    maps, views = {}, {}
+    for k, s in chosen.items():
+        found = maps[k] = depth_map(block, s, greys, DepthOptions(density=density))
+        joint = joint_orientation(adjustment, (k, *s.sources))
+        shifts = shift_covariance(block, joint, k, s.sources, found.t_range)
+        whole = np.sqrt(found.variance(shifts))
+        views[k] = MapView(
+            rays=ReferenceRays.of(block, k), grid=found.grid, t=found.t, slopes=found.slopes, whole=whole,
+            sigma=np.sqrt(found.noise + found.roughness), doubtful=found.doubtful,
+        )  # fmt: skip
+        print(block.images.file[k], flush=True)
+    seen, covered, alone = np.zeros(len(points), int), np.zeros(len(points), bool), np.zeros(len(points), bool)
+    told, errors = {}, []
+    for k, found in maps.items():
+        stays, x, exact = confirmed(block, chosen[k], maps, views, truth, k)
+        visible, place = visible_in(truth, ReferenceRays.of(truth.block, k), points)
         seen += visible
-        if not chosen.sources:
-            continue
-        found = depth_map(block, chosen, greys, DepthOptions(density=density))
-        g, mine = found.grid, np.flatnonzero(visible)
-        at = place[mine]
-        column = np.round((at[:, 0] - g.x0 - 0.5) / g.stride).astype(int)
-        row = np.round((at[:, 1] - g.y0 - 0.5) / g.stride).astype(int)
-        inside = (row >= 0) & (row < g.rows) & (column >= 0) & (column < g.columns)
-        mine, at, row, column = mine[inside], at[inside], row[inside], column[inside]
-        du, dv = at[:, 0] - (g.x0 + 0.5 + g.stride * column), at[:, 1] - (g.y0 + 0.5 + g.stride * row)
-        t = found.t[row, column] + found.slopes[0, row, column] * du + found.slopes[1, row, column] * dv
-        right = np.abs(1 / t - 1 / rays.parameter(at, points[mine])) < WITHIN_M
-        covered[mine[right]] = True
-        shares_of[file] = round(float(right.sum() / visible.sum()), 4)
-        print(file, shares_of[file], flush=True)
+        alone |= right_at(found.sure(), truth, k, points, visible, place)
+        covered |= right_at(replace(found, t=np.where(stays, found.t, np.nan)), truth, k, points, visible, place)
+        there = np.isfinite(exact)
+        told[block.images.file[k]] = {
+            "alone": round(float((np.isfinite(found.sure().t) & there).sum() / there.sum()), 4),
+            "confirmed": round(float((stays & there).sum() / there.sum()), 4),
+            "doubtful": shares(x[stays & found.doubtful & there]), "all": shares(x[stays & there]),
+        }  # fmt: skip
+        errors.append(x[stays & there])
+        print(block.images.file[k], told[block.images.file[k]], flush=True)
     several = seen >= 3
     return {
         "density": density, "points": len(points), "seen_by_three": int(several.sum()),
-        "covered": round(float(covered[several].mean()), 4), "maps": shares_of,
+        "alone": round(float(alone[several].mean()), 4), "covered": round(float(covered[several].mean()), 4),
+        "all": shares(np.concatenate(errors)), "maps": told,
     }  # fmt: skip
+
+
+def confirmed(block, chosen, maps, views, truth: Portal, k: int) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """Depths (rows, columns) that stay: sure ones, and doubtful ones that others confirm; errors, all; exact depths."""
+    found, mine = maps[k], views[k]
+    best = sorted((p for p in chosen.pairs if p.source in maps), key=lambda p: (-p.points, p.source))[:MOST_MAPS]
+    others = sorted(p.source for p in best)
+    tables = [transfer(block, mine.rays, j, found.t_range) for j in others]
+    told = agreement(mine, [views[j] for j in others], tables, others, own=k)
+    stays = ~found.doubtful & np.isfinite(found.t)
+    known = np.isfinite(found.t)
+    doubtful = (told.confirming >= WITNESSES) & (told.against + told.perhaps_against == 0)
+    stays[known] |= ~told.sure & doubtful
+    exact = found.grid.of(truth.depths(k).t)
+    return stays, (found.t - exact) / mine.all_parts, exact
+
+
+def right_at(found: DepthMap, truth: Portal, image: int, points, visible, place) -> np.ndarray:
+    """(n,) whether a map has the right depth of points that its photograph shows."""
+    rays, g = ReferenceRays.of(truth.block, image), found.grid
+    mine = np.flatnonzero(visible)
+    at = place[mine]
+    column = np.round((at[:, 0] - g.x0 - 0.5) / g.stride).astype(int)
+    row = np.round((at[:, 1] - g.y0 - 0.5) / g.stride).astype(int)
+    inside = (row >= 0) & (row < g.rows) & (column >= 0) & (column < g.columns)
+    mine, at, row, column = mine[inside], at[inside], row[inside], column[inside]
+    du, dv = at[:, 0] - (g.x0 + 0.5 + g.stride * column), at[:, 1] - (g.y0 + 0.5 + g.stride * row)
+    t = found.t[row, column] + found.slopes[0, row, column] * du + found.slopes[1, row, column] * dv
+    right = np.zeros(len(points), bool)
+    right[mine[np.abs(1 / t - 1 / rays.parameter(at, points[mine])) < WITHIN_M]] = True
+    return right
 
 
 def spread(truth: Portal) -> np.ndarray:
@@ -341,7 +382,7 @@ def of_pairs_of_maps(density: int) -> dict:
 
     chosen, maps = sources_of_each(adjustment.adjusted), []
     for s in chosen:
-        found = depth_map(block, s, greys, DepthOptions(density=density))
+        found = depth_map(block, s, greys, DepthOptions(density=density)).sure()
         t = found.grid.of(truth.depths(s.reference).t)
         maps.append((found, ReferenceRays.of(block, s.reference), t, (found.t - t) / np.sqrt(found.variance())))
         print(block.images.file[s.reference], flush=True)
@@ -403,7 +444,7 @@ def of_fountain(density: int) -> dict:
         return cv2.imread(path, cv2.IMREAD_GRAYSCALE | cv2.IMREAD_IGNORE_ORIENTATION)
 
     parts = best.sources[0::2], best.sources[1::2]
-    a, b = (depth_map(block, replace(best, sources=p), greys, DepthOptions(density=density)) for p in parts)
+    a, b = (depth_map(block, replace(best, sources=p), greys, DepthOptions(density=density)).sure() for p in parts)
     joint = joint_orientation(adjustment, (best.reference, *parts[0], *parts[1]))
     shifts = shift_covariance(block, joint, best.reference, (*parts[0], *parts[1]), a.t_range)
     both = np.isfinite(a.t) & np.isfinite(b.t)

@@ -61,7 +61,7 @@ struct SurfaceFound {
   uint8_t* reason;      // (rows, columns)
   uint8_t* iterations;  // (rows, columns)
   int32_t* views;       // (rows, columns) bit s: source s was used
-  float* shift;         // (rows, columns, count, 2): how t changes with the place of a source's picture; or null
+  float* shift;         // (rows, columns, count, 2): how t changes with the place that a source's table says; or null
   float* response;      // (rows, columns, window): how t reacts to the surface at each pixel of the window; or null
 };
 

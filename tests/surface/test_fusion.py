@@ -117,3 +117,25 @@ def test_only_what_orientation_gives_to_one_map_alone_excuses_a_difference(block
     assert excused.agree.sum() > 0.8 * compared(block, maps, 4).agree.sum()
     # but the best is who knows a place best, all in all
     assert not excused.best[excused.agree > 0].any()
+
+
+def test_a_doubtful_depth_stays_where_two_others_see_the_same_and_says_nothing_of_sure_ones(block, maps):
+    mine = replace(maps[4], doubtful=np.ones(maps[4].t.shape, bool))
+    found = compared(block, maps, 4, mine)
+    twice = found.agree == 2
+    assert 0.05 < twice.mean() < 0.9
+    assert (found.kept <= twice).all()
+    assert not found.confirmed(np.ones(len(twice), bool))  # of sure depths there is none
+    assert found.confirming[twice].min() == 2
+    # seen through by one of them, it goes
+    low = plane_map(block, 3, np.random.default_rng(2), height=-0.5)
+    through = compared(block, {**maps, 3: low}, 4, mine)
+    assert (through.against > 0).sum() > 0.1 * len(twice)
+    assert not through.kept[through.against > 0].any()
+    # doubtful ones of another map neither confirm a sure one, nor speak against it, nor take its place
+    others = {k: replace(m, doubtful=np.ones(m.t.shape, bool)) for k, m in maps.items()}
+    sure = compared(block, others, 4, maps[4])
+    assert not (sure.agree + sure.against).any()
+    assert sure.perhaps_agree.any()
+    assert sure.best.all()
+    assert not sure.kept.any()

@@ -83,7 +83,7 @@ def test_depths_and_points_scatter_as_is_stated(adjusted, joint):
     xyz, there = places(block, t)
     h = 1e-5 * t
     by_t = (places(block, t + h)[1] - there) / h[:, None, None]
-    k = by_t / (by_t**2).sum(axis=(1, 2), keepdims=True)  # least squares of t by the places
+    k = -by_t / (by_t**2).sum(axis=(1, 2), keepdims=True)  # of t by least squares, to what the tables say
     by_t_xyz = (places(block, t + h)[0] - xyz) / h[:, None]
     rng = np.random.default_rng(5)
     root = np.linalg.cholesky(joint.covariance + 1e-18 * np.eye(len(joint.steps)) * joint.covariance.max())
@@ -92,7 +92,7 @@ def test_depths_and_points_scatter_as_is_stated(adjusted, joint):
         off = drawn(block, joint, root @ rng.normal(size=len(joint.steps)))
         moved = t.copy()
         for _ in range(2):
-            moved = moved - (k * (places(off, moved)[1] - there)).sum(axis=(1, 2))
+            moved = moved + (k * (places(off, moved)[1] - there)).sum(axis=(1, 2))
         depths.append(moved - t)
         points.append(places(off, moved)[0] - xyz)
     stated = found.of_depths(xy, t, k)
@@ -103,6 +103,33 @@ def test_depths_and_points_scatter_as_is_stated(adjusted, joint):
         sample = np.cov(np.array(points)[:, n].T)
         whitened = np.linalg.solve(np.linalg.cholesky(cov[n]), np.linalg.cholesky(sample))
         assert np.abs(np.linalg.svd(whitened)[1] - 1).max() < 0.3
+
+
+def test_an_error_of_scale_moves_points_from_where_it_is_none(adjusted, joint):
+    """All projection centres further from a point by 1 in 1000: so are the object points, whatever their depths."""
+    block = adjusted.adjusted
+    rays = ReferenceRays.of(block, REFERENCE)
+    fixed, scale = block.points.xyz.mean(axis=0) + np.array([3.0, -2.0, 1.0]), 1e-3
+    centre = block.images.centre
+    off = [scale * (centre[s.images[0]] - fixed)[s.axis] if 0 <= s.axis < 3 else 0.0 for s in joint.steps]
+    one = replace(joint, covariance=np.outer(off, off))
+    xy = np.array([[0.45, 0.15], [0.42, 0.2]]) * [rays.camera.width_px, rays.camera.height_px]
+    mine = block.observations.image == REFERENCE
+    known = rays.parameter(block.observations.xy_px[mine], block.points.xyz[block.observations.point[mine]])
+    t = np.full(2, np.median(known))
+
+    def places(at):
+        xyz = rays.points(xy, at)
+        return xyz, np.stack([predicted_px(block, i, xyz) for i in SOURCES], axis=1)
+
+    h = 1e-5 * t
+    xyz, there = places(t)
+    by_t = (places(t + h)[1] - there) / h[:, None, None]
+    k = -by_t / (by_t**2).sum(axis=(1, 2), keepdims=True)
+    found = shift_covariance(block, one, REFERENCE, SOURCES, (float(known.min()), float(known.max())))
+    cov = found.of_points(xy, t, k, (places(t + h)[0] - xyz) / h[:, None])
+    moved = scale * (xyz - fixed)
+    assert np.allclose(cov, moved[:, :, None] * moved[:, None], rtol=0.02, atol=2e-3 * np.abs(cov).max())
 
 
 def test_what_is_held_adds_nothing(adjusted, joint):

@@ -200,6 +200,16 @@ def test_a_source_that_lies_elsewhere_moves_depths_as_is_stated(ground):
         assert (expected @ seen) / (expected @ expected) == pytest.approx(1, abs=0.05)
 
 
+def test_tables_that_are_shifted_as_by_a_larger_depth_parameter_make_it_smaller_by_as_much(ground):
+    grid = ground.grid(4, 12)
+    found = refine(ground.grey[0], ground.sources, grid, ground.start(grid))
+    f = found.found
+    xy, t, h = grid.xy_px[f], found.t[f].astype(float), 1e-5 * float(np.median(found.t[f]))
+    by_t = np.stack([(s.transfer.at(xy, t + h) - s.transfer.at(xy, t - h)) / (2 * h) for s in ground.sources], axis=1)
+    total = (found.shift[f] * np.nan_to_num(by_t)).sum(axis=(1, 2))
+    assert np.median(total) == pytest.approx(-1, abs=1e-3)
+
+
 def test_responses_leave_planes_as_they_are(ground):
     grid = ground.grid(5)
     found = refine(ground.grey[0], ground.sources, grid, ground.start(grid), replace(OPTIONS, slope=1e3), response=True)

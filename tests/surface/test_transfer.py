@@ -10,7 +10,7 @@ from raybundle.errors import InputError
 from raybundle.platforms import sensor_models
 from raybundle.surfaces import transfer as module
 from raybundle.surfaces.rays import ReferenceRays
-from raybundle.surfaces.transfer import TOLERANCE_PX, lagrange, transfer
+from raybundle.surfaces.transfer import MOST_NODES, TOLERANCE_PX, Projection, Transfer, lagrange, places_in, transfer
 from tests.surface import scene
 
 
@@ -104,3 +104,20 @@ def test_every_kind_of_platform_is_among_them():
     assert {"brown_rolling", "brown_mounted", "pushbroom", "panorama", "fisheye"} <= set(scene.VALUES) & set(
         sensor_models
     )
+
+
+def test_where_no_table_fits_places_are_projected(monkeypatch):
+    """As where a source stands among the depths, whose rays no table follows: none grows beyond all memory."""
+    assert MOST_NODES * 16 < 3e8
+    block = scene.blocks("brown")
+    rays = ReferenceRays.of(block, 0)
+    assert isinstance(places_in(block, rays, 1, scene.RANGE), Transfer)
+    monkeypatch.setattr(module, "MOST_NODES", 100)
+    monkeypatch.setattr(module, "COARSEST_PX", 4 * scene.WIDTH)
+    monkeypatch.setattr(module, "TOLERANCE_PX", 1e-9)
+    with pytest.raises(InputError, match="leave it out as a source"):
+        transfer(block, rays, 1, scene.RANGE)
+    found = places_in(block, rays, 1, scene.RANGE)
+    assert isinstance(found, Projection)
+    xy, t = np.array([[20.5, 30.0], [100.0, 90.25]]), np.full(2, scene.RANGE[0])
+    assert np.allclose(found.at(xy, t), predicted_px(block, 1, rays.points(xy, t)), equal_nan=True)

@@ -15,7 +15,7 @@ from raybundle.block import Block
 from raybundle.errors import InputError
 from raybundle.numerics.arrays import Array, Index, Mask
 from raybundle.surfaces import planes, roughness
-from raybundle.surfaces.filters import Flag, tested
+from raybundle.surfaces.filters import DOUBTFUL, tested
 from raybundle.surfaces.noise import autocovariance, lost_freedom
 from raybundle.surfaces.normals import incidences, smoothed
 from raybundle.surfaces.orientation import ShiftCovariance
@@ -65,6 +65,7 @@ class DepthOptions:
 class DepthMap:
     """Depths of a reference's pixels: arrays (rows, columns), float32 unless said otherwise; NaN where there is none.
 
+    Doubtful depths, whose neighbours speak against them, are among them (`doubtful`, `sure`).
     What it does not tell: an error that all sources share, as a moving shadow or a reflection.
     """
 
@@ -78,15 +79,17 @@ class DepthMap:
     noise: Array
     """variance of t by the noise of grey values"""
     roughness: Array
-    """variance of t by what the surface does within the window, and by steps of which it may be on either side"""
+    """variance of t by what the surface does within the window"""
+    step: Array
+    """variance of t of doubtful depths by steps: how far their neighbours stand apart; 0 elsewhere"""
     shift: Array
-    """(rows, columns, sources, 2) change of t where a source's picture lies one pixel further [t / px]"""
+    """(rows, columns, sources, 2) change of t where a source's table says one pixel further [t / px]"""
     views: Index
     """int32, bit s: source s was used"""
     reason: Array
     """uint8 `Reason`"""
     flags: Array
-    """uint8 `Flag`; also of pixels that were taken out"""
+    """uint8 `Flag`"""
     correlation: Array
     contrast: Array
     incidence: Array
@@ -96,9 +99,22 @@ class DepthMap:
     correlation_px: float
     """distance at which the errors of two pixels by noise correlate by 1 / e"""
 
+    @property
+    def doubtful(self) -> Mask:
+        """(rows, columns) depths that stand where other maps confirm them."""
+        return doubtful_of(self.flags) & np.isfinite(self.t)
+
+    def sure(self) -> DepthMap:
+        """The same without doubtful depths."""
+        lost, slopes = self.doubtful, self.slopes.copy()
+        slopes[:, lost] = np.nan
+        single = ("t", "noise", "roughness", "correlation", "contrast", "incidence")
+        values = {name: np.where(lost, np.float32(np.nan), getattr(self, name)) for name in single}
+        return replace(self, slopes=slopes, step=np.zeros_like(self.step), **values)
+
     def variance(self, shifts: ShiftCovariance | None = None) -> Array:
-        """(rows, columns) of t: noise, roughness and, with `shifts`, orientation and calibration."""
-        found = self.noise.astype(float) + self.roughness
+        """(rows, columns) of t: noise, roughness, steps and, with `shifts`, orientation and calibration."""
+        found = self.noise.astype(float) + self.roughness + self.step
         if shifts is None:
             return found
         for k in range(0, self.grid.rows, ROWS):
@@ -115,8 +131,15 @@ class DepthMap:
         return ReferenceRays.of(block, reference).points(self.grid.xy_px[known], self.t[known].astype(float))
 
     def smooth_slopes(self) -> Array:
-        """(2, rows, columns) of t by column and row, means over a pixel and its neighbours [1 / px]."""
-        return smoothed(self.slopes, np.isfinite(self.t), self.grid.stride)
+        """(2, rows, columns) of t by column and row, means over a pixel and its neighbours [1 / px].
+
+        Doubtful neighbours count for doubtful pixels alone.
+        """
+        doubtful = self.doubtful
+        found = smoothed(self.slopes, np.isfinite(self.t) & ~doubtful, self.grid.stride)
+        if doubtful.any():
+            found[:, doubtful] = smoothed(self.slopes, np.isfinite(self.t), self.grid.stride)[:, doubtful]
+        return found
 
     def correlation_between(self, distance_px: Array) -> Array:
         """Correlation (...) of the errors by noise and roughness of usual pixels so far apart.
@@ -152,10 +175,15 @@ class DepthMap:
 
 
 STORED = (
-    "t", "slopes", "noise", "roughness", "shift", "views", "reason", "flags", "correlation", "contrast", "incidence",
-    "grey",
+    "t", "slopes", "noise", "roughness", "step", "shift", "views", "reason", "flags", "correlation", "contrast",
+    "incidence", "grey",
 )  # fmt: skip
 """Arrays of a map that are kept as they are"""
+
+
+def doubtful_of(flags: Array) -> Mask:
+    """Which pixels (...) are doubtful, by their flags."""
+    return np.asarray(flags & np.uint8(DOUBTFUL)) > 0
 
 
 def depth_map(
@@ -423,16 +451,13 @@ def _map(work: _Work, grid: PixelGrid, fine: _Fine, grey: Array) -> DepthMap:
     incidence = incidences(work.rays, grid, t, smoothed(slopes, known, grid.stride))
     several = len(work.sources) > 1
     few: Mask = np.asarray((fine.views & (fine.views - 1) == 0) & several)  # a single bit
-    flags, by_steps = tested(t, slopes, variance, incidence, few, grid.stride)
-    lost = ~known | (flags & np.uint8(Flag.LONELY | Flag.EDGE) > 0)
+    flags, step = tested(t, slopes, variance, incidence, few, grid.stride)
     noise = np.minimum(fine.noise, variance)
-    variance += by_steps - noise
-    slopes[:, lost] = np.nan
-    for values in (t, noise, variance, fine.correlation, fine.contrast, incidence):
-        values[lost] = np.nan
+    variance -= noise
+    incidence[~known] = np.nan
     return DepthMap(
         grid=grid, sources=work.chosen.sources, t_range=work.t_range, t=t, slopes=slopes, noise=noise,
-        roughness=variance, shift=fine.shift, views=fine.views, reason=fine.reason, flags=flags,
+        roughness=variance, step=step, shift=fine.shift, views=fine.views, reason=fine.reason, flags=flags,
         correlation=fine.correlation, contrast=fine.contrast, incidence=incidence, grey=grey,
         correlation_px=2 * RefineOptions().sigma,
     )  # fmt: skip

@@ -5,6 +5,11 @@ more than noise and roughness of both allow, and what orientation lets them diff
 maps alike excuses nothing; one that sees through it, to something behind, speaks against it; one in which
 something else stands before it is silent.  Of estimates that agree the best stands for all: a mean would have to know
 how they are correlated, and gains little, since they share photographs, orientation and texture.
+
+A depth that is doubtful in its own map says nothing of sure ones.  It stays where two other maps see the same, surely
+or not, and none sees through it: of an exactly known object 5 % of such depths are off by more than five standard
+deviations of noise and roughness, as are 40 % of those that none confirms; by standard deviations that count how far
+their neighbours stand apart it is 1.5 % (benchmarks/surface_truth.py).
 """
 
 from __future__ import annotations
@@ -17,10 +22,12 @@ import numpy as np
 from raybundle.numerics.arrays import Array, Index, Mask
 from raybundle.surfaces.rays import ReferenceRays
 from raybundle.surfaces.refine import PixelGrid
-from raybundle.surfaces.transfer import Transfer
+from raybundle.surfaces.transfer import Projection, Transfer
 
 SIGMAS = 3.0
 """Standard deviations of a difference up to which two maps agree."""
+WITNESSES = 2
+"""Maps that have to see the same as a doubtful depth."""
 CHUNK = 200_000
 """Points that are looked up at once."""
 
@@ -36,6 +43,8 @@ class MapView:
     """(2, rows, columns) of t by column and row [1 / px]"""
     sigma: Array
     """of t by noise and roughness"""
+    doubtful: Mask | None = None
+    """depths that their own map does not trust; None: none"""
     whole: Array | None = None
     """of t, all parts, by which the best is chosen; None: `sigma`"""
     apart: float = 0.0
@@ -61,6 +70,10 @@ class MapView:
             inside = (row >= 0) & (row < rows) & (column >= 0) & (column < columns)
         return np.where(inside, np.where(inside, row, 0) * columns + np.where(inside, column, 0), -1).astype(int)
 
+    def trusted(self, at: Index) -> Mask:
+        """Whether pixels (n,), row by row, are not doubtful."""
+        return np.ones(len(at), bool) if self.doubtful is None else ~self.doubtful.ravel()[at]
+
     def looked_up(self, xy_px: Array) -> tuple[Array, Array, Array]:
         """Depth parameter at places (n, 2), its standard deviation, and all of it of the nearest pixel as a length.
 
@@ -81,10 +94,16 @@ class MapView:
 class Agreement:
     """What other maps say of each point of one: arrays (n,) of its pixels with a depth, row by row."""
 
+    sure: Mask
+    """its own map trusts it"""
     agree: Array
-    """uint8, maps that see the same"""
+    """uint8, maps that surely see the same"""
     against: Array
-    """uint8, maps that see through it"""
+    """uint8, maps that surely see through it"""
+    perhaps_agree: Array
+    """uint8, maps that see the same, doubtfully"""
+    perhaps_against: Array
+    """uint8, maps that see through it, doubtfully"""
     behind: Array
     """uint8, maps in which something else stands before it"""
     shown: Array
@@ -98,16 +117,23 @@ class Agreement:
         On a surface it is the completeness of the others there.  Where grey values resemble each other by chance, as on
         water, leaves in the wind and noise, depths are found here and there, and hardly any twice.
         """
+        among = among & self.sure
         return float((among & (self.agree > 0)).sum() / max(int((among & (self.shown > 0)).sum()), 1))
+
+    @property
+    def confirming(self) -> Array:
+        """(n,) uint8, maps that confirm it: sure ones of a sure point, all of a doubtful one."""
+        return np.where(self.sure, self.agree, self.agree + self.perhaps_agree).astype(np.uint8)
 
     @property
     def kept(self) -> Mask:
         """Points that go into the cloud: confirmed by more maps than see through them, and the best of those."""
-        return (self.agree > self.against) & self.best
+        doubtful = (self.confirming >= WITNESSES) & (self.against + self.perhaps_against == 0)
+        return np.where(self.sure, self.agree > self.against, doubtful) & self.best
 
 
 def agreement(
-    mine: MapView, others: Iterable[MapView], tables: Iterable[Transfer], order: Sequence[int], *, own: int
+    mine: MapView, others: Iterable[MapView], tables: Iterable[Transfer | Projection], order: Sequence[int], *, own: int
 ) -> Agreement:
     """Compare the points of a map with other maps.
 
@@ -120,7 +146,8 @@ def agreement(
     """
     points = _Points.of(mine)
     count = len(points.t)
-    agree, against, behind, shown = (np.zeros(count, np.uint8) for _ in range(4))
+    behind, shown = (np.zeros(count, np.uint8) for _ in range(2))
+    agree, against = (np.zeros((2, count), np.uint8) for _ in range(2))
     best = np.ones(count, bool)
     for other, table, number in zip(others, tables, order, strict=True):
         for begin in range(0, count, CHUNK):
@@ -128,16 +155,20 @@ def agreement(
             place = table.at(points.xy_px[part], points.t[part])
             there = np.flatnonzero(np.isfinite(place).all(axis=1))
             shown[part][there] += other.shows(place[there])
-            seen, difference, limit, length = points.beside(part, other, there, place[there])
+            seen, difference, limit, (length, trusted) = points.beside(part, other, there, place[there])
             same, front = np.abs(difference) <= limit, difference > limit
-            agree[part][seen[same]] += 1
-            against[part][seen[front]] += 1
+            for k, mine_of in enumerate((trusted, ~trusted)):
+                agree[k, part][seen[same & mine_of]] += 1
+                against[k, part][seen[front & mine_of]] += 1
             behind[part][seen[~same & ~front]] += 1
             ours = points.length[part][seen]
             with np.errstate(invalid="ignore"):
                 better = (length < ours) | ((length == ours) & (number < own))
-            best[part][seen[same & better]] = False
-    return Agreement(agree=agree, against=against, behind=behind, shown=shown, best=best)
+            best[part][seen[same & better & (trusted | ~points.sure[part][seen])]] = False
+    return Agreement(
+        sure=points.sure, agree=agree[0], against=against[0], perhaps_agree=agree[1], perhaps_against=against[1],
+        behind=behind, shown=shown, best=best,
+    )  # fmt: skip
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -151,6 +182,8 @@ class _Points:
     """(n, 3) float32 to where a point lies whose t is larger by its standard deviation"""
     length: Array
     """standard deviation, all parts, as a length"""
+    sure: Mask
+    """their own map trusts them"""
 
     @classmethod
     def of(cls, mine: MapView) -> _Points:
@@ -161,10 +194,13 @@ class _Points:
             part = slice(begin, begin + CHUNK)
             xyz[part], step[part] = mine.rays.steps(xy[part], t[part], sigma[part])
         length = mine.rays.lengths(t, np.asarray(mine.all_parts[known], float))
-        return cls(xy_px=xy, t=t, xyz=xyz, step=step, length=length)
+        sure = mine.trusted(np.flatnonzero(known))
+        return cls(xy_px=xy, t=t, xyz=xyz, step=step, length=length, sure=sure)
 
-    def beside(self, part: slice, other: MapView, seen: Index, place: Array) -> tuple[Array, Array, Array, Array]:
-        """Of some points those that another map knows: their numbers, differences of t there, limits, its lengths.
+    def beside(
+        self, part: slice, other: MapView, seen: Index, place: Array
+    ) -> tuple[Array, Array, Array, tuple[Array, Mask]]:
+        """Of some points those that another map knows: numbers, differences of t there, limits, its lengths and trust.
 
         seen, place  numbers in the part and places (n, 2) of those that it may see
         """
@@ -175,4 +211,6 @@ class _Points:
         mine_there = other.rays.parameter(at, xyz)
         # how far my standard deviation moves the point along the other's ray
         by_mine = other.rays.parameter(at, xyz + self.step[part][seen]) - mine_there
-        return seen, mine_there - there, SIGMAS * np.hypot(np.hypot(by_mine, theirs), other.apart), length
+        trusted = other.trusted(other.nearest(at))
+        limit = SIGMAS * np.hypot(np.hypot(by_mine, theirs), other.apart)
+        return seen, mine_there - there, limit, (length, trusted)

@@ -1,9 +1,9 @@
 """What the uncertainty of orientation and calibration does to depths and object points.
 
-A depth follows the sources: where one shifts against what its table says, the depth gives way by the sensitivity that
-refinement found.  How the tables shift follows from the joint covariance of all exterior and interior
-orientations concerned, by differences of the projections themselves: so it holds for any sensor on any platform.
-Shifts change slowly over an image: they are kept at nodes.
+A depth follows the tables that say where a source shows what the reference sees: where one shifts, the depth gives way
+by the sensitivity that refinement found.  How tables shift follows from the joint covariance of all exterior and
+interior orientations concerned, by differences of the projections themselves: so it holds for any sensor on any
+platform.  Shifts change slowly over an image: they are kept at nodes.
 """
 
 from __future__ import annotations
@@ -76,10 +76,10 @@ class ShiftCovariance:
 
         xy_px        (n, 2) pixels of the reference
         t            (n,)
-        sensitivity  (n, s, 2) of t to a shift of what each source shows [1 / px], 0 where it was not used
+        sensitivity  (n, s, 2) of t to a shift of each source's table [1 / px], 0 where it was not used
         """
         found = np.zeros(len(t))
-        k = sensitivity.reshape(len(t), -1)
+        k = sensitivity.reshape(len(t), 2 * sensitivity.shape[1])
         for mine, weights, nodes in self._cells(xy_px, t):
             found[mine] = (_along(weights, nodes, k[mine]) ** 2).sum(axis=1)
         return found
@@ -97,12 +97,11 @@ class ShiftCovariance:
 
     def moved_points(self, xy_px: Array, t: Array, sensitivity: Array, by_t: Array) -> Iterator[tuple[Index, Array]]:
         """Some of the object points, and how they move (m, 3, q) with each of q independent errors of variance 1."""
-        k = sensitivity.reshape(len(t), -1)
+        k = sensitivity.reshape(len(t), 2 * sensitivity.shape[1])
         for mine, weights, nodes in self._cells(xy_px, t):
-            # where a table shifts by d, what is shown shifts by -d against it
             along = _along(weights, nodes, k[mine])
             of_ray = (weights @ nodes[:, -3:].reshape(len(nodes), -1)).reshape(len(mine), 3, -1)
-            yield mine, of_ray - by_t[mine, :, None] * along[:, None]
+            yield mine, of_ray + by_t[mine, :, None] * along[:, None]
 
     def moved(self, xy_px: Array, t: Array, sensitivity: Array, by_t: Array) -> Array:
         """How all of the object points move (n, 3, q)."""

@@ -149,7 +149,8 @@ class Refined:
     views: Index
     """int32, bit s: source s was used"""
     shift: Array
-    """(rows, columns, sources, 2) change of t where a source's picture lies one pixel further in x and y [t / px]"""
+    """(rows, columns, sources, 2) change of t where a source's table says one pixel further [t / px]: where those of
+    all sources shift as by a larger t, it is smaller by as much"""
     left: Array
     """(1 + sources,) share of the variance of a view's grey values that is left when they are interpolated, by their
     autocovariance, on average over the places between pixels; 1 of the reference"""

@@ -22,6 +22,8 @@ TOLERANCE_PX = 0.005
 """Largest error of interpolation: a tenth of what least-squares matching measures at best."""
 COARSEST_PX, FINEST_PX = 64, 2
 FEWEST_LEVELS, MOST_LEVELS = 8, 512
+MOST_NODES = 16_000_000
+"""Of a table: 256 MB"""
 LOST = 0.01
 """Share of what a source sees that may have no place in the table before it is made finer"""
 MIDDLES = 6000
@@ -73,6 +75,29 @@ class Transfer:
         return v / self.step_px, u / self.step_px, (t - self.t0) / self.dt
 
 
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Projection:
+    """What a table stands for, point by point: slower, where no table is exact enough."""
+
+    block: Block
+    rays: ReferenceRays
+    source: int
+
+    def at(self, xy_px: Array, t: Array) -> Array:
+        """Places (n, 2) [px] in the source of pixels (n, 2) at depth parameters (n,); NaN where it sees none."""
+        return predicted_px(self.block, self.source, self.rays.points(xy_px, t))
+
+
+def places_in(
+    block: Block, rays: ReferenceRays, source: int, t_range: tuple[float, float]
+) -> Transfer | Projection:  # fmt: skip
+    """Where a source shows what the reference sees: by a table, or point by point where there can be none."""
+    try:
+        return transfer(block, rays, source, t_range)
+    except InputError:
+        return Projection(block=block, rays=rays, source=source)
+
+
 def lagrange(f: Array) -> tuple[Array, Array, Array]:
     """Weights (n, 4) of nodes 0 to 3 at places f (n,), and those of the first and second derivative by f."""
     p, q, r, s = f, f - 1, f - 2, f - 3
@@ -91,7 +116,8 @@ def transfer(block: Block, rays: ReferenceRays, source: int, t_range: tuple[floa
     t_range  smallest and largest depth parameter that is asked for
 
     The table is made finer until it errs by less than 0.005 px in the middles of its cells.  Raises InputError where
-    that is not reached with steps of 2 px, as for a projection that turns back within the format.
+    that is not reached with steps of 2 px or `MOST_NODES`, as for a projection that turns back within the format, or
+    where the source itself stands among the depths that are asked for.
     """
     low, high = t_range
     if not 0 < low < high < np.inf:
@@ -111,7 +137,8 @@ def transfer(block: Block, rays: ReferenceRays, source: int, t_range: tuple[floa
             step /= 2.0 ** max(1, np.ceil(np.log2(2 * across / TOLERANCE_PX) / 4))
         if along >= TOLERANCE_PX / 2:
             levels = int(levels * max(1.25, 1.05 * (2 * along / TOLERANCE_PX) ** 0.25)) + 1
-        if step < FINEST_PX or levels > MOST_LEVELS:
+        nodes = rays.camera.width_px * rays.camera.height_px / step**2 * levels
+        if step < FINEST_PX or levels > MOST_LEVELS or nodes > MOST_NODES:
             raise InputError(
                 f"image {block.images.ids[source]}: a table of its projection errs by {max(across, along):.3g} px "
                 f"(limit {TOLERANCE_PX:g} px); leave it out as a source"

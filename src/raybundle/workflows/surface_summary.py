@@ -80,7 +80,7 @@ def _quantiles(values: Array) -> tuple[float, ...]:
 def _of_map(surface: Surface, image: int, given: int) -> tuple[MapSummary, Array]:
     """What is told of a map, and how its errors are correlated by distance."""
     store: Folder = surface.store
-    found = DepthMap.of_arrays(store.wanted(surface.maps[image]))
+    found = DepthMap.of_arrays(store.wanted(surface.maps[image])).sure()
     sigma = store.wanted(surface.sigmas[image], ("sigma",))["sigma"]
     with np.errstate(divide="ignore", invalid="ignore"):
         length = sigma / np.square(found.t, dtype=float)

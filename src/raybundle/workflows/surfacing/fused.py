@@ -17,14 +17,14 @@ from raybundle.pipeline.keys import key_of
 from raybundle.pipeline.stage import Means, Stage
 from raybundle.pipeline.store import Folder, Product
 from raybundle.pipeline.tasks import Task
-from raybundle.surfaces.depth_map import DepthMap
+from raybundle.surfaces.depth_map import DepthMap, doubtful_of
 from raybundle.surfaces.fusion import MapView, agreement
 from raybundle.surfaces.normals import planes_at
 from raybundle.surfaces.orientation import CommonRoot, ShiftCovariance, shift_covariance
 from raybundle.surfaces.pairs import Sources
 from raybundle.surfaces.rays import ReferenceRays
 from raybundle.surfaces.refine import PixelGrid, used_sources
-from raybundle.surfaces.transfer import Transfer, transfer
+from raybundle.surfaces.transfer import Projection, Transfer, places_in
 from raybundle.workflows.surface_region import SurfaceRegion
 from raybundle.workflows.surface_state import SURFACE, Cloud
 from raybundle.workflows.surface_tasks import (
@@ -36,7 +36,7 @@ from raybundle.workflows.surface_tasks import (
     stored_together,
 )
 
-VERSION = 4
+VERSION = 5
 SHIFTS, SIGMA, CLOUD = "surface shifts", "surface sigma", "surface points"
 """First words of the keys of what is kept"""
 MOST_MAPS = 8
@@ -181,30 +181,31 @@ def cloud_of(store: Folder, task: CloudTask) -> Product:
     if not task.others or not known.any():
         return _cloud(store, task, block, found, mine, np.zeros(0, int), np.zeros(0, np.uint8))
     between = float(np.nanmin(mine.t)), float(np.nanmax(mine.t)) * (1 + 1e-6)
-    tables = [transfer(block, mine.rays, j, between) for j in task.others]
+    tables = [places_in(block, mine.rays, j, between) for j in task.others]
     probes = _Probes.of(store, task, found, mine)
     told = agreement(mine, _others(store, task, block, probes, tables), tables, task.others, own=task.own)
     inside = np.ones(len(told.agree), bool)
     if task.region is not None:
         inside = task.region.holds(mine.rays.points(mine.grid.xy_px[known], np.asarray(mine.t, float)[known]))
     given = told.kept & inside & (told.confirmed(inside) >= CONFIRMED)
-    return _cloud(store, task, block, found, mine, np.flatnonzero(known)[given], told.agree[given])
+    return _cloud(store, task, block, found, mine, np.flatnonzero(known)[given], told.confirming[given])
 
 
 def _view(block: Block, image: int, kept: Product, whole: Array) -> MapView:
     """A map as others look into it."""
     return MapView(
         rays=ReferenceRays.of(block, image), grid=PixelGrid.of_numbers(kept["grid"]), t=kept["t"],
-        slopes=kept["slopes"], sigma=np.sqrt(kept["noise"] + kept["roughness"]), whole=whole,
+        slopes=kept["slopes"], sigma=np.sqrt(kept["noise"] + kept["roughness"]), doubtful=doubtful_of(kept["flags"]),
+        whole=whole,
     )  # fmt: skip
 
 
 def _others(
-    store: Folder, task: CloudTask, block: Block, own: _Probes, tables: Sequence[Transfer]
+    store: Folder, task: CloudTask, block: Block, own: _Probes, tables: Sequence[Transfer | Projection]
 ) -> Iterator[MapView]:
     """The maps that a reference is compared with, one after the other."""
     for k, (j, table) in enumerate(zip(task.others, tables, strict=True), 1):
-        kept = store.lent(task.maps[k], ("grid", "t", "slopes", "noise", "roughness", "shift"))
+        kept = store.lent(task.maps[k], ("grid", "t", "slopes", "noise", "roughness", "shift", "flags"))
         view = _view(block, j, kept, store.wanted(task.sigmas[k])["sigma"])
         shifts = ShiftCovariance.of_arrays(store.wanted(task.shifts[k])).among(own.together)
         yield replace(view, apart=own.apart(view, kept["shift"], shifts, table))
@@ -232,7 +233,7 @@ class _Probes:
         normal, _ = planes_at(mine.rays, xy, t, found.smooth_slopes().reshape(2, -1)[:, at].astype(float))
         return cls(together=together, xy_px=xy, t=t, normal=normal, moved=_moved(shifts, mine, found.shift, at))
 
-    def apart(self, view: MapView, shift: Array, shifts: ShiftCovariance, table: Transfer) -> float:
+    def apart(self, view: MapView, shift: Array, shifts: ShiftCovariance, table: Transfer | Projection) -> float:
         """By how much orientation lets the depth parameter of another map differ: the median over the points."""
         there = view.nearest(table.at(self.xy_px, self.t))
         both = np.flatnonzero((there >= 0) & np.isfinite(view.t.ravel()[there]))
@@ -260,7 +261,7 @@ def _cloud(
     normal, area = planes_at(mine.rays, xy, t, found.smooth_slopes().reshape(2, -1)[:, at].astype(float))
     shifts = ShiftCovariance.of_arrays(store.wanted(task.shifts[0]))
     sensitivity = found.shift.reshape(-1, found.shift.shape[2], 2)[at]
-    noise, rough = (np.asarray(v, float).ravel()[at] for v in (found.noise, found.roughness))
+    noise, rough = (np.asarray(v, float).ravel()[at] for v in (found.noise, found.roughness + found.step))
     sigma, along, across = np.zeros((len(at), 3)), np.zeros(len(at)), np.zeros((len(at), 2))
     for begin in range(0, len(at), CHUNK):
         part = slice(begin, begin + CHUNK)

@@ -31,7 +31,7 @@ from raybundle.workflows.rectify import STEEPEST
 from raybundle.workflows.surface_state import SURFACE, Looks, MeasuredHeights
 from raybundle.workflows.surface_tasks import all_done, colours_of, free_of, stored_part
 
-VERSION = 4
+VERSION = 5
 LOOK = "surface looks"
 PROBES = 16
 """Cells along the side of a tile that are asked whether a photograph shows any of them."""
@@ -196,7 +196,7 @@ def _seen(
 
 def _nothing_before(store: Folder, task: LookTask, block: Block, xyz: Array, xy: Array, sigma: Array) -> Array:
     """Whether the photograph's depth map shows nothing before points (n, 3)."""
-    found = DepthMap.of_arrays(store.wanted(task.map))
+    found = DepthMap.of_arrays(store.wanted(task.map)).sure()
     rays = ReferenceRays.of(block, 0)
     view = MapView(rays=rays, grid=found.grid, t=found.t, slopes=found.slopes, sigma=np.sqrt(found.variance()))
     if not len(xyz):

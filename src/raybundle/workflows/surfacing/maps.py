@@ -26,7 +26,7 @@ from raybundle.workflows.surface_region import SurfaceRegion
 from raybundle.workflows.surface_state import SURFACE, SurfaceOptions, SurfaceState
 from raybundle.workflows.surface_tasks import PART, free_of, stored_part
 
-VERSION = 2
+VERSION = 3
 MAP = "depth map"
 """First word of the keys of what is kept"""
 PIXEL_S = 2e-5
