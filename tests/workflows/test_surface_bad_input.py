@@ -3,6 +3,7 @@
 import errno
 import json
 import os
+import re
 import shutil
 from dataclasses import replace
 
@@ -199,3 +200,16 @@ def test_products_of_an_earlier_run_stay_while_they_are_of_the_same_points(half,
     assert any("depth" in r and "removed" in r for r in run().remarks)
     with pytest.raises(InputError, match="both say which part"):
         run(region=("0 0, 1 0, 1 1",))
+
+
+def test_a_photograph_without_a_point_is_told_where_nothing_confirms_it(half, tmp_path, capsys):
+    words = ["surface", str(half / "block"), "--density", "4", "--jobs", "1", "--photos"]
+    rng = np.random.default_rng(5)
+    for path in half.glob("*.png"):
+        shown = cv2.imread(str(path))
+        if path.stem == "portal_08":
+            shown = np.clip(picture("leaves", shown.shape[:2], rng), 0, 255).astype(np.uint8)
+        cv2.imwrite(str(tmp_path / path.name), shown)
+    assert main([*words, str(tmp_path), *map(str, ("--extent", *BOX)), "--out", str(tmp_path / "s")]) == 0
+    told = capsys.readouterr().out
+    assert re.search(r"no point of portal_08: (other depth maps confirm|no other depth map|no depth was found)", told)

@@ -1,5 +1,6 @@
 """A part of a surface, and photographs of which a part is masked: three of the portal, at half their size."""
 
+from dataclasses import replace
 from types import SimpleNamespace
 
 import cv2
@@ -10,10 +11,12 @@ from raybundle.commands.surface import surface
 from raybundle.errors import InputError
 from raybundle.numerics.progress import silent
 from raybundle.surfaces.depth_map import DepthMap
+from raybundle.surfaces.pairs import sources_of_each
 from raybundle.surfaces.rays import ReferenceRays
 from raybundle.surfaces.refine import Reason
 from raybundle.workflows.height_grid import HeightPlane
 from raybundle.workflows.height_tiles import tile_of_number
+from raybundle.workflows.surface_pointless import pointless
 from raybundle.workflows.surface_region import SurfaceRegion
 from raybundle.workflows.surface_state import SurfaceOptions, SurfaceState
 from raybundle.workflows.surfacing.sources import STAGE, choose
@@ -196,3 +199,18 @@ def test_nothing_is_measured_where_a_mask_is_black_nor_by_what_it_hides(half, wh
     assert taken > 50
     with pytest.raises(InputError, match="there is no such folder of masks"):
         surface(half / "block", tmp_path / "t", photos=(half,), density="4", masks=tmp_path / "none")
+
+
+def test_it_is_not_told_of_photographs_whose_places_others_know_better(part):
+    done = part.surface
+    state = SurfaceState(
+        adjustment=done.adjustment, photos={}, options=done.options, maps=done.maps, sigmas=done.sigmas,
+        chosen=tuple(sources_of_each(done.block)),
+    )  # fmt: skip
+    none = dict.fromkeys(done.maps, 0)
+    assert pointless(state, none, done.store) == ()
+    far = replace(done.options.region, areas=((((9.0, 9.0), (10.0, 9.0), (10.0, 10.0)),),))
+    elsewhere = replace(state, options=replace(done.options, region=far))
+    assert pointless(elsewhere, none, done.store) == tuple(
+        (name, "no depth was found in it, of the region") for name in done.block.images.ids
+    )

@@ -9,11 +9,12 @@ import numpy as np
 from raybundle.block import Block
 from raybundle.numerics.arrays import Array
 from raybundle.pipeline.store import Folder
+from raybundle.surfaces.depth_map import doubtful_of
 from raybundle.surfaces.fusion import MapView, agreement
 from raybundle.surfaces.pairs import Sources
 from raybundle.surfaces.rays import ReferenceRays
 from raybundle.surfaces.refine import PixelGrid
-from raybundle.surfaces.transfer import transfer
+from raybundle.surfaces.transfer import places_in
 from raybundle.workflows.surface_state import SurfaceState
 from raybundle.workflows.surfacing.fused import CONFIRMED, MOST_MAPS
 
@@ -56,7 +57,7 @@ def _why(state: SurfaceState, s: Sources, store: Folder) -> str:
     at = known[np.unique(np.linspace(0, len(known) - 1, ASKED).astype(int))]
     few.flat[at] = mine.t.flat[at]
     between = float(np.nanmin(few)), float(np.nanmax(few)) * (1 + 1e-6)
-    tables = [transfer(state.block, mine.rays, j, between) for j in others]
+    tables = [places_in(state.block, mine.rays, j, between) for j in others]
     views = (_view(state, j, store) for j in others)
     told = agreement(replace(mine, t=few), views, tables, others, own=s.reference)
     share = told.confirmed(np.ones(len(told.agree), bool))
@@ -71,10 +72,10 @@ def _why(state: SurfaceState, s: Sources, store: Folder) -> str:
 
 def _view(state: SurfaceState, image: int, store: Folder) -> MapView:
     """A map with its standard deviations, all parts together."""
-    kept = store.wanted(state.maps[image], ("grid", "t", "slopes"))
+    kept = store.wanted(state.maps[image], ("grid", "t", "slopes", "flags"))
     sigma: Array = store.wanted(state.sigmas[image], ("sigma",))["sigma"]
     block: Block = state.block
     return MapView(
         rays=ReferenceRays.of(block, image), grid=PixelGrid.of_numbers(kept["grid"]), t=kept["t"],
-        slopes=kept["slopes"], sigma=sigma,
+        slopes=kept["slopes"], sigma=sigma, doubtful=doubtful_of(kept["flags"]),
     )  # fmt: skip
