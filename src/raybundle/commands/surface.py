@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass, replace
+from functools import cache
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Literal
 
@@ -15,6 +17,7 @@ from raybundle.numerics.progress import Progress, silent
 from raybundle.settings import ANY, POSITIVE, Range, made, option, other_than_usual, path_of, setting, toml_lines
 
 if TYPE_CHECKING:
+    from raybundle.adjustment.result import Adjustment
     from raybundle.block import Block
     from raybundle.io.formats import Export
     from raybundle.surfaces.summary import SurfaceSummary
@@ -137,11 +140,13 @@ class _Asked:
     """names of products"""
     grids: Grids
     region: SurfaceRegion | None
+    adjusted: Callable[[], Adjustment]
     progress: Progress
 
 
 def run_surface(settings: SurfaceSettings, progress: Progress = silent) -> MeasuredSurface:
     """Measure what the settings ask for, and write the points."""
+    from raybundle.measuring.session import adjusted_again  # noqa: PLC0415
     from raybundle.pipeline.store import ProductGone  # noqa: PLC0415
     from raybundle.report.languages.language import language_of  # noqa: PLC0415
     from raybundle.workflows.surface_products import PRODUCTS  # noqa: PLC0415
@@ -154,11 +159,12 @@ def run_surface(settings: SurfaceSettings, progress: Progress = silent) -> Measu
     for name in wanted:
         PRODUCTS[name].check()
     language_of(s.language, [])  # one that there is not is told before anything is measured
-    grids, region = _grid_of(s, result, export, progress)
+    adjusted = cache(lambda: adjusted_again(result, progress))  # once for all that needs it
+    grids, region = _grid_of(s, result, export, adjusted, progress)
     s = replace(s, store=store_of(out / WORK, s.store, (s.source, *folders)))
     asked = _Asked(
         settings=s, result=result, export=export, folders=folders, out=out, wanted=wanted, grids=grids, region=region,
-        progress=progress,
+        adjusted=adjusted, progress=progress,
     )  # fmt: skip
     mended = set[str]()
     while True:
@@ -187,7 +193,7 @@ def _measured(a: _Asked) -> Surface:
         return measured(
             a.result, work, options, photos=a.folders, masks=masks_of_result(s.source, s.masks, a.folders, work),
             free_scale=s.free_scale, jobs=s.jobs, memory=s.memory * 1e9, cluster=s.cluster, store=s.store,
-            progress=a.progress,
+            progress=a.progress, adjusted=a.adjusted,
         )  # fmt: skip
     except InputError:
         discard_empty(work)
@@ -272,7 +278,7 @@ def _write_pages(
 
 
 def _grid_of(
-    s: SurfaceSettings, result: Path, export: Export, progress: Progress
+    s: SurfaceSettings, result: Path, export: Export, adjusted: Callable[[], Adjustment], progress: Progress
 ) -> tuple[Grids, SurfaceRegion | None]:  # fmt: skip
     """The plane, its cells and the pixels of an orthophoto that are asked for, and the part that is measured."""
     from raybundle.commands.plane_settings import plane_in  # noqa: PLC0415
@@ -296,7 +302,7 @@ def _grid_of(
         return Grids(), None
     in_map = export.frame is not None and plan_system(export.frame.crs) is not None
     level = in_map and not (set(OF_PLANE) & set(other_than_usual(s)))
-    plane, told = plane_in(result, export, replace(s, horizontal=True) if level else s, progress)
+    plane, told = plane_in(result, export, replace(s, horizontal=True) if level else s, progress, adjusted)
     region = _region_in(s, export.block, plane) if part else None
     if isinstance(plane, MapLevel) and region is not None:
         check_area(plane, region.extent, setting="region" if s.region else "extent")

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import os
 from collections import Counter
-from collections.abc import Collection, Iterator, Mapping, Sequence
+from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from pathlib import Path
 
@@ -96,22 +96,25 @@ def surface(
     cluster: str = "",
     store: str = "",
     progress: Progress = silent,
+    adjusted: Callable[[], Adjustment] | None = None,
 ) -> Surface:
     """Measure the surface that the photographs of a result show.
 
-    source  result folder: its block is adjusted once more, which ends at once, for all covariances
+    source  result folder: its block is adjusted once more for all covariances
     folder  project folder, where finished maps are kept and taken from
     photos  folders in which the photographs are looked for
     masks   folder of masks, as COLMAP or Metashape name them; None: photographs are measured whole
     free_scale  also where nothing that is adjusted fixes the scale
     cluster, store  where tasks are done and products lie, as `executor_for` and `Project.open` take it
     memory  bytes that depth maps in work may take together
+    adjusted  gives the adjustment of the result, where that is at hand; None: its block is adjusted once more
     raises  InputError where no two photographs show the same part, where none is found, and for a free scale
 
     What it does not tell: errors that all photographs of a place share, as of reflections, water and moving shadows.
     """
     jobs = jobs or os.cpu_count() or 1
-    adjustment = _adjusted(source, progress, free_scale=free_scale)
+    made = adjusted_again(source, progress) if adjusted is None else adjusted()
+    adjustment = _checked(made, source, free_scale=free_scale)
     found, lost = _photographs(adjustment.adjusted, photos)
     worn = None if masks is None else find_masks(masks, tuple(found.values()))
     project = Project.open(folder, store=store)
@@ -137,12 +140,11 @@ def surface(
         project.close()
 
 
-def _adjusted(source: Path, progress: Progress, *, free_scale: bool) -> Adjustment:
-    """The block adjusted once more, which says by itself whether its scale is free.
+def _checked(made: Adjustment, source: Path, *, free_scale: bool) -> Adjustment:
+    """An adjustment whose block says whether its scale is free; raises InputError where that is not wanted.
 
     Whatever a folder tells of it: a block says nothing, and observations of a result may be gone.
     """
-    made = adjusted_again(source, progress)
     free = "scale" in made.datum_defect
     if free and not free_scale:
         raise InputError(
