@@ -1,11 +1,13 @@
 """A part of a surface, and photographs of which a part is masked: three of the portal, at half their size."""
 
+import json
 from dataclasses import replace
 from types import SimpleNamespace
 
 import cv2
 import numpy as np
 import pytest
+from pyproj import CRS, Transformer
 
 from raybundle.commands.surface import surface
 from raybundle.errors import InputError
@@ -16,6 +18,7 @@ from raybundle.surfaces.rays import ReferenceRays
 from raybundle.surfaces.refine import Reason
 from raybundle.workflows.height_grid import HeightPlane
 from raybundle.workflows.height_tiles import tile_of_number
+from raybundle.workflows.surface_part import region_asked
 from raybundle.workflows.surface_pointless import pointless
 from raybundle.workflows.surface_region import SurfaceRegion
 from raybundle.workflows.surface_state import SurfaceOptions, SurfaceState
@@ -214,3 +217,20 @@ def test_it_is_not_told_of_photographs_whose_places_others_know_better(part):
     assert pointless(elsewhere, none, done.store) == tuple(
         (name, "no depth was found in it, of the region") for name in done.block.images.ids
     )
+
+
+def test_an_outline_in_another_system_is_brought_into_that_of_the_map(tmp_path):
+    """And refused where there is a plane of the object in place of a map."""
+    ring = np.array([[500000.0, 5300000.0], [500100.0, 5300000.0], [500100.0, 5300100.0]])
+    east, north = Transformer.from_crs(32633, 25832, always_xy=True).transform(*ring.T)
+    corners = [[e, n] for e, n in zip(east.tolist(), north.tolist(), strict=True)]
+    shape = {"type": "Polygon", "coordinates": [[*corners, corners[0]]]}
+    system = {"type": "name", "properties": {"name": "urn:ogc:def:crs:EPSG::25832"}}
+    file = tmp_path / "plan.geojson"
+    feature = {"type": "Feature", "properties": {}, "geometry": shape}
+    file.write_text(json.dumps({"type": "FeatureCollection", "crs": system, "features": [feature]}))
+    plane = HeightPlane(origin=(0.0, 0.0, 0.0), axes=((1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0)))
+    found = region_asked(plane, CRS.from_epsg(32633).to_wkt(), [str(file)], None, 1.0)
+    np.testing.assert_allclose(found.areas[0][0], ring, rtol=0, atol=1e-6)
+    with pytest.raises(InputError, match=r"plan\.geojson: is in EPSG:25832, and these heights lie on a plane"):
+        region_asked(plane, "", [str(file)], None, 1.0)
