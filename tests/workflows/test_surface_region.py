@@ -45,7 +45,7 @@ def part(half, tmp_path_factory):
 
 
 def maps_of(done):
-    return {i: DepthMap.of_arrays(done.surface.store.wanted(key)) for i, key in done.surface.maps.items()}
+    return {i: DepthMap.of_arrays(done.surface.store.wanted(key)).sure() for i, key in done.surface.maps.items()}
 
 
 def region_of(done):
