@@ -101,7 +101,8 @@ def compared(out: Path, before: Path) -> dict[str, object]:
         + (top - (rows[..., None] + 0.5) * cell) * up
     )  # fmt: skip
     with (out / "moved.csv").open(newline="", encoding="utf-8") as text:
-        table = {int(r["region"]): r for r in csv.DictReader(text)}
+        rows_of = csv.DictReader(line for line in text if not line.startswith("#"))
+        table = {int(r["region"]): {k: float(v) for k, v in r.items()} for r in rows_of}
     found, used = [], set[int]()
     for x, z, side, by in RELIEFS:
         inside = (

@@ -81,8 +81,13 @@ def test_bad_outlines_are_refused(cone, capsys, tmp_path):
     crossed = "0.3 0.1, 0.9 0.6, 0.9 0.1, 0.3 0.6"
     assert "crosses itself" in refused(capsys, *volume, "--outline", crossed)
     assert "has no extent" in refused(capsys, *volume, "--outline", "0.1 0.1, 0.2 0.2, 0.3 0.3")
-    assert "holds no area" in refused(capsys, *volume, "--outline", "0.1 0.1, 0.2 0.2")
-    assert "% of the area has no height" in refused(capsys, *volume, "--extent", 0.02, 0.1, 0.4, 0.5)
+    assert "--outline '0.1 0.1, 0.2 0.2' holds no area: it has fewer than three corners" in refused(
+        capsys, *volume, "--outline", "0.1 0.1, 0.2 0.2"
+    )
+    assert "is no file and no corners" in refused(capsys, *volume, "--outline", "0,0 1,0 1,1")
+    said = refused(capsys, *volume, "--extent", 0.02, 0.1, 0.4, 0.5)
+    assert "of the area has no height (200 of its cells)" in said
+    assert "0.1 m from the nearest measured one; fill it with --fill 0.2" in said
     wide = (*volume, "--extent", 0.02, 0.1, 0.4, 0.5, "--fill", 0.3)
     assert "of the area was filled, more than 20 %" in refused(capsys, *wide)
     assert told(capsys, *wide, "--most-filled", 60)["filled_sigma"] > 0
@@ -95,16 +100,81 @@ def test_bad_outlines_are_refused(cone, capsys, tmp_path):
     assert "has no heights.tif" in refused(capsys, "heights", "volume", tmp_path)
 
 
+def test_holes_that_an_outline_or_the_edge_cuts_off_are_filled(tmp_path, capsys):
+    """Of a tilted plane: a hole that is open to the edge of the grid, and one that goes on beyond the outline."""
+    x, y = middles(SHAPE)
+    model = made(0.2 * x + 0.1 * y, sigma=1e-4, rng=np.random.default_rng(4))
+    height = model.heights.height.copy()
+    height[0:6, 40] = np.nan
+    height[30:60, 60:90] = np.nan
+    folder = folder_of(replace(model, heights=replace(model.heights, height=height)), tmp_path / "s")
+    volume = ("heights", "volume", folder, "--above", 0)
+    whole = told(capsys, *volume, "--extent", 0.3, 0.4, 0.5, 0.64)
+    assert whole["filled"] == pytest.approx(6 / (20 * 24))
+    exact = 0.2 * 0.24 * (0.2 * 0.4 + 0.1 * 0.52)
+    assert whole["net"]["value"] == pytest.approx(exact, abs=3 * whole["net"]["sigma"] + 1e-7)
+    # three columns of a hole that is 30 cells wide
+    beside = told(capsys, *volume, "--extent", 0.5, 0.1, 0.63, 0.3, "--most-filled", 30)
+    assert beside["filled"] == pytest.approx(3 / 13)
+    exact = 0.13 * 0.2 * (0.2 * 0.565 + 0.1 * 0.2)
+    assert beside["net"]["value"] == pytest.approx(exact, abs=3 * beside["net"]["sigma"])
+    wide = refused(capsys, *volume, "--extent", 0.5, 0.1, 0.7, 0.3)
+    assert "has no height (95 of its cells)" in wide
+    assert "fill it with --fill 0.2," in wide
+    assert told(capsys, *volume, "--extent", 0.5, 0.1, 0.7, 0.3, "--fill", 0.2, "--most-filled", 60)[
+        "filled"
+    ] == pytest.approx(0.5)
+
+
+def test_a_surface_differs_from_itself_by_nothing(cone, capsys):
+    found = told(capsys, "heights", "volume", cone, "--above", cone, "--extent", 0.3, 0.1, 0.7, 0.5)
+    assert found["net"] == {"value": 0, "sigma": 0, "sigma_local": 0, "sigma_orientation": 0}
+
+
+def test_volumes_are_told_with_the_digits_they_have():
+    from raybundle.cli.heights.words import measured, plain
+
+    assert measured(62995.3, 9812.0, "m", 3) == "63 000 m3 (sigma 9800)"
+    assert measured(-62995.3, 98.12, "m", 3) == "-62 995 m3 (sigma 98)"
+    assert measured(0.0123456, 1.234e-4, "m") == "0.01235 m (sigma 0.00012)"
+    assert measured(0.0, 0.0, "m") == "0 m (sigma 0)"
+    assert plain(40130.61) == "40 130.6"
+    assert plain(1.5) == "1.5"
+    assert plain(0.0) == "0"
+
+
+@pytest.mark.parametrize("common", [None, 1e-3])
+def test_surfaces_whose_orientation_is_held_have_no_errors_of_it(tmp_path, capsys, common):
+    """With and without: every command bears both."""
+    rng = np.random.default_rng(8)
+    x, _ = middles(SHAPE)
+    one, two = (
+        folder_of(made(0.05 * np.sin(9 * x), rng=rng, sigma=4e-4, common=common), tmp_path / name) for name in "ab"
+    )
+    found = told(capsys, "heights", "difference", one, two)
+    assert not found["regions"]
+    assert found["whole"]["shift_sigma"] > 0
+    (cut,) = told(capsys, "heights", "section", one, "--line", "0.1 0.1, 0.8 0.5", "--between", 0, 0.4)["sections"]
+    assert cut["difference_sigma"] > 0
+    for above in ("rim", "0", two):
+        net = told(capsys, "heights", "volume", one, "--extent", 0.1, 0.1, 0.5, 0.5, "--above", above)["net"]
+        assert (net["sigma_orientation"] == 0) == (common is None)
+    told(capsys, "heights", "contours", one, "--interval", 0.02, "--out", tmp_path / "c.svg")
+    told(capsys, "heights", "ground", one, "--largest", 0.1, "--slope", 100)
+    assert not told(capsys, "heights", "difference", two, tmp_path / "a/ground", "--out", tmp_path / "d")["regions"]
+
+
 def test_sections_are_written_as_table_picture_and_drawing(cone, capsys, tmp_path):
     ezdxf = pytest.importorskip("ezdxf")
     files = [tmp_path / f"cut.{e}" for e in ("csv", "svg", "dxf")]
     found = told(
         capsys, "heights", "section", cone, "--line", "0.02 0.32, 0.9 0.32", "--line", "0.48 0.02, 0.48 0.6",
-        "--between", 0.1, 0.3, *(w for f in files for w in ("--out", f)),
+        *(w for f in files for w in ("--out", f)),
     )  # fmt: skip
     one, two = found["sections"]
     assert one["length"] == pytest.approx(0.88)
-    assert two["difference"] == pytest.approx(0.1, abs=6e-3)
+    assert two["with_height"] == 1
+    assert 0.7 < one["with_height"] < 0.85
     with files[0].open(encoding="utf-8") as file:
         rows = list(csv.DictReader(file))
     assert {r["section"] for r in rows} == {"section 1", "section 2"}
@@ -122,12 +192,38 @@ def test_sections_are_written_as_table_picture_and_drawing(cone, capsys, tmp_pat
     assert drawing.header["$INSUNITS"] == 6
 
 
+def test_differences_of_height_are_of_places_that_were_measured(cone, capsys):
+    """Two places 0.1 m and 0.3 m from the beginning, the second at the top of the cone; and others in a hole."""
+    line = ("heights", "section", cone, "--line", "0.48 0.02, 0.48 0.6")
+    for step in ((), ("--step", 0.25)):
+        (one,) = told(capsys, *line, "--between", 0.102, 0.297, *step)["sections"]
+        exact = 0.1 * (1 - np.hypot(0, 0.003) / 0.2) - 0.1 * (1 - (0.3 - 0.102) / 0.2)
+        # between cells an edge as the top is a little too low
+        assert one["difference"] == pytest.approx(exact, abs=4 * one["difference_sigma"] + 2e-3)
+    hole = ("heights", "section", cone, "--line", "0.02 0.32, 0.9 0.32")
+    said = refused(capsys, *hole, "--between", 0.1, 0.5)
+    assert "section 1 has no height 0.1 m from its beginning (at 0.12 0.32)" in said
+    assert "the nearest place of it with a height is 0.09 m away, 0.01 m from the beginning" in said
+    assert "--fill WIDTH" in said
+    assert told(capsys, *hole, "--between", 0.1, 0.5, "--fill", 0.4)["sections"][0]["difference_sigma"] > 0
+    inside = ("heights", "section", cone, "--line", "0.08 0.3, 0.2 0.4", "--between", 0.01, 0.1)
+    assert "nor anywhere else" in refused(capsys, *inside)
+    assert "asks twice for the place at 0.2" in refused(capsys, *line, "--between", 0.2, 0.2)
+    assert main([*map(str, hole)]) == 0
+    assert "caution: that mean is of" in capsys.readouterr().out
+
+
 def test_bad_lines_are_refused(cone, capsys, tmp_path):
     section = ("heights", "section", cone)
     assert "no line is given" in refused(capsys, *section)
     assert "lies beyond the heights" in refused(capsys, *section, "--line", "3 3, 4 4")
     assert "two different places" in refused(capsys, *section, "--line", "0.1 0.1, 0.1 0.1")
     assert "asks for a place at 9" in refused(capsys, *section, "--line", "0 0, 0.5 0.5", "--between", 0, 9)
+    assert "is no file and no corners: these are written X Y, X Y" in refused(capsys, *section, "--line", "0,0 1,0")
+    assert "is a single place; a line needs two corners" in refused(capsys, *section, "--line", "0.2 0.2")
+    twice = [tmp_path / "twice.csv"] * 2
+    found = told(capsys, *section, "--line", "0.3 0.1, 0.5 0.1", *(w for f in twice for w in ("--out", f)))
+    assert found["files"] == [str(twice[0])]
     assert "choose one of these endings" in refused(capsys, *section, "--line", "0 0, 1 1", "--out", tmp_path / "a.png")
     assert "more than 1000000" in refused(capsys, *section, "--line", "0 0, 0.9 0.6", "--step", 1e-9)
 
@@ -180,6 +276,9 @@ def test_the_ground_is_a_surface_again(tmp_path, capsys):
     above = told(capsys, "heights", "volume", folder, "--extent", 18, 18, 29, 26, "--above", folder / "ground")
     assert above["net"]["value"] == pytest.approx(180 * 0.25 * 3.0, abs=4 * above["net"]["sigma"])
     assert "stands there already" in refused(capsys, "heights", "ground", folder, "--largest", 9)
+    ground = ("heights", "ground", folder, "--out", tmp_path / "g")
+    assert "is less than a cell, 0.5" in refused(capsys, *ground, "--largest", 1e-9)
+    assert "more than all heights lie apart" in refused(capsys, *ground, "--largest", 9, "--slope", 1e9)
     assert "more than half of the shorter side" in refused(
         capsys, "heights", "ground", folder, "--largest", 30, "--out", tmp_path / "g"
     )
@@ -210,8 +309,7 @@ def test_what_has_moved_is_written(tmp_path, capsys):
     assert len(shapes) == 1
     assert about["geometry_type"] == "Polygon Z"
     assert (tmp_path / "moved/difference.png").stat().st_size > 1000
-    nothing = told(capsys, "heights", "difference", before, before)
-    assert not nothing["regions"]
+    assert "it is the same measurement" in refused(capsys, "heights", "difference", before, before)
     assert main(["heights", "difference", str(before), str(after)]) == 0
     assert "1 region moved against the rest by more than chance" in capsys.readouterr().out
 

@@ -27,7 +27,9 @@ def summary(unit="m"):
         left=-1.0, top=1.0, share=0.83, profile=np.stack([u[10], 0.1 * u[10], 0.001 + 0 * u[10]], axis=1).astype(float),
     )  # fmt: skip
     return SurfaceSummary(
-        points=1000, unit=unit, sigma=(0.0005, 0.001, 0.002), parts=np.full((3, 3), 0.0003),
+        points=1000, unit=unit, sigma=(0.0005, 0.001, 0.002), position=(0.0007, 0.002, 0.003),
+        axes=np.array([[0.0003, 0.001, 0.002], [0.0004, 0.001, 0.002], [0.0005, 0.001, 0.002]]),
+        parts=np.full((3, 3), 0.0003),
         shares=(0.4, 0.3, 0.3), rays=np.array([0, 0, 300, 700]), incidence=0.01, maps=maps,
         correlation=np.array([[0.0, 1.0], [5.0, 0.1]]),
         left_out=(("d.jpg", "no other photograph is of use with it"),), heights=heights,
@@ -42,7 +44,7 @@ def page(tmp_path, what, **more):
 def test_the_page_says_what_is_incomplete_in_its_headline(tmp_path):
     text = page(tmp_path, summary(), remarks=("the picture lies in its map",))
     assert "Surface of wall" in text
-    assert re.search(r'class="verdict remarks">1.000 points from 2 depth maps; .*0\.50 mm in the median', text)
+    assert re.search(r'class="verdict remarks">1.000 points from 2 depth maps; .*0\.70 mm in the median', text)
     assert "c.jpg is covered to 20" in text
     assert "1 photograph or pair took no part" in text
     assert "the picture lies in its map" in text
@@ -57,10 +59,16 @@ def test_a_surface_without_doubts_is_good_and_one_without_points_is_not(tmp_path
     good = replace(whole, left_out=(), maps=whole.maps[:1], heights=None)
     assert 'class="verdict good"' in page(tmp_path, good)
     none = replace(
-        good, points=0, sigma=(np.nan,) * 3, parts=np.full((3, 3), np.nan), rays=np.zeros(0, int),
+        good, points=0, sigma=(np.nan,) * 3,
+        position=(np.nan,) * 3, axes=np.full((3, 3), np.nan), parts=np.full((3, 3), np.nan), rays=np.zeros(0, int),
         maps=(replace(good.maps[0], measured=0, given=0, sigma=np.nan, picture=np.full((3, 4), np.nan)),),
     )  # fmt: skip
     assert 'class="verdict attention"' in page(tmp_path, none)
+
+
+def test_large_standard_deviations_are_in_metres(tmp_path):
+    text = page(tmp_path, replace(summary(), position=(3.48, 4.0, 5.0)))
+    assert re.search(r"standard deviation of a point 3\.5\sm in the median", text)
 
 
 def test_lengths_without_a_scale_have_no_unit(tmp_path):

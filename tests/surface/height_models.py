@@ -5,6 +5,7 @@ from scipy.ndimage import gaussian_filter
 
 from raybundle.surfaces.height_model import HeightModel
 from raybundle.surfaces.heights import Heights, within
+from raybundle.surfaces.nodes import at_cells, variances
 
 FINE = 4
 """Places along the side of a cell of which its mean is taken"""
@@ -12,31 +13,31 @@ BLOCK = 32
 
 
 def made(height, *, cell=0.01, sigma=1e-3, common=0.0, length=0.8, rng=None, step=0.0):
-    """Heights (rows, columns), with drawn errors where `rng` is given: local ones, a shift and two tilts of all."""
+    """Heights (rows, columns), with drawn errors where `rng` is given: local ones, a shift and two tilts of all.
+
+    common  of the shift, and of each tilt half of it over a block; None: there are no errors of orientation
+    """
     shape = height.shape
-    blocks = tuple(-(-n // BLOCK) for n in shape)
-    r, c = np.mgrid[: blocks[0], : blocks[1]]
-    moved = np.stack(
-        [np.full(blocks, common), common * (r - r.mean()) / 2, common * (c - c.mean()) / 2], axis=2
-    ).astype(np.float32)  # fmt: skip
+    nodes = tuple(-(-n // BLOCK) + 1 for n in shape)
+    r, c = np.mgrid[: nodes[0], : nodes[1]]
+    each = [] if common is None else [np.ones(nodes), (r - r.mean()) / 2, (c - c.mean()) / 2]
+    moved = np.zeros((*nodes, len(each)), np.float32)
+    for k, one in enumerate(each):
+        moved[..., k] = common * one
     error = np.zeros(shape)
     if rng is not None:
         smooth = length * FINE / 2
         noise = gaussian_filter(rng.normal(size=(FINE * shape[0], FINE * shape[1])), smooth, mode="wrap")
         noise *= np.sqrt(4 * np.pi) * smooth * sigma
         error += noise.reshape(shape[0], FINE, shape[1], FINE).mean(axis=(1, 3))
-        error += _of_cells(moved @ rng.normal(size=3), shape)
+        error += at_cells(moved @ rng.normal(size=len(each)), BLOCK, shape)
     flat = np.zeros(shape, np.float32)
     heights = Heights(
         height=(height + error).astype(np.float32), local=flat + np.float32(sigma * np.sqrt(within(length))),
-        step=flat + np.float32(step), orientation=_of_cells(np.linalg.norm(moved, axis=2), shape).astype(np.float32),
+        step=flat + np.float32(step), orientation=np.sqrt(variances(moved, BLOCK, shape)).astype(np.float32),
         point=flat + np.float32(sigma), points=np.full(shape, 5, np.uint16), image=np.zeros(shape, np.int32),
     )  # fmt: skip
     return HeightModel(heights=heights, moved=moved, block=BLOCK, cell=cell, length=length)
-
-
-def _of_cells(of_block, shape):
-    return np.kron(of_block, np.ones((BLOCK, BLOCK)))[: shape[0], : shape[1]]
 
 
 def middles(shape, cell=0.01):

@@ -8,7 +8,7 @@ from scipy.spatial import KDTree
 
 from raybundle.planning.scenes import AerialStrips, aerial_scene
 from raybundle.planning.simulate import Survey, simulate
-from raybundle.surfaces.fusion import MapView, agreement
+from raybundle.surfaces.fusion import MapView, agreement, by_contrast
 from raybundle.surfaces.rays import ReferenceRays
 from raybundle.surfaces.refine import PixelGrid
 from raybundle.surfaces.transfer import transfer
@@ -139,3 +139,27 @@ def test_a_doubtful_depth_stays_where_two_others_see_the_same_and_says_nothing_o
     assert sure.perhaps_agree.any()
     assert sure.best.all()
     assert not sure.kept.any()
+
+
+def test_differences_of_maps_are_given_in_their_standard_deviations(block, maps):
+    found = compared(block, maps, 4)
+    known = np.isfinite(found.scatter)
+    assert known.mean() > 0.5
+    assert np.median(found.scatter[known] ** 2) / 0.4549 == pytest.approx(1, abs=0.15)
+    # alike errors differ by less: the same difference is more of what it may be
+    alike = {k: replace(m, correlation=0.36) for k, m in maps.items()}
+    assert np.allclose(compared(block, alike, 4).scatter[known], found.scatter[known] / 0.8, rtol=1e-5)
+
+
+def test_where_maps_differ_by_more_than_they_state_their_points_are_worse():
+    rng = np.random.default_rng(4)
+    contrast = rng.uniform(1, 30, 40_000).astype(np.float32)
+    off = np.where(contrast < 4, 2.0, 1.0)
+    scatter = (off * rng.normal(size=len(contrast))).astype(np.float32)
+    scatter[::3] = np.nan  # seen by no other map
+    found = by_contrast(scatter, contrast)
+    assert np.median(found[contrast < 3]) == pytest.approx(4, rel=0.15)
+    assert np.median(found[contrast > 8]) == pytest.approx(1, abs=0.06)
+    assert found.min() >= 1
+    assert (by_contrast(scatter[:200], contrast[:200]) == 1).all()  # too few to tell
+    assert (by_contrast(0.5 * scatter, contrast)[contrast > 8] == 1).all()  # never better than by theory

@@ -1,5 +1,6 @@
 """Volumes, sections, filled holes, steps, contours and the ground, beside numbers by hand and drawn errors."""
 
+import warnings
 from dataclasses import replace
 
 import numpy as np
@@ -8,8 +9,8 @@ import pytest
 from raybundle.errors import InputError
 from raybundle.surfaces.contours import contours, ring_lines, smoothed
 from raybundle.surfaces.ground import ground, standing
-from raybundle.surfaces.holes import filled
-from raybundle.surfaces.outlines import along_edge, coverage
+from raybundle.surfaces.holes import filled, spanned
+from raybundle.surfaces.outlines import coverage
 from raybundle.surfaces.relief import half_side, steps_of
 from raybundle.surfaces.sections import section
 from raybundle.surfaces.volumes import volume
@@ -24,6 +25,11 @@ def holed(model, rows, columns):
     return replace(model, heights=replace(model.heights, height=height))
 
 
+def whole(rows, columns):
+    """The outline of the grid."""
+    return np.array([[0.0, 0.0], [columns, 0.0], [columns, rows], [0.0, rows]])
+
+
 def test_shares_of_cells_are_those_of_the_outline():
     triangle = np.array([[1.5, 1.25], [7.75, 2.0], [3.0, 8.5]])
     covered = coverage([triangle], (10, 10))
@@ -35,9 +41,6 @@ def test_shares_of_cells_are_those_of_the_outline():
     with_hole = coverage([triangle, np.array([[3.0, 3.0], [4.0, 3.0], [4.0, 4.0], [3.0, 4.0]])], (10, 10))
     assert covered.sum() - with_hole.sum() == pytest.approx(1.0)
     assert coverage([triangle + 20], (10, 10)).sum() == 0
-    square = along_edge(coverage([np.array([[2.0, 2.0], [7.5, 2.0], [7.5, 7.0], [2.0, 7.0]])], (10, 10)))
-    assert square.sum() == 30 - 3 * 3
-    assert not square[3:6, 3:6].any()
 
 
 def test_volume_of_a_cone_and_areas_by_hand():
@@ -59,9 +62,9 @@ def test_volume_and_area_of_a_hemisphere_above_a_tilted_ground():
     tilt = 0.3 * x - 0.2 * y
     dome = np.sqrt(np.maximum(radius**2 - (x - 0.6) ** 2 - (y - 0.6) ** 2, 0.0))
     model = made(tilt + dome, sigma=1e-5)
-    found = volume(model, np.ones((120, 120)), None)
+    found = volume(model, np.ones((120, 120)), [whole(120, 120)])
     assert found.net.value == pytest.approx(2 / 3 * np.pi * radius**3, rel=2e-3)
-    flat = volume(made(tilt, sigma=1e-5), np.ones((120, 120)), None)
+    flat = volume(made(tilt, sigma=1e-5), np.ones((120, 120)), [whole(120, 120)])
     assert flat.net.value == pytest.approx(0.0, abs=1e-7)
     assert flat.true_area == pytest.approx(1.44 * np.sqrt(1 + 0.3**2 + 0.2**2), rel=1e-6)
 
@@ -72,13 +75,15 @@ def test_volumes_scatter_as_is_stated(base):
     x, y = middles(SHAPE)
     far = np.hypot(x - 0.48, y - 0.32)
     shape = 0.05 + 0.1 * np.maximum(1 - far / 0.2, 0.0)
-    covered = coverage([np.array([[18.5, 6.0], [80.0, 10.0], [70.3, 60.0], [20.0, 55.0]])], SHAPE)
+    rings = [np.array([[18.5, 6.0], [80.0, 10.0], [70.3, 60.0], [20.0, 55.0]])]
+    covered = coverage(rings, SHAPE)
+    base = base or rings
     exact = volume(made(shape), covered, base).net.value
     rng = np.random.default_rng(5)
     z, area = [], []
     true = volume(made(shape, sigma=1e-6), covered, base).true_area
     for _ in range(120):
-        found = volume(made(shape, rng=rng, common=1e-3 if base else 0.0), covered, base)
+        found = volume(made(shape, rng=rng, common=1e-3), covered, base)
         z.append((found.net.value - exact) / found.net.sigma)
         area.append((found.true_area - true) / found.true_area_sigma)
     assert np.mean(np.square(z)) == pytest.approx(1.0, abs=0.35)
@@ -88,19 +93,20 @@ def test_volumes_scatter_as_is_stated(base):
 
 def test_a_base_by_the_rim_takes_off_what_orientation_does():
     model = made(np.full(SHAPE, 0.1), common=0.01)
-    covered = np.zeros(SHAPE)
-    covered[4:28, 4:28] = 1  # within one block: orientation moves all of it alike
-    level, rim = volume(model, covered, 0.0), volume(model, covered, None)
-    assert level.net.orientation == pytest.approx(
-        0.01 * covered.sum() * 1e-4 * np.hypot(1, 0.5 * np.hypot(0.5, 1)), rel=0.05
-    )
-    assert rim.net.orientation < 1e-3 * level.net.orientation
+    rings = [np.array([[4.0, 4.0], [60.0, 4.0], [60.0, 50.0], [4.0, 50.0]])]
+    covered = coverage(rings, SHAPE)
+    level, rim = volume(model, covered, 0.0), volume(model, covered, rings)
+    r, c = np.argwhere(covered > 0).mean(axis=0) + 0.5
+    by = np.hypot(1, 0.5 * np.hypot(r / 32 - 1, c / 32 - 1.5))
+    assert level.net.orientation == pytest.approx(0.01 * covered.sum() * 1e-4 * by, rel=1e-4)
+    # a plane takes off what tilts do, within blocks and across them
+    assert rim.net.orientation < 1e-4 * level.net.orientation
     with pytest.raises(InputError, match="holds no cell"):
         volume(model, np.zeros(SHAPE), 0.0)
-    one = np.zeros(SHAPE)
-    one[3, 3] = 1
-    with pytest.raises(InputError, match="1 heights along the edge of the outline tell no plane"):
-        volume(model, one, None)
+    bare = holed(model, slice(2, 7), slice(0, 96))
+    one = np.array([[3.2, 3.2], [4.2, 3.2], [4.2, 4.2], [3.2, 4.2]])
+    with pytest.raises(InputError, match="0 of 8 places along the outline have a height, too few for a plane"):
+        volume(bare, np.where(bare.known, 1.0, 0.0), [one])
 
 
 def test_sections_lie_on_a_tilted_plane_and_scatter_as_is_stated():
@@ -192,6 +198,62 @@ def test_holes_are_filled_within_what_is_stated(power):
     w[hole, hole] = 1
     # all of a hole is wrong together
     assert done.sum_of(w).local > 0.99 * done.holes.sigma[hole, hole].sum()
+
+
+def test_areas_over_filled_holes_have_what_the_surface_does_in_them():
+    """Of a rough surface with six holes of 10 x 10 cells, against the whole of it."""
+    rng = np.random.default_rng(3)
+    n = 128
+    f = np.hypot(*np.meshgrid(np.fft.fftfreq(n), np.fft.fftfreq(n)))
+    f[0, 0] = np.inf
+    z = []
+    for _ in range(8):
+        surface = np.fft.ifft2(np.fft.fft2(rng.normal(size=(n, n))) * f**-1.6).real
+        height = 0.02 * surface / surface.std()
+        model = made(height, sigma=5e-4, rng=rng)
+        for r, c in rng.integers(10, 100, (6, 2)).tolist():
+            model = holed(model, slice(r, r + 10), slice(c, c + 10))
+        exact = volume(made(height, sigma=1e-6), np.ones((n, n)), 0.0).true_area
+        found = volume(filled(model, 10), np.ones((n, n)), 0.0)
+        z.append((found.true_area - exact) / found.true_area_sigma)
+    assert np.abs(z).max() < 2
+    assert abs(np.mean(z)) < 1
+
+
+def test_a_dome_stands_on_the_plane_by_heights_at_its_outline():
+    """A paraboloid that falls off beyond the outline: heights half a cell inside of it would be too high a base."""
+    x, y = middles((60, 60))
+    model = made(0.2 - ((x - 0.3) ** 2 + (y - 0.3) ** 2) / 2, sigma=1e-4, rng=np.random.default_rng(1))
+    rings = [np.array([[20.0, 20.0], [40.0, 20.0], [40.0, 40.0], [20.0, 40.0]])]
+    found = volume(model, coverage(rings, (60, 60)), rings)
+    # over a square of the side a: mean of the whole a^2 / 6, of its outline a^2 / 4 + a^2 / 12
+    exact = 0.2**2 * (0.2**2 / 3 - 0.2**2 / 6) / 2
+    assert found.net.value == pytest.approx(exact, abs=3 * found.net.sigma)
+    assert found.net.sigma < 0.02 * exact
+
+
+def test_holes_that_are_open_to_the_edge_go_on_as_what_is_around():
+    x, y = middles(SHAPE)
+    model = holed(made(0.3 * x + 0.1 * y, sigma=1e-5), slice(0, 5), slice(0, 50))
+    assert not filled(model, 20).known[:5, :50].any()
+    within = np.zeros(SHAPE, bool)
+    within[2:30, 10:30] = True
+    done = filled(model, 2, within)
+    assert done.known[3:5, 10:30].all()
+    assert not done.known[2, 10:30].any()
+    assert np.abs(done.heights.height - (0.3 * x + 0.1 * y))[3:5, 10:30].max() < 1e-4
+    # cells that touch what is known at a corner alone have no neighbour to be the mean of
+    lone = holed(made(np.zeros(SHAPE)), slice(0, 3), slice(0, 3))
+    height = lone.heights.height.copy()
+    height[3, 2], height[2, 3] = np.nan, np.nan
+    lone = replace(lone, heights=replace(lone.heights, height=height))
+    corner = np.zeros(SHAPE, bool)
+    corner[2, 2] = True
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        done = spanned(lone, corner)
+    assert not done.known[2, 2]
+    assert not done.holes.filled.any()
 
 
 def test_a_plane_goes_on_through_a_hole_and_edges_stay_open():

@@ -96,13 +96,33 @@ def test_cells_and_means_scatter_as_is_stated(length):
         )  # fmt: skip
         found, _ = on_grid(points, shape, length)
         model = HeightModel(
-            heights=found, moved=np.full((1, 1, 1), common, np.float32), block=32, cell=1.0, length=length
+            heights=found, moved=np.full((2, 2, 1), common, np.float32), block=32, cell=1.0, length=length
         )
         total = model.sum_of(weights)
         cells.append(np.mean((found.height / found.sigma) ** 2))
         means.append(total.value / total.sigma)
     assert np.mean(cells) == pytest.approx(1.0, abs=0.15)
     assert np.mean(np.square(means)) == pytest.approx(1.0, abs=0.35)
+
+
+@pytest.mark.parametrize("count", [1, 8])
+def test_errors_of_slopes_do_not_go_over_half_a_cell(count):
+    """Points whose slopes are as uncertain as their heights are over the length of correlation."""
+    shape, sigma, length = (60, 60), 0.02, 0.4
+    rng = np.random.default_rng(9)
+    n = count * 3600
+    row, column = (np.repeat(k.ravel(), count) + rng.random(n) for k in np.mgrid[:60, :60])
+    points = PointsOfCells(
+        column=column, row=row, height=0.3 * column + sigma * rng.normal(size=n),
+        slope=np.array([0.3, 0.0]) + sigma / length * rng.normal(size=(n, 2)), local=np.full(n, sigma),
+        orientation=np.zeros(n), image=np.zeros(n, np.int32),
+    )  # fmt: skip
+    found, _ = on_grid(points, shape, length)
+    if count == 1:
+        z = (found.height - 0.3 * (np.arange(60) + 0.5)) / found.local
+        assert np.std(z) == pytest.approx(1.0, abs=0.05)
+    mean = np.add.reduceat(points.height - 0.3 * (column - np.floor(column) - 0.5), np.arange(0, n, count)) / count
+    assert np.std(found.height.ravel() - mean) < 1.1 * sigma / length * 0.41 / count
 
 
 def test_orientation_does_not_get_better_with_more_cells():
@@ -112,15 +132,15 @@ def test_orientation_does_not_get_better_with_more_cells():
         height=flat, local=flat + 0.01, step=flat, orientation=flat + 0.02, point=flat + 0.01,
         points=np.ones(shape, np.uint16), image=np.zeros(shape, np.int32),
     )  # fmt: skip
-    moved = np.zeros((2, 2, 2), np.float32)
-    moved[..., 0], moved[:, 0, 1], moved[:, 1, 1] = 0.01, 0.02, -0.02
+    moved = np.zeros((3, 3, 2), np.float32)
+    moved[..., 0], moved[:, 0, 1], moved[:, 2, 1] = 0.01, 0.02, -0.02
     model = HeightModel(heights=heights, moved=moved, block=32, cell=0.1, length=0.5)
     mean = model.sum_of(np.full(shape, 1 / 64**2))
     assert mean.orientation == pytest.approx(0.01)  # what tilts the whole has no part in its mean
     assert mean.local < 0.01 / 20
     left = np.zeros(shape)
     left[:, :32] = 1 / (64 * 32)
-    assert model.sum_of(left).orientation == pytest.approx(np.hypot(0.01, 0.02))
+    assert model.sum_of(left).orientation == pytest.approx(np.hypot(0.01, 0.01))
 
 
 def test_a_sum_over_holes_is_refused():
@@ -132,7 +152,7 @@ def test_a_sum_over_holes_is_refused():
         height=hole, local=flat, step=flat, orientation=flat, point=flat, points=np.ones(shape, np.uint16),
         image=np.zeros(shape, np.int32),
     )  # fmt: skip
-    model = HeightModel(heights=heights, moved=np.zeros((1, 1, 1), np.float32), block=32, cell=1.0, length=1.0)
+    model = HeightModel(heights=heights, moved=np.zeros((2, 2, 1), np.float32), block=32, cell=1.0, length=1.0)
     with pytest.raises(InputError, match="1 of 16 cells have no height"):
         model.sum_of(np.ones(shape))
 

@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 
 from raybundle.surfaces.movements import movements
+from raybundle.surfaces.nodes import variances
 from raybundle.surfaces.resampled import difference, resampled
 from tests.surface.height_models import made, middles
 
@@ -17,7 +18,7 @@ def pair(rng, **more):
     """The differences of two measurements of one relief."""
     x, y = middles(SHAPE)
     relief = 0.01 * np.sin(20 * x) * np.cos(15 * y)
-    before, after = (made(relief, rng=rng, sigma=4e-4, common=1e-3, **more) for _ in range(2))
+    before, after = (made(relief, rng=rng, sigma=4e-4, **{"common": 1e-3, **more}) for _ in range(2))
     return difference(before, after)
 
 
@@ -27,9 +28,9 @@ def raised(model, by, rows=slice(18, 48), columns=slice(30, 60)):
     return replace(model, heights=replace(model.heights, height=height))
 
 
-def alarms(count, seed):
+def alarms(count, seed, **more):
     rng = np.random.default_rng(seed)
-    found = [movements(pair(rng)) for _ in range(count)]
+    found = [movements(pair(rng, **more)) for _ in range(count)]
     return sum(bool(m.regions) for m in found), sum(m.whole.significant for m in found)
 
 
@@ -38,6 +39,21 @@ def test_what_has_not_moved_is_left_alone():
     # 5 % of 60 are 3; 8 or more have a chance of 1 %
     assert local <= 7
     assert whole <= 7
+
+
+@pytest.mark.parametrize("common", [1e-4, 2e-2])
+def test_tilts_by_orientation_are_no_movement(common):
+    """Less than the noise over a block, and 25 times as much: drawn by the joint covariance of the heights."""
+    local, whole = alarms(PAIRS, 16, common=common)
+    assert local <= 7
+    assert whole <= 7
+    rng = np.random.default_rng(17)
+    d = pair(rng, common=common)
+    left = movements(d).local
+    r, c = np.mgrid[: SHAPE[0], : SHAPE[1]] - np.array(SHAPE)[:, None, None] / 2
+    slope = [float((left * k).sum() / (k**2).sum()) * 64 for k in (r, c)]
+    # of tilts of some millimetres over the whole hundredths are left
+    assert np.abs(slope).max() < 1e-4
 
 
 @pytest.mark.long
@@ -93,11 +109,15 @@ def test_blunders_and_holes_are_no_movement():
 
 def test_heights_of_another_grid_lie_between_its_cells():
     x, y = middles(SHAPE)
-    model = made(0.3 * x - 0.2 * y, sigma=1e-4)
+    model = made(0.3 * x - 0.2 * y, sigma=1e-4, common=1e-3)
     like = made(np.zeros((40, 50)), cell=0.012)
     found = resampled(model, 3.25, 2.5, 1.2, like)
     x0, y0 = 0.0325 + (np.arange(50) + 0.5) * 0.012, 0.64 - 0.025 - (np.arange(40) + 0.5) * 0.012
     assert np.abs(found.heights.height - (0.3 * x0 - 0.2 * y0[:, None])).max() < 1e-6
+    # what orientation does is that of the places, in blocks of 32 cells of the first grid
+    column, row = (3.25 + (np.arange(50) + 0.5) * 1.2) / 32, (2.5 + (np.arange(40) + 0.5) * 1.2) / 32
+    exact = 1e-6 * (1 + ((row[:, None] - 1) / 2) ** 2 + ((column - 1.5) / 2) ** 2)
+    assert np.allclose(variances(found.moved, found.block, found.shape), exact, rtol=1e-4)
     assert found.length == pytest.approx(model.length / 1.2)
     assert found.cell == 0.012
     beyond = resampled(model, 60, 0, 1.2, like)

@@ -17,6 +17,7 @@ from raybundle.commands.surface import surface
 from raybundle.errors import InputError
 from raybundle.io.block.folder import read_block, write_block
 from raybundle.pipeline import store as stores
+from raybundle.workflows.height_files import read_heights
 from tests.workflows.half_portal import half_portal
 
 BOX = (-0.6, -0.4, 0.5, 0.5)
@@ -65,6 +66,23 @@ def test_water_and_sky_are_no_surface(half, tmp_path, capsys, kind, density):
     assert "nothing could be measured: " in told
     assert "Sky, water, glass and bare walls have no texture that stays" in told
     assert not (tmp_path / "s/points.ply").exists()
+
+
+@pytest.mark.parametrize("kind", ["black", "other"])
+def test_a_photograph_without_a_point_costs_itself_alone(half, tmp_path, capsys, kind):
+    paths = sorted(half.glob("*.png"))
+    for path in paths:
+        cv2.imwrite(str(tmp_path / path.name), cv2.imread(str(path)))
+    shape = cv2.imread(str(paths[1])).shape[:2]
+    grey = np.zeros(shape) if kind == "black" else picture("leaves", shape, np.random.default_rng(6))
+    cv2.imwrite(str(tmp_path / paths[1].name), np.clip(grey, 0, 255).astype(np.uint8))
+    words = ["surface", str(half / "block"), "--photos", str(tmp_path), "--density", "4", "--out", str(tmp_path / "s")]
+    assert main([*words, "--dsm", "0.03", "--jobs", "1"]) == 0, capsys.readouterr().err
+    model, _ = read_heights(tmp_path / "s")
+    assert model.known.sum() > 100
+    assert len(np.unique(model.heights.image[model.known])) < 3
+    w = model.known / model.known.sum()
+    assert 0 < model.sum_of(w).orientation < 0.01
 
 
 def test_photographs_without_overlap_are_named(half, tmp_path, capsys):

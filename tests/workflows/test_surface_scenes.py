@@ -2,6 +2,7 @@
 
 import numpy as np
 import pytest
+from pyproj import CRS
 
 from raybundle.commands.surface import surface
 from raybundle.surfaces.depth_map import DepthMap
@@ -61,7 +62,10 @@ def test_heights_of_scenes_have_true_standard_deviations(made):
 def test_heights_of_scenes_lie_in_a_map(made):
     folder, _, done = made
     with rasterio.open(folder / "surface/heights.tif") as raster:
-        assert raster.crs.to_epsg() == 32633  # of the middle at 15 degrees east, where none is named
+        system = CRS(raster.crs.to_wkt())
+        assert system.to_2d().to_epsg() == 32633  # of the middle at 15 degrees east, where none is named
+        assert len(system.axis_info) == 3  # above the ellipsoid, which the file beside it says
+        assert raster.descriptions == ("height above the ellipsoid",)
         east = raster.xy(raster.height // 2, raster.width // 2)[0]
         assert 490_000 < east < 510_000
         assert abs(np.nanmedian(raster.read(1)) - 300) < 60  # above the ellipsoid

@@ -17,10 +17,10 @@ if TYPE_CHECKING:
 @click.command("status", cls=Command)
 @click.argument("project", type=FOLDER)
 def command(project: Path) -> None:
-    """Show the stages of a project folder or of a calibration: what the last run made, what came from the cache.
+    """Show the stages of a project folder, a calibration or a surface: what the last run made, what was kept.
 
-    Also how far a stage in work is, where the products lie and what they take. Of a result folder it shows the parts
-    that an adjustment left beside it which was cut short.
+    Also how far a stage in work is, where the products lie and what they take; of a project with a surface both are
+    shown. Of a result folder it shows the parts that an adjustment left beside it which was cut short.
 
     \b
     Example:
@@ -31,7 +31,7 @@ def command(project: Path) -> None:
     found = status_of(project)
     facts(
         stages=found.stages, running=found.running, works=found.works, listed=found.listed, store=found.store,
-        bytes=found.bytes, left=found.left,
+        bytes=found.bytes, left=found.left, surface=found.surface,
     )  # fmt: skip
     for line in lines(found):
         click.echo(line)
@@ -39,15 +39,16 @@ def command(project: Path) -> None:
 
 def lines(found: Status) -> Iterator[str]:
     """The status in words."""
+    width = max([12, *map(len, found.stages)])
     if found.stages:
-        yield f" {'stage':12s} {'seconds':>8s} {'CPU s':>8s} {'memory':>8s}  finished"
+        yield f" {'stage':{width}s} {'seconds':>8s} {'CPU s':>8s} {'memory':>8s}  finished"
     for name, r in found.stages.items():
         if r is None:
-            yield f" {name:12s} {'-':>8s} {'-':>8s} {'-':>8s}  not done"
+            yield f" {name:{width}s} {'-':>8s} {'-':>8s} {'-':>8s}  not done"
             continue
         source = "from cache" if r.from_cache else r.finished.replace("T", " ").rstrip("Z")
         figures = f"{r.seconds:8.1f} {r.cpu_seconds:8.1f} {r.peak_memory_mb:6.0f}MB"
-        yield f" {name:12s} {figures}  {source}  {r.summary}".rstrip()
+        yield f" {name:{width}s} {figures}  {source}  {r.summary}".rstrip()
     if found.elsewhere:
         yield " CPU s and memory are those of the machine where the command ran; what workers took is not counted"
     at = found.running
@@ -62,6 +63,11 @@ def lines(found: Status) -> Iterator[str]:
     if found.stages:
         where = f"{found.store}, which the next run takes too; " if found.store else ""
         yield f" products: {where}in its folder {_size(found.bytes)}"
+    if found.folder is not None:
+        yield f" {found.folder} may be deleted: what is measured stays, and the next run measures all of it again"
+    if found.surface is not None:
+        yield " surface:"
+        yield from lines(found.surface)
     for left in found.left:
         what = "that works now" if left.in_use else "that was cut short: the same command goes on, or delete the folder"
         others = f", and in {', '.join(left.stores)}" if left.stores else ""

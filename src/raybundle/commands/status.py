@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Container
 from contextlib import suppress
 from dataclasses import dataclass
 from pathlib import Path
@@ -10,9 +11,14 @@ from typing import TYPE_CHECKING
 from raybundle.errors import InputError
 
 if TYPE_CHECKING:
+    from raybundle.io.reading.trees import Json
     from raybundle.pipeline.project import StageRecord
     from raybundle.pipeline.running import Running
     from raybundle.workflows.left import Left
+
+
+WORK, SURFACE_FOLDER = "work", "surface"
+"""Of a surface's folder, where its stages are kept, and that folder of a project, where nobody names another"""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -35,21 +41,32 @@ class Status:
     """whether its tasks were done by others, whose time is not counted"""
     left: tuple[Left, ...] = ()
     """parts of adjustments beside it"""
+    folder: Path | None = None
+    """where its stages and products lie, if it is a surface"""
+    surface: Status | None = None
+    """of the dense points that were measured of it"""
 
 
 def status_of(folder: Path) -> Status:
-    """What is known of a project folder, a calibration, or a result with parts beside it; raises InputError."""
+    """What is known of a project folder, a calibration, a surface, or a result with parts beside it.
+
+    raises  InputError for anything else
+    """
     from raybundle.pipeline.project import HERE, Project, store_given  # noqa: PLC0415  (loaded after the help)
     from raybundle.pipeline.running import running, works  # noqa: PLC0415
     from raybundle.pipeline.shards import tasks_listed  # noqa: PLC0415
     from raybundle.results.folder import PROJECT  # noqa: PLC0415
     from raybundle.workflows.left import OF_STAGES, bytes_in, left_beside  # noqa: PLC0415
 
+    surface = _surface_in(folder)
+    if surface is not None and not (folder / "project.db").is_file():
+        return surface
     of_calibration = (folder / PROJECT / "project.db").is_file()
     project, left = folder / PROJECT if of_calibration else folder, left_beside(folder)
     left = (*left, *left_beside(project / OF_STAGES))
-    if left and not (project / "project.db").is_file():
-        return Status(stages={}, left=left)
+    beside = _surface_in(folder / SURFACE_FOLDER)
+    if (left or beside) and not (project / "project.db").is_file():
+        return Status(stages={}, left=left, surface=beside)
     store = store_given(project)
     opened = Project.open(project, create=False, store=HERE)  # where products lie is told, not looked at
     try:
@@ -60,24 +77,54 @@ def status_of(folder: Path) -> Status:
     with suppress(InputError):  # a store that does not answer: all else is told
         listed = tasks_listed(project, "" if store == HERE else store)
     return Status(
-        stages={n: records.get(n) for n in _stages(of_calibration=of_calibration)}, running=running(project),
+        stages={n: records.get(n) for n in _stages(project, records, of_calibration=of_calibration)},
+        running=running(project), surface=beside, folder=project if _of_surface(project) else None,
         works=works(project), listed=listed, store="" if store == HERE else store, bytes=bytes_in(project),
         elsewhere=_elsewhere(project), left=left,
     )  # fmt: skip
 
 
-def _elsewhere(project: Path) -> bool:
+def _surface_in(folder: Path) -> Status | None:
+    """That of a surface's folder; None where it is none, or cannot be read."""
+    if not (folder / WORK / "project.db").is_file() or not _of_surface(folder / WORK):
+        return None
+    return status_of(folder / WORK)
+
+
+def _of_surface(project: Path) -> bool:
+    """Whether a project is that of a surface."""
+    return _asked(project, "surface") is not None
+
+
+def _asked(project: Path, table: str) -> Json | None:
+    """What the last run of a command was asked for; None where none was, or it cannot be read."""
     from raybundle.io.reading.trees import read_toml  # noqa: PLC0415
 
     try:
-        asked = read_toml(project / "project.toml").tree().get("orient")
-        return asked.has("cluster") and bool(asked.get("cluster").text())
+        tree = read_toml(project / "project.toml").tree()
+        return tree.get(table) if tree.has(table) else None
+    except InputError:
+        return None
+
+
+def _elsewhere(project: Path) -> bool:
+    asked = _asked(project, "surface" if _of_surface(project) else "orient")
+    try:
+        return asked is not None and asked.has("cluster") and bool(asked.get("cluster").text())
     except InputError:
         return False
 
 
-def _stages(*, of_calibration: bool) -> tuple[str, ...]:
-    """What the stages are called, in order."""
+def _stages(project: Path, made: Container[str], *, of_calibration: bool) -> tuple[str, ...]:
+    """What the stages are called, in order; of a surface those that were made, and those that are to come."""
+    asked = _asked(project, "surface")
+    if asked is not None:
+        from raybundle.workflows.surfacing import SURFACE  # noqa: PLC0415
+
+        gridded = any(asked.has(name) for name in ("dsm", "ortho", "mesh"))
+        pictured = any(asked.has(name) for name in ("ortho", "mesh"))
+        wanted = {"heights": gridded, "photographs on heights": pictured, "orthophoto": pictured}
+        return tuple(t for t in SURFACE.titles() if t in made or wanted.get(t, True))
     if of_calibration:
         from raybundle.workflows.calibrating import CALIBRATE  # noqa: PLC0415
 

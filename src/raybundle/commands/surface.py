@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Any, Literal
 from raybundle.commands.convert import FREE_SCALE_HELP
 from raybundle.commands.pages import LANGUAGE_HELP
 from raybundle.commands.plane_settings import OF_PLANE, PlaneSettings
+from raybundle.commands.record_settings import CLIENT, OPERATOR, TITLE
 from raybundle.commands.worker import CLUSTER_HELP, STORE_HELP, store_of
 from raybundle.errors import InputError
 from raybundle.numerics.progress import Progress, silent
@@ -19,18 +20,18 @@ from raybundle.settings import ANY, POSITIVE, Range, made, option, other_than_us
 if TYPE_CHECKING:
     from raybundle.adjustment.result import Adjustment
     from raybundle.block import Block
+    from raybundle.commands.surface_pages import SurfacePages
     from raybundle.io.formats import Export
-    from raybundle.surfaces.summary import SurfaceSummary
     from raybundle.workflows.object_plane import Plane
     from raybundle.workflows.surface import Surface
     from raybundle.workflows.surface_grids import Grids
-    from raybundle.workflows.surface_product import Context, Written
+    from raybundle.workflows.surface_product import Written
     from raybundle.workflows.surface_region import SurfaceRegion
 
 MOST_JOBS = 1024
 """Processors of one machine"""
-WORK, PAGE, IN_3D = "work", "surface.html", "surface_3d.html"
-"""Of the folder: the project with all that is kept for the next run; what shows how good the surface is, and itself"""
+WORK = "work"
+"""Of the folder: the project with all that is kept for the next run"""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -84,6 +85,10 @@ class SurfaceSettings(PlaneSettings):
         "they would take more. One map is made whatever is allowed.", limits=POSITIVE, metavar="GB",
     )  # fmt: skip
     free_scale: bool = setting(False, FREE_SCALE_HELP)
+    title: str = setting("", TITLE, metavar="TEXT")
+    client: str = setting("", CLIENT, metavar="TEXT")
+    operator: str = setting("", OPERATOR, metavar="TEXT")
+    pdf: bool = setting(False, "Write surface.html as surface.pdf, too: A4, with page numbers and bookmarks.")
     language: str = setting("en", LANGUAGE_HELP, metavar="CODE")
 
 
@@ -97,10 +102,23 @@ class MeasuredSurface:
     remarks: tuple[str, ...]
     unit: str
     """of coordinates and standard deviations; empty: the scale is free"""
-    median_sigma: float
-    """median standard deviation along the ray, in that unit"""
-    shares: tuple[float, float, float]
-    """of noise, roughness and orientation in the variance, in the median"""
+    pages: SurfacePages
+    """what was written for people, and what it says of the points and of the adjustment that they rest on"""
+
+    @property
+    def median_sigma(self) -> float:
+        """Median standard deviation of a point's place in the datum of the result: root of the squares of x, y, z."""
+        return self.pages.summary.position[0]
+
+    @property
+    def median_along_ray(self) -> float:
+        """Median standard deviation along the ray."""
+        return self.pages.summary.sigma[0]
+
+    @property
+    def shares(self) -> tuple[float, float, float]:
+        """Of noise, roughness and orientation in the variance along the ray, in the mean."""
+        return self.pages.summary.shares
 
     @property
     def points(self) -> Path:
@@ -149,6 +167,7 @@ def run_surface(settings: SurfaceSettings, progress: Progress = silent) -> Measu
     from raybundle.measuring.session import adjusted_again  # noqa: PLC0415
     from raybundle.pipeline.store import ProductGone  # noqa: PLC0415
     from raybundle.report.languages.language import language_of  # noqa: PLC0415
+    from raybundle.report.paper.needed import check_typesetter  # noqa: PLC0415
     from raybundle.workflows.surface_products import PRODUCTS  # noqa: PLC0415
 
     s = settings
@@ -159,6 +178,8 @@ def run_surface(settings: SurfaceSettings, progress: Progress = silent) -> Measu
     for name in wanted:
         PRODUCTS[name].check()
     language_of(s.language, [])  # one that there is not is told before anything is measured
+    if s.pdf:
+        check_typesetter()
     adjusted = cache(lambda: adjusted_again(result, progress))  # once for all that needs it
     grids, region = _grid_of(s, result, export, adjusted, progress)
     s = replace(s, store=store_of(out / WORK, s.store, (s.source, *folders)))
@@ -205,6 +226,7 @@ def _measured(a: _Asked) -> Surface:
 def _delivered(a: _Asked, done: Surface, mended: set[str]) -> MeasuredSurface:
     """Write what is asked for; `mended` gets the keys of kept products that were found damaged."""
     from raybundle.commands.earlier_products import note_written, settle_earlier  # noqa: PLC0415
+    from raybundle.commands.surface_pages import heights_told, outside_told, write_pages  # noqa: PLC0415
     from raybundle.workflows.surface import mended_words  # noqa: PLC0415
     from raybundle.workflows.surface_product import Context  # noqa: PLC0415
     from raybundle.workflows.surface_products import PRODUCTS  # noqa: PLC0415
@@ -222,14 +244,14 @@ def _delivered(a: _Asked, done: Surface, mended: set[str]) -> MeasuredSurface:
         earlier = settle_earlier(done, out, out / WORK, wanted)
         written = tuple((name, p.write(done, out, context)) for name, p in sorted(PRODUCTS.items()) if name in wanted)
         note_written(done, out / WORK, wanted)
-        name = done.block.name or a.result.resolve().name
-        remarks = (*a.grids.told, *done.remarks, *mended_words(mended | done.store.mended), *earlier)
-        told = _write_pages(done, out, context, remarks, name=name, language=s.language)
+        remarks = (
+            *outside_told(done, a.grids), *heights_told(a.grids.told, export), *done.remarks,
+            *mended_words(mended | done.store.mended), *earlier,
+        )  # fmt: skip
+        pages = write_pages(done, a.result, out, context, remarks, s, a.progress)
     finally:
         mended |= done.store.mended
-    return MeasuredSurface(
-        surface=done, written=written, remarks=remarks, unit=unit, median_sigma=told.sigma[0], shares=told.shares
-    )
+    return MeasuredSurface(surface=done, written=written, remarks=remarks, unit=unit, pages=pages)
 
 
 def _source_of(s: SurfaceSettings) -> tuple[Path, Export, tuple[Path, ...]]:
@@ -254,27 +276,6 @@ def _source_of(s: SurfaceSettings) -> tuple[Path, Export, tuple[Path, ...]]:
             f"where its photographs are is not known; say so with {option('photos', 'FOLDER')}", file=s.source
         )
     return result, export, folders
-
-
-def _write_pages(
-    done: Surface, out: Path, context: Context, told: tuple[str, ...], *, name: str, language: str
-) -> SurfaceSummary:  # fmt: skip
-    """Write the pages that show how complete and how good the surface is, and itself; what the first one tells."""
-    from raybundle.report.languages.language import language_of  # noqa: PLC0415
-    from raybundle.report.network_page import write_network_page  # noqa: PLC0415
-    from raybundle.report.surface_page import write_surface_page  # noqa: PLC0415
-    from raybundle.workflows.height_files import HeightFile  # noqa: PLC0415
-    from raybundle.workflows.surface_summary import sample_of, summary_of  # noqa: PLC0415
-
-    file = None
-    if done.heights is not None and context.plane is not None:
-        file = HeightFile.of(done.heights.grid, context.plane, context.unit, done.block.name)
-    summary = summary_of(done, context.unit, file)
-    write_surface_page(summary, out / PAGE, name=name, remarks=told, language=language)
-    title = language_of(language, [name]).text(f"Surface of {name}")
-    cloud = sample_of(done) if len(done) else None
-    write_network_page(done.adjustment, out / IN_3D, title=title, language=language, cloud=cloud)
-    return summary
 
 
 def _grid_of(
@@ -343,10 +344,11 @@ def _keep_settings(settings: SurfaceSettings, work: Path) -> None:
 
 def _check_out(out: Path) -> None:
     """Raise InputError for a folder that holds anything but an earlier surface."""
+    from raybundle.commands.surface_pages import PAGES  # noqa: PLC0415
     from raybundle.workflows.surface_product import files_of_all  # noqa: PLC0415
 
     if out.exists() and not out.is_dir():
         raise InputError("is a file; give a folder", file=out)
-    others = {p.name for p in out.iterdir()} - {WORK, PAGE, IN_3D} - files_of_all() if out.is_dir() else set[str]()
+    others = {p.name for p in out.iterdir()} - {WORK, *PAGES} - files_of_all() if out.is_dir() else set[str]()
     if others:
         raise InputError(f"holds {min(others)}, which is not of a surface; choose another {option('out')}", file=out)

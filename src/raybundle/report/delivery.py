@@ -38,6 +38,8 @@ class Delivery:
     """what else was found with the points of the result, each told by a chapter: a best fit, a length test"""
     files: tuple[str, ...] = ()
     """names of what stands beside the report"""
+    surface: str = ""
+    """where the page of dense points stands that were measured of an earlier result in its place; empty: nowhere"""
 
     @property
     def heights(self) -> bool:

@@ -158,11 +158,12 @@ def write_reports(
     document = document_of(occasion, progress)
     with new_files(*files) as new:
         for file in new:
-            file.write_bytes(_set(document, file, progress))
+            file.write_bytes(set_document(document, file, progress))
     progress("report", 1.0)
 
 
-def _set(document: Document, target: Path, progress: Progress) -> bytes:
+def set_document(document: Document, target: Path, progress: Progress = silent) -> bytes:
+    """A document as its file holds it: PDF where the name ends in .pdf, else HTML."""
     if target.suffix.lower() != PDF:
         return html(document).encode("utf-8")
     from raybundle.report.paper.press import pdf_of  # noqa: PLC0415  (the typesetter only where it is used)

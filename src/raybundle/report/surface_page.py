@@ -2,14 +2,20 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
 
+from raybundle.adjustment.result import as_told
+from raybundle.adjustment.severity import Severity
 from raybundle.io.folders import new_files
 from raybundle.numerics.arrays import Array
-from raybundle.report.document import Document, html
+from raybundle.numerics.progress import Progress, silent
+from raybundle.report.chapters import Occasion
+from raybundle.report.delivery import delivery_of
+from raybundle.report.document import Document, set_document
 from raybundle.report.figures.raster import class_map, height_map, legend_of, photograph, sigma_told, small_map
 from raybundle.report.figures.surface import correlation_of, profile_of
 from raybundle.report.languages import ENGLISH
@@ -20,16 +26,23 @@ from raybundle.report.parts import (
     Facts,
     Figure,
     Figures,
+    Heading,
     Paragraph,
     Part,
     Section,
+    Statements,
     Table,
     number,
     table,
     text,
+    whole,
 )
+from raybundle.report.sections.front import glance_parts, head_of
+from raybundle.report.sections.result import warnings_table
 from raybundle.report.sigma_classes import Classes, sigma_classes
+from raybundle.report.text.front_words import grade_of, verdict_sentence
 from raybundle.report.text.numbers import counted, grouped, per_cent, significant
+from raybundle.report.text.words import Grade
 from raybundle.surfaces.summary import HeightSummary, OrthophotoSummary, SurfaceSummary
 
 MOST_MAPS = 24
@@ -37,6 +50,24 @@ MOST_MAPS = 24
 LOW = 0.3
 """Share of its pixels below which a map is said to be incomplete."""
 HEAD = "standard deviation along the ray"
+FILES = {
+    "points.ply": "points with colours and standard deviations",
+    "points.laz": "the same in the coordinate system",
+    "points.las": "the same in the coordinate system",
+    "heights.tif": "heights on a grid",
+    "heights_sigma.tif": "their standard deviations by parts",
+    "heights.toml": "where they lie, their unit, and what forbids their use",
+    "heights_orientation.npz": "how orientation moves them together, for sums and differences",
+    "orthophoto.tif": "true orthophoto",
+    "orthophoto_sigma.tif": "how far its pixels may be off",
+    "orthophoto.toml": "where it lies, and of which photographs it is",
+    "mesh.ply": "mesh with standard deviations",
+    "mesh.obj": "the same with the orthophoto, for modellers",
+    "mesh.glb": "the same in one file, for browsers",
+    "depths": "depth maps of the photographs",
+    "surface_3d.html": "points and network in three dimensions",
+}
+"""What a client takes, in this order"""
 NOTES = (
     (
         "Noise: what grey values scatter by, as measured in these photographs. Roughness: what the surface does within "
@@ -51,33 +82,74 @@ NOTES = (
 
 
 def write_surface_page(
-    summary: SurfaceSummary, path: Path, *, name: str, remarks: tuple[str, ...] = (), language: str = ENGLISH
-) -> None:
-    """Write the page: one HTML file that needs no other.
+    summary: SurfaceSummary, *files: Path, name: str, remarks: tuple[str, ...] = (), language: str = ENGLISH,
+    rests: Occasion | None = None, written: Sequence[str] = (), progress: Progress = silent,
+) -> None:  # fmt: skip
+    """Write the page, as HTML or, where a name ends in .pdf, for print; each file needs no other.
 
     name     of the project
     remarks  what was said while the surface was measured
+    rests    the adjustment that the surface rests on, with its notices, and who the delivery is for
+    written  names of the files beside the page
     """
-    say = language_of(language, [name, *(m.name for m in summary.maps), *(what for what, _ in summary.left_out)])
-    factor, unit = (1000.0, "mm") if summary.unit == "m" else (1.0, summary.unit)
-    sections = [_result(summary, factor, unit, remarks)]
+    names = [name, *(m.name for m in summary.maps), *(what for what, _ in summary.left_out), *written]
+    say = language_of(language, [*names, *(rests.language.names if rests else ())])
+    small = summary.unit == "m" and not summary.position[0] >= 1
+    factor, unit = (1000.0, "mm") if small else (1.0, summary.unit)
+    sections = [_result(summary, factor, unit, remarks, _head(rests)), *_adjustment(rests), *_files(written)]
     if summary.heights is not None:
         sections.append(_heights(summary.heights, factor, unit, summary.unit))
     if summary.orthophoto is not None:
         sections.append(_orthophoto(summary.orthophoto, factor, unit, summary.unit))
     sections += [_maps(summary, factor, unit), _errors(summary, factor, unit)]
-    doubts = _doubts(summary)
-    head = f"{grouped(summary.points)} points from {counted(len(summary.maps), 'depth map')}"
+    doubts = " ".join(filter(None, (_doubts(summary), "" if rests is None else verdict_sentence(rests))))
+    given = sum(1 for m in summary.maps if m.given)
+    head = f"{grouped(summary.points)} points from {counted(given, 'depth map')}"
     if summary.points:
-        head += f"; standard deviation along the ray {sigma_told(factor * summary.sigma[0], unit)} in the median"
+        head += f"; standard deviation of a point {sigma_told(factor * summary.position[0], unit)} in the median"
+    title = "" if rests is None or rests.delivery is None else rests.delivery.record.title
     document = Document(
-        title=say.text(f"Surface of {name}"), subtitle=say.text("Dense points, each with its standard deviations"),
-        headline=say.text(f"{head}. {doubts}".strip()),
-        grade="attention" if not summary.points else "remarks" if doubts else "good",
+        title=title or say.text(f"Surface of {name}"),
+        subtitle=say.text("Dense points, each with its standard deviations"),
+        headline=say.text(f"{head}. {doubts}".strip()), grade=_grade(summary, rests),
         made=tuple(("specialist", section_in(s, say)) for s in sections), divided=False, language=say,
     )  # fmt: skip
-    with new_files(path) as (file,):
-        file.write_text(html(document), encoding="utf-8")
+    with new_files(*files) as new:
+        for file in new:
+            file.write_bytes(set_document(document, file, progress))
+
+
+def _grade(s: SurfaceSummary, rests: Occasion | None) -> Grade:
+    """Never better than that of the adjustment."""
+    own: Grade = "attention" if not s.points else "remarks" if _doubts(s) else "good"
+    order: tuple[Grade, ...] = ("attention", "remarks", "good")
+    return own if rests is None else order[min(order.index(own), order.index(grade_of(rests)))]
+
+
+def _head(rests: Occasion | None) -> list[Part]:
+    """Who, what, where, when and the verdict on the adjustment."""
+    if rests is None:
+        return []
+    return [Statements(statements=head_of(rests, rests.delivery or delivery_of(rests.view.adjustment)))]
+
+
+def _adjustment(rests: Occasion | None) -> list[Section]:
+    """What the points rest on: the key figures of the adjustment, its statements, all that warns of it."""
+    if rests is None:
+        return []
+    told = [n for n in as_told(rests.view.adjustment.notices) if n.severity is not Severity.REMARK]
+    d = rests.delivery or delivery_of(rests.view.adjustment)
+    parts: list[Part] = [Heading(text="Warnings and remedies"), warnings_table(told)] if told else []
+    parts += [*glance_parts(rests, d), Statements(statements=rests.told.statements)]
+    return [Section(anchor="adjustment", title="The adjustment behind it", parts=tuple(parts))]
+
+
+def _files(written: Sequence[str]) -> list[Section]:
+    rows = [(f"{name}/" if name == "depths" else name, words) for name, words in FILES.items() if name in written]
+    if not rows:
+        return []
+    body = table((whole("file"), text("what it holds")), zip(*rows, strict=True))
+    return [Section(anchor="files", title="Files", parts=(body,))]
 
 
 def _doubts(s: SurfaceSummary) -> str:
@@ -95,11 +167,18 @@ def _doubts(s: SurfaceSummary) -> str:
     return "; ".join(told) + "." if told else ""
 
 
-def _result(s: SurfaceSummary, factor: float, unit: str, remarks: tuple[str, ...]) -> Section:
+def _result(
+    s: SurfaceSummary, factor: float, unit: str, remarks: tuple[str, ...], head: Sequence[Part] = ()
+) -> Section:  # fmt: skip
     rays = np.arange(len(s.rays))
     two = float(s.rays[:3].sum()) / max(s.points, 1)
     facts = [
-        Fact(label="points", value=grouped(s.points), remark=f"of {counted(len(s.maps), 'depth map')}"),
+        Fact(label="points", value=grouped(s.written or s.points), remark=_of_maps(s)),
+        Fact(
+            label="standard deviation of a point", value=sigma_told(factor * s.position[0], unit),
+            remark="median, in the datum of the result; "
+            + ", ".join(f"{a}\u00a0{significant(factor * float(v[0]), 2)}" for a, v in zip("XYZ", s.axes, strict=True)),
+        ),
         Fact(
             label=HEAD, value=sigma_told(factor * s.sigma[0], unit),
             remark=f"median; 90 % below {sigma_told(factor * s.sigma[1], unit)}, 99 % below "
@@ -111,7 +190,7 @@ def _result(s: SurfaceSummary, factor: float, unit: str, remarks: tuple[str, ...
         ),
         Fact(label="grazed", value=per_cent(s.incidence), remark="of the points, at less than 17 degrees"),
     ]  # fmt: skip
-    parts: list[Part] = [Facts(facts=tuple(facts))] if s.points else []
+    parts: list[Part] = [*head, Facts(facts=tuple(facts))] if s.points else [*head]
     parts += [Paragraph(text=r) for r in remarks]
     if s.left_out:
         parts.append(
@@ -124,8 +203,13 @@ def _result(s: SurfaceSummary, factor: float, unit: str, remarks: tuple[str, ...
     return Section(anchor="result", title="Result", parts=tuple(parts))
 
 
+def _of_maps(s: SurfaceSummary) -> str:
+    maps = f"of {counted(sum(1 for m in s.maps if m.given), 'depth map')}"
+    return f"{maps}; thinned, {grouped(s.points)} were measured" if s.written else maps
+
+
 def _heights(h: HeightSummary, factor: float, unit: str, length: str) -> Section:
-    where = "above the plane" if length else "above the plane, in no unit"
+    where = "in the map" if h.in_map else "above the plane" if length else "above the plane, in no unit"
     figures = [
         Figure(
             drawing=height_map(h.height, h.cell, h.left, h.top, length, f"heights {where}"),

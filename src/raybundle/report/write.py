@@ -24,6 +24,9 @@ if TYPE_CHECKING:
     from raybundle.report.facts import PhotographFacts
     from raybundle.report.outcome import Outcome
 
+SURFACE_PAGE = "../surface/surface.html"
+"""Where `surface` writes it, if nobody names another folder"""
+
 
 def write_result(
     adjustment: Adjustment,
@@ -98,7 +101,8 @@ def write_result(
             names += ["network.html"] * (report == "html")
             write_reports(
                 adjustment, pages, progress, photographs=photographs, qualities=qualities,
-                delivery=replace(delivery, files=tuple(sorted(names))), all_coordinates=all_coordinates,
+                delivery=replace(delivery, files=tuple(sorted(names)), surface=_surface_beside(Path(path))),
+                all_coordinates=all_coordinates,
                 language=language,
             )  # fmt: skip
         if report == "html":
@@ -114,6 +118,11 @@ def _recorded(adjustment: Adjustment, record: Record, facts: PhotographFacts | N
         devices = {p.camera: p.device for p in facts.photographs if p.device}
         known = known_by_photographs(adjustment, devices, tuple(p.taken for p in facts.photographs))
     return recorded_text(record, known)
+
+
+def _surface_beside(result: Path) -> str:
+    """The page of the dense points of a project, from its result on; empty where there is none."""
+    return SURFACE_PAGE if (result.parent / SURFACE_PAGE[3:]).is_file() else ""
 
 
 def _empty(entry: Path) -> bool:

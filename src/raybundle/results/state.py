@@ -32,10 +32,9 @@ def state_words(result: Mapping[str, Any]) -> str:
         first = " ".join(str(faults[0].get("message", "")).split())
         first = first if len(first) <= LONG else f"{first[:LONG].rsplit(' ', 1)[0]} ..."
         told.append(f"not to be used yet, {counted(len(faults), 'matter')} to settle: {first}")
-    wanted = result.get("accuracy_class")
-    if isinstance(wanted, dict) and wanted.get("kept") is False:
+    if lost(result):
         told.append("the accuracy that was asked for is not kept")
-    if any(n.get("code") == "levelled" for n in _notices(result)):
+    if any(n.get("code") == "levelled" for n in notices_in(result)):
         told.append(RELATIVE)
     return "; ".join(told)
 
@@ -52,16 +51,27 @@ def faults_of(folder: Path) -> tuple[str, ...]:
     return tuple(str(n.get("message", "")) for n in _faults(told)) if isinstance(told, dict) else ()
 
 
+def lost(result: Mapping[str, Any]) -> bool:
+    """Whether an accuracy was asked for that is not kept."""
+    wanted = result.get("accuracy_class")
+    return isinstance(wanted, dict) and wanted.get("kept") is False
+
+
 def _faults(result: Mapping[str, Any]) -> list[Mapping[str, Any]]:
-    return [n for n in _notices(result) if _fault(n)]
+    return [n for n in notices_in(result) if _fault(n)]
 
 
-def _notices(result: Mapping[str, Any]) -> list[Mapping[str, Any]]:
+def notices_in(result: Mapping[str, Any]) -> list[Mapping[str, Any]]:
+    """What a result.json warns of."""
     notices = result.get("warnings")
     return [n for n in notices if isinstance(n, dict)] if isinstance(notices, list) else []
 
 
 def _fault(notice: Mapping[str, Any]) -> bool:
-    """Results of versions that did not write how grave a notice is tell its code."""
-    severity = notice.get("severity", SEVERITY.get(str(notice.get("code", "")), Severity.REMARK))
-    return severity == Severity.FAULT
+    return severity_of(notice) is Severity.FAULT
+
+
+def severity_of(notice: Mapping[str, Any]) -> Severity:
+    """How grave it is; results of versions that did not write how grave a notice is tell its code."""
+    told = notice.get("severity", SEVERITY.get(str(notice.get("code", "")), Severity.REMARK))
+    return Severity(told) if told in [s.value for s in Severity] else Severity.REMARK

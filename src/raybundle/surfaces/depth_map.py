@@ -104,13 +104,15 @@ class DepthMap:
         """(rows, columns) depths that stand where other maps confirm them."""
         return doubtful_of(self.flags) & np.isfinite(self.t)
 
-    def sure(self) -> DepthMap:
-        """The same without doubtful depths."""
+    def sure(self, confirmed: Index | None = None) -> DepthMap:
+        """The same without doubtful depths but for pixels (n,), row by row, that others confirm."""
         lost, slopes = self.doubtful, self.slopes.copy()
+        if confirmed is not None:
+            lost.ravel()[confirmed] = False
         slopes[:, lost] = np.nan
         single = ("t", "noise", "roughness", "correlation", "contrast", "incidence")
         values = {name: np.where(lost, np.float32(np.nan), getattr(self, name)) for name in single}
-        return replace(self, slopes=slopes, step=np.zeros_like(self.step), **values)
+        return replace(self, slopes=slopes, step=np.where(lost, np.float32(0), self.step), **values)
 
     def variance(self, shifts: ShiftCovariance | None = None) -> Array:
         """(rows, columns) of t: noise, roughness, steps and, with `shifts`, orientation and calibration."""

@@ -26,6 +26,12 @@ from raybundle.surfaces.transfer import Projection, Transfer
 
 SIGMAS = 3.0
 """Standard deviations of a difference up to which two maps agree."""
+FAR = 10.0
+"""Standard deviations of a difference beyond which two maps see other things"""
+CLASSES, FEWEST = 10, 300
+"""Classes of contrast in which maps are compared, and points in each at least."""
+NORMAL = 0.4549
+"""Median of a chi-square of one degree of freedom"""
 WITNESSES = 2
 """Maps that have to see the same as a doubtful depth."""
 CHUNK = 200_000
@@ -49,6 +55,8 @@ class MapView:
     """of t, all parts, by which the best is chosen; None: `sigma`"""
     apart: float = 0.0
     """of t by orientation, against the map whose points are looked up in this one"""
+    correlation: float = 0.0
+    """of noise and roughness with those of that map"""
 
     @property
     def all_parts(self) -> Array:
@@ -110,6 +118,9 @@ class Agreement:
     """uint8, maps among whose pixels its place lies, with a depth there or without"""
     best: Mask
     """no map that agrees knows the place better"""
+    scatter: Array
+    """float32, difference to the first map that surely knows the place, in its standard deviations; NaN where none
+    does, or something else stands there"""
 
     def confirmed(self, among: Mask) -> float:
         """Share of what other maps may show, of some points (n,), that one of them confirms.
@@ -149,13 +160,19 @@ def agreement(
     behind, shown = (np.zeros(count, np.uint8) for _ in range(2))
     agree, against = (np.zeros((2, count), np.uint8) for _ in range(2))
     best = np.ones(count, bool)
+    scatter = np.full(count, np.nan, np.float32)
     for other, table, number in zip(others, tables, order, strict=True):
         for begin in range(0, count, CHUNK):
             part = slice(begin, begin + CHUNK)
             place = table.at(points.xy_px[part], points.t[part])
             there = np.flatnonzero(np.isfinite(place).all(axis=1))
             shown[part][there] += other.shows(place[there])
-            seen, difference, limit, (length, trusted) = points.beside(part, other, there, place[there])
+            seen, difference, sigma, (length, trusted) = points.beside(part, other, there, place[there])
+            limit = SIGMAS * np.hypot(sigma, other.apart)
+            first = seen[trusted & np.isnan(scatter[part][seen])]
+            normal = difference / np.hypot(sigma * np.sqrt(1 - other.correlation), other.apart)
+            normal = normal[trusted & np.isnan(scatter[part][seen])]
+            scatter[part][first] = np.where(np.abs(normal) < FAR, normal, np.nan)
             same, front = np.abs(difference) <= limit, difference > limit
             for k, mine_of in enumerate((trusted, ~trusted)):
                 agree[k, part][seen[same & mine_of]] += 1
@@ -167,7 +184,7 @@ def agreement(
             best[part][seen[same & better & (trusted | ~points.sure[part][seen])]] = False
     return Agreement(
         sure=points.sure, agree=agree[0], against=against[0], perhaps_agree=agree[1], perhaps_against=against[1],
-        behind=behind, shown=shown, best=best,
+        behind=behind, shown=shown, best=best, scatter=scatter,
     )  # fmt: skip
 
 
@@ -200,7 +217,9 @@ class _Points:
     def beside(
         self, part: slice, other: MapView, seen: Index, place: Array
     ) -> tuple[Array, Array, Array, tuple[Array, Mask]]:
-        """Of some points those that another map knows: numbers, differences of t there, limits, its lengths and trust.
+        """Of some points those that another map knows: numbers, differences of t, standard deviations, lengths, trust.
+
+        Standard deviations are of differences, by noise and roughness, as if the maps had nothing in common.
 
         seen, place  numbers in the part and places (n, 2) of those that it may see
         """
@@ -212,5 +231,25 @@ class _Points:
         # how far my standard deviation moves the point along the other's ray
         by_mine = other.rays.parameter(at, xyz + self.step[part][seen]) - mine_there
         trusted = other.trusted(other.nearest(at))
-        limit = SIGMAS * np.hypot(np.hypot(by_mine, theirs), other.apart)
-        return seen, mine_there - there, limit, (length, trusted)
+        return seen, mine_there - there, np.hypot(by_mine, theirs), (length, trusted)
+
+
+def by_contrast(scatter: Array, contrast: Array) -> Array:
+    """Factors (n,) of 1 or more by which variances of noise and roughness are too small, by what maps differ.
+
+    scatter   (n,) of `agreement`
+    contrast  (n,) of the points
+
+    By class of contrast the median square of what maps differ in their standard deviations; between classes linear.
+    Where texture is weak, noise is not what it is elsewhere: a camera and its compression have smoothed it.  It does
+    not tell what all maps have alike.
+    """
+    known = np.flatnonzero(np.isfinite(scatter) & np.isfinite(contrast))
+    classes = min(CLASSES, len(known) // FEWEST)
+    if classes < 1:
+        return np.ones(len(contrast))
+    parts = np.array_split(known[np.argsort(contrast[known], kind="stable")], classes)
+    middle = np.array([np.median(contrast[p]) for p in parts])
+    ratio = np.array([np.median(np.square(scatter[p], dtype=float)) / NORMAL for p in parts])
+    found = np.interp(contrast, middle, np.maximum(ratio, 1.0))
+    return np.where(np.isfinite(found), found, 1.0)

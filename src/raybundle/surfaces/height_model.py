@@ -15,6 +15,7 @@ import numpy as np
 from raybundle.errors import InputError
 from raybundle.numerics.arrays import Array, Index, Mask
 from raybundle.surfaces.heights import BETWEEN_MAPS, Heights, between
+from raybundle.surfaces.nodes import covariances, splat
 from raybundle.surfaces.relief import step_length
 
 REACH = 3.0
@@ -66,7 +67,8 @@ class HeightModel:
 
     heights: Heights
     moved: Array
-    """(block rows, block columns, q) how heights move with each of q independent errors of variance 1"""
+    """(node rows, node columns, q) how heights move with each of q independent errors of variance 1, at the corners of
+    blocks of cells, linear between them (`nodes`)"""
     block: int
     """cells along the side of a block"""
     cell: float
@@ -161,11 +163,7 @@ class HeightModel:
 
     def _moved(self, weights: Array) -> Array:
         """How a sum moves with each independent error of orientation."""
-        rows, columns = self.moved.shape[:2]
-        whole = np.zeros((rows * self.block, columns * self.block))
-        whole[: weights.shape[0], : weights.shape[1]] = weights
-        of_block = whole.reshape(rows, self.block, columns, self.block).sum(axis=(1, 3))
-        return np.einsum("rc,rcq->q", of_block, self.moved, optimize=True)
+        return np.einsum("rc,rcq->q", splat(weights, self.moved, self.block), self.moved, optimize=True)
 
     def covariance(self, one: Index, other: Index) -> Array:
         """Covariances (...) of the heights of pairs of cells, all parts; cells by their numbers, row by row."""
@@ -182,11 +180,10 @@ class HeightModel:
             number = self.holes.number
             both = number.flat[one] == number.flat[other]
             found += np.where(both, self.holes.sigma.flat[one] * self.holes.sigma.flat[other], 0.0)
-        blocks, width = self.moved.reshape(-1, self.moved.shape[2]).astype(float), self.moved.shape[1]
-        at, at2 = (i // self.block * width + j // self.block for i, j in ((r, c), (r2, c2)))
-        alike, which = np.unique(np.stack([at.ravel(), at2.ravel()]), axis=1, return_inverse=True)
-        products = np.einsum("nq,nq->n", blocks[alike[0]], blocks[alike[1]])
-        return found + products[which.ravel()].reshape(found.shape)
+        by_orientation = covariances(
+            self.moved, self.block, (r.ravel(), c.ravel()), (r2.ravel(), c2.ravel())
+        )  # fmt: skip
+        return found + by_orientation.reshape(found.shape)
 
 
 def _filtered(s: Array, kernel: Array) -> Array:

@@ -1,7 +1,7 @@
 """Heights of a surface above a plane, on a grid: of each cell the layer that lies on top, with its standard deviations.
 
-Points of a cell are brought to its middle along their own slopes, parted into layers where they stand apart, and those
-of the uppermost layer are combined by their weights: the height of a cell is the mean of its uppermost layer over the
+Points of a cell are parted into layers where they stand apart, and those of the uppermost layer are combined by their
+weights and brought to its middle by their mean slope: the height of a cell is the mean of its uppermost layer over the
 cell, not that of its middle.  What the points share (windows that overlap, photographs, orientation) does not get
 better with their number, and the standard deviations say so.
 """
@@ -29,7 +29,7 @@ SHARED_PHOTOGRAPHS, SHARED_SURFACE = 0.31, 0.23
 """What photographs that both use add to it, as a share of all, and what one surface does to both, by the cosine of the
 angle between their rays.  By least squares of what was measured of 91 pairs of maps of an exactly known object: 84 % of
 them lie within 0.1 of it, and within 0.1 five pairs of maps from the same two photographs, which took no part in it
-(benchmarks/surface_truth.py --between)."""
+(benchmarks/surface_truth.py)."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -102,17 +102,21 @@ def between_maps(chosen: Sequence[Sources]) -> float:
     Their photographs' noise is in both as far as they share photographs; what the surface does within the windows is
     alike as far as they look from alike directions.
     """
-    photographs = {s.reference: {s.reference, *s.sources} for s in chosen if s.sources}
+    of = {s.reference: s for s in chosen if s.sources}
     total = weight = 0.0
-    for s in chosen:
+    for s in of.values():
         for pair in s.pairs:
-            a, b = photographs.get(s.reference), photographs.get(pair.source)
-            if a is None or b is None or not np.isfinite(pair.angle_deg):
-                continue
-            shared = len(a & b) / float(np.sqrt(len(a) * len(b)))
-            one = SHARED_PHOTOGRAPHS * shared + SHARED_SURFACE * max(float(np.cos(np.radians(pair.angle_deg))), 0.0)
-            total, weight = total + pair.points * one, weight + pair.points
+            if pair.source in of and np.isfinite(pair.angle_deg):
+                total += pair.points * between_two(s, of[pair.source], pair.angle_deg)
+                weight += pair.points
     return round(total / weight, 3) if weight else BETWEEN_MAPS
+
+
+def between_two(one: Sources, other: Sources, angle_deg: float) -> float:
+    """Correlation of noise and roughness of two maps at one place, their references' rays so far apart."""
+    a, b = ({s.reference, *s.sources} for s in (one, other))
+    shared = len(a & b) / float(np.sqrt(len(a) * len(b)))
+    return SHARED_PHOTOGRAPHS * shared + SHARED_SURFACE * max(float(np.cos(np.radians(angle_deg))), 0.0)
 
 
 def on_grid(
@@ -157,13 +161,30 @@ def on_grid(
     same = _share_of_one_map(p.image, w, new, count)
     shared = within(length) * (same + (1 - same) * apart)
     flat = {name: values.reshape(-1) for name, values in found.items()}
-    flat["height"][at] = np.add.reduceat(w * middle, new)
-    flat["local"][at] = np.sqrt(alone * (1 - shared) + together * shared)
+    height, off = _at_middles(p, w, new, columns, at)
+    flat["height"][at] = height
+    # a slope is as uncertain as a height is over the length of correlation
+    flat["local"][at] = np.sqrt((alone * (1 - shared) + together * shared) * (1 + off / length**2))
     flat["point"][at] = np.sqrt(together)
     flat["orientation"][at] = np.add.reduceat(w * p.orientation, new)
     flat["points"][at] = np.minimum(count, np.iinfo(np.uint16).max)
     flat["image"][at] = p.image[_largest(w, new, count)]
     return Heights(**found), weights
+
+
+def _at_middles(p: PointsOfCells, w: Array, new: Index, columns: int, at: Index) -> tuple[Array, Array]:
+    """(cells,) heights by points, a cell's one after the other, and squares of how far these lie off its middle.
+
+    All of them together are brought to the middle by their mean slope: that of each is uncertain, and over half a cell
+    its error would be larger than that of the height.
+    """
+
+    def mean(values: Array) -> Array:
+        return np.add.reduceat(w * values, new)
+
+    right, down = at % columns + 0.5 - mean(p.column), at // columns + 0.5 - mean(p.row)
+    height = mean(p.height) + mean(p.slope[:, 0]) * right + mean(p.slope[:, 1]) * down
+    return height, right**2 + down**2
 
 
 def _uppermost(cell: Index, middle: Array, p: PointsOfCells) -> Mask:

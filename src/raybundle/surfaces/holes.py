@@ -13,7 +13,7 @@ from dataclasses import replace
 from typing import cast
 
 import numpy as np
-from scipy.ndimage import distance_transform_edt, gaussian_filter, label
+from scipy.ndimage import binary_dilation, distance_transform_edt, find_objects, gaussian_filter, label
 from scipy.sparse import csr_array
 from scipy.sparse.linalg import spsolve
 
@@ -29,20 +29,31 @@ AROUND = 8.0
 EIGHT = np.ones((3, 3), int)
 
 
-def filled(model: HeightModel, limit: float) -> HeightModel:
+def filled(model: HeightModel, limit: float, within: Mask | None = None) -> HeightModel:
     """The same with holes filled that heights enclose and whose cells lie no further than `limit` cells from one.
+
+    within  (rows, columns) where cells so near are filled, too, that are of a wider hole, or of one that is open to
+            the edge of the grid: an outline may cut them off
 
     What it does not tell: what stands in a hole and shows nowhere around it.
     """
     unknown = ~model.known
     number, _ = parts_of(unknown)
     edge = np.unique(np.concatenate([number[0], number[-1], number[:, 0], number[:, -1]]))
-    depth = np.asarray(distance_transform_edt(unknown))
+    depth = depths(model)
     deepest = _largest(number, depth)
     small = deepest <= limit
     small[edge] = False
     small[0] = False
-    return spanned(model, small[number])
+    wanted = small[number]
+    if within is not None:
+        wanted |= unknown & within & (depth <= limit)
+    return spanned(model, wanted)
+
+
+def depths(model: HeightModel) -> Array:
+    """(rows, columns) how far each cell lies from the nearest one with a height [cells]."""
+    return np.asarray(distance_transform_edt(~model.known))
 
 
 def spanned(model: HeightModel, wanted: Mask) -> HeightModel:
@@ -60,9 +71,12 @@ def spanned(model: HeightModel, wanted: Mask) -> HeightModel:
     found = distance_transform_edt(~known, return_indices=True)
     depth, (row, column) = cast("tuple[Array, Array]", found)
     height = np.where(known, h.height, np.nan).astype(float)
-    _span(height, wanted)
+    opened = _open(number, known)
+    _span(height, wanted, number, _planes(height, number, opened))
+    wanted = wanted & np.isfinite(height)
+    number = np.where(wanted, number, 0)
     power, strength = _variogram(height, np.where(known, h.local, np.nan))
-    deepest = _largest(number, depth)[number]
+    deepest = np.where(opened[number], np.inf, _largest(number, depth)[number])
     gap = 2 * strength * depth**power * (1 - depth / np.maximum(2 * deepest, 1)) ** power
     sigma = np.where(wanted, np.sqrt(np.maximum(gap, 0.0)), 0.0)
     near = {k: np.where(wanted, getattr(h, k)[row, column], getattr(h, k)) for k in NEAREST}
@@ -83,6 +97,39 @@ def parts_of(mask: Mask) -> tuple[Index, int]:
     return cast("tuple[Index, int]", label(mask, EIGHT))
 
 
+def _open(number: Index, known: Mask) -> Array:
+    """(holes + 1,) whether a hole goes on, into what is not known or beyond the grid: it is spanned from one side."""
+    found = np.zeros(int(number.max()) + 1, bool)
+    around = np.pad((number == 0) & ~known, 1, constant_values=True)
+    beside = cast("Mask", binary_dilation(around, EIGHT))[1:-1, 1:-1]
+    found[np.unique(number[beside])] = True
+    found[0] = False
+    return found
+
+
+def _planes(height: Array, number: Index, opened: Array) -> Array:
+    """(holes + 1, 3) of holes that are open the plane through what is known around: height at cell (0, 0), slopes.
+
+    A membrane that is held on one side alone would be level; the variogram does not know of tilts.
+    """
+    found = np.zeros((len(opened), 3))
+    reach = int(AROUND)
+    for k, box in enumerate(find_objects(number), 1):
+        if box is None or not opened[k]:
+            continue
+        rows, columns = (slice(max(b.start - reach, 0), b.stop + reach) for b in box)
+        near = cast("Array", distance_transform_edt(number[rows, columns] != k)) <= reach
+        z = height[rows, columns]
+        r, c = np.nonzero(near & np.isfinite(z))
+        A = np.stack([np.ones(len(r)), r - r.mean(), c - c.mean()], axis=1)
+        if len(r) < 3 or np.linalg.matrix_rank(A) < 3:
+            continue
+        level, down, right = np.linalg.lstsq(A, z[r, c], rcond=None)[0]
+        corner = level - down * (rows.start + r.mean()) - right * (columns.start + c.mean())
+        found[k] = corner, down, right
+    return found
+
+
 def _largest(number: Index, values: Array) -> Array:
     """(holes + 1,) the largest value of each."""
     found = np.zeros(int(number.max()) + 1)
@@ -90,9 +137,13 @@ def _largest(number: Index, values: Array) -> Array:
     return found
 
 
-def _span(height: Array, wanted: Mask) -> None:
-    """Fill heights in place: each is the mean of its known or wanted neighbours above, below, left and right."""
-    reachable, _ = parts_of(wanted | np.isfinite(height))
+def _span(height: Array, wanted: Mask, number: Index, planes: Array) -> None:
+    """Fill heights in place: each is the mean of its known or wanted neighbours above, below, left and right.
+
+    number, planes  the hole that a cell is of, and the plane above which its heights are meant
+    """
+    # by sides alone: what touches a height at a corner only is the mean of none
+    reachable = cast("tuple[Index, int]", label(wanted | np.isfinite(height)))[0]
     touched = np.unique(reachable[np.isfinite(height)])
     wanted = wanted & np.isin(reachable, touched)
     at = np.flatnonzero(wanted.ravel())
@@ -102,7 +153,7 @@ def _span(height: Array, wanted: Mask) -> None:
     order = np.full(height.size, -1)
     order[at] = np.arange(len(at))
     r, c = np.divmod(at, columns)
-    count, right = np.zeros(len(at)), np.zeros(len(at))
+    count, right, plane = np.zeros(len(at)), np.zeros(len(at)), planes[number.flat[at]]
     entries = list[tuple[Array, Array]]()
     for dr, dc in ((-1, 0), (1, 0), (0, -1), (0, 1)):
         inside = (r + dr >= 0) & (r + dr < rows) & (c + dc >= 0) & (c + dc < columns)
@@ -111,13 +162,14 @@ def _span(height: Array, wanted: Mask) -> None:
         there = inside & np.isfinite(value) & (inner < 0)
         among = inside & (inner >= 0)
         count += there | among
-        right += np.where(there, np.nan_to_num(value), 0.0)
+        base = plane[:, 0] + plane[:, 1] * (r + dr) + plane[:, 2] * (c + dc)
+        right += np.where(there, np.nan_to_num(value) - base, 0.0)
         entries.append((np.flatnonzero(among), inner[among]))
     i = np.concatenate([np.arange(len(at)), *(e[0] for e in entries)])
     j = np.concatenate([np.arange(len(at)), *(e[1] for e in entries)])
     values = np.concatenate([count, -np.ones(len(i) - len(at))])
     matrix = csr_array((values, (i, j)), shape=(len(at), len(at)))
-    height.flat[at] = spsolve(matrix.tocsc(), right)
+    height.flat[at] = spsolve(matrix.tocsc(), right) + plane[:, 0] + plane[:, 1] * r + plane[:, 2] * c
 
 
 def _variogram(height: Array, local: Array) -> tuple[float, Array]:

@@ -21,6 +21,7 @@ from raybundle.numerics.arrays import Array, Mask
 from raybundle.surfaces.height_model import HeightModel, SumOfHeights
 from raybundle.surfaces.heights import between
 from raybundle.surfaces.holes import parts_of
+from raybundle.surfaces.nodes import at_cells, information, splat, variances
 from raybundle.surfaces.relief import step_length
 
 CHANCE = 0.05
@@ -136,42 +137,41 @@ class _Local:
 
 def _local(model: HeightModel, free: Mask) -> _Local:
     """What has moved against cells that are free of movements."""
-    M = model.moved.astype(float)
     z, P = _orientation(model, free)
-    local = model.heights.height.astype(float) - _of_cells(model, M @ z)
-    uncertain = _of_cells(model, np.einsum("rcq,qp,rcp->rc", M, P, M, optimize=True))
+    local = model.heights.height.astype(float) - _by_errors(model, z)
+    uncertain = variances(model.moved, model.block, model.shape, P)
     peak, limit, count, hits = _windows(model, local, uncertain)
     regions = _regions(model, local, uncertain, hits, peak)
     return _Local(local=local, uncertain=uncertain, peak=peak, limit=limit, windows=count, regions=regions)
 
 
-def _of_cells(model: HeightModel, of_block: Array) -> Array:
-    """(rows, columns) of blocks' values."""
-    rows, columns = model.shape
-    return np.repeat(np.repeat(of_block, model.block, axis=0), model.block, axis=1)[:rows, :columns]
+def _by_errors(model: HeightModel, errors: Array) -> Array:
+    """(rows, columns) by how much errors of orientation (q,) move heights."""
+    return at_cells(model.moved.astype(float) @ errors, model.block, model.shape)
 
 
 def _orientation(model: HeightModel, free: Mask) -> tuple[Array, Array]:
     """Errors of orientation (q,) that explain most of the differences, and their covariance."""
-    _, columns, q = model.moved.shape
-    M = model.moved.reshape(-1, q).astype(float)
+    rows, columns, q = model.moved.shape
+    M = model.moved.reshape(rows * columns, q).astype(float)
     known = free & (model.local > 0)
-    s = model.local[known].astype(float)
-    r, c = np.nonzero(known)
-    block = r // model.block * columns + c // model.block
-    d = model.heights.height[known].astype(float)
+    s = np.where(known, model.local, 1.0).astype(float)
+    d = np.where(known, model.heights.height, 0.0).astype(float)
     # neighbours with common errors count once
     alike = 1 + np.pi * model.length**2
     z, P = np.zeros(q), np.eye(q)
-    for _ in range(ROUNDS):
-        e = np.abs(d - (M @ z)[block]) / s
-        w = np.minimum(1.0, HUBER / np.maximum(e, 1e-12)) / (s**2 * alike)
-        W, y = (np.bincount(block, v, minlength=len(M)) for v in (w, w * d))
-        P = np.linalg.inv(M.T @ (W[:, None] * M) + np.eye(q))
-        new = P @ (M.T @ y)
-        done = float(np.abs(M @ (new - z)).max(initial=0.0)) < 1e-3 * float(np.median(s)) if len(s) else True
+    if not known.any() or not q:
+        return z, P
+    usual = float(np.median(s[known]))
+    for k in range(ROUNDS):
+        # by least squares first: against no errors at all, those of a tilt would make blunders of most differences
+        e = np.abs(d - _by_errors(model, z)) / s if k else np.zeros(d.shape)
+        w = np.where(known, np.minimum(1.0, HUBER / np.maximum(e, 1e-12)) / (s**2 * alike), 0.0)
+        P = np.linalg.inv(information(model.moved, model.block, w) + np.eye(q))
+        new = P @ (M.T @ splat(w * d, model.moved, model.block).ravel())
+        far = float(np.abs(M @ (new - z)).max(initial=0.0))
         z = new
-        if done:
+        if k and far < 1e-3 * usual:
             break
     return z, P
 

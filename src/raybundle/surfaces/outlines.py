@@ -1,13 +1,12 @@
-"""How much of each cell of a grid lies within an outline, and which cells lie along its edge."""
+"""How much of each cell of a grid lies within an outline."""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
 
-import cv2
 import numpy as np
 
-from raybundle.numerics.arrays import Array, Mask
+from raybundle.numerics.arrays import Array
 
 LINES = 16
 """Lines across a cell along which an outline is cut; along each the share is exact"""
@@ -36,9 +35,3 @@ def coverage(rings: Sequence[Array], shape: tuple[int, int]) -> Array:
                 inside += np.clip(border, a, b) - a
             found[row] += np.diff(inside) / LINES
     return np.clip(found, 0.0, 1.0)
-
-
-def along_edge(covered: Array) -> Mask:
-    """Cells that an outline cuts, or that lie within beside one outside."""
-    eroded = cv2.erode((covered > 1 - 1e-9).astype(np.uint8), np.ones((3, 3), np.uint8), borderValue=0)
-    return (covered > 0) & (eroded == 0)

@@ -7,9 +7,11 @@ from dataclasses import replace
 import cv2
 import numpy as np
 
-from raybundle.numerics.arrays import Array
-from raybundle.surfaces.height_model import HeightModel
+from raybundle.numerics.arrays import Array, Mask
+from raybundle.surfaces.height_model import HeightModel, Holes
 from raybundle.surfaces.heights import Heights
+from raybundle.surfaces.holes import parts_of
+from raybundle.surfaces.nodes import at_places, variances
 
 SAME = 1e-3
 """Of a cell, by which two grids may be apart and yet have the same cells."""
@@ -44,18 +46,18 @@ def resampled(model: HeightModel, left: float, top: float, scale: float, like: H
         step=np.where(known, near["step"], 0).astype(np.float32),
         **{k: np.where(known, near[k], np.nan).astype(np.float32) for k in ("local", "orientation", "point")},
     )  # fmt: skip
-    blocks = [-(-n // like.block) for n in (rows, columns)]
-    at = [
-        np.clip(np.arange(n) * like.block + like.block / 2, 0, size - 1)
-        for n, size in zip(blocks, (rows, columns), strict=True)
-    ]
     row, column = (
-        np.clip((start + v * scale) // model.block, 0, n - 1).astype(int)
-        for start, v, n in zip((top, left), at, model.moved.shape[:2], strict=True)
+        (start + np.arange(-(-n // like.block) + 1) * like.block * scale) / model.block
+        for start, n in ((top, rows), (left, columns))
     )
+    holes = None
+    if model.holes is not None:
+        number, sigma = (np.where(known, a[j][:, i], 0) for a in (model.holes.number, model.holes.sigma))
+        holes = Holes(number=number, sigma=sigma.astype(np.float32))
+    moved = at_places(model.moved, row, column).astype(np.float32)
     return replace(
-        model, heights=heights, moved=model.moved[row][:, column], block=like.block, cell=like.cell,
-        length=model.length / scale, holes=None,
+        model, heights=heights, moved=moved, block=like.block, cell=like.cell,
+        length=model.length / scale, holes=holes,
     )  # fmt: skip
 
 
@@ -79,25 +81,29 @@ def difference(before: HeightModel, after: HeightModel) -> HeightModel:
     """Heights of `after` less those of `before` on the same grid.
 
     Their noise has nothing in common.  Orientations of one adjustment, which name the same independent errors, do: what
-    moves both alike cancels.
+    moves both alike cancels.  Cells that both have from one measurement, as a surface and its ground, differ by nothing
+    at all.
     """
     a, b = before.heights, after.heights
     both = np.isfinite(a.height) & np.isfinite(b.height)
+    one = both & (a.height == b.height) & (a.local == b.local) & (a.image == b.image)
 
     def together(name: str) -> Array:
-        return np.where(both, np.hypot(getattr(a, name), getattr(b, name)), np.nan).astype(np.float32)
+        found = np.where(one, 0.0, np.hypot(getattr(a, name), getattr(b, name)))
+        return np.where(both, found, np.nan).astype(np.float32)
 
     pair = np.where(both, a.image.astype(np.int64) * MAPS + b.image, -1)
     _, image = np.unique(pair, return_inverse=True)
-    same = before.errors != "" and before.errors == after.errors
+    same = (before.errors != "" and before.errors == after.errors) or (
+        bool((one == both).all()) and np.array_equal(before.moved, after.moved)
+    )
     if same:
         moved = after.moved - before.moved
-        of_block = np.linalg.norm(moved.astype(float), axis=2)
-        of_cells = np.kron(of_block, np.ones((before.block,) * 2))[: both.shape[0], : both.shape[1]]
+        of_cells = np.sqrt(variances(moved, before.block, before.shape))
         orientation = np.where(both, of_cells, np.nan).astype(np.float32)
     else:
         moved = np.concatenate([-before.moved, after.moved], axis=2)
-        orientation = together("orientation")
+        orientation = np.where(both, np.hypot(a.orientation, b.orientation), np.nan).astype(np.float32)
     heights = Heights(
         height=np.where(both, b.height.astype(float) - a.height, np.nan).astype(np.float32), local=together("local"),
         step=np.nan_to_num(together("step")), orientation=orientation, point=together("point"),
@@ -106,6 +112,16 @@ def difference(before: HeightModel, after: HeightModel) -> HeightModel:
     )  # fmt: skip
     return HeightModel(
         heights=heights, moved=moved, block=before.block, cell=before.cell, length=max(before.length, after.length),
-        apart=max(before.apart, after.apart),
+        apart=max(before.apart, after.apart), holes=_holes_of(before, after, both),
         errors=before.errors if same else "", adjustment=before.adjustment if same else "",
     )  # fmt: skip
+
+
+def _holes_of(before: HeightModel, after: HeightModel, both: Mask) -> Holes | None:
+    """What was filled in either: parts that touch count as one hole."""
+    found = [m.holes.sigma.astype(float) ** 2 for m in (before, after) if m.holes is not None]
+    if not found:
+        return None
+    variance = np.where(both, sum(found), 0.0)
+    number, _ = parts_of(variance > 0)
+    return Holes(number=number, sigma=np.sqrt(variance).astype(np.float32))

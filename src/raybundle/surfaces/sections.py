@@ -44,9 +44,17 @@ class Section:
         known = np.isfinite(self.height)
         return self.of(known / known.sum()) if known.any() else None
 
-    def nearest(self, distance: float) -> int:
-        """The place with a height nearest to a distance from the beginning."""
-        return int(np.nanargmin(np.where(np.isfinite(self.height), np.abs(self.distance - distance), np.nan)))
+    def at(self, distances: Array) -> Section:
+        """The places at distances (n,) from the beginning alone."""
+        run = _run(self.corners) * self.model.cell
+        place = np.stack([np.interp(distances, run, self.corners[:, k]) for k in (0, 1)], axis=1)
+        return _through(self.model, self.corners, place, np.asarray(distances, float))
+
+    def nearest(self, distance: float) -> int | None:
+        """The place with a height nearest to a distance from the beginning; None: there is none."""
+        known = np.isfinite(self.height)
+        far = np.where(known, np.abs(self.distance - distance), np.inf)
+        return int(far.argmin()) if known.any() else None
 
     def difference(self, one: int, other: int) -> SumOfHeights:
         """Height of a place less that of another."""
@@ -73,17 +81,17 @@ def section(model: HeightModel, corners: Array, step: float) -> Section:
         run += length
     place = np.concatenate([*places, corners[-1:]])
     distance = np.append(np.concatenate(distances), run) * model.cell
-    rows, columns = model.shape
-    x, y = (place - 0.5).T
-    i, j = (np.clip(np.floor(v + 1e-9), 0, max(n - 2, 0)).astype(int) for v, n in ((x, columns), (y, rows)))
-    u, v = x - i, y - j
-    right, down = (np.minimum(k + 1, n - 1) for k, n in ((i, columns), (j, rows)))
-    # beyond the outer middles by half a cell at most, the outer cells go on level
-    outside = np.asarray((place < 0).any(axis=1) | (place > [columns, rows]).any(axis=1))
-    u, v = np.clip(u, 0, 1), np.clip(v, 0, 1)
-    cells = np.stack([j * columns + i, j * columns + right, down * columns + i, down * columns + right], axis=1)
-    weights = np.stack([(1 - u) * (1 - v), u * (1 - v), (1 - u) * v, u * v], axis=1)
-    weights[weights < 1e-9] = 0.0
+    return _through(model, corners, place, distance)
+
+
+def _run(corners: Array) -> Array:
+    """(k,) how far each corner is from the first one along the line."""
+    return np.concatenate([[0.0], np.cumsum(np.linalg.norm(np.diff(corners, axis=0), axis=1))])
+
+
+def _through(model: HeightModel, corners: Array, place: Array, distance: Array) -> Section:
+    """The heights at places (n, 2), linear between those of the middles of four cells."""
+    cells, weights, outside = between_middles(model.shape, place)
     value = model.heights.height.ravel()[cells].astype(float)
     lost = np.asarray(outside | ((weights > 0) & ~np.isfinite(value)).any(axis=1))
     weights[lost] = 0.0
@@ -92,6 +100,26 @@ def section(model: HeightModel, corners: Array, step: float) -> Section:
         model=model, corners=corners, distance=distance, place=place, height=height,
         sigma=_sigma(model, cells, weights, lost), cells=cells, weights=weights,
     )  # fmt: skip
+
+
+def between_middles(shape: tuple[int, int], place: Array, *, on: bool = False) -> tuple[Index, Array, Array]:
+    """Cells (n, 4) between whose middles places (n, 2) lie, their weights (n, 4), and which places lie beyond the grid.
+
+    on  whether heights go on as between the outer two middles where a place lies beyond them, by half a cell at most;
+        else the outer cells go on level
+    """
+    rows, columns = shape
+    x, y = (place - 0.5).T
+    i, j = (np.clip(np.floor(v + 1e-9), 0, max(n - 2, 0)).astype(int) for v, n in ((x, columns), (y, rows)))
+    right, down = (np.minimum(k + 1, n - 1) for k, n in ((i, columns), (j, rows)))
+    outside = np.asarray((place < 0).any(axis=1) | (place > [columns, rows]).any(axis=1))
+    u, v = x - i, y - j
+    if not on:
+        u, v = np.clip(u, 0, 1), np.clip(v, 0, 1)
+    cells = np.stack([j * columns + i, j * columns + right, down * columns + i, down * columns + right], axis=1)
+    weights = np.stack([(1 - u) * (1 - v), u * (1 - v), (1 - u) * v, u * v], axis=1)
+    weights[np.abs(weights) < 1e-9] = 0.0
+    return cells, weights, outside
 
 
 def _sigma(model: HeightModel, cells: Index, weights: Array, lost: Array) -> Array:

@@ -46,6 +46,8 @@ class HeightSummary:
     """of the cells that have a height"""
     profile: Array
     """(n, 3) place, height and standard deviation along the middle row"""
+    in_map: bool = False
+    """whether heights count as those of a map do, and not from a plane of the object"""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -90,10 +92,14 @@ class SurfaceSummary:
     """of lengths; empty: none"""
     sigma: tuple[float, ...]
     """standard deviation along the ray: quantiles of all points"""
+    position: tuple[float, ...]
+    """standard deviation of a point's place in the datum, root of the sum of the squares of x, y, z: quantiles"""
+    axes: Array
+    """(3, quantiles) standard deviations of x, y, z"""
     parts: Array
     """(3, quantiles) the same of noise, roughness, orientation and calibration"""
     shares: tuple[float, float, float]
-    """of noise, roughness and orientation in the variance, in the median"""
+    """of noise, roughness and orientation in the variance along the ray, in the mean: their sum is 1"""
     rays: Array
     """(n,) points by the number of photographs that measured them, from 0"""
     incidence: float
@@ -102,6 +108,8 @@ class SurfaceSummary:
     """(n, 2) distance in pixels and stated correlation of the errors by noise and roughness"""
     maps: tuple[MapSummary, ...]
     left_out: tuple[tuple[str, str], ...]
+    written: int = 0
+    """points in the files, where they were thinned; 0: all"""
     heights: HeightSummary | None = None
     orthophoto: OrthophotoSummary | None = None
 

@@ -2,21 +2,21 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
 import numpy as np
 
 from raybundle.errors import InputError
-from raybundle.numerics.arrays import Array, Mask
+from raybundle.numerics.arrays import Array, Index, Mask
 from raybundle.surfaces.height_model import HeightModel, SumOfHeights
 from raybundle.surfaces.heights import between, within
-from raybundle.surfaces.outlines import along_edge
+from raybundle.surfaces.sections import between_middles
 
-Spread = Callable[[Array], Array]
-"""By which weights of heights a base moves a sum of heights above it"""
 FEWEST = 3
-"""Cells along the edge that tell a plane."""
+"""Places along the outline that tell a plane."""
+APART = 0.5
+"""Cells from one of them to the next, at most."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -42,12 +42,13 @@ class Volume:
     """standard deviation of the mean height above the base"""
 
 
-def volume(model: HeightModel, covered: Array, base: float | None) -> Volume:
+def volume(model: HeightModel, covered: Array, base: float | Sequence[Array]) -> Volume:
     """Volumes within the cells' shares that an outline covers.
 
     covered  (rows, columns) 0 to 1
-    base     a height that is exact; None: the plane that fits the heights along the edge best, with its errors
-    raises   InputError where a cell within has no height, or the edge tells no plane
+    base     a height that is exact; or the rings (n, 2) of the outline, columns and rows: the plane that fits the
+             heights along them best, with its errors
+    raises   InputError where a cell within has no height, or the outline tells no plane
 
     Above and below are linear in the heights as long as their signs are sure: where the surface runs along the base
     within its noise, each is too large by about 0.4 sigma of a height times that area, and the net volume is not.
@@ -55,13 +56,14 @@ def volume(model: HeightModel, covered: Array, base: float | None) -> Volume:
     used = covered > 0
     if not used.any():
         raise InputError("the outline holds no cell of the surface")
-    plane, spread = _level(model, base) if base is not None else _rim_plane(model, covered)
+    b = _level(model, float(base)) if isinstance(base, int | float) else _rim_plane(model, base)
     area = model.cell**2
-    d = np.where(used, np.nan_to_num(model.heights.height.astype(float)) - plane, 0.0)
+    d = np.where(used, np.nan_to_num(model.heights.height.astype(float)) - b.plane, 0.0)
 
     def summed(w: Array) -> SumOfHeights:
-        found = model.sum_of(w - spread(w))
-        return SumOfHeights(value=float((w * d).sum()), local=found.local, moved=found.moved)
+        found = model.sum_of(w - b.spread(w))
+        local = float(np.hypot(found.local, b.bent(w)))
+        return SumOfHeights(value=float((w * d).sum()), local=local, moved=found.moved)
 
     w = covered * area
     true, true_sigma = _true_area(model, covered)
@@ -71,38 +73,98 @@ def volume(model: HeightModel, covered: Array, base: float | None) -> Volume:
     return Volume(
         above=summed(np.where(d > 0, w, 0.0)), below=summed(np.where(d < 0, -w, 0.0)), net=net, plan_area=plan,
         true_area=true, true_area_sigma=true_sigma, filled=float(w[filled].sum()) / plan,
-        filled_sigma=_by_holes(model, w), base=plane, mean_sigma=net.sigma / plan,
+        filled_sigma=_by_holes(model, w), base=b.plane, mean_sigma=net.sigma / plan,
     )  # fmt: skip
 
 
-def _level(model: HeightModel, base: float) -> tuple[Array, Spread]:
-    """A level base, which weights nothing."""
-    return np.full(model.shape, base), np.zeros_like
+@dataclass(frozen=True, slots=True, kw_only=True)
+class _Base:
+    """From where heights count."""
+
+    plane: Array
+    """(rows, columns)"""
+    spread: Callable[[Array], Array]
+    """by which weights of heights it moves a sum of heights above it"""
+    bent: Callable[[Array], float]
+    """standard deviation of such a sum as heights along the outline are those between cells"""
 
 
-def _rim_plane(model: HeightModel, covered: Array) -> tuple[Array, Spread]:
-    """The plane by the heights along the edge, and what it makes of weights of heights above it."""
-    rim = along_edge(covered) & model.known
-    if model.holes is not None:
-        measured = rim & ~model.holes.filled
-        rim = measured if measured.sum() >= FEWEST else rim
-    r, c = np.nonzero(rim)
-    if len(r) < FEWEST:
-        raise InputError(f"{len(r)} heights along the edge of the outline tell no plane; give the height of the base")
-    rows, columns = np.mgrid[: model.shape[0], : model.shape[1]].astype(float)
-    middle = np.array([c.mean(), r.mean()])
+def _level(model: HeightModel, base: float) -> _Base:
+    """A level base, which is exact."""
+    return _Base(plane=np.full(model.shape, base), spread=np.zeros_like, bent=lambda w: 0.0 * w.size)
+
+
+def _rim_plane(model: HeightModel, rings: Sequence[Array]) -> _Base:
+    """The plane by the heights along an outline."""
+    place = np.concatenate([_along(r) for r in rings])
+    cells, weights, height = _heights_at(model, place)
+    good = np.isfinite(height)
+    x, y = place[good].T
+    if len(x) < FEWEST or np.linalg.matrix_rank(np.stack([np.ones(len(x)), x - x.mean(), y - y.mean()])) < FEWEST:
+        raise InputError(
+            f"{len(x)} of {len(place)} places along the outline have a height, too few for a plane; give the height of "
+            "the base"
+        )
+    rows, columns = np.mgrid[: model.shape[0], : model.shape[1]] + 0.5
+    middle = np.array([x.mean(), y.mean()])
     every = np.stack([np.ones(model.shape), columns - middle[0], rows - middle[1]], axis=-1)
-    A = every[r, c]
-    solve = np.linalg.pinv(A)
-    plane = every @ (solve @ model.heights.height[r, c].astype(float))
+    solve = np.linalg.pinv(np.stack([np.ones(len(x)), x - middle[0], y - middle[1]], axis=1))
+    plane = every @ (solve @ height[good])
 
     def spread(w: Array) -> Array:
-        """Weights of the heights along the edge, by which the base moves w."""
+        """Weights of the heights along the outline, by which the base moves w."""
         found = np.zeros(model.shape)
-        found[r, c] = np.einsum("rc,rck->k", w, every) @ solve
+        shares = np.einsum("rc,rck->k", w, every) @ solve
+        np.add.at(found.ravel(), cells[good].ravel(), (weights[good] * shares[:, None]).ravel())
         return found
 
-    return plane, spread
+    bends = _bends(model)[np.clip(y.astype(int), 0, model.shape[0] - 1), np.clip(x.astype(int), 0, model.shape[1] - 1)]
+
+    def bent(w: Array) -> float:
+        """By how much the base is off where the surface bends along the whole outline."""
+        return abs(float(np.einsum("rc,rck->k", w, every) @ solve @ bends))
+
+    return _Base(plane=plane, spread=spread, bent=bent)
+
+
+def _bends(model: HeightModel) -> Array:
+    """(rows, columns) by how much heights between cells lie below the surface, in the mean of all places.
+
+    A cell has the mean of the surface over it, 1 / 24 of the second difference off its middle; linear between two
+    middles it is 1 / 12 in the mean.
+    """
+    h = model.heights.height.astype(float)
+    found = np.zeros(h.shape)
+    for axis in (0, 1):
+        second = _shifted(h, 1, axis) + _shifted(h, -1, axis) - 2 * h
+        found -= np.nan_to_num(second) / 8
+    return found
+
+
+def _along(ring: Array) -> Array:
+    """(n, 2) places along a ring, evenly apart on each side, `APART` cells at most."""
+    ends = np.roll(ring, -1, axis=0)
+    found = list[Array]()
+    for a, b in zip(ring, ends, strict=True):
+        n = max(1, int(np.ceil(float(np.linalg.norm(b - a)) / APART)))
+        found.append(a + (np.arange(n)[:, None] + 0.5) / n * (b - a))
+    return np.concatenate(found)
+
+
+def _heights_at(model: HeightModel, place: Array) -> tuple[Index, Array, Array]:
+    """Cells (n, 4) about places, weights by which their heights make those of the places, and these; NaN: none.
+
+    Measured heights where there are enough of them, else those of filled holes, too.
+    """
+    cells, weights, outside = between_middles(model.shape, place, on=True)
+    known = model.known.ravel()
+    if model.holes is not None:
+        measured = known & ~model.holes.filled.ravel()
+        if ((weights == 0) | measured[cells]).all(axis=1).sum() >= len(place) / 2:
+            known = measured
+    lost = np.asarray(outside | ((weights != 0) & ~known[cells]).any(axis=1))
+    value = np.nan_to_num(model.heights.height.ravel()[cells].astype(float))
+    return cells, weights, np.where(lost, np.nan, (weights * value).sum(axis=1))
 
 
 def _by_holes(model: HeightModel, w: Array) -> float:
@@ -137,6 +199,9 @@ def _true_area(model: HeightModel, covered: Array) -> tuple[float, float]:
         gradient -= _shifted(by * left, 1, axis, 0.0)
         gradient += by * (1 - right) - by * (1 - left)
     noise = np.nan_to_num(model.heights.local.astype(float)) ** 2
+    if model.holes is not None:
+        # what spans a hole has no noise of its own
+        noise = np.where(model.holes.filled, 0.0, noise)
     far = float(between(np.array(2.0), np.zeros(1), model.length)[0]) / within(model.length)
     added = [
         np.where(used, w * (1 + other**2) / root**3 * noise * (1 - far) / span**2, 0.0)
@@ -146,7 +211,26 @@ def _true_area(model: HeightModel, covered: Array) -> tuple[float, float]:
     # a square of noise has twice its mean as variance; neighbours share theirs
     square = 2 * sum(float((a**2).sum()) for a in added) * (1 + np.pi * model.length**2)
     sigma = np.hypot(model.sum_of(np.where(known, gradient, 0.0)).sigma, np.sqrt(square))
-    return max(area, float(w.sum())), float(sigma)
+    uneven = _uneven(model)
+    rough = float(sum((w * (1 + g**2) / root**3 * uneven).sum() for g in (gy, gx))) / 2
+    return max(area + rough, float(w.sum())), float(np.hypot(sigma, rough))
+
+
+def _uneven(model: HeightModel) -> Array:
+    """(rows, columns) variance of the slopes that a surface has in holes beside that of what spans them.
+
+    What spans a hole differs from the surface by a variance of 2 c one cell from its rim, where it is least, and slopes
+    are those of two cells: of a variogram c d^p they vary by c 2^(p - 1), which is half of it where p is 1.
+    """
+    found = np.zeros(model.shape)
+    if model.holes is None or not model.holes.filled.any():
+        return found
+    number, variance = model.holes.number, model.holes.sigma.astype(float) ** 2
+    least = np.full(int(number.max()) + 1, np.inf)
+    np.minimum.at(least, number.ravel(), variance.ravel())
+    filled = model.holes.filled
+    found[filled] = least[number[filled]] / 2 / model.cell**2
+    return found
 
 
 def _shifted(values: Array, by: int, axis: int, beyond: float = np.nan) -> Array:

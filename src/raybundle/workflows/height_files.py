@@ -6,12 +6,13 @@ from collections.abc import Mapping, Sequence
 from contextlib import AbstractContextManager
 from dataclasses import dataclass, field
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from raybundle.errors import InputError
 from raybundle.io.folders import new_files
+from raybundle.io.geo.told_systems import system_with_heights
 from raybundle.io.pictures.geotiff import Write, new_geotiff
 from raybundle.io.pictures.rectified import toml_text
 from raybundle.io.raster_library import raster_library
@@ -19,11 +20,15 @@ from raybundle.io.reading.trees import read_toml
 from raybundle.numerics.arrays import Array
 from raybundle.surfaces.height_model import HeightModel, Holes
 from raybundle.surfaces.heights import BETWEEN_MAPS, Heights
+from raybundle.surfaces.nodes import NodeSums, of_blocks
 from raybundle.workflows.height_grid import HeightGrid
 from raybundle.workflows.height_tiles import BLOCK_CELLS, TILE_CELLS, Window, moved_of, tile_of_number, tiles_across
 from raybundle.workflows.object_plane import MapLevel, Plane
 from raybundle.workflows.rectify import Grid
 from raybundle.workflows.surface import Surface
+
+if TYPE_CHECKING:
+    from pyproj import CRS
 
 HEIGHTS, SIGMAS, ABOUT, MOVED = "heights.tif", "heights_sigma.tif", "heights.toml", "heights_orientation.npz"
 FILES = (HEIGHTS, SIGMAS, ABOUT, MOVED)
@@ -32,6 +37,8 @@ BANDS = (
     "image",
 )  # fmt: skip
 """Of the second file"""
+ONLY_HEIGHT = ("height",)
+"""Of the first"""
 KEPT = ("", "local", "step", "orientation", "point", "points", "image")
 """Fields of `Heights` that these are; the first follows from three others"""
 
@@ -67,12 +74,23 @@ class HeightFile:
         return Grid(left=self.left, top=self.top, pixel=self.cell, width=self.width, height=self.height)
 
     def new(self, path: Path, names: Sequence[str]) -> AbstractContextManager[Write]:
-        """A GeoTIFF of these cells with bands of floats, NaN where nothing was measured."""
+        """A GeoTIFF of these cells with bands of floats, NaN where nothing was measured.
+
+        That of the heights has the system with what they count from, where anything says it.
+        """
+        system = self.with_heights if names == ONLY_HEIGHT else None
+        if system is not None and not system.is_compound:  # GDAL keeps no third dimension in the file itself
+            names, system = ("height above the ellipsoid",), None
         return new_geotiff(
             raster_library(), path, {"count": len(names), "dtype": "float32", "nodata": float("nan")},
-            width=self.width, height=self.height, left=self.left, top=self.top, pixel=self.cell, wkt=self.wkt,
-            names=names,
+            width=self.width, height=self.height, left=self.left, top=self.top, pixel=self.cell,
+            wkt=self.wkt if system is None else system.to_wkt(), names=names,
         )  # fmt: skip
+
+    @property
+    def with_heights(self) -> CRS | None:
+        """The system of a map with what heights count from; None where nothing says it."""
+        return system_with_heights(str(self.plane.get("system", ""))) if self.wkt and "system" in self.plane else None
 
     def as_mapping(self) -> dict[str, Any]:
         """What the file holds, beside the numbers of the heights."""
@@ -86,7 +104,7 @@ class HeightFile:
 class _Whole:
     """What is known of all tiles when each was written."""
 
-    moved: Array | None = None
+    moved: NodeSums | None = None
     lengths: list[float] = field(default_factory=list[float])
     cells: list[int] = field(default_factory=list[int])
     sigma: list[Array] = field(default_factory=list[Array])
@@ -109,7 +127,7 @@ def write_heights(surface: Surface, file: HeightFile, out: Path) -> tuple[str, .
     measured, whole = surface.heights, _Whole()
     assert measured is not None
     with new_files(*(out / f for f in FILES)) as (heights, sigmas, about, moved):
-        with file.new(heights, ("height",)) as write_height, file.new(sigmas, BANDS) as write_sigmas:
+        with file.new(heights, ONLY_HEIGHT) as write_height, file.new(sigmas, BANDS) as write_sigmas:
             for tile in range(tiles_across(measured.grid) * -(-file.height // TILE_CELLS)):
                 window = tile_of_number(measured.grid, tile)
                 one, many = _tile(surface, file, whole, tile, window)
@@ -118,7 +136,7 @@ def write_heights(surface: Surface, file: HeightFile, out: Path) -> tuple[str, .
         if whole.moved is None:
             raise InputError("no point of the surface lies above the area of the heights; choose another")
         np.savez_compressed(
-            moved, moved=whole.moved, block=np.array(BLOCK_CELLS), errors=np.array(measured.together),
+            moved, nodes=whole.moved.nodes, block=np.array(BLOCK_CELLS), errors=np.array(measured.together),
             adjustment=np.array(measured.adjustment),
         )  # fmt: skip
         about.write_text(_about(file, whole.length, measured.apart), encoding="utf-8")
@@ -145,10 +163,9 @@ def _tile(surface: Surface, file: HeightFile, whole: _Whole, tile: int, window: 
     h = Heights.of_arrays(a)
     part = moved_of(surface.store, measured.above, measured.grid, tile, measured.tiles[tile])
     if whole.moved is None:
-        rows, columns = -(-file.height // BLOCK_CELLS), -(-file.width // BLOCK_CELLS)
-        whole.moved = np.zeros((rows, columns, part.shape[2]), np.float32)
-    r, c = window.y // BLOCK_CELLS, window.x // BLOCK_CELLS
-    whole.moved[r : r + part.shape[0], c : c + part.shape[1]] = part
+        whole.moved = NodeSums.of((file.height, file.width), BLOCK_CELLS, part.shape[3])
+    first = window.y // BLOCK_CELLS, window.x // BLOCK_CELLS
+    whole.moved.add(first, part, np.isfinite(h.height), BLOCK_CELLS)
     whole.add(h, float(a["length"]))
     bands = [h.sigma, *(getattr(h, name).astype(np.float32) for name in KEPT[1:])]
     return h.height[..., None], np.stack(bands, axis=2)
@@ -160,12 +177,12 @@ def write_model(model: HeightModel, file: HeightFile, out: Path) -> None:
     sigma = np.where(model.known, model.sigma, np.nan)
     bands = [sigma, *(np.where(model.known, getattr(h, name), np.nan) for name in KEPT[1:])]
     with new_files(*(out / f for f in FILES)) as (heights, sigmas, about, moved):
-        with file.new(heights, ("height",)) as write:
+        with file.new(heights, ONLY_HEIGHT) as write:
             write(0, 0, h.height[..., None])
         with file.new(sigmas, BANDS) as write:
             write(0, 0, np.stack(bands, axis=2).astype(np.float32))
         kept = {
-            "moved": model.moved, "block": np.array(model.block), "errors": np.array(model.errors),
+            "nodes": model.moved, "block": np.array(model.block), "errors": np.array(model.errors),
             "adjustment": np.array(model.adjustment),
         }  # fmt: skip
         if model.holes is not None:
@@ -186,10 +203,12 @@ def read_heights(folder: str | Path) -> tuple[HeightModel, HeightFile]:
         if (one.width, one.height) != (many.width, many.height) or many.count != len(BANDS):
             raise InputError(f"{SIGMAS} does not belong to {HEIGHTS}", file=folder)
         height, bands = one.read(1), many.read()
-        wkt = one.crs.to_wkt() if one.crs else ""
+        wkt = many.crs.to_wkt() if many.crs else ""  # in plan
     found = dict(zip(KEPT[1:], bands[1:], strict=True))
     with np.load(folder / MOVED, allow_pickle=False) as kept:
-        moved, block = kept["moved"], int(kept["block"])
+        # older files have one value for each block
+        moved = kept["nodes"] if "nodes" in kept else of_blocks(kept["moved"])
+        block = int(kept["block"])
         holes = Holes(number=kept["holes"], sigma=kept["holes_sigma"]) if "holes" in kept else None
         errors, adjustment = (str(kept[name]) if name in kept else "" for name in ("errors", "adjustment"))
     heights = Heights(

@@ -15,7 +15,7 @@ from raybundle.workflows.height_grid import HeightGrid
 TILE_CELLS = 256
 """Side of a tile: what is done, read and written at once."""
 BLOCK_CELLS = 32
-"""Side of a part of a tile within which orientation moves all cells of a map alike."""
+"""Side of a part of a tile over which what orientation does to a map is linear."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -98,7 +98,9 @@ def heights_in(store: Folder, tiles: Mapping[int, str], grid: HeightGrid, window
 
 
 def moved_of(store: Folder, above: Mapping[int, str], grid: HeightGrid, tile: int, key: str) -> Array:
-    """(rows, columns, q) how parts of a tile move with each independent error: each reference's, by its share.
+    """(rows, columns, 3, q) how parts of a tile move with each independent error: each reference's, by its share.
+
+    Of each part that of its middle, and by how much it changes over it to the right and down (`nodes.fits`).
 
     above  keys of the points of the references above the grid
     key    of the heights of the tile
@@ -116,7 +118,7 @@ def moved_of(store: Folder, above: Mapping[int, str], grid: HeightGrid, tile: in
         at = np.searchsorted(own["blocks"], number, sorter=order).clip(max=len(order) - 1)
         row = order[at]
         there = own["blocks"][row] == number
-        part = np.where(there, share, 0.0)[:, None] * own["moved"][row]
+        part = np.where(there, share, 0.0)[:, None, None] * own["moved"][row]
         found = part if found is None else found + part
     assert found is not None
-    return found.reshape(rows, columns, -1).astype(np.float32)
+    return found.reshape(rows, columns, *found.shape[1:]).astype(np.float32)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
@@ -11,10 +12,12 @@ import numpy as np
 
 from raybundle.errors import InputError
 from raybundle.io.geo.parsed_systems import parse_crs, system_name
-from raybundle.io.missions.areas import GEOGRAPHIC, in_crs, read_shapes
+from raybundle.io.missions.areas import GEOGRAPHIC, Shape, in_crs, read_shapes
 from raybundle.io.outlines import TEXT, read_outline
+from raybundle.io.reading.words import number_of
 from raybundle.missions.polygons import checked_ring
 from raybundle.numerics.arrays import Array
+from raybundle.settings import option
 from raybundle.surfaces.height_model import HeightModel
 from raybundle.surfaces.holes import filled
 from raybundle.surfaces.outlines import coverage
@@ -67,20 +70,24 @@ def opened(folder: Path, widest: float | None = None) -> Opened:
     return Opened(folder=folder, model=model, file=file)
 
 
-def covered_by(o: Opened, outlines: Sequence[str], extent: Sequence[float] | None) -> Array:
-    """(rows, columns) share of each cell within outlines, files or coordinates; without any, all cells with a height.
+def outlined(o: Opened, outlines: Sequence[str], extent: Sequence[float] | None) -> list[list[Array]]:
+    """Areas by outlines, files or coordinates, or a rectangle: of each its rings, in columns and rows.
 
-    raises  InputError for an outline that crosses itself or lies beyond the grid
+    raises  InputError for an outline that crosses itself
     """
-    if extent is None and not outlines:
-        return o.model.known.astype(float)
-    groups = areas_in(o.file.wkt, outlines, extent)
+    return [[o.cells(r) for r in rings] for rings in areas_in(o.file.wkt, outlines, extent)]
+
+
+def covered_by(o: Opened, areas: Sequence[Sequence[Array]]) -> Array:
+    """(rows, columns) share of each cell within areas, each by its rings in columns and rows.
+
+    raises  InputError where areas overlap or lie beyond the grid
+    """
     found = np.zeros(o.model.shape)
     wanted = 0.0
-    for rings in groups:
-        cells = [o.cells(r) for r in rings]
-        wanted += _size(cells)
-        found += coverage(cells, o.model.shape)
+    for rings in areas:
+        wanted += _size(rings)
+        found += coverage(rings, o.model.shape)
     if found.max() > 1 + 1e-6:
         raise InputError("two of the outlines overlap; give areas that lie apart, or one round all of them")
     lost = 1 - float(found.sum()) / wanted
@@ -115,14 +122,31 @@ def areas_in(wkt: str, outlines: Sequence[str], extent: Sequence[float] | None) 
     return [[np.array([[left, bottom], [right, bottom], [right, top], [left, top]])]]
 
 
+def _shapes(given: str, name: str) -> tuple[Shape, ...]:
+    """What a file or coordinates hold.
+
+    raises  InputError for numbers that are no corners, and as `read_shapes` does
+    """
+    if not Path(given).exists() and re.fullmatch(r"[\d\s.,;+\-eE]+", given) and re.search(r"\d", given):
+        pairs = [p.split() for p in re.split(r"[;,]", given)]
+        if any(len(p) != 2 or None in map(number_of, p) for p in pairs):
+            raise InputError(
+                f"{option(name, given)} is no file and no corners: these are written X Y, X Y, ... with a blank "
+                "between the two numbers of a corner and a comma between corners"
+            )
+    return read_shapes(given)
+
+
 def _areas(wkt: str, given: str) -> list[list[Array]]:
     """The rings of each area, the outer one first, in coordinates of the plane."""
     path = Path(given)
     if path.suffix.lower() in TEXT and path.is_file():
         return [[checked_ring(read_outline(path), f"the outline {path.name}")]]
-    shapes = [s for s in read_shapes(given) if s.kind == "area"]
+    shapes = [s for s in _shapes(given, "outline") if s.kind == "area"]
     if not shapes:
-        raise InputError("holds no area; lines and points enclose nothing", file=path if path.exists() else None)
+        if path.exists():
+            raise InputError("holds no area; lines and points enclose nothing", file=path)
+        raise InputError(f"{option('outline', given)} holds no area: it has fewer than three corners")
     found = list[list[Array]]()
     for s in shapes:
         rings = [_in_plane(wkt, r, s.crs, typed=s.typed, path=path) for r in (s.xy, *s.holes)]
@@ -136,15 +160,18 @@ def lines_of(o: Opened, given: str) -> list[Array]:
     if path.suffix.lower() in TEXT and path.is_file():
         found = [read_outline(path)]
     else:
-        shapes = [s for s in read_shapes(given) if s.kind != "place"]
+        shapes = [s for s in _shapes(given, "line") if s.kind != "place"]
         if not shapes:
-            raise InputError("holds no line", file=path if path.exists() else None)
+            if path.exists():
+                raise InputError("holds no line", file=path)
+            raise InputError(f"{option('line', given)} is a single place; a line needs two corners or more")
         # of coordinates that were typed, three places or more are a line here, and no area
         found = [_in_plane(o.file.wkt, s.xy, s.crs, typed=s.typed, path=path) for s in shapes]
     for line in found:
         if len(line) < 2 or not np.linalg.norm(np.diff(line, axis=0), axis=1).min() > 0:
             raise InputError(
-                "a line needs two different places, one after the other", file=path if path.exists() else None
+                "a line needs two different places, one after the other" + ("" if path.exists() else f": {given}"),
+                file=path if path.exists() else None,
             )
     return found
 

@@ -55,7 +55,7 @@ def write_movements(o: Opened, model: HeightModel, found: Movements, out: Path) 
             write_gpkg(new / LAYER, drawn, "moved", o.file.wkt)
         else:
             names.remove(LAYER)
-        cv2.imwrite(str(new / PICTURE), picture(model, found))
+        cv2.imwrite(str(new / PICTURE), picture(model, found, o.unit))
     return tuple(out / n for n in names)
 
 
@@ -86,7 +86,7 @@ def _signed(ring: Array) -> float:
     return float(np.sum(x[:-1] * y[1:] - x[1:] * y[:-1])) / 2
 
 
-def picture(model: HeightModel, found: Movements) -> Array:
+def picture(model: HeightModel, found: Movements, unit: str) -> Array:
     """(h, w, 3) uint8 BGR: movements against the rest, red upwards and blue downwards, regions outlined."""
     known = model.known & np.isfinite(found.local)
     size = SPREAD * float(np.median(found.sigma[known]))
@@ -108,12 +108,12 @@ def picture(model: HeightModel, found: Movements) -> Array:
             cv2.polylines(image, [np.round(line * scale).astype(np.int32)], True, (30, 30, 30), 2, cv2.LINE_AA)
         x, y = (max(lines, key=len).max(axis=0) * scale).astype(int)
         cv2.putText(image, str(n), (int(x) + 4, int(y)), cv2.FONT_HERSHEY_SIMPLEX, 0.7, (30, 30, 30), 2, cv2.LINE_AA)
-    return np.concatenate([image, _legend(image.shape[1], size)])
+    return np.concatenate([image, _legend(image.shape[1], size, unit)])
 
 
-def _legend(width: int, size: float) -> Array:
+def _legend(width: int, size: float, unit: str) -> Array:
     """Colours and what they are."""
-    bar = np.full((64, width, 3), 255, np.uint8)
+    bar = np.full((88, width, 3), 255, np.uint8)
     white, red, blue = (np.array(c, float) for c in (WHITE, RED, BLUE))
     n = max(60, min(400, width - 120))
     share = np.linspace(-1, 1, n)[:, None]
@@ -123,4 +123,8 @@ def _legend(width: int, size: float) -> Array:
     for x, text in ((40, f"{-size:.2g}"), (40 + n // 2, "0"), (40 + n, f"+{size:.2g}")):
         (w, _), _ = cv2.getTextSize(text, cv2.FONT_HERSHEY_SIMPLEX, 0.5, 1)
         cv2.putText(bar, text, (max(2, x - w // 2), 52), cv2.FONT_HERSHEY_SIMPLEX, 0.5, (60, 60, 60), 1, cv2.LINE_AA)
+    told = f"movement against the rest [{unit or 'no unit: the scale is free'}]; grey: not in both"
+    (w, _), _ = cv2.getTextSize(told, cv2.FONT_HERSHEY_SIMPLEX, 0.5, 1)
+    size_of = 0.5 * min(1.0, (width - 16) / w)
+    cv2.putText(bar, told, (8, 78), cv2.FONT_HERSHEY_SIMPLEX, size_of, (60, 60, 60), 1, cv2.LINE_AA)
     return bar

@@ -14,6 +14,9 @@ from raybundle.io.pictures.geotiff import new_geotiff
 from raybundle.io.pictures.rectified import toml_text
 from raybundle.io.raster_library import raster_library
 from raybundle.numerics.arrays import Array
+from raybundle.numerics.counting import counted, grouped, significant
+from raybundle.results.record import STATE
+from raybundle.settings import option
 from raybundle.workflows.height_files import HeightFile
 from raybundle.workflows.height_tiles import Window
 from raybundle.workflows.object_plane import MapLevel, Plane
@@ -25,6 +28,8 @@ FILES = (PICTURE, SIGMAS, ABOUT)
 BANDS = ("standard deviation to the right", "standard deviation upwards", "photograph")
 MAP_BANDS = ("standard deviation of east", "standard deviation of north", "photograph")
 """Of the second file"""
+MOST_SEEN = 0.95
+"""Share of the pixels from which on nobody asks why not more are seen"""
 BAND = {"count": 4, "dtype": "uint8", "photometric": "RGB", "alpha": "YES", "interleave": "pixel"}
 
 
@@ -77,8 +82,11 @@ def _tile(surface: Surface, tile: int) -> TileOfOrthophoto:
     )
 
 
-def write_orthophoto(surface: Surface, plane: Plane, unit: str, out: Path) -> tuple[str, ...]:
-    """Write the files tile by tile; what is to be told of them."""
+def write_orthophoto(surface: Surface, plane: Plane, unit: str, out: Path, state: str = "") -> tuple[str, ...]:
+    """Write the files tile by tile; what is to be told of them.
+
+    state  why the result is not to be used yet, which orthophoto.toml tells
+    """
     made = surface.orthophoto
     assert made is not None
     g, library = made.grid, raster_library()
@@ -106,12 +114,38 @@ def write_orthophoto(surface: Surface, plane: Plane, unit: str, out: Path) -> tu
                 for k, n in zip(*np.unique(t.image[t.image >= 0], return_counts=True), strict=True):
                     pixels[int(k)] = pixels.get(int(k), 0) + int(n)
                 some.append(t.sigma[np.isfinite(t.sigma[..., 0])][::13])
-        about.write_text(toml_text(_about(surface, plane, unit, pixels)), encoding="utf-8")
+        about.write_text(
+            toml_text({**_about(surface, plane, unit, pixels), **({STATE: state} if state else {})}), encoding="utf-8"
+        )
+    return _told(surface, pixels, some, f" {plane.unit if isinstance(plane, MapLevel) else unit}".rstrip())
+
+
+def _told(surface: Surface, pixels: dict[int, int], sigma: list[Array], of: str) -> tuple[str, ...]:
+    """What is to be said: how much of it is seen and why not more, how far pixels are off, and how many by far."""
+    made, heights = surface.orthophoto, surface.heights
+    assert made is not None
+    assert heights is not None
+    g, h = made.grid, heights.grid.grid
+    tiles = (surface.store.wanted(key, ("height",))["height"] for key in heights.tiles.values())
+    known = sum(int(np.isfinite(t).sum()) for t in tiles) / (h.width * h.height)
     share = sum(pixels.values()) / (g.width * g.height)
-    sigma = float(np.median(np.hypot(*np.concatenate(some).T))) if pixels else float("nan")
-    of = f" {plane.unit if isinstance(plane, MapLevel) else unit}".rstrip()
-    seen = f"{g.width} x {g.height} px of {g.pixel:g}{of}, {share:.0%} of them seen, by {len(pixels)} photographs"
-    return (f"{seen}; standard deviation of a place in plan {sigma:.2g}{of} in the median",)
+    size = f"{grouped(g.width)} x {grouped(g.height)} px of {g.pixel:g}{of}"
+    if not pixels:
+        return (f"{size}, none of them seen",)
+    off = np.hypot(*np.concatenate(sigma).T)
+    half, most = (significant(float(np.quantile(off, q)), 2) for q in (0.5, 0.95))
+    beyond = float((off > g.pixel).mean())
+    seen = f"{size}, {share:.0%} of them seen, by {counted(len(pixels), 'photograph')}"
+    good = f"{half}{of} in the median, below {most}{of} for 95 % of them, above a pixel for {beyond:.1%}"
+    told = [f"{seen}; standard deviation of a place in plan {good}"]
+    if share < MOST_SEEN:
+        told.append(
+            f"of its cells {known:.0%} have a height, without which no pixel is seen"
+            + (f"; a finer {option('density')} may fill some of the others" if surface.options.density > 1 else "")
+        )
+    if any(c.is_scene for c in surface.block.cameras):
+        told.append("grey values of scenes are stretched to 8 bits: their radiometry is not kept")
+    return tuple(told)
 
 
 def _about(surface: Surface, plane: Plane, unit: str, pixels: dict[int, int]) -> dict[str, object]:

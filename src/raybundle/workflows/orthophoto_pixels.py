@@ -248,7 +248,7 @@ class _Work:
                     middle = known[np.abs(known - known.mean(axis=0)).sum(axis=1).argmin()]
                     x, y = own.x + c * BLOCK_CELLS + middle[1] + 0.5, own.y + r * BLOCK_CELLS + middle[0] + 0.5
                     xyz = t.grid.points_at(np.array([x]), np.array([y]), part[tuple(middle)][None])
-                    grams[r, c] = self._gram(rays, xyz, moved[r, c])
+                    grams[r, c] = self._gram(rays, xyz, moved[r, c, 0])
         self.grams[tile] = grams
         return grams
 

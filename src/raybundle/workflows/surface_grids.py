@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -13,8 +14,13 @@ from raybundle.workflows.height_grid import HeightGrid, HeightPlane
 from raybundle.workflows.object_plane import Plane
 from raybundle.workflows.rectify import Grid, grid_over, two_digits, usual_pixel, whole_pixels
 
+if TYPE_CHECKING:
+    from raybundle.workflows.surface import Surface
+
 POINTS = 2.0
 """Points of a depth map along the side of a cell, where nobody says how large cells are: most have some then."""
+EDGE, LOOKED_AT = 1e-3, 5
+"""Share of the points beyond each edge of the area that is proposed, and one in so many that tell it."""
 TEXTURE_PX = 8192
 """Longer side of the picture on a mesh, where no other is asked for: what graphics cards take."""
 
@@ -31,6 +37,23 @@ class Grids:
     orthophoto: Grid | None = None
     told: tuple[str, ...] = ()
     """remarks"""
+
+
+def area_of_points(surface: Surface, grid: HeightGrid) -> tuple[int, Array]:
+    """How many points lie beside a grid, and left, bottom, right, top in whole cells that hold nearly all of them.
+
+    At each edge EDGE of the points are left out, which may be wrong ones far away; it is never less than the grid.
+    """
+    g, outside, some = grid.grid, 0, list[Array]()
+    for cloud in surface.parts():
+        uv = grid.plane.coordinates(cloud.xyz)[:, :2]
+        at = grid.cells(uv)
+        outside += int(((at < 0) | (at >= [g.width, g.height])).any(axis=1).sum())
+        some.append(uv[::LOOKED_AT])
+    low, high = np.quantile(np.concatenate(some), [EDGE, 1 - EDGE], axis=0)
+    mine = np.array([g.left, g.top - g.height * g.pixel, g.left + g.width * g.pixel, g.top])
+    area = np.concatenate([np.minimum(low, mine[:2]), np.maximum(high, mine[2:])])
+    return outside, whole_pixels(area, g.pixel)
 
 
 def grids_over(

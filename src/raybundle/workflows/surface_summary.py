@@ -32,24 +32,28 @@ PICTURE_CELLS = 900
 """Longer side of the pictures of heights."""
 
 
-def summary_of(surface: Surface, unit: str, file: HeightFile | None = None) -> SurfaceSummary:
+def summary_of(surface: Surface, unit: str, file: HeightFile | None = None, written: int = 0) -> SurfaceSummary:
     """All that a page of a surface tells.
 
-    file  what the heights lie on; None: there are none
+    file     what the heights lie on; None: there are none
+    written  points in the files, where they were thinned
     """
-    parts, rays, grazed = list[Array](), np.zeros(256, int), 0
+    parts, axes, rays, grazed = list[Array](), list[Array](), np.zeros(256, int), 0
     for cloud in surface.parts():
         parts.append(np.asarray(cloud.parts[::SAMPLE], float))
+        axes.append(np.asarray(cloud.sigma[::SAMPLE], float))
         rays += np.bincount(cloud.views, minlength=256)
         grazed += int((cloud.incidence < GRAZING).sum())
-    squares = np.concatenate(parts) ** 2 if parts else np.zeros((0, 3))
+    squares, of_axes = (np.concatenate(x) ** 2 if x else np.zeros((0, 3)) for x in (parts, axes))
     maps, correlation = list[MapSummary](), list[Array]()
     for (image, _), given in zip(surface.clouds, surface.counts, strict=True):
         told, found = _of_map(surface, image, given)
         maps.append(told)
         correlation.append(found)
     return SurfaceSummary(
-        points=len(surface), unit=unit, sigma=_quantiles(np.sqrt(squares.sum(axis=1))),
+        points=len(surface), written=written, unit=unit, sigma=_quantiles(np.sqrt(squares.sum(axis=1))),
+        position=_quantiles(np.sqrt(of_axes.sum(axis=1))),
+        axes=np.array([_quantiles(np.sqrt(of_axes[:, k])) for k in range(3)]),
         parts=np.array([_quantiles(np.sqrt(squares[:, k])) for k in range(3)]), shares=_shares(squares),
         rays=rays[: _last(rays)],
         incidence=grazed / max(len(surface), 1), maps=tuple(maps), left_out=surface.left_out,
@@ -62,7 +66,7 @@ def summary_of(surface: Surface, unit: str, file: HeightFile | None = None) -> S
 def _shares(squares: Array) -> tuple[float, float, float]:
     if not len(squares):
         return 0.0, 0.0, 0.0
-    noise, roughness, orientation = np.median(squares / squares.sum(axis=1)[:, None], axis=0).tolist()
+    noise, roughness, orientation = np.mean(squares / squares.sum(axis=1)[:, None], axis=0).tolist()
     return noise, roughness, orientation
 
 
@@ -80,7 +84,8 @@ def _quantiles(values: Array) -> tuple[float, ...]:
 def _of_map(surface: Surface, image: int, given: int) -> tuple[MapSummary, Array]:
     """What is told of a map, and how its errors are correlated by distance."""
     store: Folder = surface.store
-    found = DepthMap.of_arrays(store.wanted(surface.maps[image])).sure()
+    place = store.wanted(dict(surface.clouds)[image], ("place",))["place"]
+    found = DepthMap.of_arrays(store.wanted(surface.maps[image])).sure(place)
     sigma = store.wanted(surface.sigmas[image], ("sigma",))["sigma"]
     with np.errstate(divide="ignore", invalid="ignore"):
         length = sigma / np.square(found.t, dtype=float)
@@ -121,6 +126,7 @@ def _heights(surface: Surface, file: HeightFile) -> HeightSummary | None:
     return HeightSummary(
         height=pictures[0], sigma=pictures[1], cell=k * file.cell, left=file.left, top=file.top,
         share=known / (file.width * file.height), profile=np.stack([across, *profile], axis=1),
+        in_map=bool(file.wkt),
     )  # fmt: skip
 
 

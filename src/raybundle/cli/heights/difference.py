@@ -29,7 +29,8 @@ def command(before: Path, after: Path, **given: Any) -> None:
     Errors of the two orientations move large parts alike: whether the whole has moved by more than they allow is told
     apart from what has moved against the rest. For that the chance of any false alarm on the whole surface is 5 %.
     FOLDER gets difference.tif (difference, movement against the rest, both with sigma, significance, region),
-    moved.csv and moved.gpkg with area, mean movement and volume of each region, and difference.png.
+    moved.csv, moved.geojson and, where something has moved, moved.gpkg with area, mean movement and volume of each
+    region, and difference.png.
 
     \b
     Example:
@@ -64,9 +65,9 @@ def _lines(found: MeasuredDifference) -> list[str]:
     lines = [
         f"{found.compared:.0%} of the heights before have one after",
         (
-            f"the whole: shift {measured(w.shift.value, w.shift.sigma, unit)}, tilts {w.tilt[0]:.2g} (sigma "
-            f"{w.tilt_sigma[0]:.2g}) and {w.tilt[1]:.2g} (sigma {w.tilt_sigma[1]:.2g}): chi2 {w.chi2:.3g} of 3, limit "
-            f"{w.limit:.3g}: {verdict}"
+            f"the whole: shift {measured(w.shift.value, w.shift.sigma, unit)}, tilts "
+            f"{measured(w.tilt[0], w.tilt_sigma[0], '')} and {measured(w.tilt[1], w.tilt_sigma[1], '')}: chi2 "
+            f"{w.chi2:.3g} of 3, limit {w.limit:.3g}: {verdict}"
         ),
     ]
     if not m.regions:

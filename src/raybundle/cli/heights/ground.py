@@ -11,7 +11,10 @@ from raybundle.cli.common import FOLDER, NEW_FOLDER, Command, facts, significant
 from raybundle.cli.heights.words import FREE
 from raybundle.cli.settings import options_of, values_of
 from raybundle.commands.heights.ground import HeightsGroundSettings, run_ground
-from raybundle.settings import made
+from raybundle.settings import made, option
+
+SPANNED = 0.2
+"""Share of a ground beyond which the gaps it spans are warned of: what a volume may have of filled holes"""
 
 
 @click.command("ground", cls=Command)
@@ -41,6 +44,11 @@ def command(source: Path, **given: Any) -> None:
         click.echo(
             f" ground: sigma {significant(found.sigma)}{unit} in the median where it was measured; {found.filled:.1%} "
             f"of it spans gaps, sigma {significant(found.filled_sigma)}{unit}"
+        )
+    if found.filled > SPANNED:
+        click.echo(
+            f" caution: {found.filled:.0%} of this ground was not measured but spans gaps: a smaller "
+            f"{option('largest')} or a larger {option('slope')} leaves more of what was"
         )
     if not unit:
         click.echo(f" {FREE}")

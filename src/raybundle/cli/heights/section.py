@@ -7,8 +7,8 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from raybundle.cli.common import FOLDER, NEW_FILE, Command, facts
-from raybundle.cli.heights.words import FREE, measured
+from raybundle.cli.common import FOLDER, NEW_FILE, Command, facts, significant
+from raybundle.cli.heights.words import FREE, measured, plain
 from raybundle.cli.settings import options_of, values_of
 from raybundle.commands.heights.section import HeightsSectionSettings, run_section
 from raybundle.settings import made
@@ -32,9 +32,12 @@ def command(source: Path, **given: Any) -> None:
       raybundle heights section facade-project/surface --line "-1 0, 1 0" --between 0.2 1.8
     """  # noqa: D301
     found = run_section(made(HeightsSectionSettings, {"source": source, **values_of(HeightsSectionSettings, given)}))
+    import numpy as np  # noqa: PLC0415
+
     facts(unit=found.unit, files=[str(f) for f in found.files], sections=[
         {
             "name": m.name, "length": float(m.section.distance[-1]), "places": len(m.section.distance),
+            "with_height": float(np.isfinite(m.section.height).mean()),
             "mean": None if m.mean is None else m.mean.value, "mean_sigma": None if m.mean is None else m.mean.sigma,
             "difference": None if m.difference is None else m.difference.value,
             "difference_sigma": None if m.difference is None else m.difference.sigma,
@@ -50,17 +53,25 @@ def _lines(found: MeasuredSections) -> list[str]:
     lines = list[str]()
     for m in found.sections:
         known = np.isfinite(m.section.height)
-        far = f"{m.section.distance[-1]:.6g} {found.unit}".rstrip()
+        far = f"{plain(float(m.section.distance[-1]))} {found.unit}".rstrip()
         if m.mean is None:
             lines.append(f"{m.name}: {far}, nowhere a height")
             continue
+        share = float(known.mean())
         lines.append(
-            f"{m.name}: {far}, {known.mean():.0%} of it with a height; mean height "
+            f"{m.name}: {far}, {share:.0%} of it with a height; mean height "
             f"{measured(m.mean.value, m.mean.sigma, found.unit)}; sigma of a place "
-            f"{np.median(m.section.sigma[known]):.2g} in the median"
+            f"{significant(float(np.median(m.section.sigma[known])), 2)} in the median"
         )
+        if share < 1:
+            lines.append(f"caution: that mean is of {_share(share)} of the line; of the rest nothing was measured")
         if m.difference is not None:
             lines.append(f"difference of height: {measured(m.difference.value, m.difference.sigma, found.unit)}")
     if not found.unit:
         lines.append(FREE)
     return [*lines, *(str(f) for f in found.files)]
+
+
+def _share(share: float) -> str:
+    """In percent, and less than all where it is not all."""
+    return f"{min(share, 0.999):.1%}"

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from raybundle.cli.common import FOLDER, Command, facts
-from raybundle.cli.heights.words import FREE, measured
+from raybundle.cli.heights.words import FREE, measured, plain, two_digits
 from raybundle.cli.settings import options_of, values_of
 from raybundle.commands.heights.volume import HeightsVolumeSettings, run_volume
 from raybundle.settings import made
@@ -52,14 +52,16 @@ def _lines(found: MeasuredVolume) -> list[str]:
         f"above {found.base}: {measured(v.above.value, v.above.sigma, unit, 3)}",
         f"below: {measured(v.below.value, v.below.sigma, unit, 3)}",
         (
-            f"net: {measured(v.net.value, v.net.sigma, unit, 3)}; of its sigma {v.net.local:.2g} is local, "
-            f"{v.net.orientation:.2g} orientation"
+            f"net: {measured(v.net.value, v.net.sigma, unit, 3)}; of its sigma "
+            f"{two_digits(v.net.local)} is local, {two_digits(v.net.orientation)} orientation"
         ),
         f"mean height above the base: {measured(v.net.value / v.plan_area, v.mean_sigma, unit)}",
-        f"area in plan {v.plan_area:.6g}{square}, true area {measured(v.true_area, v.true_area_sigma, unit, 2)}",
+        f"area in plan {plain(v.plan_area)}{square}, true area {measured(v.true_area, v.true_area_sigma, unit, 2)}",
     ]
     if v.filled:
-        lines.append(f"{v.filled:.2%} of the area was filled; sigma of the net volume by that {v.filled_sigma:.2g}")
+        lines.append(
+            f"{v.filled:.2%} of the area was filled; sigma of the net volume by that {two_digits(v.filled_sigma)}"
+        )
     if not unit:
         lines.append(FREE)
     return lines

@@ -4,12 +4,42 @@ from __future__ import annotations
 
 import math
 
+from raybundle.cli.common import grouped, significant
+
+MOST_PLACES = 9
+GROUPED = 1e4
 FREE = "the scale is free: lengths have no unit"
 
 
 def measured(value: float, sigma: float, unit: str, power: int = 1) -> str:
-    """A value with its standard deviation and unit, to two digits of the standard deviation."""
-    digits = 2 - math.ceil(math.log10(sigma)) if sigma > 0 and math.isfinite(sigma) else 4
-    digits = min(max(digits, 0), 12)
+    """A value with its standard deviation and unit, both to two digits of the standard deviation."""
     name = f" {unit}{power if power > 1 else ''}" if unit else ""
-    return f"{value:.{digits}f}{name} (sigma {sigma:.2g})"
+    if not (sigma > 0 and math.isfinite(sigma)):
+        return f"{plain(value)}{name} (sigma {'0' if sigma == 0 else '?'})"
+    places = 1 - math.floor(math.log10(sigma))
+    if places > MOST_PLACES:
+        return f"{plain(value)}{name} (sigma {significant(sigma, 2)})"
+    return (
+        f"{_whole(round(value, places), max(places, 0))}{name} (sigma {_whole(round(sigma, places), max(places, 0))})"
+    )
+
+
+def two_digits(sigma: float) -> str:
+    """A standard deviation."""
+    return significant(sigma, 2) if sigma > 0 else "0"
+
+
+def plain(value: float, digits: int = 6) -> str:
+    """A number that is exact or has no standard deviation, to six digits or whole."""
+    if value and not 1e-4 <= abs(value) < 1e15:
+        return f"{value:.{digits}g}"
+    places = 0 if value == 0 else max(0, digits - 1 - math.floor(math.log10(abs(value))))
+    text = _whole(value, places)
+    return text.rstrip("0").rstrip(".") if "." in text else text
+
+
+def _whole(value: float, places: int) -> str:
+    """With so many decimals, thousands apart from 10 000 on as all counts are."""
+    text = f"{value + 0.0:.{places}f}"
+    whole, dot, rest = text.partition(".")
+    return f"{grouped(int(whole))}{dot}{rest}" if abs(value) >= GROUPED else text

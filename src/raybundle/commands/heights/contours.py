@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -49,7 +49,7 @@ def run_contours(settings: HeightsContoursSettings) -> DrawnContours:
     from raybundle.workflows.contour_files import write_contours  # noqa: PLC0415
     from raybundle.workflows.heights_read import opened  # noqa: PLC0415
 
-    s = settings
+    s = replace(settings, out=tuple(dict.fromkeys(settings.out)))
     if s.interval is None:
         raise InputError(f"the interval is not given; say {option('interval', 'HEIGHT')}")
     if not s.out:

@@ -59,6 +59,8 @@ def run_difference(settings: HeightsDifferenceSettings) -> MeasuredDifference:
     model = difference(before.model, on_same_grid(before, after))
     if not model.known.any():
         raise InputError(f"shows nothing of what {s.before} shows: no cell has a height in both", file=s.after)
+    if not (model.known & (model.local > 0)).any():
+        raise InputError(f"has the very heights of {s.before}: it is the same measurement; give another", file=s.after)
     a, b = before.model, after.model
     orientations = ""
     if a.adjustment and a.adjustment == b.adjustment:

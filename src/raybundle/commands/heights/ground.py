@@ -64,6 +64,20 @@ def run_ground(settings: HeightsGroundSettings) -> MadeGround:
             "left to tell it by",
             file=s.source,
         )
+    height = o.model.heights.height[o.model.known]
+    reach = float(height.max() - height.min())
+    if largest < f.cell:
+        raise InputError(
+            f"{option('largest', largest)} is less than a cell, {f.cell:g}: nothing so small shows; give the width of "
+            "the largest thing that stands on the ground",
+            file=s.source,
+        )
+    if s.slope / 100 * f.cell > reach:
+        raise InputError(
+            f"{option('slope', s.slope)} rises {s.slope / 100 * f.cell:.3g} over a cell, more than all heights lie "
+            f"apart, {reach:.3g}: nothing could stand on the ground; give the slope of the ground in percent",
+            file=s.source,
+        )
     found, stands = ground(o.model, largest / f.cell, s.slope / 100)
     if not found.known.any():
         raise InputError("everything stands on the ground by these settings; give a larger slope", file=s.source)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -65,7 +65,7 @@ def run_section(settings: HeightsSectionSettings) -> MeasuredSections:
     from raybundle.surfaces.sections import section  # noqa: PLC0415  (what computes is loaded after the help)
     from raybundle.workflows.heights_read import lines_of, opened  # noqa: PLC0415
 
-    s = settings
+    s = replace(settings, out=tuple(dict.fromkeys(settings.out)))
     if not s.line:
         raise InputError(f"no line is given; say along what with {option('line', 'CORNERS')}")
     for path in s.out:
@@ -77,7 +77,7 @@ def run_section(settings: HeightsSectionSettings) -> MeasuredSections:
     step = (s.step or o.file.cell) / o.file.cell
     made = list[MeasuredSection]()
     for k, (_, xy) in enumerate(lines, 1):
-        made.append(_one(s, section(o.model, _checked(o, xy, step, k), step), f"section {k}"))
+        made.append(_one(s, o, section(o.model, _checked(o, xy, step, k), step), f"section {k}"))
     _write(s, o, made)
     return MeasuredSections(sections=tuple(made), unit=o.unit, files=s.out)
 
@@ -102,7 +102,7 @@ def _checked(o: Opened, xy: object, step: float, number: int):  # noqa: ANN202
     return cells
 
 
-def _one(s: HeightsSectionSettings, found: Section, name: str) -> MeasuredSection:
+def _one(s: HeightsSectionSettings, o: Opened, found: Section, name: str) -> MeasuredSection:
     import numpy as np  # noqa: PLC0415
 
     difference = None
@@ -110,11 +110,28 @@ def _one(s: HeightsSectionSettings, found: Section, name: str) -> MeasuredSectio
         far = float(found.distance[-1])
         if max(s.between) > far * (1 + 1e-9):
             raise InputError(f"{name} is {far:.6g} long; {option('between')} asks for a place at {max(s.between):g}")
-        if not np.isfinite(found.height).any():
-            raise InputError(f"{name} has no height")
-        one, other = (found.nearest(v) for v in s.between)
-        difference = found.difference(other, one)
+        if s.between[0] == s.between[1]:
+            raise InputError(f"{option('between')} asks twice for the place at {s.between[0]:g}; give two places")
+        both = found.at(np.array(s.between))
+        for k in np.flatnonzero(~np.isfinite(both.height)).tolist():
+            raise InputError(_nothing_at(o, found, both, k, name))
+        difference = both.difference(1, 0)
     return MeasuredSection(name=name, section=found, mean=found.mean, difference=difference)
+
+
+def _nothing_at(o: Opened, found: Section, both: Section, k: int, name: str) -> str:
+    """That a place of a line has no height, and what to do."""
+    x, y = o.places(both.place[k : k + 1])[0]
+    far, unit = float(both.distance[k]), f" {o.unit}" if o.unit else ""
+    told = f"{name} has no height {far:.6g}{unit} from its beginning (at {x:.8g} {y:.8g})"
+    nearest = found.nearest(far)
+    if nearest is None:
+        return f"{told}, nor anywhere else; choose another line, or fill the hole with {option('fill', 'WIDTH')}"
+    there = float(found.distance[nearest])
+    return (
+        f"{told}: the nearest place of it with a height is {abs(there - far):.3g}{unit} away, {there:.6g}{unit} from "
+        f"the beginning; ask {option('between')} for another place, or fill the hole with {option('fill', 'WIDTH')}"
+    )
 
 
 def _write(s: HeightsSectionSettings, o: Opened, made: list[MeasuredSection]) -> None:

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+import math
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -11,7 +12,10 @@ from raybundle.errors import InputError
 from raybundle.settings import ANY, POSITIVE, option, setting
 
 if TYPE_CHECKING:
+    from raybundle.numerics.arrays import Array
+    from raybundle.surfaces.height_model import HeightModel
     from raybundle.surfaces.volumes import Volume
+    from raybundle.workflows.heights_read import Opened
 
 RIM = "rim"
 
@@ -50,47 +54,47 @@ class MeasuredVolume:
 
 def run_volume(settings: HeightsVolumeSettings) -> MeasuredVolume:
     """The volume that the settings ask for."""
-    import numpy as np  # noqa: PLC0415  (what computes is loaded after the help)
-
-    from raybundle.io.reading.words import number_of  # noqa: PLC0415
+    from raybundle.io.reading.words import number_of  # noqa: PLC0415  (what computes is loaded after the help)
+    from raybundle.surfaces.holes import filled  # noqa: PLC0415
     from raybundle.surfaces.resampled import difference  # noqa: PLC0415
     from raybundle.surfaces.volumes import volume  # noqa: PLC0415
-    from raybundle.workflows.heights_read import covered_by, on_same_grid, opened  # noqa: PLC0415
+    from raybundle.workflows.heights_read import covered_by, on_same_grid, opened, outlined  # noqa: PLC0415
 
     s = settings
     if s.outline and s.extent is not None:
         raise InputError(f"{option('outline')} and {option('extent')} both say where; give one of them")
-    o = opened(s.source, 0.0)
-    o = opened(s.source, CELLS_FILLED * o.file.cell if s.fill is None else s.fill)
+    o = opened(s.source)
     level = number_of(s.above)
     if level is None and s.above != RIM and not Path(s.above).is_dir():
         raise InputError(
             f"{option('above', s.above)} is no height, no folder of a surface, and not {RIM}; give one of them"
         )
-    if level is None and s.above == RIM and not s.outline and s.extent is None:
+    everything = not s.outline and s.extent is None
+    if level is None and s.above == RIM and everything:
         raise InputError(
             f"a base by the rim needs an outline; give {option('outline', 'FILE')}, or {option('above', 'HEIGHT')}"
         )
-    model, words = (
-        o.model,
-        f"the height {level:g}" if level is not None else "the plane by the heights along the outline",
-    )
-    if level is None and s.above != RIM:
-        model = difference(on_same_grid(o, opened(Path(s.above), s.fill or CELLS_FILLED * o.file.cell)), o.model)
-        level, words = 0.0, f"the surface {s.above}"
-    covered = covered_by(o, s.outline, s.extent)
-    lost = (covered > 0) & ~model.known
-    if lost.any():
-        if not s.outline and s.extent is None:
-            covered = np.where(lost, 0.0, covered)
-        else:
-            share = float(covered[lost].sum() / covered.sum())
-            raise InputError(
-                f"{share:.1%} of the area has no height: holes wider than {option('fill')} allows; fill them with a "
-                "larger width, or take them out of the outline",
-                file=s.source,
-            )
-    found = volume(model, covered, level)
+    model, base, words = o.model, level, "the plane by the heights along the outline"
+    if level is not None:
+        words = f"the height {level:g}"
+    elif s.above != RIM:
+        model, base = difference(on_same_grid(o, opened(Path(s.above))), o.model), 0.0
+        words = f"the surface {s.above}"
+    areas = outlined(o, s.outline, s.extent)
+    covered = None if everything else covered_by(o, areas)
+    widest = CELLS_FILLED * o.file.cell if s.fill is None else s.fill
+    before = model
+    if widest:
+        model = filled(before, widest / o.file.cell / 2, None if covered is None else covered > 0)
+    if covered is None:
+        covered = model.known.astype(float)
+    elif ((covered > 0) & ~model.known).any():
+        raise InputError(_lost(o, before, model, covered), file=s.source)
+    found = volume(model, covered, [r for rings in areas for r in rings] if base is None else base)
+    if s.above != RIM and level is None:
+        # what was filled below a surface, as the ground is, is no part of the surface that is missing
+        own = ~o.model.known if o.model.holes is None else ~o.model.known | o.model.holes.filled
+        found = replace(found, filled=float(covered[own].sum() / covered.sum()))
     if 100 * found.filled > s.most_filled:
         raise InputError(
             f"{found.filled:.0%} of the area was filled, more than {s.most_filled:g} %; photograph what is missing, or "
@@ -98,3 +102,27 @@ def run_volume(settings: HeightsVolumeSettings) -> MeasuredVolume:
             file=s.source,
         )
     return MeasuredVolume(volume=found, unit=o.unit, base=words)
+
+
+def _lost(o: Opened, before: HeightModel, model: HeightModel, covered: Array) -> str:
+    """That cells within an outline have no height, where the widest hole is, and what to do."""
+    import numpy as np  # noqa: PLC0415
+
+    from raybundle.surfaces.holes import depths  # noqa: PLC0415
+
+    lost = (covered > 0) & ~model.known
+    depth = np.where(lost, depths(before), 0.0)
+    row, column = np.unravel_index(int(depth.argmax()), depth.shape)
+    (x, y), far = o.places(np.array([[column + 0.5, row + 0.5]]))[0], float(depth.max()) * o.file.cell
+    unit, n = f" {o.unit}" if o.unit else "", int(lost.sum())
+    return (
+        f"{float(covered[lost].sum() / covered.sum()):.2%} of the area has no height ({n} of its cells): what lies "
+        f"deepest in a hole is at {x:.8g} {y:.8g}, {far:.3g}{unit} from the nearest measured one; fill it with "
+        f"{option('fill', _upwards(2 * far))}, or take it out of the outline"
+    )
+
+
+def _upwards(value: float) -> str:
+    """A number with two digits that is no smaller."""
+    power = 10.0 ** (math.floor(math.log10(value)) - 1)
+    return f"{math.ceil(value / power * (1 - 1e-9)) * power:.6g}"

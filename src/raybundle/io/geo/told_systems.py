@@ -28,6 +28,19 @@ def told_system(crs: str) -> CRS:
     return found if found.equals(system, ignore_axis_order=True) else system
 
 
+def system_with_heights(crs: str) -> CRS | None:
+    """A projected system with what its heights count from: compound, or in three dimensions above the ellipsoid.
+
+    None where the text says nothing of heights, and where a geoid of its own is tied to it, which files do not hold.
+    """
+    system = parse_crs(crs)
+    if system.is_bound or plan_system(crs) is None:
+        return None
+    if system.is_compound:
+        return None if any(part.is_bound for part in system.sub_crs_list) else told_system(crs)
+    return told_system(crs).to_3d() if len(system.axis_info) == 3 else None
+
+
 def plan_system(crs: str) -> CRS | None:
     """The plan part of a system, for pictures in it; None where its coordinates are no lengths in a plane."""
     system = told_system(crs)

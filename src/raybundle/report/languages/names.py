@@ -42,7 +42,7 @@ def names_of(
             yield name
     if delivery is not None:
         yield from astuple(delivery.record)
-        yield from (f for f in delivery.files if "." in f)
+        yield from (f for f in (*delivery.files, delivery.surface) if "." in f)
         yield "block/"  # the folder; without its stroke it is a word as well
         if delivery.frame is not None:
             yield delivery.frame.crs

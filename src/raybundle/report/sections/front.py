@@ -58,21 +58,29 @@ MOST_ROWS, FEW_ROWS = 5, 3
 MOST_TURNED = 100_000
 """Points whose standard deviations are turned into the client's axes"""
 HECTARE = 1e4
+SURFACE_AGAIN = (
+    "They are of the result that stood here when they were measured; surface measures them again of this one."
+)
 
 
 @chapter("front", after="", part="client")
 def front(o: Occasion) -> tuple[Section, ...]:
     """The page that a client reads."""
     d = o.delivery or delivery_of(o.view.adjustment)
-    parts: list[Part] = [Statements(statements=_head(o, d)), Facts(facts=_facts(o, d))]
-    drawn = object_view(o.view, from_above=d.flight is not None, heights=d.heights)
-    if drawn is not None:
-        parts.append(Figures(figures=(Figure(drawing=drawn.drawing, caption=drawn.caption),)))
-    parts += [*(_cameras(o) if o.qualities else (*_accuracy(o.view, d), *length_parts(o.view))), *_next(o, d)]
+    parts = [Statements(statements=head_of(o, d)), *glance_parts(o, d), *next_parts(o, d)]
     return (Section(anchor="front", title="At a glance", parts=tuple(parts)),)
 
 
-def _head(o: Occasion, d: Delivery) -> tuple[tuple[str, str], ...]:
+def glance_parts(o: Occasion, d: Delivery) -> tuple[Part, ...]:
+    """Key figures, the object, and how good its points are."""
+    parts: list[Part] = [Facts(facts=_facts(o, d))]
+    drawn = object_view(o.view, from_above=d.flight is not None, heights=d.heights)
+    if drawn is not None:
+        parts.append(Figures(figures=(Figure(drawing=drawn.drawing, caption=drawn.caption),)))
+    return (*parts, *(_cameras(o) if o.qualities else (*_accuracy(o.view, d), *length_parts(o.view))))
+
+
+def head_of(o: Occasion, d: Delivery) -> tuple[tuple[str, str], ...]:
     """Who, what, where and when, the verdict, and what was asked for."""
     r = d.record
     pairs = [
@@ -372,9 +380,11 @@ def _weakest(view: View) -> str:
     return f" The largest is that of point {view.given.points.ids[k]}, seen in {seen}."
 
 
-def _next(o: Occasion, d: Delivery) -> list[Part]:
+def next_parts(o: Occasion, d: Delivery) -> list[Part]:
     """What to do next, and what is handed over all the same."""
     steps, files = next_steps(o), handed_over(d.files)
+    dense = [Paragraph(text=f"Dense points: {d.surface}, of the result that stood here when they were measured.")]
+    dense = dense if d.surface else []
     if steps:
         every = len(steps) + steps_left(o)
         rests = tuple(f"{counted(every - k, 'more matter')}: see the warnings." if k < every else ""
@@ -382,7 +392,7 @@ def _next(o: Occasion, d: Delivery) -> list[Part]:
         listed_ = f"Handed over: {', '.join(name for name, _ in files)}." if files else ""
         return [
             Heading(text="What to do next"), Statements(statements=steps, rests=rests),
-            *([Heading(text="What is handed over"), Paragraph(text=listed_)] if listed_ else []),
+            *([Heading(text="What is handed over"), Paragraph(text=listed_)] if listed_ else []), *dense,
         ]  # fmt: skip
     settled = "Nothing has to be settled."
     if any(x.kept is False for x in d.outcomes):
@@ -390,4 +400,5 @@ def _next(o: Occasion, d: Delivery) -> list[Part]:
     told = "; ".join(f"{name} ({words})" for name, words in files)
     return [
         Heading(text="What is handed over"), Paragraph(text=f"{settled} Handed over: {told}." if told else settled),
+        *dense,
     ]  # fmt: skip

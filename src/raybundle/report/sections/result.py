@@ -3,18 +3,31 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 
 import numpy as np
 
 from raybundle.adjustment.counts import counts
 from raybundle.adjustment.network import classed
-from raybundle.adjustment.result import Adjustment, as_told
+from raybundle.adjustment.result import Adjustment, Notice, as_told
 from raybundle.adjustment.severity import Severity
 from raybundle.adjustment.spread import few_hold
 from raybundle.numerics.arrays import Array
 from raybundle.observations import observation_kinds
 from raybundle.report.chapters import Occasion, chapter, section
-from raybundle.report.parts import Column, Fact, Facts, Heading, Paragraph, Part, Section, Statements, table, text
+from raybundle.report.parts import (
+    Column,
+    Fact,
+    Facts,
+    Heading,
+    Paragraph,
+    Part,
+    Section,
+    Statements,
+    Table,
+    table,
+    text,
+)
 from raybundle.report.text.numbers import NONE, counted, fixed, grouped, listed, significant, unbroken
 from raybundle.report.text.words import Verdict, datum_words, free_std, held_by, not_told, open_datum, relative_words
 from raybundle.report.view import View, rms
@@ -25,18 +38,22 @@ def result_section(view: View, verdict: Verdict) -> Section:
     parts: list[Part] = [Facts(facts=_key_figures(view)), Statements(statements=verdict.statements)]
     notices = as_told(view.adjustment.notices)
     if notices:
-        rows = [[n.severity.value for n in notices], [unbroken(n.message) for n in notices]]
-        parts.append(Heading(text="Warnings and remedies"))
-        marked = [k for k, n in enumerate(notices) if n.severity is Severity.FAULT]
-        columns = (text(""), text("what, how much, and what to do"))
-        note = (
-            "Fault: settle it before the result is used. Caution: part of the result is weaker, or less, than it might "
-            "be taken for. Remark: what was done or chosen."
-        )
-        parts.append(table(columns, rows, most=200, rest="result.json", marked=marked, note=note, stays=True))
+        parts += [Heading(text="Warnings and remedies"), warnings_table(notices)]
     parts.append(Heading(text="What these numbers do not tell"))
     parts.append(Statements(statements=not_told(view)))
     return Section(anchor="result", title="Result", parts=tuple(parts))
+
+
+def warnings_table(notices: Sequence[Notice]) -> Table:
+    """Notices in full, one a row."""
+    rows = [[n.severity.value for n in notices], [unbroken(n.message) for n in notices]]
+    marked = [k for k, n in enumerate(notices) if n.severity is Severity.FAULT]
+    columns = (text(""), text("what, how much, and what to do"))
+    note = (
+        "Fault: settle it before the result is used. Caution: part of the result is weaker, or less, than it might "
+        "be taken for. Remark: what was done or chosen."
+    )
+    return table(columns, rows, most=200, rest="result.json", marked=marked, note=note, stays=True)
 
 
 def _median(std: Array, unit: str) -> str:

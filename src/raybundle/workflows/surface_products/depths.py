@@ -14,6 +14,7 @@ from raybundle.io.pictures.geotiff import TILE_PX, new_geotiff
 from raybundle.io.pictures.rectified import toml_text
 from raybundle.io.raster_library import raster_library
 from raybundle.numerics.arrays import Array
+from raybundle.numerics.counting import counted
 from raybundle.surfaces.depth_map import DepthMap
 from raybundle.surfaces.rays import ReferenceRays
 from raybundle.workflows.surface import Surface
@@ -38,13 +39,14 @@ def _write(surface: Surface, out: Path, context: Context) -> Written:
     measured = 0
     with new_folder(out / FOLDER, replacing=True) as folder:
         for (image, key), name in zip(sorted(surface.maps.items()), names, strict=True):
-            found = DepthMap.of_arrays(surface.store.wanted(key)).sure()
+            given = surface.store.wanted(dict(surface.clouds)[image], ("place",))["place"]
+            found = DepthMap.of_arrays(surface.store.wanted(key)).sure(given)
             sigma = surface.store.wanted(surface.sigmas[image], ("sigma",))["sigma"]
             rays = ReferenceRays.of(surface.block, image)
             measured += _write_one(folder / name, rays, found, np.asarray(sigma))
             about[json.dumps(name)] = _about(surface, image, rays, found)
         (folder / ABOUT).write_text(toml_text(about), encoding="utf-8")
-    told = f"{len(names)} depth maps, {measured} depths"
+    told = f"{counted(len(names), 'depth map')}, {counted(measured, 'depth')}"
     return Written(files=(out / FOLDER,), told=(told,))
 
 

@@ -12,6 +12,7 @@ from raybundle.io.folders import new_files
 from raybundle.io.formats.las import LasPoints, las_library, steps_for, write_las, writes_laz
 from raybundle.io.formats.surveyed import Surveyed, surveyed
 from raybundle.numerics.arrays import Array
+from raybundle.numerics.counting import counted
 from raybundle.workflows.surface import Surface
 from raybundle.workflows.surface_product import Context, Points, Product, Written, register
 from raybundle.workflows.surface_state import Cloud
@@ -70,7 +71,7 @@ def _write(surface: Surface, out: Path, context: Context) -> Written:
         write_las(file, parts(), offsets=offsets, steps=steps, system=system.view.system)
     other.unlink(missing_ok=True)
     name = system.view.system_name
-    told = [f"{len(context.points)} points in {name or 'the axes of the block'}, in steps of {steps[2]:g}"]
+    told = [f"{counted(len(context.points), 'point')} in {name or 'the axes of the block'}, in steps of {steps[2]:g}"]
     if not context.unit:
         told.append("the scale is free: coordinates and standard deviations have no unit, and LAS cannot say so")
     if not laz:

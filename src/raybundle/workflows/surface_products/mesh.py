@@ -12,6 +12,7 @@ from PIL.JpegImagePlugin import JpegImageFile
 from raybundle.io.folders import new_files
 from raybundle.io.formats.ply import write_vertices
 from raybundle.numerics.arrays import Array
+from raybundle.numerics.counting import counted, grouped, significant
 from raybundle.workflows.surface import Surface
 from raybundle.workflows.surface_mesh import Mesh, mesh_of
 from raybundle.workflows.surface_product import Context, Product, Written, register
@@ -35,8 +36,8 @@ def _write(surface: Surface, out: Path, context: Context) -> Written:
         _write_obj(obj, mesh, unit)
         _write_glb(glb, mesh, picture, unit)
     told = (
-        f"{len(mesh.xyz)} vertices, {len(mesh.triangles)} triangles; standard deviation of a height "
-        f"{float(np.median(mesh.sigma)):.2g} {unit}".rstrip() + " in the median"
+        f"{grouped(len(mesh.xyz))} vertices, {counted(len(mesh.triangles), 'triangle')}; standard deviation of a "
+        f"height {significant(float(np.median(mesh.sigma)), 2)} {unit}".rstrip() + " in the median"
     )  # fmt: skip
     return Written(files=tuple(out / f for f in FILES), told=(told,))
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 
 from raybundle.io.raster_library import raster_library
+from raybundle.results.record import STATE
 from raybundle.workflows.orthophoto_files import FILES, write_orthophoto
 from raybundle.workflows.surface import Surface
 from raybundle.workflows.surface_product import Context, Product, Written, register
@@ -12,7 +13,7 @@ from raybundle.workflows.surface_product import Context, Product, Written, regis
 
 def _write(surface: Surface, out: Path, context: Context) -> Written:
     assert context.plane is not None
-    told = write_orthophoto(surface, context.plane, context.unit, out)
+    told = write_orthophoto(surface, context.plane, context.unit, out, context.export.record.get(STATE, ""))
     return Written(files=tuple(out / f for f in FILES), told=told)
 
 

@@ -34,8 +34,7 @@ def _write(surface: Surface, out: Path, context: Context) -> Written:
             yield cloud.xyz, cloud.colour, columns_of(cloud)
 
     write_in_parts(out / POINTS, len(context.points), parts(), tuple(comments))
-    few = len(context.points) < len(surface)
-    return Written(files=(out / POINTS,), told=(f"{len(context.points)} points, thinned",) if few else ())
+    return Written(files=(out / POINTS,), told=())
 
 
 PRODUCT = register(Product(name="", files=(POINTS,), write=_write))

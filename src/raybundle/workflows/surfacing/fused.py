@@ -18,7 +18,8 @@ from raybundle.pipeline.stage import Means, Stage
 from raybundle.pipeline.store import Folder, Product
 from raybundle.pipeline.tasks import Task
 from raybundle.surfaces.depth_map import DepthMap, doubtful_of
-from raybundle.surfaces.fusion import MapView, agreement
+from raybundle.surfaces.fusion import MapView, agreement, by_contrast
+from raybundle.surfaces.heights import between_two
 from raybundle.surfaces.normals import planes_at
 from raybundle.surfaces.orientation import CommonRoot, ShiftCovariance, shift_covariance
 from raybundle.surfaces.pairs import Sources
@@ -88,6 +89,8 @@ class CloudTask:
     shifts: tuple[str, ...]
     """of how orientation moves its map and the others'"""
     together: str
+    correlations: tuple[float, ...]
+    """of noise and roughness of the others' maps with those of its own"""
     region: SurfaceRegion | None = None
     """of which points are given; None: all"""
 
@@ -122,7 +125,7 @@ def fuse(i: Inputs, means: Means) -> Fused:
     all_done(means, sigma, "standard deviations of depths")
     sigmas = {k: t.key for k, t in zip(of, sigma, strict=True)}
     together = stored_together(i.adjustment, i.chosen, list(of), means, about)
-    tasks = [_task(i, means, of[k], shifts, sigmas, together) for k in of]
+    tasks = [_task(i, means, of[k], of, (shifts, sigmas, together)) for k in of]
     all_done(means, tasks, "maps against each other")
     return Fused(clouds={k: t.key for k, t in zip(of, tasks, strict=True)}, shifts=shifts, sigmas=sigmas)
 
@@ -141,23 +144,30 @@ def _shifts(means: Means, adjustment: Adjustment, about: str, s: Sources, t_rang
 
 
 def _task(
-    i: Inputs, means: Means, s: Sources, shifts: Mapping[int, str], sigmas: Mapping[int, str], together: str
-) -> Task:
-    """The task of a reference."""
+    i: Inputs, means: Means, s: Sources, of: Mapping[int, Sources],
+    keys: tuple[Mapping[int, str], Mapping[int, str], str],
+) -> Task:  # fmt: skip
+    """The task of a reference.
+
+    keys  of how orientation moves the maps, of their standard deviations, of the errors behind all orientations
+    """
+    shifts, sigmas, together = keys
     block, k = i.adjustment.adjusted, s.reference
     pairs = sorted((p for p in s.pairs if p.source in i.maps), key=lambda p: (-p.points, p.source))
-    others = sorted(p.source for p in pairs[:MOST_MAPS])
+    best = sorted(pairs[:MOST_MAPS], key=lambda p: p.source)
+    others = [p.source for p in best]
+    correlations = tuple(round(between_two(s, of[p.source], p.angle_deg), 3) for p in best)
     images = sorted([k, *others])
     own = stored_part(block, images, means.store)
     place = {image: n for n, image in enumerate(images)}
     maps, sigma, moved = (tuple(keys[j] for j in (k, *others)) for keys in (i.maps, sigmas, shifts))
     options = CloudTask(
         block=own, photo=i.photos[k], image=k, own=place[k], others=tuple(place[j] for j in others), maps=maps,
-        sigmas=sigma, shifts=moved, together=together, region=i.region,
+        sigmas=sigma, shifts=moved, together=together, correlations=correlations, region=i.region,
     )  # fmt: skip
     part = [] if i.region is None else [i.region]
     return Task(
-        key=key_of(CLOUD, VERSION, own, i.photos[k].content, k, maps, sigma, moved, together, *part),
+        key=key_of(CLOUD, VERSION, own, i.photos[k].content, k, maps, sigma, moved, together, correlations, *part),
         function=f"{__name__}:cloud_of", options=options, inputs=(own, *maps, *sigma, *moved, together),
         name=block.images.ids[k],
         cost=(1 + len(others)) * i.photos[k].width_px * i.photos[k].height_px * PIXEL_S,
@@ -179,7 +189,7 @@ def cloud_of(store: Folder, task: CloudTask) -> Product:
     mine = _view(block, task.own, kept, store.wanted(task.sigmas[0])["sigma"])
     known = np.isfinite(mine.t)
     if not task.others or not known.any():
-        return _cloud(store, task, block, found, mine, np.zeros(0, int), np.zeros(0, np.uint8))
+        return _cloud(store, task, block, found, mine, np.zeros(0, int), (np.zeros(0, np.uint8), np.ones(0)))
     between = float(np.nanmin(mine.t)), float(np.nanmax(mine.t)) * (1 + 1e-6)
     tables = [places_in(block, mine.rays, j, between) for j in task.others]
     probes = _Probes.of(store, task, found, mine)
@@ -188,7 +198,8 @@ def cloud_of(store: Folder, task: CloudTask) -> Product:
     if task.region is not None:
         inside = task.region.holds(mine.rays.points(mine.grid.xy_px[known], np.asarray(mine.t, float)[known]))
     given = told.kept & inside & (told.confirmed(inside) >= CONFIRMED)
-    return _cloud(store, task, block, found, mine, np.flatnonzero(known)[given], told.confirming[given])
+    more = by_contrast(told.scatter, np.asarray(found.contrast)[known])[given]
+    return _cloud(store, task, block, found, mine, np.flatnonzero(known)[given], (told.confirming[given], more))
 
 
 def _view(block: Block, image: int, kept: Product, whole: Array) -> MapView:
@@ -208,7 +219,8 @@ def _others(
         kept = store.lent(task.maps[k], ("grid", "t", "slopes", "noise", "roughness", "shift", "flags"))
         view = _view(block, j, kept, store.wanted(task.sigmas[k])["sigma"])
         shifts = ShiftCovariance.of_arrays(store.wanted(task.shifts[k])).among(own.together)
-        yield replace(view, apart=own.apart(view, kept["shift"], shifts, table))
+        apart, correlation = own.apart(view, kept["shift"], shifts, table), task.correlations[k - 1]
+        yield replace(view, apart=apart, correlation=correlation)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -252,16 +264,21 @@ def _moved(shifts: ShiftCovariance, view: MapView, shift: Array, at: Index) -> A
 
 
 def _cloud(
-    store: Folder, task: CloudTask, block: Block, found: DepthMap, mine: MapView, at: Array, confirmed: Array
+    store: Folder, task: CloudTask, block: Block, found: DepthMap, mine: MapView, at: Array, by: tuple[Array, Array]
 ) -> Product:  # fmt: skip
-    """Points of a map by their places in it."""
+    """Points of a map by their places in it.
+
+    by  (n,) other maps that confirm each; factors of its variance by noise and roughness
+    """
+    confirmed, more = by
     xy, t = mine.grid.xy_px.reshape(-1, 2)[at], np.asarray(found.t, float).ravel()[at]
     by_t, xyz = mine.rays.by_t(xy, t), mine.rays.points(xy, t)
     length = np.linalg.norm(by_t, axis=1)
     normal, area = planes_at(mine.rays, xy, t, found.smooth_slopes().reshape(2, -1)[:, at].astype(float))
     shifts = ShiftCovariance.of_arrays(store.wanted(task.shifts[0]))
     sensitivity = found.shift.reshape(-1, found.shift.shape[2], 2)[at]
-    noise, rough = (np.asarray(v, float).ravel()[at] for v in (found.noise, found.roughness + found.step))
+    noise, rough = (more * np.asarray(v, float).ravel()[at] for v in (found.noise, found.roughness))
+    rough += np.asarray(found.step, float).ravel()[at]
     sigma, along, across = np.zeros((len(at), 3)), np.zeros(len(at)), np.zeros((len(at), 2))
     for begin in range(0, len(at), CHUNK):
         part = slice(begin, begin + CHUNK)

@@ -16,6 +16,7 @@ from raybundle.pipeline.store import Folder, Product
 from raybundle.pipeline.tasks import Task
 from raybundle.surfaces.depth_map import DepthMap
 from raybundle.surfaces.heights import STEEPEST, PointsOfCells, between_maps, on_grid
+from raybundle.surfaces.nodes import fits
 from raybundle.surfaces.orientation import CommonRoot, ShiftCovariance
 from raybundle.surfaces.pairs import Sources
 from raybundle.surfaces.rays import ReferenceRays
@@ -25,11 +26,11 @@ from raybundle.workflows.height_tiles import BLOCK_CELLS, TILE_CELLS, tile_of_nu
 from raybundle.workflows.surface_state import SURFACE, MeasuredHeights
 from raybundle.workflows.surface_tasks import adjustment_key, all_done, stored_part, stored_together
 
-VERSION, STEPS_VERSION = 2, 2
+VERSION, STEPS_VERSION = 3, 2
 ABOVE, LAYER, TILE = "surface above", "surface layer", "surface heights"
 """First words of the keys of what is kept"""
 SAMPLES = 48
-"""Points of a part and map whose mean stands for all of them."""
+"""Points of a part and map that stand for all of them."""
 POINT_S, CELL_S = 3e-6, 1e-6
 """CPU seconds of a point and a cell, for the order and the time that is left."""
 
@@ -168,7 +169,7 @@ def above_of(store: Folder, task: AboveTask) -> Product:
     slope = np.stack([-n[:, 0] / n[:, 2], n[:, 1] / n[:, 2]], axis=1) * g.pixel
     across = np.asarray(cloud["across"][at], float) / n[:, 2, None]
     length = _length(store, task, np.asarray(cloud["size"][at], float))
-    blocks, moved = _moved(store, task, cloud, at, block, n[:, 2])
+    blocks, moved = _moved(store, task, cloud, at, block, (column[order], row[order], n[:, 2]))
     return {
         "tiles": tiles, "begin": np.append(begin, len(at)), "column": column[order], "row": row[order],
         "height": uvh[at, 2], "slope": slope.astype(np.float32), "local": across[:, 0].astype(np.float32),
@@ -188,28 +189,39 @@ def _length(store: Folder, task: AboveTask, size: Array) -> float:
 
 
 def _moved(
-    store: Folder, task: AboveTask, cloud: Mapping[str, Array], at: Index, block: Index, upright: Array
+    store: Folder,
+    task: AboveTask,
+    cloud: Mapping[str, Array],
+    at: Index,
+    block: Index,
+    place: tuple[Array, Array, Array],
 ) -> tuple[Index, Array]:
-    """Parts of tiles, and how the heights of this reference in them move (b, q) with each independent error."""
+    """Parts of tiles, and how the heights of this reference in them move (b, 3, q) with each independent error.
+
+    place  columns and rows of the points, and the upright part of their normals
+    """
+    together = CommonRoot.of_arrays(store.wanted(task.together))
+    if not len(at):
+        return np.zeros(0, np.int64), np.zeros((0, 3, together.root.shape[1]), np.float32)
     blocks, begin, count = np.unique(block, return_index=True, return_counts=True)
     some = [
         b + np.unique(np.linspace(0, n - 1, min(n, SAMPLES)).astype(int)) for b, n in zip(begin, count, strict=True)
     ]
-    chosen = np.concatenate(some) if some else np.zeros(0, int)
-    together = CommonRoot.of_arrays(store.wanted(task.together))
+    chosen = np.concatenate(some)
     shifts = ShiftCovariance.of_arrays(store.wanted(task.shifts)).among(together)
     found = DepthMap.of_arrays(store.wanted(task.map))
-    place = cloud["place"][at[chosen]]
-    xy, t = found.grid.xy_px.reshape(-1, 2)[place], np.asarray(found.t, float).ravel()[place]
+    pixel = cloud["place"][at[chosen]]
+    xy, t = found.grid.xy_px.reshape(-1, 2)[pixel], np.asarray(found.t, float).ravel()[pixel]
     rays = ReferenceRays.of(block_of_arrays(store.wanted(task.block)), 0)
-    sensitivity = found.shift.reshape(-1, found.shift.shape[2], 2)[place]
+    sensitivity = found.shift.reshape(-1, found.shift.shape[2], 2)[pixel]
     normal = np.asarray(cloud["normal"][at[chosen]], float)
     each = np.einsum("ni,nij->nj", normal, shifts.moved(xy, t, sensitivity, rays.by_t(xy, t)))
-    each /= upright[chosen, None]
-    of = np.repeat(np.arange(len(blocks)), [len(s) for s in some])
-    moved = np.zeros((len(blocks), each.shape[1]))
-    np.add.at(moved, of, each)
-    return blocks, (moved / np.maximum(np.bincount(of, minlength=len(blocks)), 1)[:, None]).astype(np.float32)
+    column, row, upright = (x[chosen] for x in place)
+    each /= upright[:, None]
+    # blocks begin anew with each tile, whose side holds a whole number of them
+    right, down = (x / BLOCK_CELLS % 1 - 0.5 for x in (column, row))
+    first = np.cumsum([0, *(len(s) for s in some[:-1])])
+    return blocks, fits(right, down, each, first).astype(np.float32)
 
 
 def tile_of(store: Folder, task: TileTask) -> Product:

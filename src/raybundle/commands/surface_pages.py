@@ -1,0 +1,138 @@
+"""Pages of a surface: how complete and how good it is, on which adjustment it rests, and itself in three dimensions."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, fields
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from raybundle.numerics.progress import Progress, silent
+
+if TYPE_CHECKING:
+    from raybundle.adjustment.result import Notice
+    from raybundle.commands.surface import SurfaceSettings
+    from raybundle.io.formats import Export
+    from raybundle.report.chapters import Occasion
+    from raybundle.surfaces.summary import SurfaceSummary
+    from raybundle.workflows.surface import Surface
+    from raybundle.workflows.surface_grids import Grids
+    from raybundle.workflows.surface_product import Context
+
+PAGE, IN_3D, PDF = "surface.html", "surface_3d.html", "surface.pdf"
+PAGES = (PAGE, IN_3D, PDF)
+OF_ALL = (
+    "levelled", "up_ambiguous", "up_uncertain", "scale_unchecked", "check_points_apart", "lengths_contradict",
+    "coordinate_system", "datum_lost", "relative_control", "calibration_contradicted", "systematic_residuals",
+    "residual_structure", "noise_in_parts", "errors_independent",
+)  # fmt: skip
+"""Cautions about all points alike, which are told before those about single marks and photographs"""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class SurfacePages:
+    """What was written for people, and what it says."""
+
+    files: tuple[Path, ...]
+    summary: SurfaceSummary
+    verdict: str
+    """on the adjustment that the points rest on, in a sentence"""
+    warnings: tuple[Notice, ...]
+    """faults and cautions of that adjustment, the gravest first"""
+
+
+def write_pages(
+    done: Surface, result: Path, out: Path, context: Context, remarks: tuple[str, ...], settings: SurfaceSettings,
+    progress: Progress = silent,
+) -> SurfacePages:  # fmt: skip
+    """Write them.
+
+    result   folder of the result that was measured: its notices, its record and its system are those of the points
+    remarks  what was said while the surface was measured
+    """
+    from raybundle.adjustment.result import as_told  # noqa: PLC0415
+    from raybundle.adjustment.severity import Severity  # noqa: PLC0415
+    from raybundle.report.languages.language import language_of  # noqa: PLC0415
+    from raybundle.report.network_page import write_network_page  # noqa: PLC0415
+    from raybundle.report.surface_page import write_surface_page  # noqa: PLC0415
+    from raybundle.report.text.front_words import verdict_sentence  # noqa: PLC0415
+    from raybundle.workflows.height_files import HeightFile  # noqa: PLC0415
+    from raybundle.workflows.surface_summary import sample_of, summary_of  # noqa: PLC0415
+
+    file = None
+    if done.heights is not None and context.plane is not None:
+        file = HeightFile.of(done.heights.grid, context.plane, context.unit, done.block.name)
+    thinned = len(context.points) if len(context.points) < len(done) else 0
+    summary = summary_of(done, context.unit, file, thinned)
+    name = done.block.name or result.resolve().name
+    rests = _occasion(done, result, context, settings)
+    pages = [out / PAGE, *([out / PDF] if settings.pdf else [])]
+    if not settings.pdf:
+        (out / PDF).unlink(missing_ok=True)  # of an earlier run, of which it would tell other numbers
+    written = (*(p.name for p in out.iterdir()), IN_3D)
+    write_surface_page(
+        summary, *pages, name=name, remarks=remarks, language=settings.language, rests=rests, written=written,
+        progress=progress,
+    )  # fmt: skip
+    given = "" if rests.delivery is None else rests.delivery.record.title
+    title = given or language_of(settings.language, [name]).text(f"Surface of {name}")
+    cloud = sample_of(done) if len(done) else None
+    write_network_page(done.adjustment, out / IN_3D, title=title, language=settings.language, cloud=cloud)
+    told = as_told(n for n in rests.view.adjustment.notices if n.severity is not Severity.REMARK)
+    rank = {code: k for k, code in enumerate(OF_ALL)}
+    told.sort(key=lambda n: (n.severity is not Severity.FAULT, rank.get(n.code, len(OF_ALL))))
+    return SurfacePages(
+        files=(*pages, out / IN_3D), summary=summary, verdict=verdict_sentence(rests), warnings=tuple(told)
+    )
+
+
+def _occasion(done: Surface, result: Path, context: Context, settings: SurfaceSettings) -> Occasion:
+    """The adjustment as its report has it: its verdict, who it is for, in which system it stands."""
+    from raybundle.commands.record_settings import record_of  # noqa: PLC0415
+    from raybundle.report.chapters import Occasion  # noqa: PLC0415
+    from raybundle.report.delivery import delivery_of  # noqa: PLC0415
+    from raybundle.report.languages.language import language_of  # noqa: PLC0415
+    from raybundle.report.languages.names import names_of  # noqa: PLC0415
+    from raybundle.report.outcome import Outcome  # noqa: PLC0415
+    from raybundle.report.text.words import verdict  # noqa: PLC0415
+    from raybundle.report.view import view_of  # noqa: PLC0415
+    from raybundle.results.notices import as_its_result, lost_accuracy  # noqa: PLC0415
+    from raybundle.results.record import Record  # noqa: PLC0415
+
+    adjustment = as_its_result(done.adjustment, result)
+    names = {f.name for f in fields(Record)}
+    record = record_of(settings).over(Record(**{k: v for k, v in context.export.record.items() if k in names}))
+    sentence = "the report of the result says by how much"
+    lost = (Outcome(name="wanted accuracy", kept=False, sentence=sentence),) if lost_accuracy(result) else ()
+    delivery = delivery_of(adjustment, frame=context.export.frame, record=record, outcomes=lost)
+    view = view_of(adjustment, delivery.accuracy)
+    language = language_of(settings.language, names_of(adjustment, None, delivery))
+    return Occasion(view=view, told=verdict(view), delivery=delivery, language=language)
+
+
+def heights_told(told: tuple[str, ...], export: Export) -> tuple[str, ...]:
+    """What is told of a plane, without what heights count from where they count from nothing that was measured."""
+    from raybundle.io.geo.parsed_systems import system_name  # noqa: PLC0415
+    from raybundle.results.record import STATE  # noqa: PLC0415
+    from raybundle.results.state import RELATIVE  # noqa: PLC0415
+
+    if export.frame is None or RELATIVE not in export.record.get(STATE, ""):
+        return told
+    relative = f"heights in {system_name(export.frame.crs)} are relative: none of the control was measured"
+    return (*(t for t in told if t not in export.frame.remarks), relative)
+
+
+def outside_told(done: Surface, grids: Grids) -> tuple[str, ...]:
+    """How many points lie beside the area of heights, orthophoto and mesh, and how to have them."""
+    from raybundle.numerics.counting import counted, significant  # noqa: PLC0415
+    from raybundle.settings import option  # noqa: PLC0415
+    from raybundle.workflows.surface_grids import area_of_points  # noqa: PLC0415
+
+    if grids.heights is None or done.options.region is not None:
+        return ()
+    outside, area = area_of_points(done, grids.heights)
+    if not outside:
+        return ()
+    share = f"{significant(100 * outside / len(done), 2)} %"
+    needed = option("extent", *(float(f"{v:.10g}") for v in area))
+    told = f"{counted(outside, 'point')}, {share} of them, beside the area of the heights, that of the tie points"
+    return (f"{told}; {needed} holds all but 0.1 % at each edge",)

@@ -1,0 +1,207 @@
+"""What people are told of a surface: the verdict and the warnings of its adjustment, whom it is for, what it holds."""
+
+import re
+import tomllib
+from dataclasses import replace
+
+import pytest
+
+import raybundle as rb
+from raybundle.adjustment.result import Notice
+from raybundle.adjustment.severity import Severity
+from raybundle.cli.main import main
+from raybundle.cli.surface import whole_shares
+from raybundle.commands import surface as command
+from raybundle.commands.surface_pages import outside_told
+from raybundle.io.block.folder import read_block
+from raybundle.io.geo.told_systems import system_with_heights
+from raybundle.report.write import write_result
+from raybundle.results.notices import as_its_result
+from raybundle.results.record import Record
+from raybundle.settings import on_the_command_line
+from raybundle.workflows.rectify import grid_over
+from raybundle.workflows.surface_grids import Grids, area_of_points
+from tests.workflows.half_portal import half_portal
+
+pytest.importorskip("rasterio")
+
+FAULT = "camera X: the photographs contradict its calibration, which is held"
+CAUTIONS = ("up is ambiguous", "the only scale bar is checked by nothing", "control of one ray: G5", "one more matter")
+
+
+@pytest.fixture(scope="module")
+def half(tmp_path_factory):
+    return half_portal(tmp_path_factory.mktemp("half"))
+
+
+def result_of(half, folder, notices):
+    """A result of the three photographs of which this is told."""
+    adjusted = rb.adjust(read_block(half / "block"))
+    record = Record(title="North front", client="Monument office", object="Portal")
+    write_result(replace(adjusted, notices=notices), folder, report="none", record=record)
+    return folder
+
+
+@pytest.fixture(scope="module")
+def warned(half, tmp_path_factory):
+    """What the command prints of a result with a fault, cautions and heights that nobody measured, and its folder."""
+    folder = tmp_path_factory.mktemp("warned")
+    notices = (
+        Notice(code="a", message=FAULT, measured=Severity.FAULT),
+        *(Notice(code=f"c{k}", message=m, measured=Severity.CAUTION) for k, m in enumerate(CAUTIONS)),
+        Notice(code="levelled", message="heights are relative"),
+        Notice(code="r", message="what was chosen", measured=Severity.REMARK),
+    )  # fmt: skip
+    return result_of(half, folder / "result", notices)
+
+
+@pytest.fixture(scope="module")
+def measured(half, warned):
+    done = command.surface(
+        warned, photos=(half,), density="4", dsm=0.05, thin=0.1, jobs=1, client="Somebody else",
+        extent=None,
+    )  # fmt: skip
+    return done, warned / "surface"
+
+
+def test_notices_of_a_result_are_those_of_its_adjustment_made_again(warned):
+    again = as_its_result(rb.adjust(read_block(warned / "block")), warned)
+    assert [n.message for n in again.notices if n.severity is Severity.FAULT] == [FAULT]
+    assert sum(n.severity is Severity.CAUTION for n in again.notices) == 5
+
+
+def test_the_page_has_the_verdict_the_warnings_and_whom_it_is_for(measured):
+    _, out = measured
+    text = (out / "surface.html").read_text().replace("\N{NO-BREAK SPACE}", " ")
+    assert 'class="verdict attention"' in text
+    assert "Not to be used yet: 1 matter to settle first." in text
+    for words in (FAULT, *CAUTIONS, "heights are relative"):
+        assert words in text, words
+    assert "what was chosen" not in text  # remarks stay in the report of the result
+    for words in ("North front", "Somebody else", "Portal", "points.ply", "heights_sigma.tif", "surface_3d.html"):
+        assert words in text, words
+    assert "Monument office" not in text  # of the record, what is said anew goes before it
+    assert re.search(r"thinned, [\d\u202f]+ were measured", text)
+
+
+def test_files_of_heights_say_what_forbids_their_use(measured):
+    _, out = measured
+    state = tomllib.loads((out / "heights.toml").read_text())["state"]
+    assert FAULT in state
+    assert "relative" in state
+
+
+def test_a_surface_without_warnings_praises_itself_no_more_than_its_adjustment(half, tmp_path):
+    done = command.surface(result_of(half, tmp_path / "r", ()), photos=(half,), density="4", jobs=1,
+                           extent=(-0.2, -0.2, 0.2, 0.2))  # fmt: skip
+    assert done.pages.warnings == ()
+    assert 'class="verdict attention"' not in (tmp_path / "r/surface/surface.html").read_text()
+    told = [float(v[0]) for v in done.pages.summary.axes]
+    assert done.median_sigma >= max(told) - 1e-9
+    assert done.median_along_ray != done.median_sigma
+    assert abs(sum(done.shares) - 1) < 1e-9
+
+
+def test_the_command_tells_the_fault_and_the_gravest_cautions_and_names_its_pages(half, warned, measured, capsys):
+    del measured  # it is there, so that nothing is measured again
+    words = ["--photos", str(half), "--density", "4", "--dsm", "0.05", "--jobs", "1", "--thin", "0.1"]
+    assert main(["surface", str(warned), *words]) == 0
+    told = capsys.readouterr().out
+    assert f"fault: {FAULT}" in told
+    assert told.count("caution: ") == 3
+    assert "caution: heights are relative" in told  # of all points, before what is of single marks
+    assert "and 2 more cautions, see surface.html" in told
+    assert "the adjustment behind it: Not to be used yet" in told
+    assert told.count("points.ply") == 1
+    assert re.search(
+        r"points\.ply: [\d ]+ points from 3 depth maps, thinned from [\d ]+ points", told.replace("\u202f", " ")
+    )
+    assert f"report: {warned / 'surface/surface.html'}, in 3D: {warned / 'surface/surface_3d.html'}" in told
+    shares = [int(v) for v in re.findall(r"(\d+) %(?: are noise| roughness| orientation)", told)]
+    assert len(shares) == 3
+    assert sum(shares) == 100
+
+
+def test_status_of_a_result_of_its_surface_and_of_its_work_tells_the_stages(warned, measured, capsys):
+    _, out = measured
+    for folder in (warned, out, out / "work"):
+        assert main(["status", str(folder)]) == 0
+        told = capsys.readouterr().out
+        for stage in ("sources", "depth maps", "fusion", "heights"):
+            assert re.search(rf"^ {stage} +\d", told, re.MULTILINE), (folder, told)
+        assert "matching" not in told
+        assert "orthophoto" not in told  # nobody asked for one
+        assert "may be deleted" in told
+
+
+def test_an_interrupted_run_says_what_is_kept(half, warned, tmp_path, capsys, monkeypatch):
+    def stopped(*_):
+        raise KeyboardInterrupt
+
+    monkeypatch.setattr("raybundle.cli.surface.run_surface", stopped)
+    assert main(["surface", str(warned), "--photos", str(half), "--out", str(tmp_path / "s")]) == 130
+    told = capsys.readouterr().err
+    assert f"what is finished is kept in {tmp_path / 's/work'}, the same command continues there" in told
+    assert "nothing was written" not in told
+
+
+def test_points_beside_the_area_of_the_heights_are_counted_with_the_extent_that_holds_them(measured):
+    done = measured[0].surface
+    whole = done.heights.grid
+    few = replace(whole, grid=whole.grid.part(10, 10, whole.grid.width // 4, whole.grid.height // 4))
+    outside, area = area_of_points(done, few)
+    assert 0.5 < outside / len(done) < 1
+    wide = grid_over(area, whole.grid.pixel)
+    lost, _ = area_of_points(done, replace(whole, grid=wide))
+    assert lost < 0.01 * len(done)
+    with on_the_command_line():
+        (told,) = outside_told(done_with(done, few), Grids(heights=few))
+    assert f"{outside // 1000}" in told
+    assert f"--extent {area[0]:.6g}"[:12] in told
+
+
+def done_with(done, grid):
+    """The surface as if it had these heights."""
+    return replace(done, heights=replace(done.heights, grid=grid))
+
+
+def test_the_page_in_print(half, warned, tmp_path):
+    pytest.importorskip("typst")
+    pypdf = pytest.importorskip("pypdf")
+    done = command.surface(warned, tmp_path / "s", photos=(half,), density="4", jobs=1, pdf=True,
+                           extent=(-0.2, -0.2, 0.2, 0.2))  # fmt: skip
+    assert tmp_path / "s/surface.pdf" in done.pages.files
+    text = "".join(p.extract_text() for p in pypdf.PdfReader(tmp_path / "s/surface.pdf").pages)
+    assert "North front" in text
+    assert "Not to be used yet" in " ".join(text.split())
+
+
+@pytest.mark.parametrize("shares", [(0.55, 0.29, 0.16), (1 / 3, 1 / 3, 1 / 3), (0.005, 0.99, 0.005), (1.0, 0.0, 0.0)])
+def test_shares_are_a_hundred_together(shares):
+    assert sum(whole_shares(shares)) == 100
+    assert all(abs(100 * s - n) < 1 for s, n in zip(shares, whole_shares(shares), strict=True))
+
+
+def test_the_report_of_a_result_names_the_dense_points_beside_it(half, tmp_path):
+    adjusted = rb.adjust(read_block(half / "block"))
+    write_result(adjusted, tmp_path / "result")
+    assert "Dense points" not in (tmp_path / "result/report.html").read_text()
+    (tmp_path / "surface").mkdir()
+    (tmp_path / "surface/surface.html").write_text("dense")
+    for language, words in (
+        ("en", "Dense points: ../surface/surface.html"),
+        ("de", "Dichte Punkte: ../surface/surface.html"),
+    ):
+        write_result(adjusted, tmp_path / "result", language=language)
+        assert words in (tmp_path / "result/report.html").read_text()
+
+
+@pytest.mark.parametrize(
+    ("system", "compound"),
+    [("EPSG:25832+7837", True), ("EPSG:32633+ellipsoid", False), ("EPSG:32633", None), ("EPSG:4326", None)],
+)
+def test_what_heights_of_a_map_count_from_is_known_where_its_system_says_it(system, compound):
+    found = system_with_heights(system)
+    assert (None if found is None else found.is_compound) == compound
+    if found is not None:
+        assert len(found.axis_info) == 3
