@@ -16,6 +16,7 @@ from raybundle.measuring.journal import entries_of, journal_path, measured_resul
 from raybundle.measuring.known import Known
 from raybundle.measuring.selection import figures_of, figures_of_result, latest_figures, latest_result, selected
 from raybundle.measuring.state import EMPTY, State
+from raybundle.pipeline.project import photographs_of
 from raybundle.report.write import write_result
 from raybundle.results.folder import read_result
 from raybundle.settings import as_typed
@@ -147,3 +148,18 @@ def test_known_pairs(adjusted):
     known = Known.of(adjusted.given)
     assert len(known.pairs()) == len(adjusted.given.observations)
     assert Known.of_photos({"a": (10, 10)}).pairs() == frozenset()
+
+
+def test_a_result_elsewhere_knows_where_the_photographs_of_its_project_are(adjusted, tmp_path):
+    photos = tmp_path / "photos"
+    photos.mkdir()
+    project = tmp_path / "project"
+    write_result(adjusted, project / "result", report="none")
+    (project / "project.toml").write_text(f"[orient]\nphotos = ['{photos}']\n")
+    out = tmp_path / "elsewhere/scaled"
+    out.parent.mkdir()
+    made = run("mark", "adjust", project / "result", "--out", out, "--no-report")
+    assert made.exit_code == 0, made.output
+    assert photographs_of(out) == (photos,)
+    photos.rmdir()
+    assert photographs_of(out) == ()

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 from raybundle.errors import NoOrientation
-from raybundle.pipeline.executors import Threads
+from raybundle.pipeline.executors import Processes, Threads
 from raybundle.pipeline.keys import key_of
 from raybundle.pipeline.project import Project
 from raybundle.pipeline.stage import Alternative, Codec, Run, Stage, Workflow
@@ -181,3 +181,42 @@ def test_every_kind_of_content_tells_keys_apart():
     assert key_of("test", {"b", "a"}) == key_of("test", {"a", "b"})
     with pytest.raises(TypeError, match="object cannot be part of a key"):
         key_of("test", object())
+
+
+def _from_kept(given, means):
+    """Sums of what the stage itself keeps for its tasks."""
+    keys = [key_of("kept", given, k) for k in range(3)]
+    for k, key in enumerate(keys):
+        if not means.store.has(key):
+            MADE.append(key)
+            means.store.store(key, {"sum": np.full(2, given + k)})
+    tasks = [
+        Task(key=key_of("over", key), function=f"{HERE}:total", options=Sum(number=1.0, of=(key,)), inputs=(key,))
+        for key in keys
+    ]
+    assert not means.do(tasks, "sums")
+    return tuple(float(means.store.wanted(t.key)["sum"][0]) for t in tasks)
+
+
+@pytest.mark.parametrize("executor", [Threads(1), Processes(2)], ids=str)
+def test_what_a_stage_keeps_for_its_tasks_is_made_again_where_it_is_damaged(tmp_path, executor):
+    """Also many of them, of which a task tells one at a time, with what was made of them."""
+    steps = Workflow("test")
+    steps.register(replace(SUMS, after=(), inputs=lambda s: s.given, function=_from_kept))
+    MADE.clear()
+    for attempt in range(2):
+        project = Project.open(tmp_path / "p")
+        try:
+            found = Run(project=project, executor=executor).workflow(steps, State(given=3.0))
+            assert found.sums == (4.0, 5.0, 6.0)
+            assert len(project.records) == 1
+            assert len(MADE) == 3 + 3 * attempt
+            assert project.products.mended == ({*MADE} if attempt else set())
+        finally:
+            project.close()
+        for path in (tmp_path / "p/cache").rglob("kept-*.npz"):
+            data = bytearray(path.read_bytes())
+            data[len(data) // 2] ^= 255
+            path.write_bytes(data)
+        for path in (tmp_path / "p/cache").rglob("over-*.npz"):
+            path.unlink()

@@ -1,6 +1,7 @@
 """Stages of `orient` within little memory: normal equations in parts, the same figures, nothing left behind."""
 
 import gc
+import re
 from dataclasses import replace
 from functools import partial
 
@@ -82,6 +83,15 @@ def test_what_is_little_is_made_in_one_piece(means, monkeypatch):
     with room_of(means, len(block.observations)) as room:
         adjusted(block)
     assert not room.stores
+    (told,) = room.notices()
+    assert told.code == "memory_exceeded"
+    assert re.fullmatch(
+        r"memory= allows adjustments 0\.001 GB, and one of them took 0\.15\d* GB: up to 0\.2 GB they are made in one "
+        r"piece, whatever is allowed, as the program itself takes 0\.15 GB of it",
+        told.message,
+    )
+    with room_of(replace(means, adjusting=1e9), len(block.observations)) as room:
+        adjusted(block)
     assert not room.notices()
 
 

@@ -1,7 +1,9 @@
 """A surface of what shows none, of what does not fit together, on a full disk, and in a folder that was used before."""
 
 import errno
+import json
 import os
+import re
 import shutil
 from dataclasses import replace
 
@@ -95,10 +97,26 @@ def test_photographs_without_overlap_are_named(half, tmp_path, capsys):
     assert not (tmp_path / "s").exists()
 
 
+def without_scale(block):
+    """The block without all that fixes its scale."""
+    p = block.points
+    points = replace(p, role=np.zeros_like(p.role), sigma=np.full_like(p.sigma, np.nan))
+    images = replace(block.images, held=np.zeros_like(block.images.held))
+    return replace(block, points=points, images=images, tables={})
+
+
+def test_what_is_adjusted_fixes_the_scale_whatever_a_folder_says(half, tmp_path):
+    write_block(replace(read_block(half / "block"), free_scale=True), tmp_path / "block")
+    done = surface(tmp_path / "block", tmp_path / "s", photos=(half,), density="4", jobs=1, extent=BOX)
+    assert done.unit == "m"
+    assert b"comment unit m" in done.points.read_bytes()[:2000]
+
+
 def test_without_a_scale_metres_are_refused_and_products_say_so(half, tmp_path, capsys):
     pytest.importorskip("rasterio")
     pytest.importorskip("laspy")
-    write_block(replace(read_block(half / "block"), free_scale=True), tmp_path / "block")
+    write_block(without_scale(read_block(half / "block")), tmp_path / "block")
+    assert "free" not in (tmp_path / "block/block.toml").read_text()
     words = [
         "surface", str(tmp_path / "block"), "--photos", str(half), "--density", "4", "--dsm", "0.05", "--mesh", "0.1",
         "--las", "--extent", *map(str, BOX), "--out", str(tmp_path / "s"),
@@ -115,6 +133,36 @@ def test_without_a_scale_metres_are_refused_and_products_say_so(half, tmp_path, 
     assert b'comment scale = "free"' in (s / "mesh.ply").read_bytes()[:2000]
     assert 'scale = "free"' in (s / "heights.toml").read_text()
     assert "the scale is free" in (s / "mesh.obj").read_text()[:200]
+
+
+@pytest.mark.parametrize(
+    ("asked", "told"),
+    [
+        ({"extent": (0.0, 0.0, 0.001, 0.001)}, r"is 0\.001 x 0\.001, and points lie 0\.0\d+ apart \(density=\)"),
+        ({"region": ("0 0, 1 1",)}, "region=: '0 0, 1 1' is neither a file nor three corners .* with extent="),
+        ({"region": ("",)}, "region=: '' is neither a file"),
+        ({"region": ("nan nan, 1 1, 0 1",)}, "region=: 'nan nan, 1 1, 0 1' is neither a file nor three corners"),
+        ({"region": ("1 0, 0 1, 0 0, 1 1",)}, "region=: '1 0, 0 1, 0 0, 1 1': the outline crosses itself"),
+        ({"region": ("nothing.geojson",)}, r"nothing\.geojson: .*no such file"),
+        ({"region": ("plan.geojson",)}, r"plan\.geojson: is in EPSG:25832, and these heights lie on a plane"),
+        ({"jobs": 10**9}, "jobs = 1000000000 must be at most 1024"),
+    ],
+)  # fmt: skip
+def test_a_part_that_is_none_is_told_before_anything_is_measured(half, tmp_path, monkeypatch, asked, told):
+    monkeypatch.chdir(tmp_path)
+    ring = [[-0.3, -0.3], [0.3, -0.3], [0.3, 0.3], [-0.3, -0.3]]
+    system = {"type": "name", "properties": {"name": "urn:ogc:def:crs:EPSG::25832"}}
+    feature = {"type": "Feature", "properties": {}, "geometry": {"type": "Polygon", "coordinates": [ring]}}
+    shapes = {"type": "FeatureCollection", "crs": system, "features": [feature]}
+    (tmp_path / "plan.geojson").write_text(json.dumps(shapes))
+    with pytest.raises(InputError, match=told):
+        surface(half / "block", tmp_path / "s", photos=(half,), density="4", **asked)
+    assert not (tmp_path / "s").exists()
+
+
+def test_a_folder_without_a_result_is_told(half, tmp_path):
+    with pytest.raises(InputError, match=r"holds no result\.json, block\.toml or project\.db"):
+        surface(tmp_path, tmp_path / "s", photos=(half,))
 
 
 def test_a_full_disk_is_told_and_what_is_finished_is_kept(half, tmp_path, capsys, monkeypatch):
@@ -170,3 +218,16 @@ def test_products_of_an_earlier_run_stay_while_they_are_of_the_same_points(half,
     assert any("depth" in r and "removed" in r for r in run().remarks)
     with pytest.raises(InputError, match="both say which part"):
         run(region=("0 0, 1 0, 1 1",))
+
+
+def test_a_photograph_without_a_point_is_told_where_nothing_confirms_it(half, tmp_path, capsys):
+    words = ["surface", str(half / "block"), "--density", "4", "--jobs", "1", "--photos"]
+    rng = np.random.default_rng(5)
+    for path in half.glob("*.png"):
+        shown = cv2.imread(str(path))
+        if path.stem == "portal_08":
+            shown = np.clip(picture("leaves", shown.shape[:2], rng), 0, 255).astype(np.uint8)
+        cv2.imwrite(str(tmp_path / path.name), shown)
+    assert main([*words, str(tmp_path), *map(str, ("--extent", *BOX)), "--out", str(tmp_path / "s")]) == 0
+    told = capsys.readouterr().out
+    assert re.search(r"no point of portal_08: (other depth maps confirm|no other depth map|no depth was found)", told)

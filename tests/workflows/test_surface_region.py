@@ -1,19 +1,25 @@
 """A part of a surface, and photographs of which a part is masked: three of the portal, at half their size."""
 
+import json
+from dataclasses import replace
 from types import SimpleNamespace
 
 import cv2
 import numpy as np
 import pytest
+from pyproj import CRS, Transformer
 
 from raybundle.commands.surface import surface
 from raybundle.errors import InputError
 from raybundle.numerics.progress import silent
 from raybundle.surfaces.depth_map import DepthMap
+from raybundle.surfaces.pairs import sources_of_each
 from raybundle.surfaces.rays import ReferenceRays
 from raybundle.surfaces.refine import Reason
 from raybundle.workflows.height_grid import HeightPlane
 from raybundle.workflows.height_tiles import tile_of_number
+from raybundle.workflows.surface_part import region_asked
+from raybundle.workflows.surface_pointless import pointless
 from raybundle.workflows.surface_region import SurfaceRegion
 from raybundle.workflows.surface_state import SurfaceOptions, SurfaceState
 from raybundle.workflows.surfacing.sources import STAGE, choose
@@ -39,7 +45,7 @@ def part(half, tmp_path_factory):
 
 
 def maps_of(done):
-    return {i: DepthMap.of_arrays(done.surface.store.wanted(key)) for i, key in done.surface.maps.items()}
+    return {i: DepthMap.of_arrays(done.surface.store.wanted(key)).sure() for i, key in done.surface.maps.items()}
 
 
 def region_of(done):
@@ -196,3 +202,35 @@ def test_nothing_is_measured_where_a_mask_is_black_nor_by_what_it_hides(half, wh
     assert taken > 50
     with pytest.raises(InputError, match="there is no such folder of masks"):
         surface(half / "block", tmp_path / "t", photos=(half,), density="4", masks=tmp_path / "none")
+
+
+def test_it_is_not_told_of_photographs_whose_places_others_know_better(part):
+    done = part.surface
+    state = SurfaceState(
+        adjustment=done.adjustment, photos={}, options=done.options, maps=done.maps, sigmas=done.sigmas,
+        chosen=tuple(sources_of_each(done.block)),
+    )  # fmt: skip
+    none = dict.fromkeys(done.maps, 0)
+    assert pointless(state, none, done.store) == ()
+    far = replace(done.options.region, areas=((((9.0, 9.0), (10.0, 9.0), (10.0, 10.0)),),))
+    elsewhere = replace(state, options=replace(done.options, region=far))
+    assert pointless(elsewhere, none, done.store) == tuple(
+        (name, "no depth was found in it, of the region") for name in done.block.images.ids
+    )
+
+
+def test_an_outline_in_another_system_is_brought_into_that_of_the_map(tmp_path):
+    """And refused where there is a plane of the object in place of a map."""
+    ring = np.array([[500000.0, 5300000.0], [500100.0, 5300000.0], [500100.0, 5300100.0]])
+    east, north = Transformer.from_crs(32633, 25832, always_xy=True).transform(*ring.T)
+    corners = [[e, n] for e, n in zip(east.tolist(), north.tolist(), strict=True)]
+    shape = {"type": "Polygon", "coordinates": [[*corners, corners[0]]]}
+    system = {"type": "name", "properties": {"name": "urn:ogc:def:crs:EPSG::25832"}}
+    file = tmp_path / "plan.geojson"
+    feature = {"type": "Feature", "properties": {}, "geometry": shape}
+    file.write_text(json.dumps({"type": "FeatureCollection", "crs": system, "features": [feature]}))
+    plane = HeightPlane(origin=(0.0, 0.0, 0.0), axes=((1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0)))
+    found = region_asked(plane, CRS.from_epsg(32633).to_wkt(), [str(file)], None, 1.0)
+    np.testing.assert_allclose(found.areas[0][0], ring, rtol=0, atol=1e-6)
+    with pytest.raises(InputError, match=r"plan\.geojson: is in EPSG:25832, and these heights lie on a plane"):
+        region_asked(plane, "", [str(file)], None, 1.0)

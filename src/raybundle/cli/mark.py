@@ -439,6 +439,7 @@ def adjust_(
     from raybundle.commands.begin import standing_folder  # noqa: PLC0415
     from raybundle.commands.marks import adjust_marks  # noqa: PLC0415
     from raybundle.measuring.journal import measured_result  # noqa: PLC0415
+    from raybundle.pipeline.project import PHOTOGRAPHS_IN, photographs_of  # noqa: PLC0415
     from raybundle.report.text.summary import summary_lines  # noqa: PLC0415
     from raybundle.report.write import write_result  # noqa: PLC0415
     from raybundle.results.folder import check_target  # noqa: PLC0415
@@ -446,14 +447,16 @@ def adjust_(
     folder = standing_folder(folder) or folder
     target = out or measured_result(folder)
     check_target(target)
+    known = [str(p.resolve()) for p in photographs_of(folder)]  # what is made of the result elsewhere asks for them
     checked_language(language)
     if pdf:
         check_typesetter()
     with reporting(progress) as tell:
         adjustment, left_out = adjust_marks(folder, tell, **values_of(AdjustmentOptions, given))
         write_result(
-            adjustment, target, report="none" if no_report else "html", pdf=pdf, language=language, progress=tell
-        )
+            adjustment, target, report="none" if no_report else "html", pdf=pdf, language=language, progress=tell,
+            additions={PHOTOGRAPHS_IN: known} if known else None,
+        )  # fmt: skip
     facts(out=target)
     click.echo("\n".join(summary_lines(adjustment)))
     for name, why in left_out.items():

@@ -105,11 +105,7 @@ def whole_shares(shares: Sequence[float]) -> list[int]:
 def _without_part(done: MeasuredSurface) -> list[str]:
     """Photographs and pairs that give nothing, those of one reason together."""
     s = done.surface
-    ids = s.block.images.ids
-    told = [
-        f"no point of {ids[i]}: no other depth map confirms any"
-        for (i, _), n in zip(s.clouds, s.counts, strict=True) if not n
-    ][:MOST_LEFT_OUT]  # fmt: skip
+    told = [f"no point of {name}: {why}" for name, why in s.pointless]
     whys = dict[str, list[str]]()
     for what, why in s.left_out:  # a reason that names its photograph is that of others, too
         whys.setdefault(why.removeprefix(what).strip(), []).append(what)

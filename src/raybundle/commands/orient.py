@@ -132,7 +132,7 @@ class OrientSettings:
     memory: float = setting(
         0.0, "Memory that the pixels of photographs may take while points are measured, and an adjustment, in GB; 0: "
         "4 for the pixels, and for adjustments four fifths of what is free, 1 at least.  What needs more is adjusted "
-        "in parts.", metavar="GB", limits=Range(low=0.0, high=1e6),
+        "in parts, from 0.2 on.", metavar="GB", limits=Range(low=0.0, high=1e6),
     )  # fmt: skip
     redo_from: str = setting(
         "",

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -12,6 +12,7 @@ from raybundle.numerics.progress import Progress, silent
 from raybundle.settings import setting
 
 if TYPE_CHECKING:
+    from raybundle.adjustment.result import Adjustment
     from raybundle.io.formats import Export
     from raybundle.numerics.arrays import Array
     from raybundle.workflows.object_plane import Covariance, Plane, PlaneAsked
@@ -60,11 +61,13 @@ def plane_asked(settings: PlaneSettings) -> PlaneAsked:
 
 
 def plane_in(
-    source: Path, export: Export, settings: PlaneSettings, progress: Progress = silent
-) -> tuple[Plane, tuple[str, ...]]:
+    source: Path, export: Export, settings: PlaneSettings, progress: Progress = silent,
+    adjusted: Callable[[], Adjustment] | None = None,
+) -> tuple[Plane, tuple[str, ...]]:  # fmt: skip
     """The plane of a result that settings ask for, in its map where that is meant, and remarks.
 
     source  the result folder: what its result.json says of the vertical, and its adjustment for the errors of points
+    adjusted  gives the adjustment; None: the result's block is adjusted once more where that is needed
     """
     from raybundle.io.reading.trees import read_json  # noqa: PLC0415
     from raybundle.workflows.object_plane import plane_of  # noqa: PLC0415
@@ -74,13 +77,13 @@ def plane_in(
     asked = plane_asked(settings)
     plane = plane_of(
         export.block, asked, sigma=export.sigma, about=about if isinstance(about, dict) else {},
-        covariance=_covariance(source, progress) if about else lambda _: None,
+        covariance=_covariance(source, progress, adjusted) if about else lambda _: None,
     )  # fmt: skip
     plane, more = _in_its_map(plane, export, asked)
     return plane, (*plane.remarks, *more)
 
 
-def _covariance(source: Path, progress: Progress) -> Covariance:
+def _covariance(source: Path, progress: Progress, adjusted: Callable[[], Adjustment] | None) -> Covariance:
     """Joint covariances of points of a result: its block holds adjusted values, and is adjusted once more for them."""
 
     def covariance(names: Sequence[str]) -> Array | None:
@@ -89,7 +92,7 @@ def _covariance(source: Path, progress: Progress) -> Covariance:
         from raybundle.measuring.session import adjusted_again  # noqa: PLC0415
 
         try:
-            adjustment = adjusted_again(source, progress)
+            adjustment = adjusted_again(source, progress) if adjusted is None else adjusted()
             return Joint.of(adjustment).of_points(positions(adjustment.adjusted, names).tolist())
         except (NotSolvable, InputError):  # a point that took no part has no errors that are known
             return None

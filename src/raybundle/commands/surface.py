@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass, replace
+from functools import cache
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Literal
 
@@ -13,9 +15,11 @@ from raybundle.commands.record_settings import CLIENT, OPERATOR, TITLE
 from raybundle.commands.worker import CLUSTER_HELP, STORE_HELP, store_of
 from raybundle.errors import InputError
 from raybundle.numerics.progress import Progress, silent
-from raybundle.settings import ANY, NOT_NEGATIVE, POSITIVE, made, option, other_than_usual, path_of, setting, toml_lines
+from raybundle.settings import ANY, POSITIVE, Range, made, option, other_than_usual, path_of, setting, toml_lines
 
 if TYPE_CHECKING:
+    from raybundle.adjustment.result import Adjustment
+    from raybundle.block import Block
     from raybundle.commands.surface_pages import SurfacePages
     from raybundle.io.formats import Export
     from raybundle.workflows.object_plane import Plane
@@ -24,6 +28,8 @@ if TYPE_CHECKING:
     from raybundle.workflows.surface_product import Written
     from raybundle.workflows.surface_region import SurfaceRegion
 
+MOST_JOBS = 1024
+"""Processors of one machine"""
 WORK = "work"
 """Of the folder: the project with all that is kept for the next run"""
 
@@ -73,10 +79,10 @@ class SurfaceSettings(PlaneSettings):
     )  # fmt: skip
     cluster: str = setting("", CLUSTER_HELP, metavar="FOLDER|shards")
     store: str = setting("", STORE_HELP, metavar="URL|project")
-    jobs: int = setting(0, "How many processors; 0: all.", limits=NOT_NEGATIVE)
+    jobs: int = setting(0, "How many processors; 0: all.", limits=Range(low=0, high=MOST_JOBS))
     memory: float = setting(
         2.0, "Memory that depth maps in work may take together; approximate depths are found by bands of rows where "
-        "they would take more.", limits=POSITIVE, metavar="GB",
+        "they would take more. One map is made whatever is allowed.", limits=POSITIVE, metavar="GB",
     )  # fmt: skip
     free_scale: bool = setting(False, FREE_SCALE_HELP)
     title: str = setting("", TITLE, metavar="TEXT")
@@ -138,23 +144,34 @@ def surface(
     return run_surface(made(SurfaceSettings, given), progress)
 
 
+@dataclass(frozen=True, slots=True, kw_only=True)
+class _Asked:
+    """What is measured, of what, into which folder."""
+
+    settings: SurfaceSettings
+    result: Path
+    export: Export
+    folders: tuple[Path, ...]
+    """of the photographs"""
+    out: Path
+    wanted: frozenset[str]
+    """names of products"""
+    grids: Grids
+    region: SurfaceRegion | None
+    adjusted: Callable[[], Adjustment]
+    progress: Progress
+
+
 def run_surface(settings: SurfaceSettings, progress: Progress = silent) -> MeasuredSurface:
     """Measure what the settings ask for, and write the points."""
-    from raybundle.commands.drawn_masks import masks_of_result  # noqa: PLC0415
-    from raybundle.commands.earlier_products import note_written, settle_earlier  # noqa: PLC0415
-    from raybundle.commands.surface_pages import heights_told, outside_told, write_pages  # noqa: PLC0415
-    from raybundle.pipeline.project import discard_empty  # noqa: PLC0415
+    from raybundle.measuring.session import adjusted_again  # noqa: PLC0415
+    from raybundle.pipeline.store import ProductGone  # noqa: PLC0415
     from raybundle.report.languages.language import language_of  # noqa: PLC0415
     from raybundle.report.paper.needed import check_typesetter  # noqa: PLC0415
-    from raybundle.workflows.surface import surface as measured  # noqa: PLC0415
-    from raybundle.workflows.surface_product import Context  # noqa: PLC0415
     from raybundle.workflows.surface_products import PRODUCTS  # noqa: PLC0415
-    from raybundle.workflows.surface_state import SurfaceOptions  # noqa: PLC0415
-    from raybundle.workflows.surface_thinning import thinned  # noqa: PLC0415
 
     s = settings
     result, export, folders = _source_of(s)
-    free = export.block.free_scale
     out = s.out or s.source / "surface"
     wanted = frozenset(name for name in PRODUCTS if not name or getattr(s, name) not in (None, False))
     _check_out(out)
@@ -163,38 +180,82 @@ def run_surface(settings: SurfaceSettings, progress: Progress = silent) -> Measu
     language_of(s.language, [])  # one that there is not is told before anything is measured
     if s.pdf:
         check_typesetter()
-    grids, region = _grid_of(s, result, export, progress)
+    adjusted = cache(lambda: adjusted_again(result, progress))  # once for all that needs it
+    grids, region = _grid_of(s, result, export, adjusted, progress)
     s = replace(s, store=store_of(out / WORK, s.store, (s.source, *folders)))
+    asked = _Asked(
+        settings=s, result=result, export=export, folders=folders, out=out, wanted=wanted, grids=grids, region=region,
+        adjusted=adjusted, progress=progress,
+    )  # fmt: skip
+    mended = set[str]()
+    while True:
+        before = len(mended)
+        try:
+            return _delivered(asked, _measured(asked), mended)
+        except ProductGone as error:  # found when products were written: its stage makes it
+            mended.add(error.key)
+            if len(mended) == before:
+                raise
+
+
+def _measured(a: _Asked) -> Surface:
+    """The surface; a folder in which nothing was kept is removed where it cannot be measured."""
+    from raybundle.commands.drawn_masks import masks_of_result  # noqa: PLC0415
+    from raybundle.pipeline.project import discard_empty  # noqa: PLC0415
+    from raybundle.workflows.surface import surface as measured  # noqa: PLC0415
+    from raybundle.workflows.surface_state import SurfaceOptions  # noqa: PLC0415
+
+    s, work = a.settings, a.out / WORK
     options = SurfaceOptions(
-        density=int(s.density), grid=grids.heights, orthophoto=grids.orthophoto, region=region
+        density=int(s.density), grid=a.grids.heights, orthophoto=a.grids.orthophoto, region=a.region
     )  # fmt: skip
     try:
-        _keep_settings(s, out / WORK)
-        done = measured(
-            result, out / WORK, options, photos=folders, masks=masks_of_result(s.source, s.masks, folders, out / WORK),
-            jobs=s.jobs, memory=s.memory * 1e9, cluster=s.cluster, store=s.store, progress=progress,
+        _keep_settings(s, work)
+        return measured(
+            a.result, work, options, photos=a.folders, masks=masks_of_result(s.source, s.masks, a.folders, work),
+            free_scale=s.free_scale, jobs=s.jobs, memory=s.memory * 1e9, cluster=s.cluster, store=s.store,
+            progress=a.progress, adjusted=a.adjusted,
         )  # fmt: skip
     except InputError:
-        discard_empty(out / WORK)
-        if out.is_dir() and not any(out.iterdir()):
-            out.rmdir()
+        discard_empty(work)
+        if a.out.is_dir() and not any(a.out.iterdir()):
+            a.out.rmdir()
         raise
-    unit = "" if free else export.block.length_unit
-    context = Context(
-        export=export, unit=unit, wanted=wanted, plane=grids.plane, mesh=s.mesh, progress=progress,
-        points=done if s.thin is None else thinned(done, s.thin),
-    )  # fmt: skip
-    earlier = settle_earlier(done, out, out / WORK, wanted)
-    written = tuple((name, p.write(done, out, context)) for name, p in sorted(PRODUCTS.items()) if name in wanted)
-    note_written(done, out / WORK, wanted)
-    remarks = (*outside_told(done, grids), *heights_told(grids.told, export), *done.remarks, *earlier)
-    pages = write_pages(done, result, out, context, remarks, s, progress)
+
+
+def _delivered(a: _Asked, done: Surface, mended: set[str]) -> MeasuredSurface:
+    """Write what is asked for; `mended` gets the keys of kept products that were found damaged."""
+    from raybundle.commands.earlier_products import note_written, settle_earlier  # noqa: PLC0415
+    from raybundle.commands.surface_pages import heights_told, outside_told, write_pages  # noqa: PLC0415
+    from raybundle.workflows.surface import mended_words  # noqa: PLC0415
+    from raybundle.workflows.surface_product import Context  # noqa: PLC0415
+    from raybundle.workflows.surface_products import PRODUCTS  # noqa: PLC0415
+    from raybundle.workflows.surface_thinning import thinned  # noqa: PLC0415
+
+    s, out, wanted = a.settings, a.out, a.wanted
+    # of what was adjusted, not of what a folder says
+    export = replace(a.export, block=replace(a.export.block, free_scale=done.free_scale))
+    unit = "" if done.free_scale else export.block.length_unit
+    try:
+        context = Context(
+            export=export, unit=unit, wanted=wanted, plane=a.grids.plane, mesh=s.mesh, progress=a.progress,
+            points=done if s.thin is None else thinned(done, s.thin),
+        )  # fmt: skip
+        earlier = settle_earlier(done, out, out / WORK, wanted)
+        written = tuple((name, p.write(done, out, context)) for name, p in sorted(PRODUCTS.items()) if name in wanted)
+        note_written(done, out / WORK, wanted)
+        remarks = (
+            *outside_told(done, a.grids), *heights_told(a.grids.told, export), *done.remarks,
+            *mended_words(mended | done.store.mended), *earlier,
+        )  # fmt: skip
+        pages = write_pages(done, a.result, out, context, remarks, s, a.progress)
+    finally:
+        mended |= done.store.mended
     return MeasuredSurface(surface=done, written=written, remarks=remarks, unit=unit, pages=pages)
 
 
 def _source_of(s: SurfaceSettings) -> tuple[Path, Export, tuple[Path, ...]]:
     """The result folder, its block, and the folders of its photographs."""
-    from raybundle.io.formats.base import FREE_SCALE, GIVE_SCALE  # noqa: PLC0415
     from raybundle.pipeline.project import photographs_of  # noqa: PLC0415
     from raybundle.workflows.sources import read_source, result_within  # noqa: PLC0415
     from raybundle.workflows.surface_product import in_its_map  # noqa: PLC0415
@@ -202,13 +263,13 @@ def _source_of(s: SurfaceSettings) -> tuple[Path, Export, tuple[Path, ...]]:
     if not s.source.is_dir():
         raise InputError("there is no such folder; give a result or a project of orient", file=s.source)
     result = result_within(s.source)
-    export = in_its_map(read_source(result)[0])
-    if export.block.free_scale and not s.free_scale:
+    if not any((result / name).is_file() for name in ("block.toml", "result.json")):
         raise InputError(
-            f"{FREE_SCALE}, so that lengths of the surface would be in no unit; {GIVE_SCALE}, or "
-            f"{option('free_scale', True)} for a surface without",
+            "is neither a result, nor a block folder or a project of orient: it holds no result.json, block.toml or "
+            "project.db",
             file=s.source,
         )
+    export = in_its_map(read_source(result)[0])
     folders = s.photos or photographs_of(result)
     if not folders:
         raise InputError(
@@ -218,7 +279,7 @@ def _source_of(s: SurfaceSettings) -> tuple[Path, Export, tuple[Path, ...]]:
 
 
 def _grid_of(
-    s: SurfaceSettings, result: Path, export: Export, progress: Progress
+    s: SurfaceSettings, result: Path, export: Export, adjusted: Callable[[], Adjustment], progress: Progress
 ) -> tuple[Grids, SurfaceRegion | None]:  # fmt: skip
     """The plane, its cells and the pixels of an orthophoto that are asked for, and the part that is measured."""
     from raybundle.commands.plane_settings import plane_in  # noqa: PLC0415
@@ -242,8 +303,8 @@ def _grid_of(
         return Grids(), None
     in_map = export.frame is not None and plan_system(export.frame.crs) is not None
     level = in_map and not (set(OF_PLANE) & set(other_than_usual(s)))
-    plane, told = plane_in(result, export, replace(s, horizontal=True) if level else s, progress)
-    region = _region_in(s, plane) if part else None
+    plane, told = plane_in(result, export, replace(s, horizontal=True) if level else s, progress, adjusted)
+    region = _region_in(s, export.block, plane) if part else None
     if isinstance(plane, MapLevel) and region is not None:
         check_area(plane, region.extent, setting="region" if s.region else "extent")
     if not gridded:
@@ -255,15 +316,16 @@ def _grid_of(
     return grids, region
 
 
-def _region_in(s: SurfaceSettings, plane: Plane) -> SurfaceRegion:
+def _region_in(s: SurfaceSettings, block: Block, plane: Plane) -> SurfaceRegion:
     """The part of a plane that is asked for."""
     from raybundle.workflows.height_grid import HeightPlane  # noqa: PLC0415
-    from raybundle.workflows.heights_read import areas_in  # noqa: PLC0415
     from raybundle.workflows.object_plane import MapLevel  # noqa: PLC0415
-    from raybundle.workflows.surface_region import SurfaceRegion  # noqa: PLC0415
+    from raybundle.workflows.rectify import usual_pixel  # noqa: PLC0415
+    from raybundle.workflows.surface_part import region_asked  # noqa: PLC0415
 
     wkt = plane.system.to_wkt() if isinstance(plane, MapLevel) else ""
-    return SurfaceRegion.of(HeightPlane.of(plane), areas_in(wkt, s.region, s.extent))
+    apart = int(s.density) * usual_pixel(block, plane)
+    return region_asked(HeightPlane.of(plane), wkt, s.region, s.extent, apart)
 
 
 def _keep_settings(settings: SurfaceSettings, work: Path) -> None:

@@ -38,7 +38,7 @@ from typing import Any
 import numpy as np
 
 from raybundle.errors import InputError
-from raybundle.io.reading.trees import json_of, read_toml
+from raybundle.io.reading.trees import json_of, read_json, read_toml
 from raybundle.numerics.arrays import Array
 from raybundle.pipeline.keys import key_of
 from raybundle.pipeline.store import Folder, Product, writing
@@ -443,6 +443,10 @@ def _peak_memory_mb() -> float:
     return resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / unit
 
 
+PHOTOGRAPHS_IN = "photographs_in"
+"""Of result.json, of a result that stands apart from its project: folders of its photographs"""
+
+
 def photographs_of(result: Path) -> tuple[Path, ...]:
     """Folders of the photographs that a result folder, or its project, was made from, as far as they are there."""
     for folder in (result, result.parent):
@@ -455,7 +459,11 @@ def photographs_of(result: Path) -> tuple[Path, ...]:
         except InputError:
             continue
         return tuple(dict.fromkeys(p if p.is_dir() else p.parent for p in paths if p.exists()))
-    return ()
+    try:
+        named = read_json(result / "result.json").get(PHOTOGRAPHS_IN).items()
+        return tuple(p for p in (Path(n.text()) for n in named) if p.is_dir())
+    except InputError:
+        return ()
 
 
 def store_given(folder: Path) -> str:

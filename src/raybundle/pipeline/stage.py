@@ -7,6 +7,7 @@ that is kept under the hash of the inputs is the one that the function would mak
 from __future__ import annotations
 
 import time
+from collections import Counter
 from collections.abc import Callable, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, field
@@ -21,7 +22,7 @@ from raybundle.pipeline import running
 from raybundle.pipeline.executors import Executor, Processes, Threads
 from raybundle.pipeline.keys import key_of
 from raybundle.pipeline.project import Project, Timed
-from raybundle.pipeline.store import Folder, Product
+from raybundle.pipeline.store import Folder, Product, ProductGone
 from raybundle.pipeline.tasks import Done, Task, made
 
 S = TypeVar("S")
@@ -30,7 +31,7 @@ P = TypeVar("P")
 SAVE_EVERY_S = 2.0
 """Small products are kept so often: what a killed run loses."""
 MENDS = 3
-"""Times that tasks are done again whose inputs were found damaged."""
+"""Times that a task is done again because of one and the same input that was found damaged."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -118,39 +119,52 @@ class Means:
             folder=self.project.folder,
         )  # fmt: skip
         failed: dict[str, str] = {}
-        again: list[Done] = []
         executor = self.executor
         alone = not self.store.place.shared or len(missing) < 2
         if apart and isinstance(executor, Threads) and executor.jobs != 1 and not alone:
             executor = Processes(executor.jobs, executor.memory)
-        for _ in range(MENDS):
+        lost = Counter[tuple[str, str]]()
+        while missing:
             again = self._once(missing, told, failed, executor)
-            if not again:
-                break
-            for key in {done.lost for done in again}:
-                with suppress(InputError):  # those that need it say so
-                    self.store.makers[key]()
-            missing = [done.task for done in again]
-        else:
-            failed |= {done.task.key: done.failed for done in again}
+            lost.update((done.task.key, done.lost) for done in again)
+            hopeless = [done for done in again if lost[done.task.key, done.lost] >= MENDS]
+            failed |= {done.task.key: done.failed for done in hopeless}
+            missing = [done.task for done in again if done.task.key not in failed]
+            self._mend([done for done in again if done.task.key not in failed])
         running.forget(self.project.folder)
         return failed
 
+    def _mend(self, stopped: Sequence[Done]) -> None:
+        """Make again what tasks found damaged, and what else they need of it: each of them tells of one product alone.
+
+        raises  ProductGone where no task of this run makes it
+        """
+        makers = self.store.makers
+        gone = next((done.lost for done in stopped if done.lost not in makers), "")
+        for key in sorted({key for done in stopped for key in (done.lost, *done.task.inputs) if key in makers}):
+            if self.store.mapped(key) is None:
+                with suppress(InputError):  # those that need it say so
+                    makers[key]()
+        self.store.release()
+        if gone:
+            raise ProductGone(gone, self.store.place.name)
+
     def _once(self, missing: Sequence[Task], told: Counting, failed: dict[str, str], executor: Executor) -> list[Done]:
-        """Do tasks; those that found a product damaged that can be made again."""
+        """Do tasks; those that found a product damaged."""
         waiting: list[tuple[str, Product]] = []
         again: list[Done] = []
         saved = time.perf_counter()
         try:
             for done in executor.run(missing, self.store):
-                if done.lost in self.store.makers:
+                if done.lost:
+                    self.store.mended.add(done.lost)
                     again.append(done)
                 elif done.failed:
                     failed[done.task.key] = done.failed
                 elif done.task.small:
                     waiting.append((done.task.key, done.product))
                     self._small[done.task.key] = done.product
-                if done.lost not in self.store.makers:
+                if not done.lost:
                     told.one_more(done.task.cost)
                 if done.keep_now or time.perf_counter() - saved > SAVE_EVERY_S:
                     self.project.store_small(waiting)
@@ -279,7 +293,22 @@ class Run:
     adjusting: float = 0.0
 
     def workflow(self, workflow: Workflow[S], state: S) -> S:
-        """The state after all stages of a workflow."""
+        """The state after all stages of a workflow.
+
+        Where a product is found damaged that a stage keeps for its tasks, the stages are gone through once more: what
+        is whole is taken, what is not is made by the stage that it is of.  raises ProductGone where that is of no use.
+        """
+        gone, begin = set[str](), len(self.project.records)
+        while True:
+            try:
+                return self._through(workflow, state)
+            except ProductGone as error:
+                if error.key in gone:
+                    raise
+                gone.add(error.key)
+                del self.project.records[begin:]
+
+    def _through(self, workflow: Workflow[S], state: S) -> S:
         behind = {name: a for a in workflow.alternatives for name in a.first}
         done = set[str]()
         for stage in workflow.in_order():

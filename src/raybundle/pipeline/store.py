@@ -139,6 +139,8 @@ class Files:
     """Files in a folder that all who need them see."""
 
     path: Path
+    cut: set[str] = field(default_factory=set[str], repr=False, compare=False)
+    """keys of those that were found cut"""
 
     @property
     def name(self) -> str:
@@ -160,7 +162,9 @@ class Files:
         """Whether a file is there in its whole length; one that was cut is removed.  Its numbers are not read."""
         if is_complete(self._path(key)):
             return True
-        self.forget(key)
+        if self._path(key).exists():
+            self.cut.add(key)
+            self.forget(key)
         return False
 
     def those(self, keys: Sequence[str]) -> set[str]:
@@ -242,10 +246,10 @@ def whole_url(url: str) -> str:
     return f"file://{Path(path).absolute().as_posix()}" if relative else url
 
 
-def place_at(path: Path, url: str) -> Place:
-    """Where products lie: at a URL, or in a folder where that is empty."""
+def place_at(path: Path, url: str, cut: set[str] | None = None) -> Place:
+    """Where products lie: at a URL, or in a folder where that is empty; `cut` as of `Files`."""
     if not url:
-        return Files(path)
+        return Files(path, set() if cut is None else cut)
     from raybundle.pipeline.objects import objects_at  # noqa: PLC0415  (an extra)
 
     return objects_at(url)
@@ -263,6 +267,8 @@ class Folder:
         default_factory=dict[str, Callable[[], object]], repr=False, compare=False
     )
     """how the products of this run are made again, by their keys, when one is found damaged"""
+    mended: set[str] = field(default_factory=set[str], repr=False, compare=False)
+    """keys of products that were found damaged, or gone though they had been there"""
     _held: OrderedDict[str, dict[str, Array]] = field(
         default_factory=OrderedDict[str, dict[str, Array]], repr=False, compare=False
     )
@@ -275,7 +281,7 @@ class Folder:
     def __post_init__(self) -> None:
         """Where the archives lie."""
         object.__setattr__(self, "url", whole_url(self.url))  # the class is frozen
-        object.__setattr__(self, "place", place_at(self.path, self.url))
+        object.__setattr__(self, "place", place_at(self.path, self.url, self.mended))
 
     def check_shared(self) -> None:
         """Raise InputError where other processes do not see it."""
@@ -317,7 +323,7 @@ class Folder:
         for _ in range(READS):
             path = self.place.file(key)
             if path is None:
-                return None
+                break
             try:
                 with path.open("rb") as file:
                     members = members_of(file)
@@ -330,6 +336,8 @@ class Folder:
             except DAMAGED:
                 self.place.damaged(key, damaged)
                 damaged = True
+        if damaged:  # not a copy alone
+            self.mended.add(key)
         return None
 
     def _known(self, key: str, number: int) -> set[int]:
@@ -367,6 +375,8 @@ class Folder:
     def _again(self, key: str, read: Callable[[], dict[str, Array] | None]) -> dict[str, Array]:
         """What is read, after it was made again where it was damaged."""
         found = read()
+        if found is None:
+            self.mended.add(key)
         if found is None and key in self.makers:
             self.makers[key]()
             found = read()
@@ -418,5 +428,7 @@ def writing(folder: Path) -> Generator[None]:
         if isinstance(error, IsADirectoryError | NotADirectoryError | FileExistsError):
             what = f"something else stands at {error.filename2 or error.filename} ({what})"
             advice = "move it away and run the same command again"
-        text = f"cannot be written: {what}; {advice}. What is finished is kept, the run continues there"
+        kept = folder.is_dir() and any(folder.rglob("*.npz"))
+        more = ". What is finished is kept, the run continues there" if kept else ""
+        text = f"cannot be written: {what}; {advice}{more}"
         raise InputError(text, file=folder) from None

@@ -113,6 +113,8 @@ def do(task: Task, store: Folder) -> Done:
 def made(task: Task, store: Folder) -> None:
     """Do a task once more whose product was found damaged; raises InputError where it cannot be made."""
     done = do(task, store)
+    if done.lost:
+        raise ProductGone(done.lost, store.place.name)
     if done.failed:
         raise InputError(done.failed)
 

@@ -11,7 +11,7 @@ from typing import Any
 import numpy as np
 
 from raybundle.errors import InputError
-from raybundle.io.geo.parsed_systems import parse_crs
+from raybundle.io.geo.parsed_systems import parse_crs, system_name
 from raybundle.io.missions.areas import GEOGRAPHIC, Shape, in_crs, read_shapes
 from raybundle.io.outlines import TEXT, read_outline
 from raybundle.io.reading.words import number_of
@@ -179,6 +179,12 @@ def lines_of(o: Opened, given: str) -> list[Array]:
 def _in_plane(wkt: str, xy: Array, crs: str, *, typed: bool, path: Path) -> Array:
     """Coordinates of a file in those of a map, or of a plane of the object as they are."""
     if typed or not wkt:
+        if not typed and crs and crs != GEOGRAPHIC:  # what says nothing is of the plane
+            raise InputError(
+                f"is in {system_name(crs)}, and these heights lie on a plane of the object, in no map; give "
+                "coordinates of the plane, in a file that names no coordinate system",
+                file=path,
+            )
         if not typed and path.suffix.lower() in {".kml", ".kmz"}:
             raise InputError(
                 "is in longitude and latitude, and these heights lie on a plane of the object, in no map; give "

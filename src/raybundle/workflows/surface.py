@@ -7,8 +7,9 @@ compared, and of what agrees the best estimate of each place goes into the cloud
 from __future__ import annotations
 
 import os
-from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass, field
+from collections import Counter
+from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 
 import numpy as np
@@ -16,16 +17,20 @@ import numpy as np
 from raybundle.adjustment.result import Adjustment
 from raybundle.block import Block
 from raybundle.errors import InputError
+from raybundle.io.formats.base import FREE_SCALE, GIVE_SCALE
 from raybundle.io.photos.masks import Masks, find_masks
 from raybundle.io.photos.photo import Photo, read_photo
 from raybundle.measuring.session import adjusted_again
+from raybundle.numerics.counting import counted
 from raybundle.numerics.progress import Progress, silent
 from raybundle.pipeline.choosing import executor_for
 from raybundle.pipeline.project import Project, StageRecord
 from raybundle.pipeline.stage import Run
-from raybundle.pipeline.store import Folder
+from raybundle.pipeline.store import Folder, kind_of
 from raybundle.settings import option
+from raybundle.surfaces.depth_map import LEAST_SWEEP_BYTES, bytes_needed
 from raybundle.workflows.mask_notices import OF_DEPTHS, mask_notices
+from raybundle.workflows.surface_pointless import pointless
 from raybundle.workflows.surface_state import Cloud, MadeOrthophoto, MeasuredHeights, SurfaceOptions, SurfaceState
 from raybundle.workflows.surfacing import SURFACE
 
@@ -52,14 +57,21 @@ class Surface:
     """of that grid, where it was asked for"""
     left_out: tuple[tuple[str, str], ...]
     """photographs and pairs without a part in it, and why"""
+    pointless: tuple[tuple[str, str], ...] = ()
+    """photographs whose depths give no point, and why, where that is not because others know their places better"""
     remarks: tuple[str, ...] = ()
-    """of masks"""
+    """of masks, of memory, and of products that were made again"""
     records: tuple[StageRecord, ...] = field(default=(), repr=False)
 
     @property
     def block(self) -> Block:
         """With adjusted values."""
         return self.adjustment.adjusted
+
+    @property
+    def free_scale(self) -> bool:
+        """Whether nothing that was adjusted fixes the scale: lengths are in no unit."""
+        return self.block.free_scale
 
     def __len__(self) -> int:
         """How many points."""
@@ -78,33 +90,38 @@ def surface(
     *,
     photos: Sequence[Path],
     masks: Path | None = None,
+    free_scale: bool = False,
     jobs: int = 0,
     memory: float = 2e9,
     cluster: str = "",
     store: str = "",
     progress: Progress = silent,
+    adjusted: Callable[[], Adjustment] | None = None,
 ) -> Surface:
     """Measure the surface that the photographs of a result show.
 
-    source  result folder: its block is adjusted once more, which ends at once, for all covariances
+    source  result folder: its block is adjusted once more for all covariances
     folder  project folder, where finished maps are kept and taken from
     photos  folders in which the photographs are looked for
     masks   folder of masks, as COLMAP or Metashape name them; None: photographs are measured whole
+    free_scale  also where nothing that is adjusted fixes the scale
     cluster, store  where tasks are done and products lie, as `executor_for` and `Project.open` take it
     memory  bytes that depth maps in work may take together
-    raises  InputError where no two photographs show the same part, and where none is found
+    adjusted  gives the adjustment of the result, where that is at hand; None: its block is adjusted once more
+    raises  InputError where no two photographs show the same part, where none is found, and for a free scale
 
     What it does not tell: errors that all photographs of a place share, as of reflections, water and moving shadows.
     """
     jobs = jobs or os.cpu_count() or 1
-    adjustment = adjusted_again(source, progress)
+    made = adjusted_again(source, progress) if adjusted is None else adjusted()
+    adjustment = _checked(made, source, free_scale=free_scale)
     found, lost = _photographs(adjustment.adjusted, photos)
     worn = None if masks is None else find_masks(masks, tuple(found.values()))
     project = Project.open(folder, store=store)
     try:
         run = Run(
             project=project, executor=executor_for(cluster, jobs, memory, progress), progress=progress, jobs=jobs,
-            memory=memory,
+            memory=max(memory, LEAST_SWEEP_BYTES),
         )  # fmt: skip
         begin = SurfaceState(adjustment=adjustment, photos=found, options=options, masks=worn, left_out=lost)
         state = run.workflow(SURFACE, begin)
@@ -115,10 +132,36 @@ def surface(
         return Surface(
             adjustment=adjustment, store=project.products, clouds=clouds, counts=counts, options=options,
             maps=state.maps, sigmas=state.sigmas, heights=state.heights, orthophoto=state.orthophoto,
-            left_out=state.left_out, remarks=_remarks(worn), records=tuple(project.records),
+            left_out=state.left_out, remarks=(*_remarks(worn), *_beyond(state, memory)),
+            pointless=pointless(state, {k: n for (k, _), n in zip(clouds, counts, strict=True)}, project.products),
+            records=tuple(project.records),
         )  # fmt: skip
     finally:
         project.close()
+
+
+def _checked(made: Adjustment, source: Path, *, free_scale: bool) -> Adjustment:
+    """An adjustment whose block says whether its scale is free; raises InputError where that is not wanted.
+
+    Whatever a folder tells of it: a block says nothing, and observations of a result may be gone.
+    """
+    free = "scale" in made.datum_defect
+    if free and not free_scale:
+        raise InputError(
+            f"{FREE_SCALE}, so that lengths of the surface would be in no unit; {GIVE_SCALE}, or "
+            f"{option('free_scale', True)} for a surface without",
+            file=source,
+        )
+    return replace(made, adjusted=replace(made.adjusted, free_scale=free))
+
+
+def mended_words(keys: Collection[str]) -> tuple[str, ...]:
+    """That products were damaged or gone which had been kept, by their keys, and were made again."""
+    kinds = Counter(kind_of(key) for key in keys)
+    if not kinds:
+        return ()
+    what = ", ".join(f"{n} of {kind}" for kind, n in sorted(kinds.items()))
+    return (f"{counted(len(keys), 'product')} of earlier runs, damaged or gone, made again: {what}",)
 
 
 def _nothing(state: SurfaceState, store: Folder) -> str:
@@ -137,6 +180,24 @@ def _nothing(state: SurfaceState, store: Folder) -> str:
 
 def _remarks(masks: Masks | None) -> tuple[str, ...]:
     return () if masks is None else tuple(n.message for n in mask_notices(masks, OF_DEPTHS))
+
+
+def _beyond(state: SurfaceState, memory: float) -> tuple[str, ...]:
+    """That a depth map takes more memory than is allowed, where that is so."""
+    sizes = list[tuple[float, int]]()
+    for k in state.maps:
+        camera = state.block.cameras[int(state.block.images.camera[k])]
+        pixels = int(camera.width_px * camera.height_px * state.shares.get(k, 1.0))
+        sizes.append((max(LEAST_SWEEP_BYTES, bytes_needed(pixels, 0.0)), k))
+    most, largest = max(sizes, default=(0.0, -1))
+    if most <= memory:
+        return ()
+    name = state.block.images.ids[largest]
+    what = (
+        f"{option('memory')} allows {memory / 1e9:.2g} GB, and the depth map of {name} "
+        f"alone takes about {most / 1e9:.2g} GB: maps are made one at a time"
+    )
+    return (what,)
 
 
 def _photographs(block: Block, folders: Sequence[Path]) -> tuple[dict[int, Photo], tuple[tuple[str, str], ...]]:

@@ -119,6 +119,8 @@ class Within:
     """into which the normal equations were cut; 0: one piece"""
     needed: float = 0.0
     """bytes that one piece would take"""
+    over: float = 0.0
+    """bytes of the largest adjustment that was made in one piece though less was allowed, as `little` has it"""
     stores: int = 0
     """made so far: each system has its own"""
     _in_parts: Factoring | None = None
@@ -139,6 +141,7 @@ class Within:
             whole = Normals.of(system, options.jobs)
             needed += bytes_of(whole)
             if needed <= most:
+                self.over = max(self.over, needed if needed > self.allowed else 0.0)
                 return whole
             del whole
         self.needed = needed  # of what was cut last: others that a stage adjusts fit
@@ -172,7 +175,7 @@ class Within:
     def notices(self) -> tuple[Notice, ...]:
         """What was done, where anything was."""
         if not self.parts:
-            return ()
+            return self._over_notice()
         if self.elsewhere:
             message = (
                 f"the normal equations were reduced in {counted(self.parts, 'part')} (Helmert-Wolf) by workers of "
@@ -191,6 +194,17 @@ class Within:
                 "not there, leave out some"
             )
         return (Notice(code="in_parts", message=message),)
+
+    def _over_notice(self) -> tuple[Notice, ...]:
+        """That less was allowed than one piece took, where that was done all the same."""
+        if not self.over:
+            return ()
+        message = (
+            f"{option('memory')} allows adjustments {self.allowed / 1e9:.3g} GB, and one of them took "
+            f"{self.over / 1e9:.3g} GB: up to {(BASE + self.little) / 1e9:.3g} GB they are made in one piece, whatever "
+            f"is allowed, as the program itself takes {BASE / 1e9:.3g} GB of it"
+        )
+        return (Notice(code="memory_exceeded", message=message),)
 
 
 def bytes_of(normals: Normals) -> float:

@@ -192,7 +192,12 @@ def _ogr(path: Path, crs: str) -> Iterator[Shape]:
     try:
         about, _, geometry, _ = reader.read(path, columns=[], force_2d=True)
     except Exception as error:  # noqa: BLE001  (GDAL's drivers raise what they like on damaged files)
-        raise InputError(f"cannot be read: {str(error).splitlines()[0]}", file=path) from None
+        said = str(error).splitlines()[0] if path.suffix.lower() not in {".wkt", ".txt", ".csv"} else ""
+        raise InputError(
+            "cannot be read as lines or areas; save it as GeoJSON, KML or GeoPackage"
+            + (f" (GDAL: {said})" if said else ""),
+            file=path,
+        ) from None
     own = str(about.get("crs") or crs)
     for data in geometry:
         if data is not None:

@@ -1,0 +1,62 @@
+"""The part of an object that a surface is asked for: read from files, corners or a rectangle."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Sequence
+from pathlib import Path
+
+from raybundle.errors import InputError
+from raybundle.io.reading.words import number_of
+from raybundle.numerics.arrays import Array
+from raybundle.settings import option
+from raybundle.workflows.height_grid import HeightPlane
+from raybundle.workflows.heights_read import areas_in
+from raybundle.workflows.surface_region import SurfaceRegion
+
+NO_NUMBERS = {"nan", "inf", "-inf", "infinity"}
+
+
+def region_asked(
+    plane: HeightPlane, wkt: str, region: Sequence[str], extent: Sequence[float] | None, apart: float
+) -> SurfaceRegion:
+    """That of files or corners, or of a rectangle.
+
+    wkt     coordinate system of a map; empty: the plane is one of the object
+    apart   distance between points
+    raises  InputError with what was given, where it is no area, and where it is smaller than that distance
+    """
+    areas = list[Sequence[Array]]()
+    for given in region:
+        _check(given)
+        try:
+            areas += areas_in(wkt, [given], None)
+        except InputError as error:
+            if error.file is not None:
+                raise
+            raise InputError(f"{option('region')}: {given!r}: {error}") from None
+    found = SurfaceRegion.of(plane, areas_in(wkt, [], extent) if extent is not None else areas)
+    left, bottom, right, top = found.extent.tolist()
+    if min(right - left, top - bottom) < apart:
+        raise InputError(
+            f"the part that is asked for is {right - left:.3g} x {top - bottom:.3g}, and points lie {apart:.3g} apart "
+            f"({option('density')}): none needs to lie in it; choose a larger part"
+        )
+    return found
+
+
+def _check(given: str) -> None:
+    """Raise InputError for a text that names no file and is no list of corners, with what is wrong of it."""
+    there = bool(given.strip()) and Path(given).exists()
+    if there and not Path(given).is_dir():
+        return
+    corners = [[number_of(word) for word in part.split()] for part in re.split(r"[;,]", given)]
+    whole = all(len(c) == 2 and None not in c for c in corners)
+    if there or not (whole and len(corners) > 2):
+        words = re.findall(r"[^;,\s]+", given)
+        if words and not there and not any(number_of(w) is not None or w.lower() in NO_NUMBERS for w in words):
+            return  # a name, of which it is told that there is no such file
+        rectangle = f"; a rectangle is asked for with {option('extent')}" if whole and len(corners) == 2 else ""
+        raise InputError(
+            f"{option('region')}: {given!r} is neither a file nor three corners or more, X Y, X Y, X Y{rectangle}"
+        )
