@@ -3,8 +3,8 @@
     peer_pandora.py LEFT.tif RIGHT.tif LOWEST HIGHEST WORK
 
 WORK/disparity.npy holds columns (h, w) float32 by which the right picture's place lies from the left one's, NaN where
-there is none; prints one JSON line.  Its settings are those of its own examples, its penalties the default ones; both pictures are padded with zeros,
-which count as no data.
+there is none; prints one JSON line.  Its settings are those of its own examples, its penalties the default ones; both
+pictures are padded with zeros, which count as no data.
 """
 
 from __future__ import annotations
@@ -12,6 +12,7 @@ from __future__ import annotations
 import argparse
 import json
 import time
+from importlib.metadata import version
 from pathlib import Path
 
 import numpy as np
@@ -55,7 +56,7 @@ def main() -> None:
     with rasterio.open(given.work / "left_validity_mask.tif") as tif:
         found[(tif.read(1) & int(Criteria.PANDORA_MSK_PIXEL_INVALID)) != 0] = np.nan
     np.save(given.work / "disparity.npy", found)
-    print(json.dumps({"cpu_s": round(seconds, 1), "version": pandora.__version__}))
+    print(json.dumps({"cpu_s": round(seconds, 1), "version": version("pandora")}))
 
 
 if __name__ == "__main__":
