@@ -58,9 +58,6 @@ MOST_ROWS, FEW_ROWS = 5, 3
 MOST_TURNED = 100_000
 """Points whose standard deviations are turned into the client's axes"""
 HECTARE = 1e4
-SURFACE_AGAIN = (
-    "They are of the result that stood here when they were measured; surface measures them again of this one."
-)
 
 
 @chapter("front", after="", part="client")
