@@ -61,6 +61,8 @@ WORK = ROOT / "benchmarks/work"
 FOUNTAIN = ROOT.parent / "shared/data/photos/fountain-p11/images"
 INCIDENCES, CONTRASTS = (0, 0.3, 0.5, 0.7, 0.85, 1.01), (0, 6, 9, 12, 16, 999)
 LAGS_PX = (4, 8, 16, 24, 48, 80)
+BAND, RIM = 240, 40
+"""Rows of a rectified pair that pandora matches at once, and around them."""
 POINTS, WITHIN_M, SAME_M = 50_000, 0.02, 0.005
 """Over the object; how near a depth has to be to the truth, and a ray to its point."""
 SAME_PLACE, LEAST_PLACES = 0.002, 3000
@@ -178,13 +180,18 @@ def sgbm(pair: RectifiedPair) -> np.ndarray:
 
 def pandora(pair: RectifiedPair, python: str) -> np.ndarray:
     """(h, w) depth parameters by pandora with libSGM, run by a Python that has them."""
-    with tempfile.TemporaryDirectory() as folder:
-        files = [str(Path(folder) / name) for name in ("left.tif", "right.tif")]
-        for path, pixels in zip(files, (pair.left, pair.right), strict=True):
-            cv2.imwrite(path, pixels)
-        script = [python, str(ROOT / "benchmarks/peer_pandora.py"), *files, str(-pair.count), "0", folder]
-        subprocess.run(script, check=True, capture_output=True)
-        return pair.depths(-np.load(Path(folder) / "disparity.npy"))
+    found = np.full(pair.left.shape, np.nan, np.float32)
+    for begin in range(0, len(found), BAND):
+        # its costs of all rows at once take more memory than there is; paths from beyond the rim hardly reach further
+        rows = slice(max(0, begin - RIM), begin + BAND + RIM)
+        with tempfile.TemporaryDirectory() as folder:
+            files = [str(Path(folder) / name) for name in ("left.tif", "right.tif")]
+            for path, pixels in zip(files, (pair.left, pair.right), strict=True):
+                cv2.imwrite(path, pixels[rows])
+            script = [python, str(ROOT / "benchmarks/peer_pandora.py"), *files, str(-pair.count), "0", folder]
+            subprocess.run(script, check=True, capture_output=True)
+            found[begin : begin + BAND] = -np.load(Path(folder) / "disparity.npy")[begin - rows.start :][:BAND]
+    return pair.depths(found)
 
 
 def beside(theirs: np.ndarray, exact: np.ndarray) -> dict[str, float]:

@@ -291,6 +291,11 @@ def bytes_needed(pixels: int, memory: float) -> float:
     return _sweep_bytes(pixels, memory) + MAP_BYTES * pixels
 
 
+def by_bands(pixels: int, memory: float) -> bool:
+    """Whether approximate depths of a photograph are found by bands or coarser, so that they depend on the memory."""
+    return memory < max(LEAST_SWEEP_BYTES, MAP_BYTES * pixels)
+
+
 def _sweep_bytes(pixels: int, memory: float) -> float:
     return min(memory, max(LEAST_SWEEP_BYTES, MAP_BYTES * pixels))
 

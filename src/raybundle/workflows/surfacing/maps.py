@@ -19,7 +19,7 @@ from raybundle.pipeline.keys import key_of
 from raybundle.pipeline.stage import Means, Stage
 from raybundle.pipeline.store import Folder, Product
 from raybundle.pipeline.tasks import Task
-from raybundle.surfaces.depth_map import DepthOptions, bytes_needed, depth_map
+from raybundle.surfaces.depth_map import DepthOptions, by_bands, bytes_needed, depth_map
 from raybundle.surfaces.pairs import Sources
 from raybundle.ties.points import exact_grey_of
 from raybundle.workflows.surface_region import SurfaceRegion
@@ -94,6 +94,7 @@ def measure(i: Inputs, means: Means) -> Maps:
         # without masks and region as ever: what is there stays
         more = [] if i.masks is None else [[i.masks.key(p) for p in photos]]
         more += [] if i.options.region is None else [i.options.region]
+        more += [means.memory] if by_bands(int(size), means.memory) else []
         tasks.append(
             Task(
                 key=key_of(
