@@ -119,7 +119,7 @@ def test_points_move_with_corrections_as_is_stated(adjusted):
 
     xyz, there = seen(block, t)
     by_t = seen(block, t + 1.0)[1] - there
-    k = by_t / (by_t**2).sum(axis=(1, 2), keepdims=True)
+    k = -by_t / (by_t**2).sum(axis=(1, 2), keepdims=True)  # to what the tables say
     rng = np.random.default_rng(4)
     root = np.linalg.cholesky(joint.covariance + 1e-12 * joint.covariance.max() * np.eye(len(joint.steps)))
     depths, points = [], []
@@ -128,7 +128,7 @@ def test_points_move_with_corrections_as_is_stated(adjusted):
         for one, by in zip(joint.steps, root @ rng.normal(size=len(joint.steps)), strict=True):
             values[one.images[0]][one.symbol] += by
         off = replace(block, cameras=tuple(replace(c, values=v) for c, v in zip(block.cameras, values, strict=True)))
-        moved = t - (k * (seen(off, t)[1] - there)).sum(axis=(1, 2))
+        moved = t + (k * (seen(off, t)[1] - there)).sum(axis=(1, 2))
         depths.append(moved - t)
         points.append(seen(off, moved)[0] - xyz)
     ratio = np.std(depths, axis=0) / np.sqrt(found.of_depths(xy, t, k))

@@ -90,7 +90,7 @@ def test_photographs_without_overlap_are_named(half, tmp_path, capsys):
     rays = np.bincount(block.observations.point, minlength=len(block.points))
     few = np.isin(np.arange(len(rays)), np.flatnonzero(rays == 3)[::12][:10])  # hold the photographs, and no more
     write_block(selected(block, "point", few), tmp_path / "block")
-    words = ["surface", str(tmp_path / "block"), "--photos", str(half), "--out", str(tmp_path / "s")]
+    words = ["surface", str(tmp_path / "block"), "--photos", str(half), "--out", str(tmp_path / "s"), "--free-scale"]
     assert main(words) != 0
     told = capsys.readouterr().err
     assert "a surface needs two photographs that show the same part of the object" in told

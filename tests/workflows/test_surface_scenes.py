@@ -100,7 +100,8 @@ def test_depth_maps_of_scenes_hold_heights(made):
     about = (folder / "surface/depths/depths.toml").read_text()
     assert about.count('"depth" = "height above the ellipsoid"') == 3
     key = done.surface.maps[0]
-    found = DepthMap.of_arrays(done.surface.store.wanted(key))
+    given = done.surface.store.wanted(dict(done.surface.clouds)[0], ("place",))["place"]
+    found = DepthMap.of_arrays(done.surface.store.wanted(key)).sure(given)
     with rasterio.open(folder / "surface/depths/ahead.tif") as raster:
         depth, sigma, _ = raster.read()
     good = np.isfinite(found.t)

@@ -124,12 +124,14 @@ class Means:
         if apart and isinstance(executor, Threads) and executor.jobs != 1 and not alone:
             executor = Processes(executor.jobs, executor.memory)
         lost = Counter[tuple[str, str]]()
-        while missing:
+        while True:
             again = self._once(missing, told, failed, executor)
             lost.update((done.task.key, done.lost) for done in again)
             hopeless = [done for done in again if lost[done.task.key, done.lost] >= MENDS]
             failed |= {done.task.key: done.failed for done in hopeless}
             missing = [done.task for done in again if done.task.key not in failed]
+            if not missing:
+                break
             self._mend([done for done in again if done.task.key not in failed])
         running.forget(self.project.folder)
         return failed
