@@ -570,4 +570,4 @@ def test_an_s3_on_this_machine(tmp_path, expected):
     assert damaged
     assert there == [30, 15, 0, 0, 32]  # 16 leaves and 15 nodes, one of them damaged; those and the token
     assert no_bucket.startswith("s3://nowhere/x: there is no such bucket, or nothing can be written into it; create it")
-    assert no_server.startswith("s3://surveys/late: cannot be reached (EndpointConnectionError: Could not connect")
+    assert no_server.startswith("s3://surveys/late: cannot be reached (Could not connect")
