@@ -8,7 +8,7 @@ portal     the demonstration set, adjusted as `raybundle demo` does it; exact de
            within 20 mm, and chi-squares of the errors by noise, roughness and orientation: the mean, the robust one
            ((median |e / sigma| / 0.6745)^2), shares within 1 and 1.96 sigma and beyond 5 sigma; of all pixels, of
            interior ones (whose eight neighbours on the grid are there), by classes of incidence, sources and contrast
-peers      OpenCV's three-way SGBM, and with --pandora (figures apart, a map takes six minutes) pandora with libSGM, at full
+peers      OpenCV's three-way SGBM, and with --pandora (figures apart; six minutes a map) pandora with libSGM, at full
            size on the rectified pair of the reference and its best source, in the same run: robust error, share within
            20 mm, share of the visible pixels
 neighbours correlation of normalised errors by distance along the rows, beside the one that is stated
