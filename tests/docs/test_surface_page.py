@@ -23,6 +23,8 @@ def test_figures_are_those_of_the_benchmark():
     assert f"{between([a['beyond_5'] for a in everywhere], 1, 100)} % are off by more than five" in page
     assert f"{between([m['error_mm'] for m in maps], 2)} mm at pixels" in page
     assert f"cover {between([m['complete'] for m in maps], 2)} of what" in page
+    near = [between([m["neighbours"][lag]["measured"] for m in maps], 2) for lag in ("4", "8", "16")]
+    assert f"{near[0]}, {near[1]} and {near[2]} at 4, 8 and 16 pixels" in page
     union = found["union"]
     assert union["density"] == 2
     assert f"and {between([union['maps'][m['map']]['confirmed'] for m in maps], 2)} with doubtful" in page

@@ -293,7 +293,7 @@ def bytes_needed(pixels: int, memory: float) -> float:
 
 def by_bands(pixels: int, memory: float) -> bool:
     """Whether approximate depths of a photograph are found by bands or coarser, so that they depend on the memory."""
-    return memory < max(LEAST_SWEEP_BYTES, MAP_BYTES * pixels)
+    return _sweep_bytes(pixels, memory) < _sweep_bytes(pixels, np.inf)
 
 
 def _sweep_bytes(pixels: int, memory: float) -> float:

@@ -1,7 +1,6 @@
 """What neighbours of a map say of a pixel: flags, and which depths are doubtful.
 
-A doubtful depth is as a rule right (nine of ten of an exactly known object, benchmarks/surface_truth.py), but a map
-alone cannot tell: it stays where other maps confirm it.
+A doubtful depth is as a rule right, but a map alone cannot tell: it stays where other maps confirm it.
 """
 
 from __future__ import annotations
@@ -20,9 +19,9 @@ AGREE, AGAINST = 6, 2
 """Of eight neighbours 4 px away that have to, and that may speak against it: a straight edge of things stays."""
 NEAR_PX, NEAR_AGREE = 2, 6
 """Distance of eight nearer neighbours, and how many have to agree: what wanders off with its window does so alone.  A
-coarser grid has none.  Fewer would leave more and worse: of four maps of an exactly known object 5 of both leave 3.5 %
-more, with 0.40 to 0.54 % beyond five standard deviations and a mean chi-square of interior depths of 1.15 to 1.46, as
-against 0.28 to 0.39 % and 1.11 to 1.18 by these.  What other maps confirm stays anyway."""
+coarser grid has none.  Of four maps of an exactly known object 0.2 to 0.3 % of what stays is then off by more than five
+standard deviations (benchmarks/surface_truth.py); fewer would leave more and worse, and what other maps confirm stays
+anyway."""
 HOLE_PX, RIM_PX = 9, 2
 """Holes larger than a window and a pixel on each side, and what is lost around them: of 3 px that half a window
 reaches, the outer one has no weight."""

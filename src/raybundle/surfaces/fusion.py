@@ -7,9 +7,8 @@ something else stands before it is silent.  Of estimates that agree the best sta
 how they are correlated, and gains little, since they share photographs, orientation and texture.
 
 A depth that is doubtful in its own map says nothing of sure ones.  It stays where two other maps see the same, surely
-or not, and none sees through it: of an exactly known object 5 % of such depths are off by more than five standard
-deviations of noise and roughness, as are 40 % of those that none confirms; by standard deviations that count how far
-their neighbours stand apart it is 1.5 % (benchmarks/surface_truth.py).
+or not, and none sees through it.  Its standard deviation counts how far its neighbours stand apart: of an exactly known
+object 0.5 to 1.3 % of such depths are then off by more than five of them (benchmarks/surface_truth.py --union).
 """
 
 from __future__ import annotations
