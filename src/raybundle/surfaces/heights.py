@@ -28,7 +28,7 @@ BETWEEN_MAPS = 0.35
 SHARED_PHOTOGRAPHS, SHARED_SURFACE = 0.31, 0.23
 """What photographs that both use add to it, as a share of all, and what one surface does to both, by the cosine of the
 angle between their rays.  By least squares of 91 pairs of maps of an exactly known object, every second pixel; of
-every fourth pixel 80 % of them lie within 0.1 of it (benchmarks/surface_truth.py --between 4)."""
+every fourth pixel 80 % of them lie within 0.1 of it (benchmarks/surface_truth.py, its part between maps)."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
