@@ -1,7 +1,6 @@
 """A part of a surface, and photographs of which a part is masked: three of the portal, at half their size."""
 
 import json
-from dataclasses import replace
 from types import SimpleNamespace
 
 import cv2
@@ -12,8 +11,8 @@ from pyproj import CRS, Transformer
 from raybundle.commands.surface import surface
 from raybundle.errors import InputError
 from raybundle.numerics.progress import silent
+from raybundle.pipeline.store import Folder
 from raybundle.surfaces.depth_map import DepthMap
-from raybundle.surfaces.pairs import sources_of_each
 from raybundle.surfaces.rays import ReferenceRays
 from raybundle.surfaces.refine import Reason
 from raybundle.workflows.height_grid import HeightPlane
@@ -22,6 +21,7 @@ from raybundle.workflows.surface_part import region_asked
 from raybundle.workflows.surface_pointless import pointless
 from raybundle.workflows.surface_region import SurfaceRegion
 from raybundle.workflows.surface_state import SurfaceOptions, SurfaceState
+from raybundle.workflows.surfacing.fused import CONFIRMED
 from raybundle.workflows.surfacing.sources import STAGE, choose
 from tests.workflows.half_portal import half_portal
 
@@ -204,19 +204,23 @@ def test_nothing_is_measured_where_a_mask_is_black_nor_by_what_it_hides(half, wh
         surface(half / "block", tmp_path / "t", photos=(half,), density="4", masks=tmp_path / "none")
 
 
-def test_it_is_not_told_of_photographs_whose_places_others_know_better(part):
-    done = part.surface
-    state = SurfaceState(
-        adjustment=done.adjustment, photos={}, options=done.options, maps=done.maps, sigmas=done.sigmas,
-        chosen=tuple(sources_of_each(done.block)),
-    )  # fmt: skip
-    none = dict.fromkeys(done.maps, 0)
-    assert pointless(state, none, done.store) == ()
-    far = replace(done.options.region, areas=((((9.0, 9.0), (10.0, 9.0), (10.0, 10.0)),),))
-    elsewhere = replace(state, options=replace(done.options, region=far))
-    assert pointless(elsewhere, none, done.store) == tuple(
-        (name, "no depth was found in it, of the region") for name in done.block.images.ids
-    )
+def test_it_is_told_why_a_photograph_gives_no_point(part, tmp_path):
+    """From what the fusion kept beside its points; not where other maps know its places better."""
+    done, store = part.surface, Folder(tmp_path)
+    names, kept = done.block.images.ids, done.store.wanted(dict(done.clouds)[0], ("depths", "share"))
+    assert kept["depths"] >= done.counts[0] > 0
+    assert CONFIRMED <= kept["share"] <= 1
+    given = {0: (900, 0.0, 0), 1: (0, 0.0, 0), 2: (900, 0.31, 0), 3: (900, 0.9, 0), 4: (900, 0.2, 5)}
+    for k, (depths, share, points) in given.items():
+        store.store(str(k), {"depths": np.array(depths), "share": np.array(share), "image": np.zeros(points)})
+    keys = {k: str(k) for k in given}
+    told = dict(pointless(done.block, keys, store, region=True))
+    assert told == {
+        names[0]: "no other depth map confirms any of its depths",
+        names[1]: "no depth was found in it, of the region",
+        names[2]: "other depth maps confirm 31% of its depths, and 50% are needed",
+    }
+    assert dict(pointless(done.block, keys, store))[names[1]] == "no depth was found in it"
 
 
 def test_an_outline_in_another_system_is_brought_into_that_of_the_map(tmp_path):

@@ -80,7 +80,8 @@ class Surface:
     def parts(self) -> Iterator[Cloud]:
         """The points of one reference after the other."""
         for _, key in self.clouds:
-            yield Cloud(**{name: np.asarray(values) for name, values in self.store.wanted(key).items()})
+            kept = self.store.wanted(key, Cloud.__slots__)
+            yield Cloud(**{name: np.asarray(values) for name, values in kept.items()})
 
 
 def surface(
@@ -133,7 +134,7 @@ def surface(
             adjustment=adjustment, store=project.products, clouds=clouds, counts=counts, options=options,
             maps=state.maps, sigmas=state.sigmas, heights=state.heights, orthophoto=state.orthophoto,
             left_out=state.left_out, remarks=(*_remarks(worn), *_beyond(state, memory)),
-            pointless=pointless(state, {k: n for (k, _), n in zip(clouds, counts, strict=True)}, project.products),
+            pointless=pointless(state.block, state.clouds, project.products, region=options.region is not None),
             records=tuple(project.records),
         )  # fmt: skip
     finally:

@@ -37,7 +37,7 @@ from raybundle.workflows.surface_tasks import (
     stored_together,
 )
 
-VERSION = 5
+VERSION = 6
 SHIFTS, SIGMA, CLOUD = "surface shifts", "surface sigma", "surface points"
 """First words of the keys of what is kept"""
 MOST_MAPS = 8
@@ -189,7 +189,8 @@ def cloud_of(store: Folder, task: CloudTask) -> Product:
     mine = _view(block, task.own, kept, store.wanted(task.sigmas[0])["sigma"])
     known = np.isfinite(mine.t)
     if not task.others or not known.any():
-        return _cloud(store, task, block, found, mine, np.zeros(0, int), (np.zeros(0, np.uint8), np.ones(0)))
+        none = _cloud(store, task, block, found, mine, np.zeros(0, int), (np.zeros(0, np.uint8), np.ones(0)))
+        return {**none, **_told(int(known.sum()), 0.0)}
     between = float(np.nanmin(mine.t)), float(np.nanmax(mine.t)) * (1 + 1e-6)
     tables = [places_in(block, mine.rays, j, between) for j in task.others]
     probes = _Probes.of(store, task, found, mine)
@@ -197,9 +198,16 @@ def cloud_of(store: Folder, task: CloudTask) -> Product:
     inside = np.ones(len(told.agree), bool)
     if task.region is not None:
         inside = task.region.holds(mine.rays.points(mine.grid.xy_px[known], np.asarray(mine.t, float)[known]))
-    given = told.kept & inside & (told.confirmed(inside) >= CONFIRMED)
+    share = told.confirmed(inside)
+    given = told.kept & inside & (share >= CONFIRMED)
     more = by_contrast(told.scatter, np.asarray(found.contrast)[known])[given]
-    return _cloud(store, task, block, found, mine, np.flatnonzero(known)[given], (told.confirming[given], more))
+    cloud = _cloud(store, task, block, found, mine, np.flatnonzero(known)[given], (told.confirming[given], more))
+    return {**cloud, **_told(int(inside.sum()), share)}
+
+
+def _told(depths: int, share: float) -> Product:
+    """What is kept beside the points: depths in what is asked for, and the share of them that other maps confirm."""
+    return {"depths": np.array(depths), "share": np.array(share)}
 
 
 def _view(block: Block, image: int, kept: Product, whole: Array) -> MapView:
