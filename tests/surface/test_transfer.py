@@ -33,6 +33,25 @@ def test_tables_are_as_exact_as_the_models(model):
         assert table.error_px < TOLERANCE_PX
 
 
+@pytest.mark.parametrize("model", scene.VALUES)
+def test_a_table_of_a_part_of_the_format_is_as_exact_there_and_smaller(model):
+    block = scene.blocks(model)
+    rays = ReferenceRays.of(block, 0)
+    box = (0.35 * scene.WIDTH, 0.4 * scene.HEIGHT, 0.6 * scene.WIDTH, 0.55 * scene.HEIGHT)
+    table = transfer(block, rays, 1, scene.RANGE, box)
+    xy, t = (np.random.default_rng(2).uniform(*between, n) for between, n in (((box[:2], box[2:]), (300, 2)),
+                                                                              (scene.RANGE, 300)))  # fmt: skip
+    exact = predicted_px(block, 1, rays.points(xy, t))
+    inside = ((exact > 0) & (exact < [scene.WIDTH, scene.HEIGHT])).all(axis=1)
+    assert inside.sum() > 50
+    e = np.abs(table.at(xy[inside], t[inside]) - exact[inside])
+    assert np.isfinite(e).all(axis=1).mean() > 0.9
+    assert np.nanmax(e) < TOLERANCE_PX
+    for nodes, span in zip(table.places.shape[1::-1], (box[2] - box[0], box[3] - box[1]), strict=True):
+        assert span <= (nodes - 1) * table.step_px < max(1.5 * span, span + table.step_px)
+    assert (table.u0_px, table.v0_px) == box[:2]
+
+
 def test_depth_and_pixel_say_where_a_point_is():
     block = scene.blocks("brown_rolling")
     rays = ReferenceRays.of(block, 0)

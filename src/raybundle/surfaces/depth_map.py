@@ -35,6 +35,8 @@ from raybundle.surfaces.region import Region, Shown, part_of_grid, shown_part, s
 from raybundle.surfaces.sweep import Start, moved_px, reduction_for, swept
 from raybundle.surfaces.transfer import Transfer, transfer
 
+AROUND = 16
+"""Pixels around what is wanted of a reference for which tables are made: windows, and what is reduced, reach so far."""
 COARSE = 4
 """Pixels from one to the next of the grid that is refined first: windows of 7 px overlap there."""
 OUTER = 0.01
@@ -214,7 +216,8 @@ def depth_map(
     shown = None if region is None else shown_part(rays, t_range, region)
     if region is not None and shown is None:
         raise InputError(f"image {block.images.ids[chosen.reference]}: shows nothing of the region")
-    tables = [transfer(block, rays, j, t_range) for j in chosen.sources]
+    box = None if shown is None else shown.box_around(AROUND)
+    tables = [transfer(block, rays, j, t_range, box) for j in chosen.sources]
     reference, photographs = greys(chosen.reference), [greys(j) for j in chosen.sources]
     masks = [free(j) for j in chosen.sources]
     start = _start(_bytes(reference), [_bytes(g) for g in photographs], masks, tables, (shown, o))
@@ -308,7 +311,8 @@ def _start(
     shown, options = asked
     height, width = reference.shape
     memory = _sweep_bytes(width * height, options.memory)
-    scale = reduction_for(width, height, moved_px(tables, width, height), memory)
+    box = (0, 0, width, height) if shown is None else shown.box
+    scale = reduction_for(width, height, moved_px(tables, box), memory)
     if shown is None:
         return swept(reference, photographs, tables, scale=scale, memory=memory, free=free)
     return swept_part(reference, photographs, tables, shown, scale=scale, memory=memory, free=free)

@@ -57,6 +57,15 @@ class Shown:
             min(-(-right // unit) * unit, width // unit * unit), min(-(-bottom // unit) * unit, height // unit * unit),
         )  # fmt: skip
 
+    def box_around(self, margin: int) -> tuple[float, float, float, float]:
+        """The box and so many pixels around it, as far as the reference reaches."""
+        left, top, right, bottom = self.box
+        height, width = self.may.shape
+        return (
+            float(max(left - margin, 0)), float(max(top - margin, 0)), float(min(right + margin, width)),
+            float(min(bottom + margin, height)),
+        )  # fmt: skip
+
 
 def shown_part(rays: ReferenceRays, t_range: tuple[float, float], region: Region) -> Shown | None:
     """The pixels of a reference that may show a region; None: none does.

@@ -80,9 +80,12 @@ def rows_at_once(width: int, levels: int, memory_bytes: float) -> int:
     return int(memory_bytes / (max(width, 1) * levels * ALONG))
 
 
-def moved_px(tables: Sequence[Transfer], width: int, height: int) -> float:
-    """By how much a place moves in its source over the range of the tables: the most of the sources' medians [px]."""
-    v, u = (np.linspace(0.5, n - 0.5, 12) for n in (height, width))
+def moved_px(tables: Sequence[Transfer], box: tuple[int, int, int, int]) -> float:
+    """By how much a place moves in its source over the range of the tables: the most of the sources' medians [px].
+
+    box  left, top, right and bottom of what is asked for
+    """
+    v, u = (np.linspace(first + 0.5, last - 0.5, 12) for first, last in ((box[1], box[3]), (box[0], box[2])))
     moved = [0.0]
     for table in tables:
         t = table.t0 + table.dt * np.array([0.0, table.places.shape[2] - 1.0])
@@ -120,7 +123,7 @@ def swept(
     small = _reduced(reference, scale)
     reduced = [_reduced(s, scale) for s in sources]
     h, w = small.shape
-    n = levels_of(moved_px(tables, reference.shape[1], reference.shape[0]) / scale)
+    n = levels_of(moved_px(tables, (0, 0, reference.shape[1], reference.shape[0])) / scale)
     t = np.linspace(tables[0].t0, tables[0].t0 + tables[0].dt * (tables[0].places.shape[2] - 1), n)
     census, masks = _census(small), [_all_of(m, scale) for m in free or [None] * len(sources)]
     level, known = np.empty((h, w), np.float32), np.empty((h, w), bool)

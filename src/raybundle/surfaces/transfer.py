@@ -88,12 +88,16 @@ class Projection:
         return predicted_px(self.block, self.source, self.rays.points(xy_px, t))
 
 
+Box = tuple[float, float, float, float]
+"""Left, top, right and bottom in the pixel frame of a reference"""
+
+
 def places_in(
-    block: Block, rays: ReferenceRays, source: int, t_range: tuple[float, float]
+    block: Block, rays: ReferenceRays, source: int, t_range: tuple[float, float], box: Box | None = None
 ) -> Transfer | Projection:  # fmt: skip
     """Where a source shows what the reference sees: by a table, or point by point where there can be none."""
     try:
-        return transfer(block, rays, source, t_range)
+        return transfer(block, rays, source, t_range, box)
     except InputError:
         return Projection(block=block, rays=rays, source=source)
 
@@ -108,12 +112,15 @@ def lagrange(f: Array) -> tuple[Array, Array, Array]:
     return np.stack(value, axis=1), np.stack(first, axis=1), np.stack(second, axis=1)
 
 
-def transfer(block: Block, rays: ReferenceRays, source: int, t_range: tuple[float, float]) -> Transfer:
+def transfer(
+    block: Block, rays: ReferenceRays, source: int, t_range: tuple[float, float], box: Box | None = None
+) -> Transfer:
     """The table of a source over a reference and a range of depth parameters.
 
     rays     of the reference
     source   row of `block.images`
     t_range  smallest and largest depth parameter that is asked for
+    box      part of the reference's format that is asked for; None: all of it
 
     The table is made finer until it errs by less than 0.005 px in the middles of its cells.  Raises InputError where
     that is not reached with steps of 2 px or `MOST_NODES`, as for a projection that turns back within the format, or
@@ -122,11 +129,12 @@ def transfer(block: Block, rays: ReferenceRays, source: int, t_range: tuple[floa
     low, high = t_range
     if not 0 < low < high < np.inf:
         raise InputError(f"depth parameters from {low:g} to {high:g} are no range of depths")
-    smaller = min(rays.camera.width_px, rays.camera.height_px)
-    step, levels = min(float(COARSEST_PX), smaller / (NODES - 1)), FEWEST_LEVELS
+    box = box or (0.0, 0.0, float(rays.camera.width_px), float(rays.camera.height_px))
+    width, height = box[2] - box[0], box[3] - box[1]
+    step, levels = min(float(COARSEST_PX), width / (NODES - 1), height / (NODES - 1)), FEWEST_LEVELS
     while True:
-        made = _tabulated(block, rays, source, t_range, (step, levels))
-        across, along, lost = _errors(block, rays, source, made)
+        made = _tabulated(block, rays, source, t_range, (step, levels, box))
+        across, along, lost = _errors(block, rays, source, made, box)
         # what lies beyond a format may have no place, and takes its neighbours along
         if max(across, along) < TOLERANCE_PX and (lost < LOST or step < 2 * FINEST_PX):
             return replace(made, error_px=max(across, along))
@@ -137,7 +145,7 @@ def transfer(block: Block, rays: ReferenceRays, source: int, t_range: tuple[floa
             step /= 2.0 ** max(1, np.ceil(np.log2(2 * across / TOLERANCE_PX) / 4))
         if along >= TOLERANCE_PX / 2:
             levels = int(levels * max(1.25, 1.05 * (2 * along / TOLERANCE_PX) ** 0.25)) + 1
-        nodes = rays.camera.width_px * rays.camera.height_px / step**2 * levels
+        nodes = width * height / step**2 * levels
         if step < FINEST_PX or levels > MOST_LEVELS or nodes > MOST_NODES:
             raise InputError(
                 f"image {block.images.ids[source]}: a table of its projection errs by {max(across, along):.3g} px "
@@ -146,12 +154,11 @@ def transfer(block: Block, rays: ReferenceRays, source: int, t_range: tuple[floa
 
 
 def _tabulated(
-    block: Block, rays: ReferenceRays, source: int, t_range: tuple[float, float], size: tuple[float, int]
+    block: Block, rays: ReferenceRays, source: int, t_range: tuple[float, float], size: tuple[float, int, Box]
 ) -> Transfer:
-    step, levels = size
-    camera = rays.camera
-    columns, rows = (max(NODES, int(np.ceil(n / step)) + 1) for n in (camera.width_px, camera.height_px))
-    u, v = np.meshgrid(np.arange(columns) * step, np.arange(rows) * step)
+    step, levels, (left, top, right, bottom) = size
+    columns, rows = (max(NODES, int(np.ceil(n / step)) + 1) for n in (right - left, bottom - top))
+    u, v = np.meshgrid(left + np.arange(columns) * step, top + np.arange(rows) * step)
     t = np.linspace(*t_range, levels)
     xy = np.stack([u.ravel(), v.ravel()], axis=1)
     places = np.empty((len(xy), levels, 2))
@@ -159,7 +166,7 @@ def _tabulated(
         places[:, k] = predicted_px(block, source, xyz)
     places = places.reshape(rows, columns, levels, 2)
     return Transfer(
-        places=_without_jumps(places, block.camera_of(source).width_px), u0_px=0.0, v0_px=0.0, step_px=step,
+        places=_without_jumps(places, block.camera_of(source).width_px), u0_px=left, v0_px=top, step_px=step,
         t0=t_range[0], dt=(t_range[1] - t_range[0]) / (levels - 1),
     )  # fmt: skip
 
@@ -177,7 +184,7 @@ def _without_jumps(places: Array, width_px: int) -> Array:
     return found
 
 
-def _errors(block: Block, rays: ReferenceRays, source: int, table: Transfer) -> tuple[float, float, float]:
+def _errors(block: Block, rays: ReferenceRays, source: int, table: Transfer, box: Box) -> tuple[float, float, float]:
     """Largest error within the source's format in the middles of cells, across at levels and along from level to level.
 
     And the share of them that the table does not know.
@@ -189,13 +196,11 @@ def _errors(block: Block, rays: ReferenceRays, source: int, table: Transfer) -> 
     worst, unknown, count = [], 0, 0
     for half_uv, half_t in ((0.5, 0.0), (0.0, 0.5)):
         u, v, k = np.meshgrid(iu + half_uv, iv + half_uv, np.arange(levels - 1) + half_t)
-        xy = np.stack([u.ravel(), v.ravel()], axis=1) * table.step_px
+        xy = np.stack([u.ravel(), v.ravel()], axis=1) * table.step_px + box[:2]
         t = table.t0 + table.dt * k.ravel()
         exact = predicted_px(block, source, rays.points(xy, t))
         with np.errstate(invalid="ignore"):
-            inside = ((exact >= 0) & (exact <= size)).all(axis=1) & (
-                xy <= [rays.camera.width_px, rays.camera.height_px]
-            ).all(axis=1)
+            inside = ((exact >= 0) & (exact <= size)).all(axis=1) & (xy <= box[2:]).all(axis=1)
         e = np.abs(table.at(xy[inside], t[inside]) - exact[inside])
         known = np.isfinite(e).all(axis=1)
         worst.append(float(e[known].max(initial=0.0)))

@@ -12,7 +12,7 @@ from raybundle.adjustment.result import Adjustment
 from raybundle.block import Block
 from raybundle.io.block.arrays import block_of_arrays
 from raybundle.io.photos.photo import Photo
-from raybundle.numerics.arrays import Array, Index
+from raybundle.numerics.arrays import Array, Index, Mask
 from raybundle.pipeline.keys import key_of
 from raybundle.pipeline.stage import Means, Stage
 from raybundle.pipeline.store import Folder, Product
@@ -25,7 +25,7 @@ from raybundle.surfaces.orientation import CommonRoot, ShiftCovariance, shift_co
 from raybundle.surfaces.pairs import Sources
 from raybundle.surfaces.rays import ReferenceRays
 from raybundle.surfaces.refine import PixelGrid, used_sources
-from raybundle.surfaces.transfer import Projection, Transfer, places_in
+from raybundle.surfaces.transfer import Box, Projection, Transfer, places_in
 from raybundle.workflows.surface_region import SurfaceRegion
 from raybundle.workflows.surface_state import SURFACE, Cloud
 from raybundle.workflows.surface_tasks import (
@@ -192,7 +192,8 @@ def cloud_of(store: Folder, task: CloudTask) -> Product:
         none = _cloud(store, task, block, found, mine, np.zeros(0, int), (np.zeros(0, np.uint8), np.ones(0)))
         return {**none, **_told(int(known.sum()), 0.0)}
     between = float(np.nanmin(mine.t)), float(np.nanmax(mine.t)) * (1 + 1e-6)
-    tables = [places_in(block, mine.rays, j, between) for j in task.others]
+    box = None if task.region is None else _around(mine, known)
+    tables = [places_in(block, mine.rays, j, between, box) for j in task.others]
     probes = _Probes.of(store, task, found, mine)
     told = agreement(mine, _others(store, task, block, probes, tables), tables, task.others, own=task.own)
     inside = np.ones(len(told.agree), bool)
@@ -203,6 +204,13 @@ def cloud_of(store: Folder, task: CloudTask) -> Product:
     more = by_contrast(told.scatter, np.asarray(found.contrast)[known])[given]
     cloud = _cloud(store, task, block, found, mine, np.flatnonzero(known)[given], (told.confirming[given], more))
     return {**cloud, **_told(int(inside.sum()), share)}
+
+
+def _around(view: MapView, known: Mask) -> Box:
+    """What of the reference's format the pixels of its map lie in that have a depth."""
+    xy = view.grid.xy_px[known]
+    (left, top), (right, bottom) = (xy.min(axis=0) - 1).tolist(), (xy.max(axis=0) + 1).tolist()
+    return left, top, right, bottom
 
 
 def _told(depths: int, share: float) -> Product:

@@ -27,6 +27,8 @@ from raybundle.workflows.surface_state import SURFACE, SurfaceOptions, SurfaceSt
 from raybundle.workflows.surface_tasks import PART, free_of, stored_part
 
 VERSION = 3
+OF_PART = 2
+"""The same of maps of a region"""
 MAP = "depth map"
 """First word of the keys of what is kept"""
 PIXEL_S = 2e-5
@@ -93,7 +95,7 @@ def measure(i: Inputs, means: Means) -> Maps:
         size = pixels.width_px * pixels.height_px * i.shares.get(s.reference, 1.0)
         # without masks and region as ever: what is there stays
         more = [] if i.masks is None else [[i.masks.key(p) for p in photos]]
-        more += [] if i.options.region is None else [i.options.region]
+        more += [] if i.options.region is None else [OF_PART, i.options.region]
         more += [means.memory] if by_bands(int(size), means.memory) else []
         tasks.append(
             Task(
