@@ -51,7 +51,7 @@ from raybundle.measuring.session import adjusted_again  # noqa: E402
 from raybundle.numerics import native  # noqa: E402
 from raybundle.surfaces.depth_map import DepthMap, DepthOptions, depth_map  # noqa: E402
 from raybundle.surfaces.fusion import WITNESSES, MapView, agreement  # noqa: E402
-from raybundle.surfaces.heights import between_maps  # noqa: E402
+from raybundle.surfaces.heights import SHARED_PHOTOGRAPHS, SHARED_SURFACE, between_maps, between_two  # noqa: E402
 from raybundle.surfaces.orientation import shift_covariance  # noqa: E402
 from raybundle.surfaces.pairs import PairOfImages, sources_of_each  # noqa: E402
 from raybundle.surfaces.rays import ReferenceRays  # noqa: E402
@@ -398,14 +398,25 @@ def of_pairs_of_maps(density: int) -> dict:
     for k, j in combinations(range(len(chosen)), 2):
         if told := pair_of_maps(maps[k], maps[j], transfer(block, maps[k][1], j, maps[k][0].t_range)):
             stated = between_maps(one_pair(chosen, k, j, told["angle_deg"]))
-            pairs.append({"maps": [k, j], "stated": stated, **told})
+            shared = between_two(chosen[k], chosen[j], 90.0) / SHARED_PHOTOGRAPHS
+            pairs.append({"maps": [k, j], "shared": round(shared, 4), "stated": stated, **told})
     apart = np.array([p["measured"] - p["stated"] for p in pairs])
     measured, weight = (np.array([p[name] for p in pairs]) for name in ("measured", "places"))
     return {
         "density": density, "mean_measured": round(float(np.average(measured, weights=weight)), 3),
         "mean_stated": between_maps(chosen), "within_0.1": round(float(np.mean(np.abs(apart) < 0.1)), 3),
+        "constants": [SHARED_PHOTOGRAPHS, SHARED_SURFACE], "fitted": fitted(pairs),
         "pairs": pairs,
     }  # fmt: skip
+
+
+def fitted(pairs: list[dict]) -> list[float]:
+    """The constants of `between_two` that fit what was measured of the pairs best by least squares; their sigmas."""
+    parts = np.array([[p["shared"], max(np.cos(np.radians(p["angle_deg"])), 0.0)] for p in pairs])
+    measured = np.array([p["measured"] for p in pairs])
+    found, squares, *_ = np.linalg.lstsq(parts, measured, rcond=None)
+    variance = np.linalg.inv(parts.T @ parts) * squares[0] / (len(pairs) - 2)
+    return [round(float(x), 3) for x in (*found, *np.sqrt(np.diag(variance)))]
 
 
 def pair_of_maps(mine, other, table) -> dict[str, float]:
