@@ -1,8 +1,8 @@
 """Heights on a grid as a whole, with what is needed for a true standard deviation of anything that is made of many.
 
 A mean, a volume, the height of a profile are sums of heights with weights.  Their errors by noise and roughness
-are correlated between cells nearby, those by a step along its edge, those of a hole that was filled over all of it, and
-those by orientation and calibration between all.
+are correlated between cells nearby, those by steps along their edges, those of a hole that was filled over all of it,
+and those by orientation and calibration between all.
 """
 
 from __future__ import annotations
@@ -16,7 +16,7 @@ from raybundle.errors import InputError
 from raybundle.numerics.arrays import Array, Index, Mask
 from raybundle.surfaces.heights import BETWEEN_MAPS, Heights, between
 from raybundle.surfaces.nodes import covariances, splat
-from raybundle.surfaces.relief import step_length
+from raybundle.surfaces.relief import alike, variance_by_steps
 
 REACH = 3.0
 """Lengths of correlation up to which cells are taken as correlated: 1 / 8000 is left beyond."""
@@ -137,7 +137,7 @@ class HeightModel:
             if len(r):
                 found += (1 - self.apart) * self._with_neighbours(part[r[0] : r[-1] + 1, c[0] : c[-1] + 1])
         # differences of neighbours may all but cancel: rounding leaves no negative variance
-        found = max(found, 0.0) + self._by_steps(np.where(there, w * h.step[box].astype(float), 0.0))
+        found = max(found, 0.0) + variance_by_steps(np.where(there, w * h.step[box].astype(float), 0.0), self.length)
         if self.holes is None:
             return found
         number = self.holes.number[box]
@@ -152,15 +152,6 @@ class HeightModel:
         around = _filtered(s, kernel)
         return float((s * around).sum() - kernel[n] ** 2 * (s**2).sum())
 
-    def _by_steps(self, s: Array) -> float:
-        """Variance of a sum of errors by steps."""
-        if not s.any():
-            return 0.0
-        length = step_length(self.length)
-        n = int(np.ceil(REACH * length))
-        kernel = np.exp(-((np.arange(-n, n + 1.0) / length) ** 2))
-        return max(float((s * _filtered(s, kernel)).sum()), 0.0)
-
     def _moved(self, weights: Array) -> Array:
         """How a sum moves with each independent error of orientation."""
         return np.einsum("rc,rcq->q", splat(weights, self.moved, self.block), self.moved, optimize=True)
@@ -174,8 +165,8 @@ class HeightModel:
         share = np.where(same, 1.0, self.apart) * between(apart[1], apart[0], self.length)
         found = share * h.point.flat[one].astype(float) * h.point.flat[other]
         found = np.where(one == other, h.local.flat[one].astype(float) ** 2, found)
-        near = np.exp(-(apart[0] ** 2 + apart[1] ** 2) / step_length(self.length) ** 2)
-        found += near * h.step.flat[one].astype(float) * h.step.flat[other]
+        common = sum(share * np.exp(-(apart[0] ** 2 + apart[1] ** 2) / far**2) for share, far in alike(self.length))
+        found += np.where(one == other, 1.0, common) * h.step.flat[one].astype(float) * h.step.flat[other]
         if self.holes is not None:
             number = self.holes.number
             both = number.flat[one] == number.flat[other]

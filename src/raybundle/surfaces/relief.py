@@ -25,6 +25,13 @@ WINDOW = 3 * PIXEL
 """Half a window of 7 px in lengths of correlation"""
 HIGH = 4.0
 """Scatter in widths of a pixel at which half of the variance of a high step is reached"""
+NEAR, FAR, FARTHER = 0.35, 0.33, 8.0
+"""Shares of the variance of errors by steps that cells have in common: over the length of a window, and over so many of
+these.  Windows put all of a straight edge off to one side, and what stands before another thing hides it all along: of
+the rendered wall normalised errors by steps correlate by 0.45 from cell to cell, by 0.3 from 2 to 16 cells and by 0.2
+over 24 (benchmarks/surface_heights.py, "steps")."""
+REACH, FINE = 3.0, 12.0
+"""Distances of correlation up to which cells are taken as correlated; cells or squares in one of them"""
 MOST_CELLS = 64
 """Half the side of the square that a plane is laid through, at most."""
 REACH_CELLS = 32
@@ -44,8 +51,36 @@ def half_side(length: float) -> int:
 
 
 def step_length(length: float) -> float:
-    """Distance in cells at which errors by steps correlate by 1 / e: the side of that square."""
+    """Distance in cells at which errors that one window gives to neighbours correlate by 1 / e: that square's side."""
     return 2.0 * half_side(length) + 1
+
+
+def alike(length: float) -> tuple[tuple[float, float], ...]:
+    """Shares of the variance by steps that cells have in common, and the distances of correlation by 1 / e [cells].
+
+    The rest of the variance is each cell's own.
+    """
+    near = step_length(length)
+    return (NEAR, near), (FAR, FARTHER * near)
+
+
+def variance_by_steps(s: Array, length: float) -> float:
+    """Variance of a sum of errors by steps, of the products (rows, columns) of weights and standard deviations."""
+    if not s.any():
+        return 0.0
+    found = (1 - NEAR - FAR) * float((s**2).sum())
+    for share, distance in alike(length):
+        # what reaches far is the same of sums over small squares
+        side = max(1, int(distance / FINE))
+        rows, columns = (-(-n // side) * side for n in s.shape)
+        t = np.zeros((rows, columns))
+        t[: s.shape[0], : s.shape[1]] = s
+        t = t.reshape(rows // side, side, columns // side, side).sum(axis=(1, 3))
+        n = int(np.ceil(REACH * distance / side))
+        kernel = np.exp(-((np.arange(-n, n + 1.0) * side / distance) ** 2))
+        around = cv2.sepFilter2D(t, cv2.CV_64F, kernel, kernel, borderType=cv2.BORDER_CONSTANT)
+        found += share * max(float((t * around).sum()), 0.0)
+    return found
 
 
 def halo(length: float) -> int:
