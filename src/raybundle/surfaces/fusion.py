@@ -27,8 +27,8 @@ SIGMAS = 3.0
 """Standard deviations of a difference up to which two maps agree."""
 FAR = 10.0
 """Standard deviations of a difference beyond which two maps see other things"""
-CLASSES, FEWEST = 10, 300
-"""Classes of contrast in which maps are compared, and points in each at least."""
+CLASSES, FEWEST = 10, 100
+"""Classes of contrast in which maps are compared, the weakest halved again and again, and points in each at least."""
 NORMAL = 0.4549
 """Median of a chi-square of one degree of freedom"""
 WITNESSES = 2
@@ -240,6 +240,7 @@ def by_contrast(scatter: Array, contrast: Array) -> Array:
     contrast  (n,) of the points
 
     By class of contrast the median square of what maps differ in their standard deviations; between classes linear.
+    Weak texture may be a small part of what is seen: the lower half of the weakest class is one of its own, and so on.
     Where texture is weak, noise is not what it is elsewhere: a camera and its compression have smoothed it.  It does
     not tell what all maps have alike.
     """
@@ -247,7 +248,10 @@ def by_contrast(scatter: Array, contrast: Array) -> Array:
     classes = min(CLASSES, len(known) // FEWEST)
     if classes < 1:
         return np.ones(len(contrast))
-    parts = np.array_split(known[np.argsort(contrast[known], kind="stable")], classes)
+    ends = [len(known) * (k + 1) // classes for k in range(classes - 1)]
+    while (end := ends[0] if ends else len(known)) >= 2 * FEWEST:
+        ends.insert(0, end // 2)
+    parts = np.split(known[np.argsort(contrast[known], kind="stable")], ends)
     middle = np.array([np.median(contrast[p]) for p in parts])
     ratio = np.array([np.median(np.square(scatter[p], dtype=float)) / NORMAL for p in parts])
     found = np.interp(contrast, middle, np.maximum(ratio, 1.0))

@@ -37,7 +37,7 @@ from raybundle.workflows.surface_tasks import (
     stored_together,
 )
 
-VERSION = 6
+VERSION = 7
 SHIFTS, SIGMA, CLOUD = "surface shifts", "surface sigma", "surface points"
 """First words of the keys of what is kept"""
 MOST_MAPS = 8
