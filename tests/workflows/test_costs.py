@@ -1,6 +1,7 @@
 """What an adjustment of a given size takes: sizes of parts, constants, formulas, the command."""
 
 import json
+import re
 from dataclasses import replace
 from pathlib import Path
 
@@ -225,6 +226,8 @@ def test_the_table_and_what_gives_way(capsys):
     words = ["estimate-cost", "--images", "1000000", "--flight-overlap", "0.8", "0.6", "--workers", "256"]
     assert main([*words, "--memory", "4", "--disk", "1000", "--no-measure"]) == 0
     said = capsys.readouterr().out
+    rows = [line for line in said.splitlines() if line.startswith(" ") and "caution" not in line]
+    assert not [line for line in rows if re.search(r"\d (s|min|h|d|[MGT]B)[\d<]", line)]  # columns stand apart
     for stage in ("features", "matching", "precision", "reduction up", "solution down", "covariances", "statistics"):
         assert f"\n {stage} " in said
     assert "12.5 show a place" in said
@@ -245,8 +248,15 @@ def test_photographs_are_counted_by_their_headers(tmp_path, capsys):
     found = rb.estimate_cost(tmp_path, shipped=True)
     assert found.asked.images == 3
     assert found.asked.megapixels == pytest.approx(400 * 301 / 1e6)
+    assert found.unread == ("broken.jpg",)
     assert main(["estimate-cost", str(tmp_path), "--no-measure"]) == 0
-    assert "3 photographs" in capsys.readouterr().out
+    said = capsys.readouterr().out
+    assert "3 photographs of 0.12 MP, 3 show a place" in said  # no more than there are
+    assert "not counted: 1 file that cannot be read (broken.jpg)" in said
+    (tmp_path / "0.png").unlink()
+    (tmp_path / "1.png").unlink()
+    with pytest.raises(InputError, match=r"fewer than two photographs in it, and 1 file .*: broken\.jpg"):
+        rb.estimate_cost(tmp_path, shipped=True)
 
 
 def test_what_cannot_be_is_told(tmp_path):
@@ -260,6 +270,8 @@ def test_what_cannot_be_is_told(tmp_path):
         rb.estimate_cost(tmp_path / "none", shipped=True)
     with pytest.raises(InputError, match="either measure"):
         rb.estimate_cost(images=5, shipped=True, measure=True)
+    with pytest.raises(InputError, match=r"flight_overlap=.*: a place is shown by 1\.25 photographs on average, and 2"):
+        rb.estimate_cost(images=5, shipped=True, flight_overlap=(0.2, 0.0))
     with pytest.raises(InputError, match="flight_overlap"):
         rb.estimate_cost(images=5, shipped=True, flight_overlap=(0.8, 1.0))
 
@@ -289,7 +301,8 @@ def test_memory_is_that_of_this_machine_and_what_helps_is_said(capsys, monkeypat
     assert "here --points-per-image" in said
     assert "orient --quick leaves precision out" in said
     assert "products on another disk" in said
-    assert "unknowns in one matrix" in said
+    assert "the largest matrix of a part has" in said
+    assert "not counted: the further adjustments by which orient rejects blunders" in said
     assert main([*words, "--workers", "16", "--network", "0", "--memory", "2"]) == 0
     alone = capsys.readouterr().out
     assert "caution: memory of driver and workers together: " in alone

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from raybundle.cli.common import FOLDER, Command, common_options, facts, grouped, significant
+from raybundle.cli.common import FOLDER, Command, common_options, counted, facts, grouped, significant
 from raybundle.cli.settings import options_of, values_of
 from raybundle.commands.estimate_cost import EstimateCostSettings, run_estimate_cost
 from raybundle.settings import made
@@ -27,6 +27,7 @@ RESTS_ON = {
 }
 """Of the stage that takes most, what is assumed; all others are of the adjustment"""
 ADJUSTMENT = "image points of a photograph, overlap, iterations"
+MOST_NAMES, LEAST_GB = 5, 1e-4
 
 
 @click.command("estimate-cost", cls=Command)
@@ -51,8 +52,8 @@ def command(photos: Path | None, progress: str, **given: Any) -> None:
     facts(
         asked=found.asked, stages=found.stages, limits=[_told(limit) for limit in found.limits],
         core_hours=found.core_hours, wall_hours=found.wall_hours, disk_gb=found.disk_gb, moved_gb=found.moved_gb,
-        serial_share=found.serial_share, largest_front=found.largest_front, dominant=found.dominant.name,
-        constants=found.constants,
+        serial_share=found.serial_share, unread=found.unread, largest_front=found.largest_front,
+        dominant=found.dominant.name, constants=found.constants,
     )  # fmt: skip
     for line in lines(found):
         click.echo(line)
@@ -71,16 +72,19 @@ def lines(found: Estimate) -> Iterator[str]:
         f" {grouped(a.images)} photographs of {a.megapixels:.3g} MP, {a.overlap:.3g} show a place; "
         f"{grouped(round(a.points))} image points, {a.iterations} iterations"
     )
-    yield f" {'stage':<18}{'CPU':>10}{'wall':>10}{'memory':>10}{'disk':>10}{'moved':>10}"
+    if found.unread:
+        names = ", ".join(found.unread[:MOST_NAMES]) + (", ..." if len(found.unread) > MOST_NAMES else "")
+        yield f" not counted: {counted(len(found.unread), 'file')} that cannot be read ({names})"
+    yield f" {'stage':<18}{'CPU':>11}{'wall':>11}{'memory':>11}{'disk':>11}{'moved':>11}"
     for s in found.stages:
         yield (
-            f" {s.name:<18}{_time(s.cpu_s):>10}{_time(s.wall_s):>10}{_size(s.memory_mb / 1000):>10}"
-            f"{_size(s.disk_gb):>10}{_size(s.moved_gb):>10}"
+            f" {s.name:<18}{_time(s.cpu_s):>11}{_time(s.wall_s):>11}{_size(s.memory_mb / 1000):>11}"
+            f"{_size(s.disk_gb):>11}{_size(s.moved_gb):>11}"
         )
     memory = max(s.memory_mb for s in found.stages) / 1000
     yield (
-        f" {'all':<18}{_time(3600 * found.core_hours):>10}{_time(3600 * found.wall_hours):>10}{_size(memory):>10}"
-        f"{_size(found.disk_gb):>10}{_size(found.moved_gb):>10}"
+        f" {'all':<18}{_time(3600 * found.core_hours):>11}{_time(3600 * found.wall_hours):>11}{_size(memory):>11}"
+        f"{_size(found.disk_gb):>11}{_size(found.moved_gb):>11}"
     )
     of = 100 * found.dominant.cpu_s / max(3600 * found.core_hours, 1e-9)
     rests = RESTS_ON.get(found.dominant.name, ADJUSTMENT)
@@ -89,8 +93,12 @@ def lines(found: Estimate) -> Iterator[str]:
         yield f" {a.workers} workers: in {100 * found.serial_share:.0f} % of the wall time some have nothing to do"
     yield from _limits(found)
     yield (
-        f" reduction up: normal equations of the parts are made and eliminated part by part; largest front, of which "
-        f"memory and time of that depend: {grouped(found.largest_front)} unknowns in one matrix"
+        f" reduction up: normal equations are eliminated part by part; the largest matrix of a part has "
+        f"{grouped(found.largest_front)} unknowns"
+    )
+    yield (
+        " not counted: the further adjustments by which orient rejects blunders and chooses parameters, together "
+        "several times the one above, and the surface"
     )
     yield f" figures of {c.processor}, {c.measured}"
 
@@ -112,8 +120,9 @@ def _remedies(over: list[Limit]) -> Iterator[str]:
     memory = [x for x in over if x.what != "disk"]
     if memory:
         yield (
-            f" what helps: a machine of {_size(max(x.needed for x in memory))}, rented for these hours; or the block "
-            "split, its parts oriented by themselves"
+            f" what helps: a machine of {_size(max(x.needed for x in memory))}, rented for these hours (more machines "
+            "do not lower what one process holds); or parts that share marked points or control, oriented by "
+            "themselves and joined by raybundle merge"
         )
         yield "   or fewer points: orient --feature-count, here --points-per-image: stages behind matching go with it"
     if any(x.what == "memory of precision" for x in memory):
@@ -137,4 +146,4 @@ def _size(gb: float) -> str:
     for unit, size in (("TB", 1e3), ("GB", 1.0)):
         if gb >= size:
             return f"{significant(gb / size, 3)} {unit}"
-    return f"{significant(1e3 * gb, 3)} MB"
+    return f"{significant(1e3 * gb, 3)} MB" if gb >= LEAST_GB else "< 0.1 MB"

@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 import shutil
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from raybundle.errors import InputError
+from raybundle.numerics.counting import counted
 from raybundle.numerics.progress import Progress, silent
 from raybundle.settings import POSITIVE, Range, made, option, path_of, setting
 
@@ -60,6 +61,8 @@ class EstimateCostSettings:
 
 LATENCY_MS = 0.5
 """Of a line between machines of one place"""
+LEAST_OVERLAP = 2.0
+"""Photographs that have to show a place"""
 MEGAPIXELS = 20.0
 """Of a photograph where nothing says otherwise"""
 
@@ -86,15 +89,16 @@ def run_estimate_cost(s: EstimateCostSettings, photos: Path | None, progress: Pr
 
     if s.measure and s.shipped:
         raise InputError(f"either {option('measure', True)} or {option('shipped', True, flag='no-measure')}")
-    images, megapixels = _size(s, photos)
+    images, megapixels, unread = _size(s, photos)
     points = image_points_of(megapixels) if s.points_per_image is None else s.points_per_image
     memory = s.memory or available_memory() / 1e9
     asked = Asked(
-        images=images, megapixels=megapixels, overlap=_overlap(s), image_points=points, iterations=s.iterations,
-        workers=s.workers, memory_gb=memory, network_gbit=s.network, store_gbit=s.store_line, latency_ms=LATENCY_MS,
+        images=images, megapixels=megapixels, overlap=min(_overlap(s), float(images)), image_points=points,
+        iterations=s.iterations, workers=s.workers, memory_gb=memory, network_gbit=s.network,
+        store_gbit=s.store_line, latency_ms=LATENCY_MS,
     )  # fmt: skip
     free = shutil.disk_usage(Path.cwd()).free / 1e9 if s.disk is None else s.disk
-    return estimate(asked, constants_of(s, progress), disk_gb=free)
+    return replace(estimate(asked, constants_of(s, progress), disk_gb=free), unread=unread)
 
 
 def constants_of(s: EstimateCostSettings, progress: Progress) -> Constants:
@@ -112,20 +116,21 @@ def constants_of(s: EstimateCostSettings, progress: Progress) -> Constants:
     return found
 
 
-def _size(s: EstimateCostSettings, photos: Path | None) -> tuple[int, float]:
-    """Number of photographs and megapixels of each."""
+def _size(s: EstimateCostSettings, photos: Path | None) -> tuple[int, float, tuple[str, ...]]:
+    """Number of photographs, megapixels of each, and files that could not be read."""
     if photos is None:
         if s.images is None:
             raise InputError(f"of how many photographs? Give their folder, or {option('images', 'N')}")
-        return s.images, s.megapixels or MEGAPIXELS
+        return s.images, s.megapixels or MEGAPIXELS, ()
     if s.images is not None:
         raise InputError(f"give either photographs or {option('images', s.images)}")
     from raybundle.workflows.costs.headers import counted_headers  # noqa: PLC0415
 
-    count, pixels = counted_headers(photos)
+    count, pixels, unread = counted_headers(photos)
     if count < 2:
-        raise InputError("there are fewer than two photographs in it", file=photos)
-    return count, s.megapixels or pixels / count / 1e6
+        more = f", and {counted(len(unread), 'file')} that cannot be read: {', '.join(unread[:3])}" if unread else ""
+        raise InputError(f"there are fewer than two photographs in it{more}", file=photos)
+    return count, s.megapixels or pixels / count / 1e6, unread
 
 
 def _overlap(s: EstimateCostSettings) -> float:
@@ -133,4 +138,11 @@ def _overlap(s: EstimateCostSettings) -> float:
     if s.flight_overlap is None:
         return s.overlap
     along, across = s.flight_overlap
-    return max(1 / ((1 - along) * (1 - across)), 2.0)
+    found = 1 / ((1 - along) * (1 - across))
+    if found < LEAST_OVERLAP:
+        raise InputError(
+            f"{option('flight_overlap', f'{along:g} {across:g}')}: a place is shown by {found:.3g} photographs on "
+            f"average, and {LEAST_OVERLAP:g} are needed to measure it; 0.6 along and 0.3 across is the least that "
+            "is usual"
+        )
+    return found

@@ -42,6 +42,8 @@ class Estimate:
     parts: tuple[Size, ...]
     limits: tuple[Limit, ...]
     """the tightest first"""
+    unread: tuple[str, ...] = ()
+    """files that are called photographs and could not be read; they do not count"""
 
     @property
     def core_hours(self) -> float:
