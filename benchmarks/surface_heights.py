@@ -28,6 +28,7 @@ from tests.surface.truth import Portal  # noqa: E402
 
 from raybundle.surfaces.height_model import HeightModel  # noqa: E402
 from raybundle.surfaces.movements import movements  # noqa: E402
+from raybundle.surfaces.relief import alike  # noqa: E402
 from raybundle.surfaces.resampled import difference  # noqa: E402
 from raybundle.workflows.height_files import HeightFile, read_heights  # noqa: E402
 from raybundle.workflows.heights_read import on_same_grid, opened  # noqa: E402
@@ -41,6 +42,8 @@ FINE = 5
 CLASSES = (0.0, 0.005, 0.01, 0.02, 0.04, 0.1, np.inf)
 """What the object spans in a cell and its neighbours [m]"""
 CHUNK = 500_000
+LAGS = (1, 2, 3, 4, 6, 8, 12, 16, 24)
+"""Cells from one to the other whose errors by steps are compared"""
 MOVED, MOVED_SIDE = (((-2.1, -0.18), 0.003), ((-0.4, -0.78), -0.003)), 0.3
 """Upper left corners of reliefs that are moved, and by how much [m]"""
 
@@ -91,6 +94,21 @@ def apart(model: HeightModel, e: np.ndarray, sums: list[np.ndarray]) -> tuple[di
         "sigma": float(f"{np.median(sigma):.4g}"), "local": float(f"{np.median(local):.4g}"),
         "each": told(error / sigma), "apart": told(free),
     }, free  # fmt: skip
+
+
+def along_steps(model: HeightModel, e: np.ndarray) -> dict[str, object]:
+    """Correlation of normalised errors of cells with a step, by distance along rows and columns, and what is stated."""
+    step = model.heights.step.astype(float)
+    there = np.isfinite(e) & (step > 0)
+    z = np.where(there, np.clip(np.nan_to_num(e) / np.hypot(step, model.heights.local), -5, 5), 0.0)
+    variance, found, stated = float((z[there] ** 2).mean()), {}, {}
+    for lag in LAGS:
+        pairs = [(z[:, lag:] * z[:, :-lag], there[:, lag:] & there[:, :-lag])]
+        pairs.append((z[lag:] * z[:-lag], there[lag:] & there[:-lag]))
+        both = sum(int(good.sum()) for _, good in pairs)
+        found[lag] = round(sum(float(p[good].sum()) for p, good in pairs) / max(both, 1) / variance, 3)
+        stated[lag] = round(sum(share * np.exp(-((lag / far) ** 2)) for share, far in alike(model.length)), 3)
+    return {"cells": int(there.sum()), "mean": round(float(z[there].mean()), 3), "measured": found, "stated": stated}
 
 
 def squares(good: np.ndarray, side: int) -> list[np.ndarray]:
@@ -154,6 +172,7 @@ def main() -> None:
             for low, high in pairwise(CLASSES)
         },
     }  # fmt: skip
+    found["steps"] = along_steps(model, e)
     side = max(2, round(SIDE / file.cell))
     found["means"], _ = apart(model, e, squares(known, side))
     found["means_off_steps"], _ = apart(model, e, squares(known & (span < 0.02), side))
