@@ -25,11 +25,10 @@ WINDOW = 3 * PIXEL
 """Half a window of 7 px in lengths of correlation"""
 HIGH = 4.0
 """Scatter in widths of a pixel at which half of the variance of a high step is reached"""
-NEAR, FAR, FARTHER = 0.35, 0.33, 8.0
+NEAR, FAR, FARTHER = 0.2, 0.3, 8.0
 """Shares of the variance of errors by steps that cells have in common: over the length of a window, and over so many of
-these.  Windows put all of a straight edge off to one side, and what stands before another thing hides it all along: of
-the rendered wall normalised errors by steps correlate by 0.45 from cell to cell, by 0.3 from 2 to 16 cells and by 0.2
-over 24 (benchmarks/surface_heights.py, "steps")."""
+these.  Windows put all of a straight edge off to one side, and what stands before another thing hides it all along
+(benchmarks/surface_heights.py, its part about steps: correlations from cell to cell and over 24 cells)."""
 REACH, FINE = 3.0, 12.0
 """Distances of correlation up to which cells are taken as correlated; cells or squares in one of them"""
 MOST_CELLS = 64
