@@ -100,6 +100,48 @@ def test_bad_outlines_are_refused(cone, capsys, tmp_path):
     assert "has no heights.tif" in refused(capsys, "heights", "volume", tmp_path)
 
 
+def square(low, high):
+    return [[low, low], [high, low], [high, high], [low, high], [low, low]]
+
+
+def test_areas_in_plan_are_those_of_their_outlines(tmp_path, capsys):
+    folder = folder_of(made(np.zeros(SHAPE)), tmp_path / "s")
+    file = tmp_path / "area.geojson"
+    volume = ("heights", "volume", folder, "--above", 0, "--outline", file)
+
+    def written(*rings):
+        file.write_text(json.dumps({"type": "Polygon", "coordinates": rings}))
+
+    turned = "0.312 0.101, 0.507 0.153, 0.455 0.348, 0.26 0.296"
+    plan = told(capsys, *volume[:-1], turned)["plan_area"]
+    assert plan == pytest.approx(0.195**2 + 0.052**2, rel=1e-9)
+    written(square(0.1234, 0.4321), square(0.2, 0.25), square(0.3, 0.377))
+    exact = 0.3087**2 - 0.05**2 - 0.077**2
+    assert told(capsys, *volume)["plan_area"] == pytest.approx(exact, rel=1e-9)
+    # a hole that touches the edge lies within
+    written(square(0.1, 0.4), [[0.1, 0.2], [0.2, 0.2], [0.2, 0.3], [0.1, 0.3], [0.1, 0.2]])
+    assert told(capsys, *volume)["plan_area"] == pytest.approx(0.08, rel=1e-9)
+
+
+@pytest.mark.parametrize(
+    ("holes", "said"),
+    [
+        ([square(0.3, 0.5)], "the outline has hole 1 outside of its edge near 0.45, 0.3"),
+        ([square(0.15, 0.2), square(0.5, 0.6)], "the outline has hole 2 outside of its edge near 0.55, 0.5"),
+        ([square(0.15, 0.3), square(0.2, 0.35)], "the outline has hole 2 over hole 1 near"),
+        ([square(0.15, 0.3), square(0.2, 0.25)], "the outline has hole 2 over hole 1 near"),
+        ([square(0.2, 0.25), square(0.2, 0.25)], "the outline has hole 2 over hole 1 near 0.2, 0.2"),
+        ([square(0.1, 0.4)], "the outline has holes that leave nothing of it"),
+    ],
+)
+def test_holes_that_lie_not_within_their_area_are_refused(tmp_path, capsys, holes, said):
+    """They would be added, or taken off twice."""
+    folder = folder_of(made(np.zeros(SHAPE)), tmp_path / "s")
+    file = tmp_path / "area.geojson"
+    file.write_text(json.dumps({"type": "Polygon", "coordinates": [square(0.1, 0.4), *holes]}))
+    assert said in refused(capsys, "heights", "volume", folder, "--above", 0, "--outline", file)
+
+
 def test_holes_that_an_outline_or_the_edge_cuts_off_are_filled(tmp_path, capsys):
     """Of a tilted plane: a hole that is open to the edge of the grid, and one that goes on beyond the outline."""
     x, y = middles(SHAPE)
