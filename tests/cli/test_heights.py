@@ -222,6 +222,14 @@ def test_sections_are_written_as_table_picture_and_drawing(cone, capsys, tmp_pat
     assert {r["section"] for r in rows} == {"section 1", "section 2"}
     assert rows[0]["height [m]"] != ""
     assert any(not r["height [m]"] for r in rows)  # the hole
+    assert {r["filled"] for r in rows if r["height [m]"]} == {"0"}
+    for k, told_of in enumerate((one, two), 1):
+        mine = [r for r in rows if r["section"] == f"section {k}"]
+        d, h = (np.array([float(r[c] or "nan") for r in mine]) for c in ("distance [m]", "height [m]"))
+        each, far = np.convolve(h, [0.5, 0.5], "valid"), np.diff(d)
+        good = np.isfinite(each)
+        assert told_of["mean"] == pytest.approx((each * far)[good].sum() / far[good].sum(), abs=1e-7)
+        assert told_of["with_height"] == pytest.approx(far[good].sum() / d[-1], abs=1e-6)
     middle = min((r for r in rows if r["section"] == "section 2"), key=lambda r: abs(float(r["distance [m]"]) - 0.3))
     assert float(middle["height [m]"]) == pytest.approx(0.1, abs=5e-3)
     assert 0 < float(middle["sigma [m]"]) < 2e-3
@@ -232,6 +240,36 @@ def test_sections_are_written_as_table_picture_and_drawing(cone, capsys, tmp_pat
     assert {"PROFILE", "BAND_UPPER", "BAND_LOWER"} <= {layer.dxf.name for layer in drawing.layers}
     assert len(drawing.modelspace().query("LWPOLYLINE[layer=='PROFILE']")) == 3
     assert drawing.header["$INSUNITS"] == 6
+
+
+def test_what_of_a_section_was_filled_is_told(cone, capsys, tmp_path):
+    table = tmp_path / "cut.csv"
+    line = ("heights", "section", cone, "--line", "0.02 0.32, 0.9 0.32", "--fill", 0.4)
+    (one,) = told(capsys, *line, "--out", table)["sections"]
+    assert one["with_height"] == 1
+    with table.open(encoding="utf-8") as file:
+        rows = list(csv.DictReader(file))
+    share = sum(r["filled"] == "1" for r in rows) / len(rows)
+    assert one["filled"] == pytest.approx(share, abs=0.01)
+    assert 0.2 < share < 0.3
+    assert main([*map(str, line)]) == 0
+    said = capsys.readouterr().out
+    assert "100% of it with a height" in said
+    assert f"{one['filled']:.2%} of what has a height was filled" in said
+    assert main(["heights", "section", str(cone), "--line", "0.48 0.02, 0.48 0.6"]) == 0
+    assert "filled" not in capsys.readouterr().out
+
+
+def test_nothing_is_said_of_next_to_nothing_that_was_filled(tmp_path, capsys):
+    """An outline that reaches into a cell of a hole by a ten-thousandth of its width."""
+    model = made(np.zeros(SHAPE))
+    height = model.heights.height.copy()
+    height[20:24, 20:24] = np.nan
+    folder = folder_of(replace(model, heights=replace(model.heights, height=height)), tmp_path / "s")
+    volume = ["heights", "volume", str(folder), "--above", "0", "--extent", "0.239999", "0.3", "0.6", "0.5"]
+    assert 0 < told(capsys, *volume)["filled"] < 5e-5
+    assert main(volume) == 0
+    assert "filled" not in capsys.readouterr().out
 
 
 def test_differences_of_height_are_of_places_that_were_measured(cone, capsys):

@@ -106,17 +106,47 @@ def test_sections_lie_on_a_tilted_plane_and_scatter_as_is_stated():
     exact = 0.2 * found.place[:, 0] * 0.01 - 0.1 * (64 - found.place[:, 1]) * 0.01
     assert np.abs(found.height - exact).max() < 1e-6
     assert found.difference(0, len(exact) - 1).value == pytest.approx(exact[0] - exact[-1], abs=1e-6)
+    along = np.trapezoid(exact, found.distance) / found.distance[-1]
     rng = np.random.default_rng(6)
     z, mean, apart = [], [], []
     for _ in range(150):
         one = section(made(plane, rng=rng, common=5e-4), line, 0.7)
         z.append(np.mean(((one.height - exact) / one.sigma) ** 2))
-        mean.append((one.mean.value - exact.mean()) / one.mean.sigma)
+        mean.append((one.mean.value - along) / one.mean.sigma)
         step = one.difference(20, 22)
         apart.append((step.value - exact[20] + exact[22]) / step.sigma)
     assert np.mean(z) == pytest.approx(1.0, abs=0.15)
     assert np.mean(np.square(mean)) == pytest.approx(1.0, abs=0.35)
     assert np.mean(np.square(apart)) == pytest.approx(1.0, abs=0.35)
+
+
+def test_the_mean_of_a_section_is_that_along_the_line():
+    """Of a plane it is that of the middles of its parts, however many places they have and wherever holes are."""
+    x, _ = middles(SHAPE)
+    model = made(0.2 * x)
+    short = section(model, np.array([[10.0, 30.0], [10.5, 30.0], [40.0, 30.0]]), 0.7)
+    assert short.mean.value == pytest.approx(0.2 * 0.25, abs=1e-7)
+    assert short.with_height == 1
+    corner = section(model, np.array([[10.0, 30.0], [40.0, 30.0], [40.0, 33.0]]), 1.0)
+    assert corner.mean.value == pytest.approx(0.2 * (30 * 0.25 + 3 * 0.4) / 33, abs=1e-7)
+    cut = section(holed(model, slice(20, 40), slice(20, 30)), np.array([[10.0, 30.0], [40.0, 30.0]]), 0.5)
+    # heights lie between middles of cells: 10 to 19.5, and 30.5 to 40
+    assert cut.with_height == pytest.approx(19 / 30)
+    assert cut.mean.value == pytest.approx(0.2 * (14.75 + 35.25) / 200, abs=1e-7)
+    lone = section(holed(model, slice(0, 64), slice(12, 96)), np.array([[11.2, 30.0], [50.0, 30.0]]), 5.0)
+    assert np.isfinite(lone.height).sum() == 1
+    assert lone.with_height == 0
+    assert lone.mean.value == pytest.approx(0.2 * 0.112, abs=1e-7)
+
+
+def test_places_of_a_section_that_were_filled_are_told():
+    model = holed(made(np.zeros(SHAPE)), slice(20, 40), slice(20, 30))
+    line = np.array([[10.0, 30.0], [40.0, 30.0]])
+    assert not section(model, line, 0.5).filled.any()
+    found = section(filled(model, 10), line, 0.5)
+    assert found.with_height == 1
+    assert np.array_equal(found.filled, np.abs(found.place[:, 0] - 25) < 5.5 - 1e-9)
+    assert found.filled_share == pytest.approx(21 * 0.5 / 30)
 
 
 def test_a_section_has_no_height_in_a_hole_and_beyond_the_grid():
