@@ -375,11 +375,15 @@ def test_what_has_moved_is_written(tmp_path, capsys):
     after = folder_of(made(relief, rng=rng, sigma=4e-4, common=1e-3), tmp_path / "after")
     found = told(capsys, "heights", "difference", before, after, "--out", tmp_path / "moved")
     (region,) = found["regions"]
-    assert region["mean"] == pytest.approx(3e-3, abs=4 * region["mean_sigma"])
+    assert region["amount"] == pytest.approx(3e-3, abs=4 * region["amount_sigma"])
+    assert region["mean"] == pytest.approx(region["volume"] / region["area"], rel=1e-9)
     assert region["area"] == pytest.approx(0.09, abs=4 * region["area_sigma"])
     with (tmp_path / "moved/moved.csv").open(encoding="utf-8") as file:
         assert next(file) == "# lengths in m\n"
+        assert next(file).startswith("# mean: volume / area; amount: movement of the inner part")
         (row,) = csv.DictReader(file)
+    assert float(row["mean"]) == pytest.approx(float(row["volume"]) / float(row["area"]), rel=1e-6)
+    assert float(row["amount"]) == pytest.approx(region["amount"], rel=1e-6)
     assert float(row["x"]) == pytest.approx(0.45, abs=0.02)
     assert float(row["y"]) == pytest.approx(0.64 - 0.33, abs=0.02)
     with rasterio.open(tmp_path / "moved/difference.tif") as bands:
@@ -391,7 +395,10 @@ def test_what_has_moved_is_written(tmp_path, capsys):
     assert (tmp_path / "moved/difference.png").stat().st_size > 1000
     assert "it is the same measurement" in refused(capsys, "heights", "difference", before, before)
     assert main(["heights", "difference", str(before), str(after)]) == 0
-    assert "1 region moved against the rest by more than chance" in capsys.readouterr().out
+    said = capsys.readouterr().out
+    assert "1 region moved against the rest by more than chance" in said
+    assert "  1: mean 0.00" in said
+    assert "; its inner part 0.00" in said
 
 
 def test_surfaces_of_two_frames_are_not_compared(tmp_path, capsys):
