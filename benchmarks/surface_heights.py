@@ -141,7 +141,7 @@ def halves(one: Path, other: Path) -> dict[str, object]:
         now = movements(difference(before.model, replace(same, heights=replace(same.heights, height=height))))
         found["moved"].append({
             "by_mm": 1000 * by, "regions": len(now.regions),
-            **({k: round(float(v), 6) for k, v in (("mean_mm", 1000 * r.mean), ("sigma_mm", 1000 * r.mean_sigma),
+            **({k: round(float(v), 6) for k, v in (("mean_mm", 1000 * r.amount), ("sigma_mm", 1000 * r.amount_sigma),
                ("area", r.area), ("area_sigma", r.area_sigma))} if now.regions and (r := now.regions[0]) else {}),
         })  # fmt: skip
     return found

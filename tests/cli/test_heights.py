@@ -100,6 +100,48 @@ def test_bad_outlines_are_refused(cone, capsys, tmp_path):
     assert "has no heights.tif" in refused(capsys, "heights", "volume", tmp_path)
 
 
+def square(low, high):
+    return [[low, low], [high, low], [high, high], [low, high], [low, low]]
+
+
+def test_areas_in_plan_are_those_of_their_outlines(tmp_path, capsys):
+    folder = folder_of(made(np.zeros(SHAPE)), tmp_path / "s")
+    file = tmp_path / "area.geojson"
+    volume = ("heights", "volume", folder, "--above", 0, "--outline", file)
+
+    def written(*rings):
+        file.write_text(json.dumps({"type": "Polygon", "coordinates": rings}))
+
+    turned = "0.312 0.101, 0.507 0.153, 0.455 0.348, 0.26 0.296"
+    plan = told(capsys, *volume[:-1], turned)["plan_area"]
+    assert plan == pytest.approx(0.195**2 + 0.052**2, rel=1e-9)
+    written(square(0.1234, 0.4321), square(0.2, 0.25), square(0.3, 0.377))
+    exact = 0.3087**2 - 0.05**2 - 0.077**2
+    assert told(capsys, *volume)["plan_area"] == pytest.approx(exact, rel=1e-9)
+    # a hole that touches the edge lies within
+    written(square(0.1, 0.4), [[0.1, 0.2], [0.2, 0.2], [0.2, 0.3], [0.1, 0.3], [0.1, 0.2]])
+    assert told(capsys, *volume)["plan_area"] == pytest.approx(0.08, rel=1e-9)
+
+
+@pytest.mark.parametrize(
+    ("holes", "said"),
+    [
+        ([square(0.3, 0.5)], "the outline has hole 1 outside of its edge near 0.45, 0.3"),
+        ([square(0.15, 0.2), square(0.5, 0.6)], "the outline has hole 2 outside of its edge near 0.55, 0.5"),
+        ([square(0.15, 0.3), square(0.2, 0.35)], "the outline has hole 2 over hole 1 near"),
+        ([square(0.15, 0.3), square(0.2, 0.25)], "the outline has hole 2 over hole 1 near"),
+        ([square(0.2, 0.25), square(0.2, 0.25)], "the outline has hole 2 over hole 1 near 0.2, 0.2"),
+        ([square(0.1, 0.4)], "the outline has holes that leave nothing of it"),
+    ],
+)
+def test_holes_that_lie_not_within_their_area_are_refused(tmp_path, capsys, holes, said):
+    """They would be added, or taken off twice."""
+    folder = folder_of(made(np.zeros(SHAPE)), tmp_path / "s")
+    file = tmp_path / "area.geojson"
+    file.write_text(json.dumps({"type": "Polygon", "coordinates": [square(0.1, 0.4), *holes]}))
+    assert said in refused(capsys, "heights", "volume", folder, "--above", 0, "--outline", file)
+
+
 def test_holes_that_an_outline_or_the_edge_cuts_off_are_filled(tmp_path, capsys):
     """Of a tilted plane: a hole that is open to the edge of the grid, and one that goes on beyond the outline."""
     x, y = middles(SHAPE)
@@ -180,6 +222,14 @@ def test_sections_are_written_as_table_picture_and_drawing(cone, capsys, tmp_pat
     assert {r["section"] for r in rows} == {"section 1", "section 2"}
     assert rows[0]["height [m]"] != ""
     assert any(not r["height [m]"] for r in rows)  # the hole
+    assert {r["filled"] for r in rows if r["height [m]"]} == {"0"}
+    for k, told_of in enumerate((one, two), 1):
+        mine = [r for r in rows if r["section"] == f"section {k}"]
+        d, h = (np.array([float(r[c] or "nan") for r in mine]) for c in ("distance [m]", "height [m]"))
+        each, far = np.convolve(h, [0.5, 0.5], "valid"), np.diff(d)
+        good = np.isfinite(each)
+        assert told_of["mean"] == pytest.approx((each * far)[good].sum() / far[good].sum(), abs=1e-7)
+        assert told_of["with_height"] == pytest.approx(far[good].sum() / d[-1], abs=1e-6)
     middle = min((r for r in rows if r["section"] == "section 2"), key=lambda r: abs(float(r["distance [m]"]) - 0.3))
     assert float(middle["height [m]"]) == pytest.approx(0.1, abs=5e-3)
     assert 0 < float(middle["sigma [m]"]) < 2e-3
@@ -190,6 +240,36 @@ def test_sections_are_written_as_table_picture_and_drawing(cone, capsys, tmp_pat
     assert {"PROFILE", "BAND_UPPER", "BAND_LOWER"} <= {layer.dxf.name for layer in drawing.layers}
     assert len(drawing.modelspace().query("LWPOLYLINE[layer=='PROFILE']")) == 3
     assert drawing.header["$INSUNITS"] == 6
+
+
+def test_what_of_a_section_was_filled_is_told(cone, capsys, tmp_path):
+    table = tmp_path / "cut.csv"
+    line = ("heights", "section", cone, "--line", "0.02 0.32, 0.9 0.32", "--fill", 0.4)
+    (one,) = told(capsys, *line, "--out", table)["sections"]
+    assert one["with_height"] == 1
+    with table.open(encoding="utf-8") as file:
+        rows = list(csv.DictReader(file))
+    share = sum(r["filled"] == "1" for r in rows) / len(rows)
+    assert one["filled"] == pytest.approx(share, abs=0.01)
+    assert 0.2 < share < 0.3
+    assert main([*map(str, line)]) == 0
+    said = capsys.readouterr().out
+    assert "100% of it with a height" in said
+    assert f"{one['filled']:.2%} of what has a height was filled" in said
+    assert main(["heights", "section", str(cone), "--line", "0.48 0.02, 0.48 0.6"]) == 0
+    assert "filled" not in capsys.readouterr().out
+
+
+def test_nothing_is_said_of_next_to_nothing_that_was_filled(tmp_path, capsys):
+    """An outline that reaches into a cell of a hole by a ten-thousandth of its width."""
+    model = made(np.zeros(SHAPE))
+    height = model.heights.height.copy()
+    height[20:24, 20:24] = np.nan
+    folder = folder_of(replace(model, heights=replace(model.heights, height=height)), tmp_path / "s")
+    volume = ["heights", "volume", str(folder), "--above", "0", "--extent", "0.239999", "0.3", "0.6", "0.5"]
+    assert 0 < told(capsys, *volume)["filled"] < 5e-5
+    assert main(volume) == 0
+    assert "filled" not in capsys.readouterr().out
 
 
 def test_differences_of_height_are_of_places_that_were_measured(cone, capsys):
@@ -295,11 +375,15 @@ def test_what_has_moved_is_written(tmp_path, capsys):
     after = folder_of(made(relief, rng=rng, sigma=4e-4, common=1e-3), tmp_path / "after")
     found = told(capsys, "heights", "difference", before, after, "--out", tmp_path / "moved")
     (region,) = found["regions"]
-    assert region["mean"] == pytest.approx(3e-3, abs=4 * region["mean_sigma"])
+    assert region["amount"] == pytest.approx(3e-3, abs=4 * region["amount_sigma"])
+    assert region["mean"] == pytest.approx(region["volume"] / region["area"], rel=1e-9)
     assert region["area"] == pytest.approx(0.09, abs=4 * region["area_sigma"])
     with (tmp_path / "moved/moved.csv").open(encoding="utf-8") as file:
         assert next(file) == "# lengths in m\n"
+        assert next(file).startswith("# mean: volume / area; amount: movement of the inner part")
         (row,) = csv.DictReader(file)
+    assert float(row["mean"]) == pytest.approx(float(row["volume"]) / float(row["area"]), rel=1e-6)
+    assert float(row["amount"]) == pytest.approx(region["amount"], rel=1e-6)
     assert float(row["x"]) == pytest.approx(0.45, abs=0.02)
     assert float(row["y"]) == pytest.approx(0.64 - 0.33, abs=0.02)
     with rasterio.open(tmp_path / "moved/difference.tif") as bands:
@@ -311,7 +395,10 @@ def test_what_has_moved_is_written(tmp_path, capsys):
     assert (tmp_path / "moved/difference.png").stat().st_size > 1000
     assert "it is the same measurement" in refused(capsys, "heights", "difference", before, before)
     assert main(["heights", "difference", str(before), str(after)]) == 0
-    assert "1 region moved against the rest by more than chance" in capsys.readouterr().out
+    said = capsys.readouterr().out
+    assert "1 region moved against the rest by more than chance" in said
+    assert "  1: mean 0.00" in said
+    assert "; its inner part 0.00" in said
 
 
 def test_surfaces_of_two_frames_are_not_compared(tmp_path, capsys):

@@ -12,7 +12,7 @@ FINE = 4
 BLOCK = 32
 
 
-def made(height, *, cell=0.01, sigma=1e-3, common=0.0, length=0.8, rng=None, step=0.0):
+def made(height, *, cell=0.01, sigma=1e-3, common=0.0, length=0.8, rng=None, step=0.0, fine=FINE):
     """Heights (rows, columns), with drawn errors where `rng` is given: local ones, a shift and two tilts of all.
 
     common  of the shift, and of each tilt half of it over a block; None: there are no errors of orientation
@@ -26,10 +26,10 @@ def made(height, *, cell=0.01, sigma=1e-3, common=0.0, length=0.8, rng=None, ste
         moved[..., k] = common * one
     error = np.zeros(shape)
     if rng is not None:
-        smooth = length * FINE / 2
-        noise = gaussian_filter(rng.normal(size=(FINE * shape[0], FINE * shape[1])), smooth, mode="wrap")
+        smooth = length * fine / 2
+        noise = gaussian_filter(rng.normal(size=(fine * shape[0], fine * shape[1])), smooth, mode="wrap")
         noise *= np.sqrt(4 * np.pi) * smooth * sigma
-        error += noise.reshape(shape[0], FINE, shape[1], FINE).mean(axis=(1, 3))
+        error += noise.reshape(shape[0], fine, shape[1], fine).mean(axis=(1, 3))
         error += at_cells(moved @ rng.normal(size=len(each)), BLOCK, shape)
     flat = np.zeros(shape, np.float32)
     heights = Heights(

@@ -70,7 +70,7 @@ def test_a_relief_that_moved_by_3_mm_is_found_with_its_outline_and_amount(by):
     for _ in range(12):
         found = movements(raised(pair(rng), by))
         (region,) = found.regions
-        z.append((region.mean - by) / region.mean_sigma)
+        z.append((region.amount - by) / region.amount_sigma)
         sizes.append((region.area - 0.09) / region.area_sigma)
         rows, columns = np.nonzero(region.cells)
         edge = 2 * region.edge / 0.01 + 1
@@ -80,6 +80,24 @@ def test_a_relief_that_moved_by_3_mm_is_found_with_its_outline_and_amount(by):
         assert np.nanmax(np.abs(found.peak)) > found.limit
     assert np.mean(np.square(z)) < 2.2
     assert np.mean(np.square(sizes)) < 4
+
+
+def test_the_mean_of_a_region_is_its_volume_over_its_area():
+    """Of a mound, whose inner part has moved by more than its rim."""
+    rng = np.random.default_rng(18)
+    r, c = np.mgrid[: SHAPE[0], : SHAPE[1]]
+    mound = 8e-3 * np.exp(-((r - 32) ** 2 + (c - 48) ** 2) / 2 / 5**2)
+    z = []
+    for _ in range(8):
+        d = pair(rng)
+        raised_by = replace(d, heights=replace(d.heights, height=(d.heights.height + mound).astype(np.float32)))
+        (region,) = movements(raised_by).regions
+        assert region.mean == pytest.approx(region.volume / region.area, rel=1e-12)
+        assert region.amount > region.mean + 3 * region.mean_sigma
+        within = mound[region.cells]
+        assert within.min() < 0.7 * region.amount
+        z.append((region.mean - within.mean()) / region.mean_sigma)
+    assert np.mean(np.square(z)) < 2.2
 
 
 def test_a_shift_of_all_is_of_the_whole_and_no_region():
@@ -104,7 +122,7 @@ def test_blunders_and_holes_are_no_movement():
     assert np.isnan(found.local[45, 20])
     moved = movements(raised(replace(d, heights=replace(d.heights, height=height)), 3e-3))
     (region,) = moved.regions
-    assert region.mean == pytest.approx(3e-3, abs=4 * region.mean_sigma)
+    assert region.amount == pytest.approx(3e-3, abs=4 * region.amount_sigma)
 
 
 def test_heights_of_another_grid_lie_between_its_cells():

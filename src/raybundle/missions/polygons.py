@@ -112,6 +112,23 @@ def _meeting(a: Array, b: Array, c: Array, d: Array) -> tuple[Array, Array]:
     return np.where(cross == 0, np.nan, t), np.where(cross == 0, np.nan, s)
 
 
+def astray(ring: Array, other: Array, *, within: bool) -> Array | None:
+    """(2,) a place on the edges of a polygon (n, 2) within another, or not within it; None: there is none.
+
+    Edges that run along those of the other are neither.
+    """
+    middles = list[Array]()
+    for a, b in zip(ring, np.roll(ring, -1, axis=0), strict=True):
+        t, s = _meeting(a, b, other, np.roll(other, -1, axis=0))
+        cuts = np.unique(np.concatenate([[0.0, 1.0], t[(s >= 0) & (s <= 1) & (t > 0) & (t < 1)]]))
+        middles.append(a + ((cuts[:-1] + cuts[1:]) / 2)[:, None] * (b - a))
+    places = np.concatenate(middles)
+    places = places[inside(other, places) == within]
+    size = float(np.ptp(np.concatenate([ring, other]), axis=0).max())
+    places = places[distance_to(other, places) > NEAR * size] if len(places) else places
+    return places[0] if len(places) else None
+
+
 def inside(ring: Array, xy: Array) -> Mask:
     """(n,) which points (n, 2) lie within a polygon (k, 2); even-odd rule."""
     xy = np.asarray(xy, float)

@@ -71,8 +71,11 @@ class Region:
     area_sigma: float
     """by how well its outline is known"""
     mean: float
-    """movement against the rest: of its inner part, so that a wrong outline does not count"""
+    """movement against the rest over all of its area: volume / area"""
     mean_sigma: float
+    amount: float
+    """movement of its inner part alone, so that a wrong outline, and what moved less at its rim, does not count"""
+    amount_sigma: float
     volume: float
     volume_sigma: float
     edge: float
@@ -316,24 +319,28 @@ def _region(model: HeightModel, local: Array, uncertain: Array, cells: Mask, sid
     area, n = model.cell**2, int(cells.sum())
     w = np.where(inner, 1 / np.maximum(model.local.astype(float), 1e-300), 0.0)
     w /= w.sum()
-    mean = float((w[inner] * local[inner]).sum())
+    amount = float((w[inner] * local[inner]).sum())
     left = float((w[inner] * np.sqrt(uncertain[inner])).sum())
-    mean_sigma = float(np.hypot(model.sum_of(w).local, left))
+    amount_sigma = float(np.hypot(model.sum_of(w).local, left))
     edge_cells = n - int((cv2.erode(cells.astype(np.uint8), np.ones((3, 3), np.uint8), borderValue=0) > 0).sum())
     # an edge lies somewhere within the cells of the mean that found it
     edge = model.cell * np.sqrt((side**2 + 1) / 12)
     # beside it heights that are worse than half of the movement, or missing, may belong to it or not, all together
     around = cv2.dilate(cells.astype(np.uint8), np.ones((2 * rim + 3,) * 2, np.uint8)) > 0
-    unclear = around & ~cells & ~(np.asarray(model.local) < abs(mean) / 2)
+    unclear = around & ~cells & ~(np.asarray(model.local) < abs(amount) / 2)
     area_sigma = np.hypot(edge * model.cell * np.sqrt(edge_cells * side), unclear.sum() * area / np.sqrt(12))
     # cells without a height have moved as the others have
     inside = (cells & model.known).astype(float)
     inside *= n / inside.sum()
     volume = float((inside * np.nan_to_num(local)).sum() * area)
     by_height = area * float(np.hypot(model.sum_of(inside).local, (inside * np.sqrt(uncertain)).sum()))
+    mean = volume / (n * area)
+    # what an outline that is off has more or less moved by half of the amount
+    by_outline = abs(mean - amount / 2) * area_sigma
     return Region(
-        cells=cells, area=n * area, area_sigma=float(area_sigma), mean=mean, mean_sigma=mean_sigma, volume=volume,
-        volume_sigma=float(np.hypot(by_height, mean * area_sigma / 2)), edge=float(edge), peak=peak,
+        cells=cells, area=n * area, area_sigma=float(area_sigma), volume=volume, edge=float(edge), peak=peak,
+        volume_sigma=float(np.hypot(by_height, amount * area_sigma / 2)), amount=amount, amount_sigma=amount_sigma,
+        mean=mean, mean_sigma=float(np.hypot(by_height, by_outline)) / (n * area),
     )  # fmt: skip
 
 

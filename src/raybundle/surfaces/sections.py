@@ -7,7 +7,7 @@ from itertools import pairwise
 
 import numpy as np
 
-from raybundle.numerics.arrays import Array, Index
+from raybundle.numerics.arrays import Array, Index, Mask
 from raybundle.surfaces.height_model import HeightModel, SumOfHeights
 
 
@@ -39,10 +39,46 @@ class Section:
         return self.model.sum_of(w.reshape(self.model.shape))
 
     @property
+    def spans(self) -> Array:
+        """(n,) length of the line that each place stands for: half of what lies to neighbours, where both have heights.
+
+        What lies beside a place without a height has none.
+        """
+        both = np.isfinite(self.height[1:]) & np.isfinite(self.height[:-1])
+        half = np.where(both, np.diff(self.distance), 0.0) / 2
+        return np.append(half, 0.0) + np.append(0.0, half)
+
+    @property
+    def with_height(self) -> float:
+        """Share of the line that has one."""
+        lost = ~(np.isfinite(self.height[1:]) & np.isfinite(self.height[:-1]))
+        far = np.diff(self.distance)
+        return 1 - float(far[lost].sum() / far.sum())
+
+    @property
+    def filled(self) -> Mask:
+        """(n,) places whose height is made of any that was interpolated."""
+        holes = self.model.holes
+        if holes is None:
+            return np.zeros(len(self.height), bool)
+        return ((self.weights > 0) & holes.filled.ravel()[self.cells]).any(axis=1)
+
+    @property
+    def filled_share(self) -> float:
+        """Share of what has a height that was filled."""
+        spans = self.spans
+        return float(spans[self.filled].sum() / spans.sum()) if spans.any() else 0.0
+
+    @property
     def mean(self) -> SumOfHeights | None:
-        """Of the places that have a height; None: none has."""
-        known = np.isfinite(self.height)
-        return self.of(known / known.sum()) if known.any() else None
+        """Along what has a height, linear from place to place; None: none has.
+
+        Where no two neighbours have one, of the places that have.
+        """
+        known, spans = np.isfinite(self.height), self.spans
+        if not known.any():
+            return None
+        return self.of(spans / spans.sum() if spans.any() else known / known.sum())
 
     def at(self, distances: Array) -> Section:
         """The places at distances (n,) from the beginning alone."""

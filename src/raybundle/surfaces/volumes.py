@@ -8,10 +8,10 @@ from dataclasses import dataclass
 import numpy as np
 
 from raybundle.errors import InputError
-from raybundle.numerics.arrays import Array, Index, Mask
+from raybundle.numerics.arrays import Array, Index
 from raybundle.surfaces.height_model import HeightModel, SumOfHeights
-from raybundle.surfaces.heights import between, within
 from raybundle.surfaces.sections import between_middles
+from raybundle.surfaces.true_areas import shifted, true_area
 
 FEWEST = 3
 """Places along the outline that tell a plane."""
@@ -32,6 +32,8 @@ class Volume:
     true_area: float
     """of the surface itself"""
     true_area_sigma: float
+    true_area_noise: float
+    """the part of that by errors of the heights; the rest is what lies between cells and in holes"""
     filled: float
     """share of the plan area whose heights were interpolated"""
     filled_sigma: float
@@ -66,14 +68,15 @@ def volume(model: HeightModel, covered: Array, base: float | Sequence[Array]) ->
         return SumOfHeights(value=float((w * d).sum()), local=local, moved=found.moved)
 
     w = covered * area
-    true, true_sigma = _true_area(model, covered)
+    true = true_area(model, covered)
     net = summed(w)
     filled = model.holes.filled & used if model.holes is not None else np.zeros(used.shape, bool)
     plan = float(w.sum())
     return Volume(
         above=summed(np.where(d > 0, w, 0.0)), below=summed(np.where(d < 0, -w, 0.0)), net=net, plan_area=plan,
-        true_area=true, true_area_sigma=true_sigma, filled=float(w[filled].sum()) / plan,
-        filled_sigma=_by_holes(model, w), base=b.plane, mean_sigma=net.sigma / plan,
+        true_area=true.value, true_area_sigma=true.sigma, true_area_noise=true.by_noise,
+        filled=float(w[filled].sum()) / plan, filled_sigma=_by_holes(model, w), base=b.plane,
+        mean_sigma=net.sigma / plan,
     )  # fmt: skip
 
 
@@ -136,7 +139,7 @@ def _bends(model: HeightModel) -> Array:
     h = model.heights.height.astype(float)
     found = np.zeros(h.shape)
     for axis in (0, 1):
-        second = _shifted(h, 1, axis) + _shifted(h, -1, axis) - 2 * h
+        second = shifted(h, 1, axis) + shifted(h, -1, axis) - 2 * h
         found -= np.nan_to_num(second) / 8
     return found
 
@@ -173,70 +176,3 @@ def _by_holes(model: HeightModel, w: Array) -> float:
         return 0.0
     each = np.bincount(model.holes.number.ravel(), (w * model.holes.sigma).ravel())[1:]
     return float(np.linalg.norm(each))
-
-
-def _true_area(model: HeightModel, covered: Array) -> tuple[float, float]:
-    """Area of the surface itself and its standard deviation; what noise adds to it is taken off."""
-    h, c = model.heights.height.astype(float), model.cell
-    known: Mask = model.known
-    slopes, parts = list[Array](), list[tuple[Array, Array, Array]]()
-    for axis in (1, 0):
-        after, before = (_shifted(h, k, axis) for k in (1, -1))
-        right = np.where(np.isfinite(after), 1, 0)
-        left = np.where(np.isfinite(before), 1, 0)
-        span = right + left
-        rise = np.where(right > 0, after, h) - np.where(left > 0, before, h)
-        slopes.append(np.where(known & (span > 0), rise / (np.maximum(span, 1) * c), 0.0))
-        parts.append((right, left, np.maximum(span, 1) * c))
-    gx, gy = slopes
-    root = np.sqrt(1 + gx**2 + gy**2)
-    w = covered * c**2
-    used = w > 0
-    gradient = np.zeros(model.shape)
-    for g, (right, left, span), axis in zip((gx, gy), parts, (1, 0), strict=True):
-        by = np.where(used, w * g / root / span, 0.0)
-        gradient += _shifted(by * right, -1, axis, 0.0)
-        gradient -= _shifted(by * left, 1, axis, 0.0)
-        gradient += by * (1 - right) - by * (1 - left)
-    noise = np.nan_to_num(model.heights.local.astype(float)) ** 2
-    if model.holes is not None:
-        # what spans a hole has no noise of its own
-        noise = np.where(model.holes.filled, 0.0, noise)
-    far = float(between(np.array(2.0), np.zeros(1), model.length)[0]) / within(model.length)
-    added = [
-        np.where(used, w * (1 + other**2) / root**3 * noise * (1 - far) / span**2, 0.0)
-        for other, (_, _, span) in zip((gy, gx), parts, strict=True)
-    ]
-    area = float((w[used] * root[used]).sum() - np.sum(added))
-    # a square of noise has twice its mean as variance; neighbours share theirs
-    square = 2 * sum(float((a**2).sum()) for a in added) * (1 + np.pi * model.length**2)
-    sigma = np.hypot(model.sum_of(np.where(known, gradient, 0.0)).sigma, np.sqrt(square))
-    uneven = _uneven(model)
-    rough = float(sum((w * (1 + g**2) / root**3 * uneven).sum() for g in (gy, gx))) / 2
-    return max(area + rough, float(w.sum())), float(np.hypot(sigma, rough))
-
-
-def _uneven(model: HeightModel) -> Array:
-    """(rows, columns) variance of the slopes that a surface has in holes beside that of what spans them.
-
-    What spans a hole differs from the surface by a variance of 2 c one cell from its rim, where it is least, and slopes
-    are those of two cells: of a variogram c d^p they vary by c 2^(p - 1), which is half of it where p is 1.
-    """
-    found = np.zeros(model.shape)
-    if model.holes is None or not model.holes.filled.any():
-        return found
-    number, variance = model.holes.number, model.holes.sigma.astype(float) ** 2
-    least = np.full(int(number.max()) + 1, np.inf)
-    np.minimum.at(least, number.ravel(), variance.ravel())
-    filled = model.holes.filled
-    found[filled] = least[number[filled]] / 2 / model.cell**2
-    return found
-
-
-def _shifted(values: Array, by: int, axis: int, beyond: float = np.nan) -> Array:
-    """(rows, columns) what lies so many cells further along an axis."""
-    found = np.roll(values, -by, axis=axis).astype(float)
-    edge = [slice(None), slice(None)]
-    edge[axis] = slice(-by, None) if by > 0 else slice(None, -by)
-    found[tuple(edge)] = beyond
-    return found

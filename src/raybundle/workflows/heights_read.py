@@ -15,7 +15,7 @@ from raybundle.io.geo.parsed_systems import parse_crs, system_name
 from raybundle.io.missions.areas import GEOGRAPHIC, Shape, in_crs, read_shapes
 from raybundle.io.outlines import TEXT, read_outline
 from raybundle.io.reading.words import number_of
-from raybundle.missions.polygons import checked_ring
+from raybundle.missions.polygons import astray, checked_ring, signed_area
 from raybundle.numerics.arrays import Array
 from raybundle.settings import option
 from raybundle.surfaces.height_model import HeightModel
@@ -26,6 +26,8 @@ from raybundle.workflows.height_files import HeightFile, read_heights
 
 OUTSIDE = 1e-3
 """Share of an area or a line that may lie beyond the grid: rounding of coordinates."""
+LEAST = 1e-6
+"""Share of a cell below which it is within an outline by the rounding of coordinates alone."""
 COARSER = 2.0
 """How much larger or smaller cells may be that are resampled."""
 APART = 0.1
@@ -91,10 +93,11 @@ def covered_by(o: Opened, areas: Sequence[Sequence[Array]]) -> Array:
     if found.max() > 1 + 1e-6:
         raise InputError("two of the outlines overlap; give areas that lie apart, or one round all of them")
     lost = 1 - float(found.sum()) / wanted
-    if lost > OUTSIDE + 1 / np.sqrt(max(wanted, 1)) / 10:
+    if lost > OUTSIDE:
         f = o.file
         reach = f"{f.left:g} {f.top - f.height * f.cell:g} {f.left + f.width * f.cell:g} {f.top:g}"
-        raise InputError(f"{lost:.0%} of the outline lies beyond the heights, which reach over {reach}")
+        raise InputError(f"{lost:.1%} of the outline lies beyond the heights, which reach over {reach}")
+    found[(found < LEAST) & ~o.model.known] = 0.0
     return np.minimum(found, 1.0)
 
 
@@ -150,8 +153,40 @@ def _areas(wkt: str, given: str) -> list[list[Array]]:
     found = list[list[Array]]()
     for s in shapes:
         rings = [_in_plane(wkt, r, s.crs, typed=s.typed, path=path) for r in (s.xy, *s.holes)]
-        found.append([checked_ring(r, "the outline") for r in rings])
+        checked = [checked_ring(r, "the outline") for r in rings]
+        _check_holes(checked)
+        found.append(checked)
     return found
+
+
+def _check_holes(rings: Sequence[Array]) -> None:
+    """That holes of an area lie within it and apart from each other: what is enclosed is not known otherwise.
+
+    raises  InputError where one does not, with the place
+    """
+
+    def refuse(what: str, place: Array) -> None:
+        raise InputError(
+            f"the outline has {what} near {place[0]:.8g}, {place[1]:.8g}: what it encloses there is not known; give "
+            "areas whose holes lie within them and apart from each other"
+        )
+
+    outer, *holes = rings
+    for k, hole in enumerate(holes, 1):
+        if (place := astray(hole, outer, within=False)) is not None:
+            refuse(f"hole {k} outside of its edge", place)
+        for n, other in enumerate(holes[: k - 1], 1):
+            apart = (hole.min(axis=0) > other.max(axis=0)).any() or (other.min(axis=0) > hole.max(axis=0)).any()
+            if apart:
+                continue
+            place = astray(hole, other, within=True)
+            place = astray(other, hole, within=True) if place is None else place
+            if place is None and np.isclose(signed_area(hole), signed_area(other), rtol=1e-9, atol=0):
+                place = hole[0] if astray(hole, other, within=False) is None else None
+            if place is not None:
+                refuse(f"hole {k} over hole {n}", place)
+    if holes and _size(rings) <= LEAST * signed_area(outer):
+        refuse("holes that leave nothing of it", outer[0])
 
 
 def lines_of(o: Opened, given: str) -> list[Array]:

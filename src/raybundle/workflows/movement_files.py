@@ -18,8 +18,10 @@ from raybundle.workflows.heights_read import Opened
 RASTER, TABLE, LINES, LAYER, PICTURE = "difference.tif", "moved.csv", "moved.geojson", "moved.gpkg", "difference.png"
 BANDS = ("difference", "sigma", "movement against the rest", "sigma of that", "significance", "region")
 COLUMNS = (
-    "region", "x", "y", "area", "area_sigma", "mean", "mean_sigma", "volume", "volume_sigma", "outline_sigma", "peak"
+    "region", "x", "y", "area", "area_sigma", "mean", "mean_sigma", "amount", "amount_sigma", "volume", "volume_sigma",
+    "outline_sigma", "peak",
 )  # fmt: skip
+TOLD = "# mean: volume / area; amount: movement of the inner part, where the outline does not count"
 SHOWN_PX = 1600
 """Longer side of the picture"""
 SPREAD = 5.0
@@ -47,7 +49,7 @@ def write_movements(o: Opened, model: HeightModel, found: Movements, out: Path) 
             write(0, 0, np.stack(bands, axis=2).astype(np.float32))
         rows = [_row(o, k, r) for k, r in enumerate(found.regions, 1)]
         unit = o.unit or "no unit: the scale is free"
-        told = [f"# lengths in {unit}", ",".join(COLUMNS), *(",".join(f"{v:.8g}" for v in row) for row in rows)]
+        told = [f"# lengths in {unit}", TOLD, ",".join(COLUMNS), *(",".join(f"{v:.8g}" for v in row) for row in rows)]
         (new / TABLE).write_text("\n".join(told) + "\n", encoding="utf-8")
         drawn = [d for row, r in zip(rows, found.regions, strict=True) for d in _areas(o, row, r)]
         write_geojson(new / LINES, drawn, o.file.wkt)
@@ -63,7 +65,9 @@ def _row(o: Opened, number: int, r: Region) -> list[float]:
     """What the table says of a region."""
     rows, columns = np.nonzero(r.cells)
     x, y = o.places(np.array([[columns.mean() + 0.5, rows.mean() + 0.5]]))[0]
-    numbers = (r.area, r.area_sigma, r.mean, r.mean_sigma, r.volume, r.volume_sigma, r.edge, r.peak)
+    numbers = (
+        r.area, r.area_sigma, r.mean, r.mean_sigma, r.amount, r.amount_sigma, r.volume, r.volume_sigma, r.edge, r.peak
+    )  # fmt: skip
     return np.array([number, x, y, *numbers], float).tolist()
 
 
@@ -91,7 +95,7 @@ def picture(model: HeightModel, found: Movements, unit: str) -> Array:
     known = model.known & np.isfinite(found.local)
     size = SPREAD * float(np.median(found.sigma[known]))
     for r in found.regions:
-        size = max(size, 1.3 * abs(r.mean))
+        size = max(size, 1.3 * abs(r.amount))
     share = np.clip(np.where(known, found.local, 0.0) / size, -1, 1)[..., None]
     white, red, blue = (np.array(c, float) for c in (WHITE, RED, BLUE))
     colours = np.where(share > 0, white + share * (red - white), white - share * (blue - white))

@@ -14,12 +14,12 @@ from raybundle.workflows.heights_read import Opened
 
 
 def sections_csv(o: Opened, sections: Sequence[Section], names: Sequence[str]) -> str:
-    """A line for each place; height and sigma are empty in holes."""
+    """A line for each place; height, sigma and whether it was filled (0 or 1) are empty in holes."""
     unit = o.unit or "no unit"
-    lines = [f"section,distance [{unit}],x,y,height [{unit}],sigma [{unit}]"]
+    lines = [f"section,distance [{unit}],x,y,height [{unit}],sigma [{unit}],filled"]
     for s, name in zip(sections, names, strict=True):
-        for d, (x, y), h, q in zip(s.distance, o.places(s.place), s.height, s.sigma, strict=True):
-            told = f"{h:.7g},{q:.3g}" if np.isfinite(h) else ","
+        for d, (x, y), h, q, f in zip(s.distance, o.places(s.place), s.height, s.sigma, s.filled, strict=True):
+            told = f"{h:.7g},{q:.3g},{int(f)}" if np.isfinite(h) else ",,"
             lines.append(f"{name},{d:.7g},{x:.10g},{y:.10g},{told}")
     return "\n".join(lines) + "\n"
 

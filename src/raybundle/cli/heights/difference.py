@@ -29,8 +29,8 @@ def command(before: Path, after: Path, **given: Any) -> None:
     Errors of the two orientations move large parts alike: whether the whole has moved by more than they allow is told
     apart from what has moved against the rest. For that the chance of any false alarm on the whole surface is 5 %.
     FOLDER gets difference.tif (difference, movement against the rest, both with sigma, significance, region),
-    moved.csv, moved.geojson and, where something has moved, moved.gpkg with area, mean movement and volume of each
-    region, and difference.png.
+    moved.csv, moved.geojson and, where something has moved, moved.gpkg with area, mean movement, movement of the inner
+    part (amount) and volume of each region, and difference.png.
 
     \b
     Example:
@@ -49,7 +49,8 @@ def command(before: Path, after: Path, **given: Any) -> None:
             {
                 k: getattr(r, k)
                 for k in (
-                    "area", "area_sigma", "mean", "mean_sigma", "volume", "volume_sigma", "edge", "peak"
+                    "area", "area_sigma", "mean", "mean_sigma", "amount", "amount_sigma", "volume", "volume_sigma",
+                    "edge", "peak",
                 )
             }
             for r in m.regions
@@ -76,8 +77,9 @@ def _lines(found: MeasuredDifference) -> list[str]:
         lines.append(f"{counted(len(m.regions), 'region')} moved against the rest by more than chance (5 % for all):")
     for k, r in enumerate(m.regions[:MOST_SHOWN], 1):
         lines.append(
-            f"  {k}: {measured(r.mean, r.mean_sigma, unit)} over {measured(r.area, r.area_sigma, unit, 2)}, volume "
-            f"{measured(r.volume, r.volume_sigma, unit, 3)}"
+            f"  {k}: mean {measured(r.mean, r.mean_sigma, unit)} over {measured(r.area, r.area_sigma, unit, 2)}, "
+            f"volume {measured(r.volume, r.volume_sigma, unit, 3)}; its inner part "
+            f"{measured(r.amount, r.amount_sigma, unit)}"
         )
     if len(m.regions) > MOST_SHOWN:
         lines.append(f"  and {len(m.regions) - MOST_SHOWN} more")

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from raybundle.cli.common import FOLDER, NEW_FILE, Command, facts, significant
-from raybundle.cli.heights.words import FREE, measured, plain
+from raybundle.cli.heights.words import FREE, LEAST_TOLD, measured, plain
 from raybundle.cli.settings import options_of, values_of
 from raybundle.commands.heights.section import HeightsSectionSettings, run_section
 from raybundle.settings import made
@@ -23,8 +23,8 @@ if TYPE_CHECKING:
 def command(source: Path, **given: Any) -> None:
     """Profiles along lines: height and standard deviation of each place, of the mean, of differences of places.
 
-    .csv is a table, .svg a picture with the band in which 95 % of the surface lies, .dxf a drawing true to scale with
-    profile and band on layers of their own.
+    .csv is a table, with 1 under filled where a height was not measured, .svg a picture with the band in which 95 % of
+    the surface lies, .dxf a drawing true to scale with profile and band on layers of their own.
 
     \b
     Example:
@@ -32,12 +32,10 @@ def command(source: Path, **given: Any) -> None:
       raybundle heights section facade-project/surface --line "-1 0, 1 0" --between 0.2 1.8
     """  # noqa: D301
     found = run_section(made(HeightsSectionSettings, {"source": source, **values_of(HeightsSectionSettings, given)}))
-    import numpy as np  # noqa: PLC0415
-
     facts(unit=found.unit, files=[str(f) for f in found.files], sections=[
         {
             "name": m.name, "length": float(m.section.distance[-1]), "places": len(m.section.distance),
-            "with_height": float(np.isfinite(m.section.height).mean()),
+            "with_height": m.section.with_height, "filled": m.section.filled_share,
             "mean": None if m.mean is None else m.mean.value, "mean_sigma": None if m.mean is None else m.mean.sigma,
             "difference": None if m.difference is None else m.difference.value,
             "difference_sigma": None if m.difference is None else m.difference.sigma,
@@ -57,14 +55,16 @@ def _lines(found: MeasuredSections) -> list[str]:
         if m.mean is None:
             lines.append(f"{m.name}: {far}, nowhere a height")
             continue
-        share = float(known.mean())
+        share = m.section.with_height
         lines.append(
-            f"{m.name}: {far}, {share:.0%} of it with a height; mean height "
+            f"{m.name}: {far}, {_share(share)} of it with a height; mean height "
             f"{measured(m.mean.value, m.mean.sigma, found.unit)}; sigma of a place "
             f"{significant(float(np.median(m.section.sigma[known])), 2)} in the median"
         )
         if share < 1:
             lines.append(f"caution: that mean is of {_share(share)} of the line; of the rest nothing was measured")
+        if m.section.filled_share >= LEAST_TOLD:
+            lines.append(f"{m.section.filled_share:.2%} of what has a height was filled: no photograph measured it")
         if m.difference is not None:
             lines.append(f"difference of height: {measured(m.difference.value, m.difference.sigma, found.unit)}")
     if not found.unit:
@@ -74,4 +74,4 @@ def _lines(found: MeasuredSections) -> list[str]:
 
 def _share(share: float) -> str:
     """In percent, and less than all where it is not all."""
-    return f"{min(share, 0.999):.1%}"
+    return "100%" if share == 1 else f"{min(share, 0.999):.1%}"

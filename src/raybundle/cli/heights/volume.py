@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from raybundle.cli.common import FOLDER, Command, facts
-from raybundle.cli.heights.words import FREE, measured, plain, two_digits
+from raybundle.cli.heights.words import FREE, LEAST_TOLD, measured, plain, two_digits
 from raybundle.cli.settings import options_of, values_of
 from raybundle.commands.heights.volume import HeightsVolumeSettings, run_volume
 from raybundle.settings import made
@@ -36,7 +36,7 @@ def command(source: Path, **given: Any) -> None:
     v = found.volume
     facts(
         unit=found.unit, plan_area=v.plan_area, true_area=v.true_area, true_area_sigma=v.true_area_sigma,
-        filled=v.filled, filled_sigma=v.filled_sigma,
+        true_area_noise=v.true_area_noise, filled=v.filled, filled_sigma=v.filled_sigma,
         **{
             name: {"value": q.value, "sigma": q.sigma, "sigma_local": q.local, "sigma_orientation": q.orientation}
             for name, q in (("above", v.above), ("below", v.below), ("net", v.net))
@@ -58,7 +58,7 @@ def _lines(found: MeasuredVolume) -> list[str]:
         f"mean height above the base: {measured(v.net.value / v.plan_area, v.mean_sigma, unit)}",
         f"area in plan {plain(v.plan_area)}{square}, true area {measured(v.true_area, v.true_area_sigma, unit, 2)}",
     ]
-    if v.filled:
+    if v.filled >= LEAST_TOLD:
         lines.append(
             f"{v.filled:.2%} of the area was filled; sigma of the net volume by that {two_digits(v.filled_sigma)}"
         )

@@ -1,0 +1,235 @@
+"""Areas of the surface itself, of heights on a grid, with standard deviations.
+
+The surface lies over the middles of cells, two triangles to a square of four, in the mean of both diagonals: each
+quarter of a cell has the slopes to its two neighbours on that side.  What lies between cells, and what the means over
+cells flatten, is judged by the same surface of cells twice as wide: edges lose in proportion to the width, curvature in
+proportion to its square (Richardson 1911).  Half of the difference is added, and the other half is left uncertain.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from itertools import product
+
+import numpy as np
+from scipy.signal import convolve2d
+
+from raybundle.numerics.arrays import Array, Mask
+from raybundle.surfaces.height_model import REACH, HeightModel
+from raybundle.surfaces.heights import between
+
+FURTHER = 4
+"""Cells beyond an outline whose heights slopes within are made of, at most."""
+SIDES = (1, -1)
+VARIANCES = 0.15
+"""Share to which variances of heights are known, and with them what noise adds to an area: robust chi-squares of sums
+beside an exact object (benchmarks/surface_heights.py)."""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class TrueArea:
+    """Area of the surface itself."""
+
+    value: float
+    by_noise: float
+    """standard deviation by errors of the heights"""
+    between: float
+    """by what lies between cells, in holes, and by how well noise is known"""
+
+    @property
+    def sigma(self) -> float:
+        """Standard deviation, all parts."""
+        return float(np.hypot(self.by_noise, self.between))
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class _Noise:
+    """Covariances of the slopes by noise of heights, from one node to a neighbour some cells further."""
+
+    variance: Array
+    """(rows, columns) of a slope"""
+    both: Array
+    """(rows, columns) covariance of the slopes to the right and downwards"""
+    alike: float
+    """sum of squared correlations of a slope with all slopes around it, itself included"""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class _Faceted:
+    """A surface of triangles over nodes."""
+
+    density: Array
+    """(rows, columns) area over that in plan, less what noise adds"""
+    gradient: Array
+    """(rows, columns) of the weighted sum by the heights of nodes"""
+    square: float
+    """variance of the weighted sum by squares of noise"""
+    added: float
+    """what noise adds to the weighted sum, which was taken off"""
+    second: float
+    """the part of that by fourth powers of noise"""
+
+
+def true_area(model: HeightModel, covered: Array) -> TrueArea:
+    """Area of the surface itself within shares of cells (rows, columns).
+
+    What noise adds to the area is taken off.  In filled holes what the surface around does is added, and left
+    uncertain.  What it does not tell: what the surface does within cells, other than by what it does between them.
+    """
+    rows, columns = (np.flatnonzero((covered > 0).any(axis=axis)) for axis in (1, 0))
+    box = tuple(slice(max(int(k[0]) - FURTHER, 0), int(k[-1]) + FURTHER + 1) for k in (rows, columns))
+    c = model.cell
+    h = np.where(model.known, model.heights.height, np.nan)[box].astype(float)
+    w = covered[box] * c**2
+    wide = _of_squares(h)
+    # a cell is of up to four squares of cells: they share its weight
+    whole = np.isfinite(wide).astype(float)
+    several = _on_cells(whole)
+    double = _of_squares(np.where(several > 0, w / np.maximum(4 * several, 1e-300), 0.0)) * 4 * whole
+    told = np.where(several > 0, w, 0.0)
+    fine = _faceted(h, w + told / 2, c, 1, _noise(model, box, w > 0, 1))
+    coarse = _faceted(wide, double, c, 2, _noise(model, box, w > 0, 2))
+    lost = float((told * fine.density).sum() - (double * coarse.density).sum()) / 2
+    gradient = np.zeros(model.shape)
+    gradient[box] = np.where(np.isfinite(h), fine.gradient - _on_cells(coarse.gradient) / 2, 0.0)
+    rough = _rough(model, box, w, fine.density)
+    area = float((w * fine.density).sum()) + lost + rough
+    moved = model.sum_of(gradient)
+    # slopes have their noise twice: a square has twice its mean as variance, its derivative four times that
+    by_noise = np.hypot(np.sqrt(moved.local**2 - min(fine.square, moved.local**2 / 2)), moved.orientation)
+    known = VARIANCES * abs(fine.added - coarse.added / 2)
+    return TrueArea(
+        value=max(area, float(w.sum())), by_noise=float(by_noise),
+        between=float(np.linalg.norm([lost, rough, fine.second, known])),
+    )  # fmt: skip
+
+
+def _of_squares(values: Array) -> Array:
+    """(rows - 1, columns - 1) means of squares of four cells."""
+    v = values
+    return (v[:-1, :-1] + v[1:, :-1] + v[:-1, 1:] + v[1:, 1:]) / 4
+
+
+def _on_cells(values: Array) -> Array:
+    """(rows, columns) a quarter of what each of the squares has that a cell is of."""
+    return _of_squares(np.pad(values, 1))
+
+
+def _faceted(h: Array, w: Array, cell: float, apart: int, noise: _Noise) -> _Faceted:
+    """The surface of triangles over nodes with heights (NaN: none), to neighbours so many cells apart."""
+    span = apart * cell
+    has, slope = dict[tuple[int, int], Mask](), dict[tuple[int, int], Array]()
+    for axis, side in product((0, 1), SIDES):
+        rise = side * (shifted(h, side * apart, axis) - h)
+        has[axis, side] = np.isfinite(rise)
+        slope[axis, side] = np.nan_to_num(rise) / span
+    first, curved = ({k: np.zeros(h.shape) for k in has} for _ in range(2))
+    density, added, second = (np.zeros(h.shape) for _ in range(3))
+    used = {k: _of_either(has, slope, k) for k in has}
+    V = noise.variance
+    for down, right in product(SIDES, SIDES):
+        p, q = used[0, down], used[1, right]
+        root = np.sqrt(1 + p**2 + q**2)
+        density += root / 4
+        # an eighth of what the Laplacian makes of its own: noise in what is taken off
+        second -= V**2 * (1 / root**3 + 6 / root**5 - 15 / root**7) / 32
+        added -= down * right * noise.both * p * q / root**3 / 4
+        for k, one, other in (((0, down), p, q), ((1, right), q, p)):
+            first[k] += w * one / root / 4
+            # half of the second derivative
+            bent = V * (1 + other**2) / root**3 / 8
+            added += bent
+            curved[k] += w * bent
+    gradient, square = np.zeros(h.shape), 0.0
+    for axis in (0, 1):
+        rises, bends = (_by_edges(has, parts, axis, apart) for parts in (first, curved))
+        gradient += (shifted(rises, -apart, axis, 0.0) - rises) / span
+        square += 2 * noise.alike * float((bends**2).sum())
+    density, added, second = (np.where(np.isfinite(h), v, 0.0) for v in (density, added + second, second))
+    return _Faceted(
+        density=density - added, gradient=gradient, square=square, second=abs(float((w * second).sum())),
+        added=float((w * added).sum()),
+    )  # fmt: skip
+
+
+def _of_either(has: dict[tuple[int, int], Mask], values: dict[tuple[int, int], Array], k: tuple[int, int]) -> Array:
+    """Slopes to one side, where there is no neighbour those to the other, where there is none either 0."""
+    axis, side = k
+    return np.where(has[k], values[k], np.where(has[axis, -side], values[axis, -side], 0.0))
+
+
+def _by_edges(
+    has: dict[tuple[int, int], Mask], parts: dict[tuple[int, int], Array], axis: int, apart: int
+) -> Array:  # fmt: skip
+    """(rows, columns) what nodes have by slopes to either side, for each edge from a node onwards along an axis."""
+    on, back = (
+        np.where(has[axis, side], parts[axis, side] + np.where(has[axis, -side], 0.0, parts[axis, -side]), 0.0)
+        for side in SIDES
+    )
+    return on + shifted(back, apart, axis, 0.0)
+
+
+def _noise(model: HeightModel, box: tuple[slice, ...], used: Mask, apart: int) -> _Noise:
+    """Noise of slopes between nodes that are cells (1 apart) or means of squares of four (2 apart)."""
+    h = model.heights
+    local, point = (np.nan_to_num(v[box].astype(float)) ** 2 for v in (h.local, h.point))
+    if model.holes is not None:
+        # what spans a hole has no noise of its own
+        local, point = (np.where(model.holes.filled[box], 0.0, v) for v in (local, point))
+    image = h.image[box]
+    near = used[:, 1:] & used[:, :-1]
+    same = float((image[:, 1:] == image[:, :-1])[near].mean()) if near.any() else 1.0
+    point *= same + (1 - same) * model.apart
+    n = int(np.ceil(REACH * model.length)) + 1
+    steps = np.arange(-n, n + 1.0)
+    alike = between(steps[:, None], steps[None, :], model.length)
+    alike[n, n] = 0.0
+    alone = np.zeros(alike.shape)
+    alone[n, n] = 1.0
+    node = np.full((apart, apart), 1 / apart**2)
+    right = np.concatenate([-node, node], axis=1)
+
+    def covariances(other: Array) -> tuple[Array, Array]:
+        """Of the slope to the right with others so far from it, by what cells have alone and with neighbours."""
+        lags = convolve2d(right, other[::-1, ::-1])
+        return convolve2d(alone, lags), convolve2d(alike, lags)
+
+    own, shared = covariances(right)
+    middle = own.shape[0] // 2, own.shape[1] // 2
+    own_both, shared_both = covariances(right.T)
+    # where both start from one node
+    corner = n + apart - 1 + apart, n + apart - 1
+    if apart > 1:
+        local, point = _of_squares(local), _of_squares(point)
+    span = (apart * model.cell) ** 2
+    variance = np.maximum(own[middle] * local + shared[middle] * point, 0.0) / span
+    both = (own_both[corner] * local + shared_both[corner] * point) / span
+    weight = float(point.sum() / local.sum()) if local.any() else 0.0
+    one, two = own + weight * shared, own_both + weight * shared_both
+    squares = float((one**2).sum() + (two**2).sum()) / max(float(one[middle]) ** 2, 1e-300)
+    return _Noise(variance=variance, both=both, alike=squares)
+
+
+def _rough(model: HeightModel, box: tuple[slice, ...], w: Array, density: Array) -> float:
+    """What the surface has in holes beside what spans them.
+
+    What spans a hole differs from the surface by a variance of 2 c one cell from its rim, where it is least: for a
+    variogram c d^p that is the variance of a rise from cell to cell.
+    """
+    if model.holes is None or not model.holes.filled.any():
+        return 0.0
+    number, variance = model.holes.number, model.holes.sigma.astype(float) ** 2
+    least = np.full(int(number.max()) + 1, np.inf)
+    np.minimum.at(least, number.ravel(), variance.ravel())
+    uneven = np.where(model.holes.filled[box], least[number[box]], 0.0) / model.cell**2
+    root = np.maximum(density, 1.0)
+    return float((w * uneven * (1 + root**2) / root**3).sum()) / 2
+
+
+def shifted(values: Array, by: int, axis: int, beyond: float = np.nan) -> Array:
+    """(rows, columns) what lies so many cells further along an axis."""
+    found = np.roll(values, -by, axis=axis).astype(float)
+    edge = [slice(None), slice(None)]
+    edge[axis] = slice(-by, None) if by > 0 else slice(None, -by)
+    found[tuple(edge)] = beyond
+    return found
