@@ -28,7 +28,7 @@ def pointless(
         if len(store.wanted(key, ("image",))["image"]):
             continue
         found = store.wanted(key, ("depths", "share"))
-        if why := _why(int(found["depths"]), float(found["share"]), region=region):
+        if why := _why(found["depths"].item(), found["share"].item(), region=region):
             told.append((block.images.ids[k], why))
         if len(told) == MOST:
             break
