@@ -1,11 +1,14 @@
 """Polygons: what is none is refused with the place; what lies within; where lines enter and leave."""
 
+from time import process_time
+
 import numpy as np
 import pytest
 
 from raybundle.errors import InputError
 from raybundle.missions.polygons import (
     along,
+    astray,
     checked_ring,
     distance_to,
     inside,
@@ -59,3 +62,44 @@ def test_a_widened_outline_is_as_far_away_as_asked():
     ring = widened(NOTCHED, 2.0)
     assert distance_to(ring, hull(NOTCHED)).min() >= 2.0 - 1e-9
     assert distance_to(ring, hull(NOTCHED)).max() < 2.1
+
+
+def test_outlines_of_thirty_thousand_corners_are_checked_in_seconds():
+    turn = np.arange(30_000) / 30_000 * 2 * np.pi
+    far = 1200 + 100 * np.sin(900 * turn)
+    ring = np.stack([far * np.cos(turn), far * np.sin(turn)], axis=1)
+    begin = process_time()
+    assert len(checked_ring(ring, "the area")) == 30_000
+    ring[20_000] *= -1
+    with pytest.raises(InputError, match="the area crosses itself: the edge after corner"):
+        checked_ring(ring, "the area")
+    assert process_time() - begin < 30
+
+
+def test_crossings_are_those_of_all_pairs_of_edges():
+    """The first along the polygon, as looking at each pair finds it."""
+    rng = np.random.default_rng(3)
+    for _ in range(30):
+        ring = rng.uniform(0, 1, (12, 2))
+        after, first = np.roll(ring, -1, axis=0), None
+        for i in range(12):
+            for j in range(i + 2, 12 - (i == 0)):
+                (t,), (s,) = np.linalg.solve(
+                    np.stack([after[i] - ring[i], ring[j] - after[j]], axis=1), (ring[j] - ring[i])[:, None]
+                )
+                if first is None and 0 <= t <= 1 and 0 <= s <= 1:
+                    first = i, j
+        assert first is not None
+        with pytest.raises(InputError, match=f"after corner {first[0] + 1} and that after corner {first[1] + 1} meet"):
+            checked_ring(ring, "the area")
+
+
+@pytest.mark.parametrize("inner", [False, True])
+def test_places_astray_are_told(inner):
+    area, hole = np.array([[0.0, 0], [10, 0], [10, 10], [0, 10]]), np.array([[8.0, 4], [12, 4], [12, 9], [8, 9]])
+    found = astray(hole, area, within=inner)
+    assert found is not None
+    assert (found[0] < 10) == inner
+    beside = np.array([[0.0, 2], [5, 2], [5, 4], [0, 4]])
+    assert astray(beside, area, within=False) is None
+    assert astray(area, area, within=inner) is None

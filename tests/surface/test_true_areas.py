@@ -6,8 +6,10 @@ import numpy as np
 import pytest
 
 from raybundle.missions.polygons import part_in_box, signed_area
+from raybundle.surfaces import true_areas
 from raybundle.surfaces.holes import filled
 from raybundle.surfaces.outlines import coverage
+from raybundle.surfaces.true_areas import true_area
 from raybundle.surfaces.volumes import volume
 from tests.surface.height_models import made, middles
 
@@ -127,6 +129,18 @@ def test_what_lies_between_cells_is_told_apart_from_noise():
     even = volume(made(0.4 * x, sigma=1e-6), np.ones((60, 60)), 0.0)
     assert even.true_area == pytest.approx(0.36 * np.hypot(1, 0.4), rel=1e-6)
     assert even.true_area_sigma < 1e-6
+
+
+def test_areas_by_strips_are_those_of_the_whole(monkeypatch):
+    rng = np.random.default_rng(5)
+    model = holed(made(cells((90, 70), 0.5, pyramid), cell=0.5, sigma=0.05, rng=rng), slice(40, 44), slice(30, 33))
+    covered = np.where(model.known, coverage([turned((60, 45), 20, (35, 42))], (90, 70)), 0.0)
+    whole = true_area(model, covered)
+    monkeypatch.setattr(true_areas, "AT_ONCE", 500)
+    strips = true_area(model, covered)
+    assert strips.value == pytest.approx(whole.value, rel=1e-12)
+    assert strips.between == pytest.approx(whole.between, rel=1e-9)
+    assert strips.by_noise == pytest.approx(whole.by_noise, rel=0.02)  # squares of noise across two strips
 
 
 def holed(model, rows, columns):

@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 
 import numpy as np
 
 from raybundle.errors import InputError
-from raybundle.numerics.arrays import Array, Mask
+from raybundle.numerics.arrays import Array, Index, Mask
 from raybundle.numerics.planes import hull
 
 Interval = tuple[float, float]
@@ -15,6 +15,8 @@ NEAR = 1e-9
 """Share of a polygon's extent below which two of its points are one."""
 
 
+AT_ONCE = 1_000_000
+"""Pairs of edges that are looked at together."""
 THINNEST = 1e-4
 """Share of the square of its length that an area has at least: a kilometre of a decimetre's width is a line."""
 
@@ -87,28 +89,52 @@ def _cut_at(ring: Array, axis: int, sign: float, limit: float) -> Array:
 
 
 def _crossing(ring: Array) -> tuple[int, int, Array] | None:
-    """Two edges that meet elsewhere than at a common corner, and where."""
+    """Two edges that meet elsewhere than at a common corner, the first such two along the polygon, and where."""
     a, b = ring, np.roll(ring, -1, axis=0)
-    n = len(ring)
-    for i in range(n - 1):
-        j = np.arange(i + 1, n)
+    n, found = len(ring), list[tuple[int, int, float]]()
+    for i, j in _near(np.minimum(a, b), np.maximum(a, b)):
+        i, j = np.minimum(i, j), np.maximum(i, j)  # noqa: PLW2901  (in their order along the polygon)
         t, s = _meeting(a[i], b[i], a[j], b[j])
         neighbours = (j == i + 1) | ((i == 0) & (j == n - 1))
         hit = np.flatnonzero((t >= 0) & (t <= 1) & (s >= 0) & (s <= 1) & ~neighbours)
-        if len(hit):
-            k = int(hit[0])
-            return i, int(j[k]), a[i] + float(t[k]) * (b[i] - a[i])
-    return None
+        found += [(int(i[k]), int(j[k]), float(t[k])) for k in hit[np.lexsort((j[hit], i[hit]))][:1]]
+    if not found:
+        return None
+    one, other, t = min(found)
+    return one, other, a[one] + t * (b[one] - a[one])
+
+
+def _near(low: Array, high: Array) -> Iterator[tuple[Index, Index]]:
+    """Pairs of boxes (n, 2) that overlap or touch, some at a time: along the axis of which fewer do, those in reach."""
+
+    def reach(axis: int) -> tuple[Index, Index]:
+        order = np.argsort(low[:, axis], kind="stable")
+        last = np.searchsorted(low[order, axis], high[order, axis], side="right")
+        return order, last - np.arange(len(low)) - 1
+
+    order, many = min(reach(0), reach(1), key=lambda found: int(found[1].sum()))
+    total, first = np.cumsum(many), 0
+    while first < len(order):
+        before = int(total[first - 1]) if first else 0
+        last = max(first + 1, int(np.searchsorted(total, before + AT_ONCE)))
+        one = np.repeat(np.arange(first, last), many[first:last])
+        other = (
+            one + 1 + np.arange(len(one)) - (np.repeat(total[first:last] - many[first:last], many[first:last]) - before)
+        )
+        i, j = order[one], order[other]
+        near = ((low[i] <= high[j]) & (low[j] <= high[i])).all(axis=1)
+        yield i[near], j[near]
+        first = last
 
 
 def _meeting(a: Array, b: Array, c: Array, d: Array) -> tuple[Array, Array]:
-    """Where the line a-b meets the lines c-d (n, 2): shares of both, NaN for parallel lines."""
+    """Where lines a-b (2,) or (n, 2) meet the lines c-d (n, 2): shares of both, NaN for parallel lines."""
     u, v = b - a, d - c
-    cross = u[0] * v[:, 1] - u[1] * v[:, 0]
+    cross = u[..., 0] * v[:, 1] - u[..., 1] * v[:, 0]
     w = c - a
     with np.errstate(divide="ignore", invalid="ignore"):
         t = (w[:, 0] * v[:, 1] - w[:, 1] * v[:, 0]) / cross
-        s = (w[:, 0] * u[1] - w[:, 1] * u[0]) / cross
+        s = (w[:, 0] * u[..., 1] - w[:, 1] * u[..., 0]) / cross
     return np.where(cross == 0, np.nan, t), np.where(cross == 0, np.nan, s)
 
 

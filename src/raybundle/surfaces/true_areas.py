@@ -20,6 +20,8 @@ from raybundle.surfaces.heights import between
 
 FURTHER = 4
 """Cells beyond an outline whose heights slopes within are made of, at most."""
+AT_ONCE = 200_000
+"""Cells of a strip, which are computed together."""
 SIDES = (1, -1)
 VARIANCES = 0.15
 """Share to which variances of heights are known, and with them what noise adds to an area: robust chi-squares of sums
@@ -77,31 +79,49 @@ def true_area(model: HeightModel, covered: Array) -> TrueArea:
     uncertain.  What it does not tell: what the surface does within cells, other than by what it does between them.
     """
     rows, columns = (np.flatnonzero((covered > 0).any(axis=axis)) for axis in (1, 0))
-    box = tuple(slice(max(int(k[0]) - FURTHER, 0), int(k[-1]) + FURTHER + 1) for k in (rows, columns))
-    c = model.cell
-    h = np.where(model.known, model.heights.height, np.nan)[box].astype(float)
-    w = covered[box] * c**2
+    across = slice(max(int(columns[0]) - FURTHER, 0), int(columns[-1]) + FURTHER + 1)
+    least = _least(model)
+    gradient = np.zeros(model.shape)
+    sums = np.zeros(6)
+    deep = max(FURTHER, AT_ONCE // (across.stop - across.start))
+    for top in range(int(rows[0]), int(rows[-1]) + 1, deep):
+        down = slice(max(top - FURTHER, 0), top + deep + FURTHER)
+        w = np.zeros(covered[down].shape)
+        w[top - down.start : top - down.start + deep] = covered[top : top + deep]
+        sums += _strip(model, (down, across), w[:, across] * model.cell**2, least, gradient)
+    area, lost, rough, square, second, added = sums.tolist()
+    moved = model.sum_of(gradient)
+    # slopes have their noise twice: a square has twice its mean as variance, its derivative four times that
+    by_noise = np.hypot(np.sqrt(moved.local**2 - min(square, moved.local**2 / 2)), moved.orientation)
+    return TrueArea(
+        value=max(area + lost + rough, float(covered.sum()) * model.cell**2), by_noise=float(by_noise),
+        between=float(np.linalg.norm([lost, rough, second, VARIANCES * added])),
+    )  # fmt: skip
+
+
+def _strip(model: HeightModel, box: tuple[slice, slice], w: Array, least: Array | None, gradient: Array) -> Array:
+    """Area of a strip with weights of cells, what lies between and in holes, its squares, fourth powers and all noise.
+
+    gradient  (rows, columns) to which its own is added
+    """
+    h = np.where(model.known[box], model.heights.height[box], np.nan).astype(float)
     wide = _of_squares(h)
     # a cell is of up to four squares of cells: they share its weight
     whole = np.isfinite(wide).astype(float)
     several = _on_cells(whole)
     double = _of_squares(np.where(several > 0, w / np.maximum(4 * several, 1e-300), 0.0)) * 4 * whole
     told = np.where(several > 0, w, 0.0)
-    fine = _faceted(h, w + told / 2, c, 1, _noise(model, box, w > 0, 1))
-    coarse = _faceted(wide, double, c, 2, _noise(model, box, w > 0, 2))
+    fine = _faceted(h, w + told / 2, model.cell, 1, _noise(model, box, w > 0, 1))
+    coarse = _faceted(wide, double, model.cell, 2, _noise(model, box, w > 0, 2))
+    gradient[box] += np.where(np.isfinite(h), fine.gradient - _on_cells(coarse.gradient) / 2, 0.0)
     lost = float((told * fine.density).sum() - (double * coarse.density).sum()) / 2
-    gradient = np.zeros(model.shape)
-    gradient[box] = np.where(np.isfinite(h), fine.gradient - _on_cells(coarse.gradient) / 2, 0.0)
-    rough = _rough(model, box, w, fine.density)
-    area = float((w * fine.density).sum()) + lost + rough
-    moved = model.sum_of(gradient)
-    # slopes have their noise twice: a square has twice its mean as variance, its derivative four times that
-    by_noise = np.hypot(np.sqrt(moved.local**2 - min(fine.square, moved.local**2 / 2)), moved.orientation)
-    known = VARIANCES * abs(fine.added - coarse.added / 2)
-    return TrueArea(
-        value=max(area, float(w.sum())), by_noise=float(by_noise),
-        between=float(np.linalg.norm([lost, rough, fine.second, known])),
-    )  # fmt: skip
+    rough = 0.0
+    if least is not None:
+        uneven = np.where(model.holes.filled[box], least[model.holes.number[box]], 0.0) if model.holes else 0.0
+        root = np.maximum(fine.density, 1.0)
+        rough = float((w * uneven * (1 + root**2) / root**3).sum()) / 2 / model.cell**2
+    area = float((w * fine.density).sum())
+    return np.array([area, lost, rough, fine.square, fine.second, fine.added - coarse.added / 2])
 
 
 def _of_squares(values: Array) -> Array:
@@ -129,15 +149,16 @@ def _faceted(h: Array, w: Array, cell: float, apart: int, noise: _Noise) -> _Fac
     V = noise.variance
     for down, right in product(SIDES, SIDES):
         p, q = used[0, down], used[1, right]
-        root = np.sqrt(1 + p**2 + q**2)
-        density += root / 4
+        flat = 1 / np.sqrt(1 + p**2 + q**2)
+        cubed = flat**2 * flat
+        density += 1 / flat / 4
         # an eighth of what the Laplacian makes of its own: noise in what is taken off
-        second -= V**2 * (1 / root**3 + 6 / root**5 - 15 / root**7) / 32
-        added -= down * right * noise.both * p * q / root**3 / 4
+        second -= V**2 * cubed * (1 + 6 * flat**2 - 15 * flat * cubed) / 32
+        added -= down * right * noise.both * p * q * cubed / 4
         for k, one, other in (((0, down), p, q), ((1, right), q, p)):
-            first[k] += w * one / root / 4
+            first[k] += w * one * flat / 4
             # half of the second derivative
-            bent = V * (1 + other**2) / root**3 / 8
+            bent = V * (1 + other**2) * cubed / 8
             added += bent
             curved[k] += w * bent
     gradient, square = np.zeros(h.shape), 0.0
@@ -147,7 +168,7 @@ def _faceted(h: Array, w: Array, cell: float, apart: int, noise: _Noise) -> _Fac
         square += 2 * noise.alike * float((bends**2).sum())
     density, added, second = (np.where(np.isfinite(h), v, 0.0) for v in (density, added + second, second))
     return _Faceted(
-        density=density - added, gradient=gradient, square=square, second=abs(float((w * second).sum())),
+        density=density - added, gradient=gradient, square=square, second=float((w * second).sum()),
         added=float((w * added).sum()),
     )  # fmt: skip
 
@@ -210,20 +231,18 @@ def _noise(model: HeightModel, box: tuple[slice, ...], used: Mask, apart: int) -
     return _Noise(variance=variance, both=both, alike=squares)
 
 
-def _rough(model: HeightModel, box: tuple[slice, ...], w: Array, density: Array) -> float:
-    """What the surface has in holes beside what spans them.
+def _least(model: HeightModel) -> Array | None:
+    """(holes + 1,) variance of a rise from cell to cell of what surfaces have in holes beside what spans them.
 
     What spans a hole differs from the surface by a variance of 2 c one cell from its rim, where it is least: for a
     variogram c d^p that is the variance of a rise from cell to cell.
     """
     if model.holes is None or not model.holes.filled.any():
-        return 0.0
+        return None
     number, variance = model.holes.number, model.holes.sigma.astype(float) ** 2
     least = np.full(int(number.max()) + 1, np.inf)
     np.minimum.at(least, number.ravel(), variance.ravel())
-    uneven = np.where(model.holes.filled[box], least[number[box]], 0.0) / model.cell**2
-    root = np.maximum(density, 1.0)
-    return float((w * uneven * (1 + root**2) / root**3).sum()) / 2
+    return least
 
 
 def shifted(values: Array, by: int, axis: int, beyond: float = np.nan) -> Array:
