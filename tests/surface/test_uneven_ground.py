@@ -71,14 +71,14 @@ def told(rng, sigma=0.0, surface=waves):
     sums.add((0, 0), whole, np.ones(SHAPE, bool), BLOCK)
     moved, levels = sums.solved(BLOCK * CELL)
     flat = made(surface(*middles())[0].reshape(SHAPE), cell=CELL, sigma=sigma, common=None)
-    height = (flat.heights.height + rng.normal(0, sigma, SHAPE)).astype(np.float32)
+    height = (flat.heights.height + flat.heights.local * rng.normal(size=SHAPE)).astype(np.float32)
     model = replace(flat, heights=replace(flat.heights, height=height), moved=moved, levels=levels)
     return with_factors(model)
 
 
 def with_factors(model):
     h = model.heights
-    found = factors_of(h.height, h.local, model.levels, BLOCK, CELL, model.length)
+    found = factors_of(h.height, h.local, model.levels, BLOCK, CELL)
     return replace(model, factors=found)
 
 
@@ -162,7 +162,7 @@ def test_shifts_in_plan_do_not_move_a_wall_that_is_flat_but_for_noise():
     rng = np.random.default_rng(3)
     model = told(rng, 1e-3, lambda x, y: (100 + 0.5 * x - 0.2 * y, 0 * x + 0.5, 0 * x - 0.2))
     h = model.heights
-    right, up = slopes_of_surface(h.height, h.local, CELL, model.length)
+    right, up = slopes_of_surface(h.height, h.local, CELL)
     assert np.abs(right - 0.5).max() < 0.03
     assert np.abs(up + 0.2).max() < 0.03
     moved = np.sqrt(variances(model.moved[..., 1:3], BLOCK, SHAPE, factors=model.factors))
@@ -174,16 +174,16 @@ def test_a_step_is_no_slope():
     x, _ = middles()
     z = np.where(x > 0.605, 0.3, 0.0).reshape(SHAPE) + 0.1 * x.reshape(SHAPE)
     z += rng.normal(0, 3e-4, SHAPE)
-    right, up = slopes_of_surface(z, np.full(SHAPE, 3e-4), CELL, 0.8)
+    right, up = slopes_of_surface(z, np.full(SHAPE, 3e-4), CELL)
     assert np.abs(right - 0.1).max() < 0.05
     assert np.abs(up).max() < 0.05
     z[20:40, 50:70] = np.nan
-    right, up = slopes_of_surface(z, np.full(SHAPE, 3e-4), CELL, 0.8)
+    right, up = slopes_of_surface(z, np.full(SHAPE, 3e-4), CELL)
     assert np.isfinite(right).all()
     assert not right[20:40, 50:70].any()
     assert np.abs(right - 0.1)[np.isfinite(z)].max() < 0.05
     for shape in ((1, 1), (1, 7), (3, 2)):
-        right, up = slopes_of_surface(np.zeros(shape), np.zeros(shape), CELL, 0.8)
+        right, up = slopes_of_surface(np.zeros(shape), np.zeros(shape), CELL)
         assert not right.any()
         assert not up.any()
 

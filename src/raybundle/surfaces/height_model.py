@@ -167,7 +167,7 @@ class HeightModel:
         if self.factors is None or self.levels is None:
             return replace(self, heights=heights)
         h = heights.height
-        fresh = factors_of(h, heights.local, self.levels, self.block, self.cell, self.length)
+        fresh = factors_of(h, heights.local, self.levels, self.block, self.cell)
         return replace(self, heights=heights, factors=np.where(new[..., None], fresh, self.factors))
 
     def covariance(self, one: Index, other: Index) -> Array:

@@ -225,7 +225,7 @@ def read_heights(folder: str | Path) -> tuple[HeightModel, HeightFile]:
         image=np.nan_to_num(found["image"], nan=-1).astype(np.int32),
     )  # fmt: skip
     cell, length = numbers["pixel"], numbers["length_cells"]
-    factors = None if levels is None else factors_of(height, found["local"], levels, block, cell, length)
+    factors = None if levels is None else factors_of(height, found["local"], levels, block, cell)
     model = HeightModel(
         heights=heights, moved=moved, factors=factors, levels=levels, block=block, cell=cell, length=length,
         apart=tree.optional("between_maps", BETWEEN_MAPS), holes=holes, errors=errors, adjustment=adjustment,
