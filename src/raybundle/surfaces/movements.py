@@ -152,8 +152,8 @@ def _by_errors(model: HeightModel, errors: Array) -> Array:
 
 def _orientation(model: HeightModel, free: Mask) -> tuple[Array, Array]:
     """Errors of orientation (q,) that explain most of the differences, and their covariance."""
-    q = model.moved.shape[3]
-    M = model.moved.reshape(-1, q).astype(float)
+    *parts, q = model.moved.shape
+    M = model.moved.reshape(int(np.prod(parts)), q).astype(float)
     known = free & (model.local > 0)
     s = np.where(known, model.local, 1.0).astype(float)
     d = np.where(known, model.heights.height, 0.0).astype(float)
