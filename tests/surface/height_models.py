@@ -21,9 +21,9 @@ def made(height, *, cell=0.01, sigma=1e-3, common=0.0, length=0.8, rng=None, ste
     nodes = tuple(-(-n // BLOCK) + 1 for n in shape)
     r, c = np.mgrid[: nodes[0], : nodes[1]]
     each = [] if common is None else [np.ones(nodes), (r - r.mean()) / 2, (c - c.mean()) / 2]
-    moved = np.zeros((*nodes, len(each)), np.float32)
+    moved = np.zeros((*nodes, 1, len(each)), np.float32)
     for k, one in enumerate(each):
-        moved[..., k] = common * one
+        moved[..., 0, k] = common * one
     error = np.zeros(shape)
     if rng is not None:
         smooth = length * fine / 2

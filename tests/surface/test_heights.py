@@ -96,7 +96,7 @@ def test_cells_and_means_scatter_as_is_stated(length):
         )  # fmt: skip
         found, _ = on_grid(points, shape, length)
         model = HeightModel(
-            heights=found, moved=np.full((2, 2, 1), common, np.float32), block=32, cell=1.0, length=length
+            heights=found, moved=np.full((2, 2, 1, 1), common, np.float32), block=32, cell=1.0, length=length
         )
         total = model.sum_of(weights)
         cells.append(np.mean((found.height / found.sigma) ** 2))
@@ -132,8 +132,8 @@ def test_orientation_does_not_get_better_with_more_cells():
         height=flat, local=flat + 0.01, step=flat, orientation=flat + 0.02, point=flat + 0.01,
         points=np.ones(shape, np.uint16), image=np.zeros(shape, np.int32),
     )  # fmt: skip
-    moved = np.zeros((3, 3, 2), np.float32)
-    moved[..., 0], moved[:, 0, 1], moved[:, 2, 1] = 0.01, 0.02, -0.02
+    moved = np.zeros((3, 3, 1, 2), np.float32)
+    moved[..., 0], moved[:, 0, 0, 1], moved[:, 2, 0, 1] = 0.01, 0.02, -0.02
     model = HeightModel(heights=heights, moved=moved, block=32, cell=0.1, length=0.5)
     mean = model.sum_of(np.full(shape, 1 / 64**2))
     assert mean.orientation == pytest.approx(0.01)  # what tilts the whole has no part in its mean
@@ -152,7 +152,7 @@ def test_a_sum_over_holes_is_refused():
         height=hole, local=flat, step=flat, orientation=flat, point=flat, points=np.ones(shape, np.uint16),
         image=np.zeros(shape, np.int32),
     )  # fmt: skip
-    model = HeightModel(heights=heights, moved=np.zeros((2, 2, 1), np.float32), block=32, cell=1.0, length=1.0)
+    model = HeightModel(heights=heights, moved=np.zeros((2, 2, 1, 1), np.float32), block=32, cell=1.0, length=1.0)
     with pytest.raises(InputError, match="1 of 16 cells have no height"):
         model.sum_of(np.ones(shape))
 

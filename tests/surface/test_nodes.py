@@ -1,8 +1,11 @@
 """What orientation does to heights is linear between nodes: shifts and tilts within a block, and across its edges."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
+from raybundle.surfaces import node_sums as m
 from raybundle.surfaces import nodes as n
 from raybundle.workflows.height_files import read_heights
 from tests.surface.height_models import BLOCK, folder_of, made
@@ -10,35 +13,50 @@ from tests.surface.height_models import BLOCK, folder_of, made
 SHAPE = (70, 100)
 
 
-def each(shape, moved):
+def each(shape, moved, factors=None):
     """(rows, columns, q) of every cell, by hand."""
-    return np.stack([n.at_cells(moved[..., k], BLOCK, shape) for k in range(moved.shape[2])], axis=2)
+    return np.stack([n.at_cells(moved[..., k], BLOCK, shape, factors) for k in range(moved.shape[3])], axis=2)
 
 
-def drawn(q=3, shape=SHAPE, seed=1):
+def drawn(q=3, shape=SHAPE, seed=1, parts=1):
     rows, columns = (-(-k // BLOCK) + 1 for k in shape)
-    return np.random.default_rng(seed).normal(size=(rows, columns, q))
+    return np.random.default_rng(seed).normal(size=(rows, columns, parts, q))
 
 
 def test_cells_lie_linearly_between_nodes():
     r, c = np.mgrid[:4, :5] * float(BLOCK)
-    found = n.at_cells(2 + 0.3 * c - 0.1 * r, BLOCK, SHAPE)
+    found = n.at_cells((2 + 0.3 * c - 0.1 * r)[..., None], BLOCK, SHAPE)
     rows, columns = np.mgrid[: SHAPE[0], : SHAPE[1]] + 0.5
     assert np.abs(found - (2 + 0.3 * columns - 0.1 * rows)).max() < 1e-9
 
 
-def test_sums_variances_and_covariances_are_those_of_single_cells():
-    moved, rng = drawn(), np.random.default_rng(2)
-    cells, w = each(SHAPE, moved), rng.normal(size=SHAPE)
-    assert np.allclose(np.einsum("rc,rcq->q", w, cells), np.einsum("rc,rcq->q", n.splat(w, moved, BLOCK), moved))
-    assert np.allclose(n.variances(moved, BLOCK, SHAPE), (cells**2).sum(axis=2))
+@pytest.mark.parametrize("parts", [1, 4])
+def test_sums_variances_and_covariances_are_those_of_single_cells(parts):
+    moved, rng = drawn(parts=parts), np.random.default_rng(2)
+    factors = None if parts == 1 else rng.normal(size=(*SHAPE, parts))
+    cells, w = each(SHAPE, moved, factors), rng.normal(size=SHAPE)
+    shares = n.splat(w, moved, BLOCK, factors)
+    assert np.allclose(np.einsum("rc,rcq->q", w, cells), np.einsum("rck,rckq->q", shares, moved))
+    assert np.allclose(n.variances(moved, BLOCK, SHAPE, factors=factors), (cells**2).sum(axis=2))
     P = np.cov(rng.normal(size=(3, 9)))
-    assert np.allclose(n.variances(moved, BLOCK, SHAPE, P), np.einsum("rcq,qp,rcp->rc", cells, P, cells))
+    by_cells = np.einsum("rcq,qp,rcp->rc", cells, P, cells)
+    assert np.allclose(n.variances(moved, BLOCK, SHAPE, P, factors), by_cells)
     weights = np.square(w)
-    assert np.allclose(n.information(moved, BLOCK, weights), np.einsum("rc,rcq,rcp->qp", weights, cells, cells))
+    by_cells = np.einsum("rc,rcq,rcp->qp", weights, cells, cells)
+    assert np.allclose(n.information(moved, BLOCK, weights, factors), by_cells)
     one, other = (rng.integers(0, np.array(SHAPE)[:, None], (2, 500)) for _ in range(2))
-    found = n.covariances(moved, BLOCK, tuple(one), tuple(other))
+    found = n.covariances(moved, BLOCK, tuple(one), tuple(other), factors)
     assert np.allclose(found, (cells[tuple(one)] * cells[tuple(other)]).sum(axis=1))
+
+
+def test_parts_are_each_linear_between_nodes():
+    moved, rng = drawn(parts=4), np.random.default_rng(5)
+    factors = rng.normal(size=(*SHAPE, 4))
+    apart = [each(SHAPE, moved[:, :, k : k + 1]) for k in range(4)]
+    assert np.allclose(
+        each(SHAPE, moved, factors),
+        sum(f[..., None] * m for f, m in zip(np.moveaxis(factors, 2, 0), apart, strict=True)),
+    )
 
 
 def test_a_tilt_within_a_block_has_a_standard_deviation():
@@ -69,22 +87,38 @@ def test_nodes_are_found_from_points_of_blocks():
     r, c, block = r[order], c[order], block[order]
     values = np.stack([np.ones(len(r)), (c + 0.5) / BLOCK, (r + 0.5) / BLOCK], axis=1) @ coefficients
     _, begin = np.unique(block, return_index=True)
-    fitted = n.fits((c + 0.5) / BLOCK % 1 - 0.5, (r + 0.5) / BLOCK % 1 - 0.5, values, begin)
-    sums = n.NodeSums.of((64, 128), BLOCK, 2)
-    sums.add((0, 0), fitted.reshape(2, 4, 3, 2), known, BLOCK)
+    plane = 500 + 0.3 * (c + 0.5) / BLOCK
+    none = np.zeros_like(values)
+    found = m.moments((c + 0.5) / BLOCK % 1 - 0.5, (r + 0.5) / BLOCK % 1 - 0.5, plane, (values, none, 2 + none), begin)
+    sums = m.NodeSums.of((64, 128), BLOCK, 2)
+    whole = replace(
+        found, products=found.products.reshape(2, 4, 4, 4), sums=found.sums.reshape(2, 4, 10, 2),
+        base=found.base.reshape(2, 4),
+    )  # fmt: skip
+    sums.add((0, 0), whole, known, BLOCK)
+    nodes, levels = sums.solved(1.0)
     y, x = np.mgrid[:3, :5].astype(float)
     exact = np.stack([np.ones(x.shape), x, y], axis=2) @ coefficients
-    assert np.abs(sums.nodes - exact).max() < 0.02 * np.abs(coefficients).max()
-    there = each((64, 128), sums.nodes)[known]
-    assert np.abs(there - each((64, 128), exact)[known]).max() < 0.01 * np.abs(coefficients).max()
+    assert np.abs(nodes[:, :, 0] - exact).max() < 0.02 * np.abs(coefficients).max()
+    # a plane tells nothing of a change with the height
+    assert np.abs(nodes[:, :, 1]).max() < 0.01 * np.abs(coefficients).max()
+    assert np.abs(nodes[:, :, 2:] - [[[[0.0] * 2, [2.0] * 2]]]).max() < 1e-5
+    assert np.abs(levels - 500 - 0.3 * x).max() < 0.01
+    there = each((64, 128), nodes[:, :, :1])[known]
+    assert np.abs(there - each((64, 128), exact[:, :, None])[known]).max() < 0.01 * np.abs(coefficients).max()
 
 
 def test_nodes_near_no_height_are_as_the_nearest():
-    sums = n.NodeSums.of((128, 128), BLOCK, 1)
-    known = np.zeros((32, 32), bool)
-    assert not sums.nodes.any()
-    sums.add((0, 0), np.full((1, 1, 3, 1), [[[2.0], [0.0], [0.0]]]), ~known, BLOCK)
-    assert np.allclose(sums.nodes, 2)
+    sums = m.NodeSums.of((128, 128), BLOCK, 1)
+    assert not sums.solved(1.0)[0].any()
+    at, two = np.array([-0.4, 0.4, -0.4, 0.4]), np.full((4, 1), 2.0)
+    found = m.moments(at, at[[0, 0, 1, 1]], np.full(4, 3.0), (two, 0 * two, 0 * two), np.array([0]))
+    one = replace(found, products=found.products[None], sums=found.sums[None], base=found.base[None])
+    sums.add((0, 0), one, np.ones((32, 32), bool), BLOCK)
+    nodes, levels = sums.solved(1.0)
+    assert np.allclose(nodes[:, :, 0], 2)
+    assert np.allclose(nodes[:, :, 1:], 0)
+    assert np.allclose(levels, 3)
 
 
 def test_one_value_for_each_block_is_that_of_its_middle():
@@ -107,10 +141,13 @@ def test_older_files_are_read(tmp_path):
     path = folder / "heights_orientation.npz"
     with np.load(path) as kept:
         old = {k: kept[k] for k in kept if k != "nodes"}
-    middles = (model.moved[1:, 1:] + model.moved[:-1, 1:] + model.moved[1:, :-1] + model.moved[:-1, :-1]) / 4
-    np.savez_compressed(path, moved=middles, **old)
-    found, _ = read_heights(folder)
-    assert np.allclose(found.moved, model.moved, atol=1e-9)
+    nodes = model.moved[:, :, 0]
+    middles = (nodes[1:, 1:] + nodes[:-1, 1:] + nodes[1:, :-1] + nodes[:-1, :-1]) / 4
+    for by in ({"moved": middles}, {"nodes": nodes}):
+        np.savez_compressed(path, **by, **old)
+        found, _ = read_heights(folder)
+        assert np.allclose(found.moved, model.moved, atol=1e-9)
+        assert found.factors is None
 
 
 def test_no_errors_of_orientation_at_all():
@@ -120,6 +157,8 @@ def test_no_errors_of_orientation_at_all():
     assert n.information(moved, BLOCK, np.ones(SHAPE)).shape == (0, 0)
     cells = np.zeros(4, int), np.arange(4)
     assert n.covariances(moved, BLOCK, cells, cells).tolist() == [0.0] * 4
-    assert n.at_places(moved, np.arange(3.0), np.arange(2.0)).shape == (3, 2, 0)
+    assert n.at_places(moved, np.arange(3.0), np.arange(2.0)).shape == (3, 2, 1, 0)
     assert n.of_blocks(np.zeros((2, 3, 0))).shape == (3, 4, 0)
-    assert n.fits(np.zeros(2), np.zeros(2), np.zeros((2, 0)), np.array([0])).shape == (1, 3, 0)
+    none = np.zeros((2, 0))
+    assert m.moments(np.zeros(2), np.zeros(2), np.zeros(2), (none, none, none), np.array([0])).sums.shape == (1, 10, 0)
+    assert m.moments(*np.zeros((3, 0)), (none[:0],) * 3, np.zeros(0, int)).sums.shape == (0, 10, 0)

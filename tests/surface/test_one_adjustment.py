@@ -15,9 +15,9 @@ def of_one(rng, shape=SHAPE):
     """Two models of one adjustment: a common error of 5 mm, and one of 1 mm that the second alone has."""
     a, b = (made(np.zeros(shape), common=5e-3, rng=rng) for _ in range(2))
     blocks = a.moved.shape[:2]
-    own = np.full((*blocks, 1), 1e-3, np.float32)
+    own = np.full((*blocks, 1, 1), 1e-3, np.float32)
     both = [
-        replace(m, moved=np.concatenate([m.moved, k * own], axis=2), errors="one", adjustment="one")
+        replace(m, moved=np.concatenate([m.moved, k * own], axis=3), errors="one", adjustment="one")
         for m, k in ((a, 0), (b, 1))
     ]
     return both[0], both[1]
@@ -36,7 +36,7 @@ def test_what_moves_both_alike_cancels_and_the_rest_is_stated():
     assert together.errors == "one"
     assert apart.errors == ""
     # models that do not know of their adjustment are independent
-    assert difference(replace(a, errors=""), replace(b, errors="")).moved.shape[2] == 2 * a.moved.shape[2]
+    assert difference(replace(a, errors=""), replace(b, errors="")).moved.shape[3] == 2 * a.moved.shape[3]
 
 
 def test_the_stated_error_of_a_mean_difference_is_true():
@@ -44,8 +44,8 @@ def test_the_stated_error_of_a_mean_difference_is_true():
     chi2 = []
     for _ in range(200):
         a, b = of_one(rng, (32, 32))
-        errors = rng.normal(size=a.moved.shape[2])
-        error = [float((m.moved @ errors)[0, 0]) for m in (a, b)]
+        errors = rng.normal(size=a.moved.shape[3])
+        error = [float((m.moved @ errors)[0, 0, 0]) for m in (a, b)]
         # the noise of a mean of a thousand cells is far smaller
         moved = [
             replace(m, heights=replace(m.heights, height=np.full((32, 32), e, np.float32)))

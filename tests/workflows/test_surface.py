@@ -112,6 +112,68 @@ def test_heights_are_written_with_what_orientation_does_to_them(half, tmp_path):
         read_heights(tmp_path / "s")
 
 
+@pytest.fixture(scope="module")
+def loose_scale(tmp_path_factory):
+    """Heights in cells of 2 cm by a scale bar of 1 %, and the middle of the points, about which its error moves all."""
+    pytest.importorskip("rasterio")
+    folder = half_portal(tmp_path_factory.mktemp("loose"))
+    bar = folder / "block/distances.csv"
+    head, first = bar.read_text().splitlines()[:2]
+    start, end, length, _ = first.split(",")
+    bar.write_text(f"{head}\n{start},{end},{length},{0.01 * float(length)}\n")
+    surface(folder / "block", folder / "s", photos=(folder,), density="4", dsm=0.02, jobs=1)
+    return *read_heights(folder / "s"), read_block(folder / "block").points.xyz.mean(axis=0)
+
+
+def scaled(model, file, middle):
+    """(rows, columns) how a surface that is 1 % larger lies above places that are held, NaN at steps."""
+    h = model.heights.height.astype(float)
+    axes = np.array([file.plane[k] for k in ("right", "up", "normal")])
+    u0, v0, h0 = axes @ (middle - np.array(file.plane["origin"]))
+    rows, columns = h.shape
+    u, v = file.left + (np.arange(columns) + 0.5) * file.cell, file.top - (np.arange(rows) + 0.5) * file.cell
+    right, up = np.full(h.shape, np.nan), np.full(h.shape, np.nan)
+    right[:, 1:-1], up[1:-1] = (h[:, 2:] - h[:, :-2]) / 2 / file.cell, (h[:-2] - h[2:]) / 2 / file.cell
+    for axis in (0, 1):
+        step = np.abs(np.diff(h, axis=axis)) > file.cell
+        right[
+            np.insert(step, 0, values=False, axis=axis) | np.insert(step, step.shape[axis], values=False, axis=axis)
+        ] = np.nan
+    return 0.01 * (h - h0 - right * (u - u0) - up * (v - v0)[:, None])
+
+
+def test_an_error_of_scale_moves_heights_of_relief_as_it_moves_the_object(loose_scale):
+    model, file, middle = loose_scale
+    exact, side = scaled(model, file, middle), 3
+    each = [
+        (slice(r, r + side), slice(c, c + side))
+        for r in range(0, model.shape[0] - side, 2)
+        for c in range(0, model.shape[1] - side, 2)
+    ]
+    each = [w for w in each if np.isfinite(exact[w]).all()]
+    assert len(each) > 200
+    moved, true, height = list[np.ndarray](), list[float](), list[float]()
+    for w in each:
+        weights = np.zeros(model.shape)
+        weights[w] = 1 / side**2
+        found = model.sum_of(weights)
+        moved.append(found.moved)
+        height.append(found.value)
+        true.append(float(exact[w].mean()))
+    at = np.array([(w[0].start, w[1].start) for w in each])
+    one, other = np.triu_indices(len(each), 1)
+    far = np.abs(at[one] - at[other]).max(axis=1) <= 24
+    far &= np.abs(np.array(height)[one] - np.array(height)[other]) > 0.1
+    one, other = one[far], other[far]
+    stated = np.linalg.norm(np.array(moved)[one] - np.array(moved)[other], axis=1)
+    expected = np.abs(np.array(true)[one] - np.array(true)[other])
+    assert len(one) > 500
+    assert np.sqrt(np.mean(stated**2)) == pytest.approx(np.sqrt(np.mean(expected**2)), rel=0.15)
+    assert np.corrcoef(stated, expected)[0, 1] > 0.9
+    # as the adjustment is all but exact beside its scale, each mean by itself is told as well
+    assert np.corrcoef(np.linalg.norm(moved, axis=1), np.abs(true))[0, 1] > 0.9
+
+
 def test_a_language_that_there_is_not_is_told_before_anything_is_measured(half, tmp_path):
     with pytest.raises(InputError, match="xx"):
         surface(half / "block", tmp_path / "s", photos=(half,), language="xx")

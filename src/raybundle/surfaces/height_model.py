@@ -7,13 +7,14 @@ and those by orientation and calibration between all.
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import cv2
 import numpy as np
 
 from raybundle.errors import InputError
 from raybundle.numerics.arrays import Array, Index, Mask
+from raybundle.surfaces.cell_factors import factors_of
 from raybundle.surfaces.heights import BETWEEN_MAPS, Heights, between
 from raybundle.surfaces.nodes import covariances, splat
 from raybundle.surfaces.relief import alike, variance_by_steps
@@ -67,8 +68,8 @@ class HeightModel:
 
     heights: Heights
     moved: Array
-    """(node rows, node columns, q) how heights move with each of q independent errors of variance 1, at the corners of
-    blocks of cells, linear between them (`nodes`)"""
+    """(node rows, node columns, K, q) how heights move with each of q independent errors of variance 1: parts at the
+    corners of blocks of cells, linear between them (`nodes`)"""
     block: int
     """cells along the side of a block"""
     cell: float
@@ -83,6 +84,11 @@ class HeightModel:
     """what the independent errors are known by: heights of another surface that names the same move by the same"""
     adjustment: str = ""
     """what the adjustment is known by that they are of"""
+    factors: Array | None = None
+    """(rows, columns, K) how often each part counts in a height (`cell_factors`); None: there is one, and it counts
+    once"""
+    levels: Array | None = None
+    """(node rows, node columns) from where these count heights; None: they are not of one surface"""
 
     @property
     def shape(self) -> tuple[int, int]:
@@ -154,7 +160,15 @@ class HeightModel:
 
     def _moved(self, weights: Array) -> Array:
         """How a sum moves with each independent error of orientation."""
-        return np.einsum("rc,rcq->q", splat(weights, self.moved, self.block), self.moved, optimize=True)
+        return np.einsum("rck,rckq->q", splat(weights, self.moved, self.block, self.factors), self.moved, optimize=True)
+
+    def as_heights(self, heights: Heights, new: Mask) -> HeightModel:
+        """With other heights, of which some cells are new: these take their own factors, all others keep theirs."""
+        if self.factors is None or self.levels is None:
+            return replace(self, heights=heights)
+        h = heights.height
+        fresh = factors_of(h, heights.local, self.levels, self.block, self.cell)
+        return replace(self, heights=heights, factors=np.where(new[..., None], fresh, self.factors))
 
     def covariance(self, one: Index, other: Index) -> Array:
         """Covariances (...) of the heights of pairs of cells, all parts; cells by their numbers, row by row."""
@@ -172,7 +186,7 @@ class HeightModel:
             both = number.flat[one] == number.flat[other]
             found += np.where(both, self.holes.sigma.flat[one] * self.holes.sigma.flat[other], 0.0)
         by_orientation = covariances(
-            self.moved, self.block, (r.ravel(), c.ravel()), (r2.ravel(), c2.ravel())
+            self.moved, self.block, (r.ravel(), c.ravel()), (r2.ravel(), c2.ravel()), self.factors
         )  # fmt: skip
         return found + by_orientation.reshape(found.shape)
 

@@ -85,7 +85,10 @@ def spanned(model: HeightModel, wanted: Mask) -> HeightModel:
     if before is not None:
         sigma = np.hypot(sigma, np.where(wanted, 0.0, before.sigma))
         number = np.where((number == 0) & before.filled, before.number + number.max(), number)
-    return replace(model, heights=heights, holes=Holes(number=number, sigma=sigma.astype(np.float32)))
+    holes = Holes(number=number, sigma=sigma.astype(np.float32))
+    if model.factors is not None and model.levels is None:
+        model = replace(model, factors=np.where(wanted[..., None], model.factors[row, column], model.factors))
+    return replace(model.as_heights(heights, wanted), holes=holes)
 
 
 NEAREST = ("local", "step", "orientation", "point", "image")

@@ -142,7 +142,7 @@ def _local(model: HeightModel, free: Mask) -> _Local:
     """What has moved against cells that are free of movements."""
     z, P = _orientation(model, free)
     local = model.heights.height.astype(float) - _by_errors(model, z)
-    uncertain = variances(model.moved, model.block, model.shape, P)
+    uncertain = variances(model.moved, model.block, model.shape, P, model.factors)
     peak, limit, count, hits = _windows(model, local, uncertain)
     regions = _regions(model, local, uncertain, hits, peak)
     return _Local(local=local, uncertain=uncertain, peak=peak, limit=limit, windows=count, regions=regions)
@@ -150,13 +150,13 @@ def _local(model: HeightModel, free: Mask) -> _Local:
 
 def _by_errors(model: HeightModel, errors: Array) -> Array:
     """(rows, columns) by how much errors of orientation (q,) move heights."""
-    return at_cells(model.moved.astype(float) @ errors, model.block, model.shape)
+    return at_cells(model.moved.astype(float) @ errors, model.block, model.shape, model.factors)
 
 
 def _orientation(model: HeightModel, free: Mask) -> tuple[Array, Array]:
     """Errors of orientation (q,) that explain most of the differences, and their covariance."""
-    rows, columns, q = model.moved.shape
-    M = model.moved.reshape(rows * columns, q).astype(float)
+    *parts, q = model.moved.shape
+    M = model.moved.reshape(int(np.prod(parts)), q).astype(float)
     known = free & (model.local > 0)
     s = np.where(known, model.local, 1.0).astype(float)
     d = np.where(known, model.heights.height, 0.0).astype(float)
@@ -170,9 +170,9 @@ def _orientation(model: HeightModel, free: Mask) -> tuple[Array, Array]:
         # by least squares first: against no errors at all, those of a tilt would make blunders of most differences
         e = np.abs(d - _by_errors(model, z)) / s if k else np.zeros(d.shape)
         w = np.where(known, np.minimum(1.0, HUBER / np.maximum(e, 1e-12)) / (s**2 * alike), 0.0)
-        P = np.linalg.inv(information(model.moved, model.block, w) + np.eye(q))
-        new = P @ (M.T @ splat(w * d, model.moved, model.block).ravel())
-        far = float(np.abs(M @ (new - z)).max(initial=0.0))
+        P = np.linalg.inv(information(model.moved, model.block, w, model.factors) + np.eye(q))
+        new = P @ (M.T @ splat(w * d, model.moved, model.block, model.factors).ravel())
+        far = float(np.abs(_by_errors(model, new - z)).max(initial=0.0))
         z = new
         if k and far < 1e-3 * usual:
             break

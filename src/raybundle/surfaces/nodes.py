@@ -3,11 +3,15 @@
 Errors of orientation shift and tilt a surface: a value for each block would know of no tilt within it, and of a step
 from one to the next.  Node (0, 0) stands at the upper left corner of the grid, (i, j) so many blocks further down and
 to the right; those of the last blocks may stand beyond the grid.  Between four nodes values are bilinear.
+
+A height moves by K parts, each times a factor of its cell: up; by how much it stands above a level, as an error of
+scale moves it; and as what it belongs to shifts in plan, by the slope there.  Nodes are (node rows, node columns, K,
+...), factors (rows, columns, K); without factors there is one part, and it counts once.
 """
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from collections.abc import Iterator
 from typing import cast
 
 import numpy as np
@@ -18,9 +22,6 @@ from raybundle.numerics.arrays import Array, Index, Mask
 
 CORNERS = ((0, 0), (0, 1), (1, 0), (1, 1))
 """Of a block, down and to the right"""
-UNEVEN = 1e-3 / 12
-"""Variance of places, in squares of a block's side, below which they tell no slope: a thousandth of that of a whole
-block, that of a line of cells a thirtieth of a side wide"""
 MOST_PRODUCTS = 1 << 24
 """Numbers that are held at once"""
 
@@ -39,102 +40,132 @@ def _of_middles(block: int) -> Array:
 
 
 def _by_block(values: Array, block: int, blocks: tuple[int, int]) -> Array:
-    """(blocks, block^2) of cells, 0 beyond the grid."""
-    rows, columns = blocks
-    whole = np.zeros((rows * block, columns * block))
+    """(blocks, block^2, ...) of cells, 0 beyond the grid."""
+    (rows, columns), more = blocks, values.shape[2:]
+    whole = np.zeros((rows * block, columns * block, *more))
     whole[: values.shape[0], : values.shape[1]] = values
-    return whole.reshape(rows, block, columns, block).transpose(0, 2, 1, 3).reshape(rows * columns, block**2)
-
-
-def _of_cells(by_block: Array, block: int, blocks: tuple[int, int], shape: tuple[int, int]) -> Array:
-    """The other way."""
-    rows, columns = blocks
-    whole = by_block.reshape(rows, columns, block, block).transpose(0, 2, 1, 3).reshape(rows * block, columns * block)
-    return whole[: shape[0], : shape[1]]
-
-
-def _blocks(nodes: Array) -> tuple[int, int]:
-    return nodes.shape[0] - 1, nodes.shape[1] - 1
+    parted = whole.reshape(rows, block, columns, block, *more).swapaxes(1, 2)
+    return parted.reshape(rows * columns, block**2, *more)
 
 
 def _at_corners(nodes: Array) -> Array:
     """(blocks, 4, ...) of each block."""
-    rows, columns = _blocks(nodes)
+    rows, columns = nodes.shape[0] - 1, nodes.shape[1] - 1
     each = [nodes[y : y + rows, x : x + columns] for y, x in CORNERS]
     return np.stack(each, axis=2).reshape(rows * columns, 4, *nodes.shape[2:])
 
 
-def splat(values: Array, nodes: Array, block: int) -> Array:
-    """(node rows, node columns) the weights of nodes in the sum of cells times values (rows, columns)."""
-    rows, columns = _blocks(nodes)
-    shares = (_by_block(values, block, (rows, columns)) @ _of_middles(block)).reshape(rows, columns, 4)
-    found = np.zeros(nodes.shape[:2])
-    for k, (y, x) in enumerate(CORNERS):
-        found[y : y + rows, x : x + columns] += shares[..., k]
+def _designs(
+    nodes: Array, block: int, shape: tuple[int, int], factors: Array | None
+) -> Iterator[tuple[slice, Array, Array]]:
+    """Row of blocks by row: its cells, the weights (blocks, block^2, 4 K) of corners' parts in them, and these parts.
+
+    The parts (blocks, 4 K, ...) are those of nodes (node rows, node columns, K, ...).
+    """
+    columns, w = nodes.shape[1] - 1, _of_middles(block)
+    for row in range(nodes.shape[0] - 1):
+        cells = slice(row * block, min((row + 1) * block, shape[0]))
+        mine = np.ones((cells.stop - cells.start, shape[1], 1)) if factors is None else factors[cells]
+        F = _by_block(mine, block, (1, columns))
+        corners = _at_corners(nodes[row : row + 2])
+        D = (w[:, :, None] * F[:, :, None]).reshape(columns, block**2, -1)
+        yield cells, D, corners.reshape(columns, D.shape[2], *nodes.shape[3:]).astype(float)
+
+
+def _row_of_cells(by_block: Array, block: int, cells: slice, columns: int) -> Array:
+    """(rows, columns) of the cells of a row of blocks (blocks, block^2)."""
+    whole = by_block.reshape(-1, block, block).swapaxes(0, 1).reshape(block, -1)
+    return whole[: cells.stop - cells.start, :columns]
+
+
+def splat(values: Array, nodes: Array, block: int, factors: Array | None = None) -> Array:
+    """(node rows, node columns, K) the weights of nodes' parts in the sum of cells times values (rows, columns)."""
+    found = np.zeros(nodes.shape[:3])
+    columns, shape = nodes.shape[1] - 1, (values.shape[0], values.shape[1])
+    for row, (cells, D, _) in enumerate(_designs(nodes[..., :0], block, shape, factors)):
+        shares = np.einsum("bs,bsk->bk", _by_block(values[cells], block, (1, columns)), D, optimize=True)
+        for k, (y, x) in enumerate(CORNERS):
+            found[row + y, x : x + columns] += shares.reshape(columns, 4, -1)[:, k]
     return found
 
 
-def at_cells(nodes: Array, block: int, shape: tuple[int, int]) -> Array:
-    """(rows, columns) values of cells by those of nodes (node rows, node columns)."""
-    return _of_cells(_at_corners(nodes) @ _of_middles(block).T, block, _blocks(nodes), shape)
+def at_cells(nodes: Array, block: int, shape: tuple[int, int], factors: Array | None = None) -> Array:
+    """(rows, columns) values of cells by those of nodes (node rows, node columns, K)."""
+    found = np.zeros(shape)
+    for cells, D, M in _designs(nodes, block, shape, factors):
+        found[cells] = _row_of_cells(np.einsum("bsk,bk->bs", D, M), block, cells, shape[1])
+    return found
 
 
-def variances(nodes: Array, block: int, shape: tuple[int, int], covariance: Array | None = None) -> Array:
-    """(rows, columns) variances of cells, by nodes (node rows, node columns, q) of q errors.
+def variances(
+    nodes: Array, block: int, shape: tuple[int, int], covariance: Array | None = None, factors: Array | None = None
+) -> Array:
+    """(rows, columns) variances of cells, by nodes (node rows, node columns, K, q) of q errors.
 
     covariance  (q, q) of the errors; None: they are independent, of variance 1
     """
-    M = nodes.astype(float)
-    other = M if covariance is None else M @ covariance
-    grams = np.einsum("naq,nbq->nab", _at_corners(other), _at_corners(M), optimize=True).reshape(-1, 16)
-    w = _of_middles(block)
-    both = (w[:, :, None] * w[:, None, :]).reshape(-1, 16)
-    return np.maximum(_of_cells(grams @ both.T, block, _blocks(nodes), shape), 0.0)
+    found = np.zeros(shape)
+    for cells, D, M in _designs(nodes, block, shape, factors):
+        grams = (M if covariance is None else M @ covariance) @ M.swapaxes(1, 2)
+        found[cells] = _row_of_cells(((D @ grams) * D).sum(axis=2), block, cells, shape[1])
+    return np.maximum(found, 0.0)
 
 
-def information(nodes: Array, block: int, weights: Array) -> Array:
+def information(nodes: Array, block: int, weights: Array, factors: Array | None = None) -> Array:
     """(q, q) the sum over all cells of weights (rows, columns) times the products of how errors move them."""
-    rows, columns = _blocks(nodes)
-    w = _of_middles(block)
-    products = _by_block(weights, block, (rows, columns)) @ (w[:, :, None] * w[:, None, :]).reshape(-1, 16)
-    number = np.arange(nodes.shape[0] * nodes.shape[1]).reshape(nodes.shape[:2])
-    at = _at_corners(number)
-    one, other = (np.broadcast_to(x, (len(at), 4, 4)).ravel() for x in (at[:, :, None], at[:, None, :]))
-    between = csr_array((products.ravel(), (one, other)), shape=(number.size, number.size))
-    M = nodes.reshape(number.size, nodes.shape[2]).astype(float)
-    return M.T @ (between @ M)
+    columns, parts, q = nodes.shape[1] - 1, nodes.shape[2], nodes.shape[3]
+    number = np.arange(2 * (columns + 1) * parts).reshape(2, columns + 1, parts)
+    at = _at_corners(number).reshape(columns, 4 * parts)
+    one, other = (np.broadcast_to(x, (columns, *2 * (4 * parts,))) for x in (at[:, :, None], at[:, None, :]))
+    found = np.zeros((q, q))
+    shape = weights.shape[0], weights.shape[1]
+    for row, (cells, D, _) in enumerate(_designs(nodes[..., :0], block, shape, factors)):
+        w = _by_block(weights[cells], block, (1, columns))
+        products = D.swapaxes(1, 2) @ (w[:, :, None] * D)
+        between = csr_array((products.ravel(), (one.ravel(), other.ravel())), shape=2 * (number.size,))
+        M = nodes[row : row + 2].reshape(number.size, q).astype(float)
+        found += M.T @ (between @ M)
+    return found
 
 
-def covariances(nodes: Array, block: int, one: tuple[Index, Index], other: tuple[Index, Index]) -> Array:
+def covariances(
+    nodes: Array, block: int, one: tuple[Index, Index], other: tuple[Index, Index], factors: Array | None = None
+) -> Array:
     """(n,) covariances of pairs of cells by rows and columns (n,) each."""
-    columns, M = nodes.shape[1] - 1, _at_corners(nodes).astype(float)
-    (at, w), (at2, w2) = (_place(r, c, block, columns) for r, c in (one, other))
+    columns, parts = nodes.shape[1] - 1, nodes.shape[2]
+    M = _at_corners(nodes)
+    M = M.reshape(len(M), 4 * parts, nodes.shape[3])
+    (at, w), (at2, w2) = (_place(r, c, block, columns, factors) for r, c in (one, other))
     alike, which = np.unique(np.stack([at, at2]), axis=1, return_inverse=True)
     which = which.ravel()
-    grams = np.empty((alike.shape[1], 4, 4))
-    many = max(1, MOST_PRODUCTS // max(4 * M.shape[2], 1))
+    grams = np.empty((alike.shape[1], 4 * parts, 4 * parts))
+    many = max(1, MOST_PRODUCTS // max(M.shape[1] * M.shape[2], 1))
     for k in range(0, len(grams), many):
         a, b = alike[:, k : k + many]
-        grams[k : k + many] = M[a] @ M[b].transpose(0, 2, 1)
+        grams[k : k + many] = M[a].astype(float) @ M[b].astype(float).transpose(0, 2, 1)
     found = np.empty(len(which))
-    for k in range(0, len(found), MOST_PRODUCTS // 16):
-        part = slice(k, k + MOST_PRODUCTS // 16)
+    many = MOST_PRODUCTS // (4 * parts) ** 2
+    for k in range(0, len(found), many):
+        part = slice(k, k + many)
         found[part] = np.einsum("na,nab,nb->n", w[part], grams[which[part]], w2[part])
     return found
 
 
-def _place(r: Index, c: Index, block: int, columns: int) -> tuple[Index, Array]:
-    """Blocks of cells, and weights (n, 4) of their corners."""
-    return r // block * columns + c // block, _weights((r % block + 0.5) / block, (c % block + 0.5) / block)
+def _place(r: Index, c: Index, block: int, columns: int, factors: Array | None) -> tuple[Index, Array]:
+    """Blocks of cells, and weights (n, 4 K) of their corners' parts."""
+    w = _weights((r % block + 0.5) / block, (c % block + 0.5) / block)
+    if factors is not None:
+        w = (w[:, :, None] * factors[r, c][:, None]).reshape(len(w), -1)
+    return r // block * columns + c // block, w
 
 
 def at_places(nodes: Array, rows: Array, columns: Array) -> Array:
-    """(len(rows), len(columns), q) values at places in blocks from the corner; beyond the nodes those of the slope."""
+    """(len(rows), len(columns), ...) at places in blocks from the corner; beyond the nodes those of the slope."""
     (i, v), (j, u) = (_lower(x, n) for x, n in zip((rows, columns), nodes.shape[:2], strict=True))
-    found = np.zeros((len(rows), len(columns), nodes.shape[2]))
+    found = np.zeros((len(rows), len(columns), *nodes.shape[2:]))
     for y, x in CORNERS:
         w = (v if y else 1 - v)[:, None] * (u if x else 1 - u)
-        found += w[..., None] * nodes[i + y][:, j + x]
+        found += w.reshape(*w.shape, *(1,) * (nodes.ndim - 2)) * nodes[i + y][:, j + x]
     return found
 
 
@@ -150,7 +181,7 @@ def of_blocks(values: Array) -> Array:
     empty = np.asarray(~values.any(axis=2))
     if empty.all():
         return np.zeros((values.shape[0] + 1, values.shape[1] + 1, values.shape[2]), values.dtype)
-    found = _from_nearest(values.astype(float), ~empty)
+    found = from_nearest(values.astype(float), ~empty)
     for axis in (0, 1):
         found = np.moveaxis(found, axis, 0)
         second, last = min(1, len(found) - 1), max(len(found) - 2, 0)
@@ -160,69 +191,7 @@ def of_blocks(values: Array) -> Array:
     return found.astype(values.dtype)
 
 
-def fits(column: Array, row: Array, values: Array, begin: Index) -> Array:
-    """(blocks, 3, q) of each block the value at its middle, and by how much it changes over it to the right and down.
-
-    column, row  (n,) from the middle of its block, in sides of it; a block's places one after the other
-    values       (n, q)
-    begin        (blocks,) where each begins
-
-    By least squares; places in one line tell nothing across it, and the slope there is taken for 0.
-    """
-    q = values.shape[1]
-    if not len(begin):
-        return np.zeros((0, 3, q))
-    A = np.stack([np.ones(len(column)), column, row], axis=1)
-    N = np.add.reduceat(A[:, :, None] * A[:, None, :], begin, axis=0)
-    for k in (1, 2):
-        N[:, k, k] += UNEVEN * N[:, 0, 0]
-    y = np.stack([np.add.reduceat(A[:, k, None] * values, begin, axis=0) for k in range(3)], axis=1)
-    return np.linalg.solve(N, y)
-
-
-@dataclass(slots=True, kw_only=True)
-class NodeSums:
-    """Nodes by what is fitted to blocks, tile by tile: each block counts by what it knows of a corner."""
-
-    total: Array
-    weight: Array = field(init=False)
-
-    def __post_init__(self) -> None:
-        """Nothing is known yet."""
-        self.weight = np.zeros(self.total.shape[:2])
-
-    @classmethod
-    def of(cls, shape: tuple[int, int], block: int, q: int) -> NodeSums:
-        """For a grid of so many rows and columns."""
-        rows, columns = (-(-n // block) + 1 for n in shape)
-        return cls(total=np.zeros((rows, columns, q), np.float32))
-
-    def add(self, first: tuple[int, int], found: Array, known: Mask, block: int) -> None:
-        """Blocks (rows, columns, 3, q) of a tile, whose first one is given, and which of its cells have a height."""
-        blocks = (found.shape[0], found.shape[1])
-        there = _by_block(known.astype(float), block, blocks)
-        n = there.sum(axis=1)
-        at = (np.arange(block) + 0.5) / block - 0.5
-        v, u = (x.ravel() for x in np.meshgrid(at, at, indexing="ij"))
-        means = [there @ x / np.maximum(n, 1) for x in (v, u)]
-        spreads = [there @ x**2 / np.maximum(n, 1) - m**2 + UNEVEN for x, m in zip((v, u), means, strict=True)]
-        for y, x in CORNERS:
-            apart = sum((k - 0.5 - m) ** 2 / s for k, m, s in zip((y, x), means, spreads, strict=True))
-            w = (n / (1 + apart)).reshape(blocks)
-            value = found[:, :, 0] + (x - 0.5) * found[:, :, 1] + (y - 0.5) * found[:, :, 2]
-            rows, columns = (slice(f + k, f + k + m) for f, k, m in zip(first, (y, x), blocks, strict=True))
-            self.total[rows, columns] += (w[..., None] * value).astype(np.float32)
-            self.weight[rows, columns] += w
-
-    @property
-    def nodes(self) -> Array:
-        """(node rows, node columns, q) float32; those that no height is near to as the nearest other."""
-        known = self.weight > 0
-        found = self.total / np.where(known, self.weight, 1.0)[..., None].astype(np.float32)
-        return _from_nearest(found, known) if known.any() else found
-
-
-def _from_nearest(values: Array, known: Mask) -> Array:
+def from_nearest(values: Array, known: Mask) -> Array:
     """Where nothing is known the nearest that is."""
     _, (i, j) = cast("tuple[Array, Array]", distance_transform_edt(~known, return_indices=True))
     return values[i, j]

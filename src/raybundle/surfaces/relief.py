@@ -13,6 +13,8 @@ steps hide what is below them.
 
 from __future__ import annotations
 
+from dataclasses import dataclass
+
 import cv2
 import numpy as np
 from scipy.special import fdtri
@@ -100,7 +102,8 @@ def steps_of(height: Array, local: Array, length: float, cell: float) -> Array:
         return np.zeros(height.shape, np.float32)
     side = half_side(length)
     whole = _across_holes(height, known)
-    scatter, freedom = _about_planes(whole, side)
+    p = planes(whole, side)
+    scatter, freedom = p.scatter, p.freedom
     box = (2 * side + 1,) * 2
     noise = cv2.blur(np.where(known, np.square(local, dtype=float), 0.0), box)
     noise /= np.maximum(cv2.blur(known.astype(float), box), 1e-9)
@@ -124,8 +127,23 @@ def _across_holes(height: Array, known: Array) -> Array:
     return found
 
 
-def _about_planes(height: Array, side: int) -> tuple[Array, Array]:
-    """Mean squares of what planes leave of the heights in squares about each cell, and their degrees of freedom."""
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Planes:
+    """Planes through heights in squares about each cell; arrays (rows, columns)."""
+
+    scatter: Array
+    """mean square of what they leave"""
+    freedom: Array
+    """degrees of freedom"""
+    right: Array
+    down: Array
+    """rise from cell to cell; 0 where the heights tell none"""
+    count: Array
+    """of heights"""
+
+
+def planes(height: Array, side: int) -> Planes:
+    """Planes by least squares in squares that reach so many cells to each side; unknown heights are not finite."""
     there = np.isfinite(height)
     z = np.where(there, height - np.median(height[there]), 0.0)
     one, along = np.ones(2 * side + 1), np.arange(-side, side + 1.0)
@@ -144,6 +162,7 @@ def _about_planes(height: Array, side: int) -> tuple[Array, Array]:
     determinant = cxx * cyy - cxy**2
     good = determinant > 1e-9 * np.maximum(cxx * cyy, 1e-300)
     d = np.where(good, determinant, 1.0)
-    by_slopes = np.where(good, (cyy * bx**2 - 2 * cxy * bx * by + cxx * by**2) / d, 0.0)
+    right, down = (np.where(good, v, 0.0) / d for v in (cyy * bx - cxy * by, cxx * by - cxy * bx))
     freedom = np.maximum(n - 3, 1.0)
-    return np.maximum(ss - s * s / n - by_slopes, 0.0) / freedom, freedom
+    scatter = np.maximum(ss - s * s / n - right * bx - down * by, 0.0) / freedom
+    return Planes(scatter=scatter, freedom=freedom, right=right, down=down, count=n)

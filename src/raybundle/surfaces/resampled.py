@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
+from dataclasses import dataclass, replace
 
 import cv2
 import numpy as np
@@ -54,10 +54,11 @@ def resampled(model: HeightModel, left: float, top: float, scale: float, like: H
     if model.holes is not None:
         number, sigma = (np.where(known, a[j][:, i], 0) for a in (model.holes.number, model.holes.sigma))
         holes = Holes(number=number, sigma=sigma.astype(np.float32))
-    moved = at_places(model.moved, row, column).astype(np.float32)
     return replace(
-        model, heights=heights, moved=moved, block=like.block, cell=like.cell,
-        length=model.length / scale, holes=holes,
+        model, heights=heights, moved=at_places(model.moved, row, column).astype(np.float32), block=like.block,
+        cell=like.cell, length=model.length / scale, holes=holes,
+        factors=None if model.factors is None else np.where(known[..., None], model.factors[j][:, i], 0),
+        levels=None if model.levels is None else at_places(model.levels, row, column),
     )  # fmt: skip
 
 
@@ -94,15 +95,12 @@ def difference(before: HeightModel, after: HeightModel) -> HeightModel:
 
     pair = np.where(both, a.image.astype(np.int64) * MAPS + b.image, -1)
     _, image = np.unique(pair, return_inverse=True)
-    same = (before.errors != "" and before.errors == after.errors) or (
-        bool((one == both).all()) and np.array_equal(before.moved, after.moved)
-    )
+    moves = _moves_of(before, after, one, both)
+    same = moves.of_one
     if same:
-        moved = after.moved - before.moved
-        of_cells = np.sqrt(variances(moved, before.block, before.shape))
+        of_cells = np.sqrt(variances(moves.moved, before.block, before.shape, factors=moves.factors))
         orientation = np.where(both, of_cells, np.nan).astype(np.float32)
     else:
-        moved = np.concatenate([-before.moved, after.moved], axis=2)
         orientation = np.where(both, np.hypot(a.orientation, b.orientation), np.nan).astype(np.float32)
     heights = Heights(
         height=np.where(both, b.height.astype(float) - a.height, np.nan).astype(np.float32), local=together("local"),
@@ -111,10 +109,41 @@ def difference(before: HeightModel, after: HeightModel) -> HeightModel:
         image=np.where(both, image.reshape(both.shape), -1).astype(np.int32),
     )  # fmt: skip
     return HeightModel(
-        heights=heights, moved=moved, block=before.block, cell=before.cell, length=max(before.length, after.length),
-        apart=max(before.apart, after.apart), holes=_holes_of(before, after, both),
+        heights=heights, moved=moves.moved, factors=moves.factors, block=before.block, cell=before.cell,
+        length=max(before.length, after.length), apart=max(before.apart, after.apart),
+        holes=_holes_of(before, after, both),
         errors=before.errors if same else "", adjustment=before.adjustment if same else "",
     )  # fmt: skip
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class _Moves:
+    """How errors move differences."""
+
+    moved: Array
+    factors: Array | None
+    of_one: bool
+    """the errors are those of both"""
+
+
+def _moves_of(before: HeightModel, after: HeightModel, one: Mask, both: Mask) -> _Moves:
+    """By the parts of both, those before with the opposite sign; what has one factor in both counts once."""
+    a, b = before.moved, after.moved
+    alike = np.array_equal(a, b)
+    of_one = (before.errors != "" and before.errors == after.errors) or (alike and bool((one == both).all()))
+    F = [m.factors for m in (before, after) if m.factors is not None]
+    if of_one and alike and len(F) == 2:
+        # a slope may be of neighbours that were replaced, but not the height
+        return _Moves(moved=b, factors=np.where(one[..., None], 0, F[1] - F[0]), of_one=True)
+    if not of_one:
+        none = [np.zeros((*m.shape[:3], n), np.float32) for m, n in ((a, b.shape[3]), (b, a.shape[3]))]
+        a, b = np.concatenate([a, none[0]], axis=3), np.concatenate([none[1], b], axis=3)
+    if not F:
+        return _Moves(moved=b - a, factors=None, of_one=of_one)
+    # shifts upwards, the first part, count once in each
+    ones = np.ones((*both.shape, 1), F[0].dtype)
+    moved = np.concatenate([b[:, :, :1] - a[:, :, :1], -a[:, :, 1:], b[:, :, 1:]], axis=2)
+    return _Moves(moved=moved, factors=np.concatenate([ones, *(f[..., 1:] for f in F)], axis=2), of_one=of_one)
 
 
 def _holes_of(before: HeightModel, after: HeightModel, both: Mask) -> Holes | None:

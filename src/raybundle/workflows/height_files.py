@@ -18,9 +18,11 @@ from raybundle.io.pictures.rectified import toml_text
 from raybundle.io.raster_library import raster_library
 from raybundle.io.reading.trees import read_toml
 from raybundle.numerics.arrays import Array
+from raybundle.surfaces.cell_factors import factors_of
 from raybundle.surfaces.height_model import HeightModel, Holes
 from raybundle.surfaces.heights import BETWEEN_MAPS, Heights
-from raybundle.surfaces.nodes import NodeSums, of_blocks
+from raybundle.surfaces.node_sums import NodeSums
+from raybundle.surfaces.nodes import of_blocks
 from raybundle.workflows.height_grid import HeightGrid
 from raybundle.workflows.height_tiles import BLOCK_CELLS, TILE_CELLS, Window, moved_of, tile_of_number, tiles_across
 from raybundle.workflows.object_plane import MapLevel, Plane
@@ -135,8 +137,9 @@ def write_heights(surface: Surface, file: HeightFile, out: Path) -> tuple[str, .
                 write_sigmas(window.x, window.y, many)
         if whole.moved is None:
             raise InputError("no point of the surface lies above the area of the heights; choose another")
+        nodes, levels = whole.moved.solved(BLOCK_CELLS * file.cell)
         np.savez_compressed(
-            moved, nodes=whole.moved.nodes, block=np.array(BLOCK_CELLS), errors=np.array(measured.together),
+            moved, nodes=nodes, levels=levels, block=np.array(BLOCK_CELLS), errors=np.array(measured.together),
             adjustment=np.array(measured.adjustment),
         )  # fmt: skip
         about.write_text(_about(file, whole.length, measured.apart), encoding="utf-8")
@@ -163,7 +166,7 @@ def _tile(surface: Surface, file: HeightFile, whole: _Whole, tile: int, window: 
     h = Heights.of_arrays(a)
     part = moved_of(surface.store, measured.above, measured.grid, tile, measured.tiles[tile])
     if whole.moved is None:
-        whole.moved = NodeSums.of((file.height, file.width), BLOCK_CELLS, part.shape[3])
+        whole.moved = NodeSums.of((file.height, file.width), BLOCK_CELLS, part.sums.shape[3])
     first = window.y // BLOCK_CELLS, window.x // BLOCK_CELLS
     whole.moved.add(first, part, np.isfinite(h.height), BLOCK_CELLS)
     whole.add(h, float(a["length"]))
@@ -185,6 +188,8 @@ def write_model(model: HeightModel, file: HeightFile, out: Path) -> None:
             "nodes": model.moved, "block": np.array(model.block), "errors": np.array(model.errors),
             "adjustment": np.array(model.adjustment),
         }  # fmt: skip
+        if model.levels is not None:
+            kept |= {"levels": model.levels}
         if model.holes is not None:
             kept |= {"holes": model.holes.number.astype(np.int32), "holes_sigma": model.holes.sigma.astype(np.float32)}
         np.savez_compressed(moved, allow_pickle=False, **kept)
@@ -206,8 +211,10 @@ def read_heights(folder: str | Path) -> tuple[HeightModel, HeightFile]:
         wkt = many.crs.to_wkt() if many.crs else ""  # in plan
     found = dict(zip(KEPT[1:], bands[1:], strict=True))
     with np.load(folder / MOVED, allow_pickle=False) as kept:
-        # older files have one value for each block
+        # older files have one value for each block, or for each node
         moved = kept["nodes"] if "nodes" in kept else of_blocks(kept["moved"])
+        moved = moved if moved.ndim == 4 else moved[:, :, None]
+        levels = kept.get("levels")
         block = int(kept["block"])
         holes = Holes(number=kept["holes"], sigma=kept["holes_sigma"]) if "holes" in kept else None
         errors, adjustment = (str(kept[name]) if name in kept else "" for name in ("errors", "adjustment"))
@@ -217,8 +224,10 @@ def read_heights(folder: str | Path) -> tuple[HeightModel, HeightFile]:
         points=np.nan_to_num(found["points"]).astype(np.uint16),
         image=np.nan_to_num(found["image"], nan=-1).astype(np.int32),
     )  # fmt: skip
+    cell, length = numbers["pixel"], numbers["length_cells"]
+    factors = None if levels is None else factors_of(height, found["local"], levels, block, cell)
     model = HeightModel(
-        heights=heights, moved=moved, block=block, cell=numbers["pixel"], length=numbers["length_cells"],
+        heights=heights, moved=moved, factors=factors, levels=levels, block=block, cell=cell, length=length,
         apart=tree.optional("between_maps", BETWEEN_MAPS), holes=holes, errors=errors, adjustment=adjustment,
     )  # fmt: skip
     told = {k: v.value for k, v in tree.mapping().items()}

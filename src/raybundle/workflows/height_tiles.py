@@ -10,6 +10,7 @@ import numpy as np
 from raybundle.numerics.arrays import Array
 from raybundle.pipeline.store import Folder
 from raybundle.surfaces.gaps import REACH, closed
+from raybundle.surfaces.node_sums import Moments
 from raybundle.workflows.height_grid import HeightGrid
 
 TILE_CELLS = 256
@@ -97,10 +98,8 @@ def heights_in(store: Folder, tiles: Mapping[int, str], grid: HeightGrid, window
     return height, local, orientation
 
 
-def moved_of(store: Folder, above: Mapping[int, str], grid: HeightGrid, tile: int, key: str) -> Array:
-    """(rows, columns, 3, q) how parts of a tile move with each independent error: each reference's, by its share.
-
-    Of each part that of its middle, and by how much it changes over it to the right and down (`nodes.fits`).
+def moved_of(store: Folder, above: Mapping[int, str], grid: HeightGrid, tile: int, key: str) -> Moments:
+    """How parts (rows, columns) of a tile move with each independent error: each reference's points, by its share.
 
     above  keys of the points of the references above the grid
     key    of the heights of the tile
@@ -113,12 +112,17 @@ def moved_of(store: Folder, above: Mapping[int, str], grid: HeightGrid, tile: in
     number = (w.y // BLOCK_CELLS + j) * across + w.x // BLOCK_CELLS + i
     found = None
     for image, share in zip(a["images"].tolist(), a["share"], strict=True):
-        own = store.lent(above[image], ("blocks", "moved"))
+        own = store.lent(above[image], ("blocks", "products", "sums", "base"))
         order = np.argsort(own["blocks"])
         at = np.searchsorted(own["blocks"], number, sorter=order).clip(max=len(order) - 1)
         row = order[at]
         there = own["blocks"][row] == number
-        part = np.where(there, share, 0.0)[:, None, None] * own["moved"][row]
-        found = part if found is None else found + part
+        part = Moments(
+            products=own["products"][row], sums=own["sums"][row], base=np.where(there, own["base"][row], np.nan)
+        ).times(np.where(there, share, 0.0))
+        found = part if found is None else found.plus(part)
     assert found is not None
-    return found.reshape(rows, columns, *found.shape[1:]).astype(np.float32)
+    return Moments(
+        products=found.products.reshape(rows, columns, 4, 4), base=np.nan_to_num(found.base).reshape(rows, columns),
+        sums=found.sums.reshape(rows, columns, *found.sums.shape[1:]),
+    )  # fmt: skip

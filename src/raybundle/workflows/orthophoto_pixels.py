@@ -238,7 +238,8 @@ class _Work:
         height, _, _ = heights_in(self.store, self.heights, t.grid, own)
         moved = moved_of(self.store, dict(t.above), t.grid, tile, self.heights[tile])
         rays = ReferenceRays.of(self.block, 0)
-        rows, columns = moved.shape[:2]
+        surface = moved.of_surface(BLOCK_CELLS * t.grid.grid.pixel)
+        rows, columns = surface.shape[:2]
         grams = np.zeros((rows, columns, 4, 4))
         for r in range(rows):
             for c in range(columns):
@@ -248,7 +249,7 @@ class _Work:
                     middle = known[np.abs(known - known.mean(axis=0)).sum(axis=1).argmin()]
                     x, y = own.x + c * BLOCK_CELLS + middle[1] + 0.5, own.y + r * BLOCK_CELLS + middle[0] + 0.5
                     xyz = t.grid.points_at(np.array([x]), np.array([y]), part[tuple(middle)][None])
-                    grams[r, c] = self._gram(rays, xyz, moved[r, c, 0])
+                    grams[r, c] = self._gram(rays, xyz, surface[r, c])
         self.grams[tile] = grams
         return grams
 

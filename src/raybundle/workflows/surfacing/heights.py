@@ -16,7 +16,7 @@ from raybundle.pipeline.store import Folder, Product
 from raybundle.pipeline.tasks import Task
 from raybundle.surfaces.depth_map import DepthMap
 from raybundle.surfaces.heights import STEEPEST, PointsOfCells, between_maps, on_grid
-from raybundle.surfaces.nodes import fits
+from raybundle.surfaces.node_sums import Moments, moments
 from raybundle.surfaces.orientation import CommonRoot, ShiftCovariance
 from raybundle.surfaces.pairs import Sources
 from raybundle.surfaces.rays import ReferenceRays
@@ -26,7 +26,7 @@ from raybundle.workflows.height_tiles import BLOCK_CELLS, TILE_CELLS, tile_of_nu
 from raybundle.workflows.surface_state import SURFACE, MeasuredHeights
 from raybundle.workflows.surface_tasks import adjustment_key, all_done, stored_part, stored_together
 
-VERSION, STEPS_VERSION = 3, 2
+VERSION, STEPS_VERSION = 4, 2
 ABOVE, LAYER, TILE = "surface above", "surface layer", "surface heights"
 """First words of the keys of what is kept"""
 SAMPLES = 48
@@ -169,11 +169,12 @@ def above_of(store: Folder, task: AboveTask) -> Product:
     slope = np.stack([-n[:, 0] / n[:, 2], n[:, 1] / n[:, 2]], axis=1) * g.pixel
     across = np.asarray(cloud["across"][at], float) / n[:, 2, None]
     length = _length(store, task, np.asarray(cloud["size"][at], float))
-    blocks, moved = _moved(store, task, cloud, at, block, (column[order], row[order], n[:, 2]))
+    blocks, moved = _moved(store, task, cloud, at, block, (column[order], row[order], uvh[at, 2]))
     return {
         "tiles": tiles, "begin": np.append(begin, len(at)), "column": column[order], "row": row[order],
         "height": uvh[at, 2], "slope": slope.astype(np.float32), "local": across[:, 0].astype(np.float32),
-        "orientation": across[:, 1].astype(np.float32), "blocks": blocks, "moved": moved, "length": np.array(length),
+        "orientation": across[:, 1].astype(np.float32), "blocks": blocks, "length": np.array(length),
+        "products": moved.products, "sums": moved.sums, "base": moved.base,
     }  # fmt: skip
 
 
@@ -195,15 +196,15 @@ def _moved(
     at: Index,
     block: Index,
     place: tuple[Array, Array, Array],
-) -> tuple[Index, Array]:
-    """Parts of tiles, and how the heights of this reference in them move (b, 3, q) with each independent error.
+) -> tuple[Index, Moments]:
+    """Parts of tiles, and what tells how the points of this reference in them move with each independent error.
 
-    place  columns and rows of the points, and the upright part of their normals
+    place  columns, rows and heights of the points
     """
     together = CommonRoot.of_arrays(store.wanted(task.together))
-    if not len(at):
-        return np.zeros(0, np.int64), np.zeros((0, 3, together.root.shape[1]), np.float32)
     blocks, begin, count = np.unique(block, return_index=True, return_counts=True)
+    if not len(at):
+        return blocks, moments(*place, (np.zeros((0, together.root.shape[1])) for _ in range(3)), begin)
     some = [
         b + np.unique(np.linspace(0, n - 1, min(n, SAMPLES)).astype(int)) for b, n in zip(begin, count, strict=True)
     ]
@@ -214,14 +215,13 @@ def _moved(
     xy, t = found.grid.xy_px.reshape(-1, 2)[pixel], np.asarray(found.t, float).ravel()[pixel]
     rays = ReferenceRays.of(block_of_arrays(store.wanted(task.block)), 0)
     sensitivity = found.shift.reshape(-1, found.shift.shape[2], 2)[pixel]
-    normal = np.asarray(cloud["normal"][at[chosen]], float)
-    each = np.einsum("ni,nij->nj", normal, shifts.moved(xy, t, sensitivity, rays.by_t(xy, t)))
-    column, row, upright = (x[chosen] for x in place)
-    each /= upright[:, None]
+    moved = shifts.moved(xy, t, sensitivity, rays.by_t(xy, t))
+    J = task.grid.plane.jacobian(cloud["xyz"].mean(axis=0))
+    column, row, height = (x[chosen] for x in place)
     # blocks begin anew with each tile, whose side holds a whole number of them
     right, down = (x / BLOCK_CELLS % 1 - 0.5 for x in (column, row))
     first = np.cumsum([0, *(len(s) for s in some[:-1])])
-    return blocks, fits(right, down, each, first).astype(np.float32)
+    return blocks, moments(right, down, height, (np.einsum("j,njq->nq", J[k], moved) for k in (2, 0, 1)), first)
 
 
 def tile_of(store: Folder, task: TileTask) -> Product:
