@@ -64,7 +64,7 @@ def _lines(done: MeasuredSurface) -> list[str]:
     if len(done.surface):
         told.append(_precision(done))
     told += [f"{w.files[0]}: {line}" for name, w in done.written if name for line in w.told]
-    told += [*done.remarks, *_without_part(done), *_adjustment(done)]
+    told += [*done.remarks, *_lost(done), *_without_part(done), *_adjustment(done)]
     words = ("report", "PDF", "in 3D") if len(done.pages.files) > 2 else ("report", "in 3D")
     told.append(", ".join(f"{word}: {path}" for word, path in zip(words, done.pages.files, strict=True)))
     return told
@@ -102,12 +102,20 @@ def whole_shares(shares: Sequence[float]) -> list[int]:
     return found
 
 
+def _lost(done: MeasuredSurface) -> list[str]:
+    """That photographs which were adjusted are not there or do not fit; which and why is told of all without a part."""
+    from raybundle.workflows.surface_photographs import lost_words  # noqa: PLC0415  (loaded after the help)
+
+    lost = done.surface.lost
+    return [f"caution: {lost_words(lost, int(done.surface.block.images.oriented.sum()))}"] if lost else []
+
+
 def _without_part(done: MeasuredSurface) -> list[str]:
     """Photographs and pairs that give nothing, those of one reason together."""
     s = done.surface
     told = [f"no point of {name}: {why}" for name, why in s.pointless]
     whys = dict[str, list[str]]()
-    for what, why in s.left_out:  # a reason that names its photograph is that of others, too
+    for what, why in s.left_out[len(s.lost) :]:  # a reason that names its photograph is that of others, too
         whys.setdefault(why.removeprefix(what).strip(), []).append(what)
     for why, names in list(whys.items())[:MOST_LEFT_OUT]:
         if len(names) > 1:

@@ -27,8 +27,8 @@ def pointless(
     for k, key in sorted(clouds.items()):
         if len(store.wanted(key, ("image",))["image"]):
             continue
-        found = store.wanted(key, ("depths", "share"))
-        if why := _why(int(found["depths"]), float(found["share"]), region=region):
+        kept = store.wanted(key, ("depths", "share"))
+        if why := _why(int(kept["depths"]), float(kept["share"]), region=region):
             told.append((block.images.ids[k], why))
         if len(told) == MOST:
             break
