@@ -126,8 +126,10 @@ def areas_in(wkt: str, outlines: Sequence[str], extent: Sequence[float] | None) 
 def _shapes(given: str, name: str) -> tuple[Shape, ...]:
     """What a file or coordinates hold.
 
-    raises  InputError for numbers that are no corners, and as `read_shapes` does
+    raises  InputError for numbers that are no corners, an empty text, and as `read_shapes` does
     """
+    if not given.strip():
+        raise InputError(f"{option(name, given)} is empty; give a file, or corners as X Y, X Y, ...")
     if not Path(given).exists() and re.fullmatch(r"[\d\s.,;+\-eE]+", given) and re.search(r"\d", given):
         pairs = [p.split() for p in re.split(r"[;,]", given)]
         if any(len(p) != 2 or None in map(number_of, p) for p in pairs):
