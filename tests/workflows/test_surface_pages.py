@@ -109,6 +109,8 @@ def test_the_command_tells_the_fault_and_the_gravest_cautions_and_names_its_page
     assert main(["surface", str(warned), *words]) == 0
     told = capsys.readouterr().out
     assert f"fault: {FAULT}" in told
+    assert re.search(r"standard deviation of a point [\d.]+ mm in the median \(X [\d.]+, ", told)
+    assert re.search(r"along its ray [\d.]+ mm, of whose square", told)
     assert told.count("caution: ") == 3
     assert "caution: heights are relative" in told  # of all points, before what is of single marks
     assert "and 2 more cautions, see surface.html" in told

@@ -80,15 +80,20 @@ def _points(done: MeasuredSurface) -> str:
 
 def _precision(done: MeasuredSurface) -> str:
     """How good points are in the datum, and by what their errors along the ray come about."""
-    unit = f" {done.unit}" if done.unit else " (the scale is free)"
+    from raybundle.numerics.length_units import precision_unit  # noqa: PLC0415  (loaded after the help)
+
+    factor, of = precision_unit(done.median_sigma, done.unit)
+    unit = f" {of}" if of else " (the scale is free)"
     noise, rough, orientation = whole_shares(done.shares)
     each = ", ".join(
-        f"{a} {significant(float(v[0]))}" for a, v in zip("XYZ", done.pages.summary.axes, strict=True)
+        f"{a} {significant(factor * float(v[0]), 2)}" for a, v in zip("XYZ", done.pages.summary.axes, strict=True)
     )  # fmt: skip
+    whole, along = (significant(factor * v, 2) for v in (done.median_sigma, done.median_along_ray))
+    along = f"{along} {of}".rstrip()
     return (
-        f"standard deviation of a point {significant(done.median_sigma)}{unit} in the median ({each}); along its ray "
-        f"{significant(done.median_along_ray)}, of whose square {noise} % are noise of grey values, {rough} % "
-        f"roughness, {orientation} % orientation and calibration"
+        f"standard deviation of a point {whole}{unit} in the median ({each}); along its ray {along}, "
+        f"of whose square {noise} % are noise of grey values, {rough} % roughness, {orientation} % orientation and "
+        "calibration"
     )
 
 

@@ -12,6 +12,7 @@ from raybundle.adjustment.result import as_told
 from raybundle.adjustment.severity import Severity
 from raybundle.io.folders import new_files
 from raybundle.numerics.arrays import Array
+from raybundle.numerics.length_units import precision_unit
 from raybundle.numerics.progress import Progress, silent
 from raybundle.report.chapters import Occasion
 from raybundle.report.delivery import delivery_of
@@ -95,8 +96,7 @@ def write_surface_page(
     """
     names = [name, *(m.name for m in summary.maps), *(what for what, _ in summary.left_out), *written]
     say = language_of(language, [*names, *(rests.language.names if rests else ())])
-    small = summary.unit == "m" and not summary.position[0] >= 1
-    factor, unit = (1000.0, "mm") if small else (1.0, summary.unit)
+    factor, unit = precision_unit(summary.position[0], summary.unit)
     sections = [_result(summary, factor, unit, remarks, _head(rests)), *_adjustment(rests), *_files(written)]
     if summary.heights is not None:
         sections.append(_heights(summary.heights, factor, unit, summary.unit))

@@ -18,6 +18,8 @@ from raybundle.io.pictures.rectified import toml_text
 from raybundle.io.raster_library import raster_library
 from raybundle.io.reading.trees import read_toml
 from raybundle.numerics.arrays import Array
+from raybundle.numerics.counting import significant
+from raybundle.numerics.length_units import precision_unit
 from raybundle.surfaces.height_model import HeightModel, Holes
 from raybundle.surfaces.heights import BETWEEN_MAPS, Heights
 from raybundle.surfaces.nodes import NodeSums, of_blocks
@@ -150,7 +152,8 @@ def write_heights(surface: Surface, file: HeightFile, out: Path) -> tuple[str, .
     sigma = float(np.median(np.concatenate(whole.sigma)))
     unit = f" {file.unit}" if file.unit else ""
     told = f"{file.width} x {file.height} cells of {file.cell:g}{unit}, {share:.0%} of them with a height"
-    return (f"{told}; standard deviation {sigma:.2g}{unit} in the median",)
+    factor, of = precision_unit(sigma, file.unit)
+    return (f"{told}; standard deviation {significant(factor * sigma, 2)} {of}".rstrip() + " in the median",)
 
 
 def _about(file: HeightFile, length: float, apart: float) -> str:
