@@ -249,6 +249,7 @@ def test_photographs_that_are_gone_are_named(half, tmp_path, capsys):
     gone = f"2 of 3 photographs that were adjusted cannot be used: {', '.join(names)}: in none of the folders"
     assert gone in told
     assert "say where they are with --photos" in told
+    assert "no two of them" not in told
     assert "points in common" not in told
     assert not (tmp_path / "s").exists()
 

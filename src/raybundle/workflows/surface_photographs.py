@@ -46,9 +46,10 @@ def photographs_there(block: Block, folders: Sequence[Path]) -> tuple[dict[int, 
         else:
             lost.append(Lost(image=block.images.ids[i], name=name, why=photo))
     if lost and len(found) < LEAST:
+        first = "a surface needs two photographs that show the same part of the object from different places"
         raise InputError(
-            f"a surface needs two photographs; {lost_words(lost, len(found) + len(lost))}; say where they are with "
-            f"{option('photos', 'FOLDER')}"
+            f"{first if found else 'no photograph of the result was found'}; "
+            f"{lost_words(lost, len(found) + len(lost))}; say where they are with {option('photos', 'FOLDER')}"
         )
     return found, tuple(lost)
 
