@@ -4,6 +4,8 @@ import numpy as np
 import pytest
 
 from raybundle.cli.main import main
+from raybundle.io.geo.told_systems import plan_system, system_with_heights
+from raybundle.io.pictures.geotiff import system_text
 from raybundle.workflows.height_files import read_heights
 from tests.surface.height_models import folder_of, made
 
@@ -151,3 +153,13 @@ def test_the_end_of_a_file_is_no_interruption(wall, capsys, monkeypatch):
     monkeypatch.setattr("raybundle.workflows.heights_read.read_heights", ended)
     assert main(["heights", "volume", str(wall), "--above", "0"]) == 1
     assert "internal error EOFError: no data left" in capsys.readouterr().err
+
+
+@pytest.mark.parametrize("system", ["EPSG:32632+ellipsoid", "EPSG:25832+ellipsoid", "EPSG:2926+6360"])
+def test_a_system_that_stands_beside_the_raster_is_its_own(tmp_path, system):
+    """As `surface` writes it for heights above the ellipsoid, and a system in feet."""
+    wkt = plan_system(system).to_wkt()
+    height = made(np.zeros(SHAPE))
+    folder = folder_of(height, tmp_path / "one", wkt=wkt, plane={"system": system}, left=5e5, top=5.2e6)
+    (folder / "heights.tif.aux.xml").write_text(system_text(system_with_heights(system).to_wkt()))
+    assert read_heights(folder)[1].system == system
