@@ -85,6 +85,8 @@ def test_bad_outlines_are_refused(cone, capsys, tmp_path):
         capsys, *volume, "--outline", "0.1 0.1, 0.2 0.2"
     )
     assert "is no file and no corners" in refused(capsys, *volume, "--outline", "0,0 1,0 1,1")
+    for empty in ("", " "):
+        assert f"--outline '{empty}' is empty; give a file, or corners" in refused(capsys, *volume, "--outline", empty)
     said = refused(capsys, *volume, "--extent", 0.02, 0.1, 0.4, 0.5)
     assert "of the area has no height (200 of its cells)" in said
     assert "0.1 m from the nearest measured one; fill it with --fill 0.2" in said

@@ -424,7 +424,32 @@ def test_certificates_that_are_none_or_over_are_named(tmp_path, capsys, monkeypa
     (folder / "key.pem").unlink()
     for each in words:
         assert main(each) == 2
-        assert "lacks key.pem" in capsys.readouterr().err
+        said = capsys.readouterr().err
+        assert "lacks key.pem" in said
+        assert "delete ca.pem, cert.pem" in said or "delete the other certificates" in said
+    for name in ("ca.pem", "cert.pem"):
+        (folder / name).unlink()
+    assert main(words[1]) == 2  # what an earlier scheduler wrote stands there alone
+    said = capsys.readouterr().err
+    assert "lacks ca.pem, cert.pem, key.pem: " in said
+    assert "delete" not in said
+
+
+def test_a_worker_leaves_no_project_aside_and_waits_for_no_folder_without_end(tmp_path, capsys, monkeypatch):
+    from raybundle.cli.main import main
+
+    monkeypatch.setattr("raybundle.pipeline.dask_machines.FOLDER_S", 0.2)
+    monkeypatch.setattr("raybundle.pipeline.dask_machines.LOOK_S", 0.1)
+    (tmp_path / "cluster").mkdir()
+    assert main(["worker", str(tmp_path), "--cluster", str(tmp_path / "cluster")]) == 2
+    said = capsys.readouterr().err
+    assert f"{tmp_path} would be left aside" in said
+    assert "--shard I/N" in said
+    assert main(["worker", "--cluster", str(tmp_path / "none")]) == 2
+    out, err = capsys.readouterr()
+    assert "none: there is no such folder; where none comes within 0.2 s this ends" in out
+    assert "none: there is no such folder, and none came within 0.2 s; `raybundle scheduler" in err
+    assert not (tmp_path / "none").exists()
 
 
 def test_a_run_says_that_it_waits_for_a_worker_and_a_worker_for_a_scheduler(machines, tmp_path, monkeypatch):

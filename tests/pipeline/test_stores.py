@@ -27,7 +27,9 @@ def run(capsys, *words):
     return status, capsys.readouterr().err
 
 
-def test_what_is_no_store_is_refused_with_the_option_as_typed(tmp_path):
+def test_what_is_no_store_is_refused_with_the_option_as_typed(tmp_path, monkeypatch):
+    (tmp_path / "here").mkdir()
+    monkeypatch.chdir(tmp_path / "here")
     (tmp_path / "file").write_text("x")
     (tmp_path / "photos").mkdir()
     cases = {
@@ -38,6 +40,13 @@ def test_what_is_no_store_is_refused_with_the_option_as_typed(tmp_path):
         "http://host/x": "nothing can be kept by http",
         "s3://name:secret@host/x": "was given with a secret",
         "nosuch://x": "Protocol not known",
+        "file:///": "names no folder",
+        "file://": "names no folder",
+        "local:////": "names no folder",
+        f"file://{tmp_path}/a%20b/y": "%20 would be part of the folder's name",
+        "file://bucket%20x/y": "%20 would be part of the folder's name",
+        "s3:///y": "names no bucket",
+        "gs://": "names no bucket",
         f"file://{tmp_path}/file": "is a file",
         f"file://{tmp_path}/file/x": "cannot be made: Not a directory",
         "file:///proc/x": "cannot be made",
@@ -55,7 +64,8 @@ def test_what_is_no_store_is_refused_with_the_option_as_typed(tmp_path):
         assert "Error" not in said
         assert "token" not in said
     assert not (tmp_path / "out").exists()
-    assert {p.name for p in tmp_path.iterdir()} == {"file", "photos"}
+    assert {p.name for p in tmp_path.iterdir()} == {"file", "photos", "here"}
+    assert not list((tmp_path / "here").iterdir())
 
 
 def test_what_is_not_for_good_leaves_nothing(tmp_path):

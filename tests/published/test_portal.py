@@ -6,7 +6,8 @@ import numpy as np
 import pytest
 from scipy.stats import chi2
 
-from raybundle.cli.demo_set import errors, given_of, normalised
+from raybundle.cli.demo_set import errors, given_of, normalised, run
+from raybundle.cli.main import main
 from raybundle.io.block.folder import read_block
 from raybundle.workflows.orient import OrientOptions, orient
 
@@ -101,3 +102,12 @@ def test_the_portal_stands_upright(portal):
     assert done.upright.kind == "terrestrial"
     assert done.upright.probability > 0.95
     assert done.additions()["upright"]["kind"] == "terrestrial"
+
+
+def test_status_of_the_demonstration_tells_its_report(project, portal, capsys):
+    del portal  # its stages are kept
+    run(PORTAL, project, "none")
+    assert (project / "result/report.html").is_file()
+    capsys.readouterr()
+    assert main(["status", str(project)]) == 0
+    assert "not done" not in capsys.readouterr().out

@@ -77,6 +77,38 @@ def test_a_shortened_notice_ends_in_a_whole_clause():
     assert step.endswith("is left out (…); look at it again.")
 
 
+HELD = (
+    "camera {0}: the photographs contradict its calibration, which is held: c by 12 times its sigma; F of all 8 "
+    "parameters 41.2, limit 3.8 at 95 %. Held, it moves image points by up to 2.1 px from where the calibration that "
+    "fits has them, with a standard deviation of 0.2 px, and standard deviations are those of a camera that this one "
+    "is not. Look whether the calibration belongs to this camera, focus, zoom and format; if so, give its standard "
+    'deviations (sigma, or its covariance), free it (estimate = "auto"), or leave it out{1}'
+)
+
+
+def hanging(times):
+    """A message whose clauses all refer to the one before."""
+    return f"point a is seen {'again and ' * times}again; it is left out. They say nothing"
+
+
+@pytest.mark.parametrize(
+    ("message", "ends"),
+    [
+        (HELD.format("a", ""), f"(…). {HELD.partition('is not. ')[2].format('', '')}."),
+        (HELD.format("a", " as given by hand"), f"(…). {HELD.partition('is not. ')[2].partition('; if')[0]} (…)."),
+        (hanging(20), f"{hanging(20).capitalize().replace('they', 'They')}."),
+        (hanging(50), "and again (…)."),
+    ],
+)  # fmt: skip
+def test_a_shortened_notice_keeps_what_its_end_refers_to(message, ends):
+    adjustment = replace(made("rich"), notices=(Notice(code="gps", message=message, measured=Severity.CAUTION),))
+    view = view_of(adjustment)
+    ((_, step),) = next_steps(Occasion(view=view, told=verdict(view), delivery=delivery_of(adjustment)))
+    said = step.replace("\u00a0", " ")
+    assert said.endswith(ends)
+    assert "(…); if so" not in said
+
+
 def test_entries_of_the_recording_sheet_are_translated(tmp_path):
     adjustment = made("rich")
     record = Record(title="Mill", kind="mill", conditions="rain", control="tape", reference="12-7", archive="town")

@@ -51,11 +51,10 @@ def file_of(model, *, unit="m", left=0.0, top=None, plane=None, wkt=""):
     from raybundle.workflows.height_files import HeightFile
 
     rows, columns = model.shape
-    plane = plane or {"origin": [0.0, 0.0, 0.0], "right": [1.0, 0.0, 0.0], "up": [0.0, 0.0, 1.0],
-                      "normal": [0.0, -1.0, 0.0]}  # fmt: skip
+    wall = {"origin": [0.0, 0.0, 0.0], "right": [1.0, 0.0, 0.0], "up": [0.0, 0.0, 1.0], "normal": [0.0, -1.0, 0.0]}
     return HeightFile(
         left=left, top=rows * model.cell if top is None else top, cell=model.cell, width=columns, height=rows,
-        unit=unit, block="wall", wkt=wkt, plane={} if wkt else plane,
+        unit=unit, block="wall", wkt=wkt, plane=plane or ({} if wkt else wall),
     )  # fmt: skip
 
 

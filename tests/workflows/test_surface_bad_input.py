@@ -231,3 +231,49 @@ def test_a_photograph_without_a_point_is_told_where_nothing_confirms_it(half, tm
     assert main([*words, str(tmp_path), *map(str, ("--extent", *BOX)), "--out", str(tmp_path / "s")]) == 0
     told = capsys.readouterr().out
     assert re.search(r"no point of portal_08: (other depth maps confirm|no other depth map|no depth was found)", told)
+
+
+def without(half, folder, gone):
+    """The photographs without some of them."""
+    folder.mkdir()
+    for path in sorted(half.glob("*.png"))[gone:]:
+        shutil.copy(path, folder)
+    return sorted(p.name for p in half.glob("*.png"))[:gone]
+
+
+def test_photographs_that_are_gone_are_named(half, tmp_path, capsys):
+    names = without(half, tmp_path / "photos", 2)
+    words = ["surface", str(half / "block"), "--photos", str(tmp_path / "photos"), "--out", str(tmp_path / "s")]
+    assert main(words) == 2
+    told = capsys.readouterr().err
+    gone = f"2 of 3 photographs that were adjusted cannot be used: {', '.join(names)}: in none of the folders"
+    assert gone in told
+    assert "say where they are with --photos" in told
+    assert "no two of them" not in told
+    assert "points in common" not in told
+    assert not (tmp_path / "s").exists()
+
+
+def test_a_surface_without_some_photographs_says_so_first(half, tmp_path, capsys):
+    (name,) = without(half, tmp_path / "photos", 1)
+    words = ["surface", str(half / "block"), "--photos", str(tmp_path / "photos"), "--out", str(tmp_path / "s")]
+    assert main([*words, "--density", "4", "--jobs", "1", "--extent", *map(str, BOX), "--json"]) == 0
+    found = json.loads(capsys.readouterr().out)
+    gone = f"1 of 3 photographs that were adjusted cannot be used: {name}: in none of the folders of the photographs"
+    assert gone in found["cautions"]
+    page = (tmp_path / "s/surface.html").read_text()
+    assert "1 photograph of the adjustment could not be used" in page
+    assert f"{name}: in none of the folders of the photographs" in page
+
+
+def test_lost_photographs_are_told_where_the_others_show_nothing_together(half, tmp_path, capsys):
+    block = read_block(half / "block")
+    rays = np.bincount(block.observations.point, minlength=len(block.points))
+    few = np.isin(np.arange(len(rays)), np.flatnonzero(rays == 3)[::12][:10])
+    write_block(selected(block, "point", few), tmp_path / "block")
+    (name,) = without(half, tmp_path / "photos", 1)
+    words = ["surface", str(tmp_path / "block"), "--photos", str(tmp_path / "photos"), "--free-scale"]
+    assert main([*words, "--out", str(tmp_path / "s")]) == 2
+    told = capsys.readouterr().err
+    assert "a surface needs two photographs that show the same part" in told
+    assert f"1 of 3 photographs that were adjusted cannot be used: {name}" in told

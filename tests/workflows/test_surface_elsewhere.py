@@ -82,10 +82,11 @@ def test_processes_and_a_store_elsewhere(half, here, tmp_path, capsys):
     assert not list((tmp_path / "s/work/cache").rglob("*.npz"))
 
 
-def test_a_store_that_cannot_be_is_refused_before_anything_is_measured(half, tmp_path, capsys):
+def test_a_store_that_cannot_be_is_refused_before_anything_is_measured(half, tmp_path, capsys, monkeypatch):
     for url, told in (("nowhere", "is no URL"), (f"file://{tmp_path}/s/work/x", "lies in the folder of the result")):
         assert main(words(half, tmp_path / "s", "--store", url)) == 2
         assert told in capsys.readouterr().err
+    monkeypatch.setattr("raybundle.measuring.session.adjusted_again", lambda *_: pytest.fail("adjusted before"))
     assert main(words(half, tmp_path / "s", "--cluster", str(tmp_path / "none"))) == 2
     assert "none" in capsys.readouterr().err
     assert not (tmp_path / "s/work/cache").exists() or not list((tmp_path / "s/work/cache").rglob("*.npz"))

@@ -1,6 +1,7 @@
 """What people are told of a surface: the verdict and the warnings of its adjustment, whom it is for, what it holds."""
 
 import re
+import shutil
 import tomllib
 from dataclasses import replace
 
@@ -108,6 +109,8 @@ def test_the_command_tells_the_fault_and_the_gravest_cautions_and_names_its_page
     assert main(["surface", str(warned), *words]) == 0
     told = capsys.readouterr().out
     assert f"fault: {FAULT}" in told
+    assert re.search(r"standard deviation of a point [\d.]+ mm in the median \(X [\d.]+, ", told)
+    assert re.search(r"along its ray [\d.]+ mm, of whose square", told)
     assert told.count("caution: ") == 3
     assert "caution: heights are relative" in told  # of all points, before what is of single marks
     assert "and 2 more cautions, see surface.html" in told
@@ -132,6 +135,29 @@ def test_status_of_a_result_of_its_surface_and_of_its_work_tells_the_stages(warn
         assert "matching" not in told
         assert "orthophoto" not in told  # nobody asked for one
         assert "may be deleted" in told
+
+
+@pytest.mark.parametrize("state", ["without points", "in work"])
+def test_what_is_still_needed_may_not_be_deleted(measured, tmp_path, capsys, monkeypatch, state):
+    _, out = measured
+    shutil.copytree(out / "work", tmp_path / "s/work", ignore=shutil.ignore_patterns("cache"))
+    if state == "in work":
+        shutil.copy(out / "points.ply", tmp_path / "s")
+        monkeypatch.setattr("raybundle.pipeline.running.works", lambda _: True)
+    assert main(["status", str(tmp_path / "s")]) == 0
+    told = capsys.readouterr().out
+    assert "fusion" in told
+    assert "may be deleted" not in told
+
+
+def test_packages_that_are_missing_are_told_at_once(half, tmp_path, capsys, monkeypatch):
+    monkeypatch.setattr("raybundle.io.raster_library.found_raster_library", lambda: None)
+    monkeypatch.setattr("raybundle.report.paper.needed.find_spec", lambda _: None)
+    words = ["surface", str(half / "block"), "--photos", str(half), "--out", str(tmp_path / "s"), "--pdf"]
+    assert main([*words, "--dsm", "0.1", "--ortho", "0.1"]) == 2
+    told = capsys.readouterr().err
+    assert told.count("raybundle[geo]") == told.count("raybundle[pdf]") == 1
+    assert not (tmp_path / "s").exists()
 
 
 def test_an_interrupted_run_says_what_is_kept(half, warned, tmp_path, capsys, monkeypatch):

@@ -54,7 +54,11 @@ def test_all_are_written_and_told(made):
     for _, w in done.written:
         assert all(f.exists() for f in w.files)
     told = {name: " ".join(w.told) for name, w in done.written}
-    assert re.search(r"standard deviation of a place in plan [\d.]+ m in the median", told["ortho"])
+    assert re.search(r"standard deviation of a place in plan [\d.]+ mm in the median", told["ortho"])
+    assert re.search(r"standard deviation [\d.]+ mm in the median", told["dsm"])
+    assert re.search(r"standard deviation of a height [\d.]+ mm in the median", told["mesh"])
+    assert "without which no pixel is seen" not in told["ortho"]  # some of them are, in gaps that were closed
+    assert re.search(r"\d+% of the cells of its heights were measured, gaps of a few cells are closed", told["ortho"])
     assert "3 depth maps" in told["depths"]
 
 

@@ -25,7 +25,7 @@ def run(folder: Path, out: Path, progress: str) -> None:
     folder  photos/, measured.csv (marked targets) and truth/ (a block folder with the scale bar)
     """
     from raybundle.cli.progress import reporting  # noqa: PLC0415
-    from raybundle.commands.orient import write_orientation  # noqa: PLC0415
+    from raybundle.commands.orient import report_stage, write_orientation  # noqa: PLC0415
     from raybundle.errors import InputError  # noqa: PLC0415
     from raybundle.io.block.folder import read_block  # noqa: PLC0415
     from raybundle.report.text.summary import summary_lines  # noqa: PLC0415
@@ -45,7 +45,8 @@ def run(folder: Path, out: Path, progress: str) -> None:
     click.echo(f" given: {counted(len(truth.images), 'photograph')} and one scale bar, {bars}")
     with reporting(progress) as tell:
         done = orient([folder / "photos"], out, given=given, progress=tell)
-        write_orientation(done, result, report="html", progress=tell)
+        with report_stage(out, done.stages):
+            write_orientation(done, result, report="html", progress=tell)
     a = done.adjustment
     click.echo("\n".join(["", *interior_lines(truth, a), "", *place_lines(truth, a), ""]))
     click.echo(f" {done.oriented} of {counted(len(done.photos), 'photograph')} oriented")

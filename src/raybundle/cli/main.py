@@ -106,7 +106,9 @@ def main(argv: Sequence[str] | None = None) -> int:
             error.show()
         _as_json(arguments, error.format_message(), error.exit_code)
         return error.exit_code
-    except (KeyboardInterrupt, click.Abort):
+    except (KeyboardInterrupt, click.Abort) as error:
+        if isinstance(error.__cause__, EOFError):  # click takes the end of any file for that of the keyboard's input
+            return _failed(arguments, error.__cause__)
         _say(INTERRUPTED)
         _as_json(arguments, INTERRUPTED, 130)
         return 130
@@ -114,14 +116,19 @@ def main(argv: Sequence[str] | None = None) -> int:
         silence(sys.stdout)  # the reader of our output went away: what stands in the buffer has nowhere to go
         return 1
     except Exception as error:  # noqa: BLE001  (the last resort; the message says how to see the rest)
-        if "--traceback" in arguments:
-            with contextlib.suppress(OSError, ValueError):
-                traceback.print_exc()
-        text, status = told_failure(error)
-        _say(text)
-        _as_json(arguments, text, status)
-        return status
+        return _failed(arguments, error)
     return status if isinstance(status, int) else 0
+
+
+def _failed(arguments: Sequence[str], error: Exception) -> int:
+    """Say what went wrong, and return the exit status."""
+    if "--traceback" in arguments:
+        with contextlib.suppress(OSError, ValueError):
+            traceback.print_exception(error)
+    text, status = told_failure(error)
+    _say(text)
+    _as_json(arguments, text, status)
+    return status
 
 
 def _printable(stream: TextIO) -> None:

@@ -63,7 +63,7 @@ def lines(found: Status) -> Iterator[str]:
     if found.stages:
         where = f"{found.store}, which the next run takes too; " if found.store else ""
         yield f" products: {where}in its folder {_size(found.bytes)}"
-    if found.folder is not None:
+    if found.folder is not None and found.written and not found.works:
         yield f" {found.folder} may be deleted: what is measured stays, and the next run measures all of it again"
     if found.surface is not None:
         yield " surface:"

@@ -64,7 +64,7 @@ def _lines(done: MeasuredSurface) -> list[str]:
     if len(done.surface):
         told.append(_precision(done))
     told += [f"{w.files[0]}: {line}" for name, w in done.written if name for line in w.told]
-    told += [*done.remarks, *_without_part(done), *_adjustment(done)]
+    told += [*done.remarks, *_lost(done), *_without_part(done), *_adjustment(done)]
     words = ("report", "PDF", "in 3D") if len(done.pages.files) > 2 else ("report", "in 3D")
     told.append(", ".join(f"{word}: {path}" for word, path in zip(words, done.pages.files, strict=True)))
     return told
@@ -80,15 +80,20 @@ def _points(done: MeasuredSurface) -> str:
 
 def _precision(done: MeasuredSurface) -> str:
     """How good points are in the datum, and by what their errors along the ray come about."""
-    unit = f" {done.unit}" if done.unit else " (the scale is free)"
+    from raybundle.numerics.length_units import precision_unit  # noqa: PLC0415  (loaded after the help)
+
+    factor, of = precision_unit(done.median_sigma, done.unit)
+    unit = f" {of}" if of else " (the scale is free)"
     noise, rough, orientation = whole_shares(done.shares)
     each = ", ".join(
-        f"{a} {significant(float(v[0]))}" for a, v in zip("XYZ", done.pages.summary.axes, strict=True)
+        f"{a} {significant(factor * float(v[0]), 2)}" for a, v in zip("XYZ", done.pages.summary.axes, strict=True)
     )  # fmt: skip
+    whole, along = (significant(factor * v, 2) for v in (done.median_sigma, done.median_along_ray))
+    along = f"{along} {of}".rstrip()
     return (
-        f"standard deviation of a point {significant(done.median_sigma)}{unit} in the median ({each}); along its ray "
-        f"{significant(done.median_along_ray)}, of whose square {noise} % are noise of grey values, {rough} % "
-        f"roughness, {orientation} % orientation and calibration"
+        f"standard deviation of a point {whole}{unit} in the median ({each}); along its ray {along}, "
+        f"of whose square {noise} % are noise of grey values, {rough} % roughness, {orientation} % orientation and "
+        "calibration"
     )
 
 
@@ -102,12 +107,20 @@ def whole_shares(shares: Sequence[float]) -> list[int]:
     return found
 
 
+def _lost(done: MeasuredSurface) -> list[str]:
+    """That photographs which were adjusted are not there or do not fit; which and why is told of all without a part."""
+    from raybundle.workflows.surface_photographs import lost_words  # noqa: PLC0415  (loaded after the help)
+
+    lost = done.surface.lost
+    return [f"caution: {lost_words(lost, int(done.surface.block.images.oriented.sum()))}"] if lost else []
+
+
 def _without_part(done: MeasuredSurface) -> list[str]:
     """Photographs and pairs that give nothing, those of one reason together."""
     s = done.surface
     told = [f"no point of {name}: {why}" for name, why in s.pointless]
     whys = dict[str, list[str]]()
-    for what, why in s.left_out:  # a reason that names its photograph is that of others, too
+    for what, why in s.left_out[len(s.lost) :]:  # a reason that names its photograph is that of others, too
         whys.setdefault(why.removeprefix(what).strip(), []).append(what)
     for why, names in list(whys.items())[:MOST_LEFT_OUT]:
         if len(names) > 1:

@@ -17,8 +17,9 @@ if TYPE_CHECKING:
     from raybundle.workflows.left import Left
 
 
-WORK, SURFACE_FOLDER = "work", "surface"
-"""Of a surface's folder, where its stages are kept, and that folder of a project, where nobody names another"""
+WORK, POINTS, SURFACE_FOLDER = "work", "points.ply", "surface"
+"""Of a surface's folder, where its stages are kept and what was measured, and that folder of a project, where nobody
+names another"""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -43,6 +44,8 @@ class Status:
     """parts of adjustments beside it"""
     folder: Path | None = None
     """where its stages and products lie, if it is a surface"""
+    written: bool = False
+    """whether the points of a surface stand beside that folder"""
     surface: Status | None = None
     """of the dense points that were measured of it"""
 
@@ -79,6 +82,7 @@ def status_of(folder: Path) -> Status:
     return Status(
         stages={n: records.get(n) for n in _stages(project, records, of_calibration=of_calibration)},
         running=running(project), surface=beside, folder=project if _of_surface(project) else None,
+        written=(project.parent / POINTS).is_file(),
         works=works(project), listed=listed, store="" if store == HERE else store, bytes=bytes_in(project),
         elsewhere=_elsewhere(project), left=left,
     )  # fmt: skip

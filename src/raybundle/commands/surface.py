@@ -165,9 +165,9 @@ class _Asked:
 def run_surface(settings: SurfaceSettings, progress: Progress = silent) -> MeasuredSurface:
     """Measure what the settings ask for, and write the points."""
     from raybundle.measuring.session import adjusted_again  # noqa: PLC0415
+    from raybundle.pipeline.choosing import check_cluster  # noqa: PLC0415
     from raybundle.pipeline.store import ProductGone  # noqa: PLC0415
     from raybundle.report.languages.language import language_of  # noqa: PLC0415
-    from raybundle.report.paper.needed import check_typesetter  # noqa: PLC0415
     from raybundle.workflows.surface_products import PRODUCTS  # noqa: PLC0415
 
     s = settings
@@ -175,11 +175,9 @@ def run_surface(settings: SurfaceSettings, progress: Progress = silent) -> Measu
     out = s.out or s.source / "surface"
     wanted = frozenset(name for name in PRODUCTS if not name or getattr(s, name) not in (None, False))
     _check_out(out)
-    for name in wanted:
-        PRODUCTS[name].check()
+    _check_needed(wanted, pdf=s.pdf)
     language_of(s.language, [])  # one that there is not is told before anything is measured
-    if s.pdf:
-        check_typesetter()
+    check_cluster(s.cluster)
     adjusted = cache(lambda: adjusted_again(result, progress))  # once for all that needs it
     grids, region = _grid_of(s, result, export, adjusted, progress)
     s = replace(s, store=store_of(out / WORK, s.store, (s.source, *folders)))
@@ -352,3 +350,18 @@ def _check_out(out: Path) -> None:
     others = {p.name for p in out.iterdir()} - {WORK, *PAGES} - files_of_all() if out.is_dir() else set[str]()
     if others:
         raise InputError(f"holds {min(others)}, which is not of a surface; choose another {option('out')}", file=out)
+
+
+def _check_needed(wanted: frozenset[str], *, pdf: bool) -> None:
+    """Raise InputError for all packages at once that are missing for what is asked for."""
+    from raybundle.report.paper.needed import check_typesetter  # noqa: PLC0415
+    from raybundle.workflows.surface_products import PRODUCTS  # noqa: PLC0415
+
+    lacking = dict[str, None]()
+    for check in (*(PRODUCTS[name].check for name in sorted(wanted)), *([check_typesetter] if pdf else [])):
+        try:
+            check()
+        except InputError as error:
+            lacking[str(error)] = None
+    if lacking:
+        raise InputError("; ".join(lacking))

@@ -71,7 +71,7 @@ def write_pages(
     written = (*(p.name for p in out.iterdir()), IN_3D)
     write_surface_page(
         summary, *pages, name=name, remarks=remarks, language=settings.language, rests=rests, written=written,
-        progress=progress,
+        lost=len(done.lost), progress=progress,
     )  # fmt: skip
     given = "" if rests.delivery is None else rests.delivery.record.title
     title = given or language_of(settings.language, [name]).text(f"Surface of {name}")

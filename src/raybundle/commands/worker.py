@@ -63,6 +63,11 @@ def run_worker(
     if settings.cluster:
         from raybundle.pipeline.choosing import on_dask  # noqa: PLC0415  (what computes is loaded after the help)
 
+        if project is not None:
+            raise InputError(
+                f"a worker of a cluster does the tasks of all runs there, and {project} would be left aside; leave it "
+                f"out, or do a share of its tasks with {option('shard', 'I/N')}"
+            )
         on_dask("dask_machines").work(settings.cluster, settings.jobs, told)
         return None
     from raybundle.pipeline.shards import do_shard  # noqa: PLC0415

@@ -13,6 +13,11 @@ LIKELY = 1.1
 """Ratio of what is left in a unit up to which that unit is named."""
 
 
+def precision_unit(sigma: float, unit: str) -> tuple[float, str]:
+    """In what a standard deviation in a unit is read, and how many of it are one: millimetres below a metre."""
+    return (1000.0, "mm") if unit == "m" and not sigma >= 1 else (1.0, unit)
+
+
 def is_other_unit(ratio: float) -> bool:
     """Whether two lengths of one thing differ by more than any measurement errs."""
     return not isfinite(ratio) or ratio <= 0 or abs(log(ratio)) > log(BEYOND)

@@ -47,6 +47,13 @@ def staying_for(cluster: str, jobs: int, memory: float, progress: Progress = sil
     return executor_for(cluster, jobs, memory, progress) if cluster else Staying(jobs, memory)
 
 
+def check_cluster(cluster: str) -> None:
+    """Raise InputError as `executor_for` would, before anything is computed."""
+    if cluster not in {"", SHARDS}:
+        on_dask()
+        cluster_at(cluster)
+
+
 def on_dask(module: str = "on_dask") -> ModuleType:
     """A module that knows Dask; raises InputError where that is not installed."""
     try:

@@ -42,7 +42,8 @@ APPEAR_S = 60.0
 """Within which a file that one machine wrote is seen by another: NFS asks again after at most so long (acdirmax)."""
 MATTERS = ("numpy", "scipy", "opencv-python-headless", "poselib")
 """Distributions beside raybundle by which results may differ in their last digits."""
-RENEW = f"delete {', '.join(CERTIFICATES)} there, start the scheduler again, which makes new ones, and then the workers"
+ANEW = "start the scheduler again, which makes new ones, and then the workers"
+RENEW = f"delete {', '.join(CERTIFICATES)} there, {ANEW}"
 
 
 class NoScheduler(InputError):
@@ -93,9 +94,10 @@ def cluster_at(where: str) -> Cluster:
     found = Cluster(tree.get("address").text(), folder, tree.get("raybundle").text() if tree.has("raybundle") else "")
     missing = [f.name for f in found.files if not f.is_file()]
     if missing:
+        others = [name for name in CERTIFICATES if name not in missing]
+        first = f"delete {', '.join(others)} there, " if others else ""
         raise InputError(
-            f"lacks {', '.join(missing)}: without certificates nothing goes over a network; {RENEW}",
-            file=folder,
+            f"lacks {', '.join(missing)}: without certificates nothing goes over a network; {first}{ANEW}", file=folder
         )
     if not found.address.startswith("tls://"):
         raise InputError(f"{found.address} is not encrypted (tls://); start the scheduler again", file=file)

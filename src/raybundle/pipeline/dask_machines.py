@@ -7,6 +7,7 @@ import os
 import signal
 import sys
 import tempfile
+import time
 from collections.abc import Callable
 from contextlib import suppress
 from dataclasses import dataclass
@@ -33,6 +34,8 @@ from raybundle.settings import option
 
 TELL_S = 60.0
 """Between two lines of a worker that say what it has done."""
+FOLDER_S = 600.0
+"""For which a worker waits for the folder of a cluster: for whoever starts workers first, and the scheduler then."""
 
 
 def make_certificates(folder: Path) -> None:
@@ -171,17 +174,36 @@ class _Telling:
 
 
 async def _there(where: str, telling: _Telling, waited_for: type[InputError]) -> Cluster:
-    """The cluster, when its scheduler answers; raises InputError of other kinds than what is waited for."""
+    """The cluster, when its scheduler answers; raises InputError of other kinds than what is waited for.
+
+    A folder that does not exist is waited for, too, for `FOLDER_S`: a scheduler makes it, and so does a name mistyped.
+    """
+    until = time.monotonic() + FOLDER_S
     while True:
         try:
             cluster = cluster_at(where)
             await asyncio.to_thread(check_answers, cluster)
         except waited_for as error:
-            telling.waiting(error.why if isinstance(error, NoScheduler) else str(error))
+            if _has_folder(where):
+                telling.waiting(error.why if isinstance(error, NoScheduler) else str(error))
+                until = time.monotonic() + FOLDER_S
+            elif time.monotonic() > until:
+                raise InputError(
+                    f"there is no such folder, and none came within {FOLDER_S:g} s; `raybundle scheduler {where}` "
+                    "makes it, and all machines have to see it under this path",
+                    file=where,
+                ) from None
+            else:
+                telling.waiting(f"{where}: there is no such folder; where none comes within {FOLDER_S:g} s this ends")
             await asyncio.sleep(LOOK_S)
         else:
             telling.waits = ""
             return cluster
+
+
+def _has_folder(where: str) -> bool:
+    """Whether a cluster's folder is there; an address needs none."""
+    return "://" in where or Path(where).is_dir()
 
 
 async def _one_worker(where: str, telling: _Telling) -> None:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import re
 import secrets
 from collections.abc import Sequence
 from pathlib import Path
@@ -16,6 +17,9 @@ from raybundle.settings import option
 
 READ_ONLY = {"http", "https"}
 """Protocols by which nothing can be kept."""
+LOCAL = {"file", "local"}
+"""Of folders of this machine, or that it sees"""
+ESCAPED = re.compile(r"%[0-9A-Fa-f]{2}")
 KINDS = "as s3://bucket/folder, gs://, az:// or file:///folder"
 
 
@@ -45,6 +49,7 @@ def check_store(given: str, *, out: Path, apart: Sequence[Path] = (), lasting: b
         raise InputError(
             f"{named} keeps nothing: it lies in the memory of this process and is gone with it; give a place, {KINDS}"
         )
+    _check_place(given, named, scheme)
     try:
         place = objects_at(whole_url(given))
         folder = place.folder
@@ -54,6 +59,21 @@ def check_store(given: str, *, out: Path, apart: Sequence[Path] = (), lasting: b
         _check_written(place, lasting=lasting)
     except StoreLost as error:
         raise InputError(f"{named}: {error.what}") from None
+
+
+def _check_place(given: str, named: str, scheme: str) -> None:
+    """Raise InputError for a URL that names no folder or bucket, or names one as no file system does."""
+    place = given.partition("://")[2]
+    if scheme in LOCAL:
+        if not place.strip("/"):
+            raise InputError(f"{named} names no folder; give one for this project alone, {KINDS}")
+        if escaped := ESCAPED.search(place):
+            raise InputError(
+                f"{named}: a path stands there as it is, and {escaped[0]} would be part of the folder's name; write "
+                "the sign itself, and quote the URL in the shell"
+            )
+    elif "::" not in given and not urlsplit(given).netloc:
+        raise InputError(f"{named} names no bucket: behind :// stands its name, then the folder in it; {KINDS}")
 
 
 def shown_url(url: str) -> str:

@@ -12,6 +12,7 @@ from raybundle.adjustment.result import as_told
 from raybundle.adjustment.severity import Severity
 from raybundle.io.folders import new_files
 from raybundle.numerics.arrays import Array
+from raybundle.numerics.length_units import precision_unit
 from raybundle.numerics.progress import Progress, silent
 from raybundle.report.chapters import Occasion
 from raybundle.report.delivery import delivery_of
@@ -83,7 +84,7 @@ NOTES = (
 
 def write_surface_page(
     summary: SurfaceSummary, *files: Path, name: str, remarks: tuple[str, ...] = (), language: str = ENGLISH,
-    rests: Occasion | None = None, written: Sequence[str] = (), progress: Progress = silent,
+    rests: Occasion | None = None, written: Sequence[str] = (), lost: int = 0, progress: Progress = silent,
 ) -> None:  # fmt: skip
     """Write the page, as HTML or, where a name ends in .pdf, for print; each file needs no other.
 
@@ -91,18 +92,18 @@ def write_surface_page(
     remarks  what was said while the surface was measured
     rests    the adjustment that the surface rests on, with its notices, and who the delivery is for
     written  names of the files beside the page
+    lost     photographs, of those without a part, that were adjusted and are not there or do not fit
     """
     names = [name, *(m.name for m in summary.maps), *(what for what, _ in summary.left_out), *written]
     say = language_of(language, [*names, *(rests.language.names if rests else ())])
-    small = summary.unit == "m" and not summary.position[0] >= 1
-    factor, unit = (1000.0, "mm") if small else (1.0, summary.unit)
+    factor, unit = precision_unit(summary.position[0], summary.unit)
     sections = [_result(summary, factor, unit, remarks, _head(rests)), *_adjustment(rests), *_files(written)]
     if summary.heights is not None:
         sections.append(_heights(summary.heights, factor, unit, summary.unit))
     if summary.orthophoto is not None:
         sections.append(_orthophoto(summary.orthophoto, factor, unit, summary.unit))
     sections += [_maps(summary, factor, unit), _errors(summary, factor, unit)]
-    doubts = " ".join(filter(None, (_doubts(summary), "" if rests is None else verdict_sentence(rests))))
+    doubts = " ".join(filter(None, (_doubts(summary, lost), "" if rests is None else verdict_sentence(rests))))
     given = sum(1 for m in summary.maps if m.given)
     head = f"{grouped(summary.points)} points from {counted(given, 'depth map')}"
     if summary.points:
@@ -111,7 +112,7 @@ def write_surface_page(
     document = Document(
         title=title or say.text(f"Surface of {name}"),
         subtitle=say.text("Dense points, each with its standard deviations"),
-        headline=say.text(f"{head}. {doubts}".strip()), grade=_grade(summary, rests),
+        headline=say.text(f"{head}. {doubts}".strip()), grade=_grade(summary, rests, lost),
         made=tuple(("specialist", section_in(s, say)) for s in sections), divided=False, language=say,
     )  # fmt: skip
     with new_files(*files) as new:
@@ -119,9 +120,9 @@ def write_surface_page(
             file.write_bytes(set_document(document, file, progress))
 
 
-def _grade(s: SurfaceSummary, rests: Occasion | None) -> Grade:
+def _grade(s: SurfaceSummary, rests: Occasion | None, lost: int) -> Grade:
     """Never better than that of the adjustment."""
-    own: Grade = "attention" if not s.points else "remarks" if _doubts(s) else "good"
+    own: Grade = "attention" if not s.points else "remarks" if _doubts(s, lost) else "good"
     order: tuple[Grade, ...] = ("attention", "remarks", "good")
     return own if rests is None else order[min(order.index(own), order.index(grade_of(rests)))]
 
@@ -152,9 +153,9 @@ def _files(written: Sequence[str]) -> list[Section]:
     return [Section(anchor="files", title="Files", parts=(body,))]
 
 
-def _doubts(s: SurfaceSummary) -> str:
+def _doubts(s: SurfaceSummary, lost: int) -> str:
     """What the headline has to add."""
-    told = list[str]()
+    told = [f"{counted(lost, 'photograph')} of the adjustment could not be used"] if lost else []
     few = [m for m in s.maps if m.measured < LOW * m.pixels]
     if few:
         told.append(
@@ -162,8 +163,8 @@ def _doubts(s: SurfaceSummary) -> str:
             if len(few) > 1
             else f"{few[0].name} is covered to {per_cent(few[0].measured / few[0].pixels)}"
         )
-    if s.left_out:
-        told.append(f"{counted(len(s.left_out), 'photograph or pair')} took no part")
+    if others := len(s.left_out) - lost:
+        told.append(f"{counted(others, 'photograph or pair')} took no part")
     return "; ".join(told) + "." if told else ""
 
 

@@ -18,11 +18,14 @@ from raybundle.io.pictures.rectified import toml_text
 from raybundle.io.raster_library import raster_library
 from raybundle.io.reading.trees import read_toml
 from raybundle.numerics.arrays import Array
+from raybundle.numerics.counting import significant
+from raybundle.numerics.length_units import precision_unit
 from raybundle.surfaces.cell_factors import factors_of
 from raybundle.surfaces.height_model import HeightModel, Holes
 from raybundle.surfaces.heights import BETWEEN_MAPS, Heights
 from raybundle.surfaces.node_sums import NodeSums
 from raybundle.surfaces.nodes import of_blocks
+from raybundle.workflows.height_checks import check_orientation, check_place, check_raster, orientation, raster
 from raybundle.workflows.height_grid import HeightGrid
 from raybundle.workflows.height_tiles import BLOCK_CELLS, TILE_CELLS, Window, moved_of, tile_of_number, tiles_across
 from raybundle.workflows.object_plane import MapLevel, Plane
@@ -90,9 +93,14 @@ class HeightFile:
         )  # fmt: skip
 
     @property
+    def system(self) -> str:
+        """Text of the system of a map, with what heights count from where it says so; empty: nothing tells it."""
+        return str(self.plane.get("system", "")) if self.wkt else ""
+
+    @property
     def with_heights(self) -> CRS | None:
         """The system of a map with what heights count from; None where nothing says it."""
-        return system_with_heights(str(self.plane.get("system", ""))) if self.wkt and "system" in self.plane else None
+        return system_with_heights(self.system) if self.system else None
 
     def as_mapping(self) -> dict[str, Any]:
         """What the file holds, beside the numbers of the heights."""
@@ -147,7 +155,8 @@ def write_heights(surface: Surface, file: HeightFile, out: Path) -> tuple[str, .
     sigma = float(np.median(np.concatenate(whole.sigma)))
     unit = f" {file.unit}" if file.unit else ""
     told = f"{file.width} x {file.height} cells of {file.cell:g}{unit}, {share:.0%} of them with a height"
-    return (f"{told}; standard deviation {sigma:.2g}{unit} in the median",)
+    factor, of = precision_unit(sigma, file.unit)
+    return (f"{told}; standard deviation {significant(factor * sigma, 2)} {of}".rstrip() + " in the median",)
 
 
 def _about(file: HeightFile, length: float, apart: float) -> str:
@@ -203,14 +212,17 @@ def read_heights(folder: str | Path) -> tuple[HeightModel, HeightFile]:
         if not (folder / name).is_file():
             raise InputError(f"has no {name}, which surface with a grid of heights writes", file=folder)
     tree = read_toml(folder / ABOUT).tree()
+    check_place(tree)
     numbers = {name: tree.get(name).number() for name in ("left", "top", "pixel", "length_cells")}
-    with library.open(folder / HEIGHTS) as one, library.open(folder / SIGMAS) as many:
-        if (one.width, one.height) != (many.width, many.height) or many.count != len(BANDS):
+    with raster(library, folder / HEIGHTS) as one, raster(library, folder / SIGMAS) as many:
+        check_raster(one, folder / HEIGHTS, tree)
+        check_raster(many, folder / SIGMAS, tree)
+        if many.count != len(BANDS):
             raise InputError(f"{SIGMAS} does not belong to {HEIGHTS}", file=folder)
         height, bands = one.read(1), many.read()
         wkt = many.crs.to_wkt() if many.crs else ""  # in plan
     found = dict(zip(KEPT[1:], bands[1:], strict=True))
-    with np.load(folder / MOVED, allow_pickle=False) as kept:
+    with orientation(folder / MOVED) as kept:
         # older files have one value for each block, or for each node
         moved = kept["nodes"] if "nodes" in kept else of_blocks(kept["moved"])
         moved = moved if moved.ndim == 4 else moved[:, :, None]
@@ -218,6 +230,7 @@ def read_heights(folder: str | Path) -> tuple[HeightModel, HeightFile]:
         block = int(kept["block"])
         holes = Holes(number=kept["holes"], sigma=kept["holes_sigma"]) if "holes" in kept else None
         errors, adjustment = (str(kept[name]) if name in kept else "" for name in ("errors", "adjustment"))
+    check_orientation(folder / MOVED, moved, block, height.shape, [] if holes is None else [holes.number, holes.sigma])
     heights = Heights(
         height=height, local=found["local"], step=np.nan_to_num(found["step"]), orientation=found["orientation"],
         point=found["point"],

@@ -22,6 +22,7 @@ from raybundle.surfaces.height_model import HeightModel
 from raybundle.surfaces.holes import filled
 from raybundle.surfaces.outlines import coverage
 from raybundle.surfaces.resampled import SAME, resampled
+from raybundle.workflows.height_checks import other_heights
 from raybundle.workflows.height_files import HeightFile, read_heights
 
 OUTSIDE = 1e-3
@@ -128,8 +129,10 @@ def areas_in(wkt: str, outlines: Sequence[str], extent: Sequence[float] | None) 
 def _shapes(given: str, name: str) -> tuple[Shape, ...]:
     """What a file or coordinates hold.
 
-    raises  InputError for numbers that are no corners, and as `read_shapes` does
+    raises  InputError for numbers that are no corners, an empty text, and as `read_shapes` does
     """
+    if not given.strip():
+        raise InputError(f"{option(name, given)} is empty; give a file, or corners as X Y, X Y, ...")
     if not Path(given).exists() and re.fullmatch(r"[\d\s.,;+\-eE]+", given) and re.search(r"\d", given):
         pairs = [p.split() for p in re.split(r"[;,]", given)]
         if any(len(p) != 2 or None in map(number_of, p) for p in pairs):
@@ -266,8 +269,15 @@ def _turned(first: Opened, second: Opened) -> tuple[Array | None, Array]:
     if bool(a.wkt) != bool(b.wkt):
         why = "one lies in a map, the other on a plane of the object"
     elif a.wkt and parse_crs(a.wkt) != parse_crs(b.wkt):
-        why = "they are in different coordinate systems"
+        names = [system_name(f.system or f.wkt) for f in (b, a)]
+        why = f"they are in different coordinate systems, {names[0]} and {names[1]}"
     if not why and a.wkt:
+        if other := other_heights(b.system, a.system):
+            raise InputError(
+                f"{other}: a difference would be that of the two; make both surfaces of results in one system of plan "
+                f"and heights ({option('crs', 'EPSG:PLAN+HEIGHT')} of `orient`)",
+                file=second.folder,
+            )
         return None, np.zeros(3)
     p, q = (_axes(f.plane) for f in (a, b))
     if not why and (p is None or q is None):

@@ -15,6 +15,7 @@ from raybundle.io.pictures.rectified import toml_text
 from raybundle.io.raster_library import raster_library
 from raybundle.numerics.arrays import Array
 from raybundle.numerics.counting import counted, grouped, significant
+from raybundle.numerics.length_units import precision_unit
 from raybundle.results.record import STATE
 from raybundle.settings import option
 from raybundle.workflows.height_files import HeightFile
@@ -133,14 +134,16 @@ def _told(surface: Surface, pixels: dict[int, int], sigma: list[Array], of: str)
     if not pixels:
         return (f"{size}, none of them seen",)
     off = np.hypot(*np.concatenate(sigma).T)
-    half, most = (significant(float(np.quantile(off, q)), 2) for q in (0.5, 0.95))
+    factor, unit = precision_unit(float(np.median(off)), of.strip())
+    half, most = (f"{significant(factor * float(np.quantile(off, q)), 2)} {unit}".rstrip() for q in (0.5, 0.95))
     beyond = float((off > g.pixel).mean())
     seen = f"{size}, {share:.0%} of them seen, by {counted(len(pixels), 'photograph')}"
-    good = f"{half}{of} in the median, below {most}{of} for 95 % of them, above a pixel for {beyond:.1%}"
+    good = f"{half} in the median, below {most} for 95 % of them, above a pixel for {beyond:.1%}"
     told = [f"{seen}; standard deviation of a place in plan {good}"]
     if share < MOST_SEEN:
         told.append(
-            f"of its cells {known:.0%} have a height, without which no pixel is seen"
+            f"{known:.0%} of the cells of its heights were measured, gaps of a few cells are closed, and beyond "
+            "these no pixel is seen"
             + (f"; a finer {option('density')} may fill some of the others" if surface.options.density > 1 else "")
         )
     if any(c.is_scene for c in surface.block.cameras):

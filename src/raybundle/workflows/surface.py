@@ -19,7 +19,6 @@ from raybundle.block import Block
 from raybundle.errors import InputError
 from raybundle.io.formats.base import FREE_SCALE, GIVE_SCALE
 from raybundle.io.photos.masks import Masks, find_masks
-from raybundle.io.photos.photo import Photo, read_photo
 from raybundle.measuring.session import adjusted_again
 from raybundle.numerics.counting import counted
 from raybundle.numerics.progress import Progress, silent
@@ -30,6 +29,7 @@ from raybundle.pipeline.store import Folder, kind_of
 from raybundle.settings import option
 from raybundle.surfaces.depth_map import LEAST_SWEEP_BYTES, bytes_needed
 from raybundle.workflows.mask_notices import OF_DEPTHS, mask_notices
+from raybundle.workflows.surface_photographs import Lost, photographs_there
 from raybundle.workflows.surface_pointless import pointless
 from raybundle.workflows.surface_state import Cloud, MadeOrthophoto, MeasuredHeights, SurfaceOptions, SurfaceState
 from raybundle.workflows.surfacing import SURFACE
@@ -57,6 +57,8 @@ class Surface:
     """of that grid, where it was asked for"""
     left_out: tuple[tuple[str, str], ...]
     """photographs and pairs without a part in it, and why"""
+    lost: tuple[Lost, ...] = ()
+    """the first of these: photographs that were adjusted, and are not there or do not fit"""
     pointless: tuple[tuple[str, str], ...] = ()
     """photographs whose depths give no point, and why, where that is not because others know their places better"""
     remarks: tuple[str, ...] = ()
@@ -80,7 +82,7 @@ class Surface:
     def parts(self) -> Iterator[Cloud]:
         """The points of one reference after the other."""
         for _, key in self.clouds:
-            kept = self.store.wanted(key, Cloud.__slots__)
+            kept = self.store.wanted(key, tuple(Cloud.__slots__))
             yield Cloud(**{name: np.asarray(values) for name, values in kept.items()})
 
 
@@ -116,7 +118,7 @@ def surface(
     jobs = jobs or os.cpu_count() or 1
     made = adjusted_again(source, progress) if adjusted is None else adjusted()
     adjustment = _checked(made, source, free_scale=free_scale)
-    found, lost = _photographs(adjustment.adjusted, photos)
+    found, lost = photographs_there(adjustment.adjusted, photos)
     worn = None if masks is None else find_masks(masks, tuple(found.values()))
     project = Project.open(folder, store=store)
     try:
@@ -124,7 +126,7 @@ def surface(
             project=project, executor=executor_for(cluster, jobs, memory, progress), progress=progress, jobs=jobs,
             memory=max(memory, LEAST_SWEEP_BYTES),
         )  # fmt: skip
-        begin = SurfaceState(adjustment=adjustment, photos=found, options=options, masks=worn, left_out=lost)
+        begin = SurfaceState(adjustment=adjustment, photos=found, options=options, masks=worn, lost=lost)
         state = run.workflow(SURFACE, begin)
         clouds = tuple(sorted(state.clouds.items()))
         counts = tuple(len(project.products.wanted(key, ("image",))["image"]) for _, key in clouds)
@@ -133,7 +135,8 @@ def surface(
         return Surface(
             adjustment=adjustment, store=project.products, clouds=clouds, counts=counts, options=options,
             maps=state.maps, sigmas=state.sigmas, heights=state.heights, orthophoto=state.orthophoto,
-            left_out=state.left_out, remarks=(*_remarks(worn), *_beyond(state, memory)),
+            left_out=(*(one.told for one in lost), *state.left_out), lost=lost,
+            remarks=(*_remarks(worn), *_beyond(state, memory)),
             pointless=pointless(state.block, state.clouds, project.products, region=options.region is not None),
             records=tuple(project.records),
         )  # fmt: skip
@@ -199,32 +202,3 @@ def _beyond(state: SurfaceState, memory: float) -> tuple[str, ...]:
         f"alone takes about {most / 1e9:.2g} GB: maps are made one at a time"
     )
     return (what,)
-
-
-def _photographs(block: Block, folders: Sequence[Path]) -> tuple[dict[int, Photo], tuple[tuple[str, str], ...]]:
-    """The photographs of a block's oriented images, and why others take no part."""
-    found, lost = dict[int, Photo](), list[tuple[str, str]]()
-    for i, name in enumerate(block.images.file):
-        ident = block.images.ids[i]
-        if not block.images.oriented[i]:
-            continue
-        path = next((f / name for f in folders if (f / name).is_file()), None)
-        if path is None:
-            lost.append((ident, f"{name} is in none of the folders of the photographs"))
-            continue
-        camera = block.cameras[int(block.images.camera[i])]
-        try:
-            photo = read_photo(path, name=name)
-        except InputError as error:
-            lost.append((ident, str(error)))
-            continue
-        frame = block.images.frames.get(i, camera)
-        if (photo.width_px, photo.height_px) != (frame.width_px, frame.height_px):
-            given, taken = f"{photo.width_px} x {photo.height_px}", f"{frame.width_px} x {frame.height_px}"
-            lost.append((ident, f"{name} has {given} px, its camera {taken}"))
-            continue
-        found[i] = photo
-    if not found:
-        why = f": {lost[0][1]}" if lost else ""
-        raise InputError(f"no photograph of the result was found{why}; say where they are with {option('photos')}")
-    return found, tuple(lost)

@@ -14,6 +14,7 @@ from raybundle.pipeline.stage import Workflow
 from raybundle.surfaces.pairs import Sources
 from raybundle.workflows.height_grid import HeightGrid
 from raybundle.workflows.rectify import Grid
+from raybundle.workflows.surface_photographs import Lost
 from raybundle.workflows.surface_region import SurfaceRegion
 
 
@@ -119,6 +120,8 @@ class SurfaceState:
     photos: Mapping[int, Photo]
     """by image; those that are not there are no references and no sources"""
     options: SurfaceOptions
+    lost: tuple[Lost, ...] = ()
+    """photographs that were adjusted, and are not there or do not fit"""
     masks: Masks | None = None
     """of the photographs; None: they are measured whole"""
     chosen: tuple[Sources, ...] = ()
@@ -137,7 +140,7 @@ class SurfaceState:
     looks: Looks | None = None
     orthophoto: MadeOrthophoto | None = None
     left_out: tuple[tuple[str, str], ...] = ()
-    """photographs and pairs without a part in the surface, and why"""
+    """photographs that are there and pairs without a part in the surface, and why"""
 
     @property
     def block(self) -> Block:

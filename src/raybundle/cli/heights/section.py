@@ -11,6 +11,7 @@ from raybundle.cli.common import FOLDER, NEW_FILE, Command, facts, significant
 from raybundle.cli.heights.words import FREE, LEAST_TOLD, measured, plain
 from raybundle.cli.settings import options_of, values_of
 from raybundle.commands.heights.section import HeightsSectionSettings, run_section
+from raybundle.numerics.length_units import precision_unit
 from raybundle.settings import made
 
 if TYPE_CHECKING:
@@ -59,7 +60,7 @@ def _lines(found: MeasuredSections) -> list[str]:
         lines.append(
             f"{m.name}: {far}, {_share(share)} of it with a height; mean height "
             f"{measured(m.mean.value, m.mean.sigma, found.unit)}; sigma of a place "
-            f"{significant(float(np.median(m.section.sigma[known])), 2)} in the median"
+            f"{_with_unit(float(np.median(m.section.sigma[known])), found.unit)} in the median"
         )
         if share < 1:
             lines.append(f"caution: that mean is of {_share(share)} of the line; of the rest nothing was measured")
@@ -70,6 +71,12 @@ def _lines(found: MeasuredSections) -> list[str]:
     if not found.unit:
         lines.append(FREE)
     return [*lines, *(str(f) for f in found.files)]
+
+
+def _with_unit(sigma: float, unit: str) -> str:
+    """A standard deviation as it is read."""
+    factor, of = precision_unit(sigma, unit)
+    return f"{significant(factor * sigma, 2)} {of}".rstrip()
 
 
 def _share(share: float) -> str:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Sequence
 
 from raybundle.adjustment.result import as_told
 from raybundle.adjustment.severity import POOR_FIT, Severity
@@ -17,6 +18,12 @@ MOST_STEPS = 5
 LONG = 200
 """Characters of a step beyond which its middle is left to the warnings"""
 _CLAUSE = re.compile(r"(?<=[.;]) (?=\D)")
+_REFERS = re.compile(
+    r"(if (so|not|it|they)|otherwise|else|then|so|it|its|they|their|this|that|these|those|both|neither|"
+    r"wenn (ja|nicht|nein|es|sie)|andernfalls|sonst|dann|so|er|es|sie|ihre?|diese[rs]?|dies|das|beide)\b",
+    re.IGNORECASE,
+)
+"""How a clause begins that means something of one before it"""
 FILES = {
     "points.csv": "coordinates of the object points with standard deviations",
     "map.csv": "the same and the stations in the coordinate system",
@@ -135,16 +142,26 @@ def _sentence(message: str) -> Said:
     """
     clauses = _CLAUSE.split(message)
     if len(message) > LONG and len(clauses) > 2:
-        begin = clauses[0]
-        for clause in clauses[1:-1]:
-            if len(begin) + len(clause) > LONG // 2:
-                break
-            begin = f"{begin} {clause}"
-        end = clauses[-1] if len(clauses[-1]) <= LONG else ""
-        stop = message[: len(message) - len(clauses[-1])].rstrip()[-1]  # the last clause is a sentence, or ends one
-        message = f"{begin.rstrip('.;:,')} (…){stop} {end}" if end else f"{begin.rstrip('.;:,')} (…)"
+        message = _shortened(clauses)
     first = message.partition(" ")[0]
     if first.rstrip(",:;").isalpha() and len(first) > 1:  # names of files and symbols stay as they are
         message = message[:1].upper() + message[1:]
     words = unbroken(message)
     return Said(words if words.endswith(".") else f"{words}.")
+
+
+def _shortened(clauses: Sequence[str]) -> str:
+    """The first clauses of a message and the last ones, from one on that refers to none before it."""
+    last = len(clauses) - 1
+    while last > 0 and _REFERS.match(clauses[last]):
+        last -= 1
+    first = 1
+    while first < last and len(" ".join(clauses[: first + 1])) <= LONG // 2:
+        first += 1
+    begin, end, whole = f"{' '.join(clauses[:first]).rstrip('.;:,')} (…)", " ".join(clauses[last:]), " ".join(clauses)
+    if first >= last:  # all of them hang together
+        return whole if len(whole) <= 2 * LONG else begin
+    stop = clauses[last - 1][-1]  # the last clauses are a sentence, or end one
+    if len(end) > LONG:  # what refers to a clause goes before it does
+        end = f"{clauses[last].rstrip('.;:,')} (…)" if last < len(clauses) - 1 and len(clauses[last]) <= LONG else ""
+    return f"{begin}{stop} {end}" if end else begin

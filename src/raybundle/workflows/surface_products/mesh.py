@@ -13,6 +13,7 @@ from raybundle.io.folders import new_files
 from raybundle.io.formats.ply import write_vertices
 from raybundle.numerics.arrays import Array
 from raybundle.numerics.counting import counted, grouped, significant
+from raybundle.numerics.length_units import precision_unit
 from raybundle.workflows.surface import Surface
 from raybundle.workflows.surface_mesh import Mesh, mesh_of
 from raybundle.workflows.surface_product import Context, Product, Written, register
@@ -35,9 +36,11 @@ def _write(surface: Surface, out: Path, context: Context) -> Written:
         mtl.write_text(f"newmtl surface\nKa 0 0 0\nKd 1 1 1\nKs 0 0 0\nillum 1\nmap_Kd {PICTURE}\n", encoding="ascii")
         _write_obj(obj, mesh, unit)
         _write_glb(glb, mesh, picture, unit)
+    sigma = float(np.median(mesh.sigma))
+    factor, of = precision_unit(sigma, unit)
     told = (
         f"{grouped(len(mesh.xyz))} vertices, {counted(len(mesh.triangles), 'triangle')}; standard deviation of a "
-        f"height {significant(float(np.median(mesh.sigma)), 2)} {unit}".rstrip() + " in the median"
+        f"height {significant(factor * sigma, 2)} {of}".rstrip() + " in the median"
     )  # fmt: skip
     return Written(files=tuple(out / f for f in FILES), told=(told,))
 

@@ -12,6 +12,7 @@ from raybundle.surfaces.depth_map import depth_range
 from raybundle.surfaces.pairs import Sources, sources_of_each
 from raybundle.surfaces.rays import ReferenceRays
 from raybundle.surfaces.region import shown_part
+from raybundle.workflows.surface_photographs import Lost, lost_words
 from raybundle.workflows.surface_region import SurfaceRegion
 from raybundle.workflows.surface_state import SURFACE, SurfaceState
 
@@ -24,6 +25,8 @@ class Inputs:
     images: tuple[int, ...]
     """those whose photographs are there"""
     region: SurfaceRegion | None
+    lost: tuple[Lost, ...]
+    """those that are not"""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -49,8 +52,9 @@ def choose(i: Inputs, means: Means) -> Chosen:
         if refused:
             p = max(refused, key=lambda p: p.points)
             why = f"as {ids[p.reference]} and {ids[p.source]}: {p.refusal}"
+        gone = f"; {lost_words(i.lost, len(there) + len(i.lost))}" if i.lost else ""
         raise InputError(
-            f"a surface needs two photographs that show the same part of the object from different places; {why}"
+            f"a surface needs two photographs that show the same part of the object from different places; {why}{gone}"
         )
     if i.region is None:
         return Chosen(sources=tuple(found))
@@ -111,6 +115,6 @@ def _told(state: SurfaceState) -> str:
 STAGE = SURFACE.register(
     Stage(
         name="sources", function=choose, put=_put, told=_told, little=True,
-        inputs=lambda s: Inputs(block=s.block, images=tuple(sorted(s.photos)), region=s.options.region),
+        inputs=lambda s: Inputs(block=s.block, images=tuple(sorted(s.photos)), region=s.options.region, lost=s.lost),
     )
 )  # fmt: skip

@@ -1,0 +1,194 @@
+"""Whether the files of heights belong together: where rasters lie, what orientation does, what heights count from."""
+
+from __future__ import annotations
+
+import warnings
+from collections.abc import Generator, Mapping, Sequence
+from contextlib import contextmanager
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, get_args
+
+import numpy as np
+
+from raybundle.block.block import LengthUnit
+from raybundle.errors import InputError
+from raybundle.io.geo.parsed_systems import parse_crs, plan_of, system_name, told_grid
+from raybundle.io.geo.told_systems import plan_system
+from raybundle.io.reading.trees import Json
+from raybundle.io.reading.words import quoted
+from raybundle.numerics.arrays import Array
+from raybundle.pipeline.archives import DAMAGED
+
+if TYPE_CHECKING:
+    from pyproj import CRS
+
+AGAIN = "run `surface` again with the same settings, which writes it anew"
+WHOLE = "take the files as `surface` wrote them: crop and convert copies of them"
+ROUNDING_CELLS, ROUNDING = 1e-3, 1e-9
+"""By which a place in a raster may differ from heights.toml: of a cell, and of the coordinate itself"""
+SAME_PLACE = 0.1
+"""Of a cell, by which two texts of one system may put a place apart"""
+
+
+def check_place(tree: Json) -> None:
+    """Raise InputError where heights.toml tells no place that a grid can have."""
+    for name in ("pixel", "length_cells"):
+        if not tree.get(name).number() > 0:
+            tree.get(name).fail(f"{tree.get(name).number():g} is no size; it must be more than 0")
+    for name in ("width_px", "height_px"):
+        tree.get(name).whole()
+    if not 0 <= tree.optional("between_maps", 0.0) <= 1:
+        tree.get("between_maps").fail(f"{tree.get('between_maps').number():g} is no correlation from 0 to 1")
+    unit = tree.get("unit").text() if tree.has("unit") else ""
+    known = ("", *get_args(LengthUnit), *_units_of(tree))
+    if unit not in known:
+        tree.get("unit").fail(f"{quoted(unit)} is no unit of heights; known are {', '.join(u for u in known if u)}")
+
+
+def _units_of(tree: Json) -> tuple[str, ...]:
+    """What the unit of the system is called, where there is one; raises InputError for a text that names none."""
+    if not tree.has("system"):
+        return ()
+    try:
+        system = plan_system(tree.get("system").text())
+    except InputError as error:
+        tree.get("system").fail(error.args[0])
+    return () if system is None else (system.axis_info[0].unit_name,)
+
+
+@contextmanager
+def raster(library: Any, path: Path) -> Generator[Any]:
+    """A raster that is open; raises InputError, naming it, where it cannot be read or is cut off."""
+    try:
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore")  # of the library, about rasters without a place: that is told here
+            with library.open(path) as file:
+                yield file
+    except library.errors.RasterioError as error:
+        why = str(error).splitlines()[0][:200]
+        raise InputError(f"cannot be read as a raster ({why}); {AGAIN}", file=path) from None
+
+
+def check_raster(file: Any, path: Path, tree: Json) -> None:
+    """Raise InputError, with the numbers, where a raster does not lie where heights.toml says.
+
+    file  that rasterio has opened
+    tree  heights.toml
+    """
+    about = tree.file.name
+    told = tuple(tree.get(name).whole() for name in ("width_px", "height_px"))
+    if (file.width, file.height) != told:
+        raise InputError(
+            f"has {file.width} x {file.height} cells, and {about} says {told[0]} x {told[1]}; {WHOLE}", file=path
+        )
+    left, top, pixel = (tree.get(name).number() for name in ("left", "top", "pixel"))
+    t = file.transform
+    wanted = {
+        "left": (left, t.c),
+        "top": (top, t.f),
+        "width of a cell": (pixel, t.a),
+        "height of a cell": (pixel, -t.e),
+    }
+    for what, (said, found) in wanted.items():
+        allowed = max(ROUNDING_CELLS * pixel / (1 if what in {"left", "top"} else max(told)), ROUNDING * abs(said))
+        if not abs(found - said) <= allowed:
+            raise InputError(f"its {what} is {found:.12g}, and {about} says {said:.12g}; {WHOLE}", file=path)
+    if abs(t.b) > 0 or abs(t.d) > 0:
+        raise InputError(f"its rows are turned against the axes, and {about} knows of no turn; {WHOLE}", file=path)
+    if file.crs and tree.has("system"):
+        corners = np.array([[left, top], [left + told[0] * pixel, top - told[1] * pixel]])
+        _check_system(file.crs.to_wkt(), path, tree.get("system").text(), about, corners, pixel)
+
+
+def _check_system(wkt: str, path: Path, system: str, about: str, corners: Array, pixel: float) -> None:
+    """Raise InputError where a raster is in another system than heights.toml says."""
+    mine, told = plan_of(wkt), plan_system(system)
+    same = told is not None and _one_plan(mine, told, corners, pixel)
+    if same and parse_crs(wkt).is_compound and parse_crs(system).is_compound:
+        codes = [parse_crs(s).sub_crs_list[1].to_epsg() for s in (wkt, system)]
+        same = None in codes or codes[0] == codes[1]
+    if not same:
+        raise InputError(f"is in {system_name(wkt)}, and {about} says {system_name(system)}; {WHOLE}", file=path)
+
+
+def _one_plan(mine: CRS, told: CRS, corners: Array, pixel: float) -> bool:
+    """Whether two texts mean one plan system: a GeoTIFF keeps no name and no datum that nobody registered."""
+    if mine.equals(told, ignore_axis_order=True):
+        return True
+    codes = [s.to_epsg(min_confidence=100) for s in (mine, told)]
+    if None not in codes:
+        return codes[0] == codes[1]
+    if not mine.is_projected:
+        return False
+    from pyproj import Proj  # noqa: PLC0415  (only where a coordinate system is used)
+
+    there = Proj(mine)(*Proj(told)(*corners.T, inverse=True))
+    apart = np.abs(np.stack(there, axis=1) - corners).max()
+    return bool(apart <= SAME_PLACE * pixel)
+
+
+@contextmanager
+def orientation(path: Path) -> Generator[Mapping[str, Array]]:
+    """What heights_orientation.npz holds; raises InputError, naming it, where it is damaged or something is missing."""
+    try:
+        with path.open("rb") as file, np.load(file, allow_pickle=False) as kept:
+            yield kept
+    except DAMAGED as error:
+        missing = f"holds no {error.args[0]}" if isinstance(error, KeyError) and error.args else "is damaged"
+        raise InputError(f"{missing}; {AGAIN}", file=path) from None
+
+
+def check_orientation(
+    path: Path, nodes: Array, block: int, shape: tuple[int, int], holes: Sequence[Array] = ()
+) -> None:
+    """Raise InputError where what orientation does is not of heights of so many rows and columns.
+
+    nodes  (node rows, node columns, ...) at the corners of blocks of so many cells
+    holes  (rows, columns) of each cell
+    """
+    if block < 1:
+        raise InputError(f"has blocks of {block} cells; {AGAIN}", file=path)
+    wanted = tuple(-(-n // block) + 1 for n in shape)
+    if nodes.ndim < 3 or nodes.shape[:2] != wanted:
+        found = " x ".join(map(str, nodes.shape[:2]))
+        raise InputError(
+            f"is of another surface: it has {found or 'no'} nodes, and heights of {shape[0]} rows and {shape[1]} "
+            f"columns have {wanted[0]} x {wanted[1]}; {AGAIN}",
+            file=path,
+        )
+    if nodes.dtype.kind != "f" or not np.isfinite(nodes).all():
+        raise InputError(f"holds what is no finite number; {AGAIN}", file=path)
+    if any(h.shape != shape for h in holes):
+        raise InputError(f"holds filled holes of another surface; {AGAIN}", file=path)
+
+
+def other_heights(one: str, other: str) -> str:
+    """Why heights in two systems of one plan are not of one kind; empty: nothing speaks against it.
+
+    one, other  texts of systems; empty: it is not known.  Of two that say nothing nothing is known, and they are taken
+                as of one kind.
+    """
+    said = [_counted_from(s) for s in (one, other)]
+    if said[0] == said[1]:
+        return ""
+    if None in said:
+        k = said.index(None)
+        names = [system_name(s) if s else "its map" for s in (one, other)]
+        other = f"those in {names[1 - k]} count as {said[1 - k]}"
+        return f"nothing says what the heights in {names[k]} count from, and {other}"
+    return f"heights in {system_name(one)} count as {said[0]}, and those in {system_name(other)} as {said[1]}"
+
+
+def _counted_from(system: str) -> str | None:
+    """What heights in a system count from, in words; None where it does not say."""
+    if not system:
+        return None
+    found = parse_crs(system)
+    if found.is_compound:
+        high = found.sub_crs_list[1]
+        code = high.to_authority(min_confidence=100)
+        if code:
+            return f"{high.name} ({':'.join(code)})"
+        grid = told_grid(system)
+        return f"heights by {grid}" if grid else high.name
+    return "heights above the ellipsoid" if len(found.axis_info) == 3 else None

@@ -1,0 +1,165 @@
+"""Heights whose files do not belong together, through the door: refused with the file and the number, status 2."""
+
+import numpy as np
+import pytest
+
+from raybundle.cli.main import main
+from raybundle.io.geo.told_systems import plan_system, system_with_heights
+from raybundle.io.pictures.geotiff import system_text
+from raybundle.workflows.height_files import read_heights
+from tests.surface.height_models import folder_of, made
+
+rasterio = pytest.importorskip("rasterio")
+SHAPE = (40, 64)
+UTM = rasterio.crs.CRS.from_epsg(32632).to_wkt()
+
+
+def mapped(folder, system, height=0.0):
+    """Heights in a map; system: "" where heights.toml says none."""
+    plane = {"system": system} if system else {}
+    return folder_of(made(np.full(SHAPE, height)), folder, wkt=UTM, plane=plane, left=5e5, top=5.2e6)
+
+
+def refused(capsys, *words):
+    capsys.readouterr()
+    assert main([*map(str, words)]) == 2
+    return capsys.readouterr().err
+
+
+@pytest.fixture
+def wall(tmp_path):
+    return folder_of(made(np.zeros(SHAPE)), tmp_path / "wall")
+
+
+@pytest.mark.parametrize(
+    ("one", "other", "words"),
+    [
+        ("EPSG:32632+5773", "EPSG:32632+ellipsoid", "EGM96 height (EPSG:5773)"),
+        ("EPSG:32632+3855", "EPSG:32632+5773", "EGM2008 height (EPSG:3855)"),
+        ("EPSG:32632+5773", "EPSG:32632", "nothing says what the heights in EPSG:32632 count from"),
+        ("", "EPSG:32632+ellipsoid", "nothing says what the heights in its map count from"),
+    ],
+)
+def test_heights_that_count_from_different_things_are_not_compared(tmp_path, capsys, one, other, words):
+    first, second = mapped(tmp_path / "one", one), mapped(tmp_path / "other", other, 47.0)
+    for command in (("difference", first, second), ("difference", second, first), ("volume", first, "--above", second)):
+        said = refused(capsys, "heights", *command)
+        assert words in said
+        assert "make both surfaces of results in one system of plan and heights (--crs EPSG:PLAN+HEIGHT" in said
+        assert all(name in said for name in (one, other) if name)
+
+
+@pytest.mark.parametrize("system", ["", "EPSG:32632", "EPSG:32632+5773", "EPSG:32632+ellipsoid"])
+def test_heights_that_count_from_the_same_are_compared(tmp_path, capsys, system):
+    one, other = mapped(tmp_path / "one", system), mapped(tmp_path / "other", system, 0.1)
+    assert main(["heights", "difference", str(one), str(other), "--out", str(tmp_path / "d")]) == 0
+
+
+def test_an_older_text_of_the_same_heights_is_the_same(tmp_path, capsys):
+    system = rasterio.crs.CRS.from_user_input("EPSG:32632+5773").to_wkt()
+    one, other = mapped(tmp_path / "one", "EPSG:32632+5773"), mapped(tmp_path / "other", system)
+    assert main(["heights", "volume", str(one), "--above", str(other)]) == 0
+
+
+@pytest.mark.parametrize("name", ["heights.tif", "heights_sigma.tif"])
+def test_a_raster_that_was_cropped_or_moved_is_refused(wall, capsys, name):
+    path = wall / name
+    whole = path.read_bytes()
+    with rasterio.open(path) as file:
+        profile, values = file.profile, file.read()
+    t = profile["transform"]
+
+    def kept(values, transform):
+        shape = {"height": values.shape[1], "width": values.shape[2]}
+        with rasterio.open(path, "w", **{**profile, **shape, "transform": transform}) as file:
+            file.write(values)
+        return refused(capsys, "heights", "volume", wall, "--above", 0)
+
+    said = kept(values[:, 4:, 8:], t @ rasterio.Affine.translation(8, 4))
+    assert f"{name}: has 56 x 36 cells, and heights.toml says 64 x 40" in said
+    said = kept(values, t @ rasterio.Affine.translation(8, 0))
+    assert f"{name}: its left is 0.08, and heights.toml says 0" in said
+    said = kept(values, t @ rasterio.Affine.scale(1.01))
+    assert f"{name}: its width of a cell is 0.0101, and heights.toml says 0.01" in said
+    assert "as `surface` wrote them" in said
+    for cut, words in ((4, "cannot be read as a raster"), (len(whole) - 40, "its top is 0, and")):
+        path.write_bytes(whole[:cut])
+        assert f"{name}: {words}" in refused(capsys, "heights", "volume", wall, "--above", 0)
+
+
+def test_a_raster_of_another_system_is_refused(tmp_path, capsys):
+    folder = mapped(tmp_path / "one", "EPSG:25832+7837")
+    assert "heights_sigma.tif: is in EPSG:32632, and heights.toml says EPSG:25832+7837" in refused(
+        capsys, "heights", "volume", folder, "--above", 0
+    )
+
+
+def test_a_system_of_ones_own_is_read_again(tmp_path):
+    """What a GeoTIFF keeps of it has another name, and nothing of the shift of its datum."""
+    system = (
+        "+proj=tmerc +lat_0=46 +lon_0=7.5 +k=0.9999 +x_0=500000 +ellps=bessel +towgs84=674,15,405 +units=m +type=crs"
+    )
+    wkt = rasterio.crs.CRS.from_user_input(system).to_wkt()
+    folder = folder_of(made(np.zeros(SHAPE)), tmp_path / "own", wkt=wkt, plane={"system": system}, left=5e5, top=2e5)
+    assert read_heights(folder)[1].left == 5e5
+
+
+@pytest.mark.parametrize(
+    ("was", "now", "words"),
+    [
+        ("pixel = 0.01", "pixel = 0.0", "0 is no size"),
+        ("pixel = 0.01", "pixel = -0.01", "-0.01 is no size"),
+        ("pixel = 0.01", "pixel = nan", "finite"),
+        ('unit = "m"', 'unit = "parsec"', "'parsec' is no unit of heights; known are m, mm"),
+        ("width_px = 64", "width_px = 0", "is not a whole number"),
+    ],
+)
+def test_a_place_that_no_grid_has_is_refused(wall, capsys, was, now, words):
+    path = wall / "heights.toml"
+    text = path.read_text()
+    assert was in text
+    path.write_text(text.replace(was, now))
+    said = refused(capsys, "heights", "volume", wall, "--above", 0)
+    assert "heights.toml" in said
+    assert words in said
+
+
+@pytest.mark.parametrize("damage", ["empty", "cut off", "text", "array", "of another surface", "without nodes"])
+def test_damaged_orientation_is_refused(wall, tmp_path, capsys, damage):
+    path = wall / "heights_orientation.npz"
+    whole = path.read_bytes()
+    if damage == "of another surface":
+        other = folder_of(made(np.zeros((200, 300))), tmp_path / "other")
+        whole = (other / path.name).read_bytes()
+        words = "is of another surface: it has 8 x 11 nodes, and heights of 40 rows and 64 columns have 3 x 3"
+    else:
+        words = {"without nodes": "holds no "}.get(damage, "is damaged")
+    if damage in {"array", "without nodes"}:
+        with path.open("wb") as file:
+            np.save(file, np.zeros(3)) if damage == "array" else np.savez(file, block=np.array(32))
+    else:
+        path.write_bytes(
+            {"empty": b"", "cut off": whole[: len(whole) // 2], "text": b"nothing of this\n"}.get(damage, whole)
+        )
+    said = refused(capsys, "heights", "volume", wall, "--above", 0)
+    assert f"{path.name}: {words}" in said
+    assert "run `surface` again" in said
+
+
+def test_the_end_of_a_file_is_no_interruption(wall, capsys, monkeypatch):
+    def ended(folder):
+        raise EOFError("no data left")
+
+    monkeypatch.setattr("raybundle.workflows.heights_read.read_heights", ended)
+    assert main(["heights", "volume", str(wall), "--above", "0"]) == 1
+    assert "internal error EOFError: no data left" in capsys.readouterr().err
+
+
+@pytest.mark.parametrize("system", ["EPSG:32632+ellipsoid", "EPSG:25832+ellipsoid", "EPSG:2926+6360"])
+def test_a_system_that_stands_beside_the_raster_is_its_own(tmp_path, system):
+    """As `surface` writes it for heights above the ellipsoid, and a system in feet."""
+    wkt = plan_system(system).to_wkt()
+    height = made(np.zeros(SHAPE))
+    folder = folder_of(height, tmp_path / "one", wkt=wkt, plane={"system": system}, left=5e5, top=5.2e6)
+    (folder / "heights.tif.aux.xml").write_text(system_text(system_with_heights(system).to_wkt()))
+    assert read_heights(folder)[1].system == system
