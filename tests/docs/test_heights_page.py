@@ -28,4 +28,8 @@ def test_figures_are_those_of_the_benchmark():
         assert m["regions"] == 1
         assert abs(m["mean_mm"] - m["by_mm"]) < 2 * m["sigma_mm"]
         assert abs(m["area"] - 0.09) < 2 * m["area_sigma"]
-    assert 0.7 < found["halves"]["off_steps"]["robust_chi2"] < 1.4
+    apart = found["halves"]["off_steps"]["robust_chi2"]
+    assert apart < 1.4
+    assert f"off steps they differ by less than stated (robust chi-square {apart:.2f})" in page
+    steps = found["steps"]["measured"]
+    assert f"correlate by {steps['1']:.2f}, over 24 cells by {steps['24']:.2f}" in page
