@@ -61,7 +61,7 @@ class Section:
         holes = self.model.holes
         if holes is None:
             return np.zeros(len(self.height), bool)
-        return ((self.weights > 0) & holes.filled.ravel()[self.cells]).any(axis=1)
+        return np.asarray(((self.weights > 0) & holes.filled.ravel()[self.cells]).any(axis=1))
 
     @property
     def filled_share(self) -> float:
