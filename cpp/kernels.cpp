@@ -1,7 +1,10 @@
 // The passes over all observations.  Compiled once per instruction set (RB_ARCH names the namespace).
 #include <algorithm>
+#include <atomic>
 #include <cmath>
+#include <condition_variable>
 #include <cstring>
+#include <mutex>
 #include <thread>
 #include <type_traits>
 
@@ -195,16 +198,55 @@ template <bool Plain> static void gather_couplings(const Problem& q, int p, int6
   }
 }
 
-static void for_threads(int threads, const Problem& q, const auto& work) {
-  // equal shares of observations, cut between points: the same cut gives the same sums
-  std::vector<int> cut(threads + 1, q.points);
+// The points are cut into pieces by the problem alone: sums over them, one piece after the other, have the same bits
+// whatever the number of threads.  A piece has so many observations at least, and where each has sums of its own, of
+// `length` numbers, there are only as many as keep setting these to zero and adding them a small part of the work.
+constexpr int64_t kLeast = 2000, kWorth = 34;
+constexpr int kMostPieces = 8;
+
+static int pieces_of(const Problem& q, int64_t length = 0) {
+  int64_t n = std::min<int64_t>(q.observations / kLeast, kMostPieces);
+  if (length > 0) n = std::min(n, 1 + kWorth * q.observations / length);
+  return int(std::max<int64_t>(n, 1));
+}
+
+// Pieces whose sums are added in their order, whoever has them ready first.
+class Turns {
+ public:
+  void wait(int piece) {
+    std::unique_lock lock(mutex_);
+    ready_.wait(lock, [&] { return now_ == piece; });
+  }
+  void done() {
+    {
+      std::lock_guard lock(mutex_);
+      ++now_;
+    }
+    ready_.notify_all();
+  }
+
+ private:
+  std::mutex mutex_;
+  std::condition_variable ready_;
+  int now_ = 0;
+};
+
+// Calls work(own, piece, first point, last point) for all pieces; `own` are numbers of the thread.
+static void for_pieces(int threads, int pieces, const Problem& q, const auto& work) {
+  // equal shares of observations, cut between points
+  std::vector<int> cut(pieces + 1, q.points);
   cut[0] = 0;
-  for (int t = 1; t < threads; ++t)
-    cut[t] = int(std::upper_bound(q.first.begin(), q.first.end(), int64_t(q.observations) * t / threads) - q.first.begin()) - 1;
-  for (int t = 1; t <= threads; ++t) cut[t] = std::max(cut[t], cut[t - 1]);
+  for (int k = 1; k < pieces; ++k)
+    cut[k] = int(std::upper_bound(q.first.begin(), q.first.end(), int64_t(q.observations) * k / pieces) - q.first.begin()) - 1;
+  for (int k = 1; k <= pieces; ++k) cut[k] = std::max(cut[k], cut[k - 1]);
+  std::atomic<int> next{0};
+  const auto some = [&] {
+    std::vector<double> own;
+    for (int k = next++; k < pieces; k = next++) work(own, k, cut[k], cut[k + 1]);
+  };
   std::vector<std::thread> pool;
-  for (int t = 1; t < threads; ++t) pool.emplace_back([&, t] { work(t, cut[t], cut[t + 1]); });
-  work(0, cut[0], cut[1]);
+  for (int t = 1; t < std::min(threads, pieces); ++t) pool.emplace_back(some);
+  some();
   for (auto& thread : pool) thread.join();
 }
 
@@ -234,13 +276,14 @@ template <bool Plain>
 static Totals reduce_as(const Problem& q, const State& s, int threads, double* values, double* right, double* diagonal) {
   const int64_t length = q.block_start.back();
   const int64_t N = q.unknowns;
-  std::vector<Totals> totals(threads);
-  std::vector<std::vector<double>> own(threads);
-  for_threads(threads, q, [&](int t, int begin, int end) {
+  const int pieces = pieces_of(q, length);
+  std::vector<Totals> totals(pieces);
+  Turns turns;
+  for_pieces(threads, pieces, q, [&](std::vector<double>& own, int piece, int begin, int end) {
     double *S = values, *g = right, *U = diagonal;
-    if (t > 0) {
-      own[t].assign(length + 2 * N, 0.0);
-      S = own[t].data();
+    if (piece > 0) {
+      own.assign(length + 2 * N, 0.0);
+      S = own.data();
       g = S + length;
       U = g + N;
     } else {
@@ -248,7 +291,7 @@ static Totals reduce_as(const Problem& q, const State& s, int threads, double* v
       std::fill_n(right, N, 0.0);
       std::fill_n(diagonal, N, 0.0);
     }
-    Totals& total = totals[t];
+    Totals& total = totals[piece];
     Chunk c;
     std::vector<double> w(int64_t(q.largest_point_nodes) * 3 * q.coupling_stride), z(w.size());
     for_runs(q, begin, end, [&](int pb, int pe, int64_t base) {
@@ -320,29 +363,22 @@ static Totals reduce_as(const Problem& q, const State& s, int threads, double* v
         }
       }
     });
+    if (piece > 0) {
+      turns.wait(piece);
+      for (int64_t i = 0; i < length; ++i) values[i] += S[i];
+      for (int64_t i = 0; i < N; ++i) {
+        right[i] += g[i];
+        diagonal[i] += U[i];
+      }
+    }
+    turns.done();
   });
   Totals sum = std::move(totals[0]);
-  for (int t = 1; t < threads; ++t) {
-    sum.cost += totals[t].cost;
-    sum.behind += totals[t].behind;
-    sum.diverged += totals[t].diverged;
-    sum.weak.insert(sum.weak.end(), totals[t].weak.begin(), totals[t].weak.end());
-  }
-  if (threads > 1) {
-    std::vector<std::thread> pool;
-    const auto add = [&](int part) {
-      const int64_t b = length * part / threads, e = length * (part + 1) / threads;
-      for (int t = 1; t < threads; ++t)
-        for (int64_t i = b; i < e; ++i) values[i] += own[t][i];
-    };
-    for (int t = 1; t < threads; ++t) pool.emplace_back(add, t);
-    add(0);
-    for (auto& thread : pool) thread.join();
-    for (int t = 1; t < threads; ++t)
-      for (int64_t i = 0; i < N; ++i) {
-        right[i] += own[t][length + i];
-        diagonal[i] += own[t][length + N + i];
-      }
+  for (int k = 1; k < pieces; ++k) {
+    sum.cost += totals[k].cost;
+    sum.behind += totals[k].behind;
+    sum.diverged += totals[k].diverged;
+    sum.weak.insert(sum.weak.end(), totals[k].weak.begin(), totals[k].weak.end());
   }
   return sum;
 }
@@ -352,9 +388,10 @@ static Totals reduce(const Problem& q, const State& s, int threads, double* valu
 }
 
 static Totals back_substitute(const Problem& q, const State& s, int threads, const double* step, double* points) {
-  std::vector<Totals> totals(threads);
-  for_threads(threads, q, [&](int t, int begin, int end) {
-    Totals& total = totals[t];
+  const int pieces = pieces_of(q);
+  std::vector<Totals> totals(pieces);
+  for_pieces(threads, pieces, q, [&](std::vector<double>&, int piece, int begin, int end) {
+    Totals& total = totals[piece];
     Chunk c;
     std::vector<double> u;
     for_runs(q, begin, end, [&](int pb, int pe, int64_t base) {
@@ -408,9 +445,10 @@ static Totals back_substitute(const Problem& q, const State& s, int threads, con
 }
 
 static Totals evaluate(const Problem& q, const State& s, int threads, double* residuals, uint8_t* behind) {
-  std::vector<Totals> totals(threads);
-  for_threads(threads, q, [&](int t, int begin, int end) {
-    Totals& total = totals[t];
+  const int pieces = pieces_of(q);
+  std::vector<Totals> totals(pieces);
+  for_pieces(threads, pieces, q, [&](std::vector<double>&, int piece, int begin, int end) {
+    Totals& total = totals[piece];
     Chunk c;
     for_runs(q, begin, end, [&](int pb, int pe, int64_t base) {
       linearise<Want::value>(q, s, base, q.first[pe], c);
@@ -436,10 +474,11 @@ constexpr int kColumns = 16;  // right sides solved together
 // right (N, columns) -= W V^-1 given (p, 3, columns): the reduced right side of right sides given for the points.
 static void condense(const Problem& q, const State& s, int threads, int columns, const double* given, double* right) {
   const int kStride = q.coupling_stride;
-  std::vector<std::vector<double>> own(threads);
-  for_threads(threads, q, [&](int t, int begin, int end) {
-    if (t > 0) own[t].assign(size_t(q.unknowns) * columns, 0.0);
-    double* out = t > 0 ? own[t].data() : right;
+  const int64_t length = int64_t(q.unknowns) * columns;
+  Turns turns;
+  for_pieces(threads, pieces_of(q, length), q, [&](std::vector<double>& own, int piece, int begin, int end) {
+    if (piece > 0) own.assign(length, 0.0);
+    double* out = piece > 0 ? own.data() : right;
     Chunk c;
     std::vector<double> w(int64_t(q.largest_point_nodes) * 3 * kStride);
     for_runs(q, begin, end, [&](int pb, int pe, int64_t base) {
@@ -471,16 +510,19 @@ static void condense(const Problem& q, const State& s, int threads, int columns,
         }
       }
     });
+    if (piece > 0) {
+      turns.wait(piece);
+      for (int64_t i = 0; i < length; ++i) right[i] += own[i];
+    }
+    turns.done();
   });
-  for (int t = 1; t < threads; ++t)
-    for (size_t i = 0; i < own[t].size(); ++i) right[i] += own[t][i];
 }
 
 // points (p, 3, columns) = V^-1 (given - W' nodes (N, columns)): the eliminated part of a solution;
 // retained points are copied.
 static void expand(const Problem& q, const State& s, int threads, int columns, const double* nodes, const double* given, double* points) {
   const int kStride = q.coupling_stride;
-  for_threads(threads, q, [&](int, int begin, int end) {
+  for_pieces(threads, pieces_of(q), q, [&](std::vector<double>&, int, int begin, int end) {
     Chunk c;
     std::vector<double> w(int64_t(q.largest_point_nodes) * 3 * kStride);
     for_runs(q, begin, end, [&](int pb, int pe, int64_t base) {

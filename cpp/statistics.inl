@@ -48,7 +48,7 @@ static void statistics_of(const Problem& q, const State& s, int threads, const d
     for (int r = 0; r < rows; ++r)
       for (int x = 0; x < cols; ++x) to[x * rows + r] = from[r * cols + x];
   }
-  for_threads(threads, q, [&](int, int begin, int end) {
+  for_pieces(threads, pieces_of(q), q, [&](std::vector<double>&, int, int begin, int end) {
     Chunk c;
     const int64_t room = int64_t(q.largest_point_nodes) * 3 * q.coupling_stride;
     std::vector<double> y(room), tt(room);

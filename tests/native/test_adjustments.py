@@ -6,12 +6,15 @@ import subprocess
 import sys
 from dataclasses import replace
 
+import numpy as np
 import pytest
 
 from raybundle.adjustment import normals as normals_module
 from raybundle.adjustment.engine import adjust_block
 from raybundle.adjustment.options import AdjustmentOptions
 from raybundle.numerics import native
+from raybundle.planning.scenes import AerialStrips, aerial_scene
+from raybundle.planning.simulate import Survey, simulate
 from raybundle.platforms import Carried
 from raybundle.sensors import sensor_models
 from tests.native.cases import CASES, block_of, own_model, same, two_cameras
@@ -61,6 +64,23 @@ def test_a_robust_start_ends_in_the_same_least_squares(monkeypatch):
 def test_the_same_numbers_on_one_and_three_threads():
     block = block_of(scale_bars=1)
     same(*(adjust_block(block, replace(TIGHT, jobs=t)) for t in (1, 3)))
+
+
+def test_sums_have_the_same_bits_for_any_number_of_threads():
+    """Also of so many image points that each thread has work: pieces are cut by the block alone."""
+    survey = Survey(control=8, orientation="exact", points="exact", interior="exact")
+    block = simulate(aerial_scene(AerialStrips(strips=4, images_per_strip=10, points_per_image=500)), survey).observed
+    assert len(block.observations) > 16_000
+    one, *others = (adjust_block(block, replace(TIGHT, jobs=t)) for t in (1, 2, 5))
+    for other in others:
+        assert other.sigma0 == one.sigma0
+        for found in (lambda a: a.adjusted.points.xyz, lambda a: a.adjusted.images.centre, points_of):
+            np.testing.assert_array_equal(found(other), found(one))
+
+
+def points_of(adjustment):
+    """Cofactors of object points, as the statistics give them."""
+    return np.asarray(adjustment.precision.object_points)
 
 
 @pytest.fixture

@@ -53,6 +53,9 @@ AT_WORKERS = 1e9
 """Bytes of parts that a worker of a cluster holds ready: half of what docs/how-to/cluster.md asks for one."""
 FACTOR = 3.0
 """Times its own size that a factor takes while it is made and inverted."""
+SUMS = 7
+"""Times the matrix itself that normal equations take with what four threads sum up: a number that does not follow the
+processors, so that all machines cut alike."""
 ORDERED = 60_000
 """Nodes of the normal equations (images, cameras) beyond which they are not ordered in one piece."""
 
@@ -210,7 +213,7 @@ class Within:
 def bytes_of(normals: Normals) -> float:
     """Bytes of normal equations and their factor while they are made and inverted."""
     entries = float(getattr(normals.solver, "factor_entries", 0))
-    return 8.0 * (FACTOR * entries + (3 + normals.threads) * len(normals.values))
+    return 8.0 * (FACTOR * entries + SUMS * len(normals.values))
 
 
 @contextmanager
