@@ -2,8 +2,7 @@
 
 Slopes are those of planes through heights nearby: of the widest square whose plane leaves no more than noise does, else
 of three by three cells.  A plane across a step is no surface: there a cell takes that of a square beside it which the
-step leaves out; what a step does to heights is counted for itself (`relief`).  Against the exact geometry of a rendered
-portal, cells of 2 cm, a wider last square or a wider first one has larger errors.
+step leaves out; what a step does to heights is counted for itself (`relief`).
 """
 
 from __future__ import annotations
