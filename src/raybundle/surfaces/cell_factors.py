@@ -14,6 +14,7 @@ import numpy as np
 from scipy.special import fdtri
 
 from raybundle.numerics.arrays import Array
+from raybundle.surfaces.grids import shifted
 from raybundle.surfaces.heights import STEEPEST
 from raybundle.surfaces.nodes import at_cells
 from raybundle.surfaces.relief import CHANCE, Planes, planes
@@ -89,20 +90,10 @@ def _beside_steps(p: Planes, noise: Array) -> tuple[Array, Array]:
     scatter = np.where(p.count >= FEWEST, p.scatter, np.inf)
     best, best_right, best_down = scatter, p.right, p.down
     for dy, dx in product((-SIDES[0], 0, SIDES[0]), repeat=2):
-        there, right, down = (_shifted(x, dy, dx) for x in (scatter, p.right, p.down))
+        there, right, down = (shifted(shifted(x, dy, 0, np.inf), dx, 1, np.inf) for x in (scatter, p.right, p.down))
         better = there < best
         best, best_right, best_down = (
             np.where(better, a, b) for a, b in ((there, best), (right, best_right), (down, best_down))
         )
     step = np.isfinite(best) & (scatter > np.maximum(OTHER * np.maximum(best, noise), STEP**2))
     return np.where(step, best_right, p.right), np.where(step, best_down, p.down)
-
-
-def _shifted(values: Array, down: int, right: int) -> Array:
-    """Those of cells so far down and to the right; beyond the grid they are infinite."""
-    found = np.full(values.shape, np.inf)
-    rows, columns = values.shape
-    into = slice(max(-down, 0), rows - max(down, 0)), slice(max(-right, 0), columns - max(right, 0))
-    of = slice(max(down, 0), rows + min(down, 0)), slice(max(right, 0), columns + min(right, 0))
-    found[into] = values[of]
-    return found

@@ -11,11 +11,11 @@ from dataclasses import dataclass
 from importlib import import_module
 from typing import Any
 
-import cv2
 import numpy as np
 
 from raybundle.errors import InputError
 from raybundle.numerics.arrays import Array
+from raybundle.surfaces.grids import filtered
 from raybundle.surfaces.height_model import HeightModel
 
 WIDTHS = (0.7, 1.0, 1.4, 2.0, 2.8, 4.0)
@@ -80,19 +80,15 @@ def smoothed(model: HeightModel) -> Array:
     for width in WIDTHS:
         n = int(np.ceil(3 * width))
         kernel = np.exp(-(np.arange(-n, n + 1.0) ** 2) / (2 * width**2))
-        total = np.maximum(_filtered(known.astype(float), kernel), 1e-12)
-        estimate = _filtered(height, kernel) / total
+        total = np.maximum(filtered(known.astype(float), kernel), 1e-12)
+        estimate = filtered(height, kernel) / total
         # neighbours whose errors are one count once
-        variance = _filtered(noise, kernel**2) / total**2 * correlated
+        variance = filtered(noise, kernel**2) / total**2 * correlated
         sigma = np.sqrt(np.minimum(variance, noise))
         low, high = np.maximum(low, estimate - CONFIDENCE * sigma), np.minimum(high, estimate + CONFIDENCE * sigma)
         going &= low <= high
         best = np.where(going, estimate, best)
     return np.where(known, best, np.nan)
-
-
-def _filtered(values: Array, kernel: Array) -> Array:
-    return cv2.sepFilter2D(values, cv2.CV_64F, kernel, kernel, borderType=cv2.BORDER_CONSTANT)
 
 
 def _contourpy() -> Any:

@@ -9,12 +9,12 @@ from __future__ import annotations
 
 from dataclasses import dataclass, replace
 
-import cv2
 import numpy as np
 
 from raybundle.errors import InputError
 from raybundle.numerics.arrays import Array, Index, Mask
 from raybundle.surfaces.cell_factors import factors_of
+from raybundle.surfaces.grids import filtered
 from raybundle.surfaces.heights import BETWEEN_MAPS, Heights, between
 from raybundle.surfaces.nodes import covariances, splat
 from raybundle.surfaces.relief import alike, variance_by_steps
@@ -155,7 +155,7 @@ class HeightModel:
         n = int(np.ceil(REACH * self.length)) + 1
         steps = np.arange(-n, n + 1.0)
         kernel = between(steps, np.zeros(1), self.length) / np.sqrt(between(np.zeros(1), np.zeros(1), self.length))
-        around = _filtered(s, kernel)
+        around = filtered(s, kernel)
         return float((s * around).sum() - kernel[n] ** 2 * (s**2).sum())
 
     def _moved(self, weights: Array) -> Array:
@@ -189,9 +189,3 @@ class HeightModel:
             self.moved, self.block, (r.ravel(), c.ravel()), (r2.ravel(), c2.ravel()), self.factors
         )  # fmt: skip
         return found + by_orientation.reshape(found.shape)
-
-
-def _filtered(s: Array, kernel: Array) -> Array:
-    return cv2.sepFilter2D(
-        np.ascontiguousarray(s, np.float64), cv2.CV_64F, kernel, kernel, borderType=cv2.BORDER_CONSTANT
-    )

@@ -18,6 +18,7 @@ from scipy.ndimage import binary_fill_holes
 from scipy.special import chdtri, ndtri
 
 from raybundle.numerics.arrays import Array, Mask
+from raybundle.surfaces.grids import filtered
 from raybundle.surfaces.height_model import HeightModel, SumOfHeights
 from raybundle.surfaces.heights import between
 from raybundle.surfaces.holes import parts_of
@@ -243,10 +244,10 @@ def _correlated(model: HeightModel, known: Mask, s: Array) -> Array:
     n = int(np.ceil(3 * model.length)) + 1
     kernel = between(np.arange(-n, n + 1.0), np.zeros(1), model.length)
     kernel = kernel / np.sqrt(between(np.zeros(1), np.zeros(1), model.length))
-    found = own**2 + point * (_filtered(point, kernel) - kernel[n] ** 2 * point)
+    found = own**2 + point * (filtered(point, kernel) - kernel[n] ** 2 * point)
     length = step_length(model.length)
     n = int(np.ceil(3 * length))
-    found += step * _filtered(step, np.exp(-((np.arange(-n, n + 1.0) / length) ** 2)))
+    found += step * filtered(step, np.exp(-((np.arange(-n, n + 1.0) / length) ** 2)))
     if model.holes is not None:
         found += np.where(known, model.holes.sigma / s, 0.0) ** 2
     return found
@@ -371,7 +372,3 @@ def _whole(model: HeightModel, free: Mask) -> WholeMovement:
         shift=sums[0], tilt=(sums[1].value, sums[2].value), tilt_sigma=(sums[1].sigma, sums[2].sigma),
         chi2=float(value @ np.linalg.solve(cov, value)),
     )  # fmt: skip
-
-
-def _filtered(values: Array, kernel: Array) -> Array:
-    return cv2.sepFilter2D(values, cv2.CV_64F, kernel, kernel, borderType=cv2.BORDER_CONSTANT)

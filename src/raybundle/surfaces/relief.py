@@ -20,6 +20,7 @@ import numpy as np
 from scipy.special import fdtri
 
 from raybundle.numerics.arrays import Array
+from raybundle.surfaces.grids import filtered
 
 PIXEL = 1 / 3.8
 """Width of a pixel in lengths of correlation, which are twice the 1.9 px of a window's weights"""
@@ -79,7 +80,7 @@ def variance_by_steps(s: Array, length: float) -> float:
         t = t.reshape(rows // side, side, columns // side, side).sum(axis=(1, 3))
         n = int(np.ceil(REACH * distance / side))
         kernel = np.exp(-((np.arange(-n, n + 1.0) * side / distance) ** 2))
-        around = cv2.sepFilter2D(t, cv2.CV_64F, kernel, kernel, borderType=cv2.BORDER_CONSTANT)
+        around = filtered(t, kernel)
         found += share * max(float((t * around).sum()), 0.0)
     return found
 

@@ -15,6 +15,7 @@ import numpy as np
 from scipy.signal import convolve2d
 
 from raybundle.numerics.arrays import Array, Mask
+from raybundle.surfaces.grids import shifted
 from raybundle.surfaces.height_model import REACH, HeightModel
 from raybundle.surfaces.heights import between
 
@@ -243,12 +244,3 @@ def _least(model: HeightModel) -> Array | None:
     least = np.full(int(number.max()) + 1, np.inf)
     np.minimum.at(least, number.ravel(), variance.ravel())
     return least
-
-
-def shifted(values: Array, by: int, axis: int, beyond: float = np.nan) -> Array:
-    """(rows, columns) what lies so many cells further along an axis."""
-    found = np.roll(values, -by, axis=axis).astype(float)
-    edge = [slice(None), slice(None)]
-    edge[axis] = slice(-by, None) if by > 0 else slice(None, -by)
-    found[tuple(edge)] = beyond
-    return found

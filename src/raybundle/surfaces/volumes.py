@@ -9,9 +9,10 @@ import numpy as np
 
 from raybundle.errors import InputError
 from raybundle.numerics.arrays import Array, Index
+from raybundle.surfaces.grids import shifted
 from raybundle.surfaces.height_model import HeightModel, SumOfHeights
 from raybundle.surfaces.sections import between_middles
-from raybundle.surfaces.true_areas import shifted, true_area
+from raybundle.surfaces.true_areas import true_area
 
 FEWEST = 3
 """Places along the outline that tell a plane."""
