@@ -194,14 +194,14 @@ def test_what_fails_is_tried_three_times(flaky, copies):
     shutil.rmtree(copies)
     for plan in ([OSError("line"), TimeoutError("line")], [1.0, 0.5, 1.0], [1.0, 0.0, 0.7]):
         Flaky.plan = [*plan]
-        flaky.place.damaged(KEY, again=False)
+        flaky.place.damaged(KEY, again=False, which=None)
         np.testing.assert_array_equal(flaky.load(KEY)["a"], PRODUCT["a"])
         assert not Flaky.plan
     other = key_of("test", 2)
     Flaky.plan = [FileNotFoundError("no folder there"), 0.3, 1.0]  # is a folder at its place, half of it, its length
     flaky.store(other, PRODUCT)
     assert len(Flaky.store) == 3, "two products and the token, nothing beside"
-    flaky.place.damaged(other, again=False)
+    flaky.place.damaged(other, again=False, which=None)
     assert flaky.load(other)["a"][-1] == 999.0
 
 
@@ -215,7 +215,7 @@ def test_what_fails_is_tried_three_times(flaky, copies):
 )
 def test_what_fails_three_times_stops_everything_and_says_what_to_do(flaky, error, told, copies):
     shutil.rmtree(copies)
-    flaky.place.damaged(KEY, again=False)
+    flaky.place.damaged(KEY, again=False, which=None)
     Flaky.plan = [error] * 3
     with pytest.raises(StoreLost, match=rf"^flaky://bucket/site: {told}.*It was tried 3 times; what is finished is"):
         flaky.has(KEY)
@@ -230,7 +230,7 @@ def test_what_fails_three_times_stops_everything_and_says_what_to_do(flaky, erro
 
 
 def test_an_object_of_which_a_part_comes_each_time_is_no_damaged_one(flaky, copies):
-    flaky.place.damaged(KEY, again=False)
+    flaky.place.damaged(KEY, again=False, which=None)
     Flaky.plan = [1.0, 0.5, 0.5, 0.5]
     with pytest.raises(StoreLost, match="cannot be reached ..* of .* bytes came"):
         flaky.load(KEY)

@@ -5,9 +5,10 @@ import pytest
 
 from raybundle.errors import InputError
 from raybundle.io.block.arrays import arrays_of_block, block_of_arrays
+from raybundle.pipeline import store as stores
 from raybundle.pipeline.keys import key_of
 from raybundle.pipeline.project import Project
-from raybundle.pipeline.store import writing
+from raybundle.pipeline.store import Files, writing
 from raybundle.planning.scenes import TargetField, field_scene
 from raybundle.planning.simulate import Survey, simulate
 
@@ -36,6 +37,34 @@ def test_a_damaged_product_is_made_again(project, size):
     file.write_bytes(file.read_bytes()[:size])
     assert project.products.load(key) is None
     assert not project.products.has(key)
+
+
+def test_who_finds_a_product_damaged_leaves_the_one_that_another_has_made_since(project, monkeypatch):
+    """Two read the damaged file at once; the slower one says so when the quicker one has made it again."""
+    key = key_of("start", 1)
+    store = project.products
+    store.store(key, {"a": np.arange(100.0)})
+    (file,) = (project.folder / "cache").glob("*/start-*.npz")
+    data = bytearray(file.read_bytes())
+    data[300] ^= 255
+    file.write_bytes(data)
+    damaged, is_complete = Files.damaged, stores.is_complete
+
+    def late(files, *arguments, **named):
+        store.store(key, {"a": np.arange(100.0)})
+        damaged(files, *arguments, **named)
+
+    monkeypatch.setattr(Files, "damaged", late)
+    assert store.load(key)["a"].tolist() == list(range(100))
+
+    def cut(path):  # was found so, and is made again before the file is removed
+        store.store(key, {"a": np.arange(100.0)})
+        return is_complete(path.with_name("no such file"))
+
+    monkeypatch.setattr(stores, "is_complete", cut)
+    assert not store.has(key)
+    monkeypatch.undo()
+    assert store.has(key)
 
 
 def test_a_product_under_the_name_of_another_is_made_again(project):

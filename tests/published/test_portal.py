@@ -9,6 +9,7 @@ from scipy.stats import chi2
 from raybundle.cli.demo_set import errors, given_of, normalised, run
 from raybundle.cli.main import main
 from raybundle.io.block.folder import read_block
+from raybundle.pipeline.project import photographs_of
 from raybundle.workflows.orient import OrientOptions, orient
 
 PORTAL = Path(__file__).resolve().parents[2] / "demo_data/portal"
@@ -111,3 +112,4 @@ def test_status_of_the_demonstration_tells_its_report(project, portal, capsys):
     capsys.readouterr()
     assert main(["status", str(project)]) == 0
     assert "not done" not in capsys.readouterr().out
+    assert photographs_of(project / "result") == (PORTAL / "photos",)  # what `surface` asks for

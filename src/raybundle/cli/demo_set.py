@@ -28,6 +28,7 @@ def run(folder: Path, out: Path, progress: str) -> None:
     from raybundle.commands.orient import report_stage, write_orientation  # noqa: PLC0415
     from raybundle.errors import InputError  # noqa: PLC0415
     from raybundle.io.block.folder import read_block  # noqa: PLC0415
+    from raybundle.pipeline.project import PHOTOGRAPHS_IN  # noqa: PLC0415
     from raybundle.report.text.summary import summary_lines  # noqa: PLC0415
     from raybundle.results.folder import check_target  # noqa: PLC0415
     from raybundle.workflows.orient import orient  # noqa: PLC0415
@@ -46,7 +47,8 @@ def run(folder: Path, out: Path, progress: str) -> None:
     with reporting(progress) as tell:
         done = orient([folder / "photos"], out, given=given, progress=tell)
         with report_stage(out, done.stages):
-            write_orientation(done, result, report="html", progress=tell)
+            known = {PHOTOGRAPHS_IN: [str((folder / "photos").resolve())]}  # what is made of the result asks for them
+            write_orientation(done, result, report="html", progress=tell, additions=known)
     a = done.adjustment
     click.echo("\n".join(["", *interior_lines(truth, a), "", *place_lines(truth, a), ""]))
     click.echo(f" {done.oriented} of {counted(len(done.photos), 'photograph')} oriented")

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Generator, Sequence
+from collections.abc import Generator, Mapping, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass, replace
 from pathlib import Path
@@ -316,10 +316,12 @@ def write_orientation(
     done: Orientation, result: Path, *, report: Literal["html", "none"], progress: Progress,
     settings: dict[str, str] | None = None, wanted: AccuracyClass | None = None, record: Record | None = None,
     pdf: bool = False, all_coordinates: bool = False, language: str = ENGLISH,
+    additions: Mapping[str, object] | None = None,
 ) -> None:  # fmt: skip
     """Write the result folder of oriented photographs.
 
     settings  what was asked for beside the defaults, for the report
+    additions  further keys of result.json
     wanted    accuracy that is asked for at check points
     record    title, client and operator
     """
@@ -329,8 +331,8 @@ def write_orientation(
     facts = replace(facts_of(done), settings=tuple((settings or {}).items()))
     write_result(
         done.adjustment, result, report=report, pdf=pdf, all_coordinates=all_coordinates, language=language,
-        additions=done.additions(), photographs=facts, frame=done.frame, wanted=wanted, record=record,
-        progress=progress,
+        additions={**done.additions(), **(additions or {})}, photographs=facts, frame=done.frame, wanted=wanted,
+        record=record, progress=progress,
     )  # fmt: skip
     for k, part in enumerate(done.other_components):
         write_result(

@@ -26,7 +26,7 @@ from urllib.parse import urlsplit
 from raybundle.errors import InputError
 from raybundle.pipeline.archives import write_archive
 from raybundle.pipeline.copies import Copies, copies_folder
-from raybundle.pipeline.store import FULL, Product, StoreLost, kind_of
+from raybundle.pipeline.store import FULL, FileMark, Product, StoreLost, kind_of
 
 TRIES, PAUSE_S = 3, 0.5
 """Times that something is tried, and the pause before the second, doubled before each further one."""
@@ -122,8 +122,9 @@ class Objects:
 
         self._tried(get, writes_here=True)
 
-    def damaged(self, key: str, again: bool) -> None:  # noqa: FBT001
+    def damaged(self, key: str, again: bool, which: FileMark | None) -> None:  # noqa: FBT001
         """Remove the copy; where it was got anew and is damaged again, the object."""
+        del which  # a good copy that goes with it is got once more
         if self._copies is not None:
             self._copies.forget(key)
         if again:

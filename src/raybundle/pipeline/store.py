@@ -96,8 +96,11 @@ class Place(Protocol):
         """A file on this machine; None: there is none.  Another process may take it away before it is opened."""
         ...
 
-    def damaged(self, key: str, again: bool) -> None:  # noqa: FBT001  (which of two)
-        """Remove a file whose numbers are wrong; `again`: also the second one that was read."""
+    def damaged(self, key: str, again: bool, which: FileMark | None) -> None:  # noqa: FBT001  (which of two)
+        """Remove a file whose numbers are wrong; `again`: also the second one that was read.
+
+        which   the file that was read: where another stands there now, someone has made the product again, and it stays
+        """
         ...
 
     def keep(self, key: str, product: Product) -> None:
@@ -127,6 +130,19 @@ class Place(Protocol):
     def clear(self) -> None:
         """Remove everything that is ours."""
         ...
+
+
+FileMark = tuple[int, int, int]
+"""What tells a file from another one that is put in its place: number, time [ns], length."""
+
+
+def mark_of(file: Path | int) -> FileMark | None:
+    """Of a path, or a file that is open; None where there is none."""
+    try:
+        now = os.fstat(file) if isinstance(file, int) else file.stat()
+    except OSError:
+        return None
+    return now.st_ino, now.st_mtime_ns, now.st_size
 
 
 def kind_of(key: str) -> str:
@@ -160,11 +176,12 @@ class Files:
 
     def has(self, key: str) -> bool:
         """Whether a file is there in its whole length; one that was cut is removed.  Its numbers are not read."""
+        which = mark_of(self._path(key))  # before it is read: what is made again meanwhile stays
         if is_complete(self._path(key)):
             return True
-        if self._path(key).exists():
+        if which is not None:
             self.cut.add(key)
-            self.forget(key)
+            self._forget_this(key, which)
         return False
 
     def those(self, keys: Sequence[str]) -> set[str]:
@@ -176,10 +193,15 @@ class Files:
         path = self._path(key)
         return path if path.exists() else None
 
-    def damaged(self, key: str, again: bool) -> None:  # noqa: FBT001
+    def damaged(self, key: str, again: bool, which: FileMark | None) -> None:  # noqa: FBT001
         """Remove it."""
         del again
-        self.forget(key)
+        self._forget_this(key, which)
+
+    def _forget_this(self, key: str, which: FileMark | None) -> None:
+        """Remove a file, not the one that another process or thread has put in its place since."""
+        if which is None or mark_of(self._path(key)) == which:
+            self.forget(key)
 
     def keep(self, key: str, product: Product) -> None:
         """Write beside its place, and rename."""
@@ -272,8 +294,8 @@ class Folder:
     _held: OrderedDict[str, dict[str, Array]] = field(
         default_factory=OrderedDict[str, dict[str, Array]], repr=False, compare=False
     )
-    _verified: dict[str, tuple[tuple[int, int, int], set[int]]] = field(
-        default_factory=dict[str, tuple[tuple[int, int, int], set[int]]], repr=False, compare=False
+    _verified: dict[str, tuple[FileMark | None, set[int]]] = field(
+        default_factory=dict[str, tuple[FileMark | None, set[int]]], repr=False, compare=False
     )
     """of each product its file (number, time, length), and where arrays begin whose sums were right"""
     _lock: Lock = field(default_factory=Lock, repr=False, compare=False)
@@ -324,8 +346,10 @@ class Folder:
             path = self.place.file(key)
             if path is None:
                 break
+            which = None
             try:
                 with path.open("rb") as file:
+                    which = mark_of(file.fileno())
                     members = members_of(file)
                     if str(read_member(file, members[KEY])) != key:
                         raise ValueError(path.name)  # another product under this name
@@ -334,7 +358,7 @@ class Folder:
             except FileNotFoundError:
                 continue
             except DAMAGED:
-                self.place.damaged(key, damaged)
+                self.place.damaged(key, damaged, which)
                 damaged = True
         if damaged:  # not a copy alone
             self.mended.add(key)
@@ -342,8 +366,7 @@ class Folder:
 
     def _known(self, key: str, number: int) -> set[int]:
         """Where the arrays of a file begin that this process has verified."""
-        now = os.fstat(number)
-        file = now.st_ino, now.st_mtime_ns, now.st_size
+        file = mark_of(number)
         with self._lock:
             before, known = self._verified.get(key, (None, set[int]()))
             if before != file:
