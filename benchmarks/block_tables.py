@@ -6,7 +6,6 @@ writes benchmarks/results/block_tables.json
 
 import json
 import platform
-import resource
 import subprocess
 import sys
 import tempfile
@@ -15,6 +14,7 @@ from importlib import metadata
 from pathlib import Path
 
 import numpy as np
+from runs import peak_mb
 
 from raybundle.block import Block, Images, Observations, Points, Role
 from raybundle.io.block.folder import read_block, write_block
@@ -52,10 +52,6 @@ def block_of(rows):
             xyz=rng.uniform(0, 1000, (p, 3)), sigma=np.full((p, 3), np.nan),
         ),
     )  # fmt: skip
-
-
-def peak_mb():
-    return resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / 1024
 
 
 def one(what, kind, rows, folder):

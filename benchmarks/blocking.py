@@ -15,7 +15,6 @@ from __future__ import annotations
 import argparse
 import json
 import os
-import resource
 import subprocess
 import sys
 import tempfile
@@ -28,6 +27,7 @@ os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
 
 import numpy as np
 from blocks import block_from_npz
+from runs import peak_mb
 from scipy.sparse import csr_matrix
 from scipy.sparse.csgraph import connected_components
 
@@ -200,7 +200,7 @@ def worker(what: str, images: int, folder: Path) -> dict[str, object]:
             "image points": int(made.network.counts.sum()), "tree nodes": len(made.network.tree),
             "largest front": max(f.size for f in made.network.fronts),
         }  # fmt: skip
-    peak = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / 1024
+    peak = peak_mb()
     return {**told, "CPU s": time.process_time() - began, "peak MB": peak}
 
 
@@ -230,7 +230,7 @@ def graph(images: int, leaf: int, worth: float) -> dict[str, object]:
         "images": count, "image points": count * SEEN // RAYS * RAYS, "pairs that meet": met.nnz // 2,
         "CPU s, graph": made - began, "CPU s, cut": time.process_time() - made, "tree nodes": len(tree),
         "largest separator, images": max(len(o) for o, c in zip(tree.own, tree.children, strict=True) if c),
-        "peak MB": resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / 1024,
+        "peak MB": peak_mb(),
     }  # fmt: skip
 
 

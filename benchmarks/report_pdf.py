@@ -6,7 +6,6 @@ Run: python benchmarks/report_pdf.py > benchmarks/results/report_pdf.json       
 import json
 import os
 import platform
-import resource
 import subprocess
 import sys
 import tempfile
@@ -16,6 +15,7 @@ from io import BytesIO
 from pathlib import Path
 
 from pypdf import PdfReader
+from runs import peak_mb
 
 from raybundle import adjust
 from raybundle.planning.scenes import AerialStrips, aerial_scene
@@ -25,10 +25,6 @@ from raybundle.report.paper import copy
 
 DENSITIES = (355, 3550, 8900)
 """Points an image: about 2 000, 20 000 and 50 000 in the block."""
-
-
-def peak_mb() -> float:
-    return resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / 1024
 
 
 def one(density: int, how: str) -> dict:

@@ -6,12 +6,13 @@ for each; writes benchmarks/results/report_sizes.json
 
 import json
 import platform
-import resource
 import subprocess
 import sys
 import tempfile
 import time
 from pathlib import Path
+
+from runs import peak_mb
 
 from raybundle import adjust
 from raybundle.planning.scenes import AerialStrips, aerial_scene
@@ -41,7 +42,7 @@ def one(strips, images, points):
             write(result, Path(folder) / name)
             told[f"{name}, MB"] = round((Path(folder) / name).stat().st_size / 1e6, 2)
             told[f"{name}, CPU s"] = round(time.process_time() - began, 1)
-    print(json.dumps(told | {"peak MB": round(resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / 1024)}))
+    print(json.dumps(told | {"peak MB": round(peak_mb())}))
 
 
 def main():

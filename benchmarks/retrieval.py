@@ -13,7 +13,6 @@ from __future__ import annotations
 
 import argparse
 import json
-import resource
 import shutil
 import sys
 import time
@@ -21,7 +20,7 @@ from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
-from runs import measured
+from runs import measured, peak_mb
 
 from raybundle.io.photos.photo import find_photos
 from raybundle.matching.methods import feature_method
@@ -125,7 +124,7 @@ def search(images: int) -> dict:
     return {
         "images": images,
         "CPU s": round(spent, 1),
-        "peak memory MB": round(resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / 1024),
+        "peak memory MB": round(peak_mb()),
         "share of the ten neighbours found": round(float(near.mean()) / 10, 4),
     }
 

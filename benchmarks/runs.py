@@ -58,6 +58,20 @@ def measured(
         }
 
 
+def peak_mb(*, anew: bool = False) -> float:
+    """Peak memory of this process since it was last asked anew; NaN where the system does not tell.
+
+    What `getrusage` says of a process that another one started counts that other one's memory, too.
+    """
+    try:
+        if anew:
+            Path("/proc/self/clear_refs").write_text("5")
+        status = Path("/proc/self/status").read_text()
+    except OSError:
+        return math.nan
+    return int(status.split("VmHWM:")[1].split()[0]) / 1024
+
+
 def similarity(source: np.ndarray, target: np.ndarray) -> tuple[float, np.ndarray, np.ndarray]:
     """Scale, rotation and shift, target_from_source (Umeyama 1991)."""
     a, b = source - source.mean(axis=0), target - target.mean(axis=0)

@@ -19,7 +19,6 @@ import argparse
 import datetime as dt
 import json
 import os
-import resource
 import tempfile
 from dataclasses import asdict, replace
 from pathlib import Path
@@ -29,6 +28,7 @@ os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
 import msgspec
 import numpy as np
 from run import machine
+from runs import peak_mb
 from simulated_workers import efficiencies
 
 from raybundle.blocking.columns import InFiles
@@ -74,7 +74,7 @@ def record(columns: Path, leaf: int) -> dict:
     return {
         "images": len(bare.images), "image points": int(network.counts.sum()), "object points": of.points,
         "iterations": of.found.iterations, "CPU s": of.seconds, "cutting s": of.cutting_s, "disk": of.disk,
-        "peak MB": resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / 1024,
+        "peak MB": peak_mb(),
         "parent": network.tree.parent.tolist(), "own": [f.columns for f in network.fronts],
         "size": [f.size for f in network.fronts], "counts": network.counts.tolist(),
         "records": [asdict(r) for r in of.records],

@@ -28,7 +28,7 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 
 import numpy as np
-from runs import measured
+from runs import measured, peak_mb
 from scipy.spatial import KDTree
 
 from raybundle.commands.orient import write_orientation
@@ -168,17 +168,6 @@ def keep(project: Project, flight: Flight, method_name: str, rng: np.random.Gene
             rows = []
     project.store_small(rows)
     return FeatureStore(project.products, keys)
-
-
-def peak_mb(*, anew: bool = False) -> float:
-    """Peak memory of this process since it was last asked anew; NaN where the system does not tell."""
-    try:
-        if anew:
-            Path("/proc/self/clear_refs").write_text("5")
-        status = Path("/proc/self/status").read_text()
-    except OSError:
-        return math.nan
-    return int(status.split("VmHWM:")[1].split()[0]) / 1024
 
 
 @dataclass

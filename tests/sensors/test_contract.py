@@ -88,6 +88,18 @@ def test_ray_inverts_the_projection(model):
 
 
 @models
+def test_a_ray_in_closed_form_is_the_one_that_newton_finds(model):
+    if not model.by_image:
+        pytest.skip("its rays are found by iteration")
+    image = np.stack([a.ravel() for a in np.meshgrid(*(np.linspace(-1, 1, 9) * n for n in FORMAT))])
+    start = np.stack([*image, np.full(image.shape[1], -model.typical[0])])
+    found = model.ray(image, model.typical)
+    np.testing.assert_allclose(found, model.ray(image, model.typical, start), atol=1e-14)
+    each = np.repeat(model.typical[:, None], image.shape[1], axis=1)
+    np.testing.assert_array_equal(found, model.ray(image, each))
+
+
+@models
 def test_the_weights_transform_without_a_fold(model):
     """B = dg / d(x, y) keeps its orientation over the format: the reparametrisation is one-to-one there."""
     x, y = (a.ravel() for a in np.meshgrid(np.linspace(-1, 1, 25) * FORMAT[0], np.linspace(-1, 1, 25) * FORMAT[1]))

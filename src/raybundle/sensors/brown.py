@@ -14,6 +14,7 @@ class Brown(SensorModel):
     """
 
     name = "brown"
+    by_image = True
     parameters = (
         Parameter("c", "mm", "camera constant", 28.0, kind="scale"),
         Parameter("x0", "mm", "principal point", typical=0.03, kind="principal point"),

@@ -18,6 +18,7 @@ class BrownHarmonic(SensorModel):
     """
 
     name = "brown_harmonic"
+    by_image = True
     parameters = (
         *Brown.parameters,
         Parameter("B1", "mm^-2", "twofold distortion", typical=5e-7, kind="harmonic"),

@@ -70,6 +70,8 @@ class SensorModel:
     condition: ClassVar[Callable[..., tuple[Scalar, Scalar]]]
     explicit: ClassVar[bool | None] = None
     """Whether the condition reads x - f(X, Y, Z, parameters); None: found out from the condition."""
+    by_image: ClassVar[bool] = False
+    """Whether it reads f(x, y, parameters) + c (X, Y) / Z, c the first parameter: distortion is one of image points"""
     fixes_scale: ClassVar[bool] = False
     """Whether the model itself knows lengths in object space, as a satellite scene does."""
     followers: ClassVar[list[Callable[[SensorModel], None]]] = []
@@ -237,9 +239,14 @@ class SensorModel:
     def ray(self, image: Array, values: Array, start: Array | None = None) -> Array:
         """Unit viewing directions (3, n) in the sensor frame of image points (2, n) [mm].
 
-        Newton on the unit sphere with the derived Jacobian, from `start` or the central projection.
+        Newton on the unit sphere with the derived Jacobian, from `start` or the central projection; closed form where
+        distortion is one of image points.
         The ray passes through the projection centre; models with an eccentricity say so themselves.
         """
+        if self.by_image and start is None:
+            u, v = type(self).condition(*image, 0.0, 0.0, -1.0, *values)
+            d = np.stack([u, v, np.broadcast_to(-values[0], image.shape[1:])])
+            return d / np.linalg.norm(d, axis=0)
         if start is None:
             c = np.broadcast_to(values[0], image.shape[1:])
             d = np.stack([image[0], image[1], -c])

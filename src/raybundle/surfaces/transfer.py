@@ -20,6 +20,8 @@ from raybundle.surfaces.rays import ReferenceRays
 
 TOLERANCE_PX = 0.005
 """Largest error of interpolation: a tenth of what least-squares matching measures at best."""
+LOOKED_UP_PX = 0.02
+"""The same where it is only looked up what another map has at a place: its slopes, of tenths, make thousandths of it."""
 COARSEST_PX, FINEST_PX = 64, 2
 FEWEST_LEVELS, MOST_LEVELS = 8, 512
 MOST_NODES = 16_000_000
@@ -97,7 +99,7 @@ def places_in(
 ) -> Transfer | Projection:  # fmt: skip
     """Where a source shows what the reference sees: by a table, or point by point where there can be none."""
     try:
-        return transfer(block, rays, source, t_range, box)
+        return transfer(block, rays, source, t_range, box, LOOKED_UP_PX)
     except InputError:
         return Projection(block=block, rays=rays, source=source)
 
@@ -113,8 +115,9 @@ def lagrange(f: Array) -> tuple[Array, Array, Array]:
 
 
 def transfer(
-    block: Block, rays: ReferenceRays, source: int, t_range: tuple[float, float], box: Box | None = None
-) -> Transfer:
+    block: Block, rays: ReferenceRays, source: int, t_range: tuple[float, float], box: Box | None = None,
+    tolerance_px: float = TOLERANCE_PX,
+) -> Transfer:  # fmt: skip
     """The table of a source over a reference and a range of depth parameters.
 
     rays     of the reference
@@ -122,7 +125,7 @@ def transfer(
     t_range  smallest and largest depth parameter that is asked for
     box      part of the reference's format that is asked for; None: all of it
 
-    The table is made finer until it errs by less than 0.005 px in the middles of its cells.  Raises InputError where
+    The table is made finer until it errs by less than the tolerance in the middles of its cells.  Raises InputError where
     that is not reached with steps of 2 px or `MOST_NODES`, as for a projection that turns back within the format, or
     where the source itself stands among the depths that are asked for.
     """
@@ -136,20 +139,20 @@ def transfer(
         made = _tabulated(block, rays, source, t_range, (step, levels, box))
         across, along, lost = _errors(block, rays, source, made, box)
         # what lies beyond a format may have no place, and takes its neighbours along
-        if max(across, along) < TOLERANCE_PX and (lost < LOST or step < 2 * FINEST_PX):
+        if max(across, along) < tolerance_px and (lost < LOST or step < 2 * FINEST_PX):
             return replace(made, error_px=max(across, along))
-        if lost >= LOST and across < TOLERANCE_PX:
+        if lost >= LOST and across < tolerance_px:
             step /= 2
         # errors go with the fourth power of a step
-        if across >= TOLERANCE_PX / 2:
-            step /= 2.0 ** max(1, np.ceil(np.log2(2 * across / TOLERANCE_PX) / 4))
-        if along >= TOLERANCE_PX / 2:
-            levels = int(levels * max(1.25, 1.05 * (2 * along / TOLERANCE_PX) ** 0.25)) + 1
+        if across >= tolerance_px / 2:
+            step /= 2.0 ** max(1, np.ceil(np.log2(2 * across / tolerance_px) / 4))
+        if along >= tolerance_px / 2:
+            levels = int(levels * max(1.25, 1.05 * (2 * along / tolerance_px) ** 0.25)) + 1
         nodes = width * height / step**2 * levels
         if step < FINEST_PX or levels > MOST_LEVELS or nodes > MOST_NODES:
             raise InputError(
                 f"image {block.images.ids[source]}: a table of its projection errs by {max(across, along):.3g} px "
-                f"(limit {TOLERANCE_PX:g} px); leave it out as a source"
+                f"(limit {tolerance_px:g} px); leave it out as a source"
             )
 
 
@@ -178,7 +181,8 @@ def _without_jumps(places: Array, width_px: int) -> Array:
         a, b = [slice(None)] * 3, [slice(None)] * 3
         a[axis], b[axis] = slice(None, -1), slice(1, None)
         with np.errstate(invalid="ignore"):
-            jump = np.abs(places[tuple(b)] - places[tuple(a)]).max(axis=-1) > width_px / 2
+            by = np.abs(places[tuple(b)] - places[tuple(a)])
+            jump = np.maximum(by[..., 0], by[..., 1]) > width_px / 2
         found[tuple(a)][jump] = np.nan
         found[tuple(b)][jump] = np.nan
     return found

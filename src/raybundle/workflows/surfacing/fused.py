@@ -37,7 +37,7 @@ from raybundle.workflows.surface_tasks import (
     stored_together,
 )
 
-VERSION = 7
+VERSION = 8
 SHIFTS, SIGMA, CLOUD = "surface shifts", "surface sigma", "surface points"
 """First words of the keys of what is kept"""
 MOST_MAPS = 8
