@@ -106,7 +106,7 @@ def test_derivatives_of_the_interpolation_are_those_of_a_cubic():
     assert np.allclose(second, 6 * f - 4)
 
 
-def test_what_cannot_be_tabulated_is_refused(monkeypatch):
+def test_what_cannot_be_tabulated_is_refused():
     block = scene.blocks("fisheye")
     rays = ReferenceRays.of(block, 0)
     with pytest.raises(InputError, match="no range of depths"):
@@ -114,9 +114,8 @@ def test_what_cannot_be_tabulated_is_refused(monkeypatch):
     unknown = replace(block.images, centre=np.full((5, 3), np.nan))
     with pytest.raises(InputError, match="image 1: has no orientation"):
         ReferenceRays.of(replace(block, images=unknown), 1)
-    monkeypatch.setattr(module, "TOLERANCE_PX", 1e-12)
     with pytest.raises(InputError, match=r"image 1: a table of its projection errs by .* \(limit 1e-12 px\)"):
-        transfer(block, rays, 1, scene.RANGE)
+        transfer(block, rays, 1, scene.RANGE, tolerance_px=1e-12)
 
 
 def test_every_kind_of_platform_is_among_them():

@@ -21,7 +21,7 @@ from raybundle.surfaces.rays import ReferenceRays
 TOLERANCE_PX = 0.005
 """Largest error of interpolation: a tenth of what least-squares matching measures at best."""
 LOOKED_UP_PX = 0.02
-"""The same where it is only looked up what another map has at a place: its slopes, of tenths, make thousandths of it."""
+"""The same where it is only looked up what another map has at a place: slopes, of tenths, make thousandths of it."""
 COARSEST_PX, FINEST_PX = 64, 2
 FEWEST_LEVELS, MOST_LEVELS = 8, 512
 MOST_NODES = 16_000_000
@@ -125,9 +125,9 @@ def transfer(
     t_range  smallest and largest depth parameter that is asked for
     box      part of the reference's format that is asked for; None: all of it
 
-    The table is made finer until it errs by less than the tolerance in the middles of its cells.  Raises InputError where
-    that is not reached with steps of 2 px or `MOST_NODES`, as for a projection that turns back within the format, or
-    where the source itself stands among the depths that are asked for.
+    The table is made finer until it errs by less than the tolerance in the middles of its cells.  Raises InputError
+    where that is not reached with steps of 2 px or `MOST_NODES`, as for a projection that turns back within the format,
+    or where the source itself stands among the depths that are asked for.
     """
     low, high = t_range
     if not 0 < low < high < np.inf:
