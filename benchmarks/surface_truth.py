@@ -55,7 +55,7 @@ from raybundle.surfaces.heights import SHARED_PHOTOGRAPHS, SHARED_SURFACE, betwe
 from raybundle.surfaces.orientation import shift_covariance  # noqa: E402
 from raybundle.surfaces.pairs import PairOfImages, sources_of_each  # noqa: E402
 from raybundle.surfaces.rays import ReferenceRays  # noqa: E402
-from raybundle.surfaces.transfer import transfer  # noqa: E402
+from raybundle.surfaces.transfer import places_in  # noqa: E402
 from raybundle.workflows.surfacing.fused import MOST_MAPS  # noqa: E402
 
 WORK = ROOT / "benchmarks/work"
@@ -396,7 +396,7 @@ def of_pairs_of_maps(density: int) -> dict:
         print(block.images.file[s.reference], flush=True)
     pairs = []
     for k, j in combinations(range(len(chosen)), 2):
-        if told := pair_of_maps(maps[k], maps[j], transfer(block, maps[k][1], j, maps[k][0].t_range)):
+        if told := pair_of_maps(maps[k], maps[j], places_in(block, maps[k][1], j, maps[k][0].t_range)):
             stated = between_maps(one_pair(chosen, k, j, told["angle_deg"]))
             shared = between_two(chosen[k], chosen[j], 90.0) / SHARED_PHOTOGRAPHS
             pairs.append({"maps": [k, j], "shared": round(shared, 4), "stated": stated, **told})
