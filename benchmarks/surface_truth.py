@@ -328,7 +328,7 @@ def confirmed(block, chosen, maps, views, truth: Portal, k: int) -> tuple[np.nda
     found, mine = maps[k], views[k]
     best = sorted((p for p in chosen.pairs if p.source in maps), key=lambda p: (-p.points, p.source))[:MOST_MAPS]
     others = sorted(p.source for p in best)
-    tables = [transfer(block, mine.rays, j, found.t_range) for j in others]
+    tables = [places_in(block, mine.rays, j, found.t_range) for j in others]
     told = agreement(mine, [views[j] for j in others], tables, others, own=k)
     stays = ~found.doubtful & np.isfinite(found.t)
     known = np.isfinite(found.t)
