@@ -82,6 +82,22 @@ def test_a_relief_that_moved_by_3_mm_is_found_with_its_outline_and_amount(by):
     assert np.mean(np.square(sizes)) < 4
 
 
+@pytest.mark.parametrize("width", [12, 16])
+def test_a_gentle_movement_of_half_the_surface_makes_nothing_else_move(width):
+    """It has no edge, and most of what it moved lies beyond its outline: that must not pull the orientation along."""
+    rng = np.random.default_rng(5)
+    r, c = np.mgrid[: SHAPE[0], : SHAPE[1]] - np.array(SHAPE)[:, None, None] / 2
+    by = 3e-3 * np.exp(-(r**2 + c**2) / 2 / width**2)
+    z = []
+    for _ in range(4):
+        found = movements(raised(pair(rng), by, slice(None), slice(None)))
+        assert found.regions
+        assert all(region.amount > 0 for region in found.regions)
+        z += [(region.volume - by[region.cells].sum() * 1e-4) / region.volume_sigma for region in found.regions]
+        assert found.regions[0].cells[SHAPE[0] // 2, SHAPE[1] // 2]
+    assert np.sqrt(np.mean(np.square(z))) < 2
+
+
 def test_the_mean_of_a_region_is_its_volume_over_its_area():
     """Of a mound, whose inner part has moved by more than its rim."""
     rng = np.random.default_rng(18)

@@ -10,6 +10,7 @@ standard deviations each: blunders have heavier tails than noise, and no single 
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import cv2
@@ -34,7 +35,9 @@ MOST = 3.0
 """Standard deviations that a single difference counts at most."""
 KNOWN = 0.5
 """Share of a window's cells that need a difference."""
-ROUNDS, PASSES = 30, 4
+ROUNDS, PASSES = 30, 6
+LEFT = 0.3
+"""Share of the cells that have not moved that tells the errors of orientation at least."""
 SURE = 4.0
 """Standard deviations of a mean that the movement of a region is at least, where its outline is drawn."""
 
@@ -109,21 +112,37 @@ def movements(model: HeightModel) -> Movements:
 
     What it does not tell: a movement that errors of orientation can explain, other than by its size.
     """
-    free, found = model.known, None
-    for _ in range(PASSES):
-        found = _local(model, free)
-        before, free = free, model.known.copy()
-        for r in found.regions:
-            free &= cv2.dilate(r.cells.astype(np.uint8), np.ones((3, 3), np.uint8)) == 0
-        # what has moved is to have no say in the errors of orientation
-        if not found.regions or (free == before).all() or not free.any():
+    free = model.known
+    found = _local(model, free)
+    for k in range(PASSES):
+        # what has moved is to have no say in the errors of orientation: as long as it has, it makes others seem to have
+        # moved the other way.  So the strongest come first
+        strongest = sorted(found.regions, key=lambda r: -r.peak)[: 2**k if k < PASSES - 2 else None]
+        before, free = free, _without(model.known, strongest)
+        if (free == before).all():
             break
-    assert found is not None
+        found = _local(model, free)
     return Movements(
         whole=_whole(model, free if free.any() else model.known), regions=found.regions, local=found.local,
         sigma=np.sqrt(model.local.astype(float) ** 2 + found.uncertain), peak=found.peak, limit=found.limit,
         windows=found.windows,
     )  # fmt: skip
+
+
+def _without(known: Mask, regions: Sequence[Region]) -> Mask:
+    """Cells that no region has, nor its surroundings, over which a gentle movement ends; some are always left."""
+    moved = np.zeros(known.shape, np.uint8)
+    for r in regions:
+        moved |= r.cells
+    for share in (1.0, 0.5, 0.25, 0.0):
+        free = known.copy()
+        for r in regions:
+            reach = 1 + round(share * np.sqrt(r.cells.sum() / np.pi))
+            disc = cv2.getStructuringElement(cv2.MORPH_ELLIPSE, (2 * reach + 1,) * 2)
+            free &= cv2.dilate(r.cells.astype(np.uint8), disc) == 0
+        if free.sum() >= LEFT * (known & (moved == 0)).sum():
+            break
+    return free if free.any() else known
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

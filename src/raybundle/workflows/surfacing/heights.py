@@ -10,6 +10,7 @@ import numpy as np
 from raybundle.adjustment.result import Adjustment
 from raybundle.io.block.arrays import block_of_arrays
 from raybundle.numerics.arrays import Array, Index
+from raybundle.numerics.counting import counted
 from raybundle.pipeline.keys import key_of
 from raybundle.pipeline.stage import Means, Stage
 from raybundle.pipeline.store import Folder, Product
@@ -275,7 +276,7 @@ STAGE = SURFACE.register(
     Stage(
         name="heights", after=("fusion",), function=measure, kinds=(ABOVE, LAYER, TILE),
         put=lambda s, found: replace(s, heights=found), when=lambda s: s.options.grid is not None,
-        told=lambda s: f"{len(s.heights.tiles)} tiles" if s.heights else "",
+        told=lambda s: counted(len(s.heights.tiles), "tile") if s.heights else "",
         inputs=lambda s: Inputs(
             adjustment=s.adjustment, chosen=s.chosen, clouds=s.clouds, maps=s.maps, shifts=s.shifts,
             grid=s.wanted_grid,

@@ -15,6 +15,7 @@ from raybundle.io.block.arrays import block_of_arrays
 from raybundle.io.photos.masks import MaskFile, Masks
 from raybundle.io.photos.photo import Photo
 from raybundle.numerics.arrays import Array, Index
+from raybundle.numerics.counting import counted
 from raybundle.pipeline.keys import key_of
 from raybundle.pipeline.stage import Means, Stage
 from raybundle.pipeline.store import Folder, Product
@@ -235,7 +236,7 @@ STAGE = SURFACE.register(
     Stage(
         name="photographs on heights", after=("heights",), function=measure, kinds=(LOOK,),
         put=lambda s, found: replace(s, looks=found), when=lambda s: s.options.orthophoto is not None,
-        told=lambda s: f"{len(s.looks.keys)} photographs" if s.looks else "",
+        told=lambda s: counted(len(s.looks.keys), "photograph") if s.looks else "",
         inputs=lambda s: Inputs(
             block=s.block, photos=s.photos, masks=s.masks, maps=s.maps, heights=s.wanted_heights,
             pixel=s.wanted_orthophoto.pixel,

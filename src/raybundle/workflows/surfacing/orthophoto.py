@@ -10,6 +10,7 @@ import numpy as np
 from raybundle.block import Block
 from raybundle.io.photos.photo import Photo
 from raybundle.numerics.arrays import Array
+from raybundle.numerics.counting import counted
 from raybundle.pipeline.keys import key_of
 from raybundle.pipeline.stage import Means, Stage
 from raybundle.pipeline.store import Folder, Product
@@ -171,7 +172,7 @@ STAGE = SURFACE.register(
     Stage(
         name="orthophoto", after=("photographs on heights",), function=make, kinds=(CHOICE, PIXELS),
         put=lambda s, found: replace(s, orthophoto=found), when=lambda s: s.options.orthophoto is not None,
-        told=lambda s: f"{len(s.orthophoto.parts)} photographs" if s.orthophoto else "",
+        told=lambda s: counted(len(s.orthophoto.parts), "photograph") if s.orthophoto else "",
         inputs=lambda s: Inputs(
             block=s.block, photos=s.photos, maps=s.maps, shifts=s.shifts, heights=s.wanted_heights,
             looks=s.wanted_looks, grid=s.wanted_orthophoto,
