@@ -133,14 +133,17 @@ def contents(project: Path) -> dict[str, str]:
     return found
 
 
-def by_dask(command: list[str], first: Path, workers: int) -> dict:
-    """The same command with a cluster: what it took, and what of the project differs."""
+def by_dask(command: list[str], first: Path, workers: int, cpus: int) -> dict:
+    """The same command with a cluster: what it took, and what of the project differs.
+
+    By a driver on as many processors: full matrices are factorised by as many threads, which their last bits follow.
+    """
     out, folder = first.parent / "dask" / first.name, first.with_name("cluster")
     for old in (out, folder):
         shutil.rmtree(old, ignore_errors=True)
     again = [str(out) if word == str(first) else word for word in command]
     with cluster(folder, workers):
-        run = measured([*again, "--cluster", str(folder)], cpus=1)
+        run = measured([*again, "--cluster", str(folder)], cpus=cpus)
     one, other = contents(first), contents(out)
     return {
         "workers": workers, "wall_s": run["wall_s"], "cpu_s of the driver": run["cpu_s"], "compared": len(one),
@@ -189,7 +192,7 @@ def main() -> None:
         **errors(of_block(out / "result/block"), truth),
     }
     if options.dask:
-        figures["dask"] = by_dask(command, out, options.dask)
+        figures["dask"] = by_dask(command, out, options.dask, options.cpus)
     if not options.keep:
         shutil.rmtree(WORK)
     print(json.dumps({"many_images": figures}, indent=1))
