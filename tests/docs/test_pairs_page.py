@@ -10,10 +10,10 @@ def test_figures_are_those_of_the_benchmark():
     page = " ".join((ROOT / "docs/explanation/pairs.md").read_text().split())
     found = json.loads((ROOT / "benchmarks/results/retrieval.json").read_text())
     pot, search = found["pot"], found["search"]
-    photographs = sum(pot["photographs"].values())
+    photographs, recall = sum(pot["photographs"].values()), 100 * pot["recall"]
     assert (
         f"Of the {photographs} photographs of that pot {pot['pairs matched per photograph']:.1f} pairs each were "
-        f"matched: they hold {100 * pot['recall']:.1f} % of the {pot['right pairs']} pairs with 40 verified matches, and the "
+        f"matched: they hold {recall:.1f} % of the {pot['right pairs']} pairs with 40 verified matches, and the "
         f"photographs fall into the same {pot['parts']} parts as with all {pot['all pairs']} pairs." in page
     )
     assert pot["same parts"]
