@@ -123,6 +123,7 @@ def test_one_photograph_is_too_few(tmp_path):
         calibrate([tmp_path], WANTED)
 
 
+@pytest.mark.long
 @needs_board
 def test_zoom_moved_halfway(tmp_path):
     def zoom(k, image):
@@ -179,6 +180,7 @@ def test_what_cannot_be(tmp_path, capsys):
         calibrate([BOARD], CalibrateOptions(targets=("chessboard-9x6", "aicon14")))
 
 
+@pytest.mark.long
 @pytest.mark.skipif(not BARE.is_dir(), reason=f"{BARE} is absent")
 def test_photographs_without_targets_are_calibrated_by_natural_points(tmp_path):
     for path in sorted(BARE.iterdir())[3:7]:

@@ -113,6 +113,7 @@ def test_other_options_take_what_was_measured(photos, done, tmp_path, measured, 
     assert "sigma0" in told["adjustment"]
 
 
+@pytest.mark.long
 def test_a_photograph_that_is_added_is_measured_alone(photos, done, tmp_path, measured):
     folder = Path(shutil.copytree(photos, tmp_path / "more"))
     image = cv2.imread(str(folder / "3.png"), cv2.IMREAD_GRAYSCALE)

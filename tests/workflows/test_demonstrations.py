@@ -93,6 +93,7 @@ def test_a_board_lies_where_its_point_is():
     assert abs(quarters[0] - quarters[3]) < 60 < abs(quarters[0] - quarters[1])
 
 
+@pytest.mark.long
 def test_the_flight_marks_each_point_in_two_photographs_or_more(tmp_path):
     views = flight.views()
     ground = gravel_pit()
@@ -115,6 +116,7 @@ def test_the_true_camera_of_the_board_is_what_opencv_projects():
         np.testing.assert_allclose(ours - 0.5, theirs[:, 0], atol=1e-6)
 
 
+@pytest.mark.long
 def test_a_corner_of_the_bent_board_is_found_where_it_was_drawn():
     view = board.views()[2]
     grey = board.BOARD.photograph(view, np.random.default_rng(1))[..., 0]

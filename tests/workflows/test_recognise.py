@@ -81,6 +81,7 @@ def test_nothing_known(tmp_path):
     assert recognised(find_photos([tmp_path]).photos).targets == ()
 
 
+@pytest.mark.long
 def test_targets_on_too_few_of_the_photographs_are_named(tmp_path):
     f = families["aicon14"]
     photos = seen(tmp_path, design(f, np.sort(f.id_of(f.codes[:12])), SheetOptions(dot_radius_mm=5)), VIEWS[:1])
@@ -128,7 +129,7 @@ def test_tags_that_are_no_board():
 @pytest.mark.parametrize(
     ("folder", "family"),
     [
-        ("photos/cern-targets/images", "aicon14"),
+        pytest.param("photos/cern-targets/images", "aicon14", marks=pytest.mark.long),
         ("calibration/camcal-photos/images", "photomodeler-sheet"),
         ("calibration/opencv-chessboard/images", "chessboard-9x6"),
     ],

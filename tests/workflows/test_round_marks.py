@@ -134,6 +134,7 @@ def test_centres_of_ellipses_taken_for_images_of_centres_would_be_noticed(networ
     assert "target_eccentricity" not in {n.code for n in notices}
 
 
+@pytest.mark.long
 def test_targets_that_face_nobody_knows_where_are_told(networks, tmp_path):
     """Three of them make no plane; a stated vector does."""
     n = networks[0]

@@ -190,6 +190,7 @@ def test_a_full_disk_is_told_and_what_is_finished_is_kept(half, tmp_path, capsys
     assert kept.items() < after.items()
 
 
+@pytest.mark.long
 def test_products_of_an_earlier_run_stay_while_they_are_of_the_same_points(half, tmp_path):
     pytest.importorskip("rasterio")
 

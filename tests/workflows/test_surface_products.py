@@ -62,6 +62,7 @@ def test_all_are_written_and_told(made):
     assert "3 depth maps" in told["depths"]
 
 
+@pytest.mark.long
 def test_a_file_that_is_stored_turned_gives_the_same_orthophoto(made, half, tmp_path):
     block = read_block(half / "block")
     k, camera = 0, block.cameras[0]

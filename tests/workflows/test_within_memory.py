@@ -274,6 +274,7 @@ def test_a_run_that_is_cut_short_goes_on(tmp_path, all_large):
     assert not list(tmp_path.iterdir())
 
 
+@pytest.mark.long
 def test_what_cannot_be_solved_leaves_nothing(tmp_path, all_large):
     block = flight(control=0, observed=False, bar=False)
     camera = replace(block.cameras[0], estimate=("c", "x0", "y0", "affinity", "shear", "K1", "K2", "K3"))
