@@ -36,6 +36,8 @@ MOST = 3.0
 KNOWN = 0.5
 """Share of a window's cells that need a difference."""
 ROUNDS, PASSES = 30, 6
+BESIDE = 1.5
+"""Cells around a region that belong to neither side."""
 LEFT = 0.3
 """Share of the cells that have not moved that tells the errors of orientation at least."""
 SURE = 4.0
@@ -131,18 +133,26 @@ def movements(model: HeightModel) -> Movements:
 
 def _without(known: Mask, regions: Sequence[Region]) -> Mask:
     """Cells that no region has, nor its surroundings, over which a gentle movement ends; some are always left."""
-    moved = np.zeros(known.shape, np.uint8)
+    moved = np.zeros(known.shape, bool)
     for r in regions:
         moved |= r.cells
+    free = known
     for share in (1.0, 0.5, 0.25, 0.0):
         free = known.copy()
         for r in regions:
-            reach = 1 + round(share * np.sqrt(r.cells.sum() / np.pi))
-            disc = cv2.getStructuringElement(cv2.MORPH_ELLIPSE, (2 * reach + 1,) * 2)
-            free &= cv2.dilate(r.cells.astype(np.uint8), disc) == 0
-        if free.sum() >= LEFT * (known & (moved == 0)).sum():
+            reach = BESIDE + share * float(np.sqrt(r.cells.sum() / np.pi))
+            box = _box_about(r.cells, int(np.ceil(reach)))
+            free[box] &= cv2.distanceTransform((~r.cells[box]).astype(np.uint8), cv2.DIST_L2, 5) > reach
+        if free.sum() >= LEFT * (known & ~moved).sum():
             break
     return free if free.any() else known
+
+
+def _box_about(cells: Mask, margin: int) -> tuple[slice, slice]:
+    """Rows and columns that hold some cells and so many around them."""
+    sides = [np.flatnonzero(cells.any(axis=axis)) for axis in (1, 0)]
+    rows, columns = (slice(max(0, int(k[0]) - margin), int(k[-1]) + margin + 1) for k in sides)
+    return rows, columns
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
