@@ -25,6 +25,8 @@ STARTS = 120
 FEWEST = 5
 """Points by which a mirror image is told: of four one with its depth on the wrong side looks like one"""
 STEPS = 10
+AT_ONCE = 100_000
+"""Points that are moved onto the others at once, of all triples together"""
 ROUNDS = 60
 MIRROR = np.array([1.0, 1.0, -1.0])
 AS_WELL = 0.05
@@ -158,38 +160,56 @@ def _half(n: int) -> int:
 def _trimmed(source: Array, target: Array, scale: float | None) -> tuple[Mask, float]:
     """The larger half that fits best, and the sum of squares of its residuals."""
     n, h = len(source), _half(len(source))
-    if comb(n, 3) <= STARTS:
-        triples = [np.array(t) for t in combinations(range(n), 3)]
+    if h == n:
+        starts = np.arange(n)[None]
+    elif comb(n, 3) <= STARTS:
+        starts = np.array(list(combinations(range(n), 3)))
     else:
         rng = np.random.default_rng(0)
-        triples = [rng.choice(n, 3, replace=False) for _ in range(STARTS)]
+        starts = np.array([rng.choice(n, 3, replace=False) for _ in range(STARTS)])
     best, least = np.arange(h), np.inf
-    for t in triples if h < n else [np.arange(n)]:
-        at, last = t, np.inf
-        for _ in range(STEPS):
-            square = _squares(source, target, at, scale)
-            at = np.argsort(square, kind="stable")[:h]
-            total = float(square[at].sum())
-            if total >= last * (1 - 1e-9):
-                break
-            last = total
-        if last < least:
-            best, least = at, last
+    for part in np.array_split(starts, max(1, len(starts) * n // AT_ONCE)):
+        halves, sums = _concentrated(source, target, part, h, scale)
+        k = int(np.argmin(sums))
+        if sums[k] < least:
+            best, least = halves[k], float(sums[k])
     some = np.zeros(n, bool)
     some[best] = True
-    return some, float(_squares(source, target, np.flatnonzero(some), scale)[some].sum())
+    return some, float(_squares(source, target, np.flatnonzero(some)[None], scale)[0, some].sum())
+
+
+def _concentrated(source: Array, target: Array, starts: Index, h: int, scale: float | None) -> tuple[Index, Array]:
+    """From each of some sets (m, k) of points the h points (m, h) to which concentration leads; their sums of squares.
+
+    Of Rousseeuw and van Driessen 1999: the points that fit best make the next fit, which is never worse.
+    """
+    halves, sums = np.zeros((len(starts), h), int), np.full(len(starts), np.inf)
+    going, at = np.arange(len(starts)), starts
+    for _ in range(STEPS):
+        square = _squares(source, target, at, scale)
+        at = np.argsort(square, axis=1, kind="stable")[:, :h]
+        total = np.take_along_axis(square, at, axis=1).sum(axis=1)
+        halves[going] = at
+        better = total < sums[going] * (1 - 1e-9)
+        going, at, total = going[better], at[better], total[better]
+        sums[going] = total
+        if not len(going):
+            break
+    return halves, sums
 
 
 def _squares(source: Array, target: Array, at: Index, scale: float | None) -> Array:
-    """(n,) squares of distances after the similarity of some points; as `similarity`, without its statistics."""
+    """(m, n) squares of distances after the similarity of some points (m, k); as `similarity`, without statistics."""
     a, b = source[at], target[at]
-    a0, b0 = a.mean(axis=0), b.mean(axis=0)
+    a0, b0 = a.mean(axis=1, keepdims=True), b.mean(axis=1, keepdims=True)
     a, b = a - a0, b - b0
-    u, d, vt = np.linalg.svd(b.T @ a)
-    sign = np.array([1.0, 1.0, np.sign(np.linalg.det(u @ vt))])
-    factor = float(d @ sign) / max(float(np.sum(a * a)), 1e-300) if scale is None else scale
-    e = factor * (source - a0) @ ((u * sign) @ vt).T - (target - b0)
-    return np.einsum("ni,ni->n", e, e)
+    u, d, vt = np.linalg.svd(b.swapaxes(1, 2) @ a)
+    sign = np.ones((len(at), 1, 3))
+    sign[:, 0, 2] = np.sign(np.linalg.det(u @ vt))
+    free = (d * sign[:, 0]).sum(axis=1) / np.maximum((a * a).sum(axis=(1, 2)), 1e-300)
+    factor = free[:, None, None] if scale is None else scale
+    e = factor * (source - a0) @ ((u * sign) @ vt).swapaxes(1, 2) - (target - b0)
+    return np.einsum("mni,mni->mn", e, e)
 
 
 def _agreeing(source: Array, target: Array, scale: float | None, floor: float) -> Mask:
