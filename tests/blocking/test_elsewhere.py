@@ -219,6 +219,7 @@ def test_a_worker_without_kernels_gives_the_same(tmp_path, monkeypatch):
     same(one, mixed)
 
 
+@pytest.mark.long
 @pytest.mark.skipif(not native.available(), reason="there are no kernels to be without")
 @pytest.mark.parametrize("first", ["kernels", "twins"])
 def test_a_run_goes_on_with_and_without_kernels(tmp_path, monkeypatch, first):

@@ -164,6 +164,7 @@ def test_a_mission_tells_metres_and_its_positions(capsys, tmp_path):
     assert "everything cannot" not in told
 
 
+@pytest.mark.long
 def test_a_facade_is_told_of_turned_views(capsys, tmp_path):
     wall = "7.1 50.1, 7.102 50.1005"
     words = ["--pattern", "facade", "--heights", "0", "18", "--gsd", "0.003", "--predict", "--out", str(tmp_path / "w")]

@@ -88,7 +88,7 @@ PAGES = [
 LONG = {
     "README", "a-camera-for-vision", "a-facade", "a-flight", "a-satellite-scene", "calibrate", "cluster",
     "drawing-sheet",
-    "exchange", "facade", "first-photographs", "gnss-ins", "install", "line-scanner", "masks", "measure-a-part",
+    "exchange", "facade", "first-photographs", "gnss-ins", "heights", "install", "line-scanner", "masks", "measure-a-part",
     "measure-by-hand",
     "measure-targets", "next-photograph", "orthorectify", "own-observation-kind", "photograph-lists", "plan-a-facade",
     "plan-a-flight", "plan-photographs", "recording-sheet", "rectify", "results-in-python", "satellite-pair",

@@ -88,6 +88,7 @@ def test_one_missing_photograph_is_none(tmp_path):
     assert strict.refly
 
 
+@pytest.mark.long
 def test_blurred_photographs_do_not_count(tmp_path):
     fly(PLAN, tmp_path, blur=set(range(60, 90)))
     c, _ = checked(PLAN, tmp_path)

@@ -91,6 +91,7 @@ def test_which_way_the_camera_is_turned_is_where_up_points_in_its_image(turn, ce
     assert "upside down" in words or turn != 180
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("kind", sorted(PAGES))
 def test_both_columns_hold_the_camera_in_the_same_words(kind, tmp_path):
     run_plan_list(ListSettings(kind=kind, object=assistants[kind].example, out=tmp_path / "list", f_number=16.0))
@@ -120,6 +121,7 @@ def drawn_text(printed, monkeypatch):
     return lines
 
 
+@pytest.mark.long
 def test_every_target_of_a_photograph_is_listed(tmp_path, monkeypatch):
     words = ["plan", "network", "facade:12,8", "--photographs", "4", "--rays", "2", "--object-points", "40"]
     assert main([*words, "--effort", "quick", "--progress", "none", "--out", str(tmp_path / "plan")]) == 0

@@ -38,6 +38,7 @@ def rows(path):
         return list(csv.DictReader(file))
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("kind", sorted(assistants))
 def test_every_list_is_written_and_keeps_its_promise(tmp_path, kind, capsys):
     assert listed(tmp_path, kind, "--f-number", "16") == 0
@@ -79,6 +80,7 @@ def turned(stations, rows_taken, rng, off=0.04):
     return stations_of_result(block)
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("kind", ["calibration", "cipa", "turntable"])
 @pytest.mark.parametrize("seed", [1, 2, 3])
 def test_what_was_left_out_is_missed_whatever_the_frame(kind, seed):
@@ -103,6 +105,7 @@ def views(kind, text, **more):
     )
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("missed", [(), (32,), (44, 45), (9, 19, 29)])
 @pytest.mark.parametrize("order", ["reversed", "any"])
 def test_a_list_that_looks_the_same_from_no_other_side_needs_no_order(tmp_path, missed, order):
@@ -220,6 +223,7 @@ def test_what_cannot_be_listed_is_told(tmp_path, capsys, kind, words, said):
     assert not (tmp_path / "x").exists()
 
 
+@pytest.mark.long
 def test_folders_that_hold_something_are_left_alone(tmp_path, capsys):
     kept = tmp_path / "photos"
     (kept / "sub").mkdir(parents=True)

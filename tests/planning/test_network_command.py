@@ -26,6 +26,7 @@ def rows(path):
         return list(csv.DictReader(file))
 
 
+@pytest.mark.long
 def test_the_block_of_a_plan_is_adjusted_to_what_was_promised(tmp_path, capsys):
     assert plan(tmp_path, "facade:6,4", "--photographs", "8", "--aim", "mean", "--heights", "0.5", "4") == 0
     said = capsys.readouterr().out
@@ -125,11 +126,13 @@ def test_cameras_of_a_calibration(tmp_path, capsys, text, said):
     assert said in capsys.readouterr().err
 
 
+@pytest.mark.long
 def test_what_cannot_be_seen_is_told(tmp_path, capsys):
     assert plan(tmp_path, "box:4,3,2.5", "--photographs", "10", "--rays", "2", "--incidence", "60") == 0
     assert "(on top) cannot be seen 2 times from where one may stand" in capsys.readouterr().out
 
 
+@pytest.mark.long
 def test_in_python_alike(tmp_path):
     done = rb.plan_network("facade:6,4", tmp_path / "p", photographs=6, object_points=30, rays=2, effort="quick")
     assert len(done.design.stations) == 6

@@ -150,6 +150,7 @@ def test_points_without_two_rays_are_counted():
     assert short.lack == np.maximum(2 - rays, 0).sum()
 
 
+@pytest.mark.long
 def test_the_optimiser_is_never_worse_and_says_the_same_again():
     site = box_site(estimate=())
     d = Designer(Networks(site), "worst")
@@ -214,6 +215,7 @@ def test_redundancy_numbers_are_those_of_the_adjustment(estimate):
     assert r.sum() == pytest.approx(r.size - unknowns, abs=1e-6)
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("aim", aims.values(), ids=lambda a: a.name)
 def test_every_aim_is_brought_nearer(aim):
     site = box_site()
@@ -344,6 +346,7 @@ def test_what_is_promised_hangs_on_no_order_and_redundancy_numbers_are_some():
     assert np.median(np.sqrt(np.diag(first.interior) / np.diag(mean))) > 1
 
 
+@pytest.mark.long
 @pytest.mark.parametrize(("size", "count"), [("2,2,2", 30), ("4,3,2.5", 24)])
 def test_more_photographs_than_are_needed_are_planned(size, count):
     site = site_of(NetworkSettings(object=f"box:{size}", out=Path("x"), object_points=60))

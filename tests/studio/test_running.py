@@ -91,6 +91,7 @@ def test_two_values_are_two_words():
         settings_of_form(OrientSettings, {"control_sigma": "1 2 3"}, {"photos": (), "out": "x"})
 
 
+@pytest.mark.long
 def test_run_stop_run_again(client, studio, project, tmp_path):
     """Stopped in the middle, the project is readable and goes on; the end is what the command makes; marks stay."""
     photos = sorted((project.parent / "photos").glob("*.jpg"))[:4]

@@ -89,6 +89,7 @@ def test_a_figure_that_is_not_there(calibration):
     assert calibration.get("/figure/calibration/x.svg").status_code == 404
 
 
+@pytest.mark.long
 def test_a_project_is_judged_from_its_adjustment(client):
     (camera,) = client.get("/api/calibration").json()["cameras"]
     assert camera["verdict_is"] == "computed"

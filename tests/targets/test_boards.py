@@ -332,6 +332,7 @@ def test_chessboard_photographs_of_others():
     assert abs(K[1, 1] - 533) < 1.5
 
 
+@pytest.mark.long
 @pytest.mark.data
 def test_photographs_of_a_sheet_of_dots():
     """Seven of the 21; PhotoModeler measured as many, once one more.  Two do not show the whole sheet."""

@@ -75,6 +75,7 @@ def test_as_good_as_by_growing(flight, small_leaves, project):
     assert found.block.cameras[0].estimate == "auto"
 
 
+@pytest.mark.long
 def test_the_same_bits_whoever_does_the_tasks(flight, small_leaves, tmp_path):
     blocks = []
     for k, executor in enumerate((Threads(1), Threads(2), Processes(2))):
