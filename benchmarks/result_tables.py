@@ -9,7 +9,6 @@ the bytes of the first two are compared; writes benchmarks/results/result_tables
 import hashlib
 import json
 import platform
-import resource
 import subprocess
 import sys
 import tempfile
@@ -17,6 +16,7 @@ import time
 from pathlib import Path
 
 import numpy as np
+from runs import peak_mb
 
 from raybundle.io import tables
 from raybundle.io.digits import EVERY
@@ -50,7 +50,7 @@ def one(how, rows):
     digits = EVERY if how in {"at once", "some rows at a time"} else observation_digits(numbers)
     if how == "at once":
         tables.WRITTEN_ROWS = rows
-    before = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / 1024
+    before = peak_mb()
     with tempfile.TemporaryDirectory() as folder:
         path = Path(folder) / ("observations.parquet" if how == "Parquet" else "observations.csv")
         seconds = []
@@ -59,7 +59,7 @@ def one(how, rows):
             tables.write_table(path, table, digits)
             seconds.append(time.process_time() - start)
         size = path.stat().st_size / 1e6
-        peak = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / 1024
+        peak = peak_mb()
         with path.open("rb") as file:
             digest = hashlib.file_digest(file, "sha256").hexdigest()
     print(

@@ -20,6 +20,7 @@ def measured(
 ) -> dict:  # fmt: skip
     """Run a command on so many processors; its output, exit status and what it took.
 
+    Of peak memory no less is told than this process has itself.
     Raises RuntimeError where it fails and may not; after `limit_s` seconds it is interrupted, then killed.  Modules may
     be kept compiled, as where somebody installed them: else each run of either side would compile its own again.
     """
@@ -58,15 +59,16 @@ def measured(
         }
 
 
-def peak_mb(*, anew: bool = False) -> float:
-    """Peak memory of this process since it was last asked anew; NaN where the system does not tell.
+def peak_mb(pid: int | str = "self", *, anew: bool = False) -> float:
+    """Peak memory of a process since it was last asked anew; NaN where the system does not tell.
 
     What `getrusage` says of a process that another one started counts that other one's memory, too.
     """
+    folder = Path("/proc") / str(pid)
     try:
         if anew:
-            Path("/proc/self/clear_refs").write_text("5")
-        status = Path("/proc/self/status").read_text()
+            (folder / "clear_refs").write_text("5")
+        status = (folder / "status").read_text()
     except OSError:
         return math.nan
     return int(status.split("VmHWM:")[1].split()[0]) / 1024

@@ -26,6 +26,7 @@ import numpy as np
 ROOT = Path(__file__).resolve().parents[1]
 sys.path.insert(0, str(ROOT))
 from benchmarks.run import machine  # noqa: E402
+from benchmarks.runs import peak_mb  # noqa: E402
 from benchmarks.studio_space import block_of  # noqa: E402
 from tests.studio.browser import ARGUMENTS, chromium  # noqa: E402
 
@@ -46,8 +47,7 @@ def opened(folder: Path, browser) -> dict:
     page.locator("#image-list [role=option]").first.wait_for(timeout=120_000)
     shown = time.perf_counter() - began
     page.close()
-    status = Path(f"/proc/{server.pid}/status").read_text(encoding="utf-8")
-    peak = int(re.search(r"VmHWM:\s+(\d+)", status)[1]) / 1e6
+    peak = peak_mb(server.pid) * 1024 / 1e6
     server.send_signal(signal.SIGINT)
     server.wait()
     return {"listening_s": round(listening, 2), "shown_s": round(shown, 2), "peak_gb": round(peak, 2)}

@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 from tests.metrology.measured_sets import TURN, places
 
+import raybundle.metrology.misfit as module
 from raybundle.metrology.misfit import in_one_line, misfit
 from raybundle.metrology.misfit_words import unit_of
 
@@ -77,6 +78,18 @@ def test_nearly_half_may_be_wrong():
     source, target = pair(30)
     target[:13] += 0.05
     assert sorted(misfit(source, target).wrong) == list(range(13))
+
+
+def test_starts_in_parts_lead_where_all_at_once_do(monkeypatch):
+    source, rng = places(40), np.random.default_rng(6)
+    target = source @ TURN.T + rng.normal(0, 1e-4, source.shape)
+    target[:12] += rng.normal(0, 0.1, (12, 3))
+    whole = misfit(source, target)
+    monkeypatch.setattr(module, "AT_ONCE", 300)
+    parts = misfit(source, target)
+    assert set(whole.wrong) == set(range(12))
+    assert parts.wrong == whole.wrong
+    assert (parts.distance == whole.distance).all()
 
 
 def test_points_in_a_line_are_told():

@@ -129,12 +129,14 @@ def test_where_no_table_fits_places_are_projected(monkeypatch):
     assert MOST_NODES * 16 < 3e8
     block = scene.blocks("brown")
     rays = ReferenceRays.of(block, 0)
-    assert isinstance(places_in(block, rays, 1, scene.RANGE), Transfer)
+    table = places_in(block, rays, 1, scene.RANGE)
+    assert isinstance(table, Transfer)
+    assert table.error_px < module.LOOKED_UP_PX
     monkeypatch.setattr(module, "MOST_NODES", 100)
     monkeypatch.setattr(module, "COARSEST_PX", 4 * scene.WIDTH)
-    monkeypatch.setattr(module, "TOLERANCE_PX", 1e-9)
+    monkeypatch.setattr(module, "LOOKED_UP_PX", 1e-9)
     with pytest.raises(InputError, match="leave it out as a source"):
-        transfer(block, rays, 1, scene.RANGE)
+        transfer(block, rays, 1, scene.RANGE, tolerance_px=1e-9)
     found = places_in(block, rays, 1, scene.RANGE)
     assert isinstance(found, Projection)
     xy, t = np.array([[20.5, 30.0], [100.0, 90.25]]), np.full(2, scene.RANGE[0])

@@ -320,10 +320,10 @@ def write_orientation(
 ) -> None:  # fmt: skip
     """Write the result folder of oriented photographs.
 
-    settings  what was asked for beside the defaults, for the report
+    settings   what was asked for beside the defaults, for the report
+    wanted     accuracy that is asked for at check points
+    record     title, client and operator
     additions  further keys of result.json
-    wanted    accuracy that is asked for at check points
-    record    title, client and operator
     """
     from raybundle.report.write import write_result  # noqa: PLC0415
     from raybundle.workflows.orient import component_folder  # noqa: PLC0415

@@ -206,8 +206,9 @@ def _squares(source: Array, target: Array, at: Index, scale: float | None) -> Ar
     u, d, vt = np.linalg.svd(b.swapaxes(1, 2) @ a)
     sign = np.ones((len(at), 1, 3))
     sign[:, 0, 2] = np.sign(np.linalg.det(u @ vt))
-    free = (d * sign[:, 0]).sum(axis=1) / np.maximum((a * a).sum(axis=(1, 2)), 1e-300)
-    factor = free[:, None, None] if scale is None else scale
+    factor = scale
+    if factor is None:
+        factor = ((d * sign[:, 0]).sum(axis=1) / np.maximum((a * a).sum(axis=(1, 2)), 1e-300))[:, None, None]
     e = factor * (source - a0) @ ((u * sign) @ vt).swapaxes(1, 2) - (target - b0)
     return np.einsum("mni,mni->mn", e, e)
 

@@ -177,11 +177,12 @@ class Files:
     def has(self, key: str) -> bool:
         """Whether a file is there in its whole length; one that was cut is removed.  Its numbers are not read."""
         which = mark_of(self._path(key))  # before it is read: what is made again meanwhile stays
+        if which is None:
+            return False
         if is_complete(self._path(key)):
             return True
-        if which is not None:
-            self.cut.add(key)
-            self._forget_this(key, which)
+        self.cut.add(key)
+        self._forget_this(key, which)
         return False
 
     def those(self, keys: Sequence[str]) -> set[str]:

@@ -125,7 +125,7 @@ def movements(model: HeightModel) -> Movements:
             break
         found = _local(model, free)
     return Movements(
-        whole=_whole(model, free if free.any() else model.known), regions=found.regions, local=found.local,
+        whole=_whole(model, free), regions=found.regions, local=found.local,
         sigma=np.sqrt(model.local.astype(float) ** 2 + found.uncertain), peak=found.peak, limit=found.limit,
         windows=found.windows,
     )  # fmt: skip
