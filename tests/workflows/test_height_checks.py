@@ -124,7 +124,7 @@ def test_a_place_that_no_grid_has_is_refused(wall, capsys, was, now, words):
     assert words in said
 
 
-@pytest.mark.parametrize("damage", ["empty", "cut off", "text", "array", "of another surface", "without nodes"])
+@pytest.mark.parametrize("damage", ["empty", "cut off", "text", "array", "of another surface", "of one as large", "without nodes"])
 def test_damaged_orientation_is_refused(wall, tmp_path, capsys, damage):
     path = wall / "heights_orientation.npz"
     whole = path.read_bytes()
@@ -132,6 +132,10 @@ def test_damaged_orientation_is_refused(wall, tmp_path, capsys, damage):
         other = folder_of(made(np.zeros((200, 300))), tmp_path / "other")
         whole = (other / path.name).read_bytes()
         words = "is of another surface: it has 8 x 11 nodes, and heights of 40 rows and 64 columns have 3 x 3"
+    elif damage == "of one as large":
+        other = folder_of(made(np.zeros(SHAPE), common=1e-3), tmp_path / "other")
+        whole = (other / path.name).read_bytes()
+        words = "is of another surface than heights.toml, by its check sum"
     else:
         words = {"without nodes": "holds no "}.get(damage, "is damaged")
     if damage in {"array", "without nodes"}:

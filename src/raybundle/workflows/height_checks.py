@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import hashlib
 import warnings
 from collections.abc import Generator, Mapping, Sequence
 from contextlib import contextmanager
@@ -26,6 +27,8 @@ AGAIN = "run `surface` again with the same settings, which writes it anew"
 WHOLE = "take the files as `surface` wrote them: crop and convert copies of them"
 ROUNDING_CELLS, ROUNDING = 1e-3, 1e-9
 """By which a place in a raster may differ from heights.toml: of a cell, and of the coordinate itself"""
+OF_ORIENTATION = "orientation_sha256"
+"""Key of heights.toml: check sum of the file that says how orientation moves the heights"""
 SAME_PLACE = 0.1
 """Of a cell, by which two texts of one system may put a place apart"""
 
@@ -125,6 +128,21 @@ def _one_plan(mine: CRS, told: CRS, corners: Array, pixel: float) -> bool:
     there = Proj(mine)(*Proj(told)(*corners.T, inverse=True))
     apart = np.abs(np.stack(there, axis=1) - corners).max()
     return bool(apart <= SAME_PLACE * pixel)
+
+
+def check_sum(path: Path) -> str:
+    """SHA-256 of a file."""
+    with path.open("rb") as file:
+        return hashlib.file_digest(file, "sha256").hexdigest()
+
+
+def check_belongs(path: Path, tree: Json) -> None:
+    """Raise InputError where what orientation does was not written with these heights.
+
+    tree  heights.toml; of earlier versions it has no check sum, and nothing is told
+    """
+    if tree.has(OF_ORIENTATION) and check_sum(path) != tree.get(OF_ORIENTATION).text():
+        raise InputError(f"is of another surface than {tree.file.name}, by its check sum; {AGAIN}", file=path)
 
 
 @contextmanager

@@ -25,7 +25,16 @@ from raybundle.surfaces.height_model import HeightModel, Holes
 from raybundle.surfaces.heights import BETWEEN_MAPS, Heights
 from raybundle.surfaces.node_sums import NodeSums
 from raybundle.surfaces.nodes import of_blocks
-from raybundle.workflows.height_checks import check_orientation, check_place, check_raster, orientation, raster
+from raybundle.workflows.height_checks import (
+    OF_ORIENTATION,
+    check_belongs,
+    check_orientation,
+    check_place,
+    check_raster,
+    check_sum,
+    orientation,
+    raster,
+)  # fmt: skip
 from raybundle.workflows.height_grid import HeightGrid
 from raybundle.workflows.height_tiles import BLOCK_CELLS, TILE_CELLS, Window, moved_of, tile_of_number, tiles_across
 from raybundle.workflows.object_plane import MapLevel, Plane
@@ -150,7 +159,7 @@ def write_heights(surface: Surface, file: HeightFile, out: Path) -> tuple[str, .
             moved, nodes=nodes, levels=levels, block=np.array(BLOCK_CELLS), errors=np.array(measured.together),
             adjustment=np.array(measured.adjustment),
         )  # fmt: skip
-        about.write_text(_about(file, whole.length, measured.apart), encoding="utf-8")
+        about.write_text(_about(file, moved, whole.length, measured.apart), encoding="utf-8")
     share = sum(whole.cells) / (file.width * file.height)
     sigma = float(np.median(np.concatenate(whole.sigma)))
     unit = f" {file.unit}" if file.unit else ""
@@ -159,9 +168,10 @@ def write_heights(surface: Surface, file: HeightFile, out: Path) -> tuple[str, .
     return (f"{told}; standard deviation {significant(factor * sigma, 2)} {of}".rstrip() + " in the median",)
 
 
-def _about(file: HeightFile, length: float, apart: float) -> str:
-    """The text of heights.toml."""
-    return toml_text({**file.as_mapping(), "length_cells": length, "between_maps": apart})
+def _about(file: HeightFile, moved: Path, length: float, apart: float) -> str:
+    """The text of heights.toml, with the check sum of the file of the orientation that belongs to it."""
+    own = {"length_cells": length, "between_maps": apart, OF_ORIENTATION: check_sum(moved)}
+    return toml_text({**file.as_mapping(), **own})
 
 
 def _tile(surface: Surface, file: HeightFile, whole: _Whole, tile: int, window: Window) -> tuple[Array, Array]:
@@ -202,7 +212,7 @@ def write_model(model: HeightModel, file: HeightFile, out: Path) -> None:
         if model.holes is not None:
             kept |= {"holes": model.holes.number.astype(np.int32), "holes_sigma": model.holes.sigma.astype(np.float32)}
         np.savez_compressed(moved, allow_pickle=False, **kept)
-        about.write_text(_about(file, model.length, model.apart), encoding="utf-8")
+        about.write_text(_about(file, moved, model.length, model.apart), encoding="utf-8")
 
 
 def read_heights(folder: str | Path) -> tuple[HeightModel, HeightFile]:
@@ -231,6 +241,7 @@ def read_heights(folder: str | Path) -> tuple[HeightModel, HeightFile]:
         holes = Holes(number=kept["holes"], sigma=kept["holes_sigma"]) if "holes" in kept else None
         errors, adjustment = (str(kept[name]) if name in kept else "" for name in ("errors", "adjustment"))
     check_orientation(folder / MOVED, moved, block, height.shape, [] if holes is None else [holes.number, holes.sigma])
+    check_belongs(folder / MOVED, tree)
     heights = Heights(
         height=height, local=found["local"], step=np.nan_to_num(found["step"]), orientation=found["orientation"],
         point=found["point"],
