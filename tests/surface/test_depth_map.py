@@ -6,7 +6,6 @@ import cv2
 import numpy as np
 import pytest
 
-from raybundle.block import Observations, Points
 from raybundle.errors import InputError
 from raybundle.surfaces import filters, planes, roughness
 from raybundle.surfaces.depth_map import DepthMap, DepthOptions, depth_map
@@ -16,6 +15,7 @@ from raybundle.surfaces.pairs import Sources
 from raybundle.surfaces.refine import PixelGrid, Refined, Source, refine
 from raybundle.surfaces.sweep import Start
 from tests.surface.scene import scene
+from tests.surface.tied import with_tie_points
 
 NOISE = 2.0
 CHOSEN = Sources(reference=0, sources=(1, 2, 3, 4), pairs=(), seen=1.0)
@@ -23,21 +23,6 @@ CHOSEN = Sources(reference=0, sources=(1, 2, 3, 4), pairs=(), seen=1.0)
 
 def robust(x):
     return np.median(np.abs(x)) / 0.6745
-
-
-def with_tie_points(s):
-    """The block of a scene, and points of the ground that its reference sees."""
-    xy = np.stack(np.meshgrid(np.arange(10, 160, 20.0), np.arange(10, 120, 20.0)), axis=-1).reshape(-1, 2)
-    t = s.t[xy[:, 1].astype(int), xy[:, 0].astype(int)]
-    n = len(xy)
-    points = Points(
-        ids=tuple(str(k) for k in range(n)), role=np.zeros(n, np.int32), xyz=s.rays.points(xy, t),
-        sigma=np.full((n, 3), np.nan),
-    )  # fmt: skip
-    observations = Observations(
-        image=np.zeros(n, np.int32), point=np.arange(n, dtype=np.int32), xy_px=xy, cov_px2=np.tile([1.0, 1, 0], (n, 1))
-    )
-    return replace(s.block, points=points, observations=observations)
 
 
 @pytest.fixture(scope="module")
@@ -120,7 +105,7 @@ def test_a_map_is_kept_and_is_the_same_for_any_number_of_threads(block, greys):
 
 def test_a_map_by_strips_is_that_of_all_rows(block, greys, measured, monkeypatch):
     """To the last bit: growing reaches as far as strips overlap, and no local variance looks further."""
-    monkeypatch.setattr("raybundle.surfaces.depth_map.STRIP_BYTES", 1.0)
+    monkeypatch.setattr("raybundle.surfaces.levels.STRIP_BYTES", 1.0)
     for name in ("depth_map", "filters", "roughness"):
         monkeypatch.setattr(f"raybundle.surfaces.{name}.ROWS", 7)
     parts = depth_map(block, CHOSEN, greys.__getitem__, DepthOptions(density=1)).sure()
@@ -146,7 +131,7 @@ def test_a_thing_that_juts_out_alone_is_doubtful(block, greys):
     there = slice(58 - g.y0, 63 - g.y0), slice(78 - g.x0, 83 - g.x0)
     sure = found.sure()
     assert np.isnan(sure.t[there]).mean() > 0.5
-    taken = (found.flags & (Flag.LONELY | Flag.EDGE)) > 0
+    taken = (found.flags & filters.DOUBTFUL) > 0
     assert (taken == found.doubtful).all()
     assert np.isnan(sure.t[taken]).all()
     assert np.isfinite(found.t[taken]).all()

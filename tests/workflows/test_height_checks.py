@@ -124,7 +124,9 @@ def test_a_place_that_no_grid_has_is_refused(wall, capsys, was, now, words):
     assert words in said
 
 
-@pytest.mark.parametrize("damage", ["empty", "cut off", "text", "array", "of another surface", "of one as large", "without nodes"])
+@pytest.mark.parametrize(
+    "damage", ["empty", "cut off", "text", "array", "of another surface", "of one as large", "without nodes"]
+)
 def test_damaged_orientation_is_refused(wall, tmp_path, capsys, damage):
     path = wall / "heights_orientation.npz"
     whole = path.read_bytes()

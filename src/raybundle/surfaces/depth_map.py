@@ -6,7 +6,7 @@ by the noise that was measured on the way.  Nothing here reads or writes files.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -14,37 +14,24 @@ import numpy as np
 from raybundle.block import Block
 from raybundle.errors import InputError
 from raybundle.numerics.arrays import Array, Index, Mask
-from raybundle.surfaces import planes, roughness
-from raybundle.surfaces.filters import DOUBTFUL, tested
-from raybundle.surfaces.noise import autocovariance, lost_freedom
+from raybundle.surfaces import roughness
+from raybundle.surfaces.filters import DOUBTFUL, Flag, tested
+from raybundle.surfaces.levels import Fine, Level, approximate, halved, holes_of, measured, nearest_of, wanted_of
 from raybundle.surfaces.normals import incidences, smoothed
 from raybundle.surfaces.orientation import ShiftCovariance
 from raybundle.surfaces.pairs import Sources
 from raybundle.surfaces.rays import ReferenceRays
-from raybundle.surfaces.refine import (
-    PASSES,
-    PixelGrid,
-    Refined,
-    RefineOptions,
-    Source,
-    grow,
-    refine,
-    used_sources,
-)  # fmt: skip
-from raybundle.surfaces.region import Region, Shown, part_of_grid, shown_part, swept_part, wanted_pixels
+from raybundle.surfaces.refine import PixelGrid, RefineOptions, Source
+from raybundle.surfaces.region import Region, Shown, shown_part, swept_part, wanted_pixels
 from raybundle.surfaces.sweep import Start, moved_px, reduction_for, swept
 from raybundle.surfaces.transfer import Transfer, transfer
 
 AROUND = 16
 """Pixels around what is wanted of a reference for which tables are made: windows, and what is reduced, reach so far."""
-COARSE = 4
-"""Pixels from one to the next of the grid that is refined first: windows of 7 px overlap there."""
 OUTER = 0.01
 """Tie points at either end that may be wrong, as a share of all."""
 FEWEST_POINTS = 8
 """Tie points that tell the range of depths."""
-STRIP_BYTES = 48e6
-"""Windows' responses that are in memory at once."""
 MAP_BYTES = 100.0
 """That a map and what it is made of take for a pixel of the reference, and as much costs of approximate depths may."""
 LEAST_SWEEP_BYTES = 4e8
@@ -183,6 +170,10 @@ STORED = (
     "incidence", "grey",
 )  # fmt: skip
 """Arrays of a map that are kept as they are"""
+FILLED = (
+    "noise", "roughness", "step", "shift", "views", "reason", "flags", "correlation", "contrast", "incidence",
+)  # fmt: skip
+"""Of these what a hole takes from a coarser map as it is"""
 
 
 def doubtful_of(flags: Array) -> Mask:
@@ -225,13 +216,13 @@ def depth_map(
         Source(grey=_measurable(photographs.pop(0), mask), transfer=table)
         for mask, table in zip(masks, tables, strict=True)
     ]
-    work = _Work(
+    level = Level(
         rays=rays, reference=reference, grey=_measurable(reference, free(chosen.reference)), sources=sources,
-        chosen=chosen, t_range=t_range, options=o, shown=shown,
+        t_range=t_range, density=o.density, threads=o.threads, shown=shown,
     )  # fmt: skip
     if region is not None and shown is not None:
-        work = work.only(wanted_pixels(rays, start, shown, region))
-    return _measured(work, *_approximate(work, start))
+        level = level.only(wanted_pixels(rays, start, shown, region))
+    return _of_levels(level, start, chosen.sources)
 
 
 def depth_range(block: Block, rays: ReferenceRays, reference: int) -> tuple[float, float]:
@@ -246,33 +237,6 @@ def depth_range(block: Block, rays: ReferenceRays, reference: int) -> tuple[floa
         raise InputError(f"image {name}: {len(t)} tie points tell no range of depths, {FEWEST_POINTS} are needed")
     low, high = (float(q) for q in np.quantile(t, [OUTER, 1 - OUTER]))
     return rays.widened(low, high)
-
-
-@dataclass(frozen=True, slots=True, kw_only=True)
-class _Work:
-    """What all steps share."""
-
-    rays: ReferenceRays
-    reference: Array
-    """(h, w)"""
-    grey: Array
-    """(h, w) the same as float32; NaN where nothing is measured"""
-    sources: Sequence[Source]
-    """their grey values are NaN where nothing may be measured: windows that reach there have no texture"""
-    chosen: Sources
-    t_range: tuple[float, float]
-    options: DepthOptions
-    shown: Shown | None
-    """where the reference may show what is wanted; None: everywhere"""
-
-    def only(self, wanted: Mask) -> _Work:
-        """The same where nothing else of the reference is measured."""
-        return replace(self, grey=np.where(wanted, self.grey, np.float32(np.nan)))
-
-    def grid(self, stride: int) -> PixelGrid:
-        """Pixels that are measured, every so many."""
-        whole = PixelGrid.over(self.reference, stride, RefineOptions().half)
-        return whole if self.shown is None else part_of_grid(whole, self.shown, COARSE)
 
 
 def _measurable(grey: Array, free: Mask | None) -> Array:
@@ -318,157 +282,54 @@ def _start(
     return swept_part(reference, photographs, tables, shown, scale=scale, memory=memory, free=free)
 
 
-def _approximate(work: _Work, start: Start) -> tuple[Refined, PixelGrid, Array]:
-    """Refined pixels of a coarse grid, and the autocovariances of the noise."""
-    coarse = work.grid(COARSE)
-    grey, threads = work.grey, work.options.threads
-    found = refine(grey, work.sources, coarse, planes.of_start(start, coarse), threads=threads)
-    found = grow(grey, work.sources, coarse, found, threads=threads)
-    return found, coarse, autocovariance(grey, work.sources, coarse, found)
+def _of_levels(level: Level, start: Start, sources: tuple[int, ...]) -> DepthMap:
+    """The map of the photographs as they are; where it has holes, that of their halves."""
+    first = approximate(level, start)
+    grid = level.grid(level.density)
+    found = _map(level, grid, measured(level, grid, first), first.noise[0], sources)
+    holes = holes_of(np.isfinite(found.t), grid.stride)
+    del first
+    half = halved(level)
+    own = half.grid(half.density)
+    wanted = wanted_of(holes, own, half.in_photograph(own), grid)
+    if not wanted.any():
+        return found
+    again = approximate(half, start)
+    return _filled(found, _map(half, own, measured(half, own, again, wanted), again.noise[0], sources), holes)
 
 
-@dataclass(frozen=True, slots=True, kw_only=True)
-class _Fine:
-    """What is kept of the refined pixels of a map: arrays (rows, columns), float32 unless said otherwise."""
-
-    t: Array
-    slopes: Array
-    """(2, rows, columns); NaN, as t, where a pixel was not refined"""
-    noise: Array
-    """variance of t by grey values"""
-    theory: Array
-    """that and the variance of a usual roughness"""
-    residual: Array
-    """variance of grey values"""
-    correlation: Array
-    contrast: Array
-    shift: Array
-    """(rows, columns, sources, 2)"""
-    views: Index
-    """int32"""
-    reason: Array
-    """uint8"""
-
-    @classmethod
-    def empty(cls, grid: PixelGrid, sources: int) -> _Fine:
-        shape = grid.rows, grid.columns
-        return cls(
-            **{
-                name: np.empty(shape, np.float32)
-                for name in ("t", "noise", "theory", "residual", "correlation", "contrast")
-            },
-            slopes=np.empty((2, *shape), np.float32), shift=np.empty((*shape, sources, 2), np.float32),
-            views=np.empty(shape, np.int32), reason=np.empty(shape, np.uint8),
-        )  # fmt: skip
-
-    def take(self, rows: slice, part: Refined, noise: Array, window: Array) -> None:
-        """Rows that were refined, their variances by noise, and those by windows on a usual roughness."""
-        known = part.found
-        by_noise = np.where(known, noise, np.nan)
-        residual = part.grey_variance * part.contrast**2
-        for own, values in (
-            (self.t, part.t), (self.noise, by_noise), (self.theory, by_noise + window), (self.residual, residual),
-            (self.correlation, part.correlation), (self.contrast, part.contrast),
-        ):  # fmt: skip
-            own[rows] = np.where(known, values, np.nan)
-        self.slopes[:, rows] = np.where(known, part.slopes, np.nan)
-        self.shift[rows], self.views[rows], self.reason[rows] = part.shift, part.views, part.reason
+def _filled(found: DepthMap, half: DepthMap, holes: Mask) -> DepthMap:
+    """A map that was just made, and whose holes take the depths of a coarser one, along the planes of its pixels."""
+    (row, column), (right, down) = nearest_of(half.grid, found.grid)
+    there = holes & np.isfinite(half.t)[row, column]
+    row, column = row[there], column[there]
+    a, b = half.slopes[:, row, column]
+    found.t[there] = half.t[row, column] + a * right[there] + b * down[there]
+    found.slopes[:, there] = a, b
+    for name in FILLED:
+        getattr(found, name)[there] = getattr(half, name)[row, column]
+    found.flags[there] |= np.uint8(Flag.COARSE)
+    return found
 
 
-def _measured(work: _Work, found: Refined, coarse: PixelGrid, noise: Array) -> DepthMap:
-    """The map at the density that is asked for."""
-    grid = work.grid(work.options.density)
-    whole = roughness.variogram(np.where(found.found, found.t, np.nan), _noise_of(found, noise, work), COARSE)
-    fine = _Fine.empty(grid, len(work.sources))
-    for rows, part in _grown(work, grid, (found, coarse), noise):
-        assert part.response is not None
-        window = whole.strength * roughness.of_window(part.response, whole.power)
-        fine.take(rows, part, _noise_of(part, noise, work), window)
-    return _map(work, grid, fine, noise[0])
-
-
-def _grown(
-    work: _Work, grid: PixelGrid, approximate: tuple[Refined, PixelGrid], noise: Array
-) -> Iterator[tuple[slice, Refined]]:
-    """Refined pixels, strip by strip, with windows' responses; the same as of all rows at once.
-
-    Growing carries planes over as many rows as it makes passes: so many are there on both sides of a strip.
-    """
-    side = (2 * RefineOptions().half + 1) ** 2
-    at_once = max(2 * PASSES, int(STRIP_BYTES / (4.0 * side * max(grid.columns, 1))))
-    there: Refined | None = None
-    first = last = 0
-    for begin in range(0, grid.rows, at_once):
-        end = min(begin + at_once, grid.rows)
-        more = grid.rows_of(last, min(end + PASSES, grid.rows) - last)
-        if more.rows:
-            fresh = refine(
-                work.grey, work.sources, more, planes.of_refined(*approximate, more), autocovariance=noise,
-                response=True, threads=work.options.threads,
-            )  # fmt: skip
-            there = fresh if there is None else _below_each_other(_rows(there, begin - PASSES - first), fresh)
-            first, last = max(0, begin - PASSES), last + more.rows
-        assert there is not None
-        strip = grid.rows_of(first, last - first)
-        grown = grow(work.grey, work.sources, strip, there, autocovariance=noise, threads=work.options.threads)
-        yield slice(begin, end), _rows(grown, begin - first, end - first)
-
-
-def _rows(part: Refined, begin: int, end: int | None = None) -> Refined:
-    """Rows of what was refined."""
-    own = slice(max(0, begin), end)
-    return replace(
-        part, numbers=part.numbers[:, own], reason=part.reason[own], iterations=part.iterations[own],
-        views=part.views[own], shift=part.shift[own], response=None if part.response is None else part.response[own],
-    )  # fmt: skip
-
-
-def _below_each_other(one: Refined, other: Refined) -> Refined:
-    assert one.response is not None
-    assert other.response is not None
-    return replace(
-        one, numbers=np.concatenate([one.numbers, other.numbers], axis=1),
-        reason=np.concatenate([one.reason, other.reason]),
-        iterations=np.concatenate([one.iterations, other.iterations]),
-        views=np.concatenate([one.views, other.views]), shift=np.concatenate([one.shift, other.shift]),
-        response=np.concatenate([one.response, other.response]),
-    )  # fmt: skip
-
-
-def _noise_of(found: Refined, noise: Array, work: _Work) -> Array:
-    """Variance of t by grey values, residuals of correlated ones being too small (fewer are independent)."""
-    used = used_sources(found.views, len(work.sources)).sum(axis=-1)
-    o = RefineOptions()
-    side = np.arange(-o.half, o.half + 1.0)
-    w = np.exp(-(side**2) / (2 * o.sigma**2))
-    effective = (w.sum() ** 2 / (w**2).sum()) ** 2
-    spent = 2 * used + 3
-    white = used * effective
-    lost = lost_freedom(noise[0], o)
-    correlated = white / lost
-    more = np.maximum(white - spent, 1) / np.maximum(correlated - spent, 1) / lost
-    variance = found.variance * more
-    # where no noise was found, its autocovariance may be that of anything: such a pixel agrees with no neighbour
-    return np.where(variance > 0, variance, np.nan)
-
-
-def _map(work: _Work, grid: PixelGrid, fine: _Fine, grey: Array) -> DepthMap:
-    """Local variances, and what neighbours say of a pixel."""
+def _map(level: Level, grid: PixelGrid, fine: Fine, grey: Array, sources: tuple[int, ...]) -> DepthMap:
+    """Local variances, and what neighbours say of a pixel; lengths are pixels of the photograph."""
     t, slopes, known = fine.t, fine.slopes, np.isfinite(fine.t)
     misfit = roughness.misfit(t, slopes, grid.stride)
-    factor = roughness.local_factor(fine.theory, misfit, fine.residual, grid.of(work.reference), grid.stride)
+    factor = roughness.local_factor(fine.theory, misfit, fine.residual, grid.of(level.reference), grid.stride)
     variance = fine.theory * factor
     del misfit, factor
-    incidence = incidences(work.rays, grid, t, smoothed(slopes, known, grid.stride))
-    several = len(work.sources) > 1
+    place, scale = level.in_photograph(grid), np.float32(level.scale)
+    incidence = incidences(level.rays, place, t, smoothed(slopes, known, grid.stride) / scale)
+    several = len(level.sources) > 1
     few: Mask = np.asarray((fine.views & (fine.views - 1) == 0) & several)  # a single bit
     flags, step = tested(t, slopes, variance, incidence, few, grid.stride)
     noise = np.minimum(fine.noise, variance)
     variance -= noise
     incidence[~known] = np.nan
     return DepthMap(
-        grid=grid, sources=work.chosen.sources, t_range=work.t_range, t=t, slopes=slopes, noise=noise,
-        roughness=variance, step=step, shift=fine.shift, views=fine.views, reason=fine.reason, flags=flags,
+        grid=place, sources=sources, t_range=level.t_range, t=t, slopes=slopes / scale, noise=noise,
+        roughness=variance, step=step, shift=fine.shift / scale, views=fine.views, reason=fine.reason, flags=flags,
         correlation=fine.correlation, contrast=fine.contrast, incidence=incidence, grey=grey,
-        correlation_px=2 * RefineOptions().sigma,
+        correlation_px=2 * RefineOptions().sigma * level.scale,
     )  # fmt: skip

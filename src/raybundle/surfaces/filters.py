@@ -44,9 +44,12 @@ class Flag(IntFlag):
     EDGE = 16
     """Beside a hole that is larger than a window: something begins there that hides the rest, and windows show both:
     doubtful"""
+    COARSE = 32
+    """Measured in photographs of half the size, where they themselves show too little: its window is twice as wide,
+    and may show more than one thing: doubtful"""
 
 
-DOUBTFUL = Flag.LONELY | Flag.EDGE
+DOUBTFUL = Flag.LONELY | Flag.EDGE | Flag.COARSE
 
 
 def tested(t: Array, slopes: Array, variance: Array, incidence: Array, few: Mask, stride: int) -> tuple[Array, Array]:

@@ -223,6 +223,7 @@ def refine(
     autocovariance: Array | None = None,
     response: bool = False,
     threads: int = 1,
+    wanted: Mask | None = None,
 ) -> Refined:
     """Refine the depths of a grid of pixels.
 
@@ -231,12 +232,14 @@ def refine(
     autocovariance  (1 + sources, 7, 7) of grey values by lag from -3 to 3 px in y and x, 1 in the middle, of the
                     reference and each source; None: white noise
     response        whether the windows' responses are wanted: 4 side^2 bytes a pixel
+    wanted          (rows, columns) pixels that alone are refined, by `refine` and `grow`; None: all
 
     The same to the last bit for any number of threads.  Raises InputError where arrays do not fit each other.
     """
     work = _Work.of(reference, sources, grid, options, autocovariance, threads)
     found = _empty(work, start, response=response)
-    _run(work, found, np.ones((grid.rows, grid.columns), np.uint8), 0)
+    todo = np.ones((grid.rows, grid.columns), np.uint8) if wanted is None else wanted.astype(np.uint8)
+    _run(work, found, todo, 0)
     return found
 
 
@@ -250,6 +253,7 @@ def grow(
     autocovariance: Array | None = None,
     passes: int = PASSES,
     threads: int = 1,
+    wanted: Mask | None = None,
 ) -> Refined:
     """Refine pixels without a start, or whose start led nowhere, from the planes of refined neighbours.
 
@@ -268,7 +272,8 @@ def grow(
         before = grown.found.copy()
         # rows that no neighbour reaches have nothing to go on from
         waiting = ~before & np.isnan(grown.t) & (grown.reason == Reason.NO_START)
-        _run(work, grown, (todo | waiting).astype(np.uint8), 1 if k % 2 == 0 else -1)
+        tried = todo | waiting if wanted is None else (todo | waiting) & wanted
+        _run(work, grown, tried.astype(np.uint8), 1 if k % 2 == 0 else -1)
         fresh = grown.found & ~before
         if k and not fresh.any():  # one pass goes forth along the rows, the next one back
             break

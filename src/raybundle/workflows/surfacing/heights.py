@@ -16,7 +16,9 @@ from raybundle.pipeline.stage import Means, Stage
 from raybundle.pipeline.store import Folder, Product
 from raybundle.pipeline.tasks import Task
 from raybundle.surfaces.depth_map import DepthMap
+from raybundle.surfaces.filters import Flag
 from raybundle.surfaces.heights import STEEPEST, PointsOfCells, between_maps, on_grid
+from raybundle.surfaces.levels import HALF
 from raybundle.surfaces.node_sums import Moments, moments
 from raybundle.surfaces.orientation import CommonRoot, ShiftCovariance
 from raybundle.surfaces.pairs import Sources
@@ -27,7 +29,7 @@ from raybundle.workflows.height_tiles import BLOCK_CELLS, TILE_CELLS, tile_of_nu
 from raybundle.workflows.surface_state import SURFACE, MeasuredHeights
 from raybundle.workflows.surface_tasks import adjustment_key, all_done, stored_part, stored_together
 
-VERSION, STEPS_VERSION = 4, 2
+VERSION, STEPS_VERSION = 5, 2
 ABOVE, LAYER, TILE = "surface above", "surface layer", "surface heights"
 """First words of the keys of what is kept"""
 SAMPLES = 48
@@ -169,6 +171,7 @@ def above_of(store: Folder, task: AboveTask) -> Product:
     n = normal[at]
     slope = np.stack([-n[:, 0] / n[:, 2], n[:, 1] / n[:, 2]], axis=1) * g.pixel
     across = np.asarray(cloud["across"][at], float) / n[:, 2, None]
+    across[:, 0] *= _alike(store, task, np.asarray(cloud["place"][at]))
     length = _length(store, task, np.asarray(cloud["size"][at], float))
     blocks, moved = _moved(store, task, cloud, at, block, (column[order], row[order], uvh[at, 2]))
     return {
@@ -188,6 +191,17 @@ def _length(store: Folder, task: AboveTask, size: Array) -> float:
     """Distance in cells at which errors of two points correlate by 1 / e."""
     px = float(store.wanted(task.map, ("correlation_px",))["correlation_px"][0])
     return px * float(np.median(size)) * task.grid.unit / task.grid.grid.pixel if len(size) else 1.0
+
+
+def _alike(store: Folder, task: AboveTask, place: Index) -> Array:
+    """Factors (n,) of the standard deviations by noise and roughness of points, by their places in the map.
+
+    Errors of depths that were measured at half the size reach twice as far: their mean over an area has twice the
+    standard deviation.  Heights know one length: of such points the standard deviations are doubled in its place, which
+    is too much for a single cell.
+    """
+    flags = store.wanted(task.map, ("flags",))["flags"].ravel()[place]
+    return np.where(flags & np.uint8(Flag.COARSE), HALF, 1.0)
 
 
 def _moved(
