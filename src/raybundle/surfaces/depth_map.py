@@ -30,6 +30,8 @@ AROUND = 16
 """Pixels around what is wanted of a reference for which tables are made: windows, and what is reduced, reach so far."""
 OUTER = 0.01
 """Tie points at either end that may be wrong, as a share of all."""
+THINGS, RAYS = 3, 3
+"""So many tie points of so many rays make a thing, however few of all they are: a chimney, a post, a roof"""
 FEWEST_POINTS = 8
 """Tie points that tell the range of depths."""
 MAP_BYTES = 100.0
@@ -226,16 +228,25 @@ def depth_map(
 
 
 def depth_range(block: Block, rays: ReferenceRays, reference: int) -> tuple[float, float]:
-    """Depth parameters between which the object lies, by the tie points that the reference sees."""
+    """Depth parameters between which the object lies, by the tie points that the reference sees.
+
+    What stands out has few of them, and so have mistakes; but these hardly agree in three rays.  What it does not tell:
+    a thing that has no tie points, and lies further off than a quarter of the range: it would get wrong depths.
+    """
     o = block.observations
     placed: Mask = np.asarray(np.isfinite(block.points.xyz).all(axis=1))
     mine = np.flatnonzero((o.image == reference) & placed[o.point])
     t = rays.parameter(np.asarray(o.xy_px)[mine], block.points.xyz[np.asarray(o.point)[mine]])
-    t = t[np.isfinite(t) & (t > 0)]
+    before = np.isfinite(t) & (t > 0)
+    seen = np.bincount(np.asarray(o.point), minlength=len(block.points))[np.asarray(o.point)[mine]]
+    sure, t = t[before & (seen >= RAYS)], t[before]
     if len(t) < FEWEST_POINTS:
         name = block.images.ids[reference]
         raise InputError(f"image {name}: {len(t)} tie points tell no range of depths, {FEWEST_POINTS} are needed")
     low, high = (float(q) for q in np.quantile(t, [OUTER, 1 - OUTER]))
+    if len(sure) >= 2 * THINGS:
+        ends = np.sort(sure)
+        low, high = min(low, float(ends[THINGS - 1])), max(high, float(ends[-THINGS]))
     return rays.widened(low, high)
 
 
