@@ -150,7 +150,7 @@ def test_depths_beside_a_step_say_how_far_apart_its_sides_stand(stride):
     t[n // 4, n // 4] += step
     empty = np.zeros_like(t)
     slopes = np.stack([empty + 1e-5, empty])
-    flags, more = filters.tested(t, slopes, empty + sigma**2, empty + 1, empty > 1, stride)
+    flags, more = filters.tested(t, slopes, empty + sigma**2, empty + 1, empty > 1, stride, None)
     taken = (flags & (Flag.LONELY | Flag.EDGE)) > 0
     assert taken[n // 4, n // 4]
     beside = np.abs(x - 80 + stride / 2) < 4

@@ -7,7 +7,7 @@ import pytest
 from raybundle.surfaces import depth_map as maps
 from raybundle.surfaces.depth_map import DepthOptions, depth_map
 from raybundle.surfaces.filters import Flag
-from raybundle.surfaces.levels import Level, halved, holes_of, nearest_of, wanted_of
+from raybundle.surfaces.levels import Level, halved, holes_of, nearest_of, on_level, rim_of, wanted_of
 from raybundle.surfaces.pairs import Sources
 from tests.surface.scene import RANGE, scene
 from tests.surface.tied import with_tie_points
@@ -96,9 +96,9 @@ def test_holes_are_where_most_is_missing():
     known[10:20, 10:30] = False
     known[30, 40] = False  # one alone is told by what is around it
     found = holes_of(known, 1)
-    assert found[13:17, 13:27].all()
-    assert not found[known].any()
-    assert not found[30, 40]
+    assert found[11:19, 13:27].all()
+    assert not found[:9].any()
+    assert not found[:, 32:].any()
     assert not holes_of(np.ones((8, 8), bool), 2).any()
     assert holes_of(np.zeros((8, 8), bool), 2).all()
 
@@ -113,19 +113,34 @@ def test_what_a_level_measures_holds_the_holes_and_what_they_are_compared_with(g
     half = halved(whole)
     own = half.grid(half.density)
     place = half.in_photograph(own)
-    wanted = wanted_of(holes, own, place, grid)
+    mine = on_level(holes, grid, place)
     (row, column), _ = nearest_of(place, grid)
-    assert wanted[row[holes], column[holes]].all()
-    # and as far around as the test looks: 4 px of the level, 8 of the photograph
+    assert mine[row[holes], column[holes]].all()
     far = np.abs(place.xy_px - [80, 60]).max(axis=-1)
+    assert not mine[far > 14].any()
+    wanted = wanted_of(mine, own.stride)
+    # and as far around as the test looks: 4 px of the level, 8 of the photograph
     assert wanted[far < 18].all()
     assert not wanted[far > 26].any()
+    # windows reach 7 px of the photograph
+    rim = rim_of(mine, own.stride)
+    assert not rim[~mine].any()
+    assert rim[(far > 7) & mine].all()
+    assert not rim[far < 3].any()
 
 
 @pytest.mark.parametrize("density", [1, 2, 4])
 def test_depths_of_halves_are_those_of_the_ground(ground, block, monkeypatch, density):
     """Of a table a quarter of a pixel beside they would be off by more than ten times as much."""
-    monkeypatch.setattr(maps, "holes_of", lambda known, _: np.ones(known.shape, bool))
+    whole = maps.measured
+
+    def nothing_in_the_photographs(level, *more):
+        fine = whole(level, *more)
+        if level.scale == 1:
+            fine.t[:] = np.nan
+        return fine
+
+    monkeypatch.setattr(maps, "measured", nothing_in_the_photographs)
     found = depth_map(block, CHOSEN, photographs(ground), DepthOptions(density=density))
     even = (found.flags & (Flag.COARSE | Flag.LONELY | Flag.EDGE)) == Flag.COARSE
     assert even.mean() > 0.5

@@ -16,7 +16,18 @@ from raybundle.errors import InputError
 from raybundle.numerics.arrays import Array, Index, Mask
 from raybundle.surfaces import roughness
 from raybundle.surfaces.filters import DOUBTFUL, Flag, tested
-from raybundle.surfaces.levels import Fine, Level, approximate, halved, holes_of, measured, nearest_of, wanted_of
+from raybundle.surfaces.levels import (
+    Fine,
+    Level,
+    approximate,
+    halved,
+    holes_of,
+    measured,
+    nearest_of,
+    on_level,
+    rim_of,
+    wanted_of,
+)
 from raybundle.surfaces.normals import incidences, smoothed
 from raybundle.surfaces.orientation import ShiftCovariance
 from raybundle.surfaces.pairs import Sources
@@ -298,21 +309,26 @@ def _of_levels(level: Level, start: Start, sources: tuple[int, ...]) -> DepthMap
     first = approximate(level, start)
     grid = level.grid(level.density)
     found = _map(level, grid, measured(level, grid, first), first.noise[0], sources)
-    holes = holes_of(np.isfinite(found.t), grid.stride)
+    holes = holes_of(np.isfinite(found.t) & ~found.doubtful, grid.stride)
     del first
     half = halved(level)
     own = half.grid(half.density)
-    wanted = wanted_of(holes, own, half.in_photograph(own), grid)
-    if not wanted.any():
+    mine = on_level(holes, grid, half.in_photograph(own))
+    if not mine.any():
         return found
     again = approximate(half, start)
-    return _filled(found, _map(half, own, measured(half, own, again, wanted), again.noise[0], sources), holes)
+    fine = measured(half, own, again, wanted_of(mine, own.stride))
+    return _filled(found, _map(half, own, fine, again.noise[0], sources, rim_of(mine, own.stride)), holes)
 
 
 def _filled(found: DepthMap, half: DepthMap, holes: Mask) -> DepthMap:
-    """A map that was just made, and whose holes take the depths of a coarser one, along the planes of its pixels."""
+    """A map that was just made, and whose holes take the depths of a coarser one, along the planes of its pixels.
+
+    holes  (rows, columns) where hardly a pixel is sure: one that is doubtful takes what its coarser neighbours agree in
+    """
     (row, column), (right, down) = nearest_of(half.grid, found.grid)
-    there = holes & np.isfinite(half.t)[row, column]
+    better = np.isnan(found.t) | (found.doubtful & ~half.doubtful[row, column])
+    there = holes & better & np.isfinite(half.t)[row, column]
     row, column = row[there], column[there]
     a, b = half.slopes[:, row, column]
     found.t[there] = half.t[row, column] + a * right[there] + b * down[there]
@@ -323,8 +339,13 @@ def _filled(found: DepthMap, half: DepthMap, holes: Mask) -> DepthMap:
     return found
 
 
-def _map(level: Level, grid: PixelGrid, fine: Fine, grey: Array, sources: tuple[int, ...]) -> DepthMap:
-    """Local variances, and what neighbours say of a pixel; lengths are pixels of the photograph."""
+def _map(
+    level: Level, grid: PixelGrid, fine: Fine, grey: Array, sources: tuple[int, ...], rim: Mask | None = None
+) -> DepthMap:
+    """Local variances, and what neighbours say of a pixel; lengths are pixels of the photograph.
+
+    rim  (rows, columns) pixels whose windows show other things, too; None: none is known
+    """
     t, slopes, known = fine.t, fine.slopes, np.isfinite(fine.t)
     misfit = roughness.misfit(t, slopes, grid.stride)
     factor = roughness.local_factor(fine.theory, misfit, fine.residual, grid.of(level.reference), grid.stride)
@@ -334,7 +355,7 @@ def _map(level: Level, grid: PixelGrid, fine: Fine, grey: Array, sources: tuple[
     incidence = incidences(level.rays, place, t, smoothed(slopes, known, grid.stride) / scale)
     several = len(level.sources) > 1
     few: Mask = np.asarray((fine.views & (fine.views - 1) == 0) & several)  # a single bit
-    flags, step = tested(t, slopes, variance, incidence, few, grid.stride)
+    flags, step = tested(t, slopes, variance, incidence, few, grid.stride, rim)
     noise = np.minimum(fine.noise, variance)
     variance -= noise
     incidence[~known] = np.nan

@@ -42,8 +42,8 @@ class Flag(IntFlag):
     LONELY = 8
     """Its neighbours do not agree with it: doubtful"""
     EDGE = 16
-    """Beside a hole that is larger than a window: something begins there that hides the rest, and windows show both:
-    doubtful"""
+    """Beside a hole that is larger than a window: something begins there that hides the rest, and windows show both; or
+    beside what was measured in the photograph itself: doubtful"""
     COARSE = 32
     """Measured in photographs of half the size, where they themselves show too little: its window is twice as wide,
     and may show more than one thing: doubtful"""
@@ -52,11 +52,14 @@ class Flag(IntFlag):
 DOUBTFUL = Flag.LONELY | Flag.EDGE | Flag.COARSE
 
 
-def tested(t: Array, slopes: Array, variance: Array, incidence: Array, few: Mask, stride: int) -> tuple[Array, Array]:
+def tested(
+    t: Array, slopes: Array, variance: Array, incidence: Array, few: Mask, stride: int, rim: Mask | None
+) -> tuple[Array, Array]:
     """Flags (rows, columns) uint8 of the pixels of a map, by a test of it against itself, and variances by steps.
 
     t, slopes  NaN where there is no depth; slopes (2, rows, columns)
     few        seen by fewer sources than can check it
+    rim        known to lie beside other things; None: nothing is known
 
     A variance by a step is the largest square of what neighbours stand apart, of doubtful depths; else 0.
     """
@@ -67,6 +70,8 @@ def tested(t: Array, slopes: Array, variance: Array, incidence: Array, few: Mask
     if stride <= NEAR_PX:
         sure &= _compared(t, slopes, own, stride, NEAR_PX)[0] >= NEAR_AGREE
     edge = sure & _beside_holes(sure, stride)
+    if rim is not None:
+        edge |= sure & rim
     flags = np.zeros(t.shape, np.uint8)
     for flag, where in (
         (Flag.GRAZING, ~(incidence >= GRAZING)), (Flag.STEP, against > 0), (Flag.FEW_SOURCES, few),

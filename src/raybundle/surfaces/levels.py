@@ -105,27 +105,34 @@ def halved(level: Level) -> Level:
 
 
 def holes_of(known: Mask, stride: int) -> Mask:
-    """(rows, columns) pixels without a depth among more that have none: single ones are told by what is around them."""
+    """(rows, columns) surroundings in which most pixels have no depth: single ones are told by what is around them."""
     missing = (~known).astype(np.float32)
     side = 2 * max(1, round(HOLE_PX / stride / 2)) + 1
-    share = cv2.boxFilter(missing, -1, (side, side), borderType=cv2.BORDER_REPLICATE)
-    return ~known & (share >= HOLE_SHARE)
+    return cv2.boxFilter(missing, -1, (side, side), borderType=cv2.BORDER_REPLICATE) >= HOLE_SHARE
 
 
-def wanted_of(holes: Mask, own: PixelGrid, place: PixelGrid, grid: PixelGrid) -> Mask:
-    """(rows, columns) pixels of a level in holes, and as far around them as the test against neighbours looks.
+def on_level(holes: Mask, grid: PixelGrid, place: PixelGrid) -> Mask:
+    """(rows, columns) of a level, which of its pixels lie in holes, of a grid of the photograph.
 
-    holes       (rows, columns) of a grid of the photograph
-    own, place  grid of the level in its own pixels, and in those of the photograph
+    place  grid of the level in pixels of the photograph
     """
+    n = place.stride // grid.stride  # one pixel for several of the photograph
+    whole = holes if n == 1 else cv2.dilate(holes.astype(np.uint8), np.ones((n, n), np.uint8), anchor=(0, 0)) > 0
     at, _ = nearest_of(grid, place)
-    within = holes[at]
-    if place.stride > grid.stride:  # one pixel for several of the photograph
-        n = place.stride // grid.stride
-        whole = cv2.dilate(holes.astype(np.uint8), np.ones((n, n), np.uint8), anchor=(0, 0)) > 0
-        within = whole[at]
-    around = 2 * max(1, round(roughness.APART_PX / own.stride)) + 1
-    return cv2.dilate(within.astype(np.uint8), np.ones((around, around), np.uint8)) > 0
+    return whole[at]
+
+
+def wanted_of(holes: Mask, stride: int) -> Mask:
+    """(rows, columns) of a level, its holes, and as far around them as the test against neighbours looks."""
+    around = 2 * max(1, round(roughness.APART_PX / stride)) + 1
+    return cv2.dilate(holes.astype(np.uint8), np.ones((around, around), np.uint8)) > 0
+
+
+def rim_of(holes: Mask, stride: int) -> Mask:
+    """(rows, columns) of a level, what of its holes is so near to their rims that windows show what lies around."""
+    side = 2 * max(1, round((RefineOptions().half + 0.5) / stride)) + 1
+    inner = cv2.erode(holes.astype(np.uint8), np.ones((side, side), np.uint8), borderType=cv2.BORDER_REPLICATE) > 0
+    return holes & ~inner
 
 
 def nearest_of(grid: PixelGrid, other: PixelGrid) -> tuple[tuple[Index, Index], tuple[Array, Array]]:
