@@ -17,6 +17,8 @@ from raybundle.surfaces.holes import filled, spanned
 
 SIGMAS = 3.0
 """By which a height may stand above the opened surface for noise alone."""
+MOST = 3.0
+"""Of usual standard deviations, what noise may be taken for: cells beside walls have the largest, and would stay."""
 WIDEST = 1e9
 
 
@@ -30,7 +32,9 @@ def standing(model: HeightModel, largest: float, slope: float) -> Mask:
     known = full.known
     height = np.where(known, full.heights.height, np.nan).astype(np.float64)
     # orientation moves what stands and what it stands on alike
-    noise = SIGMAS * np.where(known, np.nan_to_num(np.asarray(model.heights.local, float)), 0.0)
+    local = np.where(known, np.nan_to_num(np.asarray(model.heights.local, float)), 0.0)
+    usual = float(np.median(local[model.known])) if model.known.any() else 0.0
+    noise = SIGMAS * np.minimum(local, MOST * usual)
     found = _opened(height, known, noise, largest, slope, model.cell)
     low = _opened(-height, known, noise, 1.0, max(slope, 5.0), model.cell)
     return model.known & (found | low)

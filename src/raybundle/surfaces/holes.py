@@ -5,6 +5,10 @@ the surface does in between is told by its own variogram, E (h(x + d) - h(x))^2 
 of the surroundings, from second differences, which tilts do not touch (Matheron 1963).  Straight between two rims the
 error of a place at the distance d from the nearest has the variance 2 c d^p (1 - d / D)^p, D being the width of the
 gap.
+
+A rim that falls into two levels has a step on it, and what a step hides lies below it: such a hole is spanned from its
+lower side alone.  Where within the hole the step lies is not known; over all of it a height may be anything between the
+two, which has the variance H^2 / 12 for a step of H.
 """
 
 from __future__ import annotations
@@ -27,6 +31,10 @@ LEAST_POWER, MOST_POWER = 0.3, 1.9
 AROUND = 8.0
 """Cells over which the roughness of the surroundings is averaged."""
 EIGHT = np.ones((3, 3), int)
+TWO_LEVELS = 5.0
+"""Standard deviations within them that two levels of a rim lie apart; the halves of an even slope do by 3.5"""
+LEAST_SIDE, LEAST_RIM = 0.15, 8
+"""Share of a rim that is a side of it, and the cells that tell of any"""
 
 
 def filled(model: HeightModel, limit: float, within: Mask | None = None) -> HeightModel:
@@ -72,12 +80,16 @@ def spanned(model: HeightModel, wanted: Mask) -> HeightModel:
     depth, (row, column) = cast("tuple[Array, Array]", found)
     height = np.where(known, h.height, np.nan).astype(float)
     opened = _open(number, known)
-    _span(height, wanted, number, _planes(height, number, opened))
+    upper, step = _steps(height, number, np.where(known, h.local, np.nan))
+    spanned_from = np.where(upper, np.nan, height)
+    _span(spanned_from, wanted, number, _planes(spanned_from, number, opened))
+    height = np.where(wanted, spanned_from, height)
     wanted = wanted & np.isfinite(height)
     number = np.where(wanted, number, 0)
     power, strength = _variogram(height, np.where(known, h.local, np.nan))
     deepest = np.where(opened[number], np.inf, _largest(number, depth)[number])
     gap = 2 * strength * depth**power * (1 - depth / np.maximum(2 * deepest, 1)) ** power
+    gap += step[number] ** 2 / 12
     sigma = np.where(wanted, np.sqrt(np.maximum(gap, 0.0)), 0.0)
     near = {k: np.where(wanted, getattr(h, k)[row, column], getattr(h, k)) for k in NEAREST}
     heights = Heights(height=height.astype(np.float32), points=np.where(wanted, 0, h.points).astype(np.uint16), **near)
@@ -98,6 +110,39 @@ NEAREST = ("local", "step", "orientation", "point", "image")
 def parts_of(mask: Mask) -> tuple[Index, int]:
     """The number (rows, columns) of the connected part that a cell is of, 0 outside, and how many there are."""
     return cast("tuple[Index, int]", label(mask, EIGHT))
+
+
+def _steps(height: Array, number: Index, local: Array) -> tuple[Mask, Array]:
+    """Cells (rows, columns) of rims that stand above a step, and its height (holes + 1,), 0 where there is none.
+
+    Two levels are those of least variance within (Otsu 1979).
+
+    local  standard deviations (rows, columns) of what is known
+    """
+    upper, step = np.zeros(height.shape, bool), np.zeros(int(number.max()) + 1)
+    noise = float(np.nanmedian(local)) if np.isfinite(local).any() else 0.0
+    for k, box in enumerate(find_objects(number), 1):
+        if box is None:
+            continue
+        around = tuple(slice(max(b.start - 1, 0), b.stop + 1) for b in box)
+        hole, z = number[around] == k, height[around]
+        rim = cast("Mask", binary_dilation(hole, EIGHT)) & ~hole & np.isfinite(z)
+        values = np.sort(z[rim])
+        n = len(values)
+        if n < LEAST_RIM or not values[-1] - values[0] > TWO_LEVELS * noise:
+            continue
+        side = max(1, int(np.ceil(LEAST_SIDE * n)))
+        of = np.arange(side, n - side + 1)
+        below, squares = np.cumsum(values), np.cumsum((values - values[0]) ** 2)
+        mean = below[of - 1] / of, (below[-1] - below[of - 1]) / (n - of)
+        best = int(np.argmax(of * (n - of) * (mean[1] - mean[0]) ** 2))
+        apart, low = float(mean[1][best] - mean[0][best]), int(of[best])
+        total = squares[-1] - n * (below[-1] / n - values[0]) ** 2
+        within = max(total - low * (n - low) / n * apart**2, 0.0) / n
+        if apart > TWO_LEVELS * max(float(np.sqrt(within)), noise):
+            step[k] = apart
+            upper[around] |= rim & (z >= values[low])
+    return upper, step
 
 
 def _open(number: Index, known: Mask) -> Array:

@@ -24,6 +24,8 @@ FURTHER = 4
 AT_ONCE = 200_000
 """Cells of a strip, which are computed together."""
 SIDES = (1, -1)
+LARGEST = 1.0
+"""Variance of a slope by noise up to which what noise adds is known: beyond, half of what is seen may be noise."""
 VARIANCES = 0.15
 """Share to which variances of heights are known, and with them what noise adds to an area: robust chi-squares of sums
 beside an exact object (benchmarks/surface_heights.py)."""
@@ -71,6 +73,8 @@ class _Faceted:
     """what noise adds to the weighted sum, which was taken off"""
     second: float
     """the part of that by fourth powers of noise"""
+    doubted: float
+    """taken off the weighted sum where slopes are noise: half of what lies above the area in plan"""
 
 
 def true_area(model: HeightModel, covered: Array) -> TrueArea:
@@ -83,25 +87,25 @@ def true_area(model: HeightModel, covered: Array) -> TrueArea:
     across = slice(max(int(columns[0]) - FURTHER, 0), int(columns[-1]) + FURTHER + 1)
     least = _least(model)
     gradient = np.zeros(model.shape)
-    sums = np.zeros(6)
+    sums = np.zeros(7)
     deep = max(FURTHER, AT_ONCE // (across.stop - across.start))
     for top in range(int(rows[0]), int(rows[-1]) + 1, deep):
         down = slice(max(top - FURTHER, 0), top + deep + FURTHER)
         w = np.zeros(covered[down].shape)
         w[top - down.start : top - down.start + deep] = covered[top : top + deep]
         sums += _strip(model, (down, across), w[:, across] * model.cell**2, least, gradient)
-    area, lost, rough, square, second, added = sums.tolist()
+    area, lost, rough, square, second, added, doubted = sums.tolist()
     moved = model.sum_of(gradient)
     # slopes have their noise twice: a square has twice its mean as variance, its derivative four times that
     by_noise = np.hypot(np.sqrt(moved.local**2 - min(square, moved.local**2 / 2)), moved.orientation)
     return TrueArea(
         value=max(area + lost + rough, float(covered.sum()) * model.cell**2), by_noise=float(by_noise),
-        between=float(np.linalg.norm([lost, rough, second, VARIANCES * added])),
+        between=float(np.linalg.norm([lost, rough, second, doubted, VARIANCES * added])),
     )  # fmt: skip
 
 
 def _strip(model: HeightModel, box: tuple[slice, slice], w: Array, least: Array | None, gradient: Array) -> Array:
-    """Area of a strip with weights of cells, what lies between and in holes, its squares, fourth powers and all noise.
+    """Area of a strip with weights of cells, what lies between and in holes, squares, fourth powers, noise, doubt.
 
     gradient  (rows, columns) to which its own is added
     """
@@ -119,10 +123,12 @@ def _strip(model: HeightModel, box: tuple[slice, slice], w: Array, least: Array 
     rough = 0.0
     if least is not None:
         uneven = np.where(model.holes.filled[box], least[model.holes.number[box]], 0.0) if model.holes else 0.0
-        root = np.maximum(fine.density, 1.0)
-        rough = float((w * uneven * (1 + root**2) / root**3).sum()) / 2 / model.cell**2
+        root, uneven = np.maximum(fine.density, 1.0), uneven / model.cell**2
+        # rises of much more than a cell add as much as they are
+        rough = float((w * np.minimum(uneven * (1 + root**2) / root**3 / 2, np.sqrt(uneven))).sum())
     area = float((w * fine.density).sum())
-    return np.array([area, lost, rough, fine.square, fine.second, fine.added - coarse.added / 2])
+    added = fine.added - coarse.added / 2
+    return np.array([area, lost, rough, fine.square, fine.second, added, fine.doubted])
 
 
 def _of_squares(values: Array) -> Array:
@@ -147,7 +153,7 @@ def _faceted(h: Array, w: Array, cell: float, apart: int, noise: _Noise) -> _Fac
     first, curved = ({k: np.zeros(h.shape) for k in has} for _ in range(2))
     density, added, second = (np.zeros(h.shape) for _ in range(3))
     used = {k: _of_either(has, slope, k) for k in has}
-    V = noise.variance
+    V = np.minimum(noise.variance, LARGEST)
     for down, right in product(SIDES, SIDES):
         p, q = used[0, down], used[1, right]
         flat = 1 / np.sqrt(1 + p**2 + q**2)
@@ -168,9 +174,11 @@ def _faceted(h: Array, w: Array, cell: float, apart: int, noise: _Noise) -> _Fac
         gradient += (shifted(rises, -apart, axis, 0.0) - rises) / span
         square += 2 * noise.alike * float((bends**2).sum())
     density, added, second = (np.where(np.isfinite(h), v, 0.0) for v in (density, added + second, second))
+    density -= added
+    doubt = np.where(noise.variance > LARGEST, np.maximum(density - 1, 0.0) / 2, 0.0)
     return _Faceted(
-        density=density - added, gradient=gradient, square=square, second=float((w * second).sum()),
-        added=float((w * added).sum()),
+        density=density - doubt, gradient=gradient, square=square, second=float((w * second).sum()),
+        added=float((w * added).sum()), doubted=float((w * doubt).sum()),
     )  # fmt: skip
 
 
