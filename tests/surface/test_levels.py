@@ -152,11 +152,11 @@ def test_depths_of_halves_are_those_of_the_ground(ground, block, monkeypatch, de
 
 
 def test_weak_texture_is_measured_in_halves_and_as_well_as_is_stated(ground, block):
-    """Contrast of 2.4 grey values beside noise of 2: hardly a pixel agrees with its neighbours."""
-    found = depth_map(block, CHOSEN, photographs(ground, 0.12, NOISE), DepthOptions(density=1))
+    """Contrast of 1.6 grey values beside noise of 2: hardly a pixel has a depth."""
+    found = depth_map(block, CHOSEN, photographs(ground, 0.08, NOISE), DepthOptions(density=1))
     known, coarse = np.isfinite(found.t), found.flags & Flag.COARSE > 0
     assert known.mean() > 0.8
-    assert (known & ~coarse).mean() < 0.5
+    assert (known & ~coarse).mean() < 0.15
     assert not coarse[~known].any()
     even = (found.flags & (Flag.COARSE | Flag.LONELY | Flag.EDGE)) == Flag.COARSE
     assert even.mean() > 0.25
@@ -177,7 +177,7 @@ def test_good_texture_is_measured_in_the_photographs_alone(ground, block, monkey
 
 
 def test_a_map_of_halves_is_the_same_for_any_number_of_threads_and_by_strips(ground, block, monkeypatch):
-    weak = photographs(ground, 0.12, NOISE)
+    weak = photographs(ground, 0.08, NOISE)
     whole = depth_map(block, CHOSEN, weak, DepthOptions(density=2))
     monkeypatch.setattr("raybundle.surfaces.levels.STRIP_BYTES", 1.0)
     parts = depth_map(block, CHOSEN, weak, DepthOptions(density=2, threads=2))
@@ -186,7 +186,7 @@ def test_a_map_of_halves_is_the_same_for_any_number_of_threads_and_by_strips(gro
 
 
 def test_what_may_not_be_measured_has_no_depth_in_halves_either(ground, block):
-    weak = photographs(ground, 0.12, NOISE)
+    weak = photographs(ground, 0.08, NOISE)
     free = np.ones(ground.grey[0].shape, bool)
     free[30:70, 60:100] = False
     found = depth_map(

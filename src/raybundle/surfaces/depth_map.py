@@ -309,7 +309,7 @@ def _of_levels(level: Level, start: Start, sources: tuple[int, ...]) -> DepthMap
     first = approximate(level, start)
     grid = level.grid(level.density)
     found = _map(level, grid, measured(level, grid, first), first.noise[0], sources)
-    holes = holes_of(np.isfinite(found.t) & ~found.doubtful, grid.stride)
+    holes = holes_of(np.isfinite(found.t), grid.stride)
     del first
     half = halved(level)
     own = half.grid(half.density)
@@ -324,7 +324,7 @@ def _of_levels(level: Level, start: Start, sources: tuple[int, ...]) -> DepthMap
 def _filled(found: DepthMap, half: DepthMap, holes: Mask) -> DepthMap:
     """A map that was just made, and whose holes take the depths of a coarser one, along the planes of its pixels.
 
-    holes  (rows, columns) where hardly a pixel is sure: one that is doubtful takes what its coarser neighbours agree in
+    holes  (rows, columns) where few have a depth: one that is doubtful takes what its coarser neighbours agree in
     """
     (row, column), (right, down) = nearest_of(half.grid, found.grid)
     better = np.isnan(found.t) | (found.doubtful & ~half.doubtful[row, column])
