@@ -222,11 +222,14 @@ def test_the_smallest_movement_is_mostly_found_and_half_of_it_hardly_ever():
 
 
 @pytest.mark.long
-@pytest.mark.parametrize("side", [0.05, 0.1, 0.2])
-@pytest.mark.parametrize("more", [{}, {"length": 2.0}, {"common": None}], ids=str)
+@pytest.mark.parametrize(
+    ("side", "more"),
+    [(0.05, {}), (0.1, {}), (0.2, {}), (0.1, {"length": 2.0}), (0.2, {"length": 2.0}), (0.2, {"common": None})],
+    ids=str,
+)
 def test_the_smallest_movement_is_found_with_the_chance_that_is_stated(side, more):
-    assert 0.68 <= share_found(80, 25, 1.0, side, **more) <= 0.98  # 80 %, standard deviation 4.5 %, at least
-    assert share_found(40, 26, 0.5, side, **more) <= 0.25
+    assert 0.63 <= share_found(50, 25, 1.0, side, **more)  # at least 80 %, standard deviation 5.7 %
+    assert share_found(25, 26, 0.5, side, **more) <= 0.28
 
 
 def test_single_differences_tell_of_no_movement_however_large():
