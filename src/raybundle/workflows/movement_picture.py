@@ -16,7 +16,7 @@ from raybundle.surfaces.smallest_movements import SmallestMovement
 from raybundle.workflows.height_drawings import ticks
 from raybundle.workflows.heights_read import Opened
 
-SHOWN_PX, LEAST_PX = 1400, 560
+SHOWN_PX, LEAST_PX = 1400, 900
 """Longer side of the surface, and the width of the sheet at least"""
 RED, WHITE, BLUE = (178, 24, 43), (247, 247, 247), (33, 102, 172)
 """Of what has risen, stayed and sunk (after ColorBrewer's RdBu by Cynthia Brewer)"""
