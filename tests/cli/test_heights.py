@@ -394,13 +394,24 @@ def test_what_has_moved_is_written(tmp_path, capsys):
     about, _, shapes, _ = pyogrio.raw.read(tmp_path / "moved/moved.gpkg")
     assert len(shapes) == 1
     assert about["geometry_type"] == "Polygon Z"
-    assert (tmp_path / "moved/difference.png").stat().st_size > 1000
+    with (tmp_path / "moved/smallest.csv").open(encoding="utf-8") as file:
+        assert next(file) == "# lengths in m\n"
+        assert next(file).startswith("# of squares: the smallest movement found with a chance of 80 %")
+        rows = list(csv.DictReader(file))
+    assert [float(r["side"]) for r in rows] == pytest.approx([0.05, 0.1, 0.2])
+    assert [float(r["amount"]) for r in rows] == pytest.approx([s["amount"] for s in found["smallest"]], rel=1e-3)
+    assert 2e-4 < found["smallest"][-1]["amount"] < found["smallest"][0]["amount"] < 2e-3
+    assert found["same"] == 0
     assert "it is the same measurement" in refused(capsys, "heights", "difference", before, before)
     assert main(["heights", "difference", str(before), str(after)]) == 0
     said = capsys.readouterr().out
     assert "1 region moved against the rest by more than chance" in said
     assert "  1: mean 0.00" in said
     assert "; its inner part 0.00" in said
+    assert "; significance: its strongest window" in said
+    assert "caution" not in said
+    assert "smallest movement that would be found with a chance of 80 %, in the median over the surface [m]:" in said
+    assert " over 0.05 x 0.05" in said
 
 
 def test_surfaces_of_two_frames_are_not_compared(tmp_path, capsys):
@@ -440,3 +451,57 @@ def test_without_scale_lengths_have_no_unit(tmp_path, capsys):
     out = capsys.readouterr().out
     assert "the scale is free: lengths have no unit" in out
     assert " m3" not in out
+
+
+def test_the_difference_of_an_edited_copy_is_told(tmp_path, capsys):
+    model = made(np.zeros(SHAPE), rng=np.random.default_rng(9), sigma=4e-4, common=1e-3)
+    height = model.heights.height.copy()
+    height[20:40, 50:70] += 5e-3
+    one = folder_of(model, tmp_path / "one")
+    other = folder_of(replace(model, heights=replace(model.heights, height=height)), tmp_path / "other")
+    assert main(["heights", "difference", str(one), str(other)]) == 0
+    said = capsys.readouterr().out
+    assert "the whole: shift 0 m (sigma 0), tilts 0 (sigma 0) and 0 (sigma 0): chi2 0 of 3" in said
+    assert "93.49% of these are one measurement in both: they have not moved, and are not tested" in said
+    assert "  1: mean 0.0050" in said
+
+
+MOVED = {"one": [(5e-3, 20, 40, 50, 70)], "none": [], "two": [(5e-3, 6, 26, 8, 28), (-3e-3, 34, 60, 50, 80)]}
+
+
+@pytest.mark.parametrize("which", MOVED)
+def test_the_picture_shows_what_has_moved_and_mutes_all_else(tmp_path, capsys, which):
+    from PIL import Image
+
+    rng = np.random.default_rng(10)
+    relief = np.zeros(SHAPE)
+    one, other = (made(relief, rng=rng, sigma=4e-4, common=1e-3) for _ in range(2))
+    height = other.heights.height.copy()
+    for by, *box in MOVED[which]:
+        height[box[0] : box[1], box[2] : box[3]] += by
+    height[2:4, 40:60] = np.nan
+    folders = [
+        folder_of(m, tmp_path / name)
+        for m, name in ((one, "one"), (replace(other, heights=replace(other.heights, height=height)), "other"))
+    ]
+    found = told(capsys, "heights", "difference", *folders, "--out", tmp_path / "d")
+    assert len(found["regions"]) == len(MOVED[which])
+    with Image.open(tmp_path / "d/difference.png") as image:
+        shown = np.asarray(image).astype(int)
+    scale = 1400 / SHAPE[1]
+    colour = {}
+    for r in range(SHAPE[0]):
+        for c in range(SHAPE[1]):
+            colour[r, c] = shown[round(44 + (r + 0.5) * scale), round(96 + (c + 0.5) * scale)]
+    still = np.ones(SHAPE, bool)
+    for by, a, b, c, d in MOVED[which]:
+        red, _, blue = colour[(a + b) // 2, (c + d) // 2]
+        assert (red - blue) * np.sign(by) > 60
+        # labels stand beside a region, and an outline may be off by cells
+        still[max(0, a - 8) : b + 8, c - 8 : min(SHAPE[1], d + 30)] = False
+    still[np.isnan(height)] = False
+    pale = np.array([v for place, v in colour.items() if still[place]])
+    assert np.ptp(pale, axis=1).max() < 60
+    assert pale.min() > 170
+    hatched = shown[round(44 + 2.1 * scale) : round(44 + 3.9 * scale), round(96 + 41 * scale) : round(96 + 59 * scale)]
+    assert set(hatched.reshape(-1, 3)[:, 0].tolist()) == {150, 186}

@@ -5,6 +5,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
+from raybundle.surfaces.height_model import Holes
 from raybundle.surfaces.movements import movements
 from raybundle.surfaces.nodes import variances
 from raybundle.surfaces.resampled import difference, resampled
@@ -158,3 +159,85 @@ def test_heights_of_another_grid_lie_between_its_cells():
     assert np.isnan(beyond.heights.height[:, -1]).all()
     same = resampled(model, 1.0, 0.0, 1.0, made(np.zeros((10, 10))))
     assert np.array_equal(same.heights.height, model.heights.height[:10, 1:11])
+
+
+@pytest.mark.parametrize("errors", ["", "one"])
+def test_a_surface_differs_from_its_edited_copy_by_what_was_edited(errors):
+    """All cells but those are one measurement: they have not moved, without error, and orientation moves both alike."""
+    model = replace(made(np.zeros(SHAPE), rng=np.random.default_rng(20), sigma=4e-4, common=1e-3), errors=errors)
+    d = difference(model, raised(model, 5e-3, slice(20, 40), slice(50, 70)))
+    found = movements(d)
+    (region,) = found.regions
+    assert (region.cells.sum(), region.cells[20:40, 50:70].sum()) == (400, 400)
+    assert region.amount == pytest.approx(5e-3, rel=1e-4)
+    assert 0 < region.amount_sigma < 2e-4
+    w = found.whole
+    assert (w.shift.value, w.shift.sigma, w.tilt, w.tilt_sigma, w.chi2) == (0, 0, (0, 0), (0, 0), 0)
+    assert not w.significant
+    assert np.isnan(found.peak[0, 0])
+
+
+def holed(d, z):
+    """With a hole that was filled, whose error is so many of its standard deviations."""
+    number = np.zeros(SHAPE, int)
+    number[20:32, 40:52] = 1
+    holes = Holes(number=number, sigma=np.where(number > 0, 5e-3, 0.0).astype(np.float32))
+    return replace(raised(d, z * 5e-3, slice(20, 32), slice(40, 52)), holes=holes)
+
+
+@pytest.mark.parametrize(("z", "regions"), [(-2.0, 0), (2.0, 0), (8.0, 1)])
+def test_the_error_of_a_filled_hole_is_that_of_all_of_its_cells(z, regions):
+    """Two standard deviations of all of it are chance, however many cells it has; eight are not."""
+    found = movements(holed(pair(np.random.default_rng(21)), z))
+    assert len(found.regions) == regions
+
+
+def test_what_lies_beside_a_region_is_no_region_by_windows_over_both(monkeypatch):
+    """A window of which two columns of six lie beside what has moved."""
+    d = raised(pair(np.random.default_rng(22)), 5e-3, slice(10, 40), slice(20, 40))
+    found = movements(d)
+    hits = np.zeros((2, *SHAPE), bool)
+    hits[0, 12:30, 22:30] = hits[0, 32:38, 36:42] = True
+    monkeypatch.setattr("raybundle.surfaces.movements._beyond", lambda *_: (found.peak, hits))
+    (region,) = movements(d).regions
+    assert region.cells.sum() == pytest.approx(600, abs=40)
+
+
+def share_found(count, seed, share, side, **more):
+    """Of squares anywhere that have moved by a share of the smallest amount that is said to be found."""
+    rng = np.random.default_rng(seed)
+    d = pair(rng, **more)
+    amount = {round(s.side, 6): s.amount for s in movements(d).smallest(d)}[side]
+    n, found = round(side / 0.01), 0
+    for _ in range(count):
+        r, c = rng.integers(0, SHAPE[0] - n), rng.integers(0, SHAPE[1] - n)
+        d = raised(pair(rng, **more), share * amount, slice(r, r + n), slice(c, c + n))
+        found += any(q.cells[r : r + n, c : c + n].any() and q.amount > 0 for q in movements(d).regions)
+    return found / count
+
+
+def test_the_smallest_movement_is_mostly_found_and_half_of_it_hardly_ever():
+    assert share_found(12, 23, 1.0, 0.1) >= 0.5  # of 80 % three standard deviations of 12 % less are 45 %
+    assert share_found(6, 24, 0.5, 0.1) <= 0.5
+
+
+@pytest.mark.long
+@pytest.mark.parametrize(
+    ("side", "more"),
+    [(0.05, {}), (0.1, {}), (0.2, {}), (0.1, {"length": 2.0}), (0.2, {"length": 2.0}), (0.2, {"common": None})],
+    ids=str,
+)
+def test_the_smallest_movement_is_found_with_the_chance_that_is_stated(side, more):
+    assert share_found(50, 25, 1.0, side, **more) >= 0.63  # at least 80 %, standard deviation 5.7 %
+    assert share_found(25, 26, 0.5, side, **more) <= 0.28
+
+
+def test_single_differences_tell_of_no_movement_however_large():
+    """Over 3 x 3 cells of 1.7 cm, about which errors of neighbours are all but common."""
+    rng = np.random.default_rng(27)
+    d = difference(*(made(np.zeros((24, 32)), rng=rng, length=3.0, cell=0.0166) for _ in range(2)))
+    smallest = movements(d).smallest(d)
+    assert smallest[0].side == pytest.approx(3 * 0.0166)
+    assert np.isnan(smallest[0].amount)
+    assert np.isfinite(smallest[-1].amount)
+    assert smallest[-1].best <= smallest[-1].amount

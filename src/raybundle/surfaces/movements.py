@@ -25,14 +25,16 @@ from raybundle.surfaces.heights import between
 from raybundle.surfaces.holes import parts_of
 from raybundle.surfaces.nodes import at_cells, information, splat, variances
 from raybundle.surfaces.relief import step_length
+from raybundle.surfaces.smallest_movements import OrientationFit, SmallestMovement, Windows, smallest_movements
 
 CHANCE = 0.05
 """Of any false alarm on the whole surface, and of the test of all of it."""
 SIDES = (3, 5, 9, 17, 33, 65, 129)
 """Of windows [cells]"""
 HUBER = 1.5
-MOST = 3.0
-"""Standard deviations that a single difference counts at most."""
+MOST, MOST_FILLED = 3.0, 10.0
+"""Standard deviations that a single difference counts at most; one that was filled, which is no measurement of its own:
+all of its hole has its error."""
 KNOWN = 0.5
 """Share of a window's cells that need a difference."""
 ROUNDS, PASSES = 30, 6
@@ -40,6 +42,8 @@ BESIDE = 1.5
 """Cells around a region that belong to neither side."""
 LEFT = 0.3
 """Share of the cells that have not moved that tells the errors of orientation at least."""
+SAME = 0.01
+"""Share of the cells that are one measurement in both surfaces from where they say that the whole has not moved."""
 SURE = 4.0
 """Standard deviations of a mean that the movement of a region is at least, where its outline is drawn."""
 
@@ -107,12 +111,20 @@ class Movements:
     """of the absolute value of that, for a chance of 5 % on the whole surface"""
     windows: int
     """that were looked at"""
+    sizes: tuple[Windows, ...]
+    fit: OrientationFit
+    """how the errors of orientation were estimated"""
+
+    def smallest(self, model: HeightModel) -> tuple[SmallestMovement, ...]:
+        """That would have been found, of squares of some sizes."""
+        return smallest_movements(model, _most(model), self.sizes, self.limit, self.fit)
 
 
 def movements(model: HeightModel) -> Movements:
     """What has moved, by differences of heights and all their errors.
 
-    What it does not tell: a movement that errors of orientation can explain, other than by its size.
+    What it does not tell: a movement that errors of orientation can explain, other than by its size.  Cells that both
+    have from one measurement differ by nothing, without error: they have not moved, and are not tested.
     """
     free = model.known
     found = _local(model, free)
@@ -128,7 +140,19 @@ def movements(model: HeightModel) -> Movements:
         whole=_whole(model, free), regions=found.regions, local=found.local,
         sigma=np.sqrt(model.local.astype(float) ** 2 + found.uncertain), peak=found.peak, limit=found.limit,
         windows=found.windows,
+        sizes=found.sizes, fit=found.fit,
     )  # fmt: skip
+
+
+def _tested(model: HeightModel) -> Mask:
+    """Cells with a difference that is not of one measurement."""
+    return model.known & (model.local > 0)
+
+
+def _most(model: HeightModel) -> Array:
+    """(rows, columns) standard deviations that differences count at most; 0: they are not tested."""
+    most = MOST if model.holes is None else np.where(model.holes.filled, MOST_FILLED, MOST)
+    return np.where(_tested(model), most, 0.0)
 
 
 def _without(known: Mask, regions: Sequence[Region]) -> Mask:
@@ -165,6 +189,8 @@ class _Local:
     peak: Array
     limit: float
     windows: int
+    sizes: tuple[Windows, ...]
+    fit: OrientationFit
     regions: tuple[Region, ...]
 
 
@@ -173,9 +199,20 @@ def _local(model: HeightModel, free: Mask) -> _Local:
     z, P = _orientation(model, free)
     local = model.heights.height.astype(float) - _by_errors(model, z)
     uncertain = variances(model.moved, model.block, model.shape, P, model.factors)
-    peak, limit, count, hits = _windows(model, local, uncertain)
+    sizes = _windows(model, local, uncertain)
+    count = sum(int(np.isfinite(w.mean).sum()) for w in sizes)
+    limit = float(-ndtri(CHANCE / 2 / max(count, 1)))
+    peak, hits = _beyond(model, sizes, limit)
     regions = _regions(model, local, uncertain, hits, peak)
-    return _Local(local=local, uncertain=uncertain, peak=peak, limit=limit, windows=count, regions=regions)
+    fit = OrientationFit(covariance=P, alike=_alike(model), huber=HUBER)
+    return _Local(
+        local=local, uncertain=uncertain, peak=peak, limit=limit, windows=count, regions=regions, sizes=sizes, fit=fit
+    )
+
+
+def _alike(model: HeightModel) -> float:
+    """Neighbours with common errors, which count once."""
+    return 1 + np.pi * model.length**2
 
 
 def _by_errors(model: HeightModel, errors: Array) -> Array:
@@ -190,8 +227,7 @@ def _orientation(model: HeightModel, free: Mask) -> tuple[Array, Array]:
     known = free & (model.local > 0)
     s = np.where(known, model.local, 1.0).astype(float)
     d = np.where(known, model.heights.height, 0.0).astype(float)
-    # neighbours with common errors count once
-    alike = 1 + np.pi * model.length**2
+    alike = _alike(model)
     z, P = np.zeros(q), np.eye(q)
     if not known.any() or not q:
         return z, P
@@ -209,13 +245,15 @@ def _orientation(model: HeightModel, free: Mask) -> tuple[Array, Array]:
     return z, P
 
 
-def _windows(model: HeightModel, local: Array, uncertain: Array) -> tuple[Array, float, int, Mask]:
-    """The peaks, their limit, how many windows there are, and the cells of those beyond it, by sign (2, ...)."""
-    known = model.known & (model.local > 0)
+def _windows(model: HeightModel, local: Array, uncertain: Array) -> tuple[Windows, ...]:
+    """Windows of all sizes."""
+    known = _tested(model)
     s = np.where(known, model.local, 1.0).astype(float)
-    t = np.where(known, np.clip(local / s, -MOST, MOST), 0.0)
+    most = _most(model)
+    t = np.where(known, np.clip(local / s, -most, most), 0.0)
     variance = _correlated(model, known, s)
-    tests = list[tuple[int, Array, Array, Array]]()
+    holes, all_of_hole = _of_holes(model, known, s)
+    found = list[Windows]()
     for side in (k for k in SIDES if k <= min(model.shape)):
         step = max(1, side // 2)
         rows, columns = (np.arange(0, n - side + 1, step) for n in model.shape)
@@ -226,25 +264,30 @@ def _windows(model: HeightModel, local: Array, uncertain: Array) -> tuple[Array,
             return below[:, columns + side] - below[:, columns] - above[:, columns + side] + above[:, columns]
 
         n = over(known.astype(float))
-        # what is left of orientation moves a window as a whole
+        # what is left of orientation moves a window as a whole, the error of a hole all of that
         common = over(np.where(known, np.sqrt(uncertain) / s, 0.0)) ** 2
+        common += np.maximum(np.minimum(over(holes) ** 2, over(holes * all_of_hole)), 0.0)
         spread = np.sqrt(np.maximum(over(variance), 1e-300) + common)
-        good = n >= KNOWN * side**2
-        tests.append((side, np.where(good, over(t) / spread, np.nan), rows, columns))
-    count = sum(int(np.isfinite(z).sum()) for _, z, _, _ in tests)
-    limit = float(-ndtri(CHANCE / 2 / max(count, 1)))
+        mean = np.where(n >= KNOWN * side**2, over(t) / spread, np.nan)
+        found.append(Windows(side=side, rows=rows, columns=columns, mean=mean, spread=spread))
+    return tuple(found)
+
+
+def _beyond(model: HeightModel, sizes: Sequence[Windows], limit: float) -> tuple[Array, Mask]:
+    """The peaks, and the cells of windows beyond the limit, by sign (2, rows, columns)."""
+    known = _tested(model)
     peak, hits = np.zeros(model.shape), np.zeros((2, *model.shape), bool)
-    for side, z, rows, columns in tests:
-        strong = np.argwhere(np.isfinite(z) & (np.abs(z) > limit))
+    for w in sizes:
+        strong = np.argwhere(np.isfinite(w.mean) & (np.abs(w.mean) > limit))
         new = np.zeros_like(hits)
         for a, b in strong.tolist():
-            box = slice(rows[a], rows[a] + side), slice(columns[b], columns[b] + side)
+            box = slice(w.rows[a], w.rows[a] + w.side), slice(w.columns[b], w.columns[b] + w.side)
             # what smaller windows have found already, larger ones only blur
-            if not hits[int(z[a, b] < 0)][box].any():
-                new[int(z[a, b] < 0)][box] = True
+            if not hits[int(w.mean[a, b] < 0)][box].any():
+                new[int(w.mean[a, b] < 0)][box] = True
         hits |= new
-        peak = _larger(peak, _spread_out(np.nan_to_num(z), rows, columns, side, model.shape))
-    return np.where(known, peak, np.nan), limit, count, hits & known
+        peak = _larger(peak, _spread_out(np.nan_to_num(w.mean), w.rows, w.columns, w.side, model.shape))
+    return np.where(known, peak, np.nan), hits & known
 
 
 def _larger(one: Array, other: Array) -> Array:
@@ -276,10 +319,16 @@ def _correlated(model: HeightModel, known: Mask, s: Array) -> Array:
     found = own**2 + point * (filtered(point, kernel) - kernel[n] ** 2 * point)
     length = step_length(model.length)
     n = int(np.ceil(3 * length))
-    found += step * filtered(step, np.exp(-((np.arange(-n, n + 1.0) / length) ** 2)))
-    if model.holes is not None:
-        found += np.where(known, model.holes.sigma / s, 0.0) ** 2
-    return found
+    return found + step * filtered(step, np.exp(-((np.arange(-n, n + 1.0) / length) ** 2)))
+
+
+def _of_holes(model: HeightModel, known: Mask, s: Array) -> tuple[Array, Array]:
+    """(rows, columns) normalised standard deviations by holes that were filled, and of all cells of a hole together."""
+    if model.holes is None:
+        return np.zeros(model.shape), np.zeros(model.shape)
+    own = np.where(known, model.holes.sigma / s, 0.0)
+    number = model.holes.number
+    return own, np.bincount(number.ravel(), own.ravel())[number]
 
 
 def _regions(model: HeightModel, local: Array, uncertain: Array, hits: Array, peak: Array) -> tuple[Region, ...]:
@@ -290,8 +339,10 @@ def _regions(model: HeightModel, local: Array, uncertain: Array, hits: Array, pe
         number, count = parts_of(hit)
         order = sorted(range(1, count + 1), key=lambda k: -int((number == k).sum()))
         for k in order:
-            seed = (number == k) & ~taken
-            if not seed.any():
+            whole = number == k
+            seed = whole & ~taken
+            # what is left of windows whose greater part a region has is what lies beside that
+            if 2 * seed.sum() <= whole.sum():
                 continue
             cells, side = _outlined(model, sign * local, seed)
             cells &= ~taken
@@ -304,7 +355,7 @@ def _regions(model: HeightModel, local: Array, uncertain: Array, hits: Array, pe
 
 def _outlined(model: HeightModel, local: Array, seed: Mask) -> tuple[Mask, int]:
     """Cells of a movement upwards that are connected with those that windows found, and the side of the means."""
-    known = model.known
+    known = _tested(model)
     variance = np.where(known, np.nan_to_num(model.heights.local.astype(float)) ** 2, 0.0)
     values = np.where(known, local, 0.0)
     amount = _amount(local[seed], model.local[seed])
@@ -331,7 +382,7 @@ def _outlined(model: HeightModel, local: Array, seed: Mask) -> tuple[Mask, int]:
         amount = again
     cells = cv2.morphologyEx(cells.astype(np.uint8), cv2.MORPH_CLOSE, np.ones((3, 3), np.uint8)) > 0
     # what was not measured within a movement has moved, too
-    return np.asarray(binary_fill_holes(cells), bool), side
+    return np.asarray(binary_fill_holes(cells), bool) & (known | ~model.known), side
 
 
 def _amount(values: Array, sigma: Array) -> float:
@@ -380,14 +431,20 @@ FEWEST = 9
 
 def _whole(model: HeightModel, free: Mask) -> WholeMovement:
     """Shift and tilts of the plane that fits the differences of cells best."""
-    r, c = np.nonzero(free & (model.local > 0))
+    same = free & (model.local == 0)
+    # what is one measurement in both has not moved
+    used = same if same.sum() >= max(3, SAME * free.sum()) else free & (model.local > 0)
+    r, c = np.nonzero(used)
     middle = np.array([c.mean(), r.mean()]) if len(r) else np.zeros(2)
     A = np.stack([np.ones(len(r)), (c - middle[0]) * model.cell, (r - middle[1]) * model.cell], axis=1)
     s = model.local[r, c].astype(float)
-    # differences beyond three standard deviations of all are blunders or steps: they count less
-    d = model.heights.height[r, c].astype(float)
-    total = np.hypot(s, model.heights.orientation[r, c])
-    w = np.minimum(1.0, MOST * total / np.maximum(np.abs(d - np.median(d)), 1e-300)) / np.maximum(s, np.median(s)) ** 2
+    w = np.ones(len(r))
+    if (s > 0).any():
+        # differences beyond three standard deviations of all are blunders or steps: they count less
+        d = model.heights.height[r, c].astype(float)
+        total = np.hypot(s, model.heights.orientation[r, c])
+        w = np.minimum(1.0, MOST * total / np.maximum(np.abs(d - np.median(d)), 1e-300))
+        w /= np.maximum(s, np.median(s)) ** 2
     solve = np.linalg.pinv(A * np.sqrt(w)[:, None]) * np.sqrt(w)
     sums = list[SumOfHeights]()
     for row in solve:
@@ -399,5 +456,13 @@ def _whole(model: HeightModel, free: Mask) -> WholeMovement:
     value = np.array([x.value for x in sums])
     return WholeMovement(
         shift=sums[0], tilt=(sums[1].value, sums[2].value), tilt_sigma=(sums[1].sigma, sums[2].sigma),
-        chi2=float(value @ np.linalg.solve(cov, value)),
+        chi2=_chi2(value, cov),
     )  # fmt: skip
+
+
+def _chi2(value: Array, covariance: Array) -> float:
+    """Of values by their covariance; what is known without error is left out."""
+    s = np.sqrt(np.diag(covariance))
+    known = s > 0
+    value, s = value[known] / s[known], s[known]
+    return float(value @ np.linalg.pinv(covariance[np.ix_(known, known)] / np.outer(s, s), hermitian=True) @ value)

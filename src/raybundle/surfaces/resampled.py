@@ -15,6 +15,9 @@ from raybundle.surfaces.nodes import at_places, variances
 
 SAME = 1e-3
 """Of a cell, by which two grids may be apart and yet have the same cells."""
+ONE_SURFACE = 0.1
+"""Share of the cells with the very same measurement from where two surfaces that orientation moves by the same are of
+one orientation; by chance far fewer agree."""
 MAPS = 1 << 15
 """More than images that heights are of: pairs of them are numbered by it"""
 
@@ -130,7 +133,9 @@ def _moves_of(before: HeightModel, after: HeightModel, one: Mask, both: Mask) ->
     """By the parts of both, those before with the opposite sign; what has one factor in both counts once."""
     a, b = before.moved, after.moved
     alike = np.array_equal(a, b)
-    of_one = (before.errors != "" and before.errors == after.errors) or (alike and bool((one == both).all()))
+    of_one = (before.errors != "" and before.errors == after.errors) or (
+        alike and bool(one.sum() >= ONE_SURFACE * both.sum())
+    )
     F = [m.factors for m in (before, after) if m.factors is not None]
     if of_one and alike and len(F) == 2:
         # a slope may be of neighbours that were replaced, but not the height

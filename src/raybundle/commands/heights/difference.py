@@ -11,6 +11,7 @@ from raybundle.settings import setting
 
 if TYPE_CHECKING:
     from raybundle.surfaces.movements import Movements
+    from raybundle.surfaces.smallest_movements import SmallestMovement
 
 
 COMMON = "both are of one adjustment: what its orientation moves alike in both is not in the difference"
@@ -38,6 +39,10 @@ class MeasuredDifference:
     unit: str
     compared: float
     """share of the heights before that have one after"""
+    same: float
+    """share of these that are one measurement in both, and so have not moved"""
+    smallest: tuple[SmallestMovement, ...]
+    """movements of squares that would have been found"""
     in_map: bool
     orientations: str
     """what is known of both together, in words; empty: they are independent"""
@@ -66,8 +71,10 @@ def run_difference(settings: HeightsDifferenceSettings) -> MeasuredDifference:
     if a.adjustment and a.adjustment == b.adjustment:
         orientations = COMMON if model.errors else APART
     found = movements(model)
-    files = write_movements(before, model, found, s.out) if s.out is not None else ()
+    smallest = found.smallest(model)
+    files = write_movements(before, model, found, smallest, s.out) if s.out is not None else ()
     return MeasuredDifference(
         movements=found, unit=before.unit, compared=float(model.known.sum() / before.model.known.sum()),
+        same=float((model.known & (model.local == 0)).sum() / model.known.sum()), smallest=smallest,
         in_map=bool(before.file.wkt), orientations=orientations, files=files,
     )  # fmt: skip
