@@ -77,6 +77,13 @@ def test_a_controlled_and_a_free_network(folder, tmp_path):
     assert "combined standard deviations" in text
 
 
+def test_two_that_are_the_same_to_the_last_bit_are_told_so_without_a_caution(folder, case, tmp_path):
+    first, again = folder("rich"), folder("again", case("rich"))
+    assert write_comparison(first, again, tmp_path / "c.html") == ()
+    assert shared_of(first, again).same
+    assert "The two are the same to the last bit: nothing differs." in compared(first, first, tmp_path)
+
+
 def test_a_result_with_itself_has_no_difference(folder, tmp_path):
     result = folder("rich")
     text = compared(result, result, tmp_path)

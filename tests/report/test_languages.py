@@ -260,6 +260,7 @@ MADE = {
     "the report of the result says by how much", "heights in {} are relative: none of the control was measured",
     "{}, {} of them, beside the area of the heights, that of the tie points; {} holds all but 0.1 % at each edge",
     "{}: in none of the folders of the photographs", "{}: of {} px, its camera of {}",
+    "{}: of an earlier run, {}, beside points.ply {}; made alike with {}", "with all points", "thinned by {}",
     "{}: of an earlier run, of the same points", "{}: removed, it was of other points; ask for it with {}",
     "Scene {}", "Strip {}", "scene {}", "shift in {}, knot {}, {}", "velocity", "feet", "across X", "across Y",
     "not connected", "no approximate orientation for {} of {} images: {}", "fits no other photograph",

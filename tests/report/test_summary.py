@@ -1,16 +1,25 @@
 """What the terminal says of a result in single lines."""
 
 import re
+from dataclasses import replace
 from types import SimpleNamespace
 
+import numpy as np
 import pytest
 
 from raybundle import adjust
 from raybundle.adjustment.result import WHITE, Noise
 from raybundle.cli.calibrate import lines
+from raybundle.io.photos.start import NOMINAL_PIXEL_MM
 from raybundle.planning.scenes import TargetField, field_scene
 from raybundle.planning.simulate import Survey, simulate
-from raybundle.report.text.summary import noise_lines
+from raybundle.report.chapters import Occasion
+from raybundle.report.delivery import delivery_of
+from raybundle.report.sections.front import glance_parts
+from raybundle.report.text.summary import a_priori, noise_lines
+from raybundle.report.text.words import verdict
+from raybundle.report.view import view_of
+from tests.report.conftest import made
 
 
 @pytest.mark.parametrize(
@@ -30,6 +39,31 @@ def test_the_noise_is_told_by_what_standard_deviations_contain(tau, focus, told)
     assert told in line
     assert line.endswith("(medians): 1.6 for the interior orientation, 1 for object points")
     assert noise_lines(WHITE) == []
+
+
+@pytest.mark.parametrize(("pixel_mm", "told"), [(0.005, "1.5 um = 0.3 px"), (NOMINAL_PIXEL_MM, "0.3 px")])
+def test_micrometres_are_told_where_pixels_have_a_size(pixel_mm, told):
+    """Photographs that do not tell theirs are given pixels of a micrometre: 0.3 um is nothing that is known of them."""
+    block = simulate(field_scene(TargetField()), Survey(image_sigma_px=0.3)).observed
+    cameras = tuple(replace(c, pixel_mm=(pixel_mm, pixel_mm)) for c in block.cameras)
+    assert a_priori(replace(block, cameras=cameras)) == told
+
+
+def test_the_headline_and_the_key_figure_of_points_are_one_number():
+    """Where a few points hold most of the variance both are the median, over the points, of the rms of a point."""
+    result = made("rich")
+    cofactors = np.array(result.precision.object_points)
+    cofactors[np.flatnonzero(np.isfinite(cofactors[:, 0, 0]) & (cofactors[:, 0, 0] > 0))[0]] *= 1e4
+    spread = np.array([0.2, 1.0, 3.0])  # axes that differ: the median of all coordinates is another number
+    cofactors *= spread[:, None] * spread
+    of_points = replace(result.precision, object_points=cofactors)
+    view = view_of(replace(result, precision=of_points))
+    headline = verdict(view).headline
+    (number,) = re.findall(r"standard deviation of (\S+) mm a coordinate in the median", headline)
+    facts = glance_parts(Occasion(view=view, told=verdict(view)), delivery_of(view.adjustment))[0].facts
+    (fact,) = [f for f in facts if f.label == "standard deviation"]
+    assert "median over the object points" in fact.remark
+    assert fact.value == f"{number} mm"
 
 
 def test_what_calibrate_prints_of_a_model_has_units():

@@ -107,6 +107,27 @@ def test_the_estimate_is_near_a_measured_adjustment():
     assert sum(s.disk_gb for s in stages) == pytest.approx(found["disk GB"]["measured"], rel=0.3)
 
 
+def test_the_memory_of_features_is_that_of_measured_ones():
+    """By the figures of benchmarks/features_memory.py: never less, and little more where the finest octave counts."""
+    path = Path(__file__).parents[2] / "benchmarks/results/features_memory.json"
+    found = json.loads(path.read_text())
+    for name, of in found.items():
+        estimated = photographs.features(replace(A, megapixels=of["megapixels"]), C).memory_mb
+        assert estimated > of["MB after all"], name
+        if name.endswith("soft"):
+            assert estimated == pytest.approx(of["MB after all"], rel=0.15), name
+    assert found["24 megapixels, sharp"]["MB after all"] > 2 * (C.base_mb + 12 * 24)  # as it was once reckoned
+    # docs/how-to/cluster.md
+    assert photographs.features(replace(A, megapixels=24.0), C).memory_mb == pytest.approx(1400, abs=50)
+    assert photographs.features(replace(A, megapixels=150.0), C).memory_mb < 2000
+
+
+def test_features_are_among_what_may_give_way():
+    small = estimate(replace(A, images=10, memory_gb=1.0), C, disk_gb=1e9)
+    assert small.limits[0].what == "memory of features"
+    assert small.limits[0].share > 1
+
+
 def test_what_is_tightest_stands_first():
     found = estimate(A, C, disk_gb=1.0)
     assert found.limits[0].what == "disk"

@@ -36,6 +36,17 @@ def measured():
         yield f"| {words} | {of['estimated']:.{digits}f} | {of['measured']:.{digits}f} | {of['ratio']:.2f} |"
 
 
+def memory_of_features():
+    """Rows of what a process takes that finds features."""
+    found = json.loads((ROOT / "benchmarks/results/features_memory.json").read_text())
+    yield "| megapixels | sharp, MB | with few features, MB | estimated, MB |"
+    yield "|---|---|---|---|"
+    for name in [n.removesuffix(", sharp") for n in found if n.endswith("sharp")]:
+        sharp, soft = (found[f"{name}, {how}"] for how in ("sharp", "soft"))
+        figures = sharp["MB after all"], soft["MB after all"], soft["reckoned with, MB"]
+        yield row(name.removesuffix(" megapixels"), [significant(f, 3) for f in figures])
+
+
 def before():
     """Rows of the stages before."""
     yield "| | estimated | measured | ratio |"
@@ -113,7 +124,9 @@ def workers():
             yield row(load.split()[0], [w, grouped(of["images"]), *shares, *seconds])
 
 
-@pytest.mark.parametrize("table", [measured, before, sizes, breaks, workers, walls], ids=lambda t: t.__name__)
+@pytest.mark.parametrize(
+    "table", [measured, memory_of_features, before, sizes, breaks, workers, walls], ids=lambda t: t.__name__
+)
 def test_tables_of_the_page(table):
     text = PAGE.read_text()
     rows = "\n".join(table())

@@ -26,6 +26,7 @@ from tests.workflows.half_portal import PORTAL, half_portal
 rasterio = pytest.importorskip("rasterio")
 laspy = pytest.importorskip("laspy")
 CELL, PIXEL, MESH, SIDE = 0.05, 0.02, 0.1, 0.1
+WINDOW = (-0.2, -0.2, 0.2, 0.2)
 ASKED = {"density": "4", "dsm": CELL, "ortho": PIXEL, "mesh": MESH, "las": True, "depths": True}
 
 
@@ -247,6 +248,54 @@ def test_of_each_cube_the_best_point_stays(made, half, tmp_path, cloud):
     assert f"element vertex {len(best)}\n".encode() in (made[1] / "points.ply").read_bytes()[:2000]
     with pytest.raises(InputError, match="more cubes than"):
         surface(half / "block", made[1], photos=(half,), jobs=1, density="4", thin=1e-9)
+
+
+@pytest.mark.long
+def test_points_of_an_earlier_run_are_told_with_what_they_were_thinned_by(half, tmp_path):
+    """Of a part of the portal, both ways: thinned before and not now, and the other way round."""
+
+    def run(**more):
+        return surface(half / "block", tmp_path / "s", photos=(half,), jobs=1, density="4", extent=WINDOW, **more)
+
+    def las():
+        return len(laspy.read(tmp_path / "s/points.laz"))
+
+    thin = run(thin=SIDE, las=True)
+    few, page = las(), tmp_path / "s/surface.html"
+    whole = run()
+    assert las() == few < len(whole.surface)
+    told = "points.laz: of an earlier run, thinned by 0.1, beside points.ply with all points; made alike with las="
+    assert told in whole.remarks
+    assert not any("points.laz" in r for r in thin.remarks)
+    assert "points of an earlier run, thinned by 0.1" in page.read_text().replace("\N{NO-BREAK SPACE}", " ")
+    run(las=True)
+    assert las() == len(whole.surface)
+    told = "points.laz: of an earlier run, with all points, beside points.ply thinned by 0.1; made alike with las="
+    assert told in run(thin=SIDE).remarks
+    assert "points.laz: of an earlier run, of the same points" in run().remarks
+    (tmp_path / "s/surface.pdf").write_bytes(b"%PDF of a run that noted nothing")
+    assert "surface.pdf: removed, it was of other points; ask for it with pdf=" in run().remarks
+    assert not (tmp_path / "s/surface.pdf").exists()
+
+
+@pytest.mark.long
+def test_a_pdf_of_the_same_points_stays_and_is_told(half, tmp_path, monkeypatch):
+    monkeypatch.setattr("raybundle.report.paper.needed.check_typesetter", lambda: None)
+    monkeypatch.setattr("raybundle.report.surface_page.set_document", lambda *_: b"a page")
+
+    def run(**more):
+        more = {"extent": WINDOW, **more}
+        return surface(half / "block", tmp_path / "s", photos=(half,), jobs=1, density="4", **more)
+
+    pdf = tmp_path / "s/surface.pdf"
+    assert not any("surface.pdf" in r for r in run(pdf=True).remarks)
+    assert "surface.pdf: of an earlier run, of the same points" in run().remarks
+    assert any(r.startswith("surface.pdf: of an earlier run, with all points, beside") for r in run(thin=SIDE).remarks)
+    assert pdf.exists()
+    left, bottom, right, top = WINDOW
+    other = run(extent=(left, bottom, right - 0.05, top))
+    assert "surface.pdf: removed, it was of other points; ask for it with pdf=" in other.remarks
+    assert not pdf.exists()
 
 
 def test_what_cannot_be_is_refused_before_it_is_computed(half, tmp_path, monkeypatch):

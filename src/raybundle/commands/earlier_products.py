@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import shutil
-from collections.abc import Collection
+from collections.abc import Collection, Mapping
+from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -11,46 +12,80 @@ if TYPE_CHECKING:
     from raybundle.workflows.surface import Surface
 
 TABLE = "written"
-"""Of project.toml: of which points each product is"""
+"""Of project.toml: of which points each product is, and by which length they were thinned"""
 
 
-def settle_earlier(surface: Surface, out: Path, work: Path, wanted: Collection[str]) -> tuple[str, ...]:
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Earlier:
+    """What is to be told of products of earlier runs."""
+
+    told: tuple[str, ...]
+    """a line for each product"""
+    others: Mapping[str, str]
+    """files that have more points, or fewer, than this run writes, and how that is"""
+
+
+def settle_earlier(
+    surface: Surface, out: Path, work: Path, wanted: Collection[str], thin: float | None, pages: Mapping[str, str]
+) -> Earlier:  # fmt: skip
     """Remove products of other points than these; those of the same points stay.  What is to be told of both.
+
+    thin   by which length points are thinned now; None: all are written
+    pages  files of all points that are no products, by the setting with which each is asked for
 
     A file beside points that it was not made of would be taken for one of them.
     """
     from raybundle.settings import option  # noqa: PLC0415
     from raybundle.workflows.surface_products import PRODUCTS  # noqa: PLC0415
 
-    before, key = _written(work), _key(surface)
-    told = list[str]()
-    for name, product in sorted(PRODUCTS.items()):
-        there = [out / f for f in product.files if (out / f).exists()]
+    before, key, now = _written(work), _key(surface), _thinned(thin)
+    told, others = list[str](), dict[str, str]()
+    files = {name: (p.files, p.of_cloud) for name, p in PRODUCTS.items()} | {n: ((f,), True) for n, f in pages.items()}
+    for name, (names, of_cloud) in sorted(files.items()):
+        there = [out / f for f in names if (out / f).exists()]
         if not there or name in wanted:
             continue
-        names = ", ".join(p.name for p in there)
-        if before.get(name) == key:
-            told.append(f"{names}: of an earlier run, of the same points")
+        listed = ", ".join(p.name for p in there)
+        made_of, _, length = before.get(name, "").partition(" ")
+        if made_of == key:
+            if of_cloud and length != now:
+                how, points = _how(length), _how(now)
+                again = option(name)
+                told.append(f"{listed}: of an earlier run, {how}, beside points.ply {points}; made alike with {again}")
+                others |= dict.fromkeys((p.name for p in there), how)
+            else:
+                told.append(f"{listed}: of an earlier run, of the same points")
             continue
         for path in there:
             shutil.rmtree(path) if path.is_dir() else path.unlink()
-        told.append(f"{names}: removed, it was of other points; ask for it with {option(name)}")
-    return tuple(told)
+        told.append(f"{listed}: removed, it was of other points; ask for it with {option(name)}")
+    return Earlier(told=tuple(told), others=others)
 
 
-def note_written(surface: Surface, work: Path, written: Collection[str]) -> None:
-    """Note of which points products are."""
+def note_written(surface: Surface, work: Path, written: Collection[str], thin: float | None) -> None:
+    """Note of which points products and pages are."""
     from raybundle.pipeline.project import Project  # noqa: PLC0415
     from raybundle.pipeline.settings_file import with_table  # noqa: PLC0415
 
-    key = _key(surface)
-    known = {name: k for name, k in _written(work).items() if k == key} | {name or "points": key for name in written}
+    key, now = _key(surface), f"{_key(surface)} {_thinned(thin)}".strip()
+    known = {name: k for name, k in _written(work).items() if k.partition(" ")[0] == key}
+    known |= {name or "points": now for name in written}
     lines = [f"[{TABLE}]", *(f'{name} = "{k}"' for name, k in sorted(known.items()))]
     project = Project.open(work)
     try:
         project.write_settings(with_table(work / "project.toml", TABLE, "\n".join(lines)))
     finally:
         project.close()
+
+
+def _thinned(thin: float | None) -> str:
+    """As it is noted."""
+    return "" if thin is None else f"{thin:g}"
+
+
+def _how(thinned: str) -> str:
+    """Which points a file has."""
+    return f"thinned by {thinned}" if thinned else "with all points"
 
 
 def _key(surface: Surface) -> str:
@@ -60,7 +95,7 @@ def _key(surface: Surface) -> str:
 
 
 def _written(work: Path) -> dict[str, str]:
-    """Product -> the key of its points, as the last run noted."""
+    """Product -> the key of its points, as the last run noted, and what they were thinned by."""
     from raybundle.errors import InputError  # noqa: PLC0415
     from raybundle.io.reading.trees import read_toml  # noqa: PLC0415
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Container
 from contextlib import suppress
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -81,11 +81,19 @@ def status_of(folder: Path) -> Status:
         listed = tasks_listed(project, "" if store == HERE else store)
     return Status(
         stages={n: records.get(n) for n in _stages(project, records, of_calibration=of_calibration)},
-        running=running(project), surface=beside, folder=project if _of_surface(project) else None,
+        running=_at(running(project), listed, waits=not works(project)), surface=beside,
+        folder=project if _of_surface(project) else None,
         written=(project.parent / POINTS).is_file(),
         works=works(project), listed=listed, store="" if store == HERE else store, bytes=bytes_in(project),
         elsewhere=_elsewhere(project), left=left,
     )  # fmt: skip
+
+
+def _at(stage: Running | None, listed: tuple[int, int] | None, *, waits: bool) -> Running | None:
+    """How far a stage is: of one that waits for shards, with what they have done since the run ended."""
+    if stage is None or listed is None or not waits:
+        return stage
+    return replace(stage, done=min(stage.done + listed[0], stage.total))
 
 
 def _surface_in(folder: Path) -> Status | None:

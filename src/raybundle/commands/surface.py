@@ -224,7 +224,7 @@ def _measured(a: _Asked) -> Surface:
 def _delivered(a: _Asked, done: Surface, mended: set[str]) -> MeasuredSurface:
     """Write what is asked for; `mended` gets the keys of kept products that were found damaged."""
     from raybundle.commands.earlier_products import note_written, settle_earlier  # noqa: PLC0415
-    from raybundle.commands.surface_pages import heights_told, outside_told, write_pages  # noqa: PLC0415
+    from raybundle.commands.surface_pages import PDF, heights_told, outside_told, write_pages  # noqa: PLC0415
     from raybundle.workflows.surface import mended_words  # noqa: PLC0415
     from raybundle.workflows.surface_product import Context  # noqa: PLC0415
     from raybundle.workflows.surface_products import PRODUCTS  # noqa: PLC0415
@@ -239,14 +239,16 @@ def _delivered(a: _Asked, done: Surface, mended: set[str]) -> MeasuredSurface:
             export=export, unit=unit, wanted=wanted, plane=a.grids.plane, mesh=s.mesh, progress=a.progress,
             points=done if s.thin is None else thinned(done, s.thin),
         )  # fmt: skip
-        earlier = settle_earlier(done, out, out / WORK, wanted)
+        asked_for = wanted | ({"pdf"} if s.pdf else set[str]())
+        earlier = settle_earlier(done, out, out / WORK, asked_for, s.thin, {"pdf": PDF})
         written = tuple((name, p.write(done, out, context)) for name, p in sorted(PRODUCTS.items()) if name in wanted)
-        note_written(done, out / WORK, wanted)
+        note_written(done, out / WORK, wanted, s.thin)
         remarks = (
             *outside_told(done, a.grids), *heights_told(a.grids.told, export), *done.remarks,
-            *mended_words(mended | done.store.mended), *earlier,
+            *mended_words(mended | done.store.mended), *earlier.told,
         )  # fmt: skip
-        pages = write_pages(done, a.result, out, context, remarks, s, a.progress)
+        pages = write_pages(done, a.result, out, context, remarks, s, earlier.others, a.progress)
+        note_written(done, out / WORK, asked_for, s.thin)
     finally:
         mended |= done.store.mended
     return MeasuredSurface(surface=done, written=written, remarks=remarks, unit=unit, pages=pages)

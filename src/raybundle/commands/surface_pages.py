@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass, fields
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -42,12 +43,13 @@ class SurfacePages:
 
 def write_pages(
     done: Surface, result: Path, out: Path, context: Context, remarks: tuple[str, ...], settings: SurfaceSettings,
-    progress: Progress = silent,
+    others: Mapping[str, str], progress: Progress = silent,
 ) -> SurfacePages:  # fmt: skip
     """Write them.
 
     result   folder of the result that was measured: its notices, its record and its system are those of the points
     remarks  what was said while the surface was measured
+    others   files of earlier runs with more points, or fewer, and how that is
     """
     from raybundle.adjustment.result import as_told  # noqa: PLC0415
     from raybundle.adjustment.severity import Severity  # noqa: PLC0415
@@ -66,12 +68,10 @@ def write_pages(
     name = done.block.name or result.resolve().name
     rests = _occasion(done, result, context, settings)
     pages = [out / PAGE, *([out / PDF] if settings.pdf else [])]
-    if not settings.pdf:
-        (out / PDF).unlink(missing_ok=True)  # of an earlier run, of which it would tell other numbers
     written = (*(p.name for p in out.iterdir()), IN_3D)
     write_surface_page(
         summary, *pages, name=name, remarks=remarks, language=settings.language, rests=rests, written=written,
-        lost=len(done.lost), progress=progress,
+        others=others, lost=len(done.lost), progress=progress,
     )  # fmt: skip
     given = "" if rests.delivery is None else rests.delivery.record.title
     title = given or language_of(settings.language, [name]).text(f"Surface of {name}")

@@ -20,6 +20,19 @@ OVERLAP_PX = 96
 FEW = 0.6
 """Below this share of the wanted features the finest octave is searched as well."""
 
+HELD, SEARCHED = 4.0, 236.0
+"""Bytes of memory for a pixel of a photograph, and for one of the part that is searched at a time: 11 pictures in
+float32 of four times its pixels and a third more for all octaves (`benchmarks/features_memory.py`)"""
+
+
+def bytes_needed(pixels: float) -> float:
+    """What finding the features of a photograph of so many pixels takes at most: where the finest octave is searched.
+
+    A sharp one of a few megapixels takes a quarter of it; from some 20 on they take nearly the same, as a part of
+    twice the side is then searched at half its size.
+    """
+    return HELD * pixels + SEARCHED * min(pixels, float(TILE_PX + 2 * OVERLAP_PX) ** 2)
+
 
 class RootSift(FeatureMethod):
     """OpenCV's detector, tile by tile, first without the octave of double size."""

@@ -11,6 +11,7 @@ import numpy as np
 
 from raybundle.adjustment.predict import residuals_px
 from raybundle.adjustment.result import Notice
+from raybundle.adjustment.severity import Severity
 from raybundle.block import Block, Distances, Observations, Points, Role
 from raybundle.block.select import selected
 from raybundle.errors import InputError
@@ -209,12 +210,14 @@ def add_points(state: Placing, photos: Sequence[Photo], given: Given, frame: Loc
             sigma.append(np.where(np.isfinite(place), deviations[k], np.nan))
             role.append(int(Role.CONTROL if tie else c.role[k]))
         unknown: dict[str, int] = {}
+        here = False
         m = c.measurements
         for name, k, at, own in zip(m.image, m.point, m.xy_px, m.covariances, strict=True):
             i = _photo(images, name)
             if i is None:
                 unknown[name] = unknown.get(name, 0) + 1
                 continue
+            here = True
             if not block.images.oriented[i]:
                 continue
             image.append(i)
@@ -223,9 +226,14 @@ def add_points(state: Placing, photos: Sequence[Photo], given: Given, frame: Loc
             cov.append(own if np.isfinite(own).all() else by_hand)
         if unknown:
             names = ", ".join(sorted(unknown)[:5])
-            state.tell(
-                "control_without_photograph",
-                f"{sum(unknown.values())} measurements of {c.path.name} are in photographs that are not here: {names}",
+            n = sum(unknown.values())
+            state.notices.append(
+                Notice(
+                    code="control_without_photograph",
+                    message=f"{n} measurements of {c.path.name} are in photographs that are not here: {names}",
+                    # a file of several epochs, or of a whole of which this is a part, has its other photographs here
+                    measured=Severity.REMARK if here else Severity.CAUTION,
+                )
             )
     if not ids:
         return

@@ -16,6 +16,7 @@ from typing import Any, Literal, cast
 import numpy as np
 
 from raybundle.numerics.arrays import Array
+from raybundle.report.sameness import sameness
 from raybundle.report.text.numbers import grouped, significant
 from raybundle.results.folder import ResultFolder
 
@@ -43,6 +44,8 @@ class Shared:
     """noise factors that the standard deviations carry"""
     noise: str = ""
     """sentence on noise models that differ"""
+    same: bool = False
+    """whether all tables of the two are the same to the last bit"""
 
     @property
     def too_large(self) -> bool:
@@ -51,7 +54,7 @@ class Shared:
         Of means: (n1 + n2) / (n1 + n2 - 2 common), squared.
         """
         alone = sum(self.used) - 2 * self.common
-        return not self.part and sum(self.used) > UNCERTAIN**2 * alone
+        return not self.same and not self.part and sum(self.used) > UNCERTAIN**2 * alone
 
     @property
     def of(self) -> str:
@@ -80,6 +83,8 @@ class Shared:
     @property
     def sentences(self) -> tuple[str, ...]:
         """What the head of the page says of it."""
+        if self.same:
+            return ("The two are the same to the last bit: nothing differs.",)
         told: list[str] = []
         share = (
             f"The two share {grouped(self.common)} of {grouped(self.used[0])} and {grouped(self.used[1])} image "
@@ -118,7 +123,11 @@ def shared_of(first: ResultFolder, second: ResultFolder) -> Shared:
         elif alone[1] <= ALONE * alone[0] and free[1] >= free[0] and (any(alone) or free[0] != free[1]):
             part = "second"
     s = [float(r.result.get("sigma0") or math.nan) for r in (first, second)]
-    return Shared(common=common, used=used, part=part, sigma0=(s[0], s[1]), noise=_noise_words(first, second))
+    tables = sameness(first.path, second.path)
+    noise = _noise_words(first, second)
+    named = first.block.points.ids == second.block.points.ids
+    same = tables.tables > 0 and tables.equal == tables.tables and named and not noise
+    return Shared(common=common, used=used, part=part, sigma0=(s[0], s[1]), noise=noise, same=same)
 
 
 def _weights(folder: ResultFolder) -> dict[tuple[str, int, int], float]:

@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from pathlib import Path
+from types import MappingProxyType
 
 import numpy as np
 
@@ -44,6 +45,7 @@ from raybundle.report.sigma_classes import Classes, sigma_classes
 from raybundle.report.text.front_words import grade_of, verdict_sentence
 from raybundle.report.text.numbers import counted, grouped, per_cent, significant
 from raybundle.report.text.words import Grade
+from raybundle.report.view import FREE_UNIT
 from raybundle.surfaces.summary import HeightSummary, OrthophotoSummary, SurfaceSummary
 
 MOST_MAPS = 24
@@ -51,10 +53,11 @@ MOST_MAPS = 24
 LOW = 0.3
 """Share of its pixels below which a map is said to be incomplete."""
 HEAD = "standard deviation along the ray"
+LAS_HOLDS = "the same for programs that read LAS"
 FILES = {
     "points.ply": "points with colours and standard deviations",
-    "points.laz": "the same in the coordinate system",
-    "points.las": "the same in the coordinate system",
+    "points.laz": LAS_HOLDS,
+    "points.las": LAS_HOLDS,
     "heights.tif": "heights on a grid",
     "heights_sigma.tif": "their standard deviations by parts",
     "heights.toml": "where they lie, their unit, and what forbids their use",
@@ -69,6 +72,12 @@ FILES = {
     "surface_3d.html": "points and network in three dimensions",
 }
 """What a client takes, in this order"""
+MEASURED = "share of its pixels with a depth; sky and what no second photograph shows have none."
+MEASURED_OF_PART = (
+    "share with a depth of the pixels around the part that was asked for; those that show something else have none."
+)
+NO_OTHERS: Mapping[str, str] = MappingProxyType({})
+FREE_SCALE = "The scale is arbitrary: coordinates and standard deviations are in units that nothing ties to a length."
 NOTES = (
     (
         "Noise: what grey values scatter by, as measured in these photographs. Roughness: what the surface does within "
@@ -84,7 +93,8 @@ NOTES = (
 
 def write_surface_page(
     summary: SurfaceSummary, *files: Path, name: str, remarks: tuple[str, ...] = (), language: str = ENGLISH,
-    rests: Occasion | None = None, written: Sequence[str] = (), lost: int = 0, progress: Progress = silent,
+    rests: Occasion | None = None, written: Sequence[str] = (), others: Mapping[str, str] = NO_OTHERS, lost: int = 0,
+    progress: Progress = silent,
 ) -> None:  # fmt: skip
     """Write the page, as HTML or, where a name ends in .pdf, for print; each file needs no other.
 
@@ -92,12 +102,17 @@ def write_surface_page(
     remarks  what was said while the surface was measured
     rests    the adjustment that the surface rests on, with its notices, and who the delivery is for
     written  names of the files beside the page
+    others   those of them with more points, or fewer, than were written now, and how that is
     lost     photographs, of those without a part, that were adjusted and are not there or do not fit
     """
     names = [name, *(m.name for m in summary.maps), *(what for what, _ in summary.left_out), *written]
     say = language_of(language, [*names, *(rests.language.names if rests else ())])
-    factor, unit = precision_unit(summary.position[0], summary.unit)
-    sections = [_result(summary, factor, unit, remarks, _head(rests)), *_adjustment(rests), *_files(written)]
+    factor, unit = precision_unit(summary.position[0], summary.unit or FREE_UNIT)
+    sections = [
+        _result(summary, factor, unit, remarks, _head(rests)),
+        *_adjustment(rests),
+        *_files(written, others, rests),
+    ]
     if summary.heights is not None:
         sections.append(_heights(summary.heights, factor, unit, summary.unit))
     if summary.orthophoto is not None:
@@ -108,6 +123,8 @@ def write_surface_page(
     head = f"{grouped(summary.points)} points from {counted(given, 'depth map')}"
     if summary.points:
         head += f"; standard deviation of a point {sigma_told(factor * summary.position[0], unit)} in the median"
+    if not summary.unit:
+        head += "; no length is absolute"
     title = "" if rests is None or rests.delivery is None else rests.delivery.record.title
     document = Document(
         title=title or say.text(f"Surface of {name}"),
@@ -145,8 +162,16 @@ def _adjustment(rests: Occasion | None) -> list[Section]:
     return [Section(anchor="adjustment", title="The adjustment behind it", parts=tuple(parts))]
 
 
-def _files(written: Sequence[str]) -> list[Section]:
-    rows = [(f"{name}/" if name == "depths" else name, words) for name, words in FILES.items() if name in written]
+def _files(written: Sequence[str], others: Mapping[str, str], rests: Occasion | None) -> list[Section]:
+    """Which files there are; `others`: those with more points, or fewer, than this run writes, and how that is."""
+    in_system = rests is not None and rests.delivery is not None and rests.delivery.frame is not None
+    rows = list[tuple[str, str]]()
+    for name, words in FILES.items():
+        if name not in written:
+            continue
+        holds = "the same in the coordinate system" if words == LAS_HOLDS and in_system else words
+        holds = f"points of an earlier run, {others[name]}" if name in others else holds
+        rows.append((f"{name}/" if name == "depths" else name, holds))
     if not rows:
         return []
     body = table((whole("file"), text("what it holds")), zip(*rows, strict=True))
@@ -156,7 +181,7 @@ def _files(written: Sequence[str]) -> list[Section]:
 def _doubts(s: SurfaceSummary, lost: int) -> str:
     """What the headline has to add."""
     told = [f"{counted(lost, 'photograph')} of the adjustment could not be used"] if lost else []
-    few = [m for m in s.maps if m.measured < LOW * m.pixels]
+    few = [] if s.of_part else [m for m in s.maps if m.measured < LOW * m.pixels]
     if few:
         told.append(
             f"{counted(len(few), 'depth map')} cover less than {per_cent(LOW)} of the photograph"
@@ -173,12 +198,13 @@ def _result(
 ) -> Section:  # fmt: skip
     rays = np.arange(len(s.rays))
     two = float(s.rays[:3].sum()) / max(s.points, 1)
+    each = ", ".join(f"{a}\u00a0{significant(factor * float(v[0]), 2)}" for a, v in zip("XYZ", s.axes, strict=True))
     facts = [
         Fact(label="points", value=grouped(s.written or s.points), remark=_of_maps(s)),
         Fact(
             label="standard deviation of a point", value=sigma_told(factor * s.position[0], unit),
-            remark="median, in the datum of the result; "
-            + ", ".join(f"{a}\u00a0{significant(factor * float(v[0]), 2)}" for a, v in zip("XYZ", s.axes, strict=True)),
+            remark="of its place in space, root of the sum of the squares of X, Y and Z; median, in the datum of the "
+            f"result; {each}",
         ),
         Fact(
             label=HEAD, value=sigma_told(factor * s.sigma[0], unit),
@@ -192,6 +218,8 @@ def _result(
         Fact(label="grazed", value=per_cent(s.incidence), remark="of the points, at less than 17 degrees"),
     ]  # fmt: skip
     parts: list[Part] = [*head, Facts(facts=tuple(facts))] if s.points else [*head]
+    if not s.unit:
+        parts.append(Paragraph(text=FREE_SCALE))
     parts += [Paragraph(text=r) for r in remarks]
     if s.left_out:
         parts.append(
@@ -265,7 +293,7 @@ def _maps(s: SurfaceSummary, factor: float, unit: str) -> Section:
     )  # fmt: skip
     body = table(
         head, zip(*rows, strict=True), caption="Depth maps",
-        note="measured: share of its pixels with a depth; sky and what no second photograph shows have none. "
+        note=f"measured: {MEASURED_OF_PART if s.of_part else MEASURED} "
         "sigma: along the ray, median. A point that several maps know is given by the one that knows it best.",
     )  # fmt: skip
     parts: list[Part] = [body]

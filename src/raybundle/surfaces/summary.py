@@ -108,6 +108,8 @@ class SurfaceSummary:
     """(n, 2) distance in pixels and stated correlation of the errors by noise and roughness"""
     maps: tuple[MapSummary, ...]
     left_out: tuple[tuple[str, str], ...]
+    of_part: bool = False
+    """whether a part of the object was asked for: pixels around it show something else"""
     written: int = 0
     """points in the files, where they were thinned; 0: all"""
     heights: HeightSummary | None = None

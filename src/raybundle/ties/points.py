@@ -14,6 +14,7 @@ from raybundle.io.photos.masks import MaskFile, Masks
 from raybundle.io.photos.photo import Photo, read_grey, stored_from_upright, upright, upright_from_stored
 from raybundle.matching.features import Described, FeatureMethod, Features, feature_number
 from raybundle.matching.methods import feature_method
+from raybundle.matching.rootsift import bytes_needed
 from raybundle.matching.tracks import Tracks
 from raybundle.matching.verify import VerifiedPair, beyond_chance, verify
 from raybundle.numerics.arrays import Array
@@ -25,7 +26,7 @@ from raybundle.pipeline.tasks import Task
 
 VERIFICATION = 4
 """Raised with every change of what matching and verification give."""
-PIXELS_A_SECOND, BYTES_A_PIXEL, PAIR_S = 25e6, 12.0, 0.07
+PIXELS_A_SECOND, PAIR_S = 25e6, 0.07
 """Of feature detection, and of matching a pair: for the order of tasks and the time that is left."""
 SCALES = np.linspace(-1.0, 1.0, 33)
 """Camera constants tried, in standard deviations about the one that the photographs state."""
@@ -185,7 +186,7 @@ def find_features(
             options=FeaturesTask(
                 photo=p, method=method.name, count=n, mask=None if masks is None else masks.files.get(p.name)
             ),
-            cost=p.width_px * p.height_px / PIXELS_A_SECOND, memory=BYTES_A_PIXEL * p.width_px * p.height_px,
+            cost=p.width_px * p.height_px / PIXELS_A_SECOND, memory=bytes_needed(p.width_px * p.height_px),
             name=p.name,
         )
         for p, n, m in zip(photos, counts, worn, strict=True)

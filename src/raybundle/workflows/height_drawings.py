@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Sequence
 from dataclasses import dataclass
 from html import escape
@@ -23,6 +24,20 @@ STYLE = (
     ".thin{stroke:#8a6d4b;stroke-width:.7;fill:none}.thick{stroke:#6b4f2c;stroke-width:1.4;fill:none}"
     ".name{font-size:10px;fill:#6b4f2c;paint-order:stroke;stroke:#fff;stroke-width:3px}"
 )
+PLAIN = 'font-family="sans-serif" font-size="13" fill="#333"'
+ATTRIBUTES = {
+    "small": 'font-family="sans-serif" font-size="11" fill="#666"',
+    "name": 'font-family="sans-serif" font-size="10" fill="#6b4f2c"',
+    "grid": 'stroke="#e4e4e4" stroke-width="1"',
+    "axis": 'fill="none" stroke="#888" stroke-width="1"',
+    "band": 'fill="#4a7fb5" fill-opacity=".28" stroke="none"',
+    "line": 'fill="none" stroke="#12365c" stroke-width="1.4" stroke-linejoin="round"',
+    "corner": 'stroke="#b55" stroke-dasharray="3 3"',
+    "thin": 'fill="none" stroke="#8a6d4b" stroke-width=".7"',
+    "thick": 'fill="none" stroke="#6b4f2c" stroke-width="1.4"',
+}
+"""The same for programs that heed no style sheet, as MuPDF, and draw all in black; names without their white rim, as
+these may draw it over the letters"""
 EVERY = 5
 """Contour lines from one thick one to the next"""
 
@@ -176,6 +191,8 @@ def _points(x: Array, y: Array, between: str = " ") -> str:
 
 
 def _sheet(width: float, height: float, body: str) -> str:
+    body = re.sub(r'class="(\w+)"', lambda found: f"{found[0]} {ATTRIBUTES[found[1]]}", body)
+    body = re.sub(r"<text (?!class=)", f"<text {PLAIN} ", body)
     return (
         f'<svg xmlns="http://www.w3.org/2000/svg" viewBox="0 0 {width:.0f} {height:.0f}" width="{width:.0f}" '
         f'height="{height:.0f}"><style>{STYLE}</style><rect width="100%" height="100%" fill="#fff"/>{body}</svg>\n'

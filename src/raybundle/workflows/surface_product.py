@@ -64,6 +64,8 @@ class Product:
     files: tuple[str, ...]
     """names that it may have in the folder of the surface"""
     write: Callable[[Surface, Path, Context], Written]
+    of_cloud: bool = False
+    """whether it holds the points of the cloud, fewer of them where they are thinned"""
     check: Callable[[], None] = lambda: None
     """raises InputError where something is missing that it needs, as a library"""
 

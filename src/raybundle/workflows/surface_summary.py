@@ -51,7 +51,8 @@ def summary_of(surface: Surface, unit: str, file: HeightFile | None = None, writ
         maps.append(told)
         correlation.append(found)
     return SurfaceSummary(
-        points=len(surface), written=written, unit=unit, sigma=_quantiles(np.sqrt(squares.sum(axis=1))),
+        points=len(surface), written=written, of_part=surface.options.region is not None, unit=unit,
+        sigma=_quantiles(np.sqrt(squares.sum(axis=1))),
         position=_quantiles(np.sqrt(of_axes.sum(axis=1))),
         axes=np.array([_quantiles(np.sqrt(of_axes[:, k])) for k in range(3)]),
         parts=np.array([_quantiles(np.sqrt(squares[:, k])) for k in range(3)]), shares=_shares(squares),

@@ -12,7 +12,7 @@ from raybundle.report.figures.svg import CHARACTER, Drawing, Plot, axes, drawing
 from raybundle.report.sigma_classes import Classes
 from raybundle.report.text.numbers import significant
 
-NOTHING = (236, 239, 242)
+NOTHING = (198, 202, 207)
 """Colour of cells without a number"""
 RAMP = np.array([(38, 66, 104), (46, 117, 138), (116, 166, 130), (214, 196, 124), (240, 232, 208)], float)
 """From low to high; lighter and lighter, so that it reads in grey, too"""

@@ -204,12 +204,10 @@ def _precision_facts(view: View, d: Delivery) -> list[Fact]:
         each = ", ".join(f"{a}\u00a0{significant(m, 2)}" for a, m in names if math.isfinite(m))
         told = f"of a coordinate, rms over the object points; {each}"
         told = f"of a coordinate, median over the object points; {each}" if median else told
-        facts.append(
-            Fact(
-                label="standard deviation", value=f"{significant(_typical(std, median=median), 2)} {view.unit}",
-                remark=told,
-            )
-        )  # fmt: skip
+        # of each point the rms of its coordinates, as `few_hold` has it: the headline's number, not another beside it
+        each_point = np.sqrt(np.nanmean(std[np.isfinite(std).any(axis=1)] ** 2, axis=1)) if median else std
+        size = significant(_typical(each_point, median=median), 2)
+        facts.append(Fact(label="standard deviation", value=f"{size} {view.unit}", remark=told))
     if network is not None and math.isfinite(network.relative_precision) and d.flight is None:
         size = grouped(float(f"{network.relative_precision:.2g}"))
         facts.append(Fact(label="relative precision", value=f"1 : {size}", remark=relative_words(view)))
@@ -241,17 +239,17 @@ def client_std(view: View, d: Delivery) -> Array:
 
 def _tested_facts(view: View, d: Delivery) -> list[Fact]:
     """What independent points say; without check points, control left out."""
-    whole_ = d.accuracy.check if d.accuracy.check.any else d.accuracy.left_out
-    if not whole_.any:
+    each_point = d.accuracy.check if d.accuracy.check.any else d.accuracy.left_out
+    if not each_point.any:
         return []
-    factor, unit = _unit(view, whole_.difference)
+    factor, unit = _unit(view, each_point.difference)
     each = ", ".join(
-        f"{a}\u00a0{significant(r * factor, 2)}" for a, r in zip(d.accuracy.axes.names, whole_.rms, strict=True)
+        f"{a}\u00a0{significant(r * factor, 2)}" for a, r in zip(d.accuracy.axes.names, each_point.rms, strict=True)
         if math.isfinite(r)
     )  # fmt: skip
-    n = int(np.isfinite(whole_.difference).any(axis=1).sum())
-    value = f"{significant(rms(whole_.difference) * factor, 2)} {unit}"
-    if whole_ is d.accuracy.check:
+    n = int(np.isfinite(each_point.difference).any(axis=1).sum())
+    value = f"{significant(rms(each_point.difference) * factor, 2)} {unit}"
+    if each_point is d.accuracy.check:
         label, remark = "check points", f"rms difference of a coordinate at {counted(n, 'check point')}; {each}"
     else:
         label = "leave-one-out of control"

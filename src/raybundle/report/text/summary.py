@@ -14,6 +14,7 @@ from raybundle.adjustment.network import classed
 from raybundle.adjustment.result import Adjustment, Notice, as_told
 from raybundle.adjustment.spread import few_hold
 from raybundle.block import Block
+from raybundle.io.photos.start import NOMINAL_PIXEL_MM
 from raybundle.numerics.arrays import Array
 from raybundle.numerics.counting import counted, grouped, significant
 from raybundle.report.view import length_unit, printed_lengths
@@ -57,11 +58,16 @@ def _sigma0(a: Adjustment) -> str:
 
 
 def a_priori(block: Block) -> str:
-    """The standard deviation of an image coordinate as given: "0.30 um = 0.06 px"; the median where they differ."""
+    """The standard deviation of an image coordinate as given: "0.30 um = 0.06 px"; the median where they differ.
+
+    In pixels alone where those of no camera have a size: of scenes, and of photographs that do not tell it.
+    """
     std = np.sqrt(block.observations.cov_px2[:, :2])
     pixel = np.array([c.pixel_mm for c in block.cameras])[block.images.camera[block.observations.image]]
     px, um = float(np.median(std)), float(np.median(std * pixel * 1000))
-    lengths = "" if all(c.is_scene for c in block.cameras) else f"{um:.2g} um = "  # a scene's pixel has no size
+    nominal = (NOMINAL_PIXEL_MM, NOMINAL_PIXEL_MM)
+    sized = any(not c.is_scene and tuple(c.pixel_mm) != nominal for c in block.cameras)
+    lengths = f"{um:.2g} um = " if sized else ""
     return f"{lengths}{px:.2g} px" + ("" if np.ptp(std) <= 1e-3 * px else ", median")
 
 

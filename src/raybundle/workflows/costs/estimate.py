@@ -111,8 +111,8 @@ def _limits(
     found = [
         Limit(what=f"memory of {words}", needed=by[name].memory_mb / 1000, given=a.memory_gb, unit="GB")
         for name, words in (
-            ("choice of pairs", "the choice of pairs"), ("tracks and start", "tracks and start"),
-            ("precision", "precision"), ("report", "the report"),
+            ("features", "features"), ("choice of pairs", "the choice of pairs"),
+            ("tracks and start", "tracks and start"), ("precision", "precision"), ("report", "the report"),
         )
     ]  # fmt: skip
     found += [

@@ -6,10 +6,10 @@ import math
 
 from raybundle.matching.features import feature_number
 from raybundle.matching.pairs import ALL, EACH, NEARBY, SIMILAR
+from raybundle.matching.rootsift import bytes_needed
 from raybundle.orientation.image_leaves import AROUND
 from raybundle.ties.pairs import TOGETHER
 from raybundle.ties.parts import LEAF, MANY
-from raybundle.ties.points import BYTES_A_PIXEL
 from raybundle.ties.windows import LARGEST, SHARE, SMALLEST
 from raybundle.workflows.costs.constants import Constants
 from raybundle.workflows.costs.cutting import reach_of
@@ -59,7 +59,8 @@ def features(a: Asked, c: Constants) -> StageCost:
     work = Work(
         count=a.images, cpu_s=c.feature_mpx_s * a.megapixels, read=JPEG_BYTES * a.megapixels, written=kept
     )  # fmt: skip
-    return _of("features", work, a, memory_mb=c.base_mb + BYTES_A_PIXEL * a.megapixels, disk=a.images * kept)
+    memory_mb = c.base_mb + 1e-6 * bytes_needed(1e6 * a.megapixels)
+    return _of("features", work, a, memory_mb=memory_mb, disk=a.images * kept)
 
 
 def choice_of_pairs(a: Asked, c: Constants) -> StageCost:

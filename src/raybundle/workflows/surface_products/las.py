@@ -99,4 +99,4 @@ def _check() -> None:
     las_library()
 
 
-PRODUCT = register(Product(name="las", files=(LAZ, LAS), write=_write, check=_check))
+PRODUCT = register(Product(name="las", files=(LAZ, LAS), write=_write, of_cloud=True, check=_check))

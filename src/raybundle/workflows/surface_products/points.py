@@ -37,4 +37,4 @@ def _write(surface: Surface, out: Path, context: Context) -> Written:
     return Written(files=(out / POINTS,), told=())
 
 
-PRODUCT = register(Product(name="", files=(POINTS,), write=_write))
+PRODUCT = register(Product(name="", files=(POINTS,), write=_write, of_cloud=True))
