@@ -137,12 +137,19 @@ def test_status_of_a_result_of_its_surface_and_of_its_work_tells_the_stages(warn
         assert "may be deleted" in told
 
 
-@pytest.mark.parametrize("state", ["without points", "in work"])
+@pytest.mark.parametrize("state", ["without points", "without heights", "killed while it wrote", "in work"])
 def test_what_is_still_needed_may_not_be_deleted(measured, tmp_path, capsys, monkeypatch, state):
     _, out = measured
     shutil.copytree(out / "work", tmp_path / "s/work", ignore=shutil.ignore_patterns("cache"))
-    if state == "in work":
+    if state != "without points":
         shutil.copy(out / "points.ply", tmp_path / "s")
+    if state in {"killed while it wrote", "in work"}:
+        for path in out.glob("heights*"):
+            shutil.copy(path, tmp_path / "s")
+    if state == "killed while it wrote":
+        settings = tmp_path / "s/work/project.toml"
+        settings.write_text(re.sub(r"^dsm = .points.*\n", "", settings.read_text(), flags=re.MULTILINE))
+    if state == "in work":
         monkeypatch.setattr("raybundle.pipeline.running.works", lambda _: True)
     assert main(["status", str(tmp_path / "s")]) == 0
     told = capsys.readouterr().out

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import shutil
-from collections.abc import Collection
+from collections.abc import Collection, Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -12,12 +12,15 @@ if TYPE_CHECKING:
 
 TABLE = "written"
 """Of project.toml: of which points each product is"""
+POINTS = "points"
+"""Key of the cloud there, whose product has no name"""
 
 
 def settle_earlier(surface: Surface, out: Path, work: Path, wanted: Collection[str]) -> tuple[str, ...]:
     """Remove products of other points than these; those of the same points stay.  What is to be told of both.
 
-    A file beside points that it was not made of would be taken for one of them.
+    A file beside points that it was not made of would be taken for one of them.  What is written next is no longer
+    noted as written (`note_written`): a run that is killed meanwhile has not written all that it was asked for.
     """
     from raybundle.settings import option  # noqa: PLC0415
     from raybundle.workflows.surface_products import PRODUCTS  # noqa: PLC0415
@@ -35,16 +38,38 @@ def settle_earlier(surface: Surface, out: Path, work: Path, wanted: Collection[s
         for path in there:
             shutil.rmtree(path) if path.is_dir() else path.unlink()
         told.append(f"{names}: removed, it was of other points; ask for it with {option(name)}")
+    _note(work, {name: k for name, k in before.items() if name not in {w or POINTS for w in wanted}})
     return tuple(told)
 
 
 def note_written(surface: Surface, work: Path, written: Collection[str]) -> None:
     """Note of which points products are."""
+    key = _key(surface)
+    kept = {name: k for name, k in _written(work).items() if k == key}
+    _note(work, kept | {name or POINTS: key for name in written})
+
+
+def all_written(work: Path) -> bool:
+    """Whether all that the last run was asked for stands beside its work, of the same points, as it noted last."""
+    from raybundle.errors import InputError  # noqa: PLC0415
+    from raybundle.io.reading.trees import read_toml  # noqa: PLC0415
+    from raybundle.workflows.surface_products import PRODUCTS  # noqa: PLC0415
+
+    try:
+        asked = read_toml(work / "project.toml").tree().get("surface")
+    except InputError:
+        return False
+    wanted = [n for n in PRODUCTS if not n or (asked.has(n) and asked.get(n).value is not False)]
+    noted = _written(work)
+    there = all(any((work.parent / f).exists() for f in PRODUCTS[n].files) for n in wanted)
+    return there and len({noted.get(n or POINTS, f"no {n}") for n in wanted}) == 1 and POINTS in noted
+
+
+def _note(work: Path, known: Mapping[str, str]) -> None:
+    """Write down the key of the points of each product."""
     from raybundle.pipeline.project import Project  # noqa: PLC0415
     from raybundle.pipeline.settings_file import with_table  # noqa: PLC0415
 
-    key = _key(surface)
-    known = {name: k for name, k in _written(work).items() if k == key} | {name or "points": key for name in written}
     lines = [f"[{TABLE}]", *(f'{name} = "{k}"' for name, k in sorted(known.items()))]
     project = Project.open(work)
     try:

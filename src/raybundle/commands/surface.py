@@ -225,6 +225,7 @@ def _delivered(a: _Asked, done: Surface, mended: set[str]) -> MeasuredSurface:
     """Write what is asked for; `mended` gets the keys of kept products that were found damaged."""
     from raybundle.commands.earlier_products import note_written, settle_earlier  # noqa: PLC0415
     from raybundle.commands.surface_pages import heights_told, outside_told, write_pages  # noqa: PLC0415
+    from raybundle.io.folders import clear_left  # noqa: PLC0415
     from raybundle.workflows.surface import mended_words  # noqa: PLC0415
     from raybundle.workflows.surface_product import Context  # noqa: PLC0415
     from raybundle.workflows.surface_products import PRODUCTS  # noqa: PLC0415
@@ -239,6 +240,7 @@ def _delivered(a: _Asked, done: Surface, mended: set[str]) -> MeasuredSurface:
             export=export, unit=unit, wanted=wanted, plane=a.grids.plane, mesh=s.mesh, progress=a.progress,
             points=done if s.thin is None else thinned(done, s.thin),
         )  # fmt: skip
+        clear_left(out)
         earlier = settle_earlier(done, out, out / WORK, wanted)
         written = tuple((name, p.write(done, out, context)) for name, p in sorted(PRODUCTS.items()) if name in wanted)
         note_written(done, out / WORK, wanted)
@@ -343,11 +345,12 @@ def _keep_settings(settings: SurfaceSettings, work: Path) -> None:
 def _check_out(out: Path) -> None:
     """Raise InputError for a folder that holds anything but an earlier surface."""
     from raybundle.commands.surface_pages import PAGES  # noqa: PLC0415
+    from raybundle.io.folders import names_in  # noqa: PLC0415
     from raybundle.workflows.surface_product import files_of_all  # noqa: PLC0415
 
     if out.exists() and not out.is_dir():
         raise InputError("is a file; give a folder", file=out)
-    others = {p.name for p in out.iterdir()} - {WORK, *PAGES} - files_of_all() if out.is_dir() else set[str]()
+    others = names_in(out) - {WORK, *PAGES} - files_of_all() if out.is_dir() else set[str]()
     if others:
         raise InputError(f"holds {min(others)}, which is not of a surface; choose another {option('out')}", file=out)
 
