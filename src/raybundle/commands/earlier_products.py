@@ -12,6 +12,8 @@ if TYPE_CHECKING:
 
 TABLE = "written"
 """Of project.toml: of which points each product is"""
+MEASURED = "measured"
+"""Of project.toml: of which result they are"""
 POINTS = "points"
 """Key of the cloud there, whose product has no name"""
 
@@ -42,11 +44,18 @@ def settle_earlier(surface: Surface, out: Path, work: Path, wanted: Collection[s
     return tuple(told)
 
 
-def note_written(surface: Surface, work: Path, written: Collection[str]) -> None:
-    """Note of which points products are."""
+def note_written(surface: Surface, work: Path, written: Collection[str], fingerprint: str) -> None:
+    """Note of which points products are, and of which result (`results.fingerprint`)."""
     key = _key(surface)
     kept = {name: k for name, k in _written(work).items() if k == key}
-    _note(work, kept | {name or POINTS: key for name in written})
+    _note(work, kept | {name or POINTS: key for name in written}, fingerprint)
+
+
+def measured_of(work: Path) -> str:
+    """The fingerprint of the result that was measured; empty: it is not known."""
+    from raybundle.results.fingerprint import FINGERPRINT  # noqa: PLC0415
+
+    return _table(work, MEASURED).get(FINGERPRINT, "")
 
 
 def all_written(work: Path) -> bool:
@@ -65,15 +74,18 @@ def all_written(work: Path) -> bool:
     return there and len({noted.get(n or POINTS, f"no {n}") for n in wanted}) == 1 and POINTS in noted
 
 
-def _note(work: Path, known: Mapping[str, str]) -> None:
-    """Write down the key of the points of each product."""
+def _note(work: Path, known: Mapping[str, str], fingerprint: str = "") -> None:
+    """Write down the key of the points of each product, and of which result they are where that is given."""
     from raybundle.pipeline.project import Project  # noqa: PLC0415
     from raybundle.pipeline.settings_file import with_table  # noqa: PLC0415
+    from raybundle.results.fingerprint import FINGERPRINT  # noqa: PLC0415
 
-    lines = [f"[{TABLE}]", *(f'{name} = "{k}"' for name, k in sorted(known.items()))]
     project = Project.open(work)
     try:
-        project.write_settings(with_table(work / "project.toml", TABLE, "\n".join(lines)))
+        for table, values in ((TABLE, known), (MEASURED, {FINGERPRINT: fingerprint})):
+            if table == TABLE or fingerprint:
+                lines = [f"[{table}]", *(f'{name} = "{k}"' for name, k in sorted(values.items()))]
+                project.write_settings(with_table(work / "project.toml", table, "\n".join(lines)))
     finally:
         project.close()
 
@@ -86,11 +98,16 @@ def _key(surface: Surface) -> str:
 
 def _written(work: Path) -> dict[str, str]:
     """Product -> the key of its points, as the last run noted."""
+    return _table(work, TABLE)
+
+
+def _table(work: Path, name: str) -> dict[str, str]:
+    """A table of project.toml; empty where it cannot be read."""
     from raybundle.errors import InputError  # noqa: PLC0415
     from raybundle.io.reading.trees import read_toml  # noqa: PLC0415
 
     path = work / "project.toml"
     try:
-        return {k: v.text() for k, v in read_toml(path).tree().get(TABLE).mapping().items()} if path.is_file() else {}
+        return {k: v.text() for k, v in read_toml(path).tree().get(name).mapping().items()} if path.is_file() else {}
     except InputError:
         return {}

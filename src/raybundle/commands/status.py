@@ -45,6 +45,8 @@ class Status:
     """where its stages and products lie, if it is a surface"""
     written: bool = False
     """whether all that the last run of a surface was asked for stands beside that folder"""
+    outgrown: str = ""
+    """that the result was adjusted again since a surface was measured of it, in words; empty: nothing says so"""
     surface: Status | None = None
     """of the dense points that were measured of it"""
 
@@ -54,10 +56,11 @@ def status_of(folder: Path) -> Status:
 
     raises  InputError for anything else
     """
-    from raybundle.commands.earlier_products import all_written  # noqa: PLC0415  (loaded after the help)
+    from raybundle.commands.earlier_products import all_written, measured_of  # noqa: PLC0415  (loaded after the help)
     from raybundle.pipeline.project import HERE, Project, store_given  # noqa: PLC0415
     from raybundle.pipeline.running import running, works  # noqa: PLC0415
     from raybundle.pipeline.shards import tasks_listed  # noqa: PLC0415
+    from raybundle.results.fingerprint import adjusted_since  # noqa: PLC0415
     from raybundle.results.folder import PROJECT  # noqa: PLC0415
     from raybundle.workflows.left import OF_STAGES, bytes_in, left_beside  # noqa: PLC0415
 
@@ -84,6 +87,7 @@ def status_of(folder: Path) -> Status:
         stages={n: records.get(n) for n in _stages(project, records, of_calibration=of_calibration)},
         running=running(project), surface=beside, folder=project if of_surface else None,
         written=of_surface and all_written(project),
+        outgrown=adjusted_since(project.parent, measured_of(project)) if of_surface else "",
         works=works(project), listed=listed, store="" if store == HERE else store, bytes=bytes_in(project),
         elsewhere=_elsewhere(project), left=left,
     )  # fmt: skip

@@ -159,6 +159,8 @@ class _Asked:
     grids: Grids
     region: SurfaceRegion | None
     adjusted: Callable[[], Adjustment]
+    fingerprint: str
+    """of the result"""
     progress: Progress
 
 
@@ -168,6 +170,7 @@ def run_surface(settings: SurfaceSettings, progress: Progress = silent) -> Measu
     from raybundle.pipeline.choosing import check_cluster  # noqa: PLC0415
     from raybundle.pipeline.store import ProductGone  # noqa: PLC0415
     from raybundle.report.languages.language import language_of  # noqa: PLC0415
+    from raybundle.results.fingerprint import fingerprint  # noqa: PLC0415
     from raybundle.workflows.surface_products import PRODUCTS  # noqa: PLC0415
 
     s = settings
@@ -183,7 +186,7 @@ def run_surface(settings: SurfaceSettings, progress: Progress = silent) -> Measu
     s = replace(s, store=store_of(out / WORK, s.store, (s.source, *folders)))
     asked = _Asked(
         settings=s, result=result, export=export, folders=folders, out=out, wanted=wanted, grids=grids, region=region,
-        adjusted=adjusted, progress=progress,
+        adjusted=adjusted, fingerprint=fingerprint(result), progress=progress,
     )  # fmt: skip
     mended = set[str]()
     while True:
@@ -238,12 +241,12 @@ def _delivered(a: _Asked, done: Surface, mended: set[str]) -> MeasuredSurface:
     try:
         context = Context(
             export=export, unit=unit, wanted=wanted, plane=a.grids.plane, mesh=s.mesh, progress=a.progress,
-            points=done if s.thin is None else thinned(done, s.thin),
+            points=done if s.thin is None else thinned(done, s.thin), fingerprint=a.fingerprint,
         )  # fmt: skip
         clear_left(out)
         earlier = settle_earlier(done, out, out / WORK, wanted)
         written = tuple((name, p.write(done, out, context)) for name, p in sorted(PRODUCTS.items()) if name in wanted)
-        note_written(done, out / WORK, wanted)
+        note_written(done, out / WORK, wanted, a.fingerprint)
         remarks = (
             *outside_told(done, a.grids), *heights_told(a.grids.told, export), *done.remarks,
             *mended_words(mended | done.store.mended), *earlier,

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from raybundle.cli.common import FOLDER, NEW_FOLDER, Command, counted, facts
-from raybundle.cli.heights.words import FREE, measured
+from raybundle.cli.heights.words import FREE, cautions, measured
 from raybundle.cli.settings import options_of, values_of
 from raybundle.commands.heights.difference import HeightsDifferenceSettings, run_difference
 from raybundle.settings import made
@@ -55,7 +55,7 @@ def command(before: Path, after: Path, **given: Any) -> None:
             }
             for r in m.regions
         ],
-        files=[str(f) for f in found.files],
+        cautions=found.cautions, files=[str(f) for f in found.files],
     )  # fmt: skip
     click.echo("\n".join(f" {line}" for line in _lines(found)))
 
@@ -89,4 +89,4 @@ def _lines(found: MeasuredDifference) -> list[str]:
         lines.append("both have to be in one frame: with the same control, or points in common that have not moved")
     if not unit:
         lines.append(FREE)
-    return [*lines, *(str(f) for f in found.files)]
+    return [*lines, *cautions(found.cautions), *(str(f) for f in found.files)]

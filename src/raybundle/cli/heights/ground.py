@@ -8,7 +8,7 @@ from typing import Any
 import click
 
 from raybundle.cli.common import FOLDER, NEW_FOLDER, Command, facts, significant
-from raybundle.cli.heights.words import FREE
+from raybundle.cli.heights.words import FREE, cautions
 from raybundle.cli.settings import options_of, values_of
 from raybundle.commands.heights.ground import HeightsGroundSettings, run_ground
 from raybundle.settings import made, option
@@ -36,7 +36,7 @@ def command(source: Path, **given: Any) -> None:
     found = run_ground(made(HeightsGroundSettings, {"source": source, **values_of(HeightsGroundSettings, given)}))
     facts(
         folder=str(found.folder), unit=found.unit, standing=found.standing, filled=found.filled, sigma=found.sigma,
-        filled_sigma=found.filled_sigma,
+        filled_sigma=found.filled_sigma, cautions=found.cautions,
     )  # fmt: skip
     unit = f" {found.unit}" if found.unit else ""
     click.echo(f" {found.standing:.1%} of the heights stand on the ground")
@@ -52,4 +52,6 @@ def command(source: Path, **given: Any) -> None:
         )
     if not unit:
         click.echo(f" {FREE}")
+    for line in cautions(found.cautions):
+        click.echo(f" {line}")
     click.echo(f" {found.folder}")

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from raybundle.cli.common import FOLDER, NEW_FILE, Command, facts, significant
-from raybundle.cli.heights.words import FREE, LEAST_TOLD, measured, plain
+from raybundle.cli.heights.words import FREE, LEAST_TOLD, cautions, measured, plain
 from raybundle.cli.settings import options_of, values_of
 from raybundle.commands.heights.section import HeightsSectionSettings, run_section
 from raybundle.numerics.length_units import precision_unit
@@ -33,7 +33,7 @@ def command(source: Path, **given: Any) -> None:
       raybundle heights section facade-project/surface --line "-1 0, 1 0" --between 0.2 1.8
     """  # noqa: D301
     found = run_section(made(HeightsSectionSettings, {"source": source, **values_of(HeightsSectionSettings, given)}))
-    facts(unit=found.unit, files=[str(f) for f in found.files], sections=[
+    facts(unit=found.unit, cautions=found.cautions, files=[str(f) for f in found.files], sections=[
         {
             "name": m.name, "length": float(m.section.distance[-1]), "places": len(m.section.distance),
             "with_height": m.section.with_height, "filled": m.section.filled_share,
@@ -70,7 +70,7 @@ def _lines(found: MeasuredSections) -> list[str]:
             lines.append(f"difference of height: {measured(m.difference.value, m.difference.sigma, found.unit)}")
     if not found.unit:
         lines.append(FREE)
-    return [*lines, *(str(f) for f in found.files)]
+    return [*lines, *cautions(found.cautions), *(str(f) for f in found.files)]
 
 
 def _with_unit(sigma: float, unit: str) -> str:

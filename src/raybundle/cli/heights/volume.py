@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from raybundle.cli.common import FOLDER, Command, facts
-from raybundle.cli.heights.words import FREE, LEAST_TOLD, measured, plain, two_digits
+from raybundle.cli.heights.words import FREE, LEAST_TOLD, cautions, measured, plain, two_digits
 from raybundle.cli.settings import options_of, values_of
 from raybundle.commands.heights.volume import HeightsVolumeSettings, run_volume
 from raybundle.settings import made
@@ -37,6 +37,7 @@ def command(source: Path, **given: Any) -> None:
     facts(
         unit=found.unit, plan_area=v.plan_area, true_area=v.true_area, true_area_sigma=v.true_area_sigma,
         true_area_noise=v.true_area_noise, filled=v.filled, filled_sigma=v.filled_sigma,
+        cautions=found.cautions,
         **{
             name: {"value": q.value, "sigma": q.sigma, "sigma_local": q.local, "sigma_orientation": q.orientation}
             for name, q in (("above", v.above), ("below", v.below), ("net", v.net))
@@ -64,4 +65,4 @@ def _lines(found: MeasuredVolume) -> list[str]:
         )
     if not unit:
         lines.append(FREE)
-    return lines
+    return [*lines, *cautions(found.cautions)]

@@ -41,6 +41,8 @@ class MeasuredDifference:
     in_map: bool
     orientations: str
     """what is known of both together, in words; empty: they are independent"""
+    cautions: tuple[str, ...]
+    """what is to be told of the surfaces themselves, a sentence each"""
     files: tuple[Path, ...]
 
 
@@ -69,5 +71,6 @@ def run_difference(settings: HeightsDifferenceSettings) -> MeasuredDifference:
     files = write_movements(before, model, found, s.out) if s.out is not None else ()
     return MeasuredDifference(
         movements=found, unit=before.unit, compared=float(model.known.sum() / before.model.known.sum()),
-        in_map=bool(before.file.wkt), orientations=orientations, files=files,
+        in_map=bool(before.file.wkt), orientations=orientations,
+        cautions=(*before.cautions, *after.cautions), files=files,
     )  # fmt: skip
