@@ -251,7 +251,8 @@ def _delivered(a: _Asked, done: Surface, mended: set[str]) -> MeasuredSurface:
             *outside_told(done, a.grids), *heights_told(a.grids.told, export), *done.remarks,
             *mended_words(mended | done.store.mended), *earlier,
         )  # fmt: skip
-        pages = write_pages(done, a.result, out, context, remarks, s, a.progress)
+        told = (done.others, *remarks) if done.others else remarks
+        pages = write_pages(done, a.result, out, context, told, s, a.progress)
     finally:
         mended |= done.store.mended
     return MeasuredSurface(surface=done, written=written, remarks=remarks, unit=unit, pages=pages)

@@ -31,7 +31,7 @@ def command(source: Path, **given: Any) -> None:
     found = run_contours(made(HeightsContoursSettings, {"source": source, **values_of(HeightsContoursSettings, given)}))
     lines = sum(len(c.lines) for c in found.contours)
     facts(
-        levels=[c.height for c in found.contours], lines=lines, unit=found.unit, cautions=found.cautions,
+        levels=[c.height for c in found.contours], lines=lines, unit=found.unit,
         files=[str(f) for f in found.files],
     )  # fmt: skip
     low, high = found.contours[0].height, found.contours[-1].height

@@ -55,7 +55,7 @@ def command(before: Path, after: Path, **given: Any) -> None:
             }
             for r in m.regions
         ],
-        cautions=found.cautions, files=[str(f) for f in found.files],
+        files=[str(f) for f in found.files],
     )  # fmt: skip
     click.echo("\n".join(f" {line}" for line in _lines(found)))
 

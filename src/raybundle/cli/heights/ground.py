@@ -36,7 +36,7 @@ def command(source: Path, **given: Any) -> None:
     found = run_ground(made(HeightsGroundSettings, {"source": source, **values_of(HeightsGroundSettings, given)}))
     facts(
         folder=str(found.folder), unit=found.unit, standing=found.standing, filled=found.filled, sigma=found.sigma,
-        filled_sigma=found.filled_sigma, cautions=found.cautions,
+        filled_sigma=found.filled_sigma,
     )  # fmt: skip
     unit = f" {found.unit}" if found.unit else ""
     click.echo(f" {found.standing:.1%} of the heights stand on the ground")

@@ -33,7 +33,7 @@ def command(source: Path, **given: Any) -> None:
       raybundle heights section facade-project/surface --line "-1 0, 1 0" --between 0.2 1.8
     """  # noqa: D301
     found = run_section(made(HeightsSectionSettings, {"source": source, **values_of(HeightsSectionSettings, given)}))
-    facts(unit=found.unit, cautions=found.cautions, files=[str(f) for f in found.files], sections=[
+    facts(unit=found.unit, files=[str(f) for f in found.files], sections=[
         {
             "name": m.name, "length": float(m.section.distance[-1]), "places": len(m.section.distance),
             "with_height": m.section.with_height, "filled": m.section.filled_share,

@@ -37,7 +37,6 @@ def command(source: Path, **given: Any) -> None:
     facts(
         unit=found.unit, plan_area=v.plan_area, true_area=v.true_area, true_area_sigma=v.true_area_sigma,
         true_area_noise=v.true_area_noise, filled=v.filled, filled_sigma=v.filled_sigma,
-        cautions=found.cautions,
         **{
             name: {"value": q.value, "sigma": q.sigma, "sigma_local": q.local, "sigma_orientation": q.orientation}
             for name, q in (("above", v.above), ("below", v.below), ("net", v.net))
