@@ -205,6 +205,7 @@ def _measured(a: _Asked) -> Surface:
     from raybundle.pipeline.project import discard_empty  # noqa: PLC0415
     from raybundle.workflows.surface import surface as measured  # noqa: PLC0415
     from raybundle.workflows.surface_state import SurfaceOptions  # noqa: PLC0415
+    from raybundle.workflows.surface_tasks import PART  # noqa: PLC0415
 
     s, work = a.settings, a.out / WORK
     options = SurfaceOptions(
@@ -218,7 +219,7 @@ def _measured(a: _Asked) -> Surface:
             progress=a.progress, adjusted=a.adjusted,
         )  # fmt: skip
     except InputError:
-        discard_empty(work)
+        discard_empty(work, PART)
         if a.out.is_dir() and not any(a.out.iterdir()):
             a.out.rmdir()
         raise

@@ -296,7 +296,8 @@ def _turned(first: Opened, second: Opened) -> tuple[Array | None, Array]:
         off = max(float(np.abs(turn[:2, :2] - np.eye(2)).sum()) * size, float(np.abs(turn[:2, 2]).sum()) * tall)
         if off <= APART * b.cell:
             return turn, move
-        why = f"their planes are turned against each other, which moves places by {off / b.cell:.2g} cells"
+        far = f"{off / b.cell:.3g} cells, more than {APART:g}"
+        why = f"their planes are turned against each other, which moves places by {far}"
     raise InputError(
         f"{why}: their heights are not above the same; make both surfaces with the same plane (by points that both "
         "have, or in one map), in one frame: with the same control",
