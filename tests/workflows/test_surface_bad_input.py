@@ -21,7 +21,8 @@ from raybundle.measuring.session import adjusted_again
 from raybundle.pipeline import store as stores
 from raybundle.report.write import write_result
 from raybundle.workflows.height_files import read_heights
-from raybundle.workflows.surface_photographs import contents_of, other_contents, photographs_there
+from raybundle.workflows.photograph_contents import contents_of, other_contents
+from raybundle.workflows.surface_photographs import photographs_there
 from tests.workflows.half_portal import half_portal
 
 BOX = (-0.6, -0.4, 0.5, 0.5)

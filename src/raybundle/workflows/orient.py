@@ -33,9 +33,9 @@ from raybundle.workflows.final import left_out
 from raybundle.workflows.orient_options import PIXELS_GB, OrientOptions
 from raybundle.workflows.orient_state import Asked, OrientState
 from raybundle.workflows.orienting import ORIENT
+from raybundle.workflows.photograph_contents import CONTENTS
 from raybundle.workflows.scenes.images import SceneImage
 from raybundle.workflows.scenes.ties import ScenePair
-from raybundle.workflows.surface_photographs import CONTENTS
 
 __all__ = ["OrientOptions", "Orientation", "component_folder", "orient", "stages"]
 

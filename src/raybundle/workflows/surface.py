@@ -29,7 +29,8 @@ from raybundle.pipeline.store import Folder, kind_of
 from raybundle.settings import option
 from raybundle.surfaces.depth_map import LEAST_SWEEP_BYTES, bytes_needed
 from raybundle.workflows.mask_notices import OF_DEPTHS, mask_notices
-from raybundle.workflows.surface_photographs import Lost, contents_of, other_contents, photographs_there
+from raybundle.workflows.photograph_contents import contents_of, other_contents
+from raybundle.workflows.surface_photographs import Lost, photographs_there
 from raybundle.workflows.surface_pointless import pointless
 from raybundle.workflows.surface_state import Cloud, MadeOrthophoto, MeasuredHeights, SurfaceOptions, SurfaceState
 from raybundle.workflows.surfacing import SURFACE
