@@ -80,7 +80,14 @@ def test_bad_outlines_are_refused(cone, capsys, tmp_path):
     assert "is empty" in refused(capsys, *volume, "--extent", 0.5, 0.1, 0.2, 0.5)
     crossed = "0.3 0.1, 0.9 0.6, 0.9 0.1, 0.3 0.6"
     assert "crosses itself" in refused(capsys, *volume, "--outline", crossed)
-    assert "has no extent" in refused(capsys, *volume, "--outline", "0.1 0.1, 0.2 0.2, 0.3 0.3")
+    on_a_line = refused(capsys, *volume, "--outline", "0.1 0.1, 0.2 0.2, 0.3 0.3")
+    assert "has no extent" in on_a_line
+    assert on_a_line.rstrip().endswith("all its corners lie on one line. Give the outline of the area")
+    ring = [[0.25, 0.02], [0.95, 0.02], [0.95, 0.62], [0.25, 0.62], [0.25, 0.02]]
+    named = {"type": "name", "properties": {"name": "urn:ogc:def:crs:OGC:1.3:CRS84"}}
+    (tmp_path / "84.geojson").write_text(json.dumps({"type": "Polygon", "coordinates": [ring], "crs": named}))
+    said = refused(capsys, *volume, "--outline", tmp_path / "84.geojson")
+    assert "CRS84, and these heights lie on a plane of the object, in no map" in said
     assert "--outline '0.1 0.1, 0.2 0.2' holds no area: it has fewer than three corners" in refused(
         capsys, *volume, "--outline", "0.1 0.1, 0.2 0.2"
     )
@@ -419,7 +426,8 @@ def test_surfaces_of_two_frames_are_not_compared(tmp_path, capsys):
     one = folder_of(model, tmp_path / "one")
     plane = {"origin": [0.0, 0.0, 0.0], "right": [1.0, 0.0, 0.0], "up": [0.0, 0.1, 0.995], "normal": [0.0, -0.995, 0.1]}
     tilted = folder_of(model, tmp_path / "tilted", plane=plane)
-    assert "their planes are turned against each other" in refused(capsys, "heights", "difference", one, tilted)
+    said = refused(capsys, "heights", "difference", one, tilted)
+    assert "their planes are turned against each other, which moves places by 0.48 cells, more than 0.1: " in said
     free = folder_of(model, tmp_path / "free", unit="")
     assert "both need one unit" in refused(capsys, "heights", "difference", one, free)
     mapped = folder_of(model, tmp_path / "map", wkt="EPSG:32633" and rasterio.crs.CRS.from_epsg(32633).to_wkt())

@@ -216,6 +216,9 @@ def test_other_folders_are_never_overwritten(folder, adjustment, tmp_path):
     (tmp_path / "file").write_text("x")
     with pytest.raises(InputError, match="is no folder"):
         write_result(adjustment, tmp_path / "file", report="none")
+    for place in (folder, folder / "block"):
+        (place / ".report.html.2cfa3545.partial").mkdir()  # as a writer leaves it that was killed
+    check_target(folder)
     (folder / "notes.txt").write_text("mine")
     with pytest.raises(InputError, match=r"no adjustment wrote \(notes\.txt\)"):
         write_result(adjustment, folder, report="none")

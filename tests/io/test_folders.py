@@ -10,7 +10,16 @@ import pytest
 
 from raybundle.errors import InputError
 from raybundle.io import folders
-from raybundle.io.folders import exchange, new_folder
+from raybundle.io.folders import (
+    check_new_folder,
+    clear_left,
+    exchange,
+    lock_of,
+    names_in,
+    new_files,
+    new_folder,
+    unlock,
+)
 
 
 def write(path, content):
@@ -129,3 +138,40 @@ def read_or_none(path):
         return read(path)
     except (AssertionError, OSError):
         return None
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="without locks nobody knows whose writer is gone")
+def test_what_a_killed_writer_left_in_a_folder_is_nothing_foreign_and_goes(tmp_path):
+    """Also under names that nobody writes there again; not what somebody writes there now, and no file of a user."""
+    folder = tmp_path / "a"
+    left = [folder / n for n in (".heights.npz.2cfa3545.partial", ".b.0123abcd.old", ".0123abcd.partial")]
+    for path in left:
+        path.mkdir(parents=True)
+        (path / "0").write_text("half")
+    assert names_in(folder) == set()
+    check_new_folder(folder)
+    with new_files(folder / "c") as (file,):
+        lock = lock_of(left[0])
+        clear_left(folder)
+        assert left[0].exists()
+        unlock(lock)
+        file.write_text("new")
+        clear_left(folder)
+        assert len(list(folder.iterdir())) == 1
+        assert names_in(folder) == set()
+    assert names_in(folder) == {"c"}
+    (folder / ".d.2cfa3545.partial").write_text("of a user")
+    assert names_in(folder) == {"c", ".d.2cfa3545.partial"}
+    for path in folder.iterdir():
+        path.unlink()
+    left[0].mkdir()
+    write(folder, "new")
+    assert read(folder) == "new"
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="without locks nobody knows whose writer is gone")
+def test_a_new_folder_takes_the_name_of_one_with_nothing_but_leftovers(tmp_path):
+    (tmp_path / "a/.b.2cfa3545.partial").mkdir(parents=True)
+    with new_folder(tmp_path / "a") as folder:
+        (folder / "0").write_text("new")
+    assert [p.name for p in (tmp_path / "a").iterdir()] == ["0"]

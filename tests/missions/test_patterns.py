@@ -179,7 +179,11 @@ def test_what_is_too_high_or_out_of_sight_is_told():
     ("pattern", "outline", "words"),
     [
         ("nadir", [[0, 0], [10, 10], [10, 0], [0, 10]], "crosses itself"),
-        ("nadir", [[0, 0], [5, 5], [10, 10]], "has no extent"),
+        (
+            "nadir",
+            [[0, 0], [5, 5], [10, 10]],
+            "one line. Give the outline of the area, or plan a corridor along the line",
+        ),
         ("corridor", [[0, 0], [0, 0]], "the line has no extent"),
         ("corridor", [[0, 0], [100, 0], [0, 10]], "the way turns by 174 deg at its corner 2"),
         ("corridor", [[0, 0], [100, 0], [105, 5], [105, 100]], "bends more tightly"),

@@ -193,6 +193,9 @@ def test_a_list_of_another_version_is_refused(tmp_path):
         (["p", "--shard", "one"], "one is no share"),
         (["--shard", "0/1"], "of which project?"),
         (["p"], "give --cluster FOLDER or --shard I/N"),
+        (["--cluster", "c", "--shard", "0/1"], "give --cluster FOLDER or --shard I/N, one of them"),
+        (["p", "--shard", "0/99999999999"], "is a share of more jobs than an array has, 9999999 at most"),
+        (["p", "--shard", f"0/{'9' * 5000}"], "is a share of more jobs than an array has"),
         (["p", "--shard", "0/1"], "is no project folder, or no run has begun in it"),
         (
             ["--cluster", "tcp://10.0.0.5:8786"],

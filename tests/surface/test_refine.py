@@ -110,6 +110,55 @@ def test_kernel_is_its_twin(ground, monkeypatch, chain, coloured):
     assert len(set(kernel.reason.ravel())) > 2
 
 
+@pytest.mark.parametrize("chain", [0, 1, -1])
+def test_twin_is_told_why_where_no_pixel_can_be_refined(ground, monkeypatch, chain):
+    """As in columns that no refined neighbour reaches, or of grey values that are all alike."""
+    monkeypatch.setattr(native, "module", lambda: None)
+    grid = ground.grid(9)
+    nowhere = np.full((3, grid.rows, grid.columns), np.nan, np.float32)
+    work = module._Work.of(ground.grey[0], ground.sources, grid, OPTIONS, None, 1)
+    all_of_it = np.ones((grid.rows, grid.columns), np.uint8)
+    for start, grey, reason in (
+        (nowhere, ground.grey[0], Reason.NO_START),
+        (ground.start(grid), np.full_like(ground.grey[0], 100.0), Reason.NO_TEXTURE),
+    ):
+        found = module._empty(work, start, response=True)
+        module._run(replace(work, reference=grey), found, all_of_it, chain)
+        assert (found.reason == reason).all()
+        assert np.array_equal(found.numbers[:3], start, equal_nan=True)
+
+
+@needs_kernel
+@pytest.mark.parametrize("part", [False, True])
+def test_pixels_grow_with_the_twin_as_with_the_kernel(ground, monkeypatch, part):
+    """From few starts, so that whole columns have none; with a part that alone is wanted, too."""
+    grey, sources = noisy(ground, 3.0, 1)
+    grid = ground.grid(8)
+    start = np.full((3, grid.rows, grid.columns), np.nan, np.float32)
+    start[:, 2::5, 3::7] = ground.start(grid, 0.3)[:, 2::5, 3::7]
+    wanted = None
+    if part:
+        wanted = np.zeros((grid.rows, grid.columns), bool)
+        wanted[:9, :13] = True
+    found = []
+    for on in (True, False):
+        if not on:
+            monkeypatch.setattr(native, "module", lambda: None)
+        first = refine(grey, sources, grid, start, OPTIONS, response=True, wanted=wanted)
+        found.append(grow(grey, sources, grid, first, OPTIONS, passes=6, wanted=wanted))
+    kernel, twin = found
+    # a limit may be met on one side in single precision, and neighbours go on from there
+    assert (kernel.reason == twin.reason).mean() > 0.97
+    good = kernel.found & twin.found & (kernel.views == twin.views) & (kernel.iterations == twin.iterations)
+    inner = np.ones_like(good) if wanted is None else wanted
+    assert good[inner].mean() > 0.8
+    assert not twin.found[~inner].any()
+    for k, name in enumerate(NUMBERS):
+        a, b = kernel.numbers[k][good], twin.numbers[k][good]
+        assert np.quantile(np.abs(a - b) / np.median(np.abs(b)), 0.95) < 1e-3, name
+    assert np.allclose(kernel.response[good], twin.response[good], atol=2e-3)
+
+
 @needs_kernel
 def test_threads_make_the_same_bits(ground):
     grid = ground.grid(2)

@@ -52,6 +52,16 @@ def test_a_table_of_a_part_of_the_format_is_as_exact_there_and_smaller(model):
     assert (table.u0_px, table.v0_px) == box[:2]
 
 
+def test_a_depth_that_is_not_known_has_no_place():
+    """With the kernel and without it."""
+    block = scene.blocks("brown")
+    table = transfer(block, ReferenceRays.of(block, 0), 1, scene.RANGE)
+    xy, t = np.array([[20.5, 30.0], [100.0, 90.25]]), np.array([0.1, np.nan])
+    for found in (table.at(xy, t), table.at_twin(xy, t)):
+        assert np.isfinite(found[0]).all()
+        assert np.isnan(found[1]).all()
+
+
 def test_depth_and_pixel_say_where_a_point_is():
     block = scene.blocks("brown_rolling")
     rays = ReferenceRays.of(block, 0)

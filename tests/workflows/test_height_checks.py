@@ -1,5 +1,7 @@
 """Heights whose files do not belong together, through the door: refused with the file and the number, status 2."""
 
+import shutil
+
 import numpy as np
 import pytest
 
@@ -7,10 +9,12 @@ from raybundle.cli.main import main
 from raybundle.io.geo.told_systems import plan_system, system_with_heights
 from raybundle.io.pictures.geotiff import system_text
 from raybundle.workflows.height_files import read_heights
-from tests.surface.height_models import folder_of, made
+from tests.surface.height_models import file_of, folder_of, made
+from tests.workflows.half_portal import PORTAL
 
 rasterio = pytest.importorskip("rasterio")
 SHAPE = (40, 64)
+RAMP = np.tile(np.linspace(0, 0.05, SHAPE[1]), (SHAPE[0], 1))
 UTM = rasterio.crs.CRS.from_epsg(32632).to_wkt()
 
 
@@ -169,3 +173,125 @@ def test_a_system_that_stands_beside_the_raster_is_its_own(tmp_path, system):
     folder = folder_of(height, tmp_path / "one", wkt=wkt, plane={"system": system}, left=5e5, top=5.2e6)
     (folder / "heights.tif.aux.xml").write_text(system_text(system_with_heights(system).to_wkt()))
     assert read_heights(folder)[1].system == system
+
+
+def changed(path, change):
+    """Values of a raster put through a function, all else as it was; written as another program writes it."""
+    with rasterio.open(path) as file:
+        profile, values = file.profile, file.read()
+    values = np.asarray(change(values), values.dtype)
+    with rasterio.open(path, "w", **profile) as file:
+        file.write(values)
+
+
+def bump(values):
+    values[0, 10:14, 20:30] += 0.5
+    return values
+
+
+def spike(values):
+    values[0, 5, 5] = np.nan
+    return values
+
+
+@pytest.mark.parametrize("edit", [bump, spike])
+def test_heights_that_were_edited_are_taken_with_a_caution(tmp_path, capsys, edit):
+    wall = folder_of(made(RAMP), tmp_path / "wall")
+    changed(wall / "heights.tif", edit)
+    for words in (
+        ("volume", wall, "--above", 0), ("section", wall, "--line", "0 0.2, 0.6 0.2"), ("ground", wall),
+        ("difference", folder_of(made(np.zeros(SHAPE)), tmp_path / "flat"), wall),
+        ("contours", wall, "--interval", 0.01, "--out", tmp_path / "c.geojson"),
+    ):  # fmt: skip
+        capsys.readouterr()
+        assert main(["heights", *map(str, words)]) == 0, capsys.readouterr().err
+        told = capsys.readouterr().out
+        assert told.count("has other values than were written: standard deviations are those of the values before") == 1
+        assert f"caution: {wall / 'heights.tif'}: has" in told
+
+
+def test_lossless_copies_are_as_good(wall, tmp_path, capsys):
+    """In another form, with another sign for nothing; heights, too, that hold NaN already."""
+    changed(wall / "heights.tif", lambda v: v)
+    sparse = np.zeros(SHAPE)
+    sparse[:4] = np.nan
+    holed = folder_of(made(sparse), tmp_path / "holed")
+    for folder in (wall, holed):
+        for name in ("heights.tif", "heights_sigma.tif"):
+            with rasterio.open(folder / name) as file:
+                profile, values = file.profile, file.read()
+            values[np.isnan(values)] = -9999
+            profile |= {"compress": "lzw", "nodata": -9999, "tiled": False, "dtype": "float64"}
+            with rasterio.open(folder / name, "w", **profile) as file:
+                file.write(values.astype(float))
+        capsys.readouterr()
+        assert main(["heights", "volume", str(folder), "--above", "0"]) == 0
+        assert "caution" not in capsys.readouterr().out
+    assert not read_heights(holed)[0].known[:4].any()
+
+
+def test_standard_deviations_of_other_heights_are_refused(wall, tmp_path, capsys):
+    other = folder_of(made(np.zeros(SHAPE), sigma=2e-3), tmp_path / "other")
+    (wall / "heights_sigma.tif").write_bytes((other / "heights_sigma.tif").read_bytes())
+    said = refused(capsys, "heights", "volume", wall, "--above", 0)
+    assert "heights_sigma.tif: is of another surface than heights.toml, by the check sum of its values" in said
+
+
+@pytest.mark.parametrize(
+    ("band", "value", "words"),
+    [
+        (0, np.nan, "3 of 2 560 cells with a height have no sigma: 3 missing"),
+        (0, 0.0, "3 of 2 560 cells with a height have no sigma: 3 of 0"),
+        (1, -1e-3, "3 of 2 560 cells with a height have no sigma of noise and roughness: 3 negative"),
+        (3, np.inf, "3 of 2 560 cells with a height have no sigma of orientation: 3 infinite"),
+        (2, np.nan, ""),
+    ],
+)
+def test_standard_deviations_that_are_none_are_counted_without_check_sums_too(wall, capsys, band, value, words):
+    def spoilt(values):
+        values[band, 7, 3:6] = value
+        return values
+
+    changed(wall / "heights_sigma.tif", spoilt)
+    about = wall / "heights.toml"
+    about.write_text("".join(t for t in about.read_text().splitlines(keepends=True) if "sha256" not in t))
+    if not words:  # earlier files lack steps
+        assert main(["heights", "volume", str(wall), "--above", "0"]) == 0
+        return
+    said = refused(capsys, "heights", "volume", wall, "--above", 0)
+    assert f"heights_sigma.tif: {words}" in said.replace("\u202f", " ")
+
+
+def test_heights_without_end_are_counted(wall, capsys):
+    def endless(values):
+        values[0, :2, 4] = np.inf
+        return values
+
+    changed(wall / "heights.tif", endless)
+    assert "heights.tif: 2 cells have an infinite height" in refused(capsys, "heights", "volume", wall, "--above", 0)
+
+
+def test_heights_of_a_result_that_was_adjusted_again_are_told(tmp_path, capsys):
+    """By what stands around them, of the ground within them too; not of a result that is as it was."""
+    from raybundle.results.fingerprint import FINGERPRINT, fingerprint
+
+    project = tmp_path / "p"
+    shutil.copytree(PORTAL / "truth", project / "result/block")
+    (project / "result/result.json").write_text("{}")
+    (project / "project.db").touch()
+    plane = {**file_of(made(np.zeros(SHAPE))).plane, FINGERPRINT: fingerprint(project)}
+    wall = folder_of(made(RAMP), project / "surface", plane=plane)
+    away = folder_of(made(RAMP), tmp_path / "away", plane=plane)
+    ground = ("heights", "volume", str(wall / "ground"), "--above", "0")
+    assert main(["heights", "ground", str(wall)]) == 0
+    assert main([*ground]) == 0
+    assert "caution" not in capsys.readouterr().out
+    images = project / "result/block/images.csv"
+    images.write_text(images.read_text().replace("1", "2"))
+    for command in (["heights", "volume", str(wall), "--above", "0"], ground):
+        assert main([*command]) == 0
+        told = capsys.readouterr().out
+        assert "caution: " in told
+        assert "p was adjusted again since this surface was measured: run `surface p` again" in told
+    assert main(["heights", "volume", str(away), "--above", "0"]) == 0
+    assert "caution" not in capsys.readouterr().out

@@ -1,6 +1,7 @@
 """A surface of what shows none, of what does not fit together, on a full disk, and in a folder that was used before."""
 
 import errno
+import hashlib
 import json
 import os
 import re
@@ -16,8 +17,12 @@ from raybundle.cli.main import main
 from raybundle.commands.surface import surface
 from raybundle.errors import InputError
 from raybundle.io.block.folder import read_block, write_block
+from raybundle.measuring.session import adjusted_again
 from raybundle.pipeline import store as stores
+from raybundle.report.write import write_result
 from raybundle.workflows.height_files import read_heights
+from raybundle.workflows.photograph_contents import contents_of, other_contents
+from raybundle.workflows.surface_photographs import photographs_there
 from tests.workflows.half_portal import half_portal
 
 BOX = (-0.6, -0.4, 0.5, 0.5)
@@ -201,7 +206,10 @@ def test_products_of_an_earlier_run_stay_while_they_are_of_the_same_points(half,
 
     run(dsm=0.05, depths=True)
     names = {"heights.tif", "heights_sigma.tif", "heights.toml", "heights_orientation.npz"}
+    left = tmp_path / "s/.heights_orientation.npz.2cfa3545.partial"
+    left.mkdir()  # as a run leaves it that was killed while it wrote
     same = run()
+    assert os.name == "nt" or not left.exists()
     assert (
         "heights.tif, heights_sigma.tif, heights.toml, heights_orientation.npz: of an earlier run, of the same points"
         in (same.remarks)
@@ -278,3 +286,51 @@ def test_lost_photographs_are_told_where_the_others_show_nothing_together(half, 
     told = capsys.readouterr().err
     assert "a surface needs two photographs that show the same part" in told
     assert f"1 of 3 photographs that were adjusted cannot be used: {name}" in told
+
+
+def with_contents(half, folder):
+    """A result that knows what its photographs hold."""
+    known = {p.name: hashlib.sha256(p.read_bytes()).hexdigest() for p in half.glob("*.png")}
+    write_result(adjusted_again(half / "block"), folder, report="none", additions={"photographs_sha256": known})
+    return folder
+
+
+def test_photographs_under_the_names_of_others_are_the_first_reason(half, tmp_path, capsys):
+    paths = sorted(half.glob("*.png"))
+    (tmp_path / "photos").mkdir()
+    for k, path in enumerate(paths):
+        shutil.copy(paths[(k + 1) % 3], tmp_path / "photos" / path.name)
+    words = [
+        "surface",
+        str(with_contents(half, tmp_path / "r")),
+        "--photos",
+        str(tmp_path / "photos"),
+        "--density",
+        "4",
+    ]
+    assert main([*words, "--jobs", "1", "--extent", *map(str, BOX)]) == 2
+    told = capsys.readouterr().err
+    assert (
+        "nothing could be measured of the region: photographs are not those that were oriented: portal_02.png holds "
+        "what was portal_03.png, " in told
+    )
+    assert "give them their names back" in told
+    assert "water" not in told
+
+
+@pytest.mark.long
+def test_photographs_with_other_bytes_are_told_and_used(half, tmp_path, capsys):
+    """As after other metadata were written into them."""
+    (tmp_path / "photos").mkdir()
+    for path in half.glob("*.png"):
+        shutil.copy(path, tmp_path / "photos")
+    other = tmp_path / "photos/portal_02.png"
+    cv2.imwrite(str(other), cv2.imread(str(other)), [cv2.IMWRITE_PNG_COMPRESSION, 1])
+    source = with_contents(half, tmp_path / "r")
+    words = ["surface", str(source), "--photos", str(tmp_path / "photos"), "--density", "4", "--jobs", "1"]
+    assert main([*words, "--extent", *map(str, BOX)]) == 0
+    told = "photographs are not the files that were oriented: portal_02.png; where more than their metadata"
+    assert f"caution: {told}" in capsys.readouterr().out
+    assert told in (source / "surface/surface.html").read_text()
+    as_they_were, _ = photographs_there(read_block(half / "block"), [half])
+    assert not other_contents(as_they_were.values(), contents_of(source))

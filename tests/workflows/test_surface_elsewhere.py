@@ -92,6 +92,13 @@ def test_a_store_that_cannot_be_is_refused_before_anything_is_measured(half, tmp
     assert not (tmp_path / "s/work/cache").exists() or not list((tmp_path / "s/work/cache").rglob("*.npz"))
 
 
+def test_a_cluster_that_does_not_answer_leaves_no_folder(half, tmp_path, capsys):
+    pytest.importorskip("distributed", reason="the extra [cluster] is not installed")
+    assert main(words(half, tmp_path / "s", "--cluster", "tcp://127.0.0.1:1")) == 2
+    assert "tcp://127.0.0.1:1" in capsys.readouterr().err
+    assert not (tmp_path / "s").exists()
+
+
 @pytest.mark.long
 def test_workers_of_a_cluster(half, here, tmp_path):
     pytest.importorskip("distributed", reason="the extra [cluster] is not installed")

@@ -137,12 +137,34 @@ def test_status_of_a_result_of_its_surface_and_of_its_work_tells_the_stages(warn
         assert "may be deleted" in told
 
 
-@pytest.mark.parametrize("state", ["without points", "in work"])
+def test_status_tells_of_a_result_that_was_adjusted_again(warned, measured, tmp_path, capsys):
+    del measured
+    shutil.copytree(warned, tmp_path / "r", ignore=shutil.ignore_patterns("cache"))
+    words = "caution: r was adjusted again since this surface was measured: run `surface r` again"
+    for change, told in (("", 0), ("9", 1)):
+        images = tmp_path / "r/block/images.csv"
+        images.write_text(images.read_text().rstrip("\n") + change + "\n")
+        for folder in (tmp_path / "r", tmp_path / "r/surface"):
+            capsys.readouterr()
+            assert main(["status", str(folder)]) == 0
+            assert capsys.readouterr().out.count(words) == told
+    assert main(["heights", "volume", str(tmp_path / "r/surface"), "--above", "0", "--most-filled", "100"]) == 0
+    assert words.removeprefix("caution: ") in capsys.readouterr().out
+
+
+@pytest.mark.parametrize("state", ["without points", "without heights", "killed while it wrote", "in work"])
 def test_what_is_still_needed_may_not_be_deleted(measured, tmp_path, capsys, monkeypatch, state):
     _, out = measured
     shutil.copytree(out / "work", tmp_path / "s/work", ignore=shutil.ignore_patterns("cache"))
-    if state == "in work":
+    if state != "without points":
         shutil.copy(out / "points.ply", tmp_path / "s")
+    if state in {"killed while it wrote", "in work"}:
+        for path in out.glob("heights*"):
+            shutil.copy(path, tmp_path / "s")
+    if state == "killed while it wrote":
+        settings = tmp_path / "s/work/project.toml"
+        settings.write_text(re.sub(r"^dsm = .points.*\n", "", settings.read_text(), flags=re.MULTILINE))
+    if state == "in work":
         monkeypatch.setattr("raybundle.pipeline.running.works", lambda _: True)
     assert main(["status", str(tmp_path / "s")]) == 0
     told = capsys.readouterr().out

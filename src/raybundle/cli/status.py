@@ -31,7 +31,7 @@ def command(project: Path) -> None:
     found = status_of(project)
     facts(
         stages=found.stages, running=found.running, works=found.works, listed=found.listed, store=found.store,
-        bytes=found.bytes, left=found.left, surface=found.surface,
+        bytes=found.bytes, left=found.left, outgrown=found.outgrown, surface=found.surface,
     )  # fmt: skip
     for line in lines(found):
         click.echo(line)
@@ -63,6 +63,8 @@ def lines(found: Status) -> Iterator[str]:
     if found.stages:
         where = f"{found.store}, which the next run takes too; " if found.store else ""
         yield f" products: {where}in its folder {_size(found.bytes)}"
+    if found.outgrown:
+        yield f" caution: {found.outgrown}"
     if found.folder is not None and found.written and not found.works:
         yield f" {found.folder} may be deleted: what is measured stays, and the next run measures all of it again"
     if found.surface is not None:

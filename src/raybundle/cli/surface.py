@@ -108,11 +108,12 @@ def whole_shares(shares: Sequence[float]) -> list[int]:
 
 
 def _lost(done: MeasuredSurface) -> list[str]:
-    """That photographs which were adjusted are not there or do not fit; which and why is told of all without a part."""
+    """That photographs which were adjusted are not there, do not fit, or are others under their names."""
     from raybundle.workflows.surface_photographs import lost_words  # noqa: PLC0415  (loaded after the help)
 
-    lost = done.surface.lost
-    return [f"caution: {lost_words(lost, int(done.surface.block.images.oriented.sum()))}"] if lost else []
+    s = done.surface
+    told = [lost_words(s.lost, int(s.block.images.oriented.sum()))] if s.lost else []
+    return [f"caution: {words}" for words in (*told, s.others) if words]
 
 
 def _without_part(done: MeasuredSurface) -> list[str]:

@@ -17,9 +17,8 @@ if TYPE_CHECKING:
     from raybundle.workflows.left import Left
 
 
-WORK, POINTS, SURFACE_FOLDER = "work", "points.ply", "surface"
-"""Of a surface's folder, where its stages are kept and what was measured, and that folder of a project, where nobody
-names another"""
+WORK, SURFACE_FOLDER = "work", "surface"
+"""Of a surface's folder, where its stages are kept, and that folder of a project, where nobody names another"""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -45,7 +44,9 @@ class Status:
     folder: Path | None = None
     """where its stages and products lie, if it is a surface"""
     written: bool = False
-    """whether the points of a surface stand beside that folder"""
+    """whether all that the last run of a surface was asked for stands beside that folder"""
+    outgrown: str = ""
+    """that the result was adjusted again since a surface was measured of it, in words; empty: nothing says so"""
     surface: Status | None = None
     """of the dense points that were measured of it"""
 
@@ -55,9 +56,11 @@ def status_of(folder: Path) -> Status:
 
     raises  InputError for anything else
     """
-    from raybundle.pipeline.project import HERE, Project, store_given  # noqa: PLC0415  (loaded after the help)
+    from raybundle.commands.earlier_products import all_written, measured_of  # noqa: PLC0415  (loaded after the help)
+    from raybundle.pipeline.project import HERE, Project, store_given  # noqa: PLC0415
     from raybundle.pipeline.running import running, works  # noqa: PLC0415
     from raybundle.pipeline.shards import tasks_listed  # noqa: PLC0415
+    from raybundle.results.fingerprint import adjusted_since  # noqa: PLC0415
     from raybundle.results.folder import PROJECT  # noqa: PLC0415
     from raybundle.workflows.left import OF_STAGES, bytes_in, left_beside  # noqa: PLC0415
 
@@ -79,11 +82,12 @@ def status_of(folder: Path) -> Status:
     listed = None
     with suppress(InputError):  # a store that does not answer: all else is told
         listed = tasks_listed(project, "" if store == HERE else store)
+    of_surface = _of_surface(project)
     return Status(
         stages={n: records.get(n) for n in _stages(project, records, of_calibration=of_calibration)},
         running=_at(running(project), listed, waits=not works(project)), surface=beside,
-        folder=project if _of_surface(project) else None,
-        written=(project.parent / POINTS).is_file(),
+        folder=project if of_surface else None, written=of_surface and all_written(project),
+        outgrown=adjusted_since(project.parent, measured_of(project)) if of_surface else "",
         works=works(project), listed=listed, store="" if store == HERE else store, bytes=bytes_in(project),
         elsewhere=_elsewhere(project), left=left,
     )  # fmt: skip

@@ -159,6 +159,8 @@ class _Asked:
     grids: Grids
     region: SurfaceRegion | None
     adjusted: Callable[[], Adjustment]
+    fingerprint: str
+    """of the result"""
     progress: Progress
 
 
@@ -168,6 +170,7 @@ def run_surface(settings: SurfaceSettings, progress: Progress = silent) -> Measu
     from raybundle.pipeline.choosing import check_cluster  # noqa: PLC0415
     from raybundle.pipeline.store import ProductGone  # noqa: PLC0415
     from raybundle.report.languages.language import language_of  # noqa: PLC0415
+    from raybundle.results.fingerprint import fingerprint  # noqa: PLC0415
     from raybundle.workflows.surface_products import PRODUCTS  # noqa: PLC0415
 
     s = settings
@@ -183,7 +186,7 @@ def run_surface(settings: SurfaceSettings, progress: Progress = silent) -> Measu
     s = replace(s, store=store_of(out / WORK, s.store, (s.source, *folders)))
     asked = _Asked(
         settings=s, result=result, export=export, folders=folders, out=out, wanted=wanted, grids=grids, region=region,
-        adjusted=adjusted, progress=progress,
+        adjusted=adjusted, fingerprint=fingerprint(result), progress=progress,
     )  # fmt: skip
     mended = set[str]()
     while True:
@@ -202,6 +205,7 @@ def _measured(a: _Asked) -> Surface:
     from raybundle.pipeline.project import discard_empty  # noqa: PLC0415
     from raybundle.workflows.surface import surface as measured  # noqa: PLC0415
     from raybundle.workflows.surface_state import SurfaceOptions  # noqa: PLC0415
+    from raybundle.workflows.surface_tasks import PART  # noqa: PLC0415
 
     s, work = a.settings, a.out / WORK
     options = SurfaceOptions(
@@ -215,7 +219,7 @@ def _measured(a: _Asked) -> Surface:
             progress=a.progress, adjusted=a.adjusted,
         )  # fmt: skip
     except InputError:
-        discard_empty(work)
+        discard_empty(work, PART)
         if a.out.is_dir() and not any(a.out.iterdir()):
             a.out.rmdir()
         raise
@@ -225,6 +229,7 @@ def _delivered(a: _Asked, done: Surface, mended: set[str]) -> MeasuredSurface:
     """Write what is asked for; `mended` gets the keys of kept products that were found damaged."""
     from raybundle.commands.earlier_products import note_written, settle_earlier  # noqa: PLC0415
     from raybundle.commands.surface_pages import PDF, heights_told, outside_told, write_pages  # noqa: PLC0415
+    from raybundle.io.folders import clear_left  # noqa: PLC0415
     from raybundle.workflows.surface import mended_words  # noqa: PLC0415
     from raybundle.workflows.surface_product import Context  # noqa: PLC0415
     from raybundle.workflows.surface_products import PRODUCTS  # noqa: PLC0415
@@ -237,18 +242,20 @@ def _delivered(a: _Asked, done: Surface, mended: set[str]) -> MeasuredSurface:
     try:
         context = Context(
             export=export, unit=unit, wanted=wanted, plane=a.grids.plane, mesh=s.mesh, progress=a.progress,
-            points=done if s.thin is None else thinned(done, s.thin),
+            points=done if s.thin is None else thinned(done, s.thin), fingerprint=a.fingerprint,
         )  # fmt: skip
         asked_for = wanted | ({"pdf"} if s.pdf else set[str]())
+        clear_left(out)
         earlier = settle_earlier(done, out, out / WORK, asked_for, s.thin, {"pdf": PDF})
         written = tuple((name, p.write(done, out, context)) for name, p in sorted(PRODUCTS.items()) if name in wanted)
-        note_written(done, out / WORK, wanted, s.thin)
+        note_written(done, out / WORK, wanted, s.thin, a.fingerprint)
         remarks = (
             *outside_told(done, a.grids), *heights_told(a.grids.told, export), *done.remarks,
             *mended_words(mended | done.store.mended), *earlier.told,
         )  # fmt: skip
-        pages = write_pages(done, a.result, out, context, remarks, s, earlier.others, a.progress)
-        note_written(done, out / WORK, asked_for, s.thin)
+        told = (done.others, *remarks) if done.others else remarks
+        pages = write_pages(done, a.result, out, context, told, s, earlier.others, a.progress)
+        note_written(done, out / WORK, asked_for, s.thin, a.fingerprint)
     finally:
         mended |= done.store.mended
     return MeasuredSurface(surface=done, written=written, remarks=remarks, unit=unit, pages=pages)
@@ -345,11 +352,12 @@ def _keep_settings(settings: SurfaceSettings, work: Path) -> None:
 def _check_out(out: Path) -> None:
     """Raise InputError for a folder that holds anything but an earlier surface."""
     from raybundle.commands.surface_pages import PAGES  # noqa: PLC0415
+    from raybundle.io.folders import names_in  # noqa: PLC0415
     from raybundle.workflows.surface_product import files_of_all  # noqa: PLC0415
 
     if out.exists() and not out.is_dir():
         raise InputError("is a file; give a folder", file=out)
-    others = {p.name for p in out.iterdir()} - {WORK, *PAGES} - files_of_all() if out.is_dir() else set[str]()
+    others = names_in(out) - {WORK, *PAGES} - files_of_all() if out.is_dir() else set[str]()
     if others:
         raise InputError(f"holds {min(others)}, which is not of a surface; choose another {option('out')}", file=out)
 

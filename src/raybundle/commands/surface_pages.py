@@ -53,6 +53,7 @@ def write_pages(
     """
     from raybundle.adjustment.result import as_told  # noqa: PLC0415
     from raybundle.adjustment.severity import Severity  # noqa: PLC0415
+    from raybundle.io.folders import names_in  # noqa: PLC0415
     from raybundle.report.languages.language import language_of  # noqa: PLC0415
     from raybundle.report.network_page import write_network_page  # noqa: PLC0415
     from raybundle.report.surface_page import write_surface_page  # noqa: PLC0415
@@ -68,7 +69,7 @@ def write_pages(
     name = done.block.name or result.resolve().name
     rests = _occasion(done, result, context, settings)
     pages = [out / PAGE, *([out / PDF] if settings.pdf else [])]
-    written = (*(p.name for p in out.iterdir()), IN_3D)
+    written = (*names_in(out), IN_3D)
     write_surface_page(
         summary, *pages, name=name, remarks=remarks, language=settings.language, rests=rests, written=written,
         others=others, lost=len(done.lost), progress=progress,

@@ -8,6 +8,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from raybundle.errors import InputError
+from raybundle.io.reading.words import quoted
 from raybundle.numerics.progress import Progress, silent
 from raybundle.settings import NOT_NEGATIVE, Range, option, setting
 
@@ -25,6 +26,10 @@ STORE_HELP = (
     "the last run, at first in the folder]"
 )
 """Of the setting `store`"""
+
+
+DIGITS = 8
+"""Of so many and more no array of jobs is: Slurm allows 4 million at most (MaxArraySize)"""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -59,7 +64,8 @@ def run_worker(
 ) -> ShardDone | None:
     """Work for a cluster until interrupted (None), or do a share of the tasks in a project."""
     if bool(settings.cluster) == bool(settings.shard):
-        raise InputError(f"give {option('cluster', 'FOLDER')} or {option('shard', 'I/N')}")
+        both = f"give {option('cluster', 'FOLDER')} or {option('shard', 'I/N')}"
+        raise InputError(f"{both}, one of them" if settings.cluster else both)
     if settings.cluster:
         from raybundle.pipeline.choosing import on_dask  # noqa: PLC0415  (what computes is loaded after the help)
 
@@ -105,8 +111,10 @@ def store_of(project: Path, given: str, apart: Sequence[Path]) -> str:
 def _share(text: str) -> tuple[int, int]:
     """Which of how many, from "0/4"."""
     first, _, last = text.partition("/")
-    if first.isdecimal() and last.isdecimal() and int(first) < int(last):
+    if first.isdecimal() and last.isdecimal() and len(first) <= len(last) < DIGITS and int(first) < int(last):
         return int(first), int(last)
+    if last.isdecimal() and len(last) >= DIGITS:
+        raise InputError(f"{quoted(text)} is a share of more jobs than an array has, {10 ** (DIGITS - 1) - 1} at most")
     raise InputError(f"{text} is no share; as 0/4, 1/4, 2/4 and 3/4 of four jobs")
 
 

@@ -23,6 +23,7 @@ AT_FDCWD, RENAME_EXCHANGE = -100, 2  # linux/fcntl.h, linux/fs.h
 NAME_BYTES = 200
 """Of a name that is kept in that of its temporary sibling; file systems allow 255."""
 _SIBLING = r"\.[0-9a-f]{8}\.(?:partial|old)"
+_ANY_SIBLING = re.compile(r"(?:\..+)?" + _SIBLING)
 
 
 @contextmanager
@@ -161,7 +162,7 @@ def check_new_folder(path: Path) -> None:
     check_place(path, "folder")
     with _told(path):
         place = place_of(path)
-        if place.exists() and any(place.iterdir()):
+        if place.exists() and names_in(place):
             raise InputError(
                 "stands there already and is not overwritten; choose another folder or delete it", file=path
             )
@@ -225,13 +226,31 @@ def _sibling(path: Path) -> Generator[Path]:
 
 def _left_beside(parent: Path, stem: str) -> Iterator[Path]:
     """Temporary siblings whose writer is gone: nobody holds their lock."""
-    ours = re.compile(re.escape(f".{stem}") + _SIBLING)
+    return _left(parent, re.compile(re.escape(f".{stem}") + _SIBLING))
+
+
+def _left(parent: Path, ours: re.Pattern[str]) -> Iterator[Path]:
     for entry in parent.iterdir():
         if ours.fullmatch(entry.name) and not entry.is_symlink() and entry.is_dir():
             lock = lock_of(entry)
             if lock is not None:
                 unlock(lock)
                 yield entry
+
+
+def names_in(folder: Path) -> set[str]:
+    """What stands in a folder, by name, without what writers of this program, that were killed or work now, have begun.
+
+    Who looks for what is not of this program takes the folder as this says.
+    """
+    return {e.name for e in folder.iterdir() if not (_ANY_SIBLING.fullmatch(e.name) and e.is_dir())}
+
+
+def clear_left(folder: Path) -> None:
+    """Delete what writers that were killed have left in a folder, under whatever name they wrote."""
+    with _told(folder):
+        for left in _left(folder, _ANY_SIBLING):
+            shutil.rmtree(left, ignore_errors=True)
 
 
 def lock_of(folder: Path) -> int | None:
@@ -278,6 +297,8 @@ def _meanwhile(path: Path) -> InputError:
 
 def _take_free_name(new: Path, path: Path) -> None:
     """The system refuses to rename onto a folder that holds something, or onto a file."""
+    if path.is_dir():
+        clear_left(path)
     if os.name == "nt" and path.is_dir():
         with contextlib.suppress(OSError):
             path.rmdir()

@@ -136,7 +136,7 @@ def checked_outline(outline: Array, shape: str) -> Array:
     """The outline (n, 2) that a pattern needs; raises InputError for one that is none."""
     outline = np.asarray(outline, float).reshape(-1, 2)
     if shape == "area":
-        return checked_ring(outline, "the area")
+        return checked_ring(outline, "the area", ", or plan a corridor along the line")
     if shape == "line":
         keep = np.append(True, np.linalg.norm(np.diff(outline, axis=0), axis=1) > 1e-6)
         if keep.sum() < 2:

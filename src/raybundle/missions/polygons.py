@@ -21,10 +21,11 @@ THINNEST = 1e-4
 """Share of the square of its length that an area has at least: a kilometre of a decimetre's width is a line."""
 
 
-def checked_ring(xy: Array, what: str) -> Array:
+def checked_ring(xy: Array, what: str, instead: str = "") -> Array:
     """The corners (n, 2) of a polygon, each once, counter-clockwise.
 
-    raises  InputError for fewer than three corners, no extent, or edges that cross, with the place
+    instead  what else can be done where all corners lie on one line, after a comma
+    raises   InputError for fewer than three corners, no extent, or edges that cross, with the place
     """
     ring = np.asarray(xy, float)
     if ring.ndim != 2 or ring.shape[1] != 2 or not np.isfinite(ring).all():
@@ -44,8 +45,8 @@ def checked_ring(xy: Array, what: str) -> Array:
     area = signed_area(ring)
     if abs(area) <= THINNEST * size * size:
         raise InputError(
-            f"{what} has no extent: {abs(area):.3g} m2 over {size:.3g} m; all its corners lie on one line. Give the "
-            "outline of the area, or plan a corridor along the line"
+            f"{what} has no extent: its area is {abs(area):.3g} over a length of {size:.3g}; all its corners lie on "
+            f"one line. Give the outline of the area{instead}"
         )
     return ring if area > 0 else ring[::-1]
 

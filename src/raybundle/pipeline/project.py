@@ -41,7 +41,7 @@ from raybundle.errors import InputError
 from raybundle.io.reading.trees import json_of, read_json, read_toml
 from raybundle.numerics.arrays import Array
 from raybundle.pipeline.keys import key_of
-from raybundle.pipeline.store import Folder, Product, writing
+from raybundle.pipeline.store import Folder, Product, kind_of, writing
 from raybundle.settings import option
 
 SCHEMA = 1
@@ -290,9 +290,9 @@ def small_of(product: Mapping[str, Array]) -> dict[str, Any]:
     return {name: None if value != value else value for name, value in values.items()}  # noqa: PLR0124  (NaN)
 
 
-def discard_empty(folder: Path) -> None:
-    """Delete a project folder that a run began and that holds no product: there is nothing to continue."""
-    held = {str(p.relative_to(folder)) for p in folder.rglob("*") if not p.is_dir()}
+def discard_empty(folder: Path, cheap: str = "") -> None:
+    """Delete a project folder that a run began and that holds no product, or none but of the kind `cheap`."""
+    held = {str(p.relative_to(folder)) for p in folder.rglob("*") if not p.is_dir() and kind_of(p.stem) != (cheap or p)}
     if held <= {"project.db", "project.db-wal", "project.db-shm", "project.toml", "running.json"}:
         shutil.rmtree(folder, ignore_errors=True)
 

@@ -15,7 +15,7 @@ from raybundle.block import Block
 from raybundle.errors import InputError
 from raybundle.io.block.folder import block_files, read_block, write_block_files
 from raybundle.io.digits import told
-from raybundle.io.folders import check_place, new_folder
+from raybundle.io.folders import check_place, names_in, new_folder
 from raybundle.io.reading.trees import read_json
 from raybundle.io.reading.words import quoted
 from raybundle.io.table_files import SUFFIXES, TableFormat, new_table_file, table_file
@@ -82,14 +82,14 @@ def check_target(path: str | Path) -> None:
         return
     if not folder.is_dir():
         raise InputError("stands there already and is no folder; choose another name for the result", file=folder)
-    present = {entry.name for entry in folder.iterdir()}
+    present = names_in(folder)
     if (folder / PROJECT / "project.db").is_file():
         present -= {PROJECT}  # of a run that is to be continued, or of one that ended
     if not present:
         return
     if "result.json" not in present or not _is_ours(folder / "result.json"):
         raise InputError("is not a result folder and is not overwritten; choose another name", file=folder)
-    inner = {entry.name for entry in (folder / "block").iterdir()} if (folder / "block").is_dir() else set[str]()
+    inner = names_in(folder / "block") if (folder / "block").is_dir() else set[str]()
     tables = {f"{name}{suffix}" for name in TABLES for suffix in SUFFIXES}
     foreign = sorted(present - ENTRIES - tables) + sorted(f"block/{name}" for name in inner - block_files())
     if foreign:

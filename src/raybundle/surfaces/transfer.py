@@ -64,7 +64,7 @@ class Transfer:
         """The same with NumPy."""
         first, where = [], []
         for x, n in zip(self.nodes(xy_px, t), self.places.shape, strict=False):
-            first.append(np.clip(np.floor(x) - 1, 0, n - NODES).astype(int))
+            first.append(np.clip(np.floor(np.nan_to_num(x)) - 1, 0, n - NODES).astype(int))
             where.append(lagrange(x - first[-1])[0])
         four = np.arange(NODES)
         j, i, k = (f[:, None] + four for f in first)

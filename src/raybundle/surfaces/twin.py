@@ -147,6 +147,9 @@ def _batch(shared: _Shared, found: Refined, rows: Index, columns: Index) -> None
     state, flat = _begun(shared, x[go], y[go], p[:, go], known[go])
     reason[go[flat]] = NO_TEXTURE
     go = go[~flat]
+    if not len(go):  # as in columns that no refined neighbour has reached yet
+        found.reason[rows, columns] = reason
+        return
     with np.errstate(invalid="ignore", divide="ignore"):
         outcome, iterations, step = _iterate(shared, state)
         good = np.flatnonzero(outcome == REFINED)
@@ -181,15 +184,16 @@ def _begun(shared: _Shared, x: Index, y: Index, p: Array, known: Mask) -> tuple[
     """Pixels whose window has texture, ready for the iteration, and which have none."""
     half, count = shared.options.half, len(shared.sources)
     side = np.arange(-half, half + 1)
-    T = shared.reference[y[:, None, None] + side[:, None], x[:, None, None] + side].reshape(len(x), -1).astype(float)
+    windows = shared.reference[y[:, None, None] + side[:, None], x[:, None, None] + side]
+    T = windows.reshape(len(x), len(shared.w)).astype(float)
     T = T - (T @ shared.w / shared.total)[:, None]
     contrast = np.sqrt(T**2 @ shared.w / shared.total)
     flat = ~(contrast > shared.options.contrast)
     T, contrast, n = T[~flat] / contrast[~flat, None], contrast[~flat], int((~flat).sum())
-    windows = np.zeros((4, count, n, len(shared.w)))
+    empty = np.zeros((4, count, n, len(shared.w)))
     state = _State(
         x=x[~flat], y=y[~flat], p=p[:, ~flat], slope=np.where(known[~flat], 1, UNKNOWN) * shared.options.slope, T=T,
-        contrast=contrast, used=np.ones((count, n), bool), g=windows[0], gx=windows[1], gy=windows[2], J=windows[3],
+        contrast=contrast, used=np.ones((count, n), bool), g=empty[0], gx=empty[1], gy=empty[2], J=empty[3],
         correlation=np.zeros((count, n)), steep=np.zeros((count, n, 2, 2)), reach=np.zeros(n), squares=np.zeros(n),
         s2=np.zeros(n), Q=np.zeros((n, 3, 3)),
     )  # fmt: skip

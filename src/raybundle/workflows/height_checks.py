@@ -18,6 +18,7 @@ from raybundle.io.geo.told_systems import plan_system
 from raybundle.io.reading.trees import Json
 from raybundle.io.reading.words import quoted
 from raybundle.numerics.arrays import Array
+from raybundle.numerics.counting import counted, grouped
 from raybundle.pipeline.archives import DAMAGED
 
 if TYPE_CHECKING:
@@ -29,6 +30,12 @@ ROUNDING_CELLS, ROUNDING = 1e-3, 1e-9
 """By which a place in a raster may differ from heights.toml: of a cell, and of the coordinate itself"""
 OF_ORIENTATION = "orientation_sha256"
 """Key of heights.toml: check sum of the file that says how orientation moves the heights"""
+OF_HEIGHTS, OF_SIGMAS = "heights_sha256", "heights_sigma_sha256"
+"""The same of the values of the two rasters, which a lossless copy of them in another form keeps"""
+WHOLE_SIGMA, STEP_SIGMA = "sigma", "sigma of steps"
+"""Bands of standard deviations: that of all parts, which no height is without, and one that earlier files lack"""
+STRIP = 256
+"""Rows of a raster that are read at once for its check sum"""
 SAME_PLACE = 0.1
 """Of a cell, by which two texts of one system may put a place apart"""
 
@@ -143,6 +150,82 @@ def check_belongs(path: Path, tree: Json) -> None:
     """
     if tree.has(OF_ORIENTATION) and check_sum(path) != tree.get(OF_ORIENTATION).text():
         raise InputError(f"is of another surface than {tree.file.name}, by its check sum; {AGAIN}", file=path)
+
+
+def values_in(file: Any, first: int = 0, rows: int | None = None) -> Array:
+    """(bands, rows, columns) float32 of some rows of a raster that rasterio has opened; NaN where it holds nothing."""
+    last = file.height if rows is None else min(first + rows, file.height)
+    values = file.read(window=((first, last), (0, file.width))).astype(np.float32)
+    for band, nothing in zip(values, file.nodatavals, strict=True):
+        if nothing is not None:
+            band[band == np.float32(nothing)] = np.nan
+    return values
+
+
+def sum_of_raster(library: Any, path: Path) -> str:
+    """SHA-256 of the values of a raster, row by row, as of `sum_of_values`."""
+    found = hashlib.sha256()
+    with raster(library, path) as file:
+        for first in range(0, file.height, STRIP):
+            _add(found, values_in(file, first, STRIP))
+    return found.hexdigest()
+
+
+def sum_of_values(values: Array) -> str:
+    """SHA-256 of values (bands, rows, columns), as float32 of each row band by band; every NaN is the same."""
+    found = hashlib.sha256()
+    for first in range(0, values.shape[1], STRIP):
+        _add(found, values[:, first : first + STRIP])
+    return found.hexdigest()
+
+
+def _add(found: Any, values: Array) -> None:
+    rows = np.moveaxis(values, 0, 1).astype("<f4")
+    rows[np.isnan(rows)] = np.nan
+    found.update(rows.tobytes())
+
+
+def check_values(heights: Path, height: Array, sigmas: Path, bands: Mapping[str, Array], tree: Json) -> tuple[str, ...]:
+    """Raise InputError where standard deviations are not of these heights, or are none; what is to be told else.
+
+    height  (rows, columns) of the file `heights`
+    bands   (rows, columns) each, all of the file `sigmas`, in its order: standard deviations by what they are of, and
+            others under names that do not begin with sigma
+    tree    heights.toml; of earlier versions it has no check sums, and values alone are looked at
+    """
+    infinite = int(np.isinf(height).sum())
+    if infinite:
+        raise InputError(
+            f"{counted(infinite, 'cell')} {'has' if infinite == 1 else 'have'} an infinite height; write NaN there, or "
+            f"{AGAIN}",
+            file=heights,
+        )
+    if tree.has(OF_SIGMAS) and sum_of_values(np.stack(list(bands.values()))) != tree.get(OF_SIGMAS).text():
+        raise InputError(f"is of another surface than {tree.file.name}, by the check sum of its values; {AGAIN}",
+                         file=sigmas)  # fmt: skip
+    known = np.isfinite(height)
+    for name, values in bands.items():
+        if name.startswith("sigma"):
+            _check_sigma(sigmas, name, values[known])
+    if tree.has(OF_HEIGHTS) and sum_of_values(height[None]) != tree.get(OF_HEIGHTS).text():
+        return (f"{heights}: has other values than were written: standard deviations are those of the values before",)
+    return ()
+
+
+def _check_sigma(path: Path, name: str, sigma: Array) -> None:
+    """Raise InputError, with their number, where standard deviations of cells with a height can be none."""
+    wrong = {
+        "negative": sigma < 0, "infinite": np.isinf(sigma), "of 0": (sigma == 0) & (name == WHOLE_SIGMA),
+        "missing": np.isnan(sigma) & (name != STEP_SIGMA),
+    }  # fmt: skip
+    counts = {why: int(np.asarray(which).sum()) for why, which in wrong.items()}
+    if any(counts.values()):
+        told = ", ".join(f"{grouped(n)} {why}" for why, n in counts.items() if n)
+        raise InputError(
+            f"{grouped(sum(counts.values()))} of {counted(len(sigma), 'cell')} with a height have no {name}: {told}; "
+            f"take these heights out (NaN), or {AGAIN}",
+            file=path,
+        )
 
 
 @contextmanager

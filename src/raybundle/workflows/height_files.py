@@ -16,7 +16,7 @@ from raybundle.io.geo.told_systems import system_with_heights
 from raybundle.io.pictures.geotiff import Write, new_geotiff
 from raybundle.io.pictures.rectified import toml_text
 from raybundle.io.raster_library import raster_library
-from raybundle.io.reading.trees import read_toml
+from raybundle.io.reading.trees import Json, read_toml
 from raybundle.numerics.arrays import Array
 from raybundle.numerics.counting import significant
 from raybundle.numerics.length_units import precision_unit
@@ -26,14 +26,21 @@ from raybundle.surfaces.heights import BETWEEN_MAPS, Heights
 from raybundle.surfaces.node_sums import NodeSums
 from raybundle.surfaces.nodes import of_blocks
 from raybundle.workflows.height_checks import (
+    OF_HEIGHTS,
     OF_ORIENTATION,
+    OF_SIGMAS,
+    STEP_SIGMA,
+    WHOLE_SIGMA,
     check_belongs,
     check_orientation,
     check_place,
     check_raster,
     check_sum,
+    check_values,
     orientation,
     raster,
+    sum_of_raster,
+    values_in,
 )  # fmt: skip
 from raybundle.workflows.height_grid import HeightGrid
 from raybundle.workflows.height_tiles import BLOCK_CELLS, TILE_CELLS, Window, moved_of, tile_of_number, tiles_across
@@ -47,7 +54,7 @@ if TYPE_CHECKING:
 HEIGHTS, SIGMAS, ABOUT, MOVED = "heights.tif", "heights_sigma.tif", "heights.toml", "heights_orientation.npz"
 FILES = (HEIGHTS, SIGMAS, ABOUT, MOVED)
 BANDS = (
-    "sigma", "sigma of noise and roughness", "sigma of steps", "sigma of orientation", "sigma of a point", "points",
+    WHOLE_SIGMA, "sigma of noise and roughness", STEP_SIGMA, "sigma of orientation", "sigma of a point", "points",
     "image",
 )  # fmt: skip
 """Of the second file"""
@@ -72,6 +79,8 @@ class HeightFile:
     """plane system of a map; empty: a plane of the object"""
     plane: Mapping[str, Any]
     """where it lies"""
+    cautions: tuple[str, ...] = ()
+    """what is to be told of the files beside it, with their names"""
 
     @classmethod
     def of(cls, grid: HeightGrid, plane: Plane, unit: str, block: str) -> HeightFile:
@@ -159,7 +168,7 @@ def write_heights(surface: Surface, file: HeightFile, out: Path) -> tuple[str, .
             moved, nodes=nodes, levels=levels, block=np.array(BLOCK_CELLS), errors=np.array(measured.together),
             adjustment=np.array(measured.adjustment),
         )  # fmt: skip
-        about.write_text(_about(file, moved, whole.length, measured.apart), encoding="utf-8")
+        about.write_text(_about(file, (heights, sigmas, moved), whole.length, measured.apart), encoding="utf-8")
     share = sum(whole.cells) / (file.width * file.height)
     sigma = float(np.median(np.concatenate(whole.sigma)))
     unit = f" {file.unit}" if file.unit else ""
@@ -168,9 +177,14 @@ def write_heights(surface: Surface, file: HeightFile, out: Path) -> tuple[str, .
     return (f"{told}; standard deviation {significant(factor * sigma, 2)} {of}".rstrip() + " in the median",)
 
 
-def _about(file: HeightFile, moved: Path, length: float, apart: float) -> str:
-    """The text of heights.toml, with the check sum of the file of the orientation that belongs to it."""
-    own = {"length_cells": length, "between_maps": apart, OF_ORIENTATION: check_sum(moved)}
+def _about(file: HeightFile, beside: tuple[Path, Path, Path], length: float, apart: float) -> str:
+    """The text of heights.toml, with check sums of what belongs to it: both rasters, the file of the orientation."""
+    heights, sigmas, moved = beside
+    library = raster_library()
+    own = {
+        "length_cells": length, "between_maps": apart, OF_HEIGHTS: sum_of_raster(library, heights),
+        OF_SIGMAS: sum_of_raster(library, sigmas), OF_ORIENTATION: check_sum(moved),
+    }  # fmt: skip
     return toml_text({**file.as_mapping(), **own})
 
 
@@ -212,7 +226,7 @@ def write_model(model: HeightModel, file: HeightFile, out: Path) -> None:
         if model.holes is not None:
             kept |= {"holes": model.holes.number.astype(np.int32), "holes_sigma": model.holes.sigma.astype(np.float32)}
         np.savez_compressed(moved, allow_pickle=False, **kept)
-        about.write_text(_about(file, moved, model.length, model.apart), encoding="utf-8")
+        about.write_text(_about(file, (heights, sigmas, moved), model.length, model.apart), encoding="utf-8")
 
 
 def read_heights(folder: str | Path) -> tuple[HeightModel, HeightFile]:
@@ -224,13 +238,7 @@ def read_heights(folder: str | Path) -> tuple[HeightModel, HeightFile]:
     tree = read_toml(folder / ABOUT).tree()
     check_place(tree)
     numbers = {name: tree.get(name).number() for name in ("left", "top", "pixel", "length_cells")}
-    with raster(library, folder / HEIGHTS) as one, raster(library, folder / SIGMAS) as many:
-        check_raster(one, folder / HEIGHTS, tree)
-        check_raster(many, folder / SIGMAS, tree)
-        if many.count != len(BANDS):
-            raise InputError(f"{SIGMAS} does not belong to {HEIGHTS}", file=folder)
-        height, bands = one.read(1), many.read()
-        wkt = many.crs.to_wkt() if many.crs else ""  # in plan
+    height, bands, wkt = _rasters(library, folder, tree)
     found = dict(zip(KEPT[1:], bands[1:], strict=True))
     with orientation(folder / MOVED) as kept:
         # older files have one value for each block, or for each node
@@ -242,6 +250,8 @@ def read_heights(folder: str | Path) -> tuple[HeightModel, HeightFile]:
         errors, adjustment = (str(kept[name]) if name in kept else "" for name in ("errors", "adjustment"))
     check_orientation(folder / MOVED, moved, block, height.shape, [] if holes is None else [holes.number, holes.sigma])
     check_belongs(folder / MOVED, tree)
+    named: dict[str, Array] = dict(zip(BANDS, bands, strict=True))
+    cautions = check_values(folder / HEIGHTS, height, folder / SIGMAS, named, tree)
     heights = Heights(
         height=height, local=found["local"], step=np.nan_to_num(found["step"]), orientation=found["orientation"],
         point=found["point"],
@@ -259,4 +269,15 @@ def read_heights(folder: str | Path) -> tuple[HeightModel, HeightFile]:
     return model, HeightFile(
         left=numbers["left"], top=numbers["top"], cell=numbers["pixel"], width=height.shape[1],
         height=height.shape[0], unit=str(told.get("unit", "")), block=str(told.get("block", "")), wkt=wkt, plane=plane,
+        cautions=cautions,
     )  # fmt: skip
+
+
+def _rasters(library: Any, folder: Path, tree: Json) -> tuple[Array, Array, str]:
+    """Heights (rows, columns), the bands of the second file (bands, rows, columns), and its system, that in plan."""
+    with raster(library, folder / HEIGHTS) as one, raster(library, folder / SIGMAS) as many:
+        check_raster(one, folder / HEIGHTS, tree)
+        check_raster(many, folder / SIGMAS, tree)
+        if many.count != len(BANDS):
+            raise InputError(f"{SIGMAS} does not belong to {HEIGHTS}", file=folder)
+        return values_in(one)[0], values_in(many), many.crs.to_wkt() if many.crs else ""

@@ -17,6 +17,7 @@ from raybundle.io.outlines import TEXT, read_outline
 from raybundle.io.reading.words import number_of
 from raybundle.missions.polygons import astray, checked_ring, signed_area
 from raybundle.numerics.arrays import Array
+from raybundle.results.fingerprint import FINGERPRINT, adjusted_since
 from raybundle.settings import option
 from raybundle.surfaces.height_model import HeightModel
 from raybundle.surfaces.holes import filled
@@ -47,6 +48,12 @@ class Opened:
     def unit(self) -> str:
         """Of lengths; empty: the scale is free."""
         return self.file.unit
+
+    @property
+    def cautions(self) -> tuple[str, ...]:
+        """What is to be told of its files and of the result that it was measured of, a sentence each."""
+        since = adjusted_since(self.folder, str(self.file.plane.get(FINGERPRINT, "")))
+        return (*self.file.cautions, *([f"{self.folder}: {since}"] if since else []))
 
     def cells(self, xy: Array) -> Array:
         """(n, 2) columns and rows of places (n, 2)."""
@@ -289,7 +296,8 @@ def _turned(first: Opened, second: Opened) -> tuple[Array | None, Array]:
         off = max(float(np.abs(turn[:2, :2] - np.eye(2)).sum()) * size, float(np.abs(turn[:2, 2]).sum()) * tall)
         if off <= APART * b.cell:
             return turn, move
-        why = f"their planes are turned against each other, which moves places by {off / b.cell:.2g} cells"
+        far = f"{off / b.cell:.3g} cells, more than {APART:g}"
+        why = f"their planes are turned against each other, which moves places by {far}"
     raise InputError(
         f"{why}: their heights are not above the same; make both surfaces with the same plane (by points that both "
         "have, or in one map), in one frame: with the same control",

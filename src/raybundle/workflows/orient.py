@@ -33,6 +33,7 @@ from raybundle.workflows.final import left_out
 from raybundle.workflows.orient_options import PIXELS_GB, OrientOptions
 from raybundle.workflows.orient_state import Asked, OrientState
 from raybundle.workflows.orienting import ORIENT
+from raybundle.workflows.photograph_contents import CONTENTS
 from raybundle.workflows.scenes.images import SceneImage
 from raybundle.workflows.scenes.ties import ScenePair
 
@@ -111,6 +112,7 @@ class Orientation:
                 {k: v for k, v in asdict(s).items() if k in _STAGE_FIELDS} for s in self.stages
             ],
             "image_sigma_px": self.sigma_px,
+            CONTENTS: {p.name: p.sha256 for p in self.photos},
             **({} if self.frame is None else {"frame": self.frame.as_mapping()}),
             **({} if self.upright is None else {"upright": self.upright.as_mapping()}),
             **({} if self.dropped is None else {"measurements": self.dropped.as_mapping(self.adjustment)}),

@@ -29,6 +29,7 @@ from raybundle.pipeline.store import Folder, kind_of
 from raybundle.settings import option
 from raybundle.surfaces.depth_map import LEAST_SWEEP_BYTES, bytes_needed
 from raybundle.workflows.mask_notices import OF_DEPTHS, mask_notices
+from raybundle.workflows.photograph_contents import contents_of, other_contents
 from raybundle.workflows.surface_photographs import Lost, photographs_there
 from raybundle.workflows.surface_pointless import pointless
 from raybundle.workflows.surface_state import Cloud, MadeOrthophoto, MeasuredHeights, SurfaceOptions, SurfaceState
@@ -59,6 +60,8 @@ class Surface:
     """photographs and pairs without a part in it, and why"""
     lost: tuple[Lost, ...] = ()
     """the first of these: photographs that were adjusted, and are not there or do not fit"""
+    others: str = ""
+    """that photographs are not those that were oriented, in words; empty: nothing says so"""
     pointless: tuple[tuple[str, str], ...] = ()
     """photographs whose depths give no point, and why, where that is not because others know their places better"""
     remarks: tuple[str, ...] = ()
@@ -119,6 +122,7 @@ def surface(
     made = adjusted_again(source, progress) if adjusted is None else adjusted()
     adjustment = _checked(made, source, free_scale=free_scale)
     found, lost = photographs_there(adjustment.adjusted, photos)
+    others = other_contents(found.values(), contents_of(source))
     worn = None if masks is None else find_masks(masks, tuple(found.values()))
     project = Project.open(folder, store=store)
     try:
@@ -131,11 +135,11 @@ def surface(
         clouds = tuple(sorted(state.clouds.items()))
         counts = tuple(len(project.products.wanted(key, ("image",))["image"]) for _, key in clouds)
         if not sum(counts):
-            raise InputError(_nothing(state, project.products))
+            raise InputError(_nothing(state, project.products, others))
         return Surface(
             adjustment=adjustment, store=project.products, clouds=clouds, counts=counts, options=options,
             maps=state.maps, sigmas=state.sigmas, heights=state.heights, orthophoto=state.orthophoto,
-            left_out=(*(one.told for one in lost), *state.left_out), lost=lost,
+            left_out=(*(one.told for one in lost), *state.left_out), lost=lost, others=others,
             remarks=(*_remarks(worn), *_beyond(state, memory)),
             pointless=pointless(state.block, state.clouds, project.products, region=options.region is not None),
             records=tuple(project.records),
@@ -168,14 +172,16 @@ def mended_words(keys: Collection[str]) -> tuple[str, ...]:
     return (f"{counted(len(keys), 'product')} of earlier runs, damaged or gone, made again: {what}",)
 
 
-def _nothing(state: SurfaceState, store: Folder) -> str:
-    """Why a surface has no point."""
+def _nothing(state: SurfaceState, store: Folder, others: str) -> str:
+    """Why a surface has no point; first that photographs are not those that were oriented."""
     depths, pixels = 0, 0
     for key in state.maps.values():
         t = store.wanted(key, ("t",))["t"]
         depths, pixels = depths + int(np.isfinite(t).sum()), pixels + t.size
     share = f"{depths / max(pixels, 1):.1%} of {pixels} pixels have a depth, and other photographs do not confirm them"
     of = "" if state.options.region is None else " of the region"
+    if others:
+        return f"nothing could be measured{of}: {others} ({share})"
     return (
         f"nothing could be measured{of}: {share}. Sky, water, glass and bare walls have no texture that stays, and "
         "what moves is not where it was; take photographs of it with texture, overlapping by 60 % or more"

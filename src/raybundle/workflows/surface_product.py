@@ -44,6 +44,8 @@ class Context:
     """of the cloud, those that are written"""
     mesh: float | None = None
     """distance of the vertices of a mesh"""
+    fingerprint: str = ""
+    """of the result that was measured (`results.fingerprint`); empty: it is not known"""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

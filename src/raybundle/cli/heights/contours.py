@@ -8,7 +8,7 @@ from typing import Any
 import click
 
 from raybundle.cli.common import FOLDER, NEW_FILE, Command, counted, facts
-from raybundle.cli.heights.words import FREE
+from raybundle.cli.heights.words import FREE, cautions
 from raybundle.cli.settings import options_of, values_of
 from raybundle.commands.heights.contours import HeightsContoursSettings, run_contours
 from raybundle.settings import made
@@ -30,7 +30,10 @@ def command(source: Path, **given: Any) -> None:
     """  # noqa: D301
     found = run_contours(made(HeightsContoursSettings, {"source": source, **values_of(HeightsContoursSettings, given)}))
     lines = sum(len(c.lines) for c in found.contours)
-    facts(levels=[c.height for c in found.contours], lines=lines, unit=found.unit, files=[str(f) for f in found.files])
+    facts(
+        levels=[c.height for c in found.contours], lines=lines, unit=found.unit,
+        files=[str(f) for f in found.files],
+    )  # fmt: skip
     low, high = found.contours[0].height, found.contours[-1].height
     unit = f" {found.unit}" if found.unit else ""
     click.echo(f" {counted(lines, 'line')} of {counted(len(found.contours), 'height')}, {low:.6g} to {high:.6g}{unit}")
@@ -41,5 +44,7 @@ def command(source: Path, **given: Any) -> None:
         )
     if not unit:
         click.echo(f" {FREE}")
+    for line in cautions(found.cautions):
+        click.echo(f" {line}")
     for path in found.files:
         click.echo(f" {path}")

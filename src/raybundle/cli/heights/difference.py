@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from raybundle.cli.common import FOLDER, NEW_FOLDER, Command, counted, facts
-from raybundle.cli.heights.words import FREE, measured, plain, two_digits
+from raybundle.cli.heights.words import FREE, cautions, measured, plain, two_digits
 from raybundle.cli.settings import options_of, values_of
 from raybundle.commands.heights.difference import HeightsDifferenceSettings, run_difference
 from raybundle.settings import made
@@ -111,7 +111,7 @@ def _lines(found: MeasuredDifference) -> list[str]:
         lines.append("both have to be in one frame: with the same control, or points in common that have not moved")
     if not unit:
         lines.append(FREE)
-    return [*lines, *(str(f) for f in found.files)]
+    return [*lines, *cautions(found.cautions), *(str(f) for f in found.files)]
 
 
 def _times(r: Region) -> float:

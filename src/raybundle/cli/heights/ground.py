@@ -8,7 +8,7 @@ from typing import Any
 import click
 
 from raybundle.cli.common import FOLDER, NEW_FOLDER, Command, facts, significant
-from raybundle.cli.heights.words import FREE
+from raybundle.cli.heights.words import FREE, cautions
 from raybundle.cli.settings import options_of, values_of
 from raybundle.commands.heights.ground import HeightsGroundSettings, run_ground
 from raybundle.settings import made, option
@@ -52,4 +52,6 @@ def command(source: Path, **given: Any) -> None:
         )
     if not unit:
         click.echo(f" {FREE}")
+    for line in cautions(found.cautions):
+        click.echo(f" {line}")
     click.echo(f" {found.folder}")

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from raybundle.cli.common import FOLDER, NEW_FILE, Command, facts, significant
-from raybundle.cli.heights.words import FREE, LEAST_TOLD, measured, plain
+from raybundle.cli.heights.words import FREE, LEAST_TOLD, cautions, measured, plain
 from raybundle.cli.settings import options_of, values_of
 from raybundle.commands.heights.section import HeightsSectionSettings, run_section
 from raybundle.numerics.length_units import precision_unit
@@ -70,7 +70,7 @@ def _lines(found: MeasuredSections) -> list[str]:
             lines.append(f"difference of height: {measured(m.difference.value, m.difference.sigma, found.unit)}")
     if not found.unit:
         lines.append(FREE)
-    return [*lines, *(str(f) for f in found.files)]
+    return [*lines, *cautions(found.cautions), *(str(f) for f in found.files)]
 
 
 def _with_unit(sigma: float, unit: str) -> str:

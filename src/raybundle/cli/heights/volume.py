@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 import click
 
 from raybundle.cli.common import FOLDER, Command, facts
-from raybundle.cli.heights.words import FREE, LEAST_TOLD, measured, plain, two_digits
+from raybundle.cli.heights.words import FREE, LEAST_TOLD, cautions, measured, plain, two_digits
 from raybundle.cli.settings import options_of, values_of
 from raybundle.commands.heights.volume import HeightsVolumeSettings, run_volume
 from raybundle.settings import made
@@ -64,4 +64,4 @@ def _lines(found: MeasuredVolume) -> list[str]:
         )
     if not unit:
         lines.append(FREE)
-    return lines
+    return [*lines, *cautions(found.cautions)]

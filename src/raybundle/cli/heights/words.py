@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Sequence
 
 from raybundle.cli.common import grouped, significant
 
@@ -24,6 +25,11 @@ def measured(value: float, sigma: float, unit: str, power: int = 1) -> str:
     return (
         f"{_whole(round(value, places), max(places, 0))}{name} (sigma {_whole(round(sigma, places), max(places, 0))})"
     )
+
+
+def cautions(told: Sequence[str]) -> list[str]:
+    """What is to be told of a surface itself, as lines."""
+    return [f"caution: {one}" for one in told]
 
 
 def two_digits(sigma: float) -> str:

@@ -37,6 +37,8 @@ class DrawnContours:
     unit: str
     sigma: float
     """median standard deviation of a height by noise, that neighbours do not share"""
+    cautions: tuple[str, ...]
+    """what is to be told of the surface itself, a sentence each"""
     files: tuple[Path, ...]
 
 
@@ -72,4 +74,6 @@ def run_contours(settings: HeightsContoursSettings) -> DrawnContours:
         with new_files(path) as (new,):
             write_contours(o, found, s.interval, new)
     sigma = float(np.median(o.model.heights.local[o.model.known]))
-    return DrawnContours(contours=found, interval=s.interval, unit=o.unit, sigma=sigma, files=s.out)
+    return DrawnContours(
+        contours=found, interval=s.interval, unit=o.unit, sigma=sigma, cautions=o.cautions, files=s.out
+    )

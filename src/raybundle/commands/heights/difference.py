@@ -46,6 +46,8 @@ class MeasuredDifference:
     in_map: bool
     orientations: str
     """what is known of both together, in words; empty: they are independent"""
+    cautions: tuple[str, ...]
+    """what is to be told of the surfaces themselves, a sentence each"""
     files: tuple[Path, ...]
 
 
@@ -76,5 +78,6 @@ def run_difference(settings: HeightsDifferenceSettings) -> MeasuredDifference:
     return MeasuredDifference(
         movements=found, unit=before.unit, compared=float(model.known.sum() / before.model.known.sum()),
         same=float((model.known & (model.local == 0)).sum() / model.known.sum()), smallest=smallest,
-        in_map=bool(before.file.wkt), orientations=orientations, files=files,
+        in_map=bool(before.file.wkt), orientations=orientations,
+        cautions=(*before.cautions, *after.cautions), files=files,
     )  # fmt: skip

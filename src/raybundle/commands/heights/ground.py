@@ -39,6 +39,8 @@ class MadeGround:
     """median standard deviation of measured ground"""
     filled_sigma: float
     """of the spanned one"""
+    cautions: tuple[str, ...]
+    """what is to be told of the surface itself, a sentence each"""
 
 
 def run_ground(settings: HeightsGroundSettings) -> MadeGround:
@@ -90,5 +92,5 @@ def run_ground(settings: HeightsGroundSettings) -> MadeGround:
     sigma = [float(np.median(found.sigma[m])) if m.any() else float("nan") for m in (measured, was)]
     return MadeGround(
         folder=out, unit=o.unit, standing=float(stands.sum() / o.model.known.sum()),
-        filled=float(was.sum() / found.known.sum()), sigma=sigma[0], filled_sigma=sigma[1],
+        filled=float(was.sum() / found.known.sum()), sigma=sigma[0], filled_sigma=sigma[1], cautions=o.cautions,
     )  # fmt: skip

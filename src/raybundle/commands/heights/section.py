@@ -57,6 +57,8 @@ class MeasuredSections:
 
     sections: tuple[MeasuredSection, ...]
     unit: str
+    cautions: tuple[str, ...]
+    """what is to be told of the surface itself, a sentence each"""
     files: tuple[Path, ...]
 
 
@@ -79,7 +81,7 @@ def run_section(settings: HeightsSectionSettings) -> MeasuredSections:
     for k, (_, xy) in enumerate(lines, 1):
         made.append(_one(s, o, section(o.model, _checked(o, xy, step, k), step), f"section {k}"))
     _write(s, o, made)
-    return MeasuredSections(sections=tuple(made), unit=o.unit, files=s.out)
+    return MeasuredSections(sections=tuple(made), unit=o.unit, cautions=o.cautions, files=s.out)
 
 
 def _checked(o: Opened, xy: object, step: float, number: int):  # noqa: ANN202

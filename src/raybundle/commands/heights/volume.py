@@ -50,6 +50,8 @@ class MeasuredVolume:
     """of lengths; empty: the scale is free"""
     base: str
     """from where it counts, in words"""
+    cautions: tuple[str, ...]
+    """what is to be told of the surface itself, a sentence each"""
 
 
 def run_volume(settings: HeightsVolumeSettings) -> MeasuredVolume:
@@ -74,11 +76,14 @@ def run_volume(settings: HeightsVolumeSettings) -> MeasuredVolume:
         raise InputError(
             f"a base by the rim needs an outline; give {option('outline', 'FILE')}, or {option('above', 'HEIGHT')}"
         )
+    cautions = o.cautions
     model, base, words = o.model, level, "the plane by the heights along the outline"
     if level is not None:
         words = f"the height {level:g}"
     elif s.above != RIM:
-        model, base = difference(on_same_grid(o, opened(Path(s.above))), o.model), 0.0
+        below = opened(Path(s.above))
+        model, base = difference(on_same_grid(o, below), o.model), 0.0
+        cautions = (*cautions, *below.cautions)
         words = f"the surface {s.above}"
     areas = outlined(o, s.outline, s.extent)
     covered = None if everything else covered_by(o, areas)
@@ -101,7 +106,7 @@ def run_volume(settings: HeightsVolumeSettings) -> MeasuredVolume:
             f"allow it with {option('most_filled', 100)}",
             file=s.source,
         )
-    return MeasuredVolume(volume=found, unit=o.unit, base=words)
+    return MeasuredVolume(volume=found, unit=o.unit, base=words, cautions=cautions)
 
 
 def _lost(o: Opened, before: HeightModel, model: HeightModel, covered: Array) -> str:

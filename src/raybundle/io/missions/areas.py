@@ -26,6 +26,8 @@ if TYPE_CHECKING:
 
 Kind = Literal["area", "line", "place"]
 GEOGRAPHIC = "EPSG:4326"
+NAMED = "OGC:CRS84"
+"""The same, longitude first, where a file names it"""
 CORNERS = 100_000
 _SHAPES = {"Polygon": "area", "LineString": "line", "Point": "place"}
 _WKB = {1: "place", 2: "line", 3: "area"}
@@ -93,7 +95,7 @@ def _geojson(top: Json, crs: str) -> Iterator[Shape]:
     own = crs
     if isinstance(named, dict) and top.get("crs").has("properties") and top.get("crs").get("properties").has("name"):
         own = top.get("crs").get("properties").get("name").text()
-        own = "" if "CRS84" in own else re.sub(r"^urn:ogc:def:crs:EPSG:[^:]*:", "EPSG:", own)
+        own = NAMED if "CRS84" in own else re.sub(r"^urn:ogc:def:crs:EPSG:[^:]*:", "EPSG:", own)
     for geometry in _geometries(top):
         kind = geometry.get("type").text()
         parts = geometry.get("coordinates")

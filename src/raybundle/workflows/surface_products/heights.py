@@ -7,6 +7,7 @@ from pathlib import Path
 
 from raybundle.io.pictures.geotiff import system_file, system_text
 from raybundle.io.raster_library import raster_library
+from raybundle.results.fingerprint import FINGERPRINT
 from raybundle.results.record import STATE
 from raybundle.workflows.height_files import FILES, HEIGHTS, HeightFile, write_heights
 from raybundle.workflows.surface import Surface
@@ -22,6 +23,8 @@ def _write(surface: Surface, out: Path, context: Context) -> Written:
     file = HeightFile.of(surface.heights.grid, context.plane, context.unit, surface.block.name)
     if state := context.export.record.get(STATE):  # travels with all that is made of these heights
         file = replace(file, plane={**file.plane, STATE: state})
+    if context.fingerprint:
+        file = replace(file, plane={**file.plane, FINGERPRINT: context.fingerprint})
     told = write_heights(surface, file, out)
     with_height = file.with_heights
     if with_height is None or with_height.is_compound:
