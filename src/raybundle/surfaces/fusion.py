@@ -8,7 +8,7 @@ how they are correlated, and gains little, since they share photographs, orienta
 
 A depth that is doubtful in its own map says nothing of sure ones.  It stays where two other maps see the same, surely
 or not, and none sees through it.  Its standard deviation counts how far its neighbours stand apart: of an exactly known
-object 0.5 to 1.3 % of such depths are then off by more than five of them (benchmarks/surface_truth.py, its union).
+object 0.4 to 0.9 % of such depths are then off by more than five of them (benchmarks/surface_truth.py, its union).
 """
 
 from __future__ import annotations
