@@ -15,7 +15,7 @@ def written(tmp_path):
     (tmp_path / "work").mkdir()
     for name in ("points.ply", "points.laz", "heights.tif", "surface.pdf"):
         (tmp_path / name).write_bytes(b"x")
-    note_written(ONE, tmp_path / "work", {"", "las", "dsm", "pdf"}, 0.02)
+    note_written(ONE, tmp_path / "work", {"", "las", "dsm", "pdf"}, 0.02, "")
     return tmp_path
 
 
@@ -42,7 +42,7 @@ def test_what_was_thinned_otherwise_stays_and_is_told_so(written, thin, now):
 
 
 def test_all_points_beside_thinned_ones_are_told_too(written):
-    note_written(ONE, written / "work", {"", "las"}, None)
+    note_written(ONE, written / "work", {"", "las"}, None, "")
     found = settled(written, ONE, 0.1)
     assert "points.laz: of an earlier run, with all points, beside points.ply thinned by 0.1; made alike with las=" in (
         found.told

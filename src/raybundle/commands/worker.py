@@ -8,7 +8,6 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from raybundle.errors import InputError
-from raybundle.io.reading.words import quoted
 from raybundle.numerics.progress import Progress, silent
 from raybundle.settings import NOT_NEGATIVE, Range, option, setting
 
@@ -114,6 +113,8 @@ def _share(text: str) -> tuple[int, int]:
     if first.isdecimal() and last.isdecimal() and len(first) <= len(last) < DIGITS and int(first) < int(last):
         return int(first), int(last)
     if last.isdecimal() and len(last) >= DIGITS:
+        from raybundle.io.reading.words import quoted  # noqa: PLC0415  (loads NumPy, which the help does without)
+
         raise InputError(f"{quoted(text)} is a share of more jobs than an array has, {10 ** (DIGITS - 1) - 1} at most")
     raise InputError(f"{text} is no share; as 0/4, 1/4, 2/4 and 3/4 of four jobs")
 
