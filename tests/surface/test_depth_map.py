@@ -6,9 +6,10 @@ import cv2
 import numpy as np
 import pytest
 
+from raybundle.block import Observations, Points
 from raybundle.errors import InputError
 from raybundle.surfaces import filters, planes, roughness
-from raybundle.surfaces.depth_map import DepthMap, DepthOptions, depth_map
+from raybundle.surfaces.depth_map import DepthMap, DepthOptions, depth_map, depth_range
 from raybundle.surfaces.filters import Flag
 from raybundle.surfaces.noise import autocovariance
 from raybundle.surfaces.pairs import Sources
@@ -111,6 +112,28 @@ def test_a_map_by_strips_is_that_of_all_rows(block, greys, measured, monkeypatch
     parts = depth_map(block, CHOSEN, greys.__getitem__, DepthOptions(density=1)).sure()
     for name, values in measured.as_arrays().items():
         assert np.array_equal(values, parts.as_arrays()[name], equal_nan=values.dtype.kind == "f"), name
+
+
+@pytest.mark.parametrize(("things", "rays", "reached"), [(3, 3, True), (2, 3, False), (3, 2, False)])
+def test_depths_are_looked_for_as_far_as_three_points_of_three_rays(ground, things, rays, reached):
+    """A chimney: far fewer than a hundredth of the tie points, half as far away as the ground."""
+    xy = np.stack(np.meshgrid(np.arange(5, 155, 6.0), np.arange(5, 115, 5.0)), axis=-1).reshape(-1, 2)
+    t = ground.t[xy[:, 1].astype(int), xy[:, 0].astype(int)].astype(float)
+    t[:things] = 0.2
+    n = len(xy)
+    points = Points(
+        ids=tuple(str(k) for k in range(n)), role=np.zeros(n, np.int32), xyz=ground.rays.points(xy, t),
+        sigma=np.full((n, 3), np.nan),
+    )  # fmt: skip
+    seen = np.concatenate([np.arange(n) if k < rays else np.arange(things, n) for k in range(3)]).astype(np.int32)
+    image = np.repeat([0, 1, 2], [n, n, n if rays == 3 else n - things]).astype(np.int32)
+    observations = Observations(
+        image=image, point=seen, xy_px=xy[seen], cov_px2=np.tile([1.0, 1, 0], (len(seen), 1))
+    )  # fmt: skip
+    block = replace(ground.block, points=points, observations=observations)
+    low, high = depth_range(block, ground.rays, 0)
+    assert low < ground.t.min()
+    assert (high > 0.2) == reached
 
 
 def test_what_cannot_be_measured_is_told(ground, block, greys):
