@@ -5,7 +5,7 @@
 Photographs of the portal in demo_data, enlarged and stored as JPEG; as they are, and blurred until so few features are
 found that the finest octave is searched as well.  Each set of three has a process of its own.  Told is the largest
 memory that it ever had (VmHWM), with the program itself, and what it had before the first photograph.
-`matching.rootsift.bytes_needed`, by which tasks wait for each other and `raybundle estimate-cost` reckons, rests on it.
+`FeatureMethod.bytes_needed`, by which tasks wait for each other and `raybundle estimate-cost` reckons, rests on it.
 """
 
 from __future__ import annotations
@@ -21,9 +21,10 @@ from pathlib import Path
 
 os.environ.setdefault("OPENBLAS_NUM_THREADS", "1")
 
+from runs import peak_mb
+
 from raybundle.io.photos.photo import read_photo
 from raybundle.matching.methods import feature_method
-from raybundle.matching.rootsift import bytes_needed
 from raybundle.ties.points import detected, feature_count
 from raybundle.workflows.costs.constants import shipped
 from raybundle.workflows.costs.photographs import FEATURES
@@ -31,14 +32,10 @@ from raybundle.workflows.costs.photographs import FEATURES
 HERE = Path(__file__).resolve().parent
 PHOTOS = HERE.parent / "demo_data" / "portal" / "photos"
 COUNT = 3
+BYTES = 1024**2 / 1e6
+"""Millions of bytes in what `peak_mb` counts in"""
 BLURRED_PX = {"sharp": 0.0, "soft": 6.0}
 """Pixels of the photographs before they are enlarged"""
-
-
-def peak_mb() -> float:
-    """The largest memory that this process ever had (Linux)."""
-    lines = Path("/proc/self/status").read_text().splitlines()
-    return 1024e-6 * next(int(line.split()[1]) for line in lines if line.startswith("VmHWM"))
 
 
 def measured(folder: Path) -> dict[str, float]:
@@ -46,10 +43,10 @@ def measured(folder: Path) -> dict[str, float]:
     method = feature_method("rootsift")
     paths = sorted(folder.iterdir())
     photos = [read_photo(path) for path in paths]
-    before, found, after = peak_mb(), [], []
+    before, found, after = BYTES * peak_mb(), [], []
     for photo in photos:
         found.append(len(detected(method, photo, feature_count(photo, FEATURES))))
-        after.append(peak_mb())
+        after.append(BYTES * peak_mb())
     size = photos[0].width_px * photos[0].height_px
     return {
         "megapixels": size / 1e6, "features": max(found), "MB before": before, "MB after one": after[0],
@@ -84,7 +81,7 @@ def main() -> None:
             enlarged(megapixels, BLURRED_PX[how], Path(folder))
             command = [sys.executable, __file__, "--one", folder]
             said = json.loads(subprocess.run(command, check=True, capture_output=True, text=True).stdout)
-        reckoned = shipped().base_mb + 1e-6 * bytes_needed(1e6 * said["megapixels"])
+        reckoned = shipped().base_mb + 1e-6 * feature_method("rootsift").bytes_needed(1e6 * said["megapixels"])
         found[f"{megapixels:g} megapixels, {how}"] = {**said, "reckoned with, MB": reckoned}
         print(found[f"{megapixels:g} megapixels, {how}"], flush=True)
     (HERE / "results" / "features_memory.json").write_text(json.dumps(found, indent=1) + "\n")

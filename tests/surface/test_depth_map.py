@@ -12,18 +12,12 @@ from raybundle.surfaces import filters, planes, roughness
 from raybundle.surfaces.depth_map import DepthMap, DepthOptions, depth_map, depth_range
 from raybundle.surfaces.filters import Flag
 from raybundle.surfaces.noise import autocovariance
-from raybundle.surfaces.pairs import Sources
 from raybundle.surfaces.refine import PixelGrid, Refined, Source, refine
 from raybundle.surfaces.sweep import Start
 from tests.surface.scene import scene
-from tests.surface.tied import with_tie_points
+from tests.surface.tied import CHOSEN, robust, with_tie_points
 
 NOISE = 2.0
-CHOSEN = Sources(reference=0, sources=(1, 2, 3, 4), pairs=(), seen=1.0)
-
-
-def robust(x):
-    return np.median(np.abs(x)) / 0.6745
 
 
 @pytest.fixture(scope="module")

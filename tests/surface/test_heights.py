@@ -1,13 +1,17 @@
 """Heights on a grid, and sums of them, beside simulated surfaces whose errors are correlated as is stated."""
 
+from types import SimpleNamespace
+
 import numpy as np
 import pytest
 from scipy.ndimage import gaussian_filter
 
 from raybundle.errors import InputError
+from raybundle.surfaces.filters import Flag
 from raybundle.surfaces.height_model import HeightModel
 from raybundle.surfaces.heights import BETWEEN_MAPS, Heights, PointsOfCells, between, between_maps, on_grid, within
 from raybundle.surfaces.pairs import PairOfImages, Sources
+from raybundle.workflows.surfacing.heights import _alike
 
 FINE = 4
 """Points along the side of a cell"""
@@ -186,3 +190,11 @@ def test_a_cell_of_several_maps_is_the_worse_the_more_they_correlate():
     expected = [np.sqrt(0.5 * (1 + apart)) for apart in (0.2, 0.6)]
     assert np.median(little) == pytest.approx(0.01 * expected[0], rel=0.03)
     assert np.median(much) == pytest.approx(0.01 * expected[1], rel=0.03)
+
+
+def test_points_of_halves_count_with_a_doubled_standard_deviation():
+    """In place of a length of correlation that is twice as large: of a mean over an area it comes to the same."""
+    flags = np.array([[0, Flag.COARSE], [Flag.STEP, Flag.COARSE | Flag.EDGE]], np.uint8)
+    store = SimpleNamespace(wanted=lambda key, names: {"flags": flags} if (key, names) == ("a map", ("flags",)) else {})
+    found = _alike(store, SimpleNamespace(map="a map"), np.array([3, 0, 1, 2, 1]))
+    assert found.tolist() == [2, 1, 2, 1, 2]

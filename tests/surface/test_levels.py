@@ -8,16 +8,10 @@ from raybundle.surfaces import depth_map as maps
 from raybundle.surfaces.depth_map import DepthOptions, depth_map
 from raybundle.surfaces.filters import Flag
 from raybundle.surfaces.levels import Level, halved, holes_of, nearest_of, on_level, rim_of, wanted_of
-from raybundle.surfaces.pairs import Sources
 from tests.surface.scene import RANGE, scene
-from tests.surface.tied import with_tie_points
+from tests.surface.tied import CHOSEN, robust, with_tie_points
 
-CHOSEN = Sources(reference=0, sources=(1, 2, 3, 4), pairs=(), seen=1.0)
 NOISE = 2.0
-
-
-def robust(x):
-    return np.median(np.abs(x)) / 0.6745
 
 
 @pytest.fixture(scope="module")
@@ -170,7 +164,7 @@ def test_weak_texture_is_measured_in_halves_and_as_well_as_is_stated(ground, blo
     assert np.isnan(found.sure().t[coarse]).all()
 
 
-def test_good_texture_is_measured_in_the_photographs_alone(ground, block, monkeypatch):
+def test_good_texture_is_measured_in_the_photographs_alone(ground, block):
     found = depth_map(block, CHOSEN, photographs(ground, 1.0, NOISE), DepthOptions(density=1))
     assert np.isfinite(found.t).mean() > 0.9
     assert np.mean(found.flags & Flag.COARSE > 0) < 0.01

@@ -44,5 +44,10 @@ def few_hold(std: Array) -> FewHold | None:
         return None
     return FewHold(
         points=k, of=len(std), share=float(held[k - 1] / total), median=np.nanmedian(std, axis=0),
-        coordinate=float(np.median(np.sqrt(np.nanmean(std**2, axis=1)))),
+        coordinate=float(np.median(of_points(std))),
     )  # fmt: skip
+
+
+def of_points(std: Array) -> Array:
+    """(m,) rms of the coordinates' standard deviations (n, 3) of each point that has any."""
+    return np.sqrt(np.nanmean(std[np.isfinite(std).any(axis=1)] ** 2, axis=1))

@@ -255,7 +255,8 @@ def _delivered(a: _Asked, done: Surface, mended: set[str]) -> MeasuredSurface:
         )  # fmt: skip
         told = (done.others, *remarks) if done.others else remarks
         pages = write_pages(done, a.result, out, context, told, s, earlier.others, a.progress)
-        note_written(done, out / WORK, asked_for, s.thin, a.fingerprint)
+        if s.pdf:
+            note_written(done, out / WORK, {"pdf"}, s.thin, a.fingerprint)
     finally:
         mended |= done.store.mended
     return MeasuredSurface(surface=done, written=written, remarks=remarks, unit=unit, pages=pages)

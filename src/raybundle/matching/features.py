@@ -24,6 +24,8 @@ Photographs that see the same from afar share a tenth of their features or less,
 believed from 15 to 40 of them."""
 LEAST = 500
 """Features of the smallest pictures."""
+BYTES_A_PIXEL = 12.0
+"""That a photograph takes while it is read and reduced."""
 CLEAR = 0.7
 """Ratio of Lowe (2004) of matches that hardly err, by which images are compared before they are matched."""
 
@@ -102,6 +104,13 @@ class FeatureMethod(ABC):
     @abstractmethod
     def vectors(self, descriptors: Array) -> Array:
         """Unit vectors (n, k) float32 whose inner product measures likeness, of stored descriptors."""
+
+    def bytes_needed(self, pixels: float) -> float:
+        """Memory that finding the features of a photograph of so many pixels takes, by which tasks wait for each other.
+
+        Of methods that search a reduced photograph; others know better.
+        """
+        return BYTES_A_PIXEL * pixels
 
     def match(self, first: Described, second: Described) -> Index:
         """Candidate matches (k, 2) of two images; unless a method knows better, mutual nearest neighbours."""

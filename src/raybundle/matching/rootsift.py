@@ -25,15 +25,6 @@ HELD, SEARCHED = 4.0, 236.0
 float32 of four times its pixels and a third more for all octaves (`benchmarks/features_memory.py`)"""
 
 
-def bytes_needed(pixels: float) -> float:
-    """What finding the features of a photograph of so many pixels takes at most: where the finest octave is searched.
-
-    A sharp one of a few megapixels takes a quarter of it; from some 20 on they take nearly the same, as a part of
-    twice the side is then searched at half its size.
-    """
-    return HELD * pixels + SEARCHED * min(pixels, float(TILE_PX + 2 * OVERLAP_PX) ** 2)
-
-
 class RootSift(FeatureMethod):
     """OpenCV's detector, tile by tile, first without the octave of double size."""
 
@@ -59,6 +50,14 @@ class RootSift(FeatureMethod):
             angle=table[chosen, 3],
             descriptors=_described(tiles, chosen),
         )
+
+    def bytes_needed(self, pixels: float) -> float:
+        """At most: where the finest octave is searched.
+
+        A sharp photograph of a few megapixels takes a quarter of it; from some 20 on they take nearly the same, as a
+        part of twice the side is then searched at half its size.
+        """
+        return HELD * pixels + SEARCHED * min(pixels, float(TILE_PX + 2 * OVERLAP_PX) ** 2)
 
     def vectors(self, descriptors: Array) -> Array:
         """Unit vectors (n, 128) of the stored bytes."""

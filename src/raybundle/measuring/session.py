@@ -14,6 +14,7 @@ from raybundle.adjustment.result import Adjustment
 from raybundle.block import Block, Camera
 from raybundle.errors import InputError, NotSolvable
 from raybundle.io.block.folder import read_block
+from raybundle.io.block.places import block_places
 from raybundle.measuring.joint import Joint
 from raybundle.measuring.journal import measured_result
 from raybundle.measuring.known import Known
@@ -145,7 +146,7 @@ class Session:
 def block_folder(folder: str | Path) -> Path:
     """The block folder of a project, a result or a block folder; raises InputError."""
     folder = Path(folder)
-    for inner in _places(folder):
+    for inner in block_places(folder):
         if (inner / "block.toml").is_file():
             return inner
     raise InputError(
@@ -164,8 +165,4 @@ def latest_block(folder: str | Path) -> Path:
 
 def holds_block(folder: Path) -> bool:
     """Whether a folder is a project, a result or a block folder."""
-    return any((inner / "block.toml").is_file() for inner in _places(folder))
-
-
-def _places(folder: Path) -> tuple[Path, ...]:
-    return folder / "result" / "block", folder / "block", folder
+    return any((inner / "block.toml").is_file() for inner in block_places(folder))

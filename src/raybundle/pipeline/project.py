@@ -292,7 +292,8 @@ def small_of(product: Mapping[str, Array]) -> dict[str, Any]:
 
 def discard_empty(folder: Path, cheap: str = "") -> None:
     """Delete a project folder that a run began and that holds no product, or none but of the kind `cheap`."""
-    held = {str(p.relative_to(folder)) for p in folder.rglob("*") if not p.is_dir() and kind_of(p.stem) != (cheap or p)}
+    files = (p for p in folder.rglob("*") if not p.is_dir())
+    held = {str(p.relative_to(folder)) for p in files if not cheap or kind_of(p.stem) != cheap}
     if held <= {"project.db", "project.db-wal", "project.db-shm", "project.toml", "running.json"}:
         shutil.rmtree(folder, ignore_errors=True)
 

@@ -40,9 +40,19 @@ class Sameness:
         )
 
 
+def _in_both(first: Path, second: Path) -> list[str]:
+    return sorted({p.name for p in first.glob("*.csv")} & {p.name for p in second.glob("*.csv")})
+
+
+def all_same(first: Path, second: Path) -> bool:
+    """Whether the CSV tables that two result folders both have are the same to the last bit, and there are any."""
+    names = _in_both(first, second)
+    return bool(names) and all((first / n).read_bytes() == (second / n).read_bytes() for n in names)
+
+
 def sameness(first: Path, second: Path) -> Sameness:
     """Compare the CSV tables that two result folders both have."""
-    names = sorted({p.name for p in first.glob("*.csv")} & {p.name for p in second.glob("*.csv")})
+    names = _in_both(first, second)
     equal, worst, where, unlike = 0, 0.0, "", ""
     for name in names:
         a, b = ((folder / name).read_bytes() for folder in (first, second))

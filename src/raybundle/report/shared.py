@@ -16,7 +16,7 @@ from typing import Any, Literal, cast
 import numpy as np
 
 from raybundle.numerics.arrays import Array
-from raybundle.report.sameness import sameness
+from raybundle.report.sameness import all_same
 from raybundle.report.text.numbers import grouped, significant
 from raybundle.results.folder import ResultFolder
 
@@ -123,10 +123,9 @@ def shared_of(first: ResultFolder, second: ResultFolder) -> Shared:
         elif alone[1] <= ALONE * alone[0] and free[1] >= free[0] and (any(alone) or free[0] != free[1]):
             part = "second"
     s = [float(r.result.get("sigma0") or math.nan) for r in (first, second)]
-    tables = sameness(first.path, second.path)
     noise = _noise_words(first, second)
     named = first.block.points.ids == second.block.points.ids
-    same = tables.tables > 0 and tables.equal == tables.tables and named and not noise
+    same = named and not noise and all_same(first.path, second.path)
     return Shared(common=common, used=used, part=part, sigma0=(s[0], s[1]), noise=noise, same=same)
 
 

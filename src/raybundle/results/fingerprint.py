@@ -7,6 +7,7 @@ import json
 from pathlib import Path
 
 from raybundle.errors import InputError
+from raybundle.io.block.places import block_places
 from raybundle.io.reading.trees import read_toml
 from raybundle.io.table_files import table_file
 
@@ -23,7 +24,7 @@ def fingerprint(source: Path) -> str:
 
     What it does not tell: points and observations that are others and left both as they were to the last bit.
     """
-    block = _block_of(source)
+    block = next((p for p in block_places(source) if (p / "block.toml").is_file()), None)
     if block is None:
         return ""
     try:
@@ -46,8 +47,3 @@ def adjusted_since(folder: Path, known: str) -> str:
     if source is None or now in {"", known}:
         return ""
     return f"{source.name} was adjusted again since this surface was measured: run `surface {source.name}` again"
-
-
-def _block_of(source: Path) -> Path | None:
-    places = source / "result" / "block", source / "block", source
-    return next((p for p in places if (p / "block.toml").is_file()), None)

@@ -311,11 +311,11 @@ def _of_levels(level: Level, start: Start, sources: tuple[int, ...]) -> DepthMap
     found = _map(level, grid, measured(level, grid, first), first.noise[0], sources)
     holes = holes_of(np.isfinite(found.t), grid.stride)
     del first
+    if not holes.any():
+        return found
     half = halved(level)
     own = half.grid(half.density)
     mine = on_level(holes, grid, half.in_photograph(own))
-    if not mine.any():
-        return found
     again = approximate(half, start)
     fine = measured(half, own, again, wanted_of(mine, own.stride))
     return _filled(found, _map(half, own, fine, again.noise[0], sources, rim_of(mine, own.stride)), holes)

@@ -14,7 +14,6 @@ from raybundle.io.photos.masks import MaskFile, Masks
 from raybundle.io.photos.photo import Photo, read_grey, stored_from_upright, upright, upright_from_stored
 from raybundle.matching.features import Described, FeatureMethod, Features, feature_number
 from raybundle.matching.methods import feature_method
-from raybundle.matching.rootsift import bytes_needed
 from raybundle.matching.tracks import Tracks
 from raybundle.matching.verify import VerifiedPair, beyond_chance, verify
 from raybundle.numerics.arrays import Array
@@ -186,7 +185,7 @@ def find_features(
             options=FeaturesTask(
                 photo=p, method=method.name, count=n, mask=None if masks is None else masks.files.get(p.name)
             ),
-            cost=p.width_px * p.height_px / PIXELS_A_SECOND, memory=bytes_needed(p.width_px * p.height_px),
+            cost=p.width_px * p.height_px / PIXELS_A_SECOND, memory=method.bytes_needed(p.width_px * p.height_px),
             name=p.name,
         )
         for p, n, m in zip(photos, counts, worn, strict=True)

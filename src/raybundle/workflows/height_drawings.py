@@ -24,22 +24,24 @@ STYLE = (
     ".thin{stroke:#8a6d4b;stroke-width:.7;fill:none}.thick{stroke:#6b4f2c;stroke-width:1.4;fill:none}"
     ".name{font-size:10px;fill:#6b4f2c;paint-order:stroke;stroke:#fff;stroke-width:3px}"
 )
-PLAIN = 'font-family="sans-serif" font-size="13" fill="#333"'
-ATTRIBUTES = {
-    "small": 'font-family="sans-serif" font-size="11" fill="#666"',
-    "name": 'font-family="sans-serif" font-size="10" fill="#6b4f2c"',
-    "grid": 'stroke="#e4e4e4" stroke-width="1"',
-    "axis": 'fill="none" stroke="#888" stroke-width="1"',
-    "band": 'fill="#4a7fb5" fill-opacity=".28" stroke="none"',
-    "line": 'fill="none" stroke="#12365c" stroke-width="1.4" stroke-linejoin="round"',
-    "corner": 'stroke="#b55" stroke-dasharray="3 3"',
-    "thin": 'fill="none" stroke="#8a6d4b" stroke-width=".7"',
-    "thick": 'fill="none" stroke="#6b4f2c" stroke-width="1.4"',
-}
-"""The same for programs that heed no style sheet, as MuPDF, and draw all in black; names without their white rim, as
-these may draw it over the letters"""
+FONT = 'font-family="sans-serif"'
+PLAIN = f'{FONT} font-size="13" fill="#333"'
+RIM = {"paint-order", "stroke", "stroke-width"}
+"""Of names, white: programs that heed no style sheet may draw it over the letters"""
 EVERY = 5
 """Contour lines from one thick one to the next"""
+
+
+def _attributes(name: str, rule: str) -> str:
+    """A rule of the style sheet for programs that heed none, as MuPDF, and draw all in black."""
+    told = [r.split(":") for r in rule.split(";")]
+    told = [(k, v.removesuffix("px")) for k, v in told if name != "name" or k not in RIM]
+    font = [FONT] if any(k == "font-size" for k, _ in told) else []
+    return " ".join([*font, *(f'{k}="{v}"' for k, v in told)])
+
+
+ATTRIBUTES = {name: _attributes(name, rule) for name, rule in re.findall(r"\.(\w+)\{([^}]*)\}", STYLE)}
+"""By class"""
 
 
 def ticks(low: float, high: float, count: int) -> tuple[Array, int]:

@@ -9,6 +9,7 @@ import numpy as np
 from PIL import Image, ImageDraw, ImageFont
 
 from raybundle.numerics.arrays import Array, Mask
+from raybundle.numerics.counting import counted
 from raybundle.surfaces.contours import ring_lines
 from raybundle.surfaces.height_model import HeightModel
 from raybundle.surfaces.movements import Movements
@@ -76,7 +77,7 @@ def _title(found: Movements) -> str:
     count = len(found.regions)
     if not count:
         return "Nothing has moved against the rest by more than chance"
-    return f"{count} region{'s' if count > 1 else ''} moved against the rest by more than chance"
+    return f"{counted(count, 'region')} moved against the rest by more than chance"
 
 
 def _size(found: Movements, smallest: tuple[SmallestMovement, ...]) -> float:

@@ -30,10 +30,7 @@ def command(source: Path, **given: Any) -> None:
     """  # noqa: D301
     found = run_contours(made(HeightsContoursSettings, {"source": source, **values_of(HeightsContoursSettings, given)}))
     lines = sum(len(c.lines) for c in found.contours)
-    facts(
-        levels=[c.height for c in found.contours], lines=lines, unit=found.unit,
-        files=[str(f) for f in found.files],
-    )  # fmt: skip
+    facts(levels=[c.height for c in found.contours], lines=lines, unit=found.unit, files=[str(f) for f in found.files])
     low, high = found.contours[0].height, found.contours[-1].height
     unit = f" {found.unit}" if found.unit else ""
     click.echo(f" {counted(lines, 'line')} of {counted(len(found.contours), 'height')}, {low:.6g} to {high:.6g}{unit}")

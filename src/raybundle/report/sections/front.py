@@ -9,7 +9,7 @@ import numpy as np
 
 from raybundle.adjustment.accuracy import Compared
 from raybundle.adjustment.counts import counts
-from raybundle.adjustment.spread import few_hold
+from raybundle.adjustment.spread import few_hold, of_points
 from raybundle.calibration.quality import CalibrationQuality
 from raybundle.numerics.arrays import Array
 from raybundle.numerics.counting import decimals_for
@@ -205,8 +205,7 @@ def _precision_facts(view: View, d: Delivery) -> list[Fact]:
         told = f"of a coordinate, rms over the object points; {each}"
         told = f"of a coordinate, median over the object points; {each}" if median else told
         # of each point the rms of its coordinates, as `few_hold` has it: the headline's number, not another beside it
-        each_point = np.sqrt(np.nanmean(std[np.isfinite(std).any(axis=1)] ** 2, axis=1)) if median else std
-        size = significant(_typical(each_point, median=median), 2)
+        size = significant(_typical(of_points(std) if median else std, median=median), 2)
         facts.append(Fact(label="standard deviation", value=f"{size} {view.unit}", remark=told))
     if network is not None and math.isfinite(network.relative_precision) and d.flight is None:
         size = grouped(float(f"{network.relative_precision:.2g}"))
@@ -239,17 +238,17 @@ def client_std(view: View, d: Delivery) -> Array:
 
 def _tested_facts(view: View, d: Delivery) -> list[Fact]:
     """What independent points say; without check points, control left out."""
-    each_point = d.accuracy.check if d.accuracy.check.any else d.accuracy.left_out
-    if not each_point.any:
+    whole_ = d.accuracy.check if d.accuracy.check.any else d.accuracy.left_out
+    if not whole_.any:
         return []
-    factor, unit = _unit(view, each_point.difference)
+    factor, unit = _unit(view, whole_.difference)
     each = ", ".join(
-        f"{a}\u00a0{significant(r * factor, 2)}" for a, r in zip(d.accuracy.axes.names, each_point.rms, strict=True)
+        f"{a}\u00a0{significant(r * factor, 2)}" for a, r in zip(d.accuracy.axes.names, whole_.rms, strict=True)
         if math.isfinite(r)
     )  # fmt: skip
-    n = int(np.isfinite(each_point.difference).any(axis=1).sum())
-    value = f"{significant(rms(each_point.difference) * factor, 2)} {unit}"
-    if each_point is d.accuracy.check:
+    n = int(np.isfinite(whole_.difference).any(axis=1).sum())
+    value = f"{significant(rms(whole_.difference) * factor, 2)} {unit}"
+    if whole_ is d.accuracy.check:
         label, remark = "check points", f"rms difference of a coordinate at {counted(n, 'check point')}; {each}"
     else:
         label = "leave-one-out of control"

@@ -6,7 +6,7 @@ import math
 
 from raybundle.matching.features import feature_number
 from raybundle.matching.pairs import ALL, EACH, NEARBY, SIMILAR
-from raybundle.matching.rootsift import bytes_needed
+from raybundle.matching.rootsift import RootSift
 from raybundle.orientation.image_leaves import AROUND
 from raybundle.ties.pairs import TOGETHER
 from raybundle.ties.parts import LEAF, MANY
@@ -59,7 +59,7 @@ def features(a: Asked, c: Constants) -> StageCost:
     work = Work(
         count=a.images, cpu_s=c.feature_mpx_s * a.megapixels, read=JPEG_BYTES * a.megapixels, written=kept
     )  # fmt: skip
-    memory_mb = c.base_mb + 1e-6 * bytes_needed(1e6 * a.megapixels)
+    memory_mb = c.base_mb + 1e-6 * RootSift().bytes_needed(1e6 * a.megapixels)
     return _of("features", work, a, memory_mb=memory_mb, disk=a.images * kept)
 
 
