@@ -16,6 +16,7 @@ import numpy as np
 from raybundle.adjustment.asked_parameters import check_asked, with_asked
 from raybundle.adjustment.engine import Extent, Start, adjust_block, as_start, free_parameters
 from raybundle.adjustment.known_before import against_known
+from raybundle.adjustment.masking import Unmasked, is_suspect, masked_notices, unmasked
 from raybundle.adjustment.options import AdjustmentOptions
 from raybundle.adjustment.pixel_shape import beyond_sensor, shape_limit, under_its_noise, untold_shape
 from raybundle.adjustment.result import Adjustment, InteriorResult, Notice, printed_unit
@@ -38,6 +39,10 @@ from raybundle.numerics.statistics import fisher_tail
 from raybundle.sensors import sensor_models
 
 ROUNDS = 40
+CHOICES = 30
+"""Steps of the choice of parameters; each holds one or one group."""
+MASKING_ROUNDS = (10, 20, 30)
+"""Rounds of data snooping at which masked gross errors are looked for, beside where no suspect is left."""
 DROP_ORDER = ("harmonic", "read-out", "affinity", "decentring", "radial", "principal point", "scale")
 """Which kind of parameter is held first where a block determines too few."""
 
@@ -153,10 +158,23 @@ def _snoop(
     """
     returned: set[int] = set()
     guarded = np.zeros(len(block.observations), bool)
-    for _ in range(ROUNDS):
+    tried: Unmasked | None = None
+    before: tuple[Block, Rejections] | None = None
+    robust = True
+    for number in range(ROUNDS):
         try:
             result = _quiet(block, options, choices, progress, extent="tests", start=start)
-        except DatumDefect:
+        except NotSolvable as error:
+            if before is not None:  # without what a robust estimate left out the block is not determined
+                block, choices.reasons, tried, before, robust = *before, None, None, False
+                continue
+            if number == 0 and isinstance(error, NoConvergence):
+                tried = unmasked(block, options, choices.free, choices.reasons, guarded)
+            if tried is not None and isinstance(error, NoConvergence):
+                block, choices.reasons, start = tried.block, tried.reasons, "adjusted"
+                continue
+            if not isinstance(error, DatumDefect):
+                raise
             guarded = np.asarray(block.points.is_control.any(axis=1))[block.observations.point]
             back = [i for i, r in enumerate(choices.reasons) if is_blunder(r) and guarded[i]]
             if not back:
@@ -164,7 +182,7 @@ def _snoop(
             returned.update(back)
             choices.reasons = without_reasons(choices.reasons, back)
             continue
-        start = "adjusted"
+        start, before = "adjusted", None
         block = as_start(block, result.adjusted)
         choices.reasons = result.image_observations.rejected
         size = np.nan_to_num(np.abs(result.image_observations.t).max(axis=1))
@@ -179,11 +197,21 @@ def _snoop(
             suspects = suspects[~np.isin(block.observations.point[suspects], taken)]
         suspects = suspects[~bent_by_distances(result, suspects, size)]
         chosen = apart(block, size, suspects)
+        stuck = not chosen or number in MASKING_ROUNDS
+        if robust and tried is None and wrong is None and stuck and is_suspect(result):
+            tried = unmasked(block, options, choices.free, choices.reasons, guarded)
+            if tried is not None:
+                before = block, choices.reasons
+                block, choices.reasons = tried.block, tried.reasons
+                continue
         if not chosen:
             back = [i for i in innocent(result) if i not in returned]
             if not back:
-                choices.notices = [n for n in choices.notices if n.code != "control_not_located"]
+                choices.notices = [
+                    n for n in choices.notices if n.code not in {"control_not_located", "snooping_masked"}
+                ]
                 choices.notices += [] if wrong is None else [kept_notice(wrong)]
+                choices.notices += masked_notices(result, tried)
                 return block
             returned.update(back)
             choices.reasons = without_reasons(choices.reasons, back)
@@ -218,7 +246,7 @@ def _choose(
             every = tuple(p.symbol for p in model.parameters if p.kind not in out or p.symbol in named)
             choices.free[camera.id] = with_asked(camera, every, options)
     result: Adjustment | None = None
-    for _ in range(30):
+    for _ in range(CHOICES):
         try:
             first = result is None and options.reject == "none"
             result = _quiet(block, options, choices, progress, start="approximate" if first else "adjusted")
@@ -250,6 +278,15 @@ def _choose(
         if without is None:
             return block
         block = without
+    free = sum(len(choices.free[c]) for c in automatic)
+    choices.notices.append(
+        Notice(
+            code="choice_unfinished",
+            message=f"the choice of parameters ended after {CHOICES} steps; {free} parameters stay free, "
+            f"some of them perhaps not significant. Name the parameters to hold ({option('hold')})",
+            ids=tuple(automatic), values={"steps": CHOICES, "free": free, "cameras": len(automatic)},
+        )
+    )  # fmt: skip
     assert result is not None
     return as_start(block, result.adjusted)
 

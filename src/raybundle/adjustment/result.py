@@ -37,6 +37,8 @@ class Notice:
     """Of one object: why, in words that stand after its name in a list."""
     measured: Severity | None = None
     """How grave it is, where that hangs on the numbers; None: as grave as its code."""
+    values: Mapping[str, float | int | str] = field(default_factory=dict[str, "float | int | str"])
+    """The numbers and names of the message, by name; empty: not stated as data yet."""
 
     @property
     def severity(self) -> Severity:

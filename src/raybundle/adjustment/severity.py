@@ -25,7 +25,7 @@ _CODES = {
         "control_exchanged control_identical control_left_out control_mirrored control_not_located control_rejected "
         "control_unit epochs_names epochs_scale group_less_precise image_contradicts mark_contradicts no_redundancy "
         "nominal_mirrored nominal_names nominal_scale not_determinable positions_exchanged redundancy_sum "
-        "snooping_unfinished weak_convergence"
+        "snooping_masked snooping_unfinished weak_convergence"
     ),
     Severity.CAUTION: (
         "approximate_values_replaced attitude_wrong attitudes_convergence attitudes_mount attitudes_nominal "
@@ -38,7 +38,8 @@ _CODES = {
         "mask_uniform moved_ambiguous no_targets noise_in_parts nominal_missing nominal_wrong "
         "one_ray_control outside_format parts_apart pixel_shape given_twice "
         "points_left_out rays_diverge read_out_unused relative_control repeated_structure residual_structure "
-        "result_unsettled rolling_shutter scale_unchecked scene_datum scene_prior small_angle start_behind "
+        "choice_unfinished result_unsettled rolling_shutter scale_unchecked scene_datum scene_prior small_angle "
+        "start_behind "
         "start_parallel static_background systematic_residuals "
         "target_without_normal two_cameras unstable_camera up_ambiguous up_uncertain weak_photographs"
     ),
@@ -46,7 +47,7 @@ _CODES = {
         "attitudes axes_fitted camera camera_joined check_points_open control_unchecked dropped given_rejected gps "
         "in_parts masks memory_exceeded model not_significant parallel_rays parts_joined photographs read_out "
         "reduced_features rejected relative_positions scale_checked scene_joins stored_turned target_eccentricity "
-        "target_radius up_by_edges up_without_edges variance_groups"
+        "snooping_robust target_radius up_by_edges up_without_edges variance_groups"
     ),
 }
 

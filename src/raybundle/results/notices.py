@@ -39,5 +39,5 @@ def _told(folder: Path) -> Mapping[str, Any] | None:
 def _notice(told: Mapping[str, Any]) -> Notice:
     return Notice(
         code=str(told.get("code", "")), message=str(told.get("message", "")), measured=severity_of(told),
-        ids=tuple(str(i) for i in told.get("ids") or ()),
+        ids=tuple(str(i) for i in told.get("ids") or ()), values=told.get("values") or {},
     )  # fmt: skip

@@ -1,0 +1,178 @@
+"""Gross errors that mask one another, found by a robust estimate and its median.
+
+Pope's test divides by sigma0, which gross errors themselves enlarge: a share e of them of equal size has test values
+of about 1 / sqrt(e), so that none passes a critical value of 4.4 where e > 1 / 4.4^2 = 5 % (with errors of different
+sizes a little later).  The median of the residuals of a robust estimate stays: it breaks down at one half.
+Rousseeuw and Leroy 1987, chapters 1 and 5; Huber 1981.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from raybundle.adjustment.engine import estimate_only
+from raybundle.adjustment.options import AdjustmentOptions
+from raybundle.adjustment.predict import residuals_px
+from raybundle.adjustment.result import Adjustment, Notice
+from raybundle.adjustment.separability import FEWEST
+from raybundle.adjustment.severity import POOR_FIT
+from raybundle.block import Block
+from raybundle.block.rejection import Rejection, RejectionKind, Rejections
+from raybundle.errors import NotSolvable
+from raybundle.numerics.arrays import Array, Mask
+from raybundle.numerics.statistics import family_wise_normal
+
+MEDIAN = 0.6745
+"""Median of the absolute value of a standard normal variable."""
+SUSPECT = 1.3
+"""sigma0 over the median-based scale of least squares from which a robust estimate is worth its time.
+
+A normal sample has 1.0; Student's t with five degrees of freedom, heavier than residuals of photographs, has 1.2."""
+MASKED = 2.0
+"""The same of a robust estimate from which gross errors mask one another: they make three quarters of the variance.
+
+Student's t with three degrees of freedom has 1.5."""
+PASSES = 12
+"""Estimates of the observations that remain; the set settles in three to six."""
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Unmasked:
+    """What a robust estimate finds in a block whose gross errors mask one another."""
+
+    block: Block
+    reasons: Rejections
+    rejected: int
+    ratio: float
+    """sigma0 over the median-based scale, before"""
+
+
+def is_suspect(result: Adjustment) -> bool:
+    """Whether residuals are far from normal, or larger than stated: reason enough for a robust estimate."""
+    return ratio_of(result) >= SUSPECT or result.sigma0 >= POOR_FIT
+
+
+def ratio_of(result: Adjustment) -> float:
+    """sigma0 over the median-based scale of the image residuals; 1 for normal errors, NaN without redundancy."""
+    t = np.abs(result.image_observations.t)
+    t = t[np.isfinite(t) & (t > 0)]
+    return MEDIAN / float(np.median(t)) if len(t) else float("nan")
+
+
+def unmasked(
+    block: Block, options: AdjustmentOptions, free: dict[str, tuple[str, ...]], reasons: Rejections, spared: Mask
+) -> Unmasked | None:
+    """The block without the observations that a robust estimate finds wrong; None where nothing is masked.
+
+    spared  (m,) observations that stay in any case
+    """
+    given = np.array([r is not None and r.kind is not RejectionKind.BLUNDER for r in reasons], bool)
+    robust = replace(options, robust_start=True, statistics=False)
+    try:
+        start, bad = estimate_only(block, robust, free, given)
+    except NotSolvable:
+        return None
+    size, scale = _sizes(start, ~given & ~bad)
+    whole = float(np.sqrt(np.mean(size[~given & ~bad] ** 2)))
+    limit = family_wise_normal(options.significance, 2 * int((~given).sum()))
+    out = given | bad | ((size > limit * scale) & ~spared)
+    brief = replace(options, robust_start=False, statistics=False, tolerance=max(options.tolerance, 1e-3))
+    for _ in range(PASSES):
+        lone = _too_few(start, out)
+        try:
+            start, bad = estimate_only(start, brief, free, out | lone)
+        except NotSolvable:
+            return None
+        inside = ~out & ~lone & ~bad
+        size, scale = _sizes(start, inside)
+        new = given | bad | ((size > limit * scale) & ~spared)
+        if np.array_equal(new, out):
+            break
+        out = new
+    if not whole >= MASKED * scale:
+        return None
+    found = list(reasons)
+    for i in np.flatnonzero(out & ~given):
+        kept = found[i]
+        tau = min(float(size[i] / scale), 1e6)
+        found[i] = kept or Rejection(kind=RejectionKind.BLUNDER, tau=tau, limit=limit, axis="xy"[_axis(start, int(i))])
+    for i in np.flatnonzero(~out & ~given):
+        found[i] = None
+    _leave_unlocated(start, found, limit)
+    return Unmasked(block=start, reasons=tuple(found), rejected=int((out & ~given).sum()), ratio=whole / scale)
+
+
+def masked_notices(result: Adjustment, found: Unmasked | None) -> list[Notice]:
+    """What a reader must know of gross errors that masked one another, or still do."""
+    ratio, sigma0 = ratio_of(result), result.sigma0
+    if ratio >= MASKED or sigma0 >= POOR_FIT:
+        count = sum(r is not None for r in result.image_observations.rejected)
+        return [
+            Notice(
+                code="snooping_masked",
+                message=f"gross errors may mask one another: after {count} rejections sigma0 is still {sigma0:.3g}, "
+                f"{ratio:.2g} times the scale of the median residual, and no single test value is significant. Check "
+                "point numbers, approximate values and the standard deviations of the image points",
+                values={"rejected": count, "sigma0": sigma0, "ratio": ratio},
+            )
+        ]
+    if found is None:
+        return []
+    return [
+        Notice(
+            code="snooping_robust",
+            message=f"{found.rejected} image observations rejected after a robust estimate: so many gross errors "
+            "masked one another in the test of single observations",
+            values={"rejected": found.rejected, "ratio": found.ratio},
+        )
+    ]
+
+
+def _sizes(block: Block, inside: Mask) -> tuple[Array, float]:
+    """Largest standardised residual (m,) of each observation, and the scale from the median of those inside."""
+    rows = np.arange(len(block.observations))
+    with np.errstate(all="ignore"):
+        try:
+            w = np.abs(residuals_px(block, rows)) / np.sqrt(block.observations.cov_px2[:, :2])
+        except np.linalg.LinAlgError:
+            return np.full(len(rows), np.inf), 1.0
+    w = np.where(np.isfinite(w), w, 1e12)
+    scale = float(np.median(w[inside])) / MEDIAN
+    free = 1 - _unknowns(block, inside) / max(2 * int(inside.sum()), 1)
+    return w.max(axis=1), scale / np.sqrt(max(free, 0.05)) or 1.0
+
+
+def _unknowns(block: Block, inside: Mask) -> int:
+    o = block.observations
+    points = len(np.unique(o.point[inside]))
+    return 3 * points + 6 * len(np.unique(o.image[inside]))
+
+
+def _too_few(block: Block, out: Mask) -> Mask:
+    """(m,) remaining rays of tie points that have no second one."""
+    o = block.observations
+    left = np.bincount(o.point[~out], minlength=len(block.points))
+    control = np.any(block.points.is_control, axis=1)
+    return ~out & (left[o.point] == 1) & ~control[o.point]
+
+
+def _leave_unlocated(block: Block, reasons: list[Rejection | None], limit: float) -> None:
+    """Reject all rays of tie points of which fewer than three are left: which one is wrong cannot be told."""
+    o = block.observations
+    wrong = [i for i, r in enumerate(reasons) if r is not None and r.kind is RejectionKind.BLUNDER]
+    left = np.bincount(
+        np.asarray(o.point)[[i for i, r in enumerate(reasons) if r is None]], minlength=len(block.points)
+    )
+    touched = np.bincount(o.point[wrong], minlength=len(block.points)) > 0
+    lost = touched & (left < FEWEST) & ~block.points.is_control.any(axis=1) & ~block.points_named
+    for i in np.flatnonzero(lost[o.point]):
+        was = reasons[i]
+        tau, axis = (was.tau, was.axis) if was is not None else (float("nan"), "")
+        reasons[i] = Rejection(kind=RejectionKind.BLUNDER_NOT_LOCATED, tau=tau, limit=limit, axis=axis)
+
+
+def _axis(block: Block, row: int) -> int:
+    v = residuals_px(block, np.array([row]))[0] / np.sqrt(block.observations.cov_px2[row, :2])
+    return int(np.argmax(np.abs(np.nan_to_num(v))))

@@ -1,0 +1,80 @@
+"""Gross errors that mask one another are found by a robust estimate, or the result says that they are there."""
+
+import json
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from raybundle import adjust
+from raybundle.adjustment.masking import MASKED, ratio_of
+from raybundle.adjustment.options import AdjustmentOptions
+from raybundle.planning.scenes import AerialStrips, Ring, TargetField, aerial_scene, field_scene, ring_scene
+from raybundle.planning.simulate import Survey, simulate
+from raybundle.results.contents import result_json
+
+SNOOPING = AdjustmentOptions(jobs=1, reject="snooping")
+SCENES = {"testfield": field_scene(TargetField()), "ring": ring_scene(Ring()), "aerial": aerial_scene(AerialStrips())}
+CONTROL = {"control": 8, "control_sigma": (0.01, 0.01, 0.01)}
+
+
+def simulated(scene, **survey):
+    given = CONTROL if scene == "aerial" else {"scale_bars": 1}
+    return simulate(SCENES[scene], Survey(**given, **survey))
+
+
+def codes(result):
+    return {n.code for n in result.notices}
+
+
+@pytest.mark.parametrize("size_px", [2.0, 20.0, 200.0])
+@pytest.mark.parametrize("share", [0.11, 0.12, 0.2, 0.3, 0.4])
+@pytest.mark.parametrize("scene", ["testfield", "ring"])
+def test_gross_errors_that_mask_one_another_are_found(scene, share, size_px):
+    done = simulated(scene, seed=7, gross_share=share, gross_px=size_px)
+    result = adjust(done.observed, SNOOPING)
+    used = result.image_observations.used
+    assert (done.gross & used).sum() <= 0.02 * done.gross.sum()
+    assert (~done.gross & ~used).sum() <= 0.1 * (~done.gross).sum()
+    assert result.sigma0 < 1.1
+    assert "snooping_masked" not in codes(result)
+
+
+def test_without_a_robust_estimate_none_of_them_is_found(monkeypatch):
+    done = simulated("testfield", seed=7, gross_share=0.15, gross_px=20.0)
+    monkeypatch.setattr("raybundle.adjustment.decide.unmasked", lambda *_: None)
+    result = adjust(done.observed, SNOOPING)
+    assert (done.gross & result.image_observations.used).sum() > 0.9 * done.gross.sum()
+    (notice,) = [n for n in result.notices if n.code == "snooping_masked"]
+    assert notice.severity == "fault"
+    assert notice.values["sigma0"] == pytest.approx(result.sigma0)
+    (kept,) = [w for w in json.loads(json.dumps(result_json(result)))["warnings"] if w["code"] == "snooping_masked"]
+    assert set(kept["values"]) == {"rejected", "sigma0", "ratio"}
+
+
+@pytest.mark.parametrize(("share", "size_px"), [(0.4, 2.0), (0.4, 200.0), (0.3, 200.0)])
+def test_what_few_rays_cannot_tell_is_a_fault(share, size_px):
+    done = simulated("aerial", seed=3, gross_share=share, gross_px=size_px)
+    result = adjust(done.observed, SNOOPING)
+    assert result.sigma0 > 3
+    assert codes(result) & {"snooping_masked", "snooping_unfinished"}
+
+
+@pytest.mark.parametrize("scene", list(SCENES))
+def test_clean_blocks_are_untouched(scene):
+    done = simulated(scene, seed=5)
+    result = adjust(done.observed, SNOOPING)
+    assert ratio_of(result) == pytest.approx(1.0, abs=0.1)
+    assert not codes(result) & {"snooping_masked", "snooping_robust"}
+    assert (~result.image_observations.used).sum() <= 1
+
+
+def test_heavy_tails_are_no_masking():
+    block = simulated("testfield", seed=5).observed
+    o = block.observations
+    rng = np.random.default_rng(1)
+    heavy = np.asarray(o.xy_px) + 0.1 * rng.standard_t(3, np.asarray(o.xy_px).shape)
+    result = adjust(replace(block, observations=replace(o, xy_px=heavy)), SNOOPING)
+    assert ratio_of(result) < MASKED
+    assert not codes(result) & {"snooping_masked", "snooping_robust"}
+    assert (~result.image_observations.used).mean() < 0.03
