@@ -4,8 +4,9 @@
 
 Three networks (testfield, ring, aerial strips), shares of 5, 10, 15, 20, 25, 30, 35, 40 %, sizes of 20, 200 and 2000
 standard deviations, a seed each.  A run is `found` if at most 5 % of the gross errors take part at the end and sigma0
-is below 1.5; `named` if it is not found and a fault (snooping_masked, snooping_unfinished, an error) says so; `silent`
-otherwise.
+is below 1.5; `named` if it is not found and a fault (snooping_masked, snooping_unfinished, an error) says so; `hidden`
+if more are left and sigma0 is below 1.5: errors along epipolar planes of points with few rays, which no test sees;
+`silent` otherwise.
 """
 
 from __future__ import annotations
@@ -32,6 +33,7 @@ NETWORKS = {
     "ring": (lambda: scenes.ring_scene(scenes.Ring()), BARS),
     "aerial": (lambda: scenes.aerial_scene(scenes.AerialStrips()), CONTROL),
 }
+ENDS = ("found", "named", "hidden", "silent")
 SAID = {"snooping_masked", "snooping_unfinished"}
 
 
@@ -50,8 +52,9 @@ def run(network: str, share: float, size_px: float, seed: int) -> dict:
     left = int((wrong & used).sum())
     done = left <= 0.05 * wrong.sum() and result.sigma0 < 1.5
     said = any(n.code in SAID for n in result.notices)
+    end = "found" if done else "named" if said else "hidden" if result.sigma0 < 1.5 else "silent"
     return {
-        **row, "end": "found" if done else "named" if said else "silent", "sigma0": round(result.sigma0, 3),
+        **row, "end": end, "sigma0": round(result.sigma0, 3),
         "left": left, "good": int((~wrong).sum()), "good_lost": int((~wrong & ~used).sum()),
         "seconds": round(time.process_time() - began, 2),
     }  # fmt: skip
@@ -67,11 +70,11 @@ def main() -> int:
         mine = [r for r in rows if (r["network"], r["share"]) == (network, share)]
         counted = [r for r in mine if r["end"] == "found"]
         table[f"{network} {share:.0%}"] = {
-            "blocks": len(mine), **{end: sum(r["end"] == end for r in mine) for end in ("found", "named", "silent")},
+            "blocks": len(mine), **{end: sum(r["end"] == end for r in mine) for end in ENDS},
             "gross": sum(r["gross"] for r in counted), "gross_left": sum(r["left"] for r in counted),
             "good": sum(r["good"] for r in counted), "good_lost": sum(r["good_lost"] for r in counted),
         }  # fmt: skip
-    ends = {end: sum(r["end"] == end for r in rows) for end in ("found", "named", "silent")}
+    ends = {end: sum(r["end"] == end for r in rows) for end in ENDS}
     longest = float(np.max([r.get("seconds", 0.0) for r in rows]))
     print(json.dumps({"blocks": blocks, **ends, "longest_cpu_s": longest, "by_network_and_share": table}, indent=1))
     return int(ends["silent"] > 0)

@@ -151,7 +151,7 @@ def test_what_is_exchanged_in_the_control_is_named(control):
         for n in adjust(replace(block, points=replace(block.points, xyz=xyz)), OPTIONS).notices
         if n.code == "control_contradicts"
     ]
-    assert notice.message.startswith("the axes X and Y seem to be exchanged")
+    assert notice.values["mends"] == "X and Y exchanged"
 
 
 def test_photographs_that_contradict_themselves_are_not_laid_on_control():

@@ -37,6 +37,7 @@ from raybundle.errors import DatumDefect, NoConvergence, NotSolvable, RankDefect
 from raybundle.numerics.progress import Progress, silent
 from raybundle.numerics.statistics import fisher_tail
 from raybundle.sensors import sensor_models
+from raybundle.settings import option
 
 ROUNDS = 40
 CHOICES = 30

@@ -34,6 +34,8 @@ MASKED = 2.0
 """The same of a robust estimate from which gross errors mask one another: they make three quarters of the variance.
 
 Student's t with three degrees of freedom has 1.5."""
+UNCLEAN = 1.5
+"""sigma0 after a robust estimate from which more of them are likely: what it leaves is clean, with sigma0 about 1."""
 PASSES = 12
 """Estimates of the observations that remain; the set settles in three to six."""
 
@@ -107,7 +109,7 @@ def unmasked(
 def masked_notices(result: Adjustment, found: Unmasked | None) -> list[Notice]:
     """What a reader must know of gross errors that masked one another, or still do."""
     ratio, sigma0 = ratio_of(result), result.sigma0
-    if ratio >= MASKED or sigma0 >= POOR_FIT:
+    if ratio >= MASKED or sigma0 >= (POOR_FIT if found is None else UNCLEAN):
         count = sum(r is not None for r in result.image_observations.rejected)
         return [
             Notice(

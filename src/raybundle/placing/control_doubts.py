@@ -18,6 +18,7 @@ from raybundle.errors import InputError, NotSolvable
 from raybundle.numerics.arrays import Array, Index
 from raybundle.numerics.statistics import fisher_tail
 from raybundle.numerics.transform import robust_similarity, similarity
+from raybundle.placing.mirror_mends import mirror_mends, mirror_words
 
 ROUNDS = 3
 """Points that are left out, one after the other; fewer than a third, or what is left explains as little."""
@@ -46,7 +47,9 @@ class Doubt:
     names: tuple[str, ...]
     """All control points"""
     exchange: str = ""
-    """What is exchanged in the control, where all fits with it the other way round: two points, or X and Y"""
+    """What is exchanged in the control, where all fits with it the other way round: two points"""
+    mirror: tuple[str, ...] = ()
+    """Single mends of control in a system of the other hand that fit the block's orientation, the likeliest first"""
     apart: tuple[Array, Array] | None = None
     """Where the observed projection centres are what control contradicts: mean and standard deviation (3,) of the
     centres as observed minus as the photographs have them with control alone; NaN for an axis that was not observed"""
@@ -67,7 +70,7 @@ def doubted_control(
     """
     control = np.flatnonzero(block.points.is_control.any(axis=1))
     brief = replace(options, statistics=False, reject="none", estimate="given", datum="auto", noise="white")
-    free = _tried(_without(block, control), brief, adjust)
+    free = _tried(as_ties(block, control), brief, adjust)
     if free is None or free.sigma0 > POOR_FIT:
         return None
     names = tuple(block.points.ids[k] for k in control)
@@ -79,6 +82,9 @@ def doubted_control(
             apart = np.full(3, np.nan), np.full(3, np.nan)
             apart[0][known], apart[1][known] = np.nanmean(gap[:, known], axis=0), np.nanstd(gap[:, known], axis=0)
             return Doubt(alone=free.sigma0, wrong=(), left=by_control.sigma0, names=names, apart=apart)
+    _, source, target = _known_control(block, free)
+    if (mirror := mirror_mends(block, source, target, lambda b: _tried(b, brief, adjust))) is not None:
+        return Doubt(alone=free.sigma0, wrong=(), left=mirror[1], names=names, mirror=mirror[0])
     if (found := _exchanged(block, free, brief, adjust)) is not None:
         what, points, left = found
         return Doubt(alone=free.sigma0, wrong=points, left=left, names=names, exchange=what)
@@ -86,7 +92,7 @@ def doubted_control(
     before = failed
     for k in _by_misfit(block, free)[: min(ROUNDS, max(1, (len(control) - 1) // 3))]:
         out.append(k)
-        tried = _tried(_without(block, np.array(out)), brief, adjust)
+        tried = _tried(as_ties(block, np.array(out)), brief, adjust)
         if tried is None:
             continue
         count = int(block.points.is_control[k].sum())
@@ -104,6 +110,11 @@ def doubted_control(
 def words(doubt: Doubt, sigma0: float) -> str:
     """What is wrong, the number against its limit, and what to do; sigma0 NaN where the adjustment failed."""
     with_all = f"sigma0 {sigma0:.3g} with all control" if np.isfinite(sigma0) else "nothing can be adjusted with it"
+    if doubt.mirror:
+        return (
+            f"the control is a mirror image of the object: {with_all}, {doubt.left:.3g} mirrored (limit {POOR_FIT:g}). "
+            f"{mirror_words(doubt.mirror)}"
+        )
     if doubt.exchange:
         return (
             f"{doubt.exchange} seem to be exchanged in the control: {with_all}, {doubt.left:.3g} the other way round "
@@ -144,7 +155,7 @@ def notice(doubt: Doubt, sigma0: float) -> Notice:
     """The fault of a result."""
     return Notice(
         code="control_contradicts", message=words(doubt, sigma0), ids=doubt.wrong or doubt.names[:100],
-        measured=Severity.FAULT,
+        measured=Severity.FAULT, values={"mends": ", ".join(doubt.mirror)} if doubt.mirror else {},
     )  # fmt: skip
 
 
@@ -163,7 +174,7 @@ def _significant(before: Adjustment, after: Adjustment, count: int, level: float
     return F > 0 and fisher_tail(F, count, after.redundancy) < level
 
 
-def _without(block: Block, points: Index) -> Block:
+def as_ties(block: Block, points: Index) -> Block:
     """The block in which these control points are tie points; those with a single ray are left out."""
     role, sigma, xyz = np.array(block.points.role), block.points.sigma.copy(), block.points.xyz.copy()
     role[points], sigma[points], xyz[points] = Role.TIE, np.nan, np.nan
@@ -186,18 +197,18 @@ def _refined(
     """
     found = list(out)
     for _ in range(ROUNDS):
-        tested = _tried(_without(block, np.array(found)), replace(options, statistics=True), adjust)
+        tested = _tried(as_ties(block, np.array(found)), replace(options, statistics=True), adjust)
         wrong = [] if tested is None else [p for p in ControlTests(tested).contradiction.wrong if not p.others]
         tried = tested or tried
         if not wrong:
             break
         found += [k for p in wrong if (k := block.points.ids.index(p.name)) not in found]
     else:
-        tried = _tried(_without(block, np.array(found)), options, adjust) or tried
+        tried = _tried(as_ties(block, np.array(found)), options, adjust) or tried
     level = options.significance / max(int(block.points.is_control.any(axis=1).sum()), 1)
     for k in out:
         rest = [p for p in found if p != k]
-        again = _tried(_without(block, np.array(rest)), options, adjust) if rest else None
+        again = _tried(as_ties(block, np.array(rest)), options, adjust) if rest else None
         if again is not None and not _significant(again, tried, int(block.points.is_control[k].sum()), level):
             found, tried = rest, again
     return found, tried
@@ -206,7 +217,7 @@ def _refined(
 def _exchanged(
     block: Block, free: Adjustment, options: AdjustmentOptions, adjust: Adjust
 ) -> tuple[str, tuple[str, ...], float] | None:
-    """Two control points, or the axes X and Y, with which in each other's place all fits; the points, and sigma0 then.
+    """Two control points with which in each other's place all fits; the points, and sigma0 then.
 
     None where no exchange does, or two do nearly alike.
     """
@@ -222,26 +233,22 @@ def _exchanged(
             return np.inf
 
     worst = _farthest(source, target, ROUGHLY * extent)[:EXCHANGED]
-    tries: list[tuple[float, tuple[int, ...]]] = [(misfit(target[:, [1, 0, 2]]), ())]
+    tries: list[tuple[float, tuple[int, int]]] = []
     for i, j in combinations(worst, 2):
         other = target.copy()
         other[[i, j]] = target[[j, i]]
         tries.append((misfit(other), (i, j)))
     tries.sort()
-    if DECIDEDLY * tries[0][0] > min(misfit(target), *(m for m, _ in tries[1:2])):
+    if not tries or DECIDEDLY * tries[0][0] > min(misfit(target), *(m for m, _ in tries[1:2])):
         return None
     points, pair = block.points, [int(rows[k]) for k in tries[0][1]]
     xyz, sigma = points.xyz.copy(), points.sigma.copy()
-    if pair:
-        xyz[pair], sigma[pair] = xyz[pair[::-1]], sigma[pair[::-1]]
-    else:
-        control = points.is_control.any(axis=1)
-        xyz[control], sigma[control] = xyz[control][:, [1, 0, 2]], sigma[control][:, [1, 0, 2]]
+    xyz[pair], sigma[pair] = xyz[pair[::-1]], sigma[pair[::-1]]
     tried = _tried(replace(block, points=replace(points, xyz=xyz, sigma=sigma)), options, adjust)
     if tried is None or tried.sigma0 > POOR_FIT:
         return None
     names = tuple(points.ids[k] for k in pair)
-    return (f"control points {names[0]} and {names[1]}" if pair else "the axes X and Y"), names, tried.sigma0
+    return f"control points {names[0]} and {names[1]}", names, tried.sigma0
 
 
 def _known_control(block: Block, free: Adjustment) -> tuple[Index, Array, Array]:

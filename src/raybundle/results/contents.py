@@ -69,7 +69,10 @@ def result_json(adjustment: Adjustment) -> dict[str, Any]:
         "options": asdict(a.options),
         "warnings": [
             {
-                "code": n.code, "severity": n.severity.value, "message": n.message, "ids": list(n.ids),
+                "code": n.code,
+                "severity": n.severity.value,
+                "message": n.message,
+                "ids": list(n.ids),
                 **({"values": told(dict(n.values))} if n.values else {}),
             }
             for n in gravest_first(a.notices)

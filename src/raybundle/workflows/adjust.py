@@ -24,12 +24,13 @@ from raybundle.block import Block, Role
 from raybundle.block.points import automatic
 from raybundle.block.rejection import RejectionKind, known_wrong
 from raybundle.calibration.given import calibration_notices, held_notices
-from raybundle.errors import InputError, NoConvergence, NoOrientation, NotSolvable, RankDefect
+from raybundle.errors import DatumDefect, InputError, NoConvergence, NoOrientation, NotSolvable, RankDefect
 from raybundle.numerics.arrays import Array, Index, Mask
 from raybundle.numerics.counting import counted, counted_are
 from raybundle.numerics.progress import Progress, in_rounds, silent
 from raybundle.orientation.given_points import intersected_where_better, without_given_ties
-from raybundle.placing.control_doubts import doubted_control, notice, words
+from raybundle.placing.conflicts import Conflict, conflict_notice, conflict_words, conflicts
+from raybundle.placing.control_doubts import as_ties, doubted_control, notice, words
 from raybundle.settings import option
 from raybundle.workflows.noise_in_parts import in_parts, sample_words, without_fields
 
@@ -61,6 +62,9 @@ def adjust(block: Block, options: AdjustmentOptions | None = None, progress: Pro
         result = _adjusted(block, options, progress)
     except NotSolvable as error:
         why = [_twin_words(twins)] if twins else [n.message for n in identical]
+        found = [] if why or isinstance(error, DatumDefect) else _conflicts(block, options)
+        if found:
+            raise error.worded(conflict_words(found, float("nan"))) from error
         why = why or (_control_words(block, options) if isinstance(error, NoConvergence) else [])
         if why:
             raise error.worded("\n  ".join([str(error), *why])) from error
@@ -73,6 +77,9 @@ def adjust(block: Block, options: AdjustmentOptions | None = None, progress: Pro
         )
         result = replace(result, notices=(warning, *result.notices))
     doubt = None
+    found = _conflicts(block, options) if result.sigma0 > POOR_FIT and not identical else []
+    if any(c.unit for c in found):
+        identical = (*identical, conflict_notice(found, result.sigma0))
     if result.sigma0 > POOR_FIT and block.points.is_control.any() and not identical and not _held(block):
         doubt = doubted_control(block, result, options, _plainly)
     plain = (*identical, *([] if doubt is None else [notice(doubt, result.sigma0)]))
@@ -154,6 +161,24 @@ def _control_words(block: Block, options: AdjustmentOptions) -> list[str]:
         return []
     doubt = doubted_control(block, None, options, _plainly)
     return [] if doubt is None else [words(doubt, float("nan"))]
+
+
+def _conflicts(block: Block, options: AdjustmentOptions) -> list[Conflict]:
+    """Groups of given values that contradict others; empty where it is control alone, which has tests of its own."""
+    if _held(block) or not (len(block.distances) or len(block.stations.image)):
+        return []
+    brief = replace(options, statistics=False, reject="none", estimate="given", datum="auto", noise="white")
+
+    def solved(rest: Block) -> Adjustment | None:
+        try:
+            defects.check_rays(rest, known_wrong(rest))
+            return _plainly(rest, brief)
+        except (InputError, NotSolvable):
+            return None
+
+    control = np.flatnonzero(block.points.is_control.any(axis=1))
+    found = conflicts(block, solved, as_ties(block, control) if len(control) else block)
+    return found if any(c.group != "control points" for c in found) else []
 
 
 def _adjusted(block: Block, options: AdjustmentOptions, progress: Progress) -> Adjustment:

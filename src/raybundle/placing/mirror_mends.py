@@ -1,0 +1,91 @@
+"""Which single mend turns mirrored control into that of the object: two axes exchanged, or one of the wrong sign."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import replace
+
+import numpy as np
+
+from raybundle.adjustment.result import Adjustment
+from raybundle.adjustment.severity import POOR_FIT
+from raybundle.block import Block
+from raybundle.errors import InputError
+from raybundle.numerics.arrays import Array
+from raybundle.numerics.transform import similarity
+
+DECIDEDLY = 2.0
+"""Ratio of misfits from which the better one is worth an adjustment, or the better mend is named alone."""
+ORIENTED = 0.25
+"""Misfit without any rotation, as a share of the extent, up to which the block's own orientation is that of control."""
+FEWEST = 4
+"""Points; three fit a mirror image as well as themselves."""
+MENDS: dict[str, tuple[tuple[int, int, int], tuple[float, float, float]]] = {
+    "X and Y exchanged": ((1, 0, 2), (1, 1, 1)),
+    "Y and Z exchanged": ((0, 2, 1), (1, 1, 1)),
+    "X and Z exchanged": ((2, 1, 0), (1, 1, 1)),
+    "Z with the wrong sign": ((0, 1, 2), (1, 1, -1)),
+    "X with the wrong sign": ((0, 1, 2), (-1, 1, 1)),
+    "Y with the wrong sign": ((0, 1, 2), (1, -1, 1)),
+}
+"""Each as an order of the axes and their signs; all are mirror images, which a rotation makes equal to one another."""
+USUAL = ("X and Y exchanged", "Z with the wrong sign")
+"""Those that occur: easting and northing in the other order, depths for heights."""
+
+
+def mirror_mends(
+    block: Block, source: Array, target: Array, solved: Callable[[Block], Adjustment | None]
+) -> tuple[tuple[str, ...], float] | None:
+    """Mends with which the photographs fit control, the likeliest first, and sigma0 then; None where none does.
+
+    source, target  (n, 3) control points as the photographs alone have them, in the frame that the block's approximate
+                    orientation has, and as given
+    solved          adjusts a block; None where there is no solution
+
+    Control alone cannot tell one mend from another: the orientation that the block was given does.
+    """
+    if len(source) < FEWEST:
+        return None
+    extent = float(np.linalg.norm(np.ptp(target, axis=0)))
+    as_given, mirrored = _misfit(source, target), _misfit(source, target * [1, 1, -1])
+    if not DECIDEDLY * mirrored < as_given:
+        return None
+    size = {name: _unrotated(source, _mended(target, name)) / extent for name in MENDS}
+    order = sorted(MENDS, key=lambda name: size[name])
+    first, second = size[order[0]], size[order[1]]
+    told = tuple(order[:1]) if first < ORIENTED and DECIDEDLY * first < second else USUAL
+    result = solved(_with_mend(block, told[0]))
+    return None if result is None or result.sigma0 > POOR_FIT else (told, result.sigma0)
+
+
+def mirror_words(mends: tuple[str, ...]) -> str:
+    """What to look for, from the mends that are likely."""
+    if len(mends) == 1:
+        return f"Likely cause: {mends[0]}. Correct the file of control"
+    return f"Possible causes: {' or '.join(mends)}. Correct the file of control"
+
+
+def _mended(xyz: Array, name: str) -> Array:
+    axes, signs = MENDS[name]
+    return xyz[:, list(axes)] * np.array(signs)
+
+
+def _with_mend(block: Block, name: str) -> Block:
+    points, control = block.points, block.points.is_control.any(axis=1)
+    xyz, sigma = points.xyz.copy(), points.sigma.copy()
+    xyz[control], sigma[control] = _mended(xyz[control], name), sigma[control][:, list(MENDS[name][0])]
+    return replace(block, points=replace(points, xyz=xyz, sigma=sigma))
+
+
+def _misfit(source: Array, target: Array) -> float:
+    try:
+        return float(np.linalg.norm(similarity(source, target).points(source) - target))
+    except InputError:
+        return np.inf
+
+
+def _unrotated(source: Array, target: Array) -> float:
+    """Misfit after a shift and a scale alone."""
+    a, b = source - source.mean(axis=0), target - target.mean(axis=0)
+    scale = max(float(np.sum(a * b)) / max(float(np.sum(a * a)), 1e-300), 0.0)
+    return float(np.linalg.norm(scale * a - b)) / np.sqrt(len(a))

@@ -1,0 +1,87 @@
+"""Given values that contradict the others are named before what they tear."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from raybundle import adjust
+from raybundle.adjustment.options import AdjustmentOptions
+from raybundle.block import Role
+from raybundle.errors import NotSolvable
+from raybundle.placing.mirror_mends import MENDS
+from raybundle.planning.scenes import TargetField, field_scene
+from raybundle.planning.simulate import Survey, simulate
+
+OPTIONS = AdjustmentOptions(jobs=1)
+
+
+def block_with(**survey):
+    given = {"scale_bars": 2, "control": 6, "control_sigma": (0.001, 0.001, 0.001), **survey}
+    return simulate(field_scene(TargetField(stations=4, frontal=0)), Survey(seed=5, **given)).observed
+
+
+def answer(block, **options):
+    """The message of the refusal, or that of the fault."""
+    try:
+        result = adjust(block, replace(OPTIONS, **options))
+    except NotSolvable as error:
+        return str(error)
+    return " ".join(n.message for n in result.notices if n.severity == "fault")
+
+
+def with_lengths(block, factor):
+    d = block.distances
+    return block.having(replace(d, length=np.asarray(d.length) * factor))
+
+
+UNITS = [(1e3, "mm"), (1e2, "cm"), (1e-3, "km"), (1 / 0.3048, "feet"), (1 / 0.0254, "inches")]
+
+
+@pytest.mark.parametrize(("factor", "unit"), UNITS)
+def test_the_unit_of_scale_bars_is_named(factor, unit):
+    said = answer(with_lengths(block_with(), factor))
+    assert "scale bar" in said
+    assert f"are they in {unit}?" in said
+    assert "parallel" not in said
+
+
+@pytest.mark.parametrize("factor", [1.0, 1.0002, 0.9998])
+def test_right_lengths_are_not_accused(factor):
+    assert "contradict each other" not in answer(with_lengths(block_with(scale_bar_sigma=1e-3), factor))
+
+
+def test_positions_in_degrees_are_named():
+    block = block_with(station_sigma=0.01)
+    s = block.stations
+    degrees = np.array([8.25, 47.5, 400.0]) + s.xyz / [75e3, 111e3, 1.0]
+    said = answer(block.having(replace(s, xyz=degrees)))
+    assert "position" in said
+    assert "degrees in place of metres" in said
+
+
+@pytest.mark.parametrize("mend", list(MENDS))
+def test_mirrored_control_is_named_by_its_mend(mend):
+    block = block_with(scale_bars=0)
+    axes, signs = MENDS[mend]
+    control = block.points.is_control.any(axis=1)
+    xyz = block.points.xyz.copy()
+    xyz[control] = xyz[control][:, np.argsort(axes)] * np.array(signs)
+    mirrored = replace(block, points=replace(block.points, xyz=xyz))
+    assert f"Likely cause: {mend}" in answer(mirrored)
+    blank = replace(
+        mirrored,
+        images=replace(
+            mirrored.images, centre=np.full_like(mirrored.images.centre, np.nan),
+            rotation=np.full_like(mirrored.images.rotation, np.nan),
+        ),
+    )  # fmt: skip
+    said = answer(blank)
+    assert "mirror image" in said
+    assert "X and Y exchanged or Z with the wrong sign" in said or f"Likely cause: {mend}" in said
+
+
+def test_right_control_is_no_mirror_image():
+    block = block_with()
+    assert "mirror" not in answer(block)
+    assert (np.asarray(block.points.role) == Role.CONTROL).sum() == 6
