@@ -68,6 +68,17 @@ def test_a_field_from_end_to_end(field, tmp_path, capsys):
     assert "stands there already" in err
 
 
+@pytest.mark.parametrize(
+    ("gsd", "unit"), [(1, "centimetres"), (2, "centimetres"), (3, "centimetres"), (20, "millimetres"), (1e4, "")]
+)
+def test_a_pixel_in_another_unit_is_refused(gsd, unit, field, tmp_path, capsys):
+    status, _, said = run(capsys, field, "--vehicle", "mavic-3e", "--gsd", gsd, "--out", tmp_path / "plan")
+    assert status == 2
+    assert f"is it in {unit}?" in said if unit else "give it in metres" in said
+    assert "battery" not in said
+    assert not (tmp_path / "plan").exists()
+
+
 def test_python_does_the_same(field, tmp_path):
     done = rb.plan_mission(field, tmp_path / "a", vehicle="mavic-3e", gsd=0.02, to="wpml,kml")
     assert main(["plan", "mission", str(field), "--vehicle", "mavic-3e", "--gsd", "0.02", "--to", "wpml,kml",

@@ -32,6 +32,9 @@ PatternName = Literal["nadir", "double-grid", "oblique-grid", "corridor", "facad
 SHARE, ANGLE, SECONDS = Range(low=0, high=0.95), Range(low=0, high=89), Range(low=0, high=3600, above=True)
 HEIGHTS = Range(low=0, high=1e4)
 DEFAULT_GSD = 0.02
+IMPLAUSIBLE = 10
+"""Times the allowed height beyond which a size of a pixel is refused: a unit is wrong, not a flight a little high."""
+SMALLER = ((100, "centimetres"), (1000, "millimetres"))
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -280,6 +283,13 @@ def _wish(s: MissionSettings, camera: MissionCamera) -> Wish:
         raise InputError(f"give the size of a pixel or the height, not both ({option('gsd')}, {option('height')})")
     tilt = None if s.tilt is None else math.radians(s.tilt)
     distance = camera.distance(s.gsd or DEFAULT_GSD) if s.height is None else s.height
+    if s.gsd is not None and distance > IMPLAUSIBLE * s.height_limit:
+        usual = next((unit for factor, unit in SMALLER if camera.distance(s.gsd / factor) <= s.height_limit), "")
+        hint = f"is it in {usual}? It is given in metres" if usual else "give it in metres"
+        raise InputError(
+            f"{option('gsd', s.gsd)}: a pixel of {s.gsd:g} m needs a distance of {distance:.0f} m (limit "
+            f"{IMPLAUSIBLE * s.height_limit:.0f} m, {IMPLAUSIBLE} times {option('height_limit')}); {hint}"
+        )
     if s.height is not None and patterns[s.pattern].ground and s.pattern != "oblique-grid" and tilt:
         distance = s.height / math.cos(tilt)
     return Wish(
