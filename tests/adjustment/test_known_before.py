@@ -65,6 +65,17 @@ def test_what_the_photographs_do_not_tell_stays_as_uncertain_as_it_was():
     assert "lean on it" in told.message
 
 
+@pytest.mark.parametrize("factor", [0.15, 0.23, 0.4, 2.5, 4.0, 6.0])
+def test_a_long_lens_without_metadata_is_no_contradiction(factor):
+    """A guess of c to a factor of 1.65 that is off by more; a statement of 5 % that is off as much contradicts."""
+    block = block_of(1, 25.0, ROLLS)
+    result = adjusted(known(block, {**SIGMA, "c": 0.5}, c=factor - 1))
+    c = result.interior[0].parameters["c"]
+    assert "camera_contradicts" not in codes(result)
+    assert abs(c.value - block.cameras[0].values["c"]) < 4 * c.std
+    assert "camera_contradicts" in codes(adjusted(known(block, c=factor - 1)))
+
+
 @pytest.mark.long
 def test_photographs_with_a_camera_each_are_told_in_one_notice():
     """Five cameras, each of which nothing tells: three are named, the others counted."""

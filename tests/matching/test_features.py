@@ -54,3 +54,24 @@ def test_an_unknown_method_is_named():
 
 def test_a_blank_image_has_no_features():
     assert len(feature_method("rootsift").detect(np.full((300, 300), 128, np.uint8), 100)) == 0
+
+
+@pytest.mark.parametrize("share", [0.5, 0.3, 0.15, 0.08])
+def test_dark_and_hazy_photographs_have_their_features(share):
+    """Eight bits of a photograph that is dark, or hazy at the same contrast; matched with the photograph itself."""
+    method = feature_method("rootsift")
+    rng = np.random.default_rng(5)
+    bright = np.clip(texture(480, 640, 4) + rng.normal(0, 0.5, (480, 640)), 0, 255)
+    reference = method.detect(bright.astype(np.uint8), 1500)
+    for offset in (0.0, 150.0):
+        dark = method.detect(np.round(bright * share + offset).clip(0, 255).astype(np.uint8), 1500)
+        near = np.linalg.norm(reference.xy_px[:, None] - dark.xy_px[None], axis=2).min(axis=1)
+        assert len(dark) > 0.6 * len(reference)
+        assert (near < 1.0).mean() > 0.6
+
+
+def test_noise_gives_few_features():
+    rng = np.random.default_rng(2)
+    for sigma in (0.0, 1.0, 4.0):
+        flat = np.round(60 + rng.normal(0, sigma, (600, 800))).clip(0, 255).astype(np.uint8)
+        assert len(feature_method("rootsift").detect(flat, 4000)) < 400

@@ -20,6 +20,12 @@ from raybundle.settings import option
 
 NAMED_CAMERAS = 3
 """Cameras that a notice names; the rest are counted."""
+OPEN = 0.4
+"""Sigma of ln c from which on nothing was stated of the camera constant: a guess, and no camera is contradicted."""
+LENSES = (0.25, 20.0)
+"""Camera constants in longer sides of the format that lenses have: 9 mm to 720 mm for 24 x 36 mm."""
+FOUND = 0.1
+"""Relative standard deviation of a camera constant from which on photographs have determined it by themselves."""
 LEVEL = 1e-3
 """Probability with which a camera that is as known before is called a contradiction, at most."""
 
@@ -94,11 +100,12 @@ def _contradiction(result: Adjustment, camera: Camera, interior: InteriorResult)
     coordinates are as precise as stated: the sum is chi-square distributed, or smaller, and `LEVEL` is kept over all
     cameras.  Where they are less precise, or a blunder among them bends the camera, it is larger (`_by_noise`).
     """
+    found = _found_by_photographs(camera, interior)
     squares = 0.0
     far = list[tuple[float, str]]()
     for g in result.groups:
         for k, (name, component, origin) in enumerate(zip(g.ids, g.component, g.origin, strict=False)):
-            if name == _key(interior) and origin == "known before":
+            if name == _key(interior) and origin == "known before" and component not in found:
                 square = float((g.residual[k] / g.sigma[k]) ** 2)
                 squares += square
                 far.append((square, component))
@@ -123,6 +130,22 @@ def _contradiction(result: Adjustment, camera: Camera, interior: InteriorResult)
         "cropped photographs or a lens far from the usual, a calibration says so",
         ids=(camera.id,),
     )
+
+
+def _found_by_photographs(camera: Camera, interior: InteriorResult) -> set[str]:
+    """Names of what was only guessed and that photographs have found: a long lens without metadata is no contradiction.
+
+    The normal distribution of the guess is for the start: lenses have longer tails.
+    """
+    names = set[str]()
+    for symbol, relation in known_before(camera).items():
+        p = interior.parameters.get(symbol)
+        if p is None or p.std is None or not relation.logarithm or relation.sigma < OPEN:
+            continue
+        share = abs(p.value) / float(max(camera.size_mm))
+        if LENSES[0] < share < LENSES[1] and p.std < FOUND * abs(p.value):
+            names.add(relation.name)
+    return names
 
 
 def _by_noise(result: Adjustment) -> float:

@@ -14,6 +14,14 @@ from raybundle.matching.features import CLEAR, Described, FeatureMethod, Feature
 from raybundle.numerics.arrays import Array, Index
 
 CONTRAST = 0.015
+"""Least contrast of a feature, in grey levels of 255 and thirds of an octave, where there are enough of them."""
+NOISE_GAIN, TIMES = 0.1, 4.0
+"""Standard deviation of a difference of Gaussians (0.8 and 1.0 px, 0.102; 1.6 and 2.0 px, 0.051) by that of the grey
+values, and the multiple of it from which a feature is more than noise (one false one in 16 000)."""
+NOISE_SAMPLE = 300_000
+"""Pixels, in whole rows, that tell the noise of a photograph"""
+QUANTISED = 0.29
+"""Standard deviation of the rounding to grey levels, below which no photograph has noise."""
 EDGE = 10.0
 TILE_PX = 2048
 OVERLAP_PX = 96
@@ -29,6 +37,7 @@ class RootSift(FeatureMethod):
     """OpenCV's detector, tile by tile, first without the octave of double size."""
 
     name = "rootsift"
+    version = 2
     codebook = "rootsift"
 
     def detect(self, grey: Array, count: int) -> Features:
@@ -36,12 +45,16 @@ class RootSift(FeatureMethod):
 
         The image is searched from half its size upwards, so that the first octave has the size of the image: a
         quarter of the work, and the points that are left out are the least repeatable ones.  Where that gives
-        few points the octave of double size is searched too.
+        few points the octave of double size is searched too, and where that does not help, features are taken down
+        to the noise of the photograph: a dark or hazy one has no less of them, only weaker ones.
         """
         h, w = grey.shape
         tiles = _detect(grey, 2, count)
         if sum(len(t.keypoints) for t in tiles) < FEW * count:
             tiles = _detect(grey, 1, count)
+        weak = noise_contrast(grey)
+        if weak < CONTRAST and sum(len(t.keypoints) for t in tiles) < FEW * count:
+            tiles = _detect(grey, 1, count, weak)
         table = np.vstack([np.zeros((0, 5)), *(t.table for t in tiles)])
         chosen = spread(table[:, :2], table[:, 4], count, w, h)
         return Features(
@@ -83,7 +96,21 @@ class _Tile:
     """(n, 5) place in the image of full size, scale, angle, response"""
 
 
-def _detect(grey: Array, reduction: int, count: int) -> list[_Tile]:
+def noise_contrast(grey: Array) -> float:
+    """Contrast from which a feature of an image (h, w) of grey values is more than noise.
+
+    The noise is that of the differences of second differences (Immerkaer 1996) by their median, which edges do not
+    raise.
+    """
+    kernel = np.array([[1.0, -2.0, 1.0], [-2.0, 4.0, -2.0], [1.0, -2.0, 1.0]])
+    step = max(int(np.sqrt(grey.size / NOISE_SAMPLE)), 1)
+    rows = [cv2.filter2D(grey[y : y + 3].astype(np.float32), -1, kernel)[1] for y in range(0, len(grey) - 2, step)]
+    lit = [np.abs(r[1:-1]) for r in rows]
+    sigma = float(np.median(np.concatenate(lit))) / (0.6745 * 6.0) if lit else 0.0
+    return 3 * TIMES * NOISE_GAIN * max(sigma, QUANTISED) / 255
+
+
+def _detect(grey: Array, reduction: int, count: int, contrast: float = CONTRAST) -> list[_Tile]:
     """Points of the image reduced by a whole number, in the pixel frame of the full size; not yet described."""
     h, w = grey.shape
     step = TILE_PX * reduction
@@ -98,7 +125,7 @@ def _detect(grey: Array, reduction: int, count: int) -> list[_Tile]:
                 size = (max(tile.shape[1] // reduction, 1), max(tile.shape[0] // reduction, 1))
                 tile = tile[: size[1] * reduction, : size[0] * reduction]
                 tile = cv2.resize(tile, size, interpolation=cv2.INTER_AREA)
-            found = sorted(_sift().detect(tile, None), key=lambda k: -k.response)[: 4 * count]
+            found = sorted(_sift(contrast).detect(tile, None), key=lambda k: -k.response)[: 4 * count]
             if not found:
                 continue
             table = np.array([(*k.pt, k.size / 2, np.radians(k.angle), k.response) for k in found])
@@ -125,8 +152,8 @@ def _described(tiles: Sequence[_Tile], chosen: Index) -> Array:
     return result
 
 
-def _sift() -> Any:
-    return cv2.SIFT.create(0, 3, CONTRAST, EDGE, 1.6, enable_precise_upscale=True)  # pyright: ignore[reportAttributeAccessIssue]
+def _sift(contrast: float = CONTRAST) -> Any:
+    return cv2.SIFT.create(0, 3, contrast, EDGE, 1.6, enable_precise_upscale=True)  # pyright: ignore[reportAttributeAccessIssue]
 
 
 register(RootSift())
