@@ -1,12 +1,14 @@
 """Two panels taken for one agree in all that their photographs have in common; what is beside them tells."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
 from raybundle.adjustment.predict import predicted_px
 from raybundle.block import Block, Camera, Images, Observations, Points
 from raybundle.sensors import sensor_models
-from raybundle.ties.missing import groups, missing_notices
+from raybundle.ties.missing import groups, missing_notices, usual_share
 
 SIDE, PANEL = 10.0, 3.0
 
@@ -68,6 +70,23 @@ def test_walls_joined_by_an_equal_panel_are_a_fault_that_names_the_photographs()
 @pytest.mark.parametrize("repeat", [0.7, 0.3])
 def test_one_wall_is_whole_though_few_of_its_points_are_found_again(repeat):
     assert missing_notices(wall(stacked=False, repeat=repeat)) == ()
+
+
+@pytest.mark.parametrize("seed", [1, 2, 3])
+def test_what_is_missing_within_groups_as_well_tells_nothing(seed):
+    """A glossy place: points are found again in the next photograph only, whatever it shows."""
+    block = wall(stacked=True, seed=seed)
+    rng, o = np.random.default_rng(seed), block.observations
+    panel = (np.abs(block.points.xyz[:, :2]) < PANEL / 2).all(axis=1)[o.point]
+    own = rng.integers(0, 5, len(block.points))[o.point]
+    glossy = replace(block, observations=o.rows(panel | (own == o.image % 5)))
+    usual, near = usual_share(glossy, (np.arange(5), np.arange(5, 10)))
+    assert usual > 0.2
+    assert near
+    assert [n.severity.value for n in missing_notices(glossy)] in ([], ["caution"])
+    usual, _ = usual_share(block, (np.arange(5), np.arange(5, 10)))
+    assert usual < 0.05
+    assert [n.severity.value for n in missing_notices(block)] == ["fault"]
 
 
 def test_another_surface_behind_is_no_missing_point():

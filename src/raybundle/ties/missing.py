@@ -35,6 +35,17 @@ BARREN = 0.1
 All photographs of the ordinary sets hang together by pairs of 0.02 at most, those of two panels taken for
 one by 0.36 at least (benchmarks/missing.py); this is near the geometric middle.
 """
+TIMES = 3.0
+"""Ratio of barren shares between groups and within them, at like angles, from which on the groups are doubted.
+
+Two photographs of one glossy or fine-textured place have few points in common, too: what is missing between two groups
+tells only where as much is not missing within them."""
+LIKE = np.radians(7.5)
+"""Difference of the angles between the rays of two photographs that are compared so."""
+NEAR = np.radians(15.0)
+"""Angle up to which features are found again on any surface, where nothing compares."""
+COMPARED = 400
+"""Pairs within groups that are looked at."""
 CELLS = 10
 """Barren cells between two groups that are enough to tell them apart."""
 
@@ -161,14 +172,49 @@ def missing_notices(block: Block) -> tuple[Notice, ...]:
     found, barren, mixed = groups(block)
     if len(found) < 2:
         return ()
+    share = barren / (barren + mixed)
+    usual, near = usual_share(block, found)
+    if share <= TIMES * usual:
+        return ()
+    # a part that is put upon another has several photographs; single ones each apart have few points in common
+    scattered = sum(len(g) == 1 for g in found) > len(found) / 2 > 1
+    grave = Severity.CAUTION if scattered or (np.isnan(usual) and not near) else Severity.FAULT
     named = [[block.images.ids[i] for i in g] for g in found]
     shown = "; ".join(", ".join(n[:3]) + (f" and {len(n) - 3} more" if len(n) > 3 else "") for n in named[:4])
     message = (
         f"repeated structure: {len(found)} groups of photographs ({shown}) agree in some points, but in "
-        f"{barren / (barren + mixed):.0%} of the places around these where both show the same surface no point is "
+        f"{share:.0%} of the places around these where both show the same surface no point is "
         f"common (limit {BARREN:.0%}): they may show different parts which look alike, one put upon the other. "
         "Compare their positions with where they were taken; take photographs that show the way from one part to the "
         "other, or put up coded targets"
     )
     ids = tuple(n for names in named[1:] for n in names)
-    return (Notice(code="repeated_structure", message=message, ids=ids, measured=Severity.FAULT),)
+    values = {"groups": len(found), "barren": share, "limit": BARREN, "within": usual}
+    return (Notice(code="repeated_structure", message=message, ids=ids, measured=grave, values=values),)
+
+
+def usual_share(block: Block, found: tuple[Index, ...]) -> tuple[float, bool]:
+    """Barren share of pairs within groups, at angles as between groups, and whether those are small; NaN: unknown."""
+    group = np.full(len(block.images), -1)
+    for k, members in enumerate(found):
+        group[members] = k
+    seen = seen_of(block)
+    pairs = [(i, j) for i, j in candidate_pairs(block) if group[i] >= 0 and group[j] >= 0]
+    apart = np.array([_angle(block, seen, i, j) for i, j in pairs if group[i] != group[j]])
+    same = [(i, j) for i, j in pairs if group[i] == group[j]]
+    near = bool(len(apart)) and bool(np.median(apart) < NEAR)
+    barren = mixed = 0
+    for i, j in same[:: max(len(same) // COMPARED, 1)]:
+        if not len(apart) or np.abs(apart - _angle(block, seen, i, j)).min() > LIKE:
+            continue
+        a, b = cells(block, seen, i, j)
+        barren, mixed = barren + a, mixed + b
+    return (barren / (barren + mixed) if barren + mixed >= CELLS else float("nan")), near
+
+
+def _angle(block: Block, seen: Seen, i: int, j: int) -> float:
+    """Angle between the rays of two images to the middle of what they have in common [rad]."""
+    common = np.intersect1d(seen.points[i], seen.points[j], assume_unique=True)
+    middle = np.median(block.points.xyz[common], axis=0)
+    a, b = (block.images.centre[k] - middle for k in (i, j))
+    return float(np.arctan2(np.linalg.norm(np.cross(a, b)), a @ b))
