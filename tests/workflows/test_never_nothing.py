@@ -23,7 +23,7 @@ from raybundle.ties.precise import refine
 from raybundle.workflows import final
 from raybundle.workflows.final import _with_block, final_adjustment, independent_notices, left_out
 from raybundle.workflows.orient_options import OrientOptions
-from raybundle.workflows.orienting.adjustment import _adjusted
+from raybundle.workflows.orienting.adjustment import _adjusted, incomplete_notice
 
 CAMERA = brown_camera(estimate=("c", "K1"))
 FEATURE_PX, MATCH_PX = 0.6, 0.1
@@ -183,6 +183,34 @@ def test_a_part_that_nothing_determines_costs_its_photographs_alone():
     lost = dict(left_out(adjustment, parts))
     assert set(few.images.ids) <= set(lost)
     assert all("of a part of" in reason and "not determined" in reason for reason in lost.values())
+
+
+def test_the_part_with_most_photographs_leads_whatever_is_left_of_the_first():
+    whole, _ = features()
+    o = whole.observations
+    few = with_rows(whole, np.isin(o.image, [0, 1, 2]) & (np.arange(len(o)) % 3 == 0))
+    few = replace(
+        few, images=replace(few.images, centre=_only(few.images.centre, 3), rotation=_only(few.images.rotation, 3))
+    )
+    asked = SimpleNamespace(
+        groups=(), photos=(), remarks=(), options=OrientOptions(precise=False), given=Given(), scenes=None
+    )
+    means = SimpleNamespace(jobs=1, progress=silent)
+    done = _adjusted(asked, placed(few), [placed(whole)], means)
+    oriented = int(done.adjustment.given.images.oriented.sum())
+    assert oriented > 3
+    assert [int(p.adjustment.given.images.oriented.sum()) for p in done.other_components] == [3]
+    assert done.placed.block.images.oriented.sum() >= oriented
+    (notice,) = incomplete_notice(SimpleNamespace(photos=[None] * 40, scenes=None), done)
+    assert (notice.code, notice.severity.value) == ("incomplete", "fault")
+    assert notice.values["oriented"] == oriented + 3
+    assert incomplete_notice(SimpleNamespace(photos=[None] * (oriented + 3), scenes=None), done) == ()
+
+
+def _only(values, count):
+    """The orientations of the first images, none of the others."""
+    number = np.arange(len(values)).reshape(-1, *[1] * (values.ndim - 1))
+    return np.where(number < count, values, np.nan)
 
 
 def test_rays_that_are_all_parallel_say_so(monkeypatch):

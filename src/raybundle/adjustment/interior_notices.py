@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from raybundle.adjustment.result import Adjustment, Notice
+from raybundle.adjustment.result import Adjustment, InteriorResult, Notice
 from raybundle.numerics.arrays import Array
 
 STRONG = 0.95
@@ -25,8 +25,32 @@ def interior_notices(result: Adjustment) -> list[Notice]:
             for p in interior.parameters.values()
             if p.status == "not determinable"
         ]
+        found += _unknown_constant(result, who, interior)
         found += _correlations(result, who, interior.camera, interior.free, interior.correlations)
     return found
+
+
+UNKNOWN = 0.2
+"""Relative standard deviation of a camera constant above which a block is not calibrated.
+
+The second-order part of its error is that share of the first: above a fifth, standard deviations are not true to 10 %
+(1 + 2 x 0.2^2), and the depth of the object is open by as much."""
+
+
+def _unknown_constant(result: Adjustment, who: str, interior: InteriorResult) -> list[Notice]:
+    """The fault of photographs that do not tell the camera constant, nor does anything else."""
+    camera = next((c for c in result.given.cameras if c.id == interior.camera), None)
+    symbol = "" if camera is None else camera.sensor.scale_symbol
+    p = interior.parameters.get(symbol)
+    if p is None or p.std is None or symbol not in interior.free or not p.std > UNKNOWN * abs(p.value):
+        return []
+    share = p.std / abs(p.value)
+    message = (
+        f"{who}: not calibrated: {symbol} is known to {share:.0%} only (limit {UNKNOWN:.0%}), and the shape of the "
+        "object with it. Give a calibration, or photographs that converge and show depth"
+    )
+    values = {"share": share, "limit": UNKNOWN}
+    return [Notice(code="camera_constant_unknown", message=message, ids=(interior.camera, symbol), values=values)]
 
 
 def _remedy(result: Adjustment, symbol: str) -> str:

@@ -339,6 +339,10 @@ KNOWN_BY = 2.0
 """Ratio of the 95 % limits of sigma0 from which on it tells nothing: a-priori values are a guess of that factor."""
 
 
+MOST_WEAK = 0.5
+"""Share of photographs that hang on one connection or few points above which the whole block does: a fault."""
+
+
 def _photographs(result: Adjustment) -> list[Notice]:
     """Photographs joined by tie points that hang on one connection, or whose residuals tell next to nothing.
 
@@ -351,11 +355,15 @@ def _photographs(result: Adjustment) -> list[Notice]:
     if 2 * automatic(block.points.ids[k] for k in seen.tolist()).sum() < len(seen):
         return []
     found: list[Notice] = []
+    used = np.unique(block.observations.image[result.image_observations.used])
     weak = [block.images.ids[k] for k in weak_images(network, len(block.images))]
     if weak:
+        grave = len(weak) > MOST_WEAK * len(used) and len(used) > 2
         found.append(
             Notice(
                 code="weak_photographs",
+                measured=Severity.FAULT if grave else Severity.CAUTION,
+                values={"weak": len(weak), "photographs": len(used), "common": FIRM},
                 message=f"{counted(len(weak), 'photograph')} with fewer than 2 neighbours of {FIRM} common points: "
                 f"{', '.join(weak[:10])}{' ...' if len(weak) > 10 else ''}. Their orientation hangs on one connection "
                 "or few points; add photographs from positions between theirs and the next",

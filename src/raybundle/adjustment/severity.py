@@ -24,7 +24,7 @@ _CODES = {
         "attitudes_contradict bars_contradict behind_camera camera_contradicts control_contradicts "
         "control_exchanged control_identical control_left_out control_mirrored control_not_located control_rejected "
         "control_unit epochs_names epochs_scale group_less_precise groups_contradict image_contradicts "
-        "mark_contradicts no_redundancy "
+        "incomplete camera_constant_unknown mark_contradicts no_redundancy "
         "nominal_mirrored nominal_names nominal_scale not_determinable positions_exchanged redundancy_sum "
         "snooping_masked snooping_unfinished weak_convergence"
     ),

@@ -63,6 +63,7 @@ def start_components(
             break
         components.append(found)
         left &= ~oriented
+    components.sort(key=lambda c: (-int(c.block.images.oriented.sum()), -len(c.block.observations)))
     inside = {n for p in components for n, o in zip(raw.images.ids, p.block.images.oriented, strict=True) if o}
     lost = tuple((n, r) for n, r in reasons.items() if n not in inside)
     return (replace(components[0], not_oriented=lost), *(replace(p, not_oriented=()) for p in components[1:]))

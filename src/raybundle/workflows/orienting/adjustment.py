@@ -95,9 +95,9 @@ def adjust(i: Inputs, means: Means) -> Adjusted:
     with room_of(means, max(len(p.block.observations) for p in (placed, *apart))) as room:
         done = _adjusted(i, placed, apart, means)
     rows = sum(len(a.given.observations) for a in (done.adjustment, *(p.adjustment for p in done.other_components)))
-    told = (*i.notices, *([] if i.dropped is None else [i.dropped.notice(rows)]))
+    told = (*i.notices, *incomplete_notice(i, done), *([] if i.dropped is None else [i.dropped.notice(rows)]))
     adjustment = replace(done.adjustment, notices=(*told, *done.adjustment.notices, *room.notices()))
-    return replace(done, adjustment=adjustment, placed=placed, lost=lost)
+    return replace(done, adjustment=adjustment, lost=lost)
 
 
 def _relative(placed: Georeferenced, photos: Sequence[Photo], kind: Literal["", "shift", "drift"]) -> Georeferenced:
@@ -140,6 +140,15 @@ def _adjusted(i: Inputs, placed: Georeferenced, apart: Sequence[Georeferenced], 
             lost += undetermined_component(part, error)
     first = replace(placed, notices=(*lost, *placed.notices))
     adjustment = final_adjustment(first, groups, means.jobs, means.progress, i.remarks, noise, weights=weights)
+    largest = largest_component(adjustment, parts)
+    if largest is not None and not first.fixed:  # adjustments leave photographs out
+        names = tuple(
+            n for n, o in zip(adjustment.given.images.ids, adjustment.given.images.oriented, strict=True) if o
+        )
+        parts[largest] = ConnectedComponent(adjustment=adjustment, photographs=names)
+        first, kept[largest] = replace(kept[largest], notices=(*lost, *kept[largest].notices)), first
+        placed = first
+        adjustment = final_adjustment(first, groups, means.jobs, means.progress, i.remarks, noise, weights=weights)
     shared = shared_sensors(adjustment, groups, i.photos)
     if shared:
         groups = shared.grouped(groups)
@@ -162,6 +171,39 @@ def _adjusted(i: Inputs, placed: Georeferenced, apart: Sequence[Georeferenced], 
         adjustment=replace(adjustment, notices=(*told, *adjustment.notices)), other_components=tuple(parts),
         groups=groups, placed=placed, lost=(),
     )  # fmt: skip
+
+
+MOST = 0.5
+"""Share of the photographs that are oriented below which a result is none of them: a test of a set, not of its figures.
+
+What is oriented by chance, or is another object, is found among the few."""
+
+
+def incomplete_notice(i: Inputs, done: Adjusted) -> tuple[Notice, ...]:
+    """The fault of a result, with its parts, that holds less than half of the photographs."""
+    if i.scenes is not None or not i.photos:
+        return ()
+    blocks = [done.adjustment.given, *(p.adjustment.given for p in done.other_components)]
+    oriented, whole = sum(int(b.images.oriented.sum()) for b in blocks), len(i.photos)
+    if oriented >= MOST * whole:
+        return ()
+    message = (
+        f"incomplete: {oriented} of {whole} photographs are oriented (limit {MOST:.0%}). Take photographs with more "
+        "overlap (60 % and more), or orient the photographs of each object by themselves"
+    )
+    values = {"oriented": oriented, "photographs": whole, "limit": MOST}
+    return (Notice(code="incomplete", message=message, values=values),)
+
+
+def largest_component(main: Adjustment, parts: Sequence[ConnectedComponent]) -> int | None:
+    """Number of the part that has more photographs than the main result, or as many and more points; None: no part."""
+
+    def size(a: Adjustment) -> tuple[int, int]:
+        return int(a.given.images.oriented.sum()), len(np.unique(a.given.observations.point))
+
+    sizes = [size(p.adjustment) for p in parts]
+    best = max(range(len(sizes)), key=lambda k: sizes[k], default=None)
+    return None if best is None or sizes[best] <= size(main) else best
 
 
 def with_target_weights(block: Block, result: Adjustment, given: Given) -> Block | None:
