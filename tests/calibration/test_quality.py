@@ -8,7 +8,9 @@ import pytest
 from raybundle.adjustment.decide import decide
 from raybundle.adjustment.options import AdjustmentOptions
 from raybundle.block import Observations
+from raybundle.block.select import with_rows
 from raybundle.calibration.cross_validation import cross_validation
+from raybundle.calibration.maps import calibration_difference
 from raybundle.calibration.one_camera import find_splits, own_interiors
 from raybundle.calibration.quality import calibration_qualities
 from raybundle.planning.next_photographs import advised, next_photographs
@@ -45,6 +47,26 @@ def test_a_good_network_is_called_good(good):
     assert q.rolls == 4
     assert q.reach > 0.9
     assert q.validation.ratio == pytest.approx(1.05, abs=0.08)
+
+
+@pytest.mark.parametrize("reach", [0.7, 0.78, 0.84])
+def test_points_that_do_not_reach_the_corners_make_it_good_as_far_as_they_reach(reach):
+    field = field_scene(TargetField())
+    survey = Survey(seed=3, image_sigma_px=0.03, points="exact", orientation="exact", interior="exact")
+    done = simulate(field, survey)
+    camera = done.observed.cameras[0]
+    size = np.array([camera.width_px, camera.height_px])
+    radius = np.linalg.norm(done.observed.observations.xy_px - size / 2, axis=1) / np.linalg.norm(size / 2)
+    block = with_rows(replace(done.observed, cameras=(replace(camera, estimate="auto"),)), radius < reach)
+    result = decide(block, AdjustmentOptions(reject="snooping"))
+    (q,) = calibration_qualities(result)
+    assert q.grade == "usable"
+    assert q.reach == pytest.approx(reach, abs=0.02)
+    assert q.inside_px < min(q.worst_px, 0.1)
+    assert f"{100 * q.reach:.0f} %" in q.headline
+    true = calibration_difference(done.truth.cameras[0], result.adjusted.cameras[0])
+    near = np.linalg.norm(true.xy_px - size / 2, axis=2) < q.reach * np.linalg.norm(size / 2)
+    assert np.linalg.norm(true.shift_px, axis=2)[near].max() < q.inside_px
 
 
 def test_a_narrow_network_is_not_and_what_helps_is_named_first(narrow):

@@ -9,7 +9,7 @@ def advised(grade="usable"):
     advice = (SimpleNamespace(words="rolled by 90 degrees", uncertainty_px=0.29, ratio=0.58),)
     return SimpleNamespace(
         camera="A", grade=grade, headline="Usable", reasons=(), validation=None, typical_px=0.1, uncertainty_px=0.5,
-        likely_px=0.4, worst_px=0.9, image_sigma_px=0.1, coverage=0.9, reach=0.9, photographs=9, rolls=1,
+        likely_px=0.4, worst_px=0.9, inside_px=0.9, image_sigma_px=0.1, coverage=0.9, reach=0.9, photographs=9, rolls=1,
         convergence=0.5, unstable=False, advice=advice, couplings=(),
     )  # fmt: skip
 

@@ -85,18 +85,21 @@ class ProjectionShifts:
         C = self.by_parameter @ np.asarray(covariance) @ np.swapaxes(self.by_parameter, -1, -2)
         return UncertaintyMap(xy_px=self.xy_px, covariance=C, distance=self.distance)
 
-    def worst_errors(self, covariance: Array, draws: int = DRAWS) -> Array:
+    def worst_errors(self, covariance: Array, draws: int = DRAWS, *, within_px: float = np.inf) -> Array:
         """Largest errors (draws,) of projection over the format [px], sorted, if parameters scatter so.
 
         Lengths of the shift after the best rotation, as `calibration_difference` has them between estimate and truth.
         Where one parameter dominates, the largest error is the absolute value of a normal deviate; where many do, it is
         a maximum of many: no fixed multiple of a standard deviation serves both, hence the draws, the same each time.
+
+        within_px  distance from the middle of the format up to which they count
         """
         C = np.asarray(covariance)
         value, axes = np.linalg.eigh(C)
         half = axes * np.sqrt(np.maximum(value, 0))
         p = np.random.default_rng(1).standard_normal((draws, len(C))) @ half.T
-        by = self.by_parameter.reshape(-1, 2, len(C))
+        middle = (self.xy_px[0, 0] + self.xy_px[-1, -1]) / 2
+        by = self.by_parameter[np.linalg.norm(self.xy_px - middle, axis=2) <= within_px]
         by = by[np.isfinite(by).all(axis=(1, 2))]
         x, y = (by[:, k] @ p.T for k in (0, 1))
         return np.sort(np.sqrt((x * x + y * y).max(axis=0, initial=0.0)))

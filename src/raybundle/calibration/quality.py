@@ -94,6 +94,8 @@ class CalibrationQuality:
     """Largest error of projection over the format, at infinity, that is not exceeded with a probability of SURE"""
     likely_px: float
     """The same with a probability of LIKELY"""
+    inside_px: float
+    """`worst_px` within the part of the format that image points reach"""
     reach: float
     """Farthest image point from the middle, as a share of the distance to the corners"""
     coverage: float
@@ -129,8 +131,8 @@ def calibration_quality(
     sigma = float(result.sigma0 * np.sqrt(np.median(o.cov_px2[mine, :2]))) if mine.any() else np.nan
     adjusted = result.adjusted.cameras[k]
     repeated = repeated_residuals(result, k)
-    error = _projection(adjusted, interior, result, _doubt(validation, structure), repeated)
     reach, coverage = _format(result, k, mine)
+    error = _projection(adjusted, interior, result, _doubt(validation, structure), repeated, reach)
     rolls, convergence = _views(result, images)
     couplings = _couplings(result, interior)
     doubtful = [n for n in result.notices if n.code in UNSTEADY and camera in n.ids]
@@ -158,6 +160,7 @@ def calibration_quality(
         camera=camera, grade=grade, headline=_headline(grade, vital, error, sigma, reach),
         reasons=tuple(reasons), advice=(), unstable=unstable, photographs=len(images), image_sigma_px=sigma,
         uncertainty_px=error.largest, typical_px=error.typical, worst_px=error.sure, likely_px=error.likely,
+        inside_px=error.inside,
         reach=reach, coverage=coverage, rolls=rolls, convergence=convergence,
         couplings=couplings, validation=validation, structure=structure, repeated=repeated,
     )  # fmt: skip
@@ -175,22 +178,26 @@ class _Projection:
     """Largest error, not exceeded with a probability of SURE, everything that speaks against the covariance included"""
     likely: float = np.nan
     """The same with a probability of LIKELY"""
+    inside: float = np.nan
+    """As `sure`, within the part of the format that image points reach"""
 
 
 def _projection(
-    camera: Camera, interior: InteriorResult, result: Adjustment, doubt: float, repeated: RepeatedResiduals | None
-) -> _Projection:
+    camera: Camera, interior: InteriorResult, result: Adjustment, doubt: float, repeated: RepeatedResiduals | None,
+    reach: float,
+) -> _Projection:  # fmt: skip
     C = None if result.precision is None else result.precision.interior.get(interior.camera)
     if C is None or not interior.free:
         return _Projection()
     shifts = projection_shifts(camera, interior.free)
     found = shifts.uncertainty(C)
-    worst = doubt * shifts.worst_errors(C)
+    reached = reach * float(np.hypot(camera.width_px, camera.height_px)) / 2
+    worst, near = doubt * shifts.worst_errors(C), doubt * shifts.worst_errors(C, within_px=reached)
     if repeated is not None and repeated.noticed:  # what the model lacks is no part of the covariance
-        worst = np.hypot(worst, 2 * repeated.rms_px)
+        worst, near = np.hypot(worst, 2 * repeated.rms_px), np.hypot(near, 2 * repeated.rms_px)
     return _Projection(
         largest=found.largest, typical=float(np.nanmedian(found.std)), sure=float(np.quantile(worst, SURE)),
-        likely=float(np.quantile(worst, LIKELY)),
+        likely=float(np.quantile(worst, LIKELY)), inside=float(np.quantile(near, SURE)),
     )  # fmt: skip
 
 
@@ -352,6 +359,11 @@ def _headline(grade: Grade, lacking: tuple[str, ...], error: _Projection, sigma:
     if grade == "weak":
         return f"Weak: {worth}, {measured}. Take it as a start only, and let each adjustment estimate the camera again."
     inside = "" if reach >= REACH else f" within {100 * reach:.0f} % of the way to the corners"
+    if grade == "usable" and reach < REACH and error.inside <= GOOD_PX:
+        return (
+            f"Good within {100 * reach:.0f} % of the way to the corners ({error.inside:.2g} px), usable beyond, where "
+            f"no point was measured: {worth}, {measured}. Measure points in the corners to make it good everywhere."
+        )
     if grade == "usable":
         return f"Usable: {worth}, {measured}{inside}. Good for measurements to about {error.sure:.2g} px."
     return f"Good: {worth}, {measured}{inside}. Hold it for measurements to {max(sigma, error.sure):.2g} px."
