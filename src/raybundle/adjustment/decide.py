@@ -19,6 +19,7 @@ from raybundle.adjustment.known_before import against_known
 from raybundle.adjustment.masking import Unmasked, is_suspect, masked_notices, unmasked
 from raybundle.adjustment.options import AdjustmentOptions
 from raybundle.adjustment.pixel_shape import beyond_sensor, shape_limit, under_its_noise, untold_shape
+from raybundle.adjustment.rejected_groups import rejected_group_notices
 from raybundle.adjustment.result import Adjustment, InteriorResult, Notice, printed_unit
 from raybundle.adjustment.severity import Severity
 from raybundle.adjustment.snooping import apart, bent_by_distances, innocent, is_blunder, with_rejected, without_reasons
@@ -42,6 +43,8 @@ from raybundle.settings import option
 ROUNDS = 40
 CHOICES = 30
 """Steps of the choice of parameters; each holds one or one group."""
+OF_THE_END = {"control_not_located", "snooping_masked", "image_contradicts", "control_contradicts"}
+"""Codes of notices on what snooping leaves: those of an earlier run are replaced"""
 MASKING_ROUNDS = (10, 20, 30)
 """Rounds of data snooping at which masked gross errors are looked for, beside where no suspect is left."""
 DROP_ORDER = ("harmonic", "read-out", "affinity", "decentring", "radial", "principal point", "scale")
@@ -208,11 +211,9 @@ def _snoop(
         if not chosen:
             back = [i for i in innocent(result) if i not in returned]
             if not back:
-                choices.notices = [
-                    n for n in choices.notices if n.code not in {"control_not_located", "snooping_masked"}
-                ]
+                choices.notices = [n for n in choices.notices if n.code not in OF_THE_END]
                 choices.notices += [] if wrong is None else [kept_notice(wrong)]
-                choices.notices += masked_notices(result, tried)
+                choices.notices += [*masked_notices(result, tried), *rejected_group_notices(result)]
                 return block
             returned.update(back)
             choices.reasons = without_reasons(choices.reasons, back)

@@ -36,6 +36,8 @@ MASKED = 2.0
 Student's t with three degrees of freedom has 1.5."""
 UNCLEAN = 1.5
 """sigma0 after a robust estimate from which more of them are likely: what it leaves is clean, with sigma0 about 1."""
+FINITE = 0.5
+"""Share of the points that must have a place for an estimate to be one."""
 PASSES = 12
 """Estimates of the observations that remain; the set settles in three to six."""
 
@@ -72,10 +74,10 @@ def unmasked(
     """
     given = np.array([r is not None and r.kind is not RejectionKind.BLUNDER for r in reasons], bool)
     robust = replace(options, robust_start=True, statistics=False)
-    try:
-        start, bad = estimate_only(block, robust, free, given)
-    except NotSolvable:
+    found = _estimated(block, robust, free, given)
+    if found is None:
         return None
+    start, bad = found
     size, scale = _sizes(start, ~given & ~bad)
     whole = float(np.sqrt(np.mean(size[~given & ~bad] ** 2)))
     limit = family_wise_normal(options.significance, 2 * int((~given).sum()))
@@ -83,10 +85,10 @@ def unmasked(
     brief = replace(options, robust_start=False, statistics=False, tolerance=max(options.tolerance, 1e-3))
     for _ in range(PASSES):
         lone = _too_few(start, out)
-        try:
-            start, bad = estimate_only(start, brief, free, out | lone)
-        except NotSolvable:
+        found = _estimated(start, brief, free, out | lone)
+        if found is None:
             return None
+        start, bad = found
         inside = ~out & ~lone & ~bad
         size, scale = _sizes(start, inside)
         new = given | bad | ((size > limit * scale) & ~spared)
@@ -95,15 +97,31 @@ def unmasked(
         out = new
     if not whole >= MASKED * scale:
         return None
-    found = list(reasons)
+    out = given | _wrong(start, out & ~given)
+    new_reasons = list(reasons)
     for i in np.flatnonzero(out & ~given):
-        kept = found[i]
+        kept = new_reasons[i]
         tau = min(float(size[i] / scale), 1e6)
-        found[i] = kept or Rejection(kind=RejectionKind.BLUNDER, tau=tau, limit=limit, axis="xy"[_axis(start, int(i))])
+        new_reasons[i] = kept or Rejection(
+            kind=RejectionKind.BLUNDER, tau=tau, limit=limit, axis="xy"[_axis(start, int(i))]
+        )
     for i in np.flatnonzero(~out & ~given):
-        found[i] = None
-    _leave_unlocated(start, found, limit)
-    return Unmasked(block=start, reasons=tuple(found), rejected=int((out & ~given).sum()), ratio=whole / scale)
+        new_reasons[i] = None
+    _leave_unlocated(start, new_reasons, limit)
+    return Unmasked(block=start, reasons=tuple(new_reasons), rejected=int((out & ~given).sum()), ratio=whole / scale)
+
+
+def _estimated(
+    block: Block, options: AdjustmentOptions, free: dict[str, tuple[str, ...]], mask: Mask
+) -> tuple[Block, Mask] | None:
+    """`estimate_only`; None where there is no solution, or one that is nowhere."""
+    try:
+        with np.errstate(all="ignore"):  # gross errors may bring points into one place on the way
+            start, bad = estimate_only(block, options, free, mask)
+    except (NotSolvable, np.linalg.LinAlgError):
+        return None
+    used = np.unique(block.observations.point[~mask])
+    return (start, bad) if np.isfinite(start.points.xyz[used]).all(axis=1).mean() > FINITE else None
 
 
 def masked_notices(result: Adjustment, found: Unmasked | None) -> list[Notice]:
@@ -152,6 +170,18 @@ def _unknowns(block: Block, inside: Mask) -> int:
     return 3 * points + 6 * len(np.unique(o.image[inside]))
 
 
+def _wrong(block: Block, suspects: Mask) -> Mask:
+    """(m,) suspects without those of control points and ends of distances most rays of which are suspect.
+
+    There it is the coordinates or the length that contradict the photographs, and their own tests name them.
+    """
+    o = block.observations
+    given = np.any(block.points.is_control, axis=1) | block.points_named
+    rays = np.bincount(o.point, minlength=len(given))
+    mostly = given & (2 * np.bincount(o.point[suspects], minlength=len(given)) >= rays)
+    return suspects & ~mostly[o.point]
+
+
 def _too_few(block: Block, out: Mask) -> Mask:
     """(m,) remaining rays of tie points that have no second one."""
     o = block.observations
@@ -176,5 +206,6 @@ def _leave_unlocated(block: Block, reasons: list[Rejection | None], limit: float
 
 
 def _axis(block: Block, row: int) -> int:
-    v = residuals_px(block, np.array([row]))[0] / np.sqrt(block.observations.cov_px2[row, :2])
+    with np.errstate(all="ignore"):
+        v = residuals_px(block, np.array([row]))[0] / np.sqrt(block.observations.cov_px2[row, :2])
     return int(np.argmax(np.abs(np.nan_to_num(v))))

@@ -490,6 +490,9 @@ def _group_notice(component: VarianceComponent, sigma0: float) -> Notice:
         f"{sigma0:.3g}; {component.count} values, redundancy {component.redundancy:.1f}). Give them that much larger a "
         "sigma, or look for what they have in common, as a wrong datum.",
         ids=(component.kind,),
+        # a-priori standard deviations are guesses of a factor of two: below POOR_FIT what is stated is a little small
+        measured=Severity.FAULT if component.ratio >= POOR_FIT else Severity.CAUTION,
+        values={"ratio": component.ratio, "count": component.count, "redundancy": component.redundancy},
     )
 
 

@@ -1,0 +1,65 @@
+"""Images and control points of which data snooping rejected most observations: not blunders of single points.
+
+What is left then fits, and nothing in it shows that a photograph or the control was left out piece by piece.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+
+from raybundle.adjustment.result import Adjustment, Notice
+from raybundle.adjustment.severity import Severity
+from raybundle.block.rejection import RejectionKind
+from raybundle.numerics.arrays import Array
+from raybundle.numerics.counting import counted, some_of
+
+MOST = 0.5
+"""Share of the observations of an image or of the rays of a control point: more are no blunders of single points."""
+TIMES = 3.0
+"""Ratio of an image's share to the median one: where gross errors are many everywhere, no image stands out."""
+FEWEST_POINTS, FEWEST_RAYS = 10, 3
+"""Image points and rays from which on such a share tells; two control points tell with two rays each."""
+BLUNDERS = {RejectionKind.BLUNDER, RejectionKind.BLUNDER_NOT_LOCATED}
+
+
+def rejected_group_notices(result: Adjustment) -> list[Notice]:
+    """Faults that name the images and control points that data snooping has left out piece by piece."""
+    block, o = result.given, result.given.observations
+    out = np.array([r is not None and r.kind in BLUNDERS for r in result.image_observations.rejected], bool)
+    if not out.any():
+        return []
+    found: list[Notice] = []
+    share, count = _shares(o.image, out, len(block.images))
+    seen = count > 0
+    usual = float(np.median(share[seen]))
+    bad = np.flatnonzero((count >= FEWEST_POINTS) & (share > MOST) & (share > TIMES * usual))
+    if len(bad):
+        names = tuple(block.images.ids[k] for k in bad)
+        message = (
+            f"{counted(len(names), 'image')} ({some_of(names)}): more than {MOST:.0%} of the image points rejected "
+            f"(median of all images {usual:.0%}). A whole image contradicts the others: of another camera, focus or "
+            "zoom, mirrored, cropped, or with exchanged names. Give it a camera of its own, correct its image points, "
+            "or leave it out"
+        )
+        values = {"images": len(names), "limit": MOST, "median": usual}
+        found.append(Notice(code="image_contradicts", message=message, ids=names, values=values))
+    share, count = _shares(o.point, out, len(block.points))
+    control = np.any(block.points.is_control, axis=1)
+    bad = np.flatnonzero(control & (count >= 2) & (share > MOST))
+    if len(bad) > 1 or (len(bad) == 1 and count[bad[0]] >= FEWEST_RAYS):
+        names = tuple(block.points.ids[k] for k in bad)
+        message = (
+            f"{len(names)} of {counted(int(control.sum()), 'control point')} ({some_of(names)}): most of their image "
+            "points rejected. The control contradicts the photographs, or their names are exchanged. Check "
+            "coordinates, coordinate system, order and signs of the axes, unit and names"
+        )
+        values = {"points": len(names), "control": int(control.sum()), "limit": MOST}
+        found.append(
+            Notice(code="control_contradicts", message=message, ids=names[:100], measured=Severity.FAULT, values=values)
+        )
+    return found
+
+
+def _shares(of: Array, out: Array, count: int) -> tuple[Array, Array]:
+    number = np.bincount(of, minlength=count)
+    return np.bincount(of, out, count) / np.maximum(number, 1), number
