@@ -18,6 +18,11 @@ os.environ["RAYBUNDLE_CAMERAS"] = str(Path(__file__).parent / "no-cameras")
 os.environ["RAYBUNDLE_PRODUCTS"] = tempfile.mkdtemp(prefix="raybundle-products-")
 """Nor leaves copies of products with them."""
 atexit.register(shutil.rmtree, os.environ["RAYBUNDLE_PRODUCTS"], ignore_errors=True)
+os.environ["RAYBUNDLE_CONFIG"] = tempfile.mkdtemp(prefix="raybundle-config-")
+"""Nor stores that were confirmed."""
+atexit.register(shutil.rmtree, os.environ["RAYBUNDLE_CONFIG"], ignore_errors=True)
+os.environ["RAYBUNDLE_TASK_MODULES"] = "tests.pipeline.graph,tests.pipeline.test_executors,tests.pipeline.test_stage"
+"""Tasks of tests, in this process and in those that it begins."""
 
 
 @pytest.fixture(scope="session")

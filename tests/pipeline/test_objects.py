@@ -18,6 +18,7 @@ from raybundle.errors import InputError, TasksWaiting
 from raybundle.pipeline import objects
 from raybundle.pipeline.archives import is_complete
 from raybundle.pipeline.clusters import token_of, unseen
+from raybundle.pipeline.confirmed_stores import confirm_store
 from raybundle.pipeline.copies import Copies
 from raybundle.pipeline.executors import Processes, Threads
 from raybundle.pipeline.keys import key_of
@@ -73,6 +74,7 @@ class Flaky(MemoryFileSystem):
 
 
 fsspec.register_implementation("flaky", Flaky, clobber=True)
+objects.SCHEMES.add("flaky")
 
 
 @pytest.fixture(autouse=True)
@@ -255,9 +257,10 @@ def test_a_store_that_is_lost_costs_no_photograph(flaky):
 @pytest.mark.parametrize(
     ("where", "told"),
     [
-        ("nowhere://b/c", "Protocol not known: nowhere; a store is as s3://bucket/folder"),
+        ("nowhere://b/c", "nowhere:// is no kind of store; known are .*; as s3://bucket/folder"),
         ("s3://", "names no bucket|a package is missing: Install s3fs"),
-        ("ftp://me:secret@host/p", "ftp://host/p: holds a secret, which others would read"),
+        ("ftp://me:secret@host/p", "ftp://host/p: ftp:// is no kind of store"),
+        ("s3://me:secret@host/p", "s3://host/p: holds a secret, which others would read"),
         ("products", "products: is no URL; as s3://bucket/folder"),
     ],
 )
@@ -428,6 +431,7 @@ def test_a_project_remembers_where_its_products_lie(tmp_path, url):
     folder = tmp_path / "p"
     folder.mkdir()
     (folder / "project.toml").write_text(f'[orient]\nstore = "{url}"\n')
+    confirm_store(url)
     assert products_of(folder).url == url
     assert products_of(folder, "memory://x").url == "memory://x"
     assert products_of(folder, "project").url == ""
@@ -511,7 +515,7 @@ def test_why_a_worker_does_not_see_a_store(tmp_path, url, monkeypatch):
     assert unseen(str(tmp_path / "elsewhere"), url, token) == ""
     assert unseen("s", url, "0" * 32) == "another one stands there"
     assert unseen("s", f"{url}-not", token) == "there is none"
-    assert "Protocol not known" in unseen("s", "nowhere://x", token)
+    assert "is no kind of store" in unseen("s", "nowhere://x", token)
 
 
 S3 = """

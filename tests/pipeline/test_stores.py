@@ -39,7 +39,7 @@ def test_what_is_no_store_is_refused_with_the_option_as_typed(tmp_path, monkeypa
         "memory://x": "keeps nothing",
         "http://host/x": "nothing can be kept by http",
         "s3://name:secret@host/x": "was given with a secret",
-        "nosuch://x": "Protocol not known",
+        "nosuch://x": "nosuch:// is no kind of store",
         "file:///": "names no folder",
         "file://": "names no folder",
         "local:////": "names no folder",

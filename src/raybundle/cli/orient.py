@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from raybundle.cli.common import FOLDER, NEW_FOLDER, Command, common_options, counted, told_outcome
+from raybundle.cli.common import FOLDER, NEW_FOLDER, Command, common_options, counted, store_told, told_outcome
 from raybundle.cli.settings import options_of, values_of
 from raybundle.commands.orient import OrientSettings, accuracy_outcome, run_orient
 from raybundle.commands.pages import pages_told
@@ -91,7 +91,7 @@ def _lines(done: Orientation, settings: OrientSettings) -> list[str]:
         told.append(f"   {n} in a part of its own: {settings.out / component_folder(k)}")
     told += summary_lines(done.adjustment)
     told.append(f" image points: sigma {done.sigma_px:.3f} px (rms of a coordinate, from the residuals)")
-    return [*told, f" result: {result}{pages_told(result, settings)}"]
+    return [*told, *store_told(settings.out), f" result: {result}{pages_told(result, settings)}"]
 
 
 def _oriented(done: Orientation) -> str:

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from raybundle.cli.common import FOLDER, NEW_FOLDER, Command, common_options, counted, facts, significant
+from raybundle.cli.common import FOLDER, NEW_FOLDER, Command, common_options, counted, facts, significant, store_told
 from raybundle.cli.settings import options_of, values_of
 from raybundle.commands.surface import WORK, SurfaceSettings, run_surface
 from raybundle.settings import made
@@ -54,7 +54,8 @@ def command(source: Path, progress: str, **given: Any) -> int:
         points=len(done.surface), unit=done.unit, median_sigma=done.median_sigma,
         median_along_ray=done.median_along_ray, verdict=done.pages.verdict, file=str(done.points),
     )  # fmt: skip
-    click.echo("\n".join(f" {line}" for line in _lines(done)))
+    work = (settings.out or source / "surface") / WORK
+    click.echo("\n".join([*(f" {line}" for line in _lines(done)), *store_told(work)]))
     return 0
 
 

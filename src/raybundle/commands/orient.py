@@ -274,7 +274,7 @@ def settings_asked(project: Path) -> OrientSettings:
     """
     from raybundle.io.reading.trees import read_toml  # noqa: PLC0415  (what computes is loaded after the help)
 
-    known = {s.name for s in settings_of(OrientSettings)} - {"redo_from", "cluster"}
+    known = {s.name for s in settings_of(OrientSettings)} - {"redo_from", "cluster", "store"}
     kept = {
         name: each.value for name, each in read_toml(project / "project.toml").tree().get("orient").mapping().items()
     }

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Container
-from contextlib import suppress
 from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -79,9 +78,8 @@ def status_of(folder: Path) -> Status:
         records = {r.name: r for r in opened.stages()}
     finally:
         opened.close()
-    listed = None
-    with suppress(InputError):  # a store that does not answer: all else is told
-        listed = tasks_listed(project, "" if store == HERE else store)
+    # a store at a URL is named and never opened: the folder may come from somebody else
+    listed = tasks_listed(project, "") if store in {"", HERE} else None
     of_surface = _of_surface(project)
     return Status(
         stages={n: records.get(n) for n in _stages(project, records, of_calibration=of_calibration)},

@@ -79,6 +79,10 @@ def run_worker(
 
     if project is None:
         raise InputError("of which project? Its folder is given beside the share")
+    if "://" in project:
+        from raybundle.pipeline.confirmed_stores import confirm_store  # noqa: PLC0415
+
+        confirm_store(project)
     number, of = _share(settings.shard)
     return do_shard(project, number, of, jobs=settings.jobs, wait_s=settings.wait, progress=progress)
 
@@ -95,8 +99,12 @@ def store_of(project: Path, given: str, apart: Sequence[Path]) -> str:
     remembered = "" if given else store_given(project)
     url = given or remembered
     if url not in {"", HERE}:
+        from raybundle.pipeline.confirmed_stores import check_confirmed  # noqa: PLC0415
+        from raybundle.pipeline.objects import refused_url  # noqa: PLC0415
         from raybundle.pipeline.stores import check_store  # noqa: PLC0415
 
+        if remembered and "://" in url and not refused_url(url):  # what is no store is refused below
+            check_confirmed(url, project / "project.toml")
         try:
             check_store(url, out=project, apart=apart)
         except InputError as error:

@@ -23,6 +23,8 @@ AT_FDCWD, RENAME_EXCHANGE = -100, 2  # linux/fcntl.h, linux/fs.h
 NAME_BYTES = 200
 """Of a name that is kept in that of its temporary sibling; file systems allow 255."""
 _SIBLING = r"\.[0-9a-f]{8}\.(?:partial|old)"
+_SCHEME = re.compile(r"[A-Za-z][A-Za-z0-9+.:-]+:")
+"""First part of a path that was given as a URL; one letter is a drive of Windows."""
 _ANY_SIBLING = re.compile(r"(?:\..+)?" + _SIBLING)
 
 
@@ -94,8 +96,14 @@ def make_parent(path: Path) -> None:
 def place_of(path: Path) -> Path:
     """Where a path leads: a link stays, and what is written under its name goes where it points.
 
-    raises  InputError for a link that leads back to itself
+    raises  InputError for a link that leads back to itself, and for a URL
     """
+    if not path.is_absolute() and path.parts and _SCHEME.fullmatch(path.parts[0]):
+        raise InputError(
+            f"begins like a URL ({path.parts[0]}//), and results are written into folders of this machine; write into "
+            "a folder and copy it there",
+            file=path,
+        )
     with _told(path):
         place = Path(os.path.realpath(path))
         if any(part.is_symlink() for part in (place, *place.parents)):

@@ -39,6 +39,8 @@ PACKAGES = {
     "adl": "adlfs", "oss": "ossfs", "oci": "ocifs", "hf": "huggingface_hub", "sftp": "paramiko", "ssh": "paramiko",
 }  # fmt: skip
 """What brings a protocol."""
+SCHEMES = {*APPEARS_WHOLE, *PACKAGES, "file", "local"}
+"""Protocols of stores.  Others of fsspec read what a URL names as instructions (reference), or have no folders."""
 ONE_BY_ONE = 8
 """Products that are asked for one by one; of more the store lists all of their kind, a thousand a request."""
 HEADS = 512
@@ -368,9 +370,33 @@ def _opened(url: str) -> tuple[Any, str]:
     return fs, root
 
 
+def shown_url(url: str) -> str:
+    """A URL as it may be shown: without a secret."""
+    try:
+        parts = urlsplit(url)
+        return parts._replace(netloc=parts.hostname or "").geturl() if parts.password else url
+    except ValueError:
+        return url
+
+
+def refused_url(url: str) -> str:
+    """Why a URL can be no store, by its text alone; empty: it can."""
+    scheme = url.partition("://")[0]
+    if "::" in url:
+        return "chains file systems (::), which a store cannot do"
+    if scheme in {"http", "https"}:
+        return f"nothing can be kept by {scheme}"
+    if scheme not in SCHEMES:
+        return f"{scheme}:// is no kind of store; known are {', '.join(sorted(SCHEMES - {'memory', 'local'}))}"
+    return ""
+
+
 @lru_cache
 def objects_at(url: str) -> Objects:
     """The place at a URL, the same one for all stores of this process."""
     if "://" not in url:
         raise InputError("is no URL; as s3://bucket/folder, gs://, az:// or file:///folder", file=url)
+    refusal = refused_url(url)
+    if refusal:
+        raise InputError(f"{refusal}; as s3://bucket/folder, gs://, az:// or file:///folder", file=shown_url(url))
     return Objects(url.rstrip("/") if not url.endswith("://") else url)

@@ -481,8 +481,15 @@ def store_given(folder: Path) -> str:
 
 
 def products_of(folder: Path, store: str = "") -> Folder:
-    """The products of a project; `store` as for `Project.open`."""
+    """The products of a project; `store` as for `Project.open`.
+
+    raises  InputError for a URL that project.toml names and the user has not confirmed
+    """
     url = store or store_given(folder)
+    if not store and url not in {"", HERE}:
+        from raybundle.pipeline.confirmed_stores import check_confirmed  # noqa: PLC0415  (few projects have one)
+
+        check_confirmed(url, folder / "project.toml")
     return Folder(folder / "cache", "" if url == HERE else url)
 
 

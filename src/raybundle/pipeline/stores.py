@@ -10,13 +10,12 @@ from pathlib import Path
 from urllib.parse import urlsplit
 
 from raybundle.errors import InputError
+from raybundle.pipeline.confirmed_stores import confirm_store
 from raybundle.pipeline.copies import check_copies
-from raybundle.pipeline.objects import Objects, objects_at
+from raybundle.pipeline.objects import Objects, objects_at, refused_url, shown_url
 from raybundle.pipeline.store import StoreLost, whole_url
 from raybundle.settings import option
 
-READ_ONLY = {"http", "https"}
-"""Protocols by which nothing can be kept."""
 LOCAL = {"file", "local"}
 """Of folders of this machine, or that it sees"""
 ESCAPED = re.compile(r"%[0-9A-Fa-f]{2}")
@@ -25,6 +24,8 @@ KINDS = "as s3://bucket/folder, gs://, az:// or file:///folder"
 
 def check_store(given: str, *, out: Path, apart: Sequence[Path] = (), lasting: bool = True) -> None:
     """Raise InputError for a URL where the products of a run cannot lie, with the setting as it was given.
+
+    One where they can is confirmed from now on (`confirmed_stores`).
 
     given    the URL
     out      project or result folder of the run
@@ -43,8 +44,9 @@ def check_store(given: str, *, out: Path, apart: Sequence[Path] = (), lasting: b
             f"{named} was given with a secret, which others would read in what is kept and said of a run; give it as "
             "the tools of this service take it"
         )
-    if scheme in READ_ONLY:
-        raise InputError(f"{named}: nothing can be kept by {scheme}; give an object store, {KINDS}")
+    refusal = refused_url(given)
+    if refusal:
+        raise InputError(f"{named}: {refusal}; give an object store, {KINDS}")
     if scheme == "memory":
         raise InputError(
             f"{named} keeps nothing: it lies in the memory of this process and is gone with it; give a place, {KINDS}"
@@ -57,6 +59,7 @@ def check_store(given: str, *, out: Path, apart: Sequence[Path] = (), lasting: b
             _check_folder(named, folder, out, apart)
         check_copies()
         _check_written(place, lasting=lasting)
+        confirm_store(given)
     except StoreLost as error:
         raise InputError(f"{named}: {error.what}") from None
 
@@ -72,17 +75,8 @@ def _check_place(given: str, named: str, scheme: str) -> None:
                 f"{named}: a path stands there as it is, and {escaped[0]} would be part of the folder's name; write "
                 "the sign itself, and quote the URL in the shell"
             )
-    elif "::" not in given and not urlsplit(given).netloc:
+    elif not urlsplit(given).netloc:
         raise InputError(f"{named} names no bucket: behind :// stands its name, then the folder in it; {KINDS}")
-
-
-def shown_url(url: str) -> str:
-    """A URL as it may be shown: without a secret."""
-    try:
-        parts = urlsplit(url)
-        return parts._replace(netloc=parts.hostname or "").geturl() if parts.password else url
-    except ValueError:
-        return url
 
 
 def _check_folder(named: str, folder: Path, out: Path, apart: Sequence[Path]) -> None:

@@ -17,6 +17,7 @@ import msgspec
 
 from raybundle.errors import InputError
 from raybundle.pipeline.store import Folder, Product, ProductGone, StoreLost
+from raybundle.pipeline.task_functions import is_registered
 
 TaskFunction = Callable[[Folder, Any], Product]
 """(store, options) -> product; reads the products that the task names, and writes none."""
@@ -67,9 +68,11 @@ class Done:
 
 @lru_cache
 def function_of(name: str) -> TaskFunction:
-    """The function "module:name"; raises TypeError for a name that is none."""
+    """The function "module:name"; raises TypeError for a name that is not registered, before anything is imported."""
     module, _, attribute = name.partition(":")
-    found = getattr(import_module(module), attribute, None) if attribute else None
+    if not is_registered(module, attribute):
+        raise TypeError(f"{name!r} is no function of tasks: it is not registered")
+    found = getattr(import_module(module), attribute, None)
     if not callable(found):
         raise TypeError(f"{name!r} names no function; a task's function is called module:name")
     return cast("TaskFunction", found)

@@ -163,7 +163,10 @@ def _kept(desk: Desk, photo: Photo, targets: Sequence[Target]) -> Sets | None:
     folder = next((f for f in (desk.source / PROJECT, desk.source) if (f / "cache").is_dir()), None)
     if folder is None or not targets:
         return None
-    store = products_of(folder)
+    try:
+        store = products_of(folder)
+    except InputError:  # a store that the user has not confirmed: targets are detected again
+        return None
     for dots in (False, True):
         made = [Rings(rings=t.rings, dots=True) if dots and isinstance(t, Rings) else t for t in targets]
         plain = tuple(w for t in made if (w := wanted(t)) is not None)

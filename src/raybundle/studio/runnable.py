@@ -12,7 +12,7 @@ from raybundle.commands.calibrate import CalibrateSettings
 from raybundle.commands.orient import OrientSettings, settings_asked
 from raybundle.errors import InputError
 from raybundle.io.reading.trees import read_json
-from raybundle.pipeline.project import Project, StageRecord
+from raybundle.pipeline.project import HERE, Project, StageRecord
 from raybundle.results.folder import PROJECT
 from raybundle.settings import as_typed
 from raybundle.studio.desk import Desk
@@ -60,7 +60,7 @@ class Runnable:
         """The stages that are recorded in its project folder; none where it cannot be read at this moment."""
         folder = self.settings.out if self.name == "orient" else self.settings.out / PROJECT
         try:
-            opened = Project.open(folder, create=False)
+            opened = Project.open(folder, create=False, store=HERE)  # only what was recorded is read
         except InputError:
             return []
         try:

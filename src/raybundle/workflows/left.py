@@ -12,6 +12,7 @@ from pathlib import Path
 from raybundle.errors import InputError
 from raybundle.io.folders import NAME_BYTES, lock_of, place_of, unlock
 from raybundle.pipeline.clusters import TOKEN
+from raybundle.pipeline.confirmed_stores import is_confirmed
 from raybundle.pipeline.running import works
 from raybundle.pipeline.store import Folder
 
@@ -89,7 +90,8 @@ def forget_stores(folder: Path) -> None:
         token = (folder / NOTES / TOKEN).read_text(encoding="utf-8")
         for number, url in _noted(folder):
             with suppress(InputError):  # it cannot be reached
-                part_store(folder, number, url, token).place.clear()
+                if is_confirmed(url):  # the folder may come from somebody else
+                    part_store(folder, number, url, token).place.clear()
 
 
 def forget_left(out: Path) -> None:

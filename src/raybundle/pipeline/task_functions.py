@@ -1,0 +1,37 @@
+"""Functions that do tasks, by name: a list of tasks may come from somebody else, and names what is called.
+
+A module of tasks outside raybundle is permitted by its name in RAYBUNDLE_TASK_MODULES (several: with commas).
+"""
+
+from __future__ import annotations
+
+import os
+
+VARIABLE = "RAYBUNDLE_TASK_MODULES"
+FUNCTIONS = {
+    "raybundle.blocking.answers": (
+        "describe", "touched", "evaluate", "residuals", "expand", "astray", "moments", "placed", "generators",
+        "statistics", "told", "stated", "tested",
+    ),
+    "raybundle.blocking.tasks": ("up", "down", "right_up", "right_down", "inverse"),
+    "raybundle.ties.pairs": ("words_product", "signature_product", "compared"),
+    "raybundle.ties.parts": ("grown", "settled"),
+    "raybundle.ties.points": ("features_of", "pair_of"),
+    "raybundle.ties.tracks": ("tracks_within",),
+    "raybundle.ties.windows": ("windows_of",),
+    "raybundle.workflows.orthophoto_pixels": ("part_of_orthophoto",),
+    "raybundle.workflows.scenes.ties": ("scene_features_of", "scene_pair_of"),
+    "raybundle.workflows.surfacing.fused": ("sigma_of", "cloud_of"),
+    "raybundle.workflows.surfacing.heights": ("above_of", "tile_of", "steps_in"),
+    "raybundle.workflows.surfacing.looks": ("look_of",),
+    "raybundle.workflows.surfacing.maps": ("map_of",),
+    "raybundle.workflows.surfacing.orthophoto": ("choice_of",),
+    "raybundle.workflows.target_tasks": ("targets_of",),
+}  # fmt: skip
+"""By module; a function that takes a store and options and is missing here fails tests/pipeline/test_foreign.py."""
+
+
+def is_registered(module: str, function: str) -> bool:
+    """Whether a task may call this function; nothing is imported."""
+    more = {name.strip() for name in os.environ.get(VARIABLE, "").split(",")} - {""}
+    return function in FUNCTIONS.get(module, ()) or (module in more and function.isidentifier())
