@@ -35,6 +35,8 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Literal
 
+from raybundle.readable import without_controls
+
 WHOLE, WORD, PATH = 2000, 200, 1000
 """Characters that a message, a word without blanks in it, and a path may have; what is foreign may be of any length."""
 
@@ -90,7 +92,7 @@ class InputError(RaybundleError):
         if column is not None:
             place += f", column {_bounded(column, WORD)}"
         text = _bounded(message, WHOLE)
-        super().__init__(f"{place}: {text}" if place else text)
+        super().__init__(without_controls(f"{place}: {text}" if place else text))
 
 
 class TasksWaiting(RaybundleError):

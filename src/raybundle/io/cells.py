@@ -14,6 +14,7 @@ from raybundle.io.reading import words
 from raybundle.io.reading.dialects import with_points, without_groups
 from raybundle.io.reading.words import quoted
 from raybundle.numerics.arrays import Array, Index
+from raybundle.readable import readable
 
 SHOWN = 5
 """Errors that one message lists."""
@@ -82,6 +83,8 @@ def converted(
         if not column.empty and "" in cells:
             problems.append(Problem(first_line + cells.index(""), column.name, "the cell is empty; fill it"))
         return tuple(cells)
+    if column.kind == "reference" and not "".join(cells).isprintable():  # the name as the file system holds it
+        cells = [new if (new := readable(c)) in column.known else c for c in cells]
     if not "".join(cells).isprintable():
         problems.extend(_bad_text(column, cells, first_line))
         return np.zeros(0, np.int32)

@@ -9,6 +9,8 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any, cast
 
+import numpy as np
+
 from raybundle.adjustment.again import block_again
 from raybundle.adjustment.result import Adjustment
 from raybundle.block import Block
@@ -20,7 +22,9 @@ from raybundle.io.reading.trees import read_json
 from raybundle.io.reading.words import quoted
 from raybundle.io.table_files import SUFFIXES, TableFormat, new_table_file, table_file
 from raybundle.io.tables import Column, Table, read_table, write_table
+from raybundle.numerics.arrays import Array
 from raybundle.numerics.progress import Progress, silent
+from raybundle.readable import readable, without_controls
 from raybundle.results.contents import clean, result_json
 from raybundle.results.digits import result_digits
 from raybundle.results.tables import ALWAYS, TABLES, result_table
@@ -127,18 +131,32 @@ def written_folder(
         write_block_files(block_again(adjustment), folder / "block", tables)
         progress("writing tables", 0.2)
         for name in TABLES:  # one after the other: those of the image observations are large
-            columns = result_table(adjustment, name)
+            columns = {n: _readable(v) for n, v in result_table(adjustment, name).items()}
             rows = max(map(len, columns.values()))
             file = new_table_file(folder, name, rows, tables)
             write_table(file, columns, result_digits(adjustment, name, columns))
         added = {k: v if k in EXACT else told(v) for k, v in (additions or {}).items()}
         contents = {**result_json(adjustment), **added}
-        text = json.dumps(clean(contents), indent=1, ensure_ascii=False, allow_nan=False)
+        text = json.dumps(_written(clean(contents)), indent=1, ensure_ascii=False, allow_nan=False)
         (folder / "result.json").write_text(text + "\n", encoding="utf-8")
         progress("writing tables", 1.0)
         yield folder
         if (Path(path) / PROJECT / "project.db").is_file():  # stays for the next run
             (Path(path) / PROJECT).rename(folder / PROJECT)
+
+
+def _readable(column: Sequence[str] | Array) -> Sequence[str] | Array:
+    """A column whose names are those of the block that stands beside it."""
+    return column if isinstance(column, np.ndarray) else tuple(map(readable, column))
+
+
+def _written(value: Any) -> Any:
+    """The contents of result.json, in which names are written as in the tables."""
+    if isinstance(value, dict):
+        return {_written(k): _written(v) for k, v in cast("dict[str, Any]", value).items()}
+    if isinstance(value, list | tuple):
+        return [_written(v) for v in cast("list[Any]", value)]
+    return without_controls(value) if isinstance(value, str) else value
 
 
 def columns_of_table(name: str) -> tuple[Column, ...]:

@@ -32,6 +32,7 @@ from raybundle.numerics.arrays import Array, Index
 from raybundle.numerics.progress import Progress, silent
 from raybundle.numerics.rotation import rotation_from_angles
 from raybundle.observations import tables as kinds
+from raybundle.readable import readable, readable_names
 
 FRAME = ("turned_deg", "file_width_px", "file_height_px")
 """Of images whose files are stored turned or reduced."""
@@ -316,6 +317,7 @@ def write_block(block: Block, path: str | Path, *, tables: TableFormat = "auto")
 
 def write_block_files(block: Block, folder: Path, tables: TableFormat = "auto") -> None:
     """Write the files of a block into an existing folder."""
+    block = _readable(block)
     (folder / "block.toml").write_text(head_text(block), encoding="utf-8", newline="\n")
     images, points = block.images, block.points
     is_scene = np.array([c.is_scene for c in block.cameras])[images.camera]
@@ -348,6 +350,18 @@ def write_block_files(block: Block, folder: Path, tables: TableFormat = "auto") 
         write_points(new_table_file(folder, "points", len(points), tables), points)
     write_observation_tables(folder, block, tables)
     _write_interior(folder, block, tables)
+
+
+def _readable(block: Block) -> Block:
+    """The block with names that its readers take: those of files and of foreign formats may be any."""
+    images, points = block.images, block.points
+    cameras = readable_names([c.id for c in block.cameras])
+    return replace(
+        block,
+        cameras=tuple(replace(c, id=i) if i != c.id else c for c, i in zip(block.cameras, cameras, strict=True)),
+        images=replace(images, ids=readable_names(images.ids), file=tuple(map(readable, images.file))),
+        points=replace(points, ids=readable_names(points.ids)),
+    )
 
 
 def _write_interior(folder: Path, block: Block, tables: TableFormat) -> None:

@@ -16,6 +16,7 @@ from raybundle.io.folders import check_free, check_new_file, make_parent, new_fi
 from raybundle.io.geo.coordinate_systems import LocalFrame
 from raybundle.io.reading.files import guarded, opened
 from raybundle.numerics.arrays import Array, Index, Mask
+from raybundle.readable import readable, readable_names
 from raybundle.sensors import ProjectionDiverged, sensor_models
 from raybundle.settings import option
 
@@ -436,6 +437,7 @@ def block_of(
     if len(keep):
         remarks.append(f"image observations are given a standard deviation of {SIGMA_PX:g} px; the format tells none")
     count = len(tracks.point_ids)
+    images = replace(images, ids=readable_names(images.ids), file=tuple(map(readable, images.file)))
     block = Block(
         name=name or "block",
         source=source,
@@ -448,7 +450,7 @@ def block_of(
             cov_px2=np.tile([SIGMA_PX**2, SIGMA_PX**2, 0.0], (len(keep), 1)),
         ),
         points=Points(
-            ids=tracks.point_ids,
+            ids=readable_names(tracks.point_ids),
             role=np.full(count, Role.TIE, np.int32),
             xyz=tracks.xyz,
             sigma=np.full((count, 3), np.nan),

@@ -47,7 +47,7 @@ def write(export: Export, path: Path) -> Draft:
     """Write sensors, cameras, and the control and check points with their image observations as markers."""
     s = scene(export)
     sensors, deviations = _sensors(s)
-    stems = [str(PurePosixPath(n).with_suffix("")) for n in s.names]
+    stems = [n.removesuffix(PurePosixPath(n).suffix) for n in s.names]
     labels = stems if len(set(stems)) == len(stems) else list(s.names)
     lines = ['<?xml version="1.0" encoding="UTF-8"?>', '<document version="2.0.0">', '<chunk label="raybundle">']
     lines += [f'<sensors next_id="{len(s.cameras)}">', *sensors, "</sensors>"]

@@ -36,6 +36,7 @@ from raybundle.io.reading.files import guarded
 from raybundle.numerics.arrays import Array
 from raybundle.numerics.natural import natural
 from raybundle.numerics.progress import Progress, silent
+from raybundle.readable import readable_names, readable_path
 
 __all__ = [
     "LIMIT_PIXELS", "Found", "Gps", "Metadata", "Photo", "find_photos", "read_colour", "read_grey", "read_photo",
@@ -254,20 +255,16 @@ def _in_folder(folder: Path, leave: frozenset[Path], remarks: list[str]) -> list
 
 
 def _names(files: Sequence[Path]) -> list[str]:
-    names = [shown(p).name for p in files]
-    if len(set(names)) == len(names):
-        return names
-    common = Path(os.path.commonpath([p.parent.absolute() for p in files]))
-    return [shown(p.absolute().relative_to(common)).as_posix() for p in files]
+    names = [p.name for p in files]
+    if len(set(names)) < len(names):
+        common = Path(os.path.commonpath([p.parent.absolute() for p in files]))
+        names = [shown(p.absolute().relative_to(common)).as_posix() for p in files]
+    return [*readable_names(names)]
 
 
 def shown(path: Path) -> Path:
-    r"""The path as it can be shown and written: bytes that are no UTF-8 as \xff."""
-    try:
-        str(path).encode()
-    except UnicodeEncodeError:
-        return Path(os.fsencode(path).decode("utf-8", "backslashreplace"))
-    return path
+    """The path as it can be shown and written (`raybundle.numerics.readable`)."""
+    return readable_path(path)
 
 
 def _without_thumbnails(photos: Sequence[Photo]) -> tuple[tuple[Photo, ...], list[tuple[Path, str]]]:
