@@ -85,13 +85,24 @@ def _dataset(name: str, entry: Json) -> Dataset:
     if folders or len(_parts(name)) > 1:
         entry.fail("the name of a set names a folder as well: letters, digits and hyphens")
     about, source, base, licence = (entry.get(key).text() for key in ("about", "source", "base", "licence"))
-    if urlsplit(base).scheme not in {"http", "https"} or not base.endswith("/"):
+    if not _is_address(base):
         entry.get("base").fail(f"{quoted(base)} is no address of a folder: http... with / at its end")
     listed = tuple(_file(item) for item in entry.get("files").items())
     if len({f.path for f in listed}) < len(listed):
         entry.get("files").fail("a path stands twice")
     cite = entry.get("cite").text() if entry.has("cite") else ""
     return Dataset(name=name, about=about, source=source, base=base, licence=licence, cite=cite, files=listed)
+
+
+def _is_address(base: str) -> bool:
+    """Whether a text is the address of a folder."""
+    try:
+        parts = urlsplit(base)
+        port = parts.port  # which it looks at only here
+    except ValueError:
+        return False
+    whole = bool(parts.hostname) and not re.search(r"\][^:]", parts.netloc)
+    return parts.scheme in {"http", "https"} and whole and port != 0 and base.endswith("/")
 
 
 def _file(item: Json) -> SetFile:

@@ -2,12 +2,16 @@
 
 from __future__ import annotations
 
+from collections.abc import Generator
+from contextlib import contextmanager
 from importlib import import_module
 from pathlib import Path
 from typing import Any
 
 from raybundle.errors import InputError
 
+SHOWN = 200
+"""Characters of what the library reports"""
 PARTS = ("crs", "enums", "errors", "rpc", "shutil", "vrt", "warp", "windows")
 
 
@@ -29,3 +33,25 @@ def raster_library(path: Path | None = None) -> Any:
         message = "rasters are read and written by rasterio, which is not installed: pip install 'raybundle[geo]'"
         raise InputError(message, file=path)
     return library
+
+
+@contextmanager
+def raster_errors(path: Path, remedy: str = "") -> Generator[None]:
+    """Turn what rasterio, GDAL and PROJ raise for a raster into an InputError that names it.
+
+    A coordinate system without an inverse, or with a text that is no UTF-8, passes rasterio as an error of GDAL.
+    """
+    library = raster_library(path)
+    of_gdal = tuple({e for e in vars(import_module("rasterio._err")).values() if _is_error(e)})
+    projection: Any = import_module("pyproj.exceptions")
+    try:
+        yield
+    except InputError:
+        raise
+    except (library.errors.RasterioError, projection.ProjError, UnicodeError, *of_gdal) as error:
+        why = (str(error).splitlines() or [type(error).__name__])[0][:SHOWN]
+        raise InputError(f"is no raster that can be read: {why}{remedy}", file=path) from None
+
+
+def _is_error(value: object) -> bool:
+    return isinstance(value, type) and issubclass(value, Exception) and value.__module__ == "rasterio._err"

@@ -268,10 +268,13 @@ def state_of(path: str | Path) -> State:
 
 
 def _entry(row: tuple[Any, ...], path: Path) -> Entry:
-    try:
-        arguments = json_of(row[5], path)
+    try:  # SQLite keeps any kind of value in any column
+        texts = all(isinstance(value, str) for value in row[1:6])
+        arguments = json_of(row[5], path) if texts and isinstance(row[0], int) else None
     except InputError:
-        raise InputError(f"action {row[0]} is damaged; restore the file from a copy", file=path) from None
+        arguments = None
+    if not isinstance(arguments, dict):
+        raise InputError(f"action {quoted(row[0])} is damaged; restore the file from a copy", file=path)
     return Entry(seq=row[0], id=row[1], time=row[2], author=row[3], verb=row[4], arguments=arguments)
 
 

@@ -73,7 +73,10 @@ class Cluster:
 def cluster_at(where: str) -> Cluster:
     """The cluster of a folder or an address; raises InputError where it is none, or would not be safe."""
     if "://" in where:
-        host = urlsplit(where).hostname or ""
+        try:
+            host = urlsplit(where).hostname or ""
+        except ValueError:
+            raise InputError("is no address of a scheduler, as tcp://127.0.0.1:8786", file=where) from None
         if not _is_loopback(host):
             raise InputError(
                 "is on another machine, and an address alone says nothing of certificates; "

@@ -15,6 +15,7 @@ from raybundle.block.block import LengthUnit
 from raybundle.errors import InputError
 from raybundle.io.geo.parsed_systems import parse_crs, plan_of, system_name, told_grid
 from raybundle.io.geo.told_systems import plan_system
+from raybundle.io.raster_library import raster_errors
 from raybundle.io.reading.trees import Json
 from raybundle.io.reading.words import quoted
 from raybundle.numerics.arrays import Array
@@ -69,14 +70,10 @@ def _units_of(tree: Json) -> tuple[str, ...]:
 @contextmanager
 def raster(library: Any, path: Path) -> Generator[Any]:
     """A raster that is open; raises InputError, naming it, where it cannot be read or is cut off."""
-    try:
-        with warnings.catch_warnings():
-            warnings.simplefilter("ignore")  # of the library, about rasters without a place: that is told here
-            with library.open(path) as file:
-                yield file
-    except library.errors.RasterioError as error:
-        why = str(error).splitlines()[0][:200]
-        raise InputError(f"cannot be read as a raster ({why}); {AGAIN}", file=path) from None
+    with raster_errors(path, f"; {AGAIN}"), warnings.catch_warnings():
+        warnings.simplefilter("ignore")  # of the library, about rasters without a place: that is told here
+        with library.open(path) as file:
+            yield file
 
 
 def check_raster(file: Any, path: Path, tree: Json) -> None:

@@ -26,6 +26,7 @@ from raybundle.surfaces.heights import BETWEEN_MAPS, Heights
 from raybundle.surfaces.node_sums import NodeSums
 from raybundle.surfaces.nodes import of_blocks
 from raybundle.workflows.height_checks import (
+    AGAIN,
     OF_HEIGHTS,
     OF_ORIENTATION,
     OF_SIGMAS,
@@ -243,6 +244,8 @@ def read_heights(folder: str | Path) -> tuple[HeightModel, HeightFile]:
     with orientation(folder / MOVED) as kept:
         # older files have one value for each block, or for each node
         moved = kept["nodes"] if "nodes" in kept else of_blocks(kept["moved"])
+        if moved.ndim < 3:
+            raise InputError(f"holds nodes of {moved.ndim} dimensions, 3 or 4 are needed; {AGAIN}", file=folder / MOVED)
         moved = moved if moved.ndim == 4 else moved[:, :, None]
         levels = kept.get("levels")
         block = int(kept["block"])

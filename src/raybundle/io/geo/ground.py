@@ -24,7 +24,7 @@ from raybundle.io.geo.rasters import (
     no_system,
 )
 from raybundle.io.pictures.resampling import sampled
-from raybundle.io.raster_library import raster_library
+from raybundle.io.raster_library import raster_errors, raster_library
 from raybundle.io.reading.files import check_regular
 from raybundle.numerics.arrays import Array
 from raybundle.settings import option
@@ -133,10 +133,8 @@ def opened_ground(
         path = Path(given)
         check_regular(path)
         library = raster_library(path)
-        try:
+        with raster_errors(path):
             source = library.open(path)
-        except library.errors.RasterioError as error:
-            raise InputError(f"is no raster that can be read: {str(error).splitlines()[0][:200]}", file=path) from None
         with source:
             yield _of_dataset(library, source, path, geoid, undulation, unit)
     elif hasattr(given, "rio"):

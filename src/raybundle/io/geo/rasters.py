@@ -10,7 +10,7 @@ import numpy as np
 
 from raybundle.errors import InputError
 from raybundle.io.geo.parsed_systems import parse_crs
-from raybundle.io.raster_library import raster_library
+from raybundle.io.raster_library import raster_errors, raster_library
 from raybundle.io.reading.files import check_regular
 from raybundle.numerics.arrays import Array
 from raybundle.objects.heights import HeightGrid
@@ -40,11 +40,8 @@ def read_heights(path: Path, crs: str, box: Array, *, unit: Unit = "", band: int
     """
     check_regular(path)
     library = raster_library(path)
-    try:
-        with library.open(path) as source:
-            return _read(library, source, path, crs, box, unit, band)
-    except library.errors.RasterioError as error:
-        raise InputError(f"is no raster that can be read: {str(error).splitlines()[0][:200]}", file=path) from None
+    with raster_errors(path), library.open(path) as source:
+        return _read(library, source, path, crs, box, unit, band)
 
 
 def read_all_heights(path: Path, crs: str = "", *, unit: Unit = "", band: int = 1) -> HeightGrid:
@@ -55,27 +52,24 @@ def read_all_heights(path: Path, crs: str = "", *, unit: Unit = "", band: int = 
     """
     check_regular(path)
     library = raster_library(path)
-    try:
-        with library.open(path) as source:
-            if source.crs is None:
-                crs = crs or "EPSG:3857"  # never used: what names no system is refused
-            wkt = "" if source.crs is None else str(source.crs.to_wkt())
-            own = parse_crs(wkt) if wkt else None
-            if not crs and own is not None:
-                if own.is_geographic:
-                    raise InputError(
-                        f"is in degrees ({own.name}); say in which plane coordinate system it is wanted: "
-                        f"{option('crs', 'EPSG:CODE')}",
-                        file=path,
-                    )
-                crs = wkt
-            left, bottom, right, top = source.bounds
-            if own is not None and source.crs != library.crs.CRS.from_wkt(parse_crs(crs).to_wkt()):
-                target = library.crs.CRS.from_wkt(parse_crs(crs).to_wkt())
-                left, bottom, right, top = library.warp.transform_bounds(source.crs, target, left, bottom, right, top)
-            return _read(library, source, path, crs, np.array([[left, bottom], [right, top]]), unit, band)
-    except library.errors.RasterioError as error:
-        raise InputError(f"is no raster that can be read: {str(error).splitlines()[0][:200]}", file=path) from None
+    with raster_errors(path), library.open(path) as source:
+        if source.crs is None:
+            crs = crs or "EPSG:3857"  # never used: what names no system is refused
+        wkt = "" if source.crs is None else str(source.crs.to_wkt())
+        own = parse_crs(wkt) if wkt else None
+        if not crs and own is not None:
+            if own.is_geographic:
+                raise InputError(
+                    f"is in degrees ({own.name}); say in which plane coordinate system it is wanted: "
+                    f"{option('crs', 'EPSG:CODE')}",
+                    file=path,
+                )
+            crs = wkt
+        left, bottom, right, top = source.bounds
+        if own is not None and source.crs != library.crs.CRS.from_wkt(parse_crs(crs).to_wkt()):
+            target = library.crs.CRS.from_wkt(parse_crs(crs).to_wkt())
+            left, bottom, right, top = library.warp.transform_bounds(source.crs, target, left, bottom, right, top)
+        return _read(library, source, path, crs, np.array([[left, bottom], [right, top]]), unit, band)
 
 
 def no_system(path: Path) -> NoReturn:
@@ -190,9 +184,9 @@ def _cell_m(library: Any, source: Any, path: Path, target: Any, bounds: tuple[fl
     us = [u[0], u[0] + t.a, u[0] + t.b]
     vs = [v[0], v[0] + t.d, v[0] + t.e]
     xs, ys = library.warp.transform(source.crs, target, us, vs)
-    if not all(map(math.isfinite, (*xs, *ys))):
-        _no_overlap(source, path, bounds)
     area = (xs[1] - xs[0]) * (ys[2] - ys[0]) - (ys[1] - ys[0]) * (xs[2] - xs[0])
+    if not 0 < abs(area) < math.inf:
+        _no_overlap(source, path, bounds)
     return abs(area) ** 0.5
 
 

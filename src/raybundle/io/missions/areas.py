@@ -15,7 +15,7 @@ import numpy as np
 
 from raybundle.errors import InputError
 from raybundle.io.geo.parsed_systems import parse_crs, utm_at
-from raybundle.io.reading.files import check_regular, guarded, read_bytes
+from raybundle.io.reading.files import UNPACKING, check_regular, guarded, read_bytes
 from raybundle.io.reading.trees import Json, read_json
 from raybundle.io.reading.words import number_of
 from raybundle.io.reading.xml import Element, xml_of
@@ -153,7 +153,7 @@ def _unpacked(path: Path) -> bytes:
             if inner[0].file_size > 1 << 26:
                 raise InputError(f"{inner[0].filename} has {inner[0].file_size} bytes, too many", file=path)
             return archive.read(inner[0])
-    except (zipfile.BadZipFile, RuntimeError, EOFError) as error:
+    except UNPACKING as error:
         raise InputError(f"cannot be unpacked: {error}", file=path) from None
 
 

@@ -18,7 +18,7 @@ import numpy as np
 
 from raybundle.errors import InputError
 from raybundle.io.missions.base import MissionFormat, register
-from raybundle.io.reading.files import check_regular, guarded
+from raybundle.io.reading.files import UNPACKING, check_regular, guarded
 from raybundle.io.reading.words import no_number, number_of
 from raybundle.io.reading.xml import Element, xml_of
 from raybundle.missions.mission import Trigger
@@ -245,7 +245,7 @@ def _member(path: Path) -> bytes:
             return archive.read(entry)
     except KeyError:
         raise InputError(f"holds no {WAYLINES}: this is no flight plan of DJI", file=path) from None
-    except (zipfile.BadZipFile, RuntimeError, EOFError, ValueError) as error:
+    except UNPACKING as error:
         raise InputError(f"cannot be unpacked ({error}); a KMZ with {WAYLINES} is needed", file=path) from None
 
 

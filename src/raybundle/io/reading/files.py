@@ -3,9 +3,13 @@
 from __future__ import annotations
 
 import errno
+import lzma
 import os
 import re
 import stat
+import struct
+import zipfile
+import zlib
 from collections.abc import Generator, Iterator
 from contextlib import contextmanager
 from pathlib import Path
@@ -20,6 +24,11 @@ TEXT_BYTES = 1 << 30
 UNSIZED_BYTES = 1 << 20
 """What is read of a file that says nothing of its size, as those of /proc."""
 _CONTROL = re.compile(r"[\x00-\x08\x0b\x0e-\x1f\x7f]")
+
+
+UNPACKING = (zipfile.BadZipFile, zlib.error, lzma.LZMAError, RuntimeError, EOFError, ValueError, struct.error)
+"""What a damaged zip file raises: of its directory, of a member's name, of the compressed data (NotImplementedError of
+a method that there is not is a RuntimeError)"""
 
 
 @contextmanager

@@ -12,7 +12,7 @@ from typing import Any, Protocol
 import numpy as np
 
 from raybundle.errors import InputError
-from raybundle.io.raster_library import raster_library
+from raybundle.io.raster_library import raster_errors, raster_library
 from raybundle.numerics.arrays import Array, Mask
 
 
@@ -159,12 +159,9 @@ def _averaged(values: Array, seen: Mask | None, reduced: int) -> tuple[Array, Ma
 def opened_raster(path: Path) -> Generator[Any]:
     """The dataset of rasterio; raises InputError where it cannot be opened, or the library is not installed."""
     library = raster_library(path)
-    try:
-        with warnings.catch_warnings():
-            warnings.simplefilter("ignore", library.errors.NotGeoreferencedWarning)
-            raster = library.open(path)
-    except library.errors.RasterioError as error:
-        raise InputError(f"is no raster that can be read: {str(error).splitlines()[0][:200]}", file=path) from None
+    with raster_errors(path), warnings.catch_warnings():
+        warnings.simplefilter("ignore", library.errors.NotGeoreferencedWarning)
+        raster = library.open(path)
     with raster:
         yield raster
 
