@@ -16,6 +16,7 @@ from typing import Literal
 
 from raybundle.adjustment.result import Adjustment
 from raybundle.commands.begin import measuring_folder
+from raybundle.commands.opening import hand_over
 from raybundle.errors import InputError
 from raybundle.report.show import Page, show_page
 from raybundle.report.write import write_result
@@ -84,8 +85,10 @@ def show(
     found = RunningStudio(address=_address(process, folder), folder=folder, process=process)
     atexit.register(found.stop)
     if "ipykernel" not in sys.modules:
+        page = hand_over(found.address, Path(tempfile.mkdtemp(prefix="raybundle-")))
+        atexit.register(page.unlink, missing_ok=True)
         with suppress(webbrowser.Error):
-            webbrowser.open(found.address)
+            webbrowser.open(page.as_uri())
     return found
 
 

@@ -8,7 +8,7 @@ import io
 import json
 from collections.abc import AsyncGenerator, Awaitable, Callable, Mapping
 from contextlib import asynccontextmanager
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from importlib.resources import files
 from pathlib import Path
 from typing import Any
@@ -51,6 +51,8 @@ PAGE = {
     "icon.svg": ("icon.svg", "image/svg+xml"),
 }
 Answer = Callable[[Request], Awaitable[Response]]
+LARGE = 1 << 18
+"""Bytes of a request that takes more than a moment."""
 LONGEST_NUMBER = 9
 """Digits of an image, level, column or row, and less."""
 
@@ -65,6 +67,8 @@ class Studio:
     work: Work
     running: Running
     detecting: Detecting
+    large: asyncio.Semaphore = field(default_factory=lambda: asyncio.Semaphore(1))
+    """Held by the one large request, as a table of control, that is worked on"""
 
     @classmethod
     def of(cls, desk: Desk, session: Session) -> Studio:
@@ -233,17 +237,11 @@ class Studio:
 
     def _post(self, make: Callable[[dict[str, Any]], Any]) -> Answer:
         async def answer(request: Request) -> Response:
-            try:
-                given = json_of((await request.body() or b"{}").decode(), Path("request"))
-            except (UnicodeDecodeError, InputError):
-                raise HTTPException(400, "the request is no JSON") from None
-            if not isinstance(given, dict):
-                raise HTTPException(400, "the request is no table")
-            try:
-                json.dumps(given, ensure_ascii=False).encode()
-            except (UnicodeEncodeError, ValueError):
-                raise HTTPException(400, "the request holds halves of characters, or numbers that are none") from None
-            return _json(await run_in_threadpool(make, given))
+            body = await request.body()
+            if len(body) < LARGE:
+                return await run_in_threadpool(_answered, body, make)
+            async with self.large:  # others are answered meanwhile
+                return await run_in_threadpool(_answered, body, make)
 
         return answer
 
@@ -279,9 +277,24 @@ async def _listen(socket: WebSocket) -> None:
             await socket.receive_text()
 
 
+def _answered(body: bytes, make: Callable[[dict[str, Any]], Any]) -> Response:
+    """The answer to a request's body, outside of the loop that serves all tabs."""
+    try:
+        given = json_of((body or b"{}").decode(), Path("request"))
+    except (UnicodeDecodeError, InputError):
+        raise HTTPException(400, "the request is no JSON") from None
+    if not isinstance(given, dict):
+        raise HTTPException(400, "the request is no table")
+    try:
+        json.dumps(given, ensure_ascii=False).encode()
+    except (UnicodeEncodeError, ValueError):
+        raise HTTPException(400, "the request holds halves of characters, or numbers that are none") from None
+    return _json(make(given))
+
+
 def _get(make: Callable[[Mapping[str, Any]], Any]) -> Answer:
     async def answer(request: Request) -> Response:
-        return _json(await run_in_threadpool(make, request.query_params))
+        return await run_in_threadpool(lambda: _json(make(request.query_params)))
 
     return answer
 

@@ -14,7 +14,7 @@ from http.cookies import CookieError, SimpleCookie
 from urllib.parse import parse_qs
 
 from starlette.datastructures import Headers, MutableHeaders
-from starlette.responses import JSONResponse, RedirectResponse
+from starlette.responses import HTMLResponse, JSONResponse, RedirectResponse
 from starlette.types import ASGIApp, Message, Receive, Scope, Send
 
 COOKIE = "raybundle-studio"
@@ -33,6 +33,9 @@ HEADERS = {
     "cross-origin-resource-policy": "same-origin",
     "x-frame-options": "DENY",
 }
+
+ONWARDS = '<!doctype html><meta charset="utf-8"><title>studio</title><meta http-equiv="refresh" content="0;url=/">'
+"""The page that leads to the studio's own, once the cookie is set"""
 
 
 @dataclass(slots=True)
@@ -91,6 +94,9 @@ class Guard:
             await self.app(scope, receive, send)
             return
         headers = Headers(scope=scope)
+        if self._handed_over(scope, headers):
+            await self._enter(scope, receive, send, from_file=True)
+            return
         refusal = self._refusal(scope, headers)
         if refusal is not None:
             await self._refused(scope, receive, send, *refusal)
@@ -118,10 +124,21 @@ class Guard:
             return 413, f"a request may have {LARGEST_BODY} bytes"
         return None
 
-    async def _enter(self, scope: Scope, receive: Receive, send: Send) -> None:
+    def _handed_over(self, scope: Scope, headers: Headers) -> bool:
+        """Whether the page that the command wrote into a file leads here: to a browser a file is another site."""
+        return (
+            scope["type"] == "http" and scope["method"] == "GET" and scope["path"] == "/"
+            and headers.get("host", "").lower() in self.session.hosts
+            and headers.get("sec-fetch-site") == "cross-site" and headers.get("sec-fetch-mode") == "navigate"
+            and headers.get("sec-fetch-dest") == "document" and b"token=" in scope.get("query_string", b"")
+        )  # fmt: skip
+
+    async def _enter(self, scope: Scope, receive: Receive, send: Send, *, from_file: bool = False) -> None:
         given = parse_qs(scope.get("query_string", b"").decode("latin-1")).get("token", [""])[0]
         if scope.get("method") == "GET" and scope["path"] == "/" and given and self.session.enters(given):
-            answer = RedirectResponse("/", status_code=303, headers=HEADERS)
+            # the cookie goes with what a page of ours asks for, and not with a redirection that began at a file
+            onwards = {**HEADERS, "cache-control": "no-store"}
+            answer = HTMLResponse(ONWARDS, headers=onwards) if from_file else RedirectResponse("/", 303, HEADERS)
             answer.set_cookie(self.session.jar, self.session.cookie, httponly=True, samesite="strict", path="/")
             await answer(scope, receive, send)
             return
@@ -133,7 +150,8 @@ class Guard:
         if scope["type"] == "websocket":
             await send({"type": "websocket.close", "code": 1008, "reason": words})
             return
-        await JSONResponse({"error": words}, status_code=status, headers=HEADERS)(scope, receive, send)
+        closing = {**HEADERS, "connection": "close"}  # who has no session holds no connection
+        await JSONResponse({"error": words}, status_code=status, headers=closing)(scope, receive, send)
 
 
 class TooLarge(Exception):

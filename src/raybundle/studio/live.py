@@ -31,7 +31,9 @@ class Live:
 
     def tell(self, message: dict[str, Any]) -> None:
         """Tell every tab, from the server's own thread; what is told is written down once for all of them."""
-        text = json.dumps(message, ensure_ascii=False, allow_nan=False, separators=(",", ":"))
+        self._put(_text(message))
+
+    def _put(self, text: str) -> None:
         for queue in [*self.tabs]:
             try:
                 queue.put_nowait(text)
@@ -44,4 +46,8 @@ class Live:
     def tell_from_thread(self, message: dict[str, Any]) -> None:
         """Tell every tab, from any thread."""
         if self.loop is not None and not self.loop.is_closed():
-            self.loop.call_soon_threadsafe(self.tell, message)
+            self.loop.call_soon_threadsafe(self._put, _text(message))
+
+
+def _text(message: dict[str, Any]) -> str:
+    return json.dumps(message, ensure_ascii=False, allow_nan=False, separators=(",", ":"))

@@ -16,11 +16,13 @@ from tempfile import TemporaryDirectory, gettempdir
 
 import uvicorn
 
+from raybundle.commands.opening import hand_over
 from raybundle.errors import InputError
 from raybundle.settings import option
 from raybundle.studio.app import Studio
 from raybundle.studio.desk import Desk
 from raybundle.studio.guard import Session
+from raybundle.studio.sockets import Server, Waiting, protocol_of
 
 FOLDER = "raybundle-studio-"
 """Begin of the names of folders of decoded photographs; the process that owns it follows."""
@@ -63,13 +65,12 @@ def serve(
             config = uvicorn.Config(
                 Studio.of(desk, session).app(), log_level="warning", access_log=False, ws="websockets-sansio",
                 ws_max_size=LARGEST_MESSAGE, ws_per_message_deflate=False, limit_concurrency=512,
-                timeout_graceful_shutdown=2, server_header=False,
+                timeout_graceful_shutdown=2, server_header=False, http=protocol_of(Waiting()),
             )  # fmt: skip
-            server = uvicorn.Server(config)
+            page = hand_over(session.address, Path(folder)) if browser else None
+            server = Server(config, lambda: page and webbrowser.open(page.as_uri()))
             with _ending(server):
                 told(session.address)
-                if browser:
-                    webbrowser.open(session.address)
                 server.run(sockets=[connection])
 
 

@@ -8,6 +8,7 @@ CSV             point,X,Y,Z[,sX,sY,sZ][,role][,radius][,nX,nY,nZ], and beside it
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
@@ -279,7 +280,7 @@ def _with_unknown_heights(control: ControlFile, stated: Mask) -> ControlFile:
     else:
         step = 10.0 ** -len(repr(float(heights[0])).partition(".")[2].rstrip("0"))
         s = float(np.max(control.sigma[asked, 2]))
-        chance = (step / (2 * np.sqrt(np.pi) * s)) ** (n - 1) if s > 0 else 1.0
+        chance = min(1.0, step / (2 * math.sqrt(math.pi) * s)) ** (n - 1) if s > 0 else 1.0
         if chance >= CHANCE:
             return control
         what = f"all {n} heights are {heights[0]:g}, to the last digit"
