@@ -128,6 +128,33 @@ def geom_seeds(top: Path) -> None:
     write_geom(small_rpc(), place(top) / "a.geom")
 
 
+def rpcm_seeds(top: Path) -> None:
+    rpc = small_rpc()
+    numbers = {f"{n}_offset": 45.0 for n in ("lat", "lon", "alt", "row", "col")}
+    numbers |= {f"{n}_scale": 45.0 for n in ("lat", "lon", "alt", "row", "col")}
+    terms = {n: [float(v) for v in c] for n, c in zip(RPCM, np.asarray(rpc.coefficients), strict=True)}
+    (place(top) / "a.json").write_text(json.dumps({"rpc": {**numbers, **terms}, "width": 100, "height": 80}))
+
+
+RPCM = ("row_num", "row_den", "col_num", "col_den")
+
+
+def enmap_seeds(top: Path) -> None:
+    rpc = np.asarray(small_rpc().coefficients)
+    names = ("ROW_NUM", "ROW_DEN", "COL_NUM", "COL_DEN")
+    terms = "".join(
+        f"<{n}_{k + 1:02d}>{float(v)!r}</{n}_{k + 1:02d}>"
+        for n, c in zip(names, rpc, strict=True)
+        for k, v in enumerate(c)
+    )
+    places = "".join(f"<{n}_OFF>45</{n}_OFF><{n}_SCALE>45</{n}_SCALE>" for n in ("LONG", "LAT", "HEIGHT", "COL", "ROW"))
+    bands = "".join(f'<bandID number="{k}">{terms}{places}</bandID>' for k in (1, 2))
+    (place(top) / "a.xml").write_text(
+        "<level_X><specific><mission>EnMAP</mission><widthOfScene>100</widthOfScene><heightOfScene>80</heightOfScene>"
+        f"</specific><product><navigation><RPC>{bands}</RPC></navigation></product></level_X>"
+    )
+
+
 def read_a_scene(folder: Path) -> list[str]:
     from raybundle.io.scenes import read_scene
 
@@ -147,7 +174,7 @@ def read_a_scene(folder: Path) -> list[str]:
 for _name, _seeds in (
     ("rpc-text", rpc_text_seeds), ("rpb", rpb_seeds), ("tiff", tiff_seeds), ("nitf", nitf_seeds),
     ("dimap", dimap_seeds), ("spot", spot_seeds), ("maxar", maxar_seeds), ("csm", csm_seeds),
-    ("airborne", airborne_seeds), ("keys", keys_seeds), ("geom", geom_seeds),
+    ("airborne", airborne_seeds), ("keys", keys_seeds), ("geom", geom_seeds), ("rpcm", rpcm_seeds), ("enmap", enmap_seeds),
 ):  # fmt: skip
     target(f"scene-{_name}", _seeds, read_a_scene)
 
@@ -179,6 +206,7 @@ def trajectory_seeds(top: Path) -> None:
 
     texts(
         {"flight_Timestamp.MRK": MRK},
+        {"p.csv": "image,X,Y,Z,sX,sY,sZ\na,500000,5400000,1200,0.02,0.02,0.04\nb,500010,5400000,1200,0.02,0.02,0.04\n"},
         {"eo.csv": "image,X,Y,Z,omega_gon,phi_gon,kappa_gon,sX,sY,sZ\na,500000,5400000,1200,1,-2,100,0.02,0.02,0.04\n"},
         {"ins.csv": "image,X,Y,Z,roll_deg,pitch_deg,yaw_deg\na,500000,5400000,1200,0,0,0\n"},
         {"gim.csv": "image,longitude_deg,latitude_deg,height_m,roll_deg,pitch_deg,yaw_deg\na,11.2,48.1,1200,0,0,0\n"},

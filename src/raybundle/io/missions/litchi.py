@@ -57,6 +57,9 @@ def write(route: Route, path: Path) -> None:
     path.write_text("\n".join(lines) + "\n", encoding="ascii", newline="\n")
 
 
+PLACE = ("latitude", "longitude", "altitude(m)")
+
+
 def read(path: Path) -> Route:
     """The way points of a mission in metres; the take-off is in no such file, and is taken to lie below the first."""
     lines = [(n, t) for n, t in read_lines(path) if t.strip()]
@@ -89,12 +92,19 @@ def _numbers(path: Path, line: int, cells: dict[str, str]) -> list[float]:
         found = number_of(text) if text else default
         if found is None:
             raise InputError(no_number(text), file=path, line=line, column=name)
+        if not text and name in PLACE:
+            raise InputError("the cell is empty, and a way point needs it; fill it", file=path, line=line, column=name)
         return found
 
     if value("altitudemode", 0.0) != ABOVE_TAKE_OFF:
         raise InputError(
             "counts its height above the ground; heights above the take-off are read (altitudemode 0)", file=path,
             line=line,
+        )  # fmt: skip
+    if value("photo_timeinterval", -1.0) > 0 and math.isnan(value("speed(m/s)", math.nan)):
+        raise InputError(
+            "the cell is empty, and photographs by time need the speed; fill it", file=path, line=line,
+            column="speed(m/s)",
         )  # fmt: skip
     photo = any(value(f"actiontype{k}", -1.0) == TAKE_PHOTO for k in range(1, ACTIONS + 1))
     return [
