@@ -29,6 +29,8 @@ class Node:
     """that it takes beside"""
     crash: str = ""
     """what goes wrong"""
+    gate: Path | None = None
+    """file for which it waits"""
 
 
 def _logged(options):
@@ -36,6 +38,8 @@ def _logged(options):
         with options.log.open("a") as file:
             file.write(f"{options.number} {os.getpid()} {time.time():.3f}\n")
     time.sleep(options.seconds)
+    while options.gate is not None and not options.gate.exists():
+        time.sleep(0.01)
 
 
 def leaf(store: Folder, options: Node):
@@ -66,14 +70,15 @@ def trace(store: Folder, options: Node):
     return {"trace": np.array(np.trace(a)), "matches": np.array([[options.number, len(a)]], np.int32)}
 
 
-def tasks_of(leaves, *, log=None, seconds=0.0, crash=None, small=True, cost=1.0):
-    """The tasks of a graph; `crash`: what goes wrong by numbers of leaves."""
+def tasks_of(leaves, *, log=None, seconds=0.0, crash=None, small=True, cost=1.0, gate=None):
+    """The tasks of a graph; `crash`: what goes wrong by numbers of leaves; `gate`: for which all wait but 4 leaves."""
     crash = crash or {}
 
     def task(kind, number, *below, is_small=False):
         options = Node(
-            number=number, below=tuple(t.key for t in below), log=log, seconds=seconds, crash=crash.get(number, "")
-        )
+            number=number, below=tuple(t.key for t in below), log=log, seconds=seconds, crash=crash.get(number, ""),
+            gate=gate if number >= 4 else None,
+        )  # fmt: skip
         key = key_of(kind, number, options.below, leaves)
         return Task(
             key=key, function=f"{HERE}:{kind}", options=options, inputs=options.below, small=is_small, cost=cost,

@@ -25,18 +25,26 @@ LEAVES = 16
 ROOT = Path(__file__).parents[2]
 
 DRIVER = """
-import json, sys
+import json, os, signal, sys
 from pathlib import Path
 from raybundle.pipeline.executors import Processes
 from raybundle.pipeline.project import Project
 from raybundle.pipeline.stage import Means
 from tests.pipeline.graph import tasks_of
+
+def interrupted(number, frame):
+    os.write(1, b"interrupted\\n")
+    signal.default_int_handler(number, frame)
+
 if __name__ == "__main__":
+    signal.signal(signal.SIGINT, interrupted)
     project = Project.open(Path(sys.argv[1]))
     means = Means(project=project, executor=Processes(2), progress=lambda w, s: print(json.dumps([w, s]), flush=True))
+    gate = Path(sys.argv[5]) if len(sys.argv) > 5 else None
+    tasks = tasks_of(int(sys.argv[3]), log=Path(sys.argv[2]), seconds=float(sys.argv[4]), gate=gate)
     print("begun", flush=True)
     try:
-        failed = means.do(tasks_of(int(sys.argv[3]), log=Path(sys.argv[2]), seconds=float(sys.argv[4])), "graph")
+        failed = means.do(tasks, "graph")
     finally:
         project.close()
     sys.exit(len(failed))
@@ -50,11 +58,12 @@ def expected(tmp_path_factory):
     return done_by(Threads(1), tasks_of(LEAVES), store)
 
 
-def begun(tmp_path, seconds, **more):
+def begun(tmp_path, seconds, *gate, **more):
     program = tmp_path / "driver.py"
     program.write_text(DRIVER)
     return subprocess.Popen(
-        [sys.executable, str(program), str(tmp_path / "p"), str(tmp_path / "log"), str(LEAVES), str(seconds)],
+        [sys.executable, str(program), str(tmp_path / "p"), str(tmp_path / "log"), str(LEAVES),
+         str(seconds), *map(str, gate)],
         stdout=subprocess.PIPE, text=True, env={**os.environ, "PYTHONPATH": str(ROOT)}, **more,
     )  # fmt: skip
 
@@ -140,10 +149,14 @@ def test_a_driver_that_is_killed_goes_on_with_nothing_lost(tmp_path, expected):
 
 @pytest.mark.skipif(os.name == "nt", reason="an interrupt is sent as a signal")
 def test_an_interrupt_keeps_what_is_finished(tmp_path, expected):
-    with begun(tmp_path, 0.5, stderr=subprocess.PIPE) as driver:  # long enough not to be done before it is interrupted
-        for _ in range(3):
+    gate = tmp_path / "gate"
+    with begun(tmp_path, 0.0, gate, stderr=subprocess.PIPE) as driver:
+        for _ in range(3):  # tasks without a gate are done, the others wait
             driver.stdout.readline()
         driver.send_signal(signal.SIGINT)
+        while driver.stdout.readline() != "interrupted\n":
+            assert driver.poll() is None
+        gate.touch()
         _, told = driver.communicate()
     assert driver.returncode != 0
     assert told.rstrip().endswith("KeyboardInterrupt")  # of this driver's own; its processes say nothing

@@ -174,7 +174,8 @@ def read_a_scene(folder: Path) -> list[str]:
 for _name, _seeds in (
     ("rpc-text", rpc_text_seeds), ("rpb", rpb_seeds), ("tiff", tiff_seeds), ("nitf", nitf_seeds),
     ("dimap", dimap_seeds), ("spot", spot_seeds), ("maxar", maxar_seeds), ("csm", csm_seeds),
-    ("airborne", airborne_seeds), ("keys", keys_seeds), ("geom", geom_seeds), ("rpcm", rpcm_seeds), ("enmap", enmap_seeds),
+    ("airborne", airborne_seeds), ("keys", keys_seeds), ("geom", geom_seeds), ("rpcm", rpcm_seeds),
+    ("enmap", enmap_seeds),
 ):  # fmt: skip
     target(f"scene-{_name}", _seeds, read_a_scene)
 
