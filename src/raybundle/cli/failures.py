@@ -15,7 +15,7 @@ def told_failure(error: Exception) -> tuple[str, int]:
     """What is said of an error, and the exit status."""
     if isinstance(error, RaybundleError):
         return f"{type(error).__name__}: {error}", error.exit_status
-    if isinstance(error, MemoryError):
+    if isinstance(error, MemoryError) or _lacks_memory(error):
         return "MemoryError: there is not enough memory; give fewer or smaller inputs, or fewer --jobs", 2
     if isinstance(error, OSError) and error.filename is None and (_in_output(error) or _is_closed(sys.stdout)):
         silence(sys.stdout)
@@ -28,6 +28,14 @@ def told_failure(error: Exception) -> tuple[str, int]:
         return f"{type(error).__name__}: {names or 'a file'} cannot be used: {error.strerror or error}", 2
     first = printable(str(error).partition("\n")[0])[:1000]
     return f"internal error {type(error).__name__}: {first}; please report; --traceback shows it", 1
+
+
+def _lacks_memory(error: Exception) -> bool:
+    """Whether the system refused memory under a limit (ulimit -v): to map a library, or for the stack of a thread."""
+    text = str(error)
+    if isinstance(error, ImportError):
+        return "failed to map segment" in text or "annot allocate memory" in text
+    return isinstance(error, RuntimeError) and "can't start new thread" in text
 
 
 def silence(stream: TextIO | None) -> None:

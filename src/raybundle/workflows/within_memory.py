@@ -201,11 +201,21 @@ class Within:
     def _over_notice(self) -> tuple[Notice, ...]:
         """That less was allowed than one piece took, where that was done all the same."""
         if not self.over:
-            return ()
+            return self._too_little()
         message = (
             f"{option('memory')} allows adjustments {self.allowed / 1e9:.3g} GB, and one of them took "
             f"{self.over / 1e9:.3g} GB: up to {(BASE + self.little) / 1e9:.3g} GB they are made in one piece, whatever "
             f"is allowed, as the program itself takes {BASE / 1e9:.3g} GB of it"
+        )
+        return (Notice(code="memory_exceeded", message=message),)
+
+    def _too_little(self) -> tuple[Notice, ...]:
+        """That less was allowed than the program itself takes."""
+        if self.allowed >= BASE:
+            return ()
+        message = (
+            f"{option('memory')} allows {self.allowed / 1e9:.3g} GB, and the program itself takes {BASE / 1e9:.3g} GB; "
+            "more than was allowed was taken"
         )
         return (Notice(code="memory_exceeded", message=message),)
 
