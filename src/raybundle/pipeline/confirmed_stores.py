@@ -2,7 +2,7 @@
 
     CONFIG/stores.json  URLs, a list; CONFIG is RAYBUNDLE_CONFIG, or the system's place for settings of a user
 
-A URL that a project folder names is used only if it stands in this list.  Giving it once, as `--store URL` or as
+A URL that a project folder names is used only if it stands in this list.  Giving it once, as the store of a run or as
 `raybundle worker URL`, adds it.
 """
 
