@@ -14,13 +14,11 @@ from raybundle.cli.rpc_correct import correct
 from raybundle.cli.rpc_ortho import ortho
 from raybundle.cli.settings import options_of, values_of
 from raybundle.commands.rpc import RpcFitSettings, RpcProjectSettings, run_fit, run_project
-from raybundle.commands.scenes.common import size_of
 from raybundle.errors import NotSolvable
 from raybundle.settings import made
 
 if TYPE_CHECKING:
     from raybundle.io.scenes import Scene
-    from raybundle.numerics.arrays import Array
     from raybundle.scenes.linescan import LineScene
     from raybundle.scenes.rpc import Rpc
 
@@ -71,6 +69,7 @@ def info(scene: Path) -> None:
         _tell_line(s, s.line)
     for remark in s.remarks:
         click.echo(f" remark: {remark}")
+    _tell_agreement(s)
 
 
 @command.command("project")
@@ -153,26 +152,22 @@ def _tell_line(s: Scene, line: LineScene) -> None:
         except NotSolvable:
             place = "looks past the body"
         click.echo(f"      x {u * size[0]:7.0f}  y {v * size[1]:7.0f}   {place}")
-    if s.rpc is None:
+
+
+def _tell_agreement(s: Scene) -> None:
+    """Print the differences of the two models; raise where they contradict each other."""
+    from raybundle.io.scenes import agreement_of, check_agreement  # noqa: PLC0415
+
+    found = agreement_of(s)
+    if found is None:
         return
-    xy, heights = _grid(s, s.rpc)
-    d = xy - s.rpc.project(line.localise(xy, heights))
-    mean, spread = d.mean(axis=0), d.std(axis=0)
+    mean, spread = found.mean_px, found.std_px
+    facts(rigorous_minus_rpc={"mean_px": mean, "std_px": spread, "limit_px": found.limit_px})
     click.echo(
         f"      rigorous minus RPC over the scene and 80 % of the heights: mean {mean[0]:+.3f}, {mean[1]:+.3f} px, "
         f"standard deviation {spread[0]:.3f}, {spread[1]:.3f} px"
     )
-
-
-def _grid(s: Scene, rpc: Rpc) -> tuple[Array, Array]:
-    """25 x 25 points of the image that the RPC covers, at three heights."""
-    import numpy as np  # noqa: PLC0415
-
-    size = np.minimum(size_of(s), rpc.image_offset + rpc.image_scale)
-    steps = (np.arange(25) + 0.5) / 25
-    h = rpc.ground_offset[2] + rpc.ground_scale[2] * np.array([-0.8, 0.0, 0.8])
-    x, y, z = (a.ravel() for a in np.meshgrid(steps * size[0], steps * size[1], h, indexing="ij"))
-    return np.stack([x, y], axis=1), z
+    check_agreement(s)
 
 
 def _named(ids: tuple[str, ...], notes: Sequence[str], rows: Sequence[int]) -> str:

@@ -95,11 +95,14 @@ def run_project(settings: RpcProjectSettings) -> Projected:
     """Project what the settings ask for, and write the table; every point keeps its row."""
     from raybundle.io.digits import EVERY  # noqa: PLC0415  (what computes is loaded after the help)
     from raybundle.io.folders import new_files  # noqa: PLC0415
+    from raybundle.io.scenes import check_agreement  # noqa: PLC0415
     from raybundle.io.tables import write_table  # noqa: PLC0415
 
     s = settings
     check_new(s.out)
     scene = scene_input(s.scene).scene
+    if s.model != "rpc":
+        check_agreement(scene)
     model = _model(scene, s.model)
     columns = ("x_px", "y_px", "h_m") if s.to_ground else ("lon_deg", "lat_deg", "h_m")
     ids, rows = _table(s.points, columns)
@@ -136,7 +139,7 @@ def _projected(
 
 def run_fit(settings: RpcFitSettings) -> tuple[RpcFit, tuple[str, ...]]:
     """Fit and write the RPC; also remarks."""
-    from raybundle.io.scenes import read_scene  # noqa: PLC0415
+    from raybundle.io.scenes import check_agreement, read_scene  # noqa: PLC0415
     from raybundle.io.scenes.writing import check_rpc_name, write_rpc  # noqa: PLC0415
     from raybundle.numerics.geodesy import WGS84  # noqa: PLC0415
     from raybundle.scenes.rpc_fit import fit_rpc  # noqa: PLC0415
@@ -147,6 +150,7 @@ def run_fit(settings: RpcFitSettings) -> tuple[RpcFit, tuple[str, ...]]:
     scene = read_scene(s.scene)
     if scene.line is None:
         raise InputError("it holds no rigorous model from which an RPC could be made", file=s.scene)
+    check_agreement(scene)
     remarks = ()
     if scene.line.ellipsoid != WGS84:
         remarks = ("the body is not the earth; other programs will take the RPC for one of WGS 84",)

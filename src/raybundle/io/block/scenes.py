@@ -120,7 +120,7 @@ def _list(values: tuple[float, ...]) -> str:
 
 def read_scene_camera(section: Section, id_: str, place: Place | None) -> Camera:
     """The camera of a scene; raises InputError with file and line."""
-    from raybundle.io.scenes import read_scene, rpc_of_image  # noqa: PLC0415  (only where there are scenes)
+    from raybundle.io.scenes import check_agreement, read_scene, rpc_of_image  # noqa: PLC0415  (only where there are scenes)
     from raybundle.scenes.sensor import scene_camera  # noqa: PLC0415
 
     if place is None:
@@ -146,6 +146,7 @@ def read_scene_camera(section: Section, id_: str, place: Place | None) -> Camera
     else:
         if found.line is None:
             section.fail("model", f'{file.name} holds no rigorous model that is understood; give model = "rpc"')
+        check_agreement(found)
         sensor, known = _line_sensor(section, found.line, place, file)
     estimate = section.values.get("estimate")
     if estimate is not None and not isinstance(estimate, list):

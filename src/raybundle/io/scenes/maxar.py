@@ -13,11 +13,12 @@ import numpy as np
 
 from raybundle.io.reading.xml import Element, read_xml
 from raybundle.io.scenes.base import Scene, SceneFormat, check_denominators, element_text, numbers_of, register
+from raybundle.io.scenes.maxar_detector import chosen_angle, read_mounting
 from raybundle.numerics.arrays import Array
 from raybundle.numerics.geodesy import WGS84
 from raybundle.scenes.linescan import LineScene
 from raybundle.scenes.rpc import Rpc, rpc_of
-from raybundle.scenes.trajectory import Trajectory, rotation_from_quaternion
+from raybundle.scenes.trajectory import Trajectory
 
 ORBIT_M = (WGS84.a + 1.0e5, 5.0e7)
 """Geocentric distances that an orbit can have."""
@@ -38,7 +39,7 @@ def read(path: Path) -> Scene:
         check_denominators(rpc, path)
     line = None
     if root.find("EPH") is not None and root.find("ATT") is not None and root.find("GEO") is not None:
-        line, more = _line(root, rows, columns)
+        line, more = _line(root, rows, columns, rpc)
         remarks += more
     else:
         remarks.append("no ephemeris, attitude and camera stand in the file; only its RPC is used")
@@ -90,7 +91,7 @@ def _rpc(group: Element) -> tuple[Rpc, list[str]]:
     ), remarks
 
 
-def _line(root: Element, rows: int, columns: int) -> tuple[LineScene | None, list[str]]:
+def _line(root: Element, rows: int, columns: int, rpc: Rpc | None) -> tuple[LineScene | None, list[str]]:
     geo, image = root.get("GEO"), root.get("IMD", "IMAGE")
     distortion = geo.find("OPTICAL_DISTORTION")
     if distortion is not None and any(np.any(numbers_of(e)) for e in _lists(distortion)):
@@ -117,20 +118,26 @@ def _line(root: Element, rows: int, columns: int) -> tuple[LineScene | None, lis
         positions = positions + np.einsum("nij,j->ni", bare.rotation(position_times)[0], lever)
     line_y, line_times = _line_times(image, start, rows)
     x = np.array([0.0, float(columns)])
-    return LineScene(
-        width_px=columns,
-        height_px=rows,
-        line_y=line_y,
-        line_times=line_times,
-        detector_x=x,
-        detector_look=_look(root, geo, x),
-        trajectory=Trajectory(
-            position_times=position_times,
-            positions=positions,
-            attitude_times=attitude_times,
-            quaternions=attitude[:, 1:5],
-        ),
-    ), []
+    mounting = read_mounting(root, geo)
+
+    def scene(angle: float) -> LineScene:
+        return LineScene(
+            width_px=columns,
+            height_px=rows,
+            line_y=line_y,
+            line_times=line_times,
+            detector_x=x,
+            detector_look=mounting.look(x, angle),
+            trajectory=Trajectory(
+                position_times=position_times,
+                positions=positions,
+                attitude_times=attitude_times,
+                quaternions=attitude[:, 1:5],
+            ),
+        )
+
+    angle, remarks = chosen_angle(mounting, columns, scene, rpc)
+    return scene(angle), remarks
 
 
 def _lists(distortion: Element) -> list[Element]:
@@ -139,32 +146,6 @@ def _lists(distortion: Element) -> list[Element]:
     for name in ("ALIST", "BLIST"):
         found += [*distortion.all(name), *(e for group in distortion.all(f"{name}List") for e in group.all(name))]
     return found
-
-
-def _look(root: Element, geo: Element, x: Array) -> Array:
-    """Tangents of the viewing directions in the satellite's axes of elements x [px]."""
-    mounting = geo.get("DETECTOR_MOUNTING")
-    band = element_text(root, "IMD", "BANDID")
-    group = mounting.find(f"BAND_{band}") or (mounting.children[-1] if mounting.children else None)
-    if group is None:
-        mounting.fail("no band stands in it")
-    array = group.get("DETECTOR_ARRAY")
-    angle, pitch = np.radians(array.number("DETROTANGLE")), array.number("DETPITCH")
-    along = -(x - 0.5) * pitch
-    d = np.stack(
-        [
-            array.number("DETORIGINX") - np.sin(angle) * along,
-            array.number("DETORIGINY") + np.cos(angle) * along,
-            np.full(len(x), geo.get("PRINCIPAL_DISTANCE").number("PD")),
-        ],
-        axis=1,
-    )
-    camera = geo.get("CAMERA_ATTITUDE")
-    q = np.array([[camera.number(f"QCS{k}") for k in (1, 2, 3, 4)]])
-    d = d @ rotation_from_quaternion(q)[0].T
-    if not (d[:, 2] > 0).all():
-        camera.fail("the camera looks backwards (negative third axis); the mounting is not understood")
-    return d[:, :2] / d[:, 2:]
 
 
 def _line_times(image: Element, start: datetime, rows: int) -> tuple[Array, Array]:
