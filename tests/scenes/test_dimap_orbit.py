@@ -129,20 +129,6 @@ def test_product_files_with_mistakes(tmp_path, orbit, old, new, message):
         read_scene(file)
 
 
-def test_the_rpc_of_pleiades_neo_has_other_names(tmp_path, sensors):
-    text = (sensors / "rpc" / "rpc_PLEIADES.xml").read_text(encoding="utf-8")
-    one = read_scene(sensors / "rpc" / "rpc_PLEIADES.xml")
-    for old, new in (("Inverse_Model", "GroundtoImage_Values"), ("Direct_Model_", "ImagetoGround_")):
-        assert old in text
-        text = text.replace(old, new)
-    file = tmp_path / "RPC_PNEO.XML"
-    file.write_text(text, encoding="utf-8")
-    two = read_scene(file)
-    np.testing.assert_array_equal(two.rpc.coefficients, one.rpc.coefficients)
-    np.testing.assert_array_equal(two.rpc.image_offset, one.rpc.image_offset)
-    assert (two.width_px, two.height_px) == (None, None)
-
-
 def test_positions_in_kilometres_are_refused(tmp_path, orbit):
     path = orbit.trajectory
     near = replace(orbit, trajectory=replace(path, positions=path.positions / 1000))

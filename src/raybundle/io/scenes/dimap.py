@@ -1,6 +1,7 @@
-"""DIMAP 2 XML of SPOT 6/7 and Pleiades: the RPC (RPC_*.XML) or the rigorous model (DIM_*.XML); and PHRDIMAP_*.XML.
+"""DIMAP XML of SPOT 6/7, Pleiades (2) and Pleiades Neo (3): RPC (RPC_*.XML), orbit (DIM_*.XML); and PHRDIMAP_*.XML.
 
-The first pixel has the number that the file says (1).
+The centre of the first pixel is 1, 1 for SPOT 6/7 and Pleiades, 0, 0 for Pleiades Neo; in files of other profiles it
+has the first number of the domain of validity.
 """
 
 from __future__ import annotations
@@ -16,6 +17,8 @@ from raybundle.io.scenes.dimap_orbit import line_scene
 from raybundle.numerics.arrays import Array
 from raybundle.scenes.rpc import Rpc, rpc_of
 
+FIRST_PIXEL = {"PHR": 1.0, "S6": 1.0, "S7": 1.0, "PNEO": 0.0}
+"""Number of the first pixel by the first word of METADATA_PROFILE (PHR_SENSOR, PNEO_SENSOR)."""
 POLYNOMIALS = ("LINE_NUM_COEFF", "LINE_DEN_COEFF", "SAMP_NUM_COEFF", "SAMP_DEN_COEFF")
 
 
@@ -33,7 +36,7 @@ def read(path: Path) -> Scene:
             "RPC_*.XML or DIM_*.XML of the product"
         )
     validity = model.get("RFM_Validity")
-    first, size = _image(validity)
+    first, size = _image(root, validity)
     values = model.find("GroundtoImage_Values") or model.get("Inverse_Model")
     rpc = rpc_of(
         coefficients=np.stack([_coefficients(values, name) for name in POLYNOMIALS]),
@@ -68,7 +71,7 @@ def _phr(path: Path) -> Scene:
     root = read_xml(path, "PHR_Dimap_Document")
     model = root.get("Geoposition", "Rational_Sensor_Model", "Global_RFM")
     validity = model.get("RFM_Validity")
-    first, size = _image(validity)
+    first, size = _image(root, validity)
     rows = [model.get("Inverse_Model", name).numbers(40).reshape(2, 20) for name in ("F_ROW", "F_COL")]
 
     def pick(part: str, *names: str) -> list[float]:
@@ -87,18 +90,26 @@ def _phr(path: Path) -> Scene:
 NO_PRIOR = "DIMAP states how well its RPC fits the orbit, not how well the orbit is known: no prior for the bias"
 
 
-def _image(validity: Element) -> tuple[Array, tuple[int | None, int | None]]:
-    """Number of the first column and row, and the size of the image where the file tells it."""
+def _image(root: Element, validity: Element) -> tuple[Array, tuple[int | None, int | None]]:
+    """Number of the first column and row, and the size of the image where the file states it.
+
+    The profile fixes the number of the first pixel.  The domain of validity need not begin there: it may reach beyond
+    the image or cover a part of it, so that its size is that of the image only where it does.
+    """
     domain = validity.find("Direct_Model_Validity_Domain")
-    if domain is None and validity.find("ImagetoGround_Validity_Domain") is not None:
-        # Pleiades Neo: the domain reaches beyond the image, which begins with column and row 1
-        return np.ones(2), (None, None)
+    newer = domain is None and validity.find("ImagetoGround_Validity_Domain") is not None
+    family = element_text(root, "Metadata_Identification", "METADATA_PROFILE").partition("_")[0].upper()
+    number = FIRST_PIXEL.get(family)
+    if newer:
+        return np.full(2, 0.0 if number is None else number), (None, None)
     domain = validity.get("Direct_Model_Validity_Domain")
     first = np.array([domain.number("FIRST_COL"), domain.number("FIRST_ROW")])
     last = np.array([domain.number("LAST_COL"), domain.number("LAST_ROW")])
     size = np.round(last - first).astype(int) + 1
     if (size < 2).any():
         domain.fail(f"an image of {size[0]} x {size[1]} px; rows or columns are exchanged")
+    if number is not None and (first != number).any():
+        return np.full(2, number), (None, None)
     return first, (int(size[0]), int(size[1]))
 
 
@@ -133,6 +144,9 @@ def _recognises(path: Path, head: bytes) -> bool:
 
 register(
     SceneFormat(
-        name="dimap", title="DIMAP 2 XML (SPOT 6/7, Pleiades; PHRDIMAP): RPC, orbit", recognises=_recognises, read=read
+        name="dimap",
+        title="DIMAP 2 and 3 XML (SPOT 6/7, Pleiades, Pleiades Neo; PHRDIMAP): RPC, orbit",
+        recognises=_recognises,
+        read=read,
     )
 )
