@@ -1,4 +1,4 @@
-"""Pixel origin of DIMAP RPCs, from the specification of each profile; GDAL is the referee where it reads the profile."""
+"""Pixel origin of DIMAP RPCs, from the specification of each profile; GDAL is the referee where it reads it."""
 
 import warnings
 

@@ -135,8 +135,13 @@ def find_photos(
     photos.sort(key=lambda p: order[p.name])
     kept, thumbnails = _without_thumbnails(photos)
     progress("reading photographs", 1.0)
-    remarks += _together([(p.name, r) for p in kept for r in p.metadata.remarks if r.startswith("XMP ")])
+    remarks += _together([(p.name, r) for p in kept for r in p.metadata.remarks if _concerns_all(r)])
     return Found(photos=kept, refused=tuple(sorted(refused + thumbnails)), remarks=tuple(remarks), copies=copies)
+
+
+def _concerns_all(remark: str) -> bool:
+    """Whether a remark on the metadata of a photograph matters to the set: entries of XMP, positions."""
+    return remark.startswith(("XMP ", "EXIF position", "EXIF latitude", "EXIF longitude", "position", "GPSMapDatum"))
 
 
 def _together(remarks: list[tuple[str, str]]) -> list[str]:

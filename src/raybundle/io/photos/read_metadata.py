@@ -9,6 +9,7 @@ from datetime import datetime, timedelta, timezone
 
 from raybundle.io.photos.exif import Tags, read_tags
 from raybundle.io.photos.metadata import Gps, Metadata
+from raybundle.io.photos.recorded_position import Recorded, recorded_position
 from raybundle.io.photos.xmp import read_xmp
 from raybundle.io.reading.words import finite, number_of, quoted, whole_of
 
@@ -18,7 +19,8 @@ RTK_FIX = {0: "none", 16: "single", 34: "rtk float", 50: "rtk fixed"}
 NUMBERS = tuple(
     f"drone-dji:{name}"
     for name in (
-        "GpsLatitude", "GpsLongitude", "GpsLongtitude", "AbsoluteAltitude", "RelativeAltitude", "RtkFlag", "RtkStdLon",
+        "GpsLatitude", "GpsLongitude", "GpsLongtitude", "Latitude", "Longitude", "Longtitude", "AbsoluteAltitude",
+        "RelativeAltitude", "RtkFlag", "RtkStdLon",
         "RtkStdLat", "RtkStdHgt",
         *(f"{what}{axis}Degree" for what in ("Gimbal", "Flight") for axis in ("Yaw", "Pitch", "Roll")),
     )
@@ -31,7 +33,7 @@ def read_metadata(exif: bytes | memoryview | None, xmp: bytes | None) -> tuple[M
     """Metadata and EXIF orientation (1 to 8; 1 where not known) from the segments of a file.
 
     Never raises on bad data: what cannot be used is not known, and `Metadata.remarks` says why.
-    EXIF stands before XMP where both say something, but for positions, which XMP gives with more digits.
+    EXIF stands before XMP where both say something, but for positions: see `recorded_position`.
     """
     tags = read_tags(exif) if exif else Tags()
     if xmp is None and isinstance(found := tags.main.get(700), bytes | tuple):
@@ -43,6 +45,8 @@ def read_metadata(exif: bytes | memoryview | None, xmp: bytes | None) -> tuple[M
         remarks.append(f"the EXIF orientation {orientation} is not one of 1 to 8; taken as 1")
         orientation = 1
     width, height = tags.positive(0xA002), tags.positive(0xA003)
+    place, left_out = recorded_position(tags, entries)
+    remarks += left_out
     return Metadata(
         make=tags.text(0x010F) or entries.get("tiff:Make", ""),
         model=tags.text(0x0110) or entries.get("tiff:Model", ""),
@@ -59,7 +63,7 @@ def read_metadata(exif: bytes | memoryview | None, xmp: bytes | None) -> tuple[M
         focal_range_mm=_focal_range(tags),
         subject_distance_m=_distance(tags),
         taken=_taken(tags),
-        gps=_gps(tags, entries),
+        gps=None if place is None else _gps(place, tags, entries),
         gimbal=_angles(entries, "drone-dji:Gimbal{}Degree") or _angles(entries, "Camera:{}"),
         flight=_angles(entries, "drone-dji:Flight{}Degree"),
         xmp=entries,
@@ -153,57 +157,40 @@ def _angles(entries: Mapping[str, str], pattern: str) -> tuple[float, float, flo
     return yaw, pitch, roll
 
 
-def _gps(tags: Tags, entries: Mapping[str, str]) -> Gps | None:
-    position = _position(tags, entries)
-    if position is None:
-        return None
+def _gps(place: Recorded, tags: Tags, entries: Mapping[str, str]) -> Gps:
     flag = _number(entries, "drone-dji:RtkFlag")
-    altitude, reference = _altitude(tags, entries)
+    altitude, reference = _altitude(tags, entries, no_fix=place.origin != "EXIF")
     return Gps(
-        latitude_deg=position[0],
-        longitude_deg=position[1],
+        latitude_deg=place.angles[0],
+        longitude_deg=place.angles[1],
         altitude_m=altitude,
         altitude_reference=reference,
-        sigma_m=_sigma(tags, entries),
+        sigma_m=_with_rounding(place, _sigma(tags, entries)),
         fix="" if flag is None else RTK_FIX.get(int(flag), ""),
     )
 
 
-def _position(tags: Tags, entries: Mapping[str, str]) -> tuple[float, float] | None:
-    """Latitude and longitude [deg]; XMP's digits where they agree with EXIF, which rounds to some centimetres."""
-    latitude = _angle(tags, 1, 2, "S", 90)
-    longitude = _angle(tags, 3, 4, "W", 180)
-    fine = (
-        _number(entries, "drone-dji:GpsLatitude"),
-        _number(entries, "drone-dji:GpsLongitude", "drone-dji:GpsLongtitude"),
-    )
-    if fine[0] is not None and fine[1] is not None and abs(fine[0]) <= 90 and abs(fine[1]) <= 180:
-        near = latitude is None or longitude is None or max(abs(fine[0] - latitude), abs(fine[1] - longitude)) < 1e-3
-        if near and any(fine):
-            return fine[0], fine[1]
-    if latitude is None or longitude is None or (latitude == 0 and longitude == 0):
-        return None  # 0, 0 is what a receiver without a fix writes
-    return latitude, longitude
+def _with_rounding(place: Recorded, sigma: tuple[float, float, float] | None) -> tuple[float, float, float] | None:
+    """East, north, up [m] with a rounding that outweighs them."""
+    if not place.coarse:
+        return sigma
+    east, north, up = sigma or (NAN, NAN, NAN)
+    coarse = place.rounding_m
+    plan = [r if math.isnan(s) else math.hypot(r, s) for r, s in zip(coarse, (east, north), strict=True)]
+    return plan[0], plan[1], up
 
 
-def _angle(tags: Tags, reference: int, tag: int, negative: str, limit: float) -> float | None:
-    parts = tags.numbers(tag, gps=True)
-    if not parts or not 1 <= len(parts) <= 3:
-        return None
-    degrees = sum(v / 60**k for k, v in enumerate(parts))
-    if not math.isfinite(degrees) or not 0 <= degrees <= limit:
-        return None
-    return -degrees if tags.text(reference, gps=True).upper().startswith(negative) else degrees
+def _altitude(tags: Tags, entries: Mapping[str, str], *, no_fix: bool) -> tuple[float | None, str]:
+    """Altitude [m] and what it is above; EXIF 3.0 for references 2 and 3, DJI writes AltitudeType RtkAlt.
 
-
-def _altitude(tags: Tags, entries: Mapping[str, str]) -> tuple[float | None, str]:
-    """Altitude [m] and what it is above; EXIF 3.0 for references 2 and 3, DJI writes AltitudeType RtkAlt."""
+    no_fix  whether the position is not that of EXIF, whose altitude 0 is then that of a receiver without a fix
+    """
     ellipsoid = entries.get("drone-dji:AltitudeType", "") == "RtkAlt"
     absolute = _number(entries, "drone-dji:AbsoluteAltitude")
     if absolute is not None:
         return absolute, "ellipsoid" if ellipsoid else "sea level"
     altitude = tags.number(6, gps=True)
-    if altitude is None:
+    if altitude is None or (no_fix and altitude == 0):
         return None, ""
     code = tags.gps.get(5, (0.0,))
     reference = code[0] if isinstance(code, bytes) and code else code[0] if isinstance(code, tuple) and code else 0
