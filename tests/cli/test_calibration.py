@@ -52,7 +52,7 @@ def test_convert_says_what_the_fit_leaves(ours, tmp_path, capsys):
     run("convert", ours, "--to", "opencv", "--model", "5", "--out", tmp_path / "c.yaml")
     printed = capsys.readouterr().out
     assert "camera left: 5, fitted over the format: rms" in printed
-    assert "off the axis" in printed or "invertible everywhere" in printed
+    assert "off the axis" in printed or "invertible over the whole format" in printed
     run("convert", tmp_path / "c.yaml", "--to", "colmap", "--out", tmp_path / "cameras.txt")
     assert "FULL_OPENCV, exact" in capsys.readouterr().out
     run("convert", tmp_path / "c.yaml", "--to", "raybundle", "--pixel-mm", "0.04", "--out", tmp_path / "again.toml")

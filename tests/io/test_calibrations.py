@@ -308,7 +308,7 @@ def test_standard_deviations_travel_to_australis(camcal, tmp_path):
 
 
 def test_folds_and_poles_are_found():
-    fold = replace(FORWARD, k1=-0.4, k2=0.0)
+    fold = replace(FORWARD, k1=-0.4, k2=0.0, p1=0.0, p2=0.0, fy=FORWARD.fx)
     v = validity(fold)
     assert v.reason == "fold"
     r = np.sqrt(1 / 1.2)  # 1 + 3 k1 r^2 = 0
@@ -319,7 +319,9 @@ def test_folds_and_poles_are_found():
     assert first_limit(pole.vector) == (pytest.approx(np.sqrt(0.5)), "pole")
     assert "pole" in str(validity(pole))
     assert validity(replace(FORWARD, k1=0.1, k2=0.0)).reason == ""
-    ours = validity(replace(OURS, values=BROWN | {"K1": -1e-3, "K2": 0.0, "K3": 0.0}))
+    ours = validity(
+        replace(OURS, values=BROWN | dict.fromkeys(("K2", "K3", "P1", "P2", "A", "S"), 0.0) | {"K1": -1e-3})
+    )
     assert ours.radius_px == pytest.approx(np.sqrt(1 / 3e-3) / 0.006)
     assert not ours.whole_format
     assert "WITHIN the format" in str(ours)

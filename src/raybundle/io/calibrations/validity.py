@@ -1,7 +1,14 @@
-"""How far from the axis a calibration holds: where its radial distortion folds over or has a pole."""
+"""How far from the axis a calibration holds: where its distortion folds over or has a pole.
+
+The model itself is asked, whichever it is: along rays away from the axis the determinant of the derivatives of image
+by direction (or, where distortion is one of image points, of corrected by measured point) keeps its sign as long as
+image points and directions belong to each other one to one.  It goes through zero at a fold and through infinity at a
+pole.
+"""
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Literal
 
@@ -9,14 +16,26 @@ import numpy as np
 
 from raybundle.block import Camera
 from raybundle.cameras.conversions import parameter_vector
-from raybundle.cameras.forward_camera import TERMS, ForwardCamera, first_limit
+from raybundle.cameras.forward_camera import STEP, ForwardCamera, distorted
 from raybundle.numerics.arrays import Array
-from raybundle.sensors import sensor_models
+from raybundle.sensors import SensorModel, sensor_models
+
+AZIMUTHS = 24
+"""Directions about the axis."""
+STEPS = 2000
+"""Along each of them."""
+CLOSER = 60
+"""Halvings of a step, to the end of a float's digits."""
+WIDEST = {"central": 89.99, "all round": 179.9}
+"""Angles off the axis [deg] up to which is looked."""
+FARTHEST = 4.0
+"""Distance in the image, in that of its farthest corner, up to which is looked where distortion is one of image
+points."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Validity:
-    """Up to where the radial part of a distortion grows; what lies beyond must not be used.
+    """Up to where image points and directions belong together one to one; what lies beyond must not be used.
 
     What it does not tell: whether the calibration was determined so far out.
     """
@@ -38,8 +57,8 @@ class Validity:
     def __str__(self) -> str:
         """One sentence for people."""
         if not self.reason:
-            return "its radial distortion is invertible everywhere"
-        words = {"fold": "its radial distortion folds over", "pole": "its radial distortion has a pole"}[self.reason]
+            return "its distortion is invertible over the whole format"
+        words = {"fold": "its distortion folds over", "pole": "its distortion has a pole"}[self.reason]
         where = f" ({self.radius_px:.0f} px)" if np.isfinite(self.radius_px) else ""
         inside = "beyond the format" if self.whole_format else "WITHIN the format"
         corner = f"its corners are at {self.corner_px:.0f} px"
@@ -47,8 +66,48 @@ class Validity:
 
 
 def validity(camera: Camera | ForwardCamera) -> Validity:
-    """The valid radius of a camera, from its radial terms alone (roots of the derivative, and of a denominator)."""
-    return _forward(camera) if isinstance(camera, ForwardCamera) else _measured(camera)
+    """The valid radius of a camera, the smallest over all azimuths."""
+    return _forward(camera) if isinstance(camera, ForwardCamera) else _of_model(camera)
+
+
+Determinant = Callable[[Array, Array], Array]
+"""Of distances (n,) from the axis and azimuths (n,) [rad]."""
+
+
+@dataclass(frozen=True, slots=True)
+class _End:
+    """Where the determinant changes its sign first, one entry for each azimuth that has such a place."""
+
+    at: Array
+    azimuth: Array
+    pole: bool
+
+
+def _end(determinant: Determinant, farthest: float) -> _End | None:
+    """The nearest change of sign; None where there is none.
+
+    farthest  largest distance from the axis, of the kind that `determinant` takes
+    """
+    azimuth = np.arange(AZIMUTHS) * (2 * np.pi / AZIMUTHS)
+    at = np.linspace(0, farthest, STEPS + 1)[1:]
+    with np.errstate(all="ignore"):
+        grid = determinant(np.repeat(at, AZIMUTHS), np.tile(azimuth, STEPS)).reshape(STEPS, AZIMUTHS)
+        first = determinant(np.full(AZIMUTHS, at[0] * 1e-3), azimuth)
+        wrong = ~(grid * np.sign(first) > 0)
+        hit = np.flatnonzero(wrong.any(axis=0))
+        if not len(hit):
+            return None
+        k = wrong[:, hit].argmax(axis=0)
+        low, high = np.where(k > 0, at[k - 1], 0.0), at[k]
+        for _ in range(CLOSER):
+            middle = (low + high) / 2
+            good = determinant(middle, azimuth[hit]) * np.sign(first[hit]) > 0
+            low, high = np.where(good, middle, low), np.where(good, high, middle)
+        before = np.abs(determinant(np.where(k > 0, at[k - 1], at[0] * 1e-3), azimuth[hit]))
+        pole = np.abs(determinant(low, azimuth[hit])) > before
+    nearest = int(low.argmin())
+    same = pole == pole[nearest]
+    return _End(low[same], azimuth[hit][same], bool(pole[nearest]))
 
 
 def _corner(width: int, height: int, point: tuple[float, float]) -> float:
@@ -56,60 +115,119 @@ def _corner(width: int, height: int, point: tuple[float, float]) -> float:
 
 
 def _forward(camera: ForwardCamera) -> Validity:
-    radius, reason = first_limit(camera.vector)
     central = camera.projection == "central"
-    limit = np.inf
-    if reason == "fold":
-        values: dict[str, float] = dict(zip(TERMS, camera.vector.tolist(), strict=True))
-        t = radius * radius
-        top = sum((values[f"k{n}"] * t**n for n in range(1, 6)), 1.0)
-        base = sum((values[f"d{n}"] * t**n for n in range(1, 4)), 1.0)
-        limit = abs(radius * top / base) * min(camera.fx, camera.fy)
-    angle = np.degrees(np.arctan(radius) if central else min(radius, np.pi))
-    principal = (camera.cx + camera.fx * camera.ca, camera.cy + camera.fy * camera.cb)
-    corner = _corner(camera.width_px, camera.height_px, principal)
-    return Validity(radius_px=float(limit), angle_deg=float(angle), corner_px=corner, reason=reason)
+    vector = camera.vector
 
+    def points(angle: Array, azimuth: Array) -> Array:
+        r = np.tan(angle) if central else angle
+        return np.stack([camera.ca + r * np.cos(azimuth), camera.cb + r * np.sin(azimuth)])
 
-def _measured(camera: Camera) -> Validity:
-    model = sensor_models[camera.model]
-    values = dict(zip(model.symbols, parameter_vector(camera).tolist(), strict=True))
-    c, x0, y0 = (values.get(s, 0.0) for s in ("c", "x0", "y0"))
-    x, y = camera.pixel_from_image(np.array([[x0, y0]]))[0].tolist()
+    def determinant(angle: Array, azimuth: Array) -> Array:
+        ideal = points(angle, azimuth)
+        by_a = np.imag(distorted(ideal + np.array([[STEP * 1j], [0]]), vector)) / STEP
+        by_b = np.imag(distorted(ideal + np.array([[0], [STEP * 1j]]), vector)) / STEP
+        return by_a[0] * by_b[1] - by_a[1] * by_b[0]
+
+    principal = distorted(np.array([[camera.ca], [camera.cb]]), vector)
+    x, y = float(principal[0, 0]), float(principal[1, 0])
     corner = _corner(camera.width_px, camera.height_px, (x, y))
-    if camera.model in {"radial", "aicon"}:
-        forward = _as_forward(camera, values, (x, y))
-        return _forward(forward)
-    K = np.array([values.get(s, 0.0) for s in ("K1", "K2", "K3")])
-    growth = np.trim_zeros(np.array([1.0, *(K * [3, 5, 7])]), "b")
-    roots = np.polynomial.Polynomial(growth).roots() if len(growth) > 1 else np.zeros(0)
-    real = roots.real[(np.abs(roots.imag) <= 1e-9 * np.abs(roots)) & (roots.real > 0)]
-    if not len(real):
-        limit = 180.0 if camera.model == "fisheye" else 90.0
-        return Validity(radius_px=np.inf, angle_deg=limit, corner_px=corner, reason="")
-    t = float(real.min())
-    measured = np.sqrt(t)
-    corrected = measured * (1 + t * (K[0] + t * (K[1] + t * K[2])))
-    angle = corrected / c if camera.model == "fisheye" else np.arctan(corrected / c)
-    radius = measured / max(camera.pixel_mm)
-    return Validity(radius_px=float(radius), angle_deg=float(np.degrees(angle)), corner_px=corner, reason="fold")
+    widest = WIDEST["central" if central else "all round"]
+    end = _end(determinant, np.radians(widest))
+    if end is None:
+        return Validity(radius_px=np.inf, angle_deg=90.0 if central else 180.0, corner_px=corner, reason="")
+    radius = np.inf
+    if not end.pole:
+        radius = float(np.linalg.norm(distorted(points(end.at, end.azimuth), vector) - principal, axis=0).min())
+    return _validity(end, radius, corner, float(np.degrees(end.at.min())))
 
 
-def _as_forward(camera: Camera, values: dict[str, float], principal: tuple[float, float]) -> ForwardCamera:
-    """The radial part of a model that distorts the ideal point."""
-    c = values["c"]
-    terms: Array = np.array([1.0, values.get("k1", 0.0), values.get("k2", 0.0)])
-    if camera.model == "aicon":
-        K1, K2, z2 = values["K1"], values["K2"], values["R0"] ** 2
-        terms = np.array([1 - K1 * z2 - K2 * z2 * z2, K1 * c**2, K2 * c**4])
-    scale = c * terms[0]
-    return ForwardCamera(
-        width_px=camera.width_px,
-        height_px=camera.height_px,
-        fx=scale / camera.pixel_mm[0],
-        fy=scale / camera.pixel_mm[1],
-        cx=principal[0],
-        cy=principal[1],
-        k1=float(terms[1] / terms[0]),
-        k2=float(terms[2] / terms[0]),
-    )
+def _validity(end: _End, radius: float, corner: float, angle: float) -> Validity:
+    return Validity(radius_px=radius, angle_deg=angle, corner_px=corner, reason="pole" if end.pole else "fold")
+
+
+def _of_model(camera: Camera) -> Validity:
+    model = sensor_models[camera.model]
+    values = parameter_vector(camera)
+    widest = 180.0 if model.all_round else 90.0
+    if not model.one_exposure:
+        corner = _corner(camera.width_px, camera.height_px, (camera.width_px / 2, camera.height_px / 2))
+        return Validity(radius_px=np.inf, angle_deg=180.0, corner_px=corner, reason="")
+    named = dict(zip(model.symbols, values.tolist(), strict=True))
+    centre = np.array([named.get("x0", 0.0), named.get("y0", 0.0)])
+    x, y = camera.pixel_from_image(centre[None])[0].tolist()
+    corner = _corner(camera.width_px, camera.height_px, (x, y))
+    ended = _of_directions if _explicit(model, values, centre) else _of_image_points
+    found = ended(camera, model, values, centre, corner)
+    return found or Validity(radius_px=np.inf, angle_deg=widest, corner_px=corner, reason="")
+
+
+def _explicit(model: SensorModel, values: Array, centre: Array) -> bool:
+    """Whether the condition is an image point minus a function of the direction."""
+    image = centre[:, None] + values[0] * np.array([[0.0, 0.1, -0.3], [0.0, 0.2, 0.1]])
+    ray = np.tile([[0.0], [0.0], [-1.0]], 3)
+    by_image = model.condition_and_jacobian(*image, *ray, *values)[1][:, :2]
+    return bool(np.abs(by_image - np.eye(2)[:, :, None]).max() < 1e-12)
+
+
+def _of_directions(camera: Camera, model: SensorModel, values: Array, centre: Array, corner: float) -> Validity | None:
+    """Where the image of directions folds over."""
+    del centre
+
+    def rays(angle: Array, azimuth: Array) -> Array:
+        return np.stack([np.sin(angle) * np.cos(azimuth), np.sin(angle) * np.sin(azimuth), -np.cos(angle)])
+
+    def images(ray: Array) -> Array:
+        return -model.condition_at(np.zeros((2, ray.shape[1])), ray, values)
+
+    def determinant(angle: Array, azimuth: Array) -> Array:
+        ray = rays(angle, azimuth)
+        cos, sin = np.cos(azimuth), np.sin(azimuth)
+        outwards = np.stack([np.cos(angle) * cos, np.cos(angle) * sin, np.sin(angle)])
+        around = np.stack([-sin, cos, np.zeros_like(sin)])
+        by_ray = model.condition_and_jacobian(*images(ray), *ray, *values)[1][:, 2:5]
+        a, b = np.einsum("ken,en->kn", by_ray, outwards), np.einsum("ken,en->kn", by_ray, around)
+        return a[0] * b[1] - a[1] * b[0]
+
+    end = _end(determinant, np.radians(WIDEST["all round" if model.all_round else "central"]))
+    if end is None:
+        return None
+    radius = np.inf
+    if not end.pole:
+        axis = images(np.array([[0.0], [0.0], [-1.0]]))
+        away = (images(rays(end.at, end.azimuth)) - axis) / np.array(camera.pixel_mm)[:, None]
+        radius = float(np.linalg.norm(away, axis=0).min())
+    return _validity(end, radius, corner, float(np.degrees(end.at.min())))
+
+
+def _of_image_points(
+    camera: Camera, model: SensorModel, values: Array, centre: Array, corner: float
+) -> Validity | None:
+    """Where the correction of image points folds over."""
+    axis = np.tile([[0.0], [0.0], [-1.0]], 1)
+
+    def images(radius: Array, azimuth: Array) -> Array:
+        return centre[:, None] + radius * np.stack([np.cos(azimuth), np.sin(azimuth)])
+
+    def determinant(radius: Array, azimuth: Array) -> Array:
+        image = images(radius, azimuth)
+        (a, b), (c, d) = model.condition_and_jacobian(*image, *np.tile(axis, len(radius)), *values)[1][:, :2]
+        return a * d - b * c
+
+    end = _end(determinant, FARTHEST * corner * max(camera.pixel_mm))
+    if end is None:
+        return None
+    nearest = int(end.at.argmin())
+    away = end.at * np.hypot(np.cos(end.azimuth) / camera.pixel_mm[0], np.sin(end.azimuth) / camera.pixel_mm[1])
+    way = images(end.at[nearest] * np.linspace(0, 1, 41)[1:], np.full(40, end.azimuth[nearest]))
+    angle = _angle(model, values, way)
+    return _validity(end, float(away.min()), corner, angle)
+
+
+def _angle(model: SensorModel, values: Array, way: Array) -> float:
+    """Angle off the axis [deg] at the end of a way (2, n) of image points away from the axis."""
+    ray = None if model.by_image else np.array([[0.0], [0.0], [-1.0]])
+    with np.errstate(all="ignore"):
+        for image in way.T[-1:] if model.by_image else way.T:
+            ray = model.ray(image[:, None], values, ray)
+    assert ray is not None
+    return float(np.degrees(np.arctan2(np.hypot(ray[0, 0], ray[1, 0]), -ray[2, 0])))
