@@ -17,6 +17,7 @@ from raybundle.errors import InputError
 from raybundle.io.calibrations.base import Calibration, CalibrationFormat, Conversion, register
 from raybundle.io.digits import exact
 from raybundle.io.reading.files import read_text
+from raybundle.io.reading.passed_over import PassedOver
 from raybundle.io.reading.words import fortran_of, quoted, whole_of
 from raybundle.sensors import sensor_models
 from raybundle.settings import option
@@ -32,6 +33,7 @@ LARGEST_PX = 10_000_000
 NUMBER = r"[-+]?(?:[0-9]+\.?[0-9]*|\.[0-9]+)(?:[eEdD][-+]?[0-9]+)?"
 FINAL, FINAL_STD, COLUMNS = 2, 4, 5
 _ROW = re.compile(rf"^\s*({'|'.join(AUSTRALIS)})\s+({NUMBER}(?:\s+{NUMBER})*)\s*(?:\(mm\))?\s*$")
+_OTHER_ROW = re.compile(rf"^\s*([A-Z]{{1,2}}[0-9]{{0,2}})\s+{NUMBER}(?:\s+{NUMBER})*\s*(?:\(\w+\))?\s*$")
 _SENSOR = re.compile(rf"^\s*([HV])\s+(\d+)\s+({NUMBER})\s*$")
 _NAMED = re.compile(rf"^\s*({'|'.join(PHOTOMODELER)})\b(?![\s\w]*Deviation)")
 _VALUE = re.compile(rf"^\s*(Value|Deviation)\s*:\s*(?:[\w ]+:\s*)?({NUMBER})")
@@ -55,6 +57,7 @@ def _pixels(text: str, path: Path, line: int) -> int:
 def read_australis(path: Path, size_px: tuple[int, int] | None) -> tuple[Calibration, ...]:
     """The first camera of a report "Camera Parameters": final values and their standard deviations."""
     del size_px
+    passed = PassedOver()
     sensor: dict[str, tuple[int, float]] = {}
     final: dict[str, float] = {}
     std: dict[str, float] = {}
@@ -76,6 +79,8 @@ def read_australis(path: Path, size_px: tuple[int, int] | None) -> tuple[Calibra
             final[symbol] = columns[FINAL] if len(columns) == COLUMNS else columns[0]
             if len(columns) == COLUMNS and columns[FINAL_STD] > 0:
                 std[symbol] = columns[FINAL_STD]
+        elif other := _OTHER_ROW.match(text):
+            passed.count(other[1])
     missing = [k for k, s in AUSTRALIS.items() if s not in final and s not in {"A", "S"}]
     if missing or len(sensor) != len("HV"):
         what = ", ".join(missing) or "sensor size and pixel size (H, V)"
@@ -87,7 +92,12 @@ def read_australis(path: Path, size_px: tuple[int, int] | None) -> tuple[Calibra
     covariance = np.diag([std[s] ** 2 for s in free]) if free else None
     return (
         Calibration(
-            id=path.stem, camera=camera, pixel_mm=camera.pixel_mm, free=free, covariance=covariance, remarks=remarks
+            id=path.stem,
+            camera=camera,
+            pixel_mm=camera.pixel_mm,
+            free=free,
+            covariance=covariance,
+            remarks=(*remarks, *passed.note()),
         ),
     )
 
@@ -139,7 +149,8 @@ def read_photomodeler(path: Path, size_px: tuple[int, int] | None) -> tuple[Cali
     """The camera of a calibration report; its format in pixels is given where the report does not hold it."""
     values: dict[str, float] = {}
     std: dict[str, float] = {}
-    name = ""
+    name = heading = ""
+    passed = PassedOver()
     for line, text in enumerate(read_text(path).split("\n"), 1):
         if image := _IMAGE.match(text):
             size_px = (_pixels(image[1], path, line), _pixels(image[2], path, line))
@@ -147,10 +158,12 @@ def read_photomodeler(path: Path, size_px: tuple[int, int] | None) -> tuple[Cali
             where = values if entry[1] == "Value" else std
             if name and name not in where:
                 where[name] = _number(entry[2], path, line)
+            elif not name and heading and entry[1] == "Value":
+                passed.count(heading)
         elif named := _NAMED.match(text):
             name = PHOTOMODELER[named[1]]
         elif text.strip():
-            name = ""
+            name, heading = "", text.strip()
     missing = [k for k, s in PHOTOMODELER.items() if s not in values and s not in {"K2", "K3", "P1", "P2"}]
     if missing:
         raise InputError(f"{', '.join(missing)} missing; is it a complete calibration report?", file=path)
@@ -177,7 +190,7 @@ def read_photomodeler(path: Path, size_px: tuple[int, int] | None) -> tuple[Cali
             pixel_mm=camera.pixel_mm,
             free=free,
             covariance=np.diag([std[s] ** 2 for s in free]) if free else None,
-            remarks=("the file tells standard deviations, no correlations",) if free else (),
+            remarks=(*(("the file tells standard deviations, no correlations",) if free else ()), *passed.note()),
         ),
     )
 

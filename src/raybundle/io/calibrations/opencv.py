@@ -10,7 +10,9 @@ from __future__ import annotations
 import json
 import re
 from collections.abc import Sequence
+from dataclasses import replace
 from pathlib import Path
+from typing import Any, cast
 
 import numpy as np
 
@@ -19,27 +21,23 @@ from raybundle.cameras.opencv import COUNTS, HALF, ORDER
 from raybundle.io.calibrations.base import Calibration, CalibrationFormat, Conversion, Variant, register
 from raybundle.io.calibrations.yaml_text import read_yaml
 from raybundle.io.digits import exact
+from raybundle.io.reading.passed_over import PassedOver
 from raybundle.io.reading.trees import Json, read_json
 from raybundle.numerics.arrays import Array
 from raybundle.settings import option
 
 FISHEYE = ("k1", "k2", "k3", "k4")
 MATRIX = (
-    "camera_matrix",
-    "cameraMatrix",
-    "Camera_Matrix",
-    "intrinsic_matrix",
-    "intrinsics",
-    "mtx",
-    "matrix",
-    "K",
-    "M1",
-)
+    "camera_matrix", "cameraMatrix", "Camera_Matrix", "intrinsic_matrix", "intrinsics", "mtx", "matrix", "K", "M",
+)  # fmt: skip
 DISTORTION = (
-    "distortion_coefficients", "Distortion_Coefficients", "distCoeffs", "dist_coeffs", "distortion", "dist", "D", "D1",
+    "distortion_coefficients", "Distortion_Coefficients", "distCoeffs", "dist_coeffs", "distortion", "dist", "D",
 )  # fmt: skip
 WIDTH, HEIGHT = ("image_width", "image_Width", "width"), ("image_height", "image_Height", "height")
 SIZES = ("image_size", "imageSize", "img_size", "size", "resolution")
+MODEL_WORDS = ("distortion_model", "camera_model", "model", "fisheye_model")
+NAMES = ("camera_name", "name")
+_SIDE = r"(left|right|l|r|cam(?:era)?_?[0-9]+|[0-9]+)"
 FISHEYE_MODELS = {"equidistant", "fisheye", "opencv_fisheye", "equi"}
 
 
@@ -91,35 +89,118 @@ def _is_fisheye(top: Json) -> bool:
     return words is not None and str(words.value).lower() in FISHEYE_MODELS
 
 
+def _key_pattern(names: Sequence[str]) -> re.Pattern[str]:
+    """A key that is one of some names, alone or with the side or number of a camera before or after it."""
+    words = "|".join(sorted({n.lower().replace("_", "_?") for n in names}, key=len, reverse=True))
+    return re.compile(rf"(?:{_SIDE}_?)?({words})(?:_?{_SIDE})?", re.IGNORECASE)
+
+
+_MATRIX_KEY, _DISTORTION_KEY = _key_pattern(MATRIX), _key_pattern(DISTORTION)
+
+
+def _by_side(top: Json, pattern: re.Pattern[str], *, only: int | None = None) -> dict[str, tuple[str, Json]]:
+    """Key and value by the side or number in the key, "" for a key without one.
+
+    only  how many numbers a value has; others are no such entries
+    """
+    found: dict[str, tuple[str, Json]] = {}
+    for key, value in top.mapping().items():
+        match = pattern.fullmatch(key)
+        if match is None or not isinstance(value.value, list | dict):
+            continue
+        if only is not None and _length(value.value) != only:
+            continue
+        found.setdefault((match[1] or match[3] or "").lower(), (key, value))
+    return found
+
+
+def _length(value: Any) -> int | None:
+    """How many elements a matrix has."""
+    if isinstance(value, dict):
+        value = cast("dict[str, Any]", value).get("data")
+    if not isinstance(value, list):
+        return None
+    rows = cast("list[Any]", value)
+    return sum(len(cast("list[Any]", r)) if isinstance(r, list) else 1 for r in rows)
+
+
 def _read(path: Path, size_px: tuple[int, int] | None, *, fisheye: bool) -> tuple[Calibration, ...]:
     top = read_file(path)
     top.mapping()
-    matrix = _member(top, MATRIX)
-    if matrix is None:
+    groups = _groups(top)
+    if not groups:
         top.fail(f"there is no camera matrix; it is looked for as {', '.join(MATRIX)}")
-    if _is_fisheye(top) and not fisheye:
+    passed = PassedOver()
+    if all(g is not top for _, g in groups):
+        passed.unknown(top.mapping(), {*(i for i, _ in groups), *WIDTH, *HEIGHT, *SIZES, *NAMES, *MODEL_WORDS})
+    found: list[Calibration] = []
+    for id_, group in groups:
+        found += _cameras(path, id_, group, top, size_px, passed, fisheye=fisheye)
+    note = passed.note()
+    return (replace(found[0], remarks=(*found[0].remarks, *note)), *found[1:])
+
+
+def _groups(top: Json) -> list[tuple[str, Json]]:
+    """The tables that hold camera matrices: the file itself, or members of it, each with its name."""
+    if _by_side(top, _MATRIX_KEY):
+        return [("", top)]
+    tables = [(k, v) for k, v in top.mapping().items() if isinstance(v.value, dict)]
+    return [(k, v) for k, v in tables if _by_side(v, _MATRIX_KEY)]
+
+
+def _cameras(
+    path: Path, id_: str, table: Json, top: Json, size_px: tuple[int, int] | None, passed: PassedOver, *, fisheye: bool
+) -> list[Calibration]:
+    """The cameras of one table: one for each side or number that its camera matrices have."""
+    matrices = _by_side(table, _MATRIX_KEY, only=9) or _by_side(table, _MATRIX_KEY)
+    distortions = _by_side(table, _DISTORTION_KEY)
+    if len(matrices) == 1 and len(distortions) == 1:
+        distortions = dict(zip(matrices, distortions.values(), strict=True))
+    used = {k for k, _ in (*matrices.values(), *(v for s, v in distortions.items() if s in matrices))}
+    known = {*used, *WIDTH, *HEIGHT, *SIZES, *NAMES, *MODEL_WORDS}
+    passed.unknown(table.mapping(), known, f"{id_}." if id_ else "")
+    _check_kind(table, top, fisheye=fisheye)
+    name = _member(table, NAMES)
+    stem = id_ or (name.text().strip() if name is not None and isinstance(name.value, str) else "") or path.stem
+    sized = table if _has_size(table) else top
+    return [
+        _camera(
+            stem if len(matrices) == 1 else f"{stem}-{side or 'first'}", matrix, distortions.get(side, ("", None))[1],
+            _size(sized, size_px), fisheye=fisheye,
+        )
+        for side, (_, matrix) in matrices.items()
+    ]  # fmt: skip
+
+
+def _has_size(table: Json) -> bool:
+    return _member(table, SIZES) is not None or _member(table, WIDTH) is not None
+
+
+def _check_kind(table: Json, top: Json, *, fisheye: bool) -> None:
+    if (_is_fisheye(table) or _is_fisheye(top)) and not fisheye:
         top.fail(f"this is the calibration of a fisheye; give {option('read_as', 'opencv-fisheye', flag='from')}")
+
+
+def _camera(id_: str, matrix: Json, distortion: Json | None, size: tuple[int, int], *, fisheye: bool) -> Calibration:
     K = _numbers(matrix)
     if len(K) != 9:
         matrix.fail(f"{len(K)} elements, the 3 x 3 camera matrix has 9")
     fx, skew, cx, zero, fy, cy, *last = K.tolist()
     if zero or last != [0, 0, 1] or fx <= 0 or fy <= 0:
         matrix.fail("this is no camera matrix [fx s cx; 0 fy cy; 0 0 1] with positive fx, fy")
-    found = _member(top, DISTORTION)
-    coefficients = np.zeros(4) if found is None else _numbers(found)
+    coefficients = np.zeros(4) if distortion is None else _numbers(distortion)
+    place = distortion or matrix
     if fisheye and len(coefficients) != 4:
-        top.fail(f"{len(coefficients)} distortion coefficients; OpenCV's fisheye has 4: k1 k2 k3 k4")
+        place.fail(f"{len(coefficients)} distortion coefficients; OpenCV's fisheye has 4: k1 k2 k3 k4")
     if not fisheye and len(coefficients) not in COUNTS:
-        top.fail(f"{len(coefficients)} distortion coefficients; OpenCV has {', '.join(map(str, COUNTS))}")
-    remarks: list[str] = [] if found is not None else ["the file holds no distortion coefficients; they are taken as 0"]
+        place.fail(f"{len(coefficients)} distortion coefficients; OpenCV has {', '.join(map(str, COUNTS))}")
+    remarks = [] if distortion is not None else ["the file holds no distortion coefficients; they are taken as 0"]
     if skew and not fisheye:
         remarks.append(f"OpenCV's functions pass over the skew {skew:g} in the matrix, and so it is left out")
         skew = 0.0
-    width, height = _size(top, size_px)
-    name = _member(top, ("camera_name", "name"))
     camera = ForwardCamera(
-        width_px=width,
-        height_px=height,
+        width_px=size[0],
+        height_px=size[1],
         projection="equidistant" if fisheye else "central",
         fx=fx,
         fy=fy,
@@ -128,8 +209,7 @@ def _read(path: Path, size_px: tuple[int, int] | None, *, fisheye: bool) -> tupl
         skew=skew,
         **dict(zip(FISHEYE if fisheye else ORDER, coefficients.tolist(), strict=False)),
     )
-    id_ = name.text().strip() if name is not None and isinstance(name.value, str) else ""
-    return (Calibration(id=id_ or path.stem, camera=camera, remarks=tuple(remarks)),)
+    return Calibration(id=id_, camera=camera, remarks=tuple(remarks))
 
 
 def read(path: Path, size_px: tuple[int, int] | None) -> tuple[Calibration, ...]:
@@ -192,8 +272,7 @@ def _yaml_number(value: float) -> str:
 def _known(text: str, suffix: str, *, fisheye: bool) -> bool:
     if suffix not in {".yaml", ".yml", ".json"} or re.search(r"^\s*cam0\s*:", text, re.MULTILINE):
         return False
-    names = "|".join(MATRIX)
-    if not re.search(rf'(^|[\s{{,"])({names})"?\s*:', text):
+    if not any(_MATRIX_KEY.fullmatch(k) for k in re.findall(r"""(?:^|[\s{,"'])([A-Za-z]\w*)["']?\s*:""", text)):
         return False
     wide = re.search(r'fisheye_model"?\s*:\s*(1|true)', text) or re.search(
         rf'model"?\s*:\s*"?({"|".join(FISHEYE_MODELS)})\b', text

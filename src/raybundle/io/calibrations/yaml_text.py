@@ -48,12 +48,16 @@ def _lines(text: str, path: Path) -> list[_Line]:
     """Lines without comments, each flow list joined into one line."""
     lines: list[_Line] = []
     open_ = 0
+    ended = False
     for number, raw in enumerate(text.split("\n"), 1):
         line = _COMMENT.sub("", raw).rstrip()
+        if ended and line.strip() and not line.startswith(("---", "...", "%")):
+            raise InputError("a second document begins here; give each in a file of its own", file=path, line=number)
         if line.startswith(("%", "---")) and not lines:
             continue
         if line in {"---", "..."}:
-            break
+            ended = True
+            continue
         if not line.strip():
             continue
         if "\t" in line[: len(line) - len(line.lstrip())]:
