@@ -61,7 +61,7 @@ _BY_SIZE: dict[tuple[float, float], str] = {
     FOUR_THIRDS: "olympus e m1|olympus e m1markii|olympus e m5|olympus e m5markii|olympus e m10|olympus e m10markii|"
     "olympus e pl5|olympus e 510|olympus e 520|panasonic dmc gh3|panasonic dmc gh4|panasonic dc gh5|panasonic dc g9|"
     "panasonic dmc gx7|panasonic dmc gx8|panasonic dmc gm1|dji fc6520|dji fc6540|dji fc550|hasselblad l2d 20c|"
-    "dji m3e|dji m3m|dji fc4170",
+    "dji fc4170",
     ONE_INCH: "sony dsc rx100|sony dsc rx100m2|sony dsc rx100m3|sony dsc rx100m4|sony dsc rx100m5|sony dsc rx100m6|"
     "sony dsc rx100m7|sony dsc rx10|sony dsc qx100|canon powershot g7 x|canon powershot g9 x|nikon 1 j1|nikon 1 v1|"
     "dji fc6310|dji fc6310s|dji fc6310r|dji fc6510|dji fc3411|hasselblad l1d 20c",
@@ -73,7 +73,7 @@ _BY_SIZE: dict[tuple[float, float], str] = {
     (6.17, 4.63): "dji fc220|dji fc200",
     (6.4, 4.8): "dji fc3170",
     (9.7, 7.3): "dji fc3582|dji fc8482",
-    (4.8, 3.6): "parrot sequoia|micasense rededge|micasense rededge m|apple iphone 6|apple iphone 6 plus|"
+    (4.8, 3.6): "micasense rededge|micasense rededge m|apple iphone 6|apple iphone 6 plus|"
     "apple iphone 6s|apple iphone 5s",
     (4.54, 3.42): "apple iphone 4s|apple iphone 5",
     (4.0, 3.0): "apple iphone 7|apple iphone 8",
@@ -86,6 +86,14 @@ _BY_SIZE: dict[tuple[float, float], str] = {
     (8.8, 6.6): "olympus c8080wz|sony dsc f828|nikon e8700|canon powershot pro1",
 }
 _SIZES = {name: (size[0], round(size[1], 3)) for size, names in _BY_SIZE.items() for name in names.split("|")}
+_SEVERAL: dict[str, tuple[tuple[tuple[int, int], tuple[float, float]], ...]] = {
+    # one name for several cameras in one housing: format [px] and size [mm] of each
+    "parrot sequoia": (((4608, 3456), (6.17, 4.63)), ((1280, 960), (4.8, 3.6))),
+    "dji m3e": (((5280, 3956), FOUR_THIRDS), ((4000, 3000), (6.4, 4.8))),
+    "dji m3m": (((5280, 3956), FOUR_THIRDS), ((2592, 1944), (5.18, 3.89))),
+}
+SAME_FORMAT = 0.02
+"""Relative difference of pixel numbers: cameras leave out some columns at the edge, or write some more."""
 _MAKERS = {
     "eastman": "", "kodak": "kodak", "nikon": "nikon", "olympus": "olympus", "om": "olympus", "sony": "sony",
     "canon": "canon", "fujifilm": "fujifilm", "pentax": "pentax", "ricoh": "ricoh", "panasonic": "panasonic",
@@ -94,12 +102,23 @@ _MAKERS = {
 }  # fmt: skip
 
 
-def sensor_size(metadata: Metadata) -> tuple[float, float] | None:
+def sensor_size(metadata: Metadata, format_px: tuple[int, int]) -> tuple[float, float] | None:
     """Width and height [mm] of the sensor of a body that the table knows, longer side first; else None.
+
+    format_px  longer and shorter side of the image as taken, by which cameras under one name are told apart
 
     What it does not tell: whether the photograph shows the whole sensor.
     """
-    return next((_SIZES[name] for name in body_names(metadata) if name in _SIZES), None)
+    for name in body_names(metadata):
+        if name in _SEVERAL:
+            return next((size for px, size in _SEVERAL[name] if _same_format(px, format_px)), None)
+        if name in _SIZES:
+            return _SIZES[name]
+    return None
+
+
+def _same_format(a: tuple[int, int], b: tuple[int, int]) -> bool:
+    return all(abs(x / y - 1) <= SAME_FORMAT for x, y in zip(a, b, strict=True))
 
 
 def body_names(metadata: Metadata) -> tuple[str, ...]:

@@ -1,8 +1,9 @@
 """The camera constant to start with, and how far to trust it.
 
-In this order: XMP of the manufacturer, focal plane resolution, table of sensor sizes, 35 mm equivalent,
-default.  A stored calibration stands above all and is dealt with in `cameras`.  Sources that contradict each
-other are compared by the sensor width that they imply, in which the entry for the focal length cancels.
+In this order: XMP of the manufacturer, focal plane resolution, table of sensor sizes, 35 mm equivalent, default; focal
+plane resolution and 35 mm equivalent together outvote the table.  A stored calibration stands above all and is dealt
+with in `cameras`.  Sources that contradict each other are compared by the sensor width that they imply, in which the
+entry for the focal length cancels.
 """
 
 from __future__ import annotations
@@ -171,11 +172,17 @@ def _densities(m: Metadata, taken: _Taken, remarks: list[str]) -> tuple[dict[str
     long, short = taken.long, taken.short
     doubt = 0.0
     plane = _focal_plane(m, long, remarks)
-    size = sensor_size(m)
+    size = sensor_size(m, (long, short))
     table = None if size is None else max(long / size[0], short / size[1])
     equivalent = None
     if m.focal35_mm is not None and m.focal_mm is not None:
         equivalent = m.focal35_mm / DIAGONAL_35MM * math.hypot(long, short) / m.focal_mm
+    if plane is not None and equivalent is not None and table is not None and _outvoted(table, plane, equivalent):
+        remarks.append(
+            f"the table makes the sensor {long / table:.2f} mm wide; EXIF's focal plane resolution and 35 mm "
+            f"equivalent agree on {long / plane:.2f} mm, which is taken"
+        )
+        table = None
     if plane is not None and table is not None and abs(math.log(plane / table)) > SAME_SENSOR:
         remarks.append(
             f"EXIF's focal plane resolution makes the sensor {long / plane:.2f} mm wide, the table says "
@@ -197,6 +204,11 @@ def _densities(m: Metadata, taken: _Taken, remarks: list[str]) -> tuple[dict[str
         doubt = abs(math.log(table / equivalent)) / 2
     named = (("focal plane", plane), ("table", table), ("35 mm", equivalent))
     return {name: density for name, density in named if density is not None}, doubt
+
+
+def _outvoted(table: float, plane: float, equivalent: float) -> bool:
+    """Whether the two sources of the photograph agree with each other and neither with the table."""
+    return not _far(plane, equivalent) and _far(table, plane) and _far(table, equivalent)
 
 
 def _far(a: float, b: float) -> bool:
