@@ -6,7 +6,9 @@ error, so that a file of rubbish costs seconds and little memory however long it
 
 from __future__ import annotations
 
+import codecs
 import math
+import os
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 from itertools import chain
@@ -20,8 +22,17 @@ from raybundle.io.cells import SHOWN, Column, Problem, converted, fail, numbers_
 from raybundle.io.digits import EVERY, Digits, rounded
 from raybundle.io.parquet import groups, names_of, write_parquet
 from raybundle.io.reading import words
-from raybundle.io.reading.dialects import NAMES, PLAIN, Dialect, TwoSigns, decimal_sign, dialect_of_file, table_text
-from raybundle.io.reading.files import decoded, opened
+from raybundle.io.reading.dialects import (
+    NAMES,
+    PLAIN,
+    TABLE_BYTES,
+    Dialect,
+    TwoSigns,
+    decimal_sign,
+    dialect_of_file,
+    table_text,
+)
+from raybundle.io.reading.files import as_utf8, decoded, opened, read_bytes
 from raybundle.io.reading.rows import BadRow
 from raybundle.io.reading.words import quoted
 from raybundle.io.rows import rows_of
@@ -232,7 +243,9 @@ def _raw_pieces(path: Path) -> Iterator[tuple[bytes, int]]:
     with opened(path) as file:
         while block := file.read(PIECE_BYTES):
             if line == 1 and not rest:
-                block = block.removeprefix(b"\xef\xbb\xbf")
+                block, whole = _as_utf8(path, block)
+                if whole:
+                    file.seek(0, os.SEEK_END)
             block = rest + block
             cut = block.rstrip(b"\r\n").rfind(b"\n") + 1
             rest = block[cut:]
@@ -246,6 +259,14 @@ def _raw_pieces(path: Path) -> Iterator[tuple[bytes, int]]:
     rest = rest.rstrip(b"\r\n")
     if rest:
         yield rest, line
+
+
+def _as_utf8(path: Path, block: bytes) -> tuple[bytes, bool]:
+    """The first piece without a mark; of a file in UTF-16 all of it, as UTF-8, and that it is all."""
+    begin = as_utf8(block, whole=False)
+    if begin == block.removeprefix(codecs.BOM_UTF8):
+        return begin, False
+    return as_utf8(read_bytes(path, TABLE_BYTES)), True
 
 
 def _decoded(path: Path, data: bytes, line: int) -> str:
@@ -397,8 +418,9 @@ def header_of(path: Path) -> list[str]:
     """The names of the columns in a table's file, as they stand there."""
     if path.suffix == PARQUET:
         return names_of(path)
-    with path.open(encoding="utf-8-sig", errors="replace") as file:
-        return [h.strip().strip('"') for h in file.readline().split(",")]
+    with path.open("rb") as file:
+        head = as_utf8(file.read(PIECE_BYTES), whole=False).decode("utf-8", errors="replace")
+    return [h.strip().strip('"') for h in head.partition("\n")[0].split(",")]
 
 
 def write_table(

@@ -135,7 +135,7 @@ def test_json_in_bounds(tmp_path):
         ("a = " + nested(101), "nested more than 100 deep", None),
         ("a = 1\n\0", "control character", 2),
         ("a = '\xff'".encode("latin-1"), "is not UTF-8", 1),
-        ("a = 1".encode("utf-16"), "UTF-16, it seems", 1),
+        (b"\xff\xfea", "UTF-16, it seems", 1),
     ],
     ids=range(7),
 )

@@ -112,8 +112,8 @@ def _model(path: Path) -> Path:
         return path
     if model is None:
         raise InputError(
-            "no RPC (tag 50844) stands in it, nor in a file beside it (NAME_RPC.TXT, NAME.RPB, NAME.XML, NAME.geom); "
-            f"give the file that tells it: {option('rpc', 'FILE')}",
+            "no RPC (tag 50844) stands in it, nor in a file beside it (NAME_RPC.TXT, NAME.RPB, NAME.rpc, NAME.XML, "
+            f"NAME.geom); give the file that tells it: {option('rpc', 'FILE')}",
             file=path,
         )
     return model

@@ -26,7 +26,7 @@ from raybundle.cameras.forward_camera import TERMS, ForwardCamera, Projection
 from raybundle.errors import InputError
 from raybundle.io.calibrations.validity import Validity, validity
 from raybundle.io.folders import check_free, make_parent, new_files
-from raybundle.io.reading.files import guarded, read_bytes
+from raybundle.io.reading.files import as_utf8, guarded, read_bytes
 from raybundle.numerics.arrays import Array
 from raybundle.sensors import sensor_models
 from raybundle.settings import option
@@ -145,7 +145,7 @@ def recognised(path: Path) -> str:
 def _text(path: Path) -> str:
     if path.is_dir():
         raise InputError("is a folder; give the file that holds the calibration", file=path)
-    return read_bytes(path, FILE_BYTES).decode("utf-8", "replace").removeprefix("\ufeff")
+    return as_utf8(read_bytes(path, FILE_BYTES)).decode("utf-8", "replace")
 
 
 def read_calibrations(

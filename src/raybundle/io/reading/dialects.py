@@ -12,7 +12,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from raybundle.errors import InputError
-from raybundle.io.reading.files import check_text, decoded, opened, read_bytes
+from raybundle.io.reading.files import as_utf8, check_text, decoded, opened, read_bytes
 from raybundle.io.reading.rows import BadRow, cells_of
 from raybundle.io.reading.words import quoted
 
@@ -81,13 +81,15 @@ def header_cells(head: str) -> list[str]:
 def header_of(path: Path) -> list[str]:
     """The names in the header of a file; none where it is no table."""
     with opened(path) as file:
-        return header_cells(file.read(HEAD_BYTES).decode("utf-8-sig", errors="replace").lstrip("\r\n"))
+        return header_cells(
+            as_utf8(file.read(HEAD_BYTES), whole=False).decode("utf-8", errors="replace").lstrip("\r\n")
+        )
 
 
 def dialect_of_file(path: Path) -> Dialect:
     """Of a table; raises InputError where it cannot be read."""
     with opened(path) as file:
-        head = file.read(HEAD_BYTES).removeprefix(b"\xef\xbb\xbf")
+        head = as_utf8(file.read(HEAD_BYTES), whole=False)
     lines = head.split(b"\n", 2)[:2]
     try:
         return dialect_of([line.decode("latin-1") for line in lines])
@@ -96,11 +98,11 @@ def dialect_of_file(path: Path) -> Dialect:
 
 
 def table_text(path: Path) -> str:
-    """The text of a spreadsheet's table: UTF-8 with or without its mark, or else Windows-1252; lines end in newlines.
+    """The text of a table: UTF-8 or UTF-16 with or without a mark, or else Windows-1252; lines end in newlines.
 
     raises  InputError with the line of what is neither, or of a control character
     """
-    data = read_bytes(path, TABLE_BYTES).removeprefix(b"\xef\xbb\xbf")
+    data = as_utf8(read_bytes(path, TABLE_BYTES))
     try:
         text = data.decode("utf-8")
     except UnicodeDecodeError:

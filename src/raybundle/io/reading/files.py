@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import codecs
 import errno
 import lzma
 import os
@@ -23,6 +24,8 @@ TEXT_BYTES = 1 << 30
 """Largest text file that is read at once."""
 UNSIZED_BYTES = 1 << 20
 """What is read of a file that says nothing of its size, as those of /proc."""
+UTF16_BYTES, SHORTEST_UTF16 = 512, 8
+"""Beginning of a file by which UTF-16 without a mark is recognised, and the shortest."""
 _CONTROL = re.compile(r"[\x00-\x08\x0b\x0e-\x1f\x7f]")
 
 
@@ -100,13 +103,44 @@ def read_bytes(path: Path, limit: int = TEXT_BYTES) -> bytes:
     return data
 
 
+def as_utf8(data: bytes, *, whole: bool = True) -> bytes:
+    """The bytes of a text as UTF-8 without a byte order mark: UTF-16 is converted, other bytes stay as they are.
+
+    whole  False for the beginning of a text, which may end within a character
+
+    UTF-16 has a mark, or else a zero in every second byte, which no text of one byte a letter has.
+    """
+    if data.startswith(codecs.BOM_UTF8):
+        return data[len(codecs.BOM_UTF8) :]
+    encoding = _utf_16(data)
+    if not encoding:
+        return data
+    try:
+        text = codecs.getincrementaldecoder(encoding)().decode(data, final=whole)
+        return text.removeprefix("\ufeff").encode("utf-8")
+    except UnicodeError:
+        return data
+
+
+def _utf_16(data: bytes) -> str:
+    """The name of the encoding if it is UTF-16, else empty."""
+    if data.startswith((codecs.BOM_UTF16_LE, codecs.BOM_UTF16_BE)):
+        return "utf-16-le" if data.startswith(codecs.BOM_UTF16_LE) else "utf-16-be"
+    head = data[:UTF16_BYTES]
+    if len(head) < SHORTEST_UTF16:
+        return ""
+    for encoding, zeros, letters in (("utf-16-le", head[1::2], head[::2]), ("utf-16-be", head[::2], head[1::2])):
+        if 0 not in letters and zeros.count(0) > len(zeros) / 2 and zeros[:2] == b"\0\0":
+            return encoding
+    return ""
+
+
 def read_text(path: Path, limit: int = TEXT_BYTES) -> str:
-    """The text of a UTF-8 file, without a byte order mark, line ends as newlines.
+    """The text of a UTF-8 or UTF-16 file, without a byte order mark, line ends as newlines.
 
     raises  InputError with the line of a byte that is not UTF-8, or of a control character
     """
-    data = read_bytes(path, limit)
-    text = decoded(path, data).removeprefix("\ufeff").replace("\r\n", "\n")
+    text = decoded(path, as_utf8(read_bytes(path, limit))).replace("\r\n", "\n")
     check_text(path, text)
     return text
 

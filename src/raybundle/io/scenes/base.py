@@ -9,7 +9,7 @@ from pathlib import Path
 import numpy as np
 
 from raybundle.errors import InputError
-from raybundle.io.reading.files import guarded, opened
+from raybundle.io.reading.files import as_utf8, guarded, opened
 from raybundle.io.reading.xml import Element
 from raybundle.numerics.arrays import Array
 from raybundle.scenes.linescan import LineScene
@@ -68,7 +68,7 @@ def read_scene(path: str | Path) -> Scene:
     """
     path = Path(path)
     with opened(path) as file:
-        head = file.read(HEAD_BYTES)
+        head = as_utf8(file.read(HEAD_BYTES), whole=False)
     if not head.strip():
         raise InputError("the file is empty; get the scene's metadata or RPC again", file=path)
     for format_ in scene_formats.values():
@@ -81,7 +81,7 @@ def read_scene(path: str | Path) -> Scene:
 def is_scene(path: Path) -> bool:
     """Whether a file has a known format, by its beginning; not whether it can be read."""
     with opened(path) as file:
-        head = file.read(HEAD_BYTES)
+        head = as_utf8(file.read(HEAD_BYTES), whole=False)
     return bool(head.strip()) and any(f.recognises(path, head) for f in scene_formats.values())
 
 

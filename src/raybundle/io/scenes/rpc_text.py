@@ -13,7 +13,7 @@ import numpy as np
 from raybundle.errors import InputError
 from raybundle.io.digits import exact
 from raybundle.io.folders import new_files
-from raybundle.io.reading.files import read_bytes
+from raybundle.io.reading.files import as_utf8, read_bytes
 from raybundle.io.reading.words import fortran_of, no_number, quoted, whole_of
 from raybundle.io.scenes.base import Scene, SceneFormat, check_denominators, register
 from raybundle.numerics.arrays import Array
@@ -53,7 +53,7 @@ _INDEXED = re.compile(r"^([a-z]+?)([0-9]{1,3})$")
 
 def read(path: Path) -> Scene:
     """The RPC of a text file; raises InputError that names the line of a bad value or the keys that lack."""
-    text = read_bytes(path, FILE_BYTES).decode("latin-1").replace("\r\n", "\n")
+    text = as_utf8(read_bytes(path, FILE_BYTES)).decode("latin-1").replace("\r\n", "\n")
     scalars, polynomials = _collected(path, text)
     coefficients, remarks = _coefficients(path, polynomials, text)
     needed = [k for k in SCALARS if not k.startswith("err_")]

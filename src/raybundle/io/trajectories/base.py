@@ -13,7 +13,7 @@ from raybundle.block import Stations
 from raybundle.errors import InputError
 from raybundle.io.folders import check_free, make_parent, new_files
 from raybundle.io.geo.coordinate_systems import LocalFrame, local_frame
-from raybundle.io.reading.files import guarded, opened
+from raybundle.io.reading.files import as_utf8, guarded, opened
 from raybundle.io.reading.words import whole_of
 from raybundle.numerics.arrays import Array, Index
 from raybundle.numerics.counting import counted
@@ -103,7 +103,7 @@ def read_trajectory(path: str | Path, *, name: str | None = None) -> Trajectory:
         with guarded(path):
             return _named(name).read(path)
     with opened(path) as file:
-        head = file.read(4096).decode("utf-8-sig", errors="replace")
+        head = as_utf8(file.read(4096), whole=False).decode("utf-8", errors="replace")
     for format_ in trajectory_formats.values():
         if format_.recognises(head, path.suffix.lower()):
             with guarded(path):

@@ -14,6 +14,7 @@ from raybundle.errors import InputError
 from raybundle.io.photos.container import SUFFIXES, decode, kind_of, read_header
 from raybundle.io.photos.photo import LIMIT_PIXELS, shown
 from raybundle.io.photos.windows import Windows
+from raybundle.io.reading.files import as_utf8
 from raybundle.io.reading.tiff import is_tiff, tiff_tags
 from raybundle.io.scenes import Scene, read_scene, rpc_of_image, scene_formats
 from raybundle.matching.features import FeatureMethod, Features
@@ -26,6 +27,8 @@ if TYPE_CHECKING:
 
 RPC_TAG = 50844
 HEAD_BYTES = 4096
+OWN_ENDS = ("_RPC.TXT", "_rpc.txt", "_RPC.txt", ".RPB", ".rpb", ".RPC", ".rpc", "_RPC.RPC", "_rpc.rpc")
+"""Ends of names that an RPC alone has, behind the name of its image."""
 LEFT_TO_OTHERS = {".ntf", ".nitf", ".jp2", ".j2k"}
 """Images of scenes whose pixels are not read here."""
 TILE_PX, MARGIN_PX = 4096, 192
@@ -131,7 +134,7 @@ def _candidates(inputs: Sequence[Path]) -> list[Path]:
 def model_of(path: Path) -> Path | None:
     """The file that tells the geometry of an image; None where nothing does, so that it is a photograph."""
     stem = path.stem
-    own = [f"{stem}{end}" for end in ("_RPC.TXT", "_rpc.txt", "_RPC.txt", ".RPB", ".rpb")]
+    own = [f"{stem}{end}" for end in OWN_ENDS]
     names = [f"{path.name}.aux.xml", *own, *(f"{stem}{end}" for end in (".XML", ".xml", ".geom", ".DIM", ".json"))]
     if stem.upper() == "IMAGERY":  # as SPOT 5 names them
         names += ["METADATA.DIM", "metadata.dim"]
@@ -156,7 +159,7 @@ def model_of(path: Path) -> Path | None:
 
 def _recognised(path: Path) -> bool:
     with path.open("rb") as file:
-        head = file.read(HEAD_BYTES)
+        head = as_utf8(file.read(HEAD_BYTES), whole=False)
     return any(f.recognises(path, head) for f in scene_formats.values())
 
 
