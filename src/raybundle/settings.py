@@ -43,6 +43,8 @@ class Range:
         return ""
 
 
+DIGITS = 12
+"""Of numbers in messages: micrometres in coordinates of a grid, short of the digits of rounding"""
 ANY, POSITIVE, NOT_NEGATIVE = Range(), Range(low=0, above=True), Range(low=0)
 PIXELS = Range(low=0, high=1e5, above=True)
 """A standard deviation of image points [px]: no format is wider."""
@@ -96,7 +98,8 @@ def option(name: str, *values: object, flag: str = "") -> str:
 
 
 def _plain(value: object) -> str:
-    return f"{value:g}" if isinstance(value, float) else str(value)
+    """A value with all its digits, without those of rounding."""
+    return f"{value:.{DIGITS}g}" if isinstance(value, float) else str(value)
 
 
 def _is_text(value: object) -> bool:

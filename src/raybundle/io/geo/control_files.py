@@ -198,6 +198,11 @@ def _grouped(path: Path, crs: str, rows: Sequence[GcpRow], defaults: ControlDefa
             first.append(row)
         elif not np.array_equal(first[k].xyz, row.xyz, equal_nan=True):
             message = f"point {quoted(row.name)} has other coordinates in line {first[k].line}; correct one of the two"
+            if max(row.columns, first[k].columns) > len(GCP_COLUMNS) + 1:
+                message += (
+                    ", or separate columns by tabs if the name of the image has blanks (read: image "
+                    f"{quoted(row.image)}, point {quoted(row.name)})"
+                )
             problems.append(Problem(row.line, "X", message))
         if (k, row.image) in seen:
             message = (

@@ -260,12 +260,15 @@ def height_remarks(crs: str, undulation_m: float | None = None) -> tuple[str, ..
         if undulation_m is not None:
             above = f"as heights above a geoid {undulation_m:g} m above the ellipsoid{of}"
             return (f"{system_name(crs)} says nothing about heights; they are taken in {unit}, {above}",)
-        code = code_of(crs) or "EPSG:32633"
-        said = code + ELLIPSOID
-        how = (
-            f"as heights above the ellipsoid; if they are, name the system as {said}, if they are above the "
-            f"sea name theirs too, as {code}+5773 (EGM96)"
-        )
+        how = "as heights above the ellipsoid; if they are, "
+        if code := code_of(crs):
+            sea = f"if they are above the sea name theirs too, as {code}+5773 (EGM96)"
+            how += f"name the system as {code}{ELLIPSOID}, {sea}"
+        else:  # a code of another place would move the block there
+            how += (
+                f"write {ELLIPSOID} behind the name of the system, if they are above the sea give the height of the "
+                f"geoid with {option('undulation')}"
+            )
         return (f"{system_name(crs)} says nothing about heights; they are taken in {unit}, {how}",)
     if undulation_m is not None:
         name = height_name(crs)

@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterator
 from dataclasses import dataclass
 from pathlib import Path
 
 from raybundle.io.cells import SHOWN, Problem
+from raybundle.io.photos.container import SUFFIXES
 from raybundle.io.reading.dialects import TwoSigns, decimal_sign, table_text, with_points, without_groups
 from raybundle.io.reading.words import no_number, number_of, quoted
 
@@ -22,6 +24,7 @@ class GcpRow:
     xy: tuple[float, float]
     image: str
     name: str
+    columns: int = len(GCP_COLUMNS)
 
 
 def content_lines(path: Path) -> Iterator[tuple[int, str]]:
@@ -36,10 +39,7 @@ def gcp_rows(lines: Iterator[tuple[int, str]]) -> tuple[list[GcpRow], list[Probl
     """The measurements of lines with their numbers, and what is wrong with some."""
     rows: list[GcpRow] = []
     problems: list[Problem] = []
-    # with tabs a name of an image may hold blanks
-    parts = [
-        (n, t, [w.strip() for w in t.split("\t")] if t.count("\t") >= 5 else t.split()) for n, t in lines
-    ]  # fmt: skip
+    parts = [(n, t, words_of(t)) for n, t in lines]
     full = [(n, w) for n, _, w in parts if len(w) >= len(GCP_COLUMNS)]
     try:
         sign = decimal_sign((c, [w[k] for _, w in full]) for k, c in enumerate(GCP_COLUMNS[:5]))
@@ -67,8 +67,25 @@ def gcp_rows(lines: Iterator[tuple[int, str]]) -> tuple[list[GcpRow], list[Probl
             problems.append(Problem(line, "image", f"{quoted(words[5])} is no name of an image"))
             continue
         X, Y, Z, x, y = (float(n) for n in numbers)
-        rows.append(GcpRow(line, (X, Y, Z), (x, y), words[5], words[6] if len(words) > 6 else ""))
+        name = words[6] if len(words) > len(GCP_COLUMNS) else ""
+        rows.append(GcpRow(line, (X, Y, Z), (x, y), words[5], name, len(words)))
     return rows, problems
+
+
+def words_of(text: str) -> list[str]:
+    """The columns of a line: between tabs, else between blanks, where the name of an image ends with its suffix.
+
+    `a b.jpg g1` is the image `a b.jpg` and the point `g1`: no point is named as a picture is.
+    """
+    if text.count("\t") >= len(GCP_COLUMNS) - 1:
+        return [w.strip() for w in text.split("\t")]
+    words = [(m.start(), m.end()) for m in re.finditer(r"\S+", text)]
+    first = len(GCP_COLUMNS) - 1
+    ends = [k for k, (a, b) in enumerate(words) if k >= first and Path(text[a:b]).suffix.lower() in SUFFIXES]
+    if not ends or ends[-1] == first:
+        return text.split()
+    image = text[words[first][0] : words[ends[-1]][1]]
+    return [*(text[a:b] for a, b in words[:first]), image, *(text[a:b] for a, b in words[ends[-1] + 1 :])]
 
 
 def _unknown(column: str, word: str) -> bool:

@@ -20,6 +20,8 @@ LONGEST_NAME = 60
 SEMI_MAJOR, SAME_AXIS = 6378137.0, 1.0
 """Of GRS 80 and WGS 84 [m], and by how much that of an ellipsoid at the Earth's centre may differ."""
 ELLIPSOID = "+ellipsoid"
+_CODE_BEHIND = re.compile(r"(?<=[\w.])\s*\+\d+$")
+"""The code of a system of heights, which PROJ passes over behind a PROJ string"""
 """Behind the name of a plan system: heights count from its ellipsoid."""
 
 
@@ -39,6 +41,11 @@ def parse_crs(text: str) -> CRS:
         return _above_ellipsoid(text, text[: -len(ELLIPSOID)])
     if len(text) > LONGEST_CRS or not text.replace("\n", " ").replace("\r", " ").replace("\t", " ").isprintable():
         raise InputError(f"{quoted(text)} is no coordinate system: too long, or with characters that cannot be printed")
+    if text.startswith("+") and (heights := _CODE_BEHIND.search(text)):
+        raise InputError(
+            f"{quoted(heights[0])} behind a PROJ string is not read; name the plan by EPSG:code, or heights above the "
+            f"ellipsoid by {ELLIPSOID}"
+        )
     if utm := _UTM.match(text):
         zone = whole_of(utm[1]) or 0
         if not 1 <= zone <= 60:
