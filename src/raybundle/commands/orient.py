@@ -79,7 +79,9 @@ class OrientSettings:
         limits=("text", "text", POSITIVE, NOT_NEGATIVE),
     )  # fmt: skip
     positions: Path | None = setting(
-        None, "Positions of the photographs, as an MRK file or CSV, in place of those that they state.", metavar="FILE"
+        None,
+        "Positions of the photographs (MRK, CSV, geo.txt, Pix4D, Metashape, RTKLIB) in place of their own.",
+        metavar="FILE",
     )
     attitudes: Literal["auto", "none", "opk", "rpy-ned", "gimbal"] = setting(
         "auto", "Observe attitudes of {positions}, or the gimbal's in the photographs, by their convention; auto: what "

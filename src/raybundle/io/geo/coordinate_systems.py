@@ -262,13 +262,11 @@ def height_remarks(crs: str, undulation_m: float | None = None) -> tuple[str, ..
             return (f"{system_name(crs)} says nothing about heights; they are taken in {unit}, {above}",)
         how = "as heights above the ellipsoid; if they are, "
         if code := code_of(crs):
-            sea = f"if they are above the sea name theirs too, as {code}+5773 (EGM96)"
-            how += f"name the system as {code}{ELLIPSOID}, {sea}"
+            named, sea = f"name the system as {code}{ELLIPSOID}", f"name theirs too, as {code}+5773 (EGM96)"
         else:  # a code of another place would move the block there
-            how += (
-                f"write {ELLIPSOID} behind the name of the system, if they are above the sea give the height of the "
-                f"geoid with {option('undulation')}"
-            )
+            named = f"write {ELLIPSOID} behind the name of the system"
+            sea = f"give the height of the geoid with {option('undulation')}"
+        how += f"{named}, if they are above the sea {sea}"
         return (f"{system_name(crs)} says nothing about heights; they are taken in {unit}, {how}",)
     if undulation_m is not None:
         name = height_name(crs)

@@ -17,6 +17,7 @@ from raybundle.io.reading.files import as_utf8, guarded, opened
 from raybundle.io.reading.words import whole_of
 from raybundle.numerics.arrays import Array, Index
 from raybundle.numerics.counting import counted
+from raybundle.numerics.natural import natural
 from raybundle.settings import option
 
 WGS84_HEIGHT = "EPSG:4979"
@@ -43,6 +44,8 @@ class Trajectory:
     """Coordinate system; None where the file does not tell."""
     numbered: bool = False
     """Whether the names are numbers of photographs in the order of their exposure."""
+    ordered: bool = False
+    """Whether rows belong to photographs by their order alone: one for each, in the natural order of names."""
     rotation: Array | None = None
     """(n, 3, 3) object axes to image axes; NaN where not known.  None: the file has no attitudes."""
     rotation_sigma: Array | None = None
@@ -79,9 +82,10 @@ class TrajectoryFormat:
     name: str
     title: str
     read: Reader
-    write: Writer
     recognises: Callable[[str, str], bool]
     """Whether the beginning of a file with this suffix (lower case, with its point) is of the format."""
+    write: Writer | None = None
+    """None: it is only read"""
 
 
 trajectory_formats: dict[str, TrajectoryFormat] = {}
@@ -115,10 +119,14 @@ def read_trajectory(path: str | Path, *, name: str | None = None) -> Trajectory:
 def write_trajectory(trajectory: Trajectory, path: str | Path, *, name: str) -> None:
     """Write a new file in a format; raises InputError where something stands there, or what it needs is not known."""
     path = Path(path)
+    write = _named(name).write
+    if write is None:
+        written = ", ".join(n for n, f in trajectory_formats.items() if f.write is not None)
+        raise InputError(f"format {name} is only read; written are {written}", file=path)
     check_free(path)
     make_parent(path)
     with new_files(path) as (file,):
-        _named(name).write(trajectory, file)
+        write(trajectory, file)
 
 
 def _named(name: str) -> TrajectoryFormat:
@@ -132,8 +140,17 @@ def matched(trajectory: Trajectory, files: Sequence[str]) -> Index:
 
     By name, with or without its suffix; where the file has numbers alone, by the last number of three to six digits in
     the photograph's name.
-    raises  InputError where one row belongs to two photographs
+    raises  InputError where one row belongs to two photographs, or rows without names are not one for each
     """
+    if trajectory.ordered:
+        if len(files) != len(trajectory):
+            raise InputError(
+                f"{counted(len(trajectory), 'position')} without names and {counted(len(files), 'photograph')}: give "
+                "the photographs of these exposures, all of them",
+                file=trajectory.path,
+            )
+        rank = sorted(range(len(files)), key=lambda k: natural(files[k]))
+        return np.argsort(np.array(rank, np.int32)).astype(np.int32)
     if trajectory.numbered:
         rows = {int(n): k for k, n in enumerate(trajectory.names)}
         found = [rows.get(_number(f), -1) for f in files]

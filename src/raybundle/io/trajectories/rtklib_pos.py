@@ -1,0 +1,144 @@
+"""RTKLIB's solutions of camera events: NAME_events.pos, a line for each exposure in their order.
+
+    %  GPST                  latitude(deg) longitude(deg)  height(m)   Q  ns   sdn(m)   sde(m)   sdu(m)  sdne(m) ...
+    2024/05/01 10:00:01.237   47.500012345    8.250001234   450.1234   1  12   0.0041   0.0032   0.0087   0.0011 ...
+
+Also with week and second, and as x, y, z from the earth's centre.  Signs of sdne, sdeu, sdun are those of the
+covariances, whose roots they are (RTKLIB manual, appendix B.1).  A track of all epochs is refused: its lines belong to
+no photograph.
+"""
+
+from __future__ import annotations
+
+import math
+import re
+from datetime import datetime
+from pathlib import Path
+
+import numpy as np
+
+from raybundle.errors import InputError
+from raybundle.io.reading.dialects import table_text
+from raybundle.io.reading.words import number_of, quoted
+from raybundle.io.trajectories.base import WEEK_S, WGS84_HEIGHT, Trajectory, TrajectoryFormat, register
+from raybundle.numerics.arrays import Array
+from raybundle.numerics.geodesy import geographic_from_geocentric
+
+GPS_EPOCH = datetime(1980, 1, 6)  # noqa: DTZ001  (GPS time has no zone)
+FIX = {1: "rtk fixed", 2: "rtk float", 5: "single"}
+EPOCH_S, SAME_S, FEWEST = 0.05, 1e-4, 3
+"""Receivers record epochs at whole multiples of 0.05 s (20 Hz and slower); of exposures one in 500 falls there."""
+_TIME = re.compile(r"\s*(?:(\d{4})/(\d\d)/(\d\d)\s+(\d\d):(\d\d):(\d\d(?:\.\d*)?)|(\d{1,4})\s+(\d+(?:\.\d*)?))\s+(.+)")
+
+
+def read(path: Path) -> Trajectory:
+    """Positions of events; raises InputError with the line of what cannot be read."""
+    header = ""
+    times: list[float] = []
+    rows: list[list[float]] = []
+    lines: list[int] = []
+    for line, text in enumerate(table_text(path).split("\n"), 1):
+        if text.startswith("%"):
+            header = text if "(" in text and re.search(r"latitude|x-ecef|baseline", text) else header
+        elif text.strip():
+            second, values = _line(path, line, text)
+            times.append(second)
+            rows.append(values)
+            lines.append(line)
+    if not rows:
+        raise InputError("it holds no position", file=path, line=1)
+    width = min(map(len, rows))
+    table = np.array([r[:width] for r in rows])
+    _check(path, header, times, table)
+    ecef = "x-ecef" in header
+    xyz = table[:, :3][:, [1, 0, 2]]
+    if ecef:
+        xyz = geographic_from_geocentric(table[:, :3])
+    sigma, correlation = _spread(table, ecef=ecef)
+    fix = tuple(FIX.get(int(q), "") for q in table[:, 3]) if width > 3 else ()
+    weak = sum(f != "rtk fixed" for f in fix)
+    remarks = [
+        "positions are those of the antenna, by the order of the photographs' names; heights above the ellipsoid",
+        *([f"{weak} of {len(fix)} positions have no fixed solution"] if weak else []),
+    ]
+    return Trajectory(
+        path=path, names=tuple(str(k + 1) for k in range(len(rows))), numbered=True, ordered=True, xyz=xyz, sigma=sigma,
+        correlation=correlation, crs=WGS84_HEIGHT, time=np.array(times), fix=fix, remarks=tuple(remarks),
+        lines=np.array(lines, np.int32),
+    )  # fmt: skip
+
+
+def _line(path: Path, line: int, text: str) -> tuple[float, list[float]]:
+    match = _TIME.fullmatch(text)
+    if match is None:
+        message = f"a line begins with date and time, or week and second: {quoted(text.strip()[:40])}"
+        raise InputError(message, file=path, line=line)
+    values: list[float] = []
+    for word in re.split(r"[\s,;]+", match[9].strip()):
+        value = number_of(word)
+        if value is None:
+            raise InputError(f"{quoted(word)} is not a number; write decimal degrees", file=path, line=line)
+        values.append(value)
+    if len(values) < 3:
+        raise InputError(f"{len(values)} numbers after the time, three coordinates are needed", file=path, line=line)
+    return _second(path, line, match), values
+
+
+def _second(path: Path, line: int, match: re.Match[str]) -> float:
+    """GPS time [s]."""
+    if match[7]:
+        return (number_of(match[7]) or 0.0) * WEEK_S + (number_of(match[8]) or 0.0)
+    year, month, day, hour, minute = (int(match[k]) for k in range(1, 6))
+    try:
+        whole = datetime(year, month, day, hour, minute)  # noqa: DTZ001
+    except ValueError:
+        raise InputError(f"{quoted(match[0][:24])} is no date and time", file=path, line=line) from None
+    return (whole - GPS_EPOCH).total_seconds() + (number_of(match[6]) or 0.0)
+
+
+def _check(path: Path, header: str, times: list[float], table: Array) -> None:
+    """Raise InputError for solutions that are no positions of exposures."""
+    if "baseline" in header:
+        message = "it holds baselines from a base station; write the solution as latitude, longitude and height"
+        raise InputError(message, file=path, line=1)
+    if "d'" in header:
+        raise InputError("angles stand in degrees, minutes and seconds; write decimal degrees", file=path, line=1)
+    if "x-ecef" not in header and (np.abs(table[:, 0]).max() > 90 or np.abs(table[:, 1]).max() > 180):
+        raise InputError("latitude or longitude is beyond 90 or 180 degrees; is it another format?", file=path)
+    rest = np.array(times) / EPOCH_S
+    if len(times) >= FEWEST and (np.abs(rest - np.round(rest)) * EPOCH_S < SAME_S).all():
+        raise InputError(
+            f"it is a track of {len(times)} epochs, which belong to no photographs; give the solution of the camera's "
+            "events (NAME_events.pos)",
+            file=path,
+        )
+
+
+def _spread(table: Array, *, ecef: bool) -> tuple[Array, Array | None]:
+    """Standard deviations east, north, up [m] and their correlations; of x, y, z they are not turned but left out."""
+    n, width = table.shape
+    sigma = np.full((n, 3), math.nan)
+    if ecef or width < 8:
+        return sigma, None
+    sigma = table[:, [6, 5, 7]]
+    sigma = np.where(sigma > 0, sigma, math.nan)
+    if width < 11:
+        return sigma, None
+    ne, eu, un = (np.sign(c) * c * c for c in table[:, 8:11].T)
+    east, north, up = sigma.T
+    with np.errstate(all="ignore"):
+        found = np.stack([ne / (east * north), eu / (east * up), un / (north * up)], axis=1)
+    return sigma, np.clip(np.nan_to_num(found), -1, 1)
+
+
+def _recognises(head: str, suffix: str) -> bool:
+    lines = head.splitlines()
+    marked = any(t.startswith("%") and re.search(r"latitude\(|x-ecef\(|e-baseline\(", t) for t in lines)
+    return marked or (suffix == ".pos" and any(_TIME.fullmatch(t) for t in lines))
+
+
+register(
+    TrajectoryFormat(
+        name="rtklib", title="RTKLIB solution of camera events (NAME_events.pos)", read=read, recognises=_recognises
+    )
+)

@@ -1,0 +1,169 @@
+"""Position lists of other programs: geo.txt, Pix4D, Metashape, RTKLIB."""
+
+import numpy as np
+import pytest
+
+from raybundle.errors import InputError
+from raybundle.io.trajectories import in_wgs84, matched, read_trajectory, trajectory_formats, write_trajectory
+from raybundle.io.trajectories.base import WGS84_HEIGHT
+
+HERE = (8.25, 47.5, 450.0)
+UTM = (500010.5, 5400020.25, 450.0)
+WKT = (
+    'GEOGCS["WGS 84",DATUM["World Geodetic System 1984",SPHEROID["WGS 84",6378137,298.257223563]],'
+    'PRIMEM["Greenwich",0],UNIT["degree",0.01745329251994328],AUTHORITY["EPSG","4326"]]'
+)
+META = "#Label,X/Longitude,Y/Latitude,Z/Altitude,Yaw,Pitch,Roll,Error_(m),X_error,X_est,Y_est,Z_est\n"
+
+GRID = "500010.5,5400020.25,450"
+W, PROJ = WGS84_HEIGHT, "+proj=utm +zone=33 +datum=WGS84 +units=m"
+OWN = (0.02, 0.02, 0.03)
+PIX4D = (
+    "imagename,latitude [decimal degrees],longitude [decimal degrees],altitude [meter],accuracy horizontal [meter],"
+    "accuracy vertical [meter]"
+)
+ACCURACY = "#Label,X/Easting,Y/Northing,Z/Altitude,Accuracy_X_(m),Accuracy_Y_(m),Accuracy_Z_(m)"
+BARE = "b.jpg,,,,,,,,,8.2,47.4,449\n"
+FULL = "a.jpg,8.25,47.5,450,1,2,3,0.1,0.1,8.2,47.4,449\n"
+
+GEO_TXT = {  # text, place, system, standard deviations
+    "degrees": ("EPSG:4326\na.jpg 8.25 47.5 450\n", HERE, W, None),
+    "WGS84": ("WGS84\na.jpg 8.25 47.5 450\n", HERE, W, None),
+    "UTM": (f"WGS84 UTM 33N\na.jpg {GRID.replace(',', ' ')}\n", UTM, "WGS84 UTM 33N", None),
+    "PROJ string": (f"{PROJ}\na.jpg {GRID.replace(',', ' ')}\n", UTM, PROJ, None),
+    "angles and accuracies": ("EPSG:4326\na.jpg 8.25 47.5 450 12 0 1 0.02 0.03\n", HERE, W, OWN),
+    "no heights": ("EPSG:4326\na.jpg 8.25 47.5\n", (8.25, 47.5, np.nan), W, None),
+    "blanks in a name": ("EPSG:4326\nmy a.jpg 8.25 47.5 450\n", HERE, W, None),
+    "tabs": ("EPSG:4326\nmy a\t8.25\t47.5\t450\n", HERE, W, None),
+    "comments": ("# made by hand\n\nEPSG:4326\n\na.jpg 8.25 47.5 450\n", HERE, W, None),
+    "a mark": ("\ufeffEPSG:4326\r\na.jpg 8.25 47.5 450\r\n", HERE, W, None),
+}
+TABLES = {
+    "Pix4D": (f"{PIX4D}\na.jpg,47.5,8.25,450,0.02,0.03\n", HERE, W, OWN),
+    "Pix4D without names": ("a.jpg,47.5,8.25,450,0.02,0.03\n", HERE, W, OWN),
+    "Pix4D with angles": ("a.jpg\t47.5\t8.25\t450\t1\t2\t3\t0.02\t0.03\n", HERE, W, OWN),
+    "Pix4D in a grid": (f"a.jpg,{GRID}\n", UTM, None, None),
+    "Pix4D, grid with names": (f"#imagename,X,Y,Z\na.jpg,{GRID}\n", UTM, None, None),
+    "decimal commas": ("image name;Latitude;Longitude;Altitude\na.jpg;47,5;8,25;450\n", HERE, W, None),
+    "blanks, decimal commas": ("a.jpg 47,5 8,25 450\n", HERE, W, None),
+    "blanks": ("my a.jpg 47.5 8.25 450\n", HERE, W, None),
+    "longitude first": ("filename,lon,lat,alt\na.jpg,8.25,47.5,450\n", HERE, W, None),
+    "longitude first, no names": ("a.jpg,151.25,-33.5,450\n", (151.25, -33.5, 450.0), W, None),
+    "easting, northing": (f"Photo;Easting;Northing;Height\na.jpg;{GRID.replace(',', ';')}\n", UTM, None, None),
+    "Metashape": (f"# Cameras (1)\n# CoordinateSystem: {WKT}\n{META}{FULL}", HERE, W, None),
+    "Metashape in a grid": (
+        f"# CoordinateSystem: EPSG:32633\n{ACCURACY}\na.jpg,{GRID},0.01,0.02,0.03\n", UTM, "EPSG:32633",
+        (0.01, 0.02, 0.03),
+    ),
+    "Metashape, no position": (f"{META}{BARE}{FULL}", HERE, W, None),
+    "Metashape, tabs": ("#Label\tX/Longitude\tY/Latitude\tZ/Altitude\na\t8.25\t47.5\t450\n", HERE, W, None),
+}  # fmt: skip
+LISTS = {("geo.txt", "geo-txt", name): case for name, case in GEO_TXT.items()} | {
+    ("list.csv", "image-list", name): case for name, case in TABLES.items()
+}
+
+
+@pytest.mark.parametrize("key", LISTS, ids=lambda k: f"{k[1]}, {k[2]}")
+def test_position_lists(tmp_path, key):
+    text, place, crs, sigma = LISTS[key]
+    file, format_, name = key
+    path = tmp_path / file
+    path.write_bytes(text.encode())
+    head = text.removeprefix("\ufeff")
+    assert [n for n, f in trajectory_formats.items() if f.recognises(head, path.suffix)] == [format_]
+    found = read_trajectory(path)
+    (row,) = matched(found, ["my a.jpg" if "my a" in text else "a.jpg"])
+    np.testing.assert_allclose(found.xyz[row], place)
+    assert found.crs == crs
+    np.testing.assert_allclose(found.sigma[row], sigma or (np.nan,) * 3)
+    if name in {"Metashape", "angles and accuracies"}:
+        assert any("not read: " in r and "yaw" in r.lower() for r in found.remarks)
+    if crs is not None:
+        assert np.isfinite(in_wgs84(found, None).xyz[row, :2]).all()
+
+
+@pytest.mark.parametrize(
+    ("file", "text", "words"),
+    [
+        (
+            "geo.txt",
+            "EPSG:4326\na.jpg 8.25 47.5 450\na.jpg 8.26 47.5 450\n",
+            "line 3, column name: a.jpg stands in line 2",
+        ),
+        ("geo.txt", "EPSG:4326\na.jpg 47.5 98.25 450\n", "line 2: 98.25 is beyond 90 degrees"),
+        ("geo.txt", "EPSG:4326\na.jpg 8.25 47.5 450\nb.jpg 8.25\n", "line 3: 2 columns"),
+        ("geo.txt", "EPSG:999999\na.jpg 8.25 47.5 450\n", "line 1: .*is no coordinate system"),
+        ("geo.txt", "EPSG:4326\na.jpg 8.25 47.5 high\n", "line 2, column Z: 'high' is not"),
+        ("p.csv", "imagename,latitude,longitude,altitude\na.jpg,47.5,x,450\n", "line 2, column longitude"),
+        ("p.csv", "imagename,latitude,longitude,altitude\na.jpg,47.5\n", "line 2: 2 columns"),
+        ("p.csv", "imagename,latitude,longitude,altitude\n", "it holds no position"),
+        ("p.csv", "a.jpg,47.5,8.25,450\nb.jpg,47.5\n", "line 2: 2 columns"),
+        (
+            "e.pos",
+            "% GPST latitude(d'\") longitude(d'\") height(m)\n2024/05/01 10:00:01.237 47 30 0 8 15 0 450\n",
+            "decimal degrees",
+        ),
+    ],
+)
+def test_bad_lists_are_named(tmp_path, file, text, words):
+    path = tmp_path / file
+    path.write_text(text)
+    with pytest.raises(InputError, match=words):
+        read_trajectory(path)
+
+
+def test_positions_without_a_fix_are_none(tmp_path):
+    path = tmp_path / "geo.txt"
+    path.write_text("EPSG:4326\na.jpg 8.25 47.5 450\nb.jpg 0 0 0\n")
+    found = read_trajectory(path)
+    assert np.isnan(found.xyz[1]).all()
+    assert any("1 of 2 positions are 0, 0 and not used" in r for r in found.remarks)
+
+
+HEAD = (
+    "% program   : RTKPOST\n%  GPST                  latitude(deg) longitude(deg)  height(m)   Q  ns   sdn(m)   sde(m) "
+    "sdu(m)  sdne(m)  sdeu(m)  sdun(m) age(s)  ratio\n"
+)
+TAIL = "47.500000000 8.250000000 450.0000 1 12 0.0040 0.0030 0.0090 0.0010 -0.0010 0.0000 0.00 99.0\n"
+POS = {
+    "date": HEAD + "".join(f"2024/05/01 10:00:{k:02d}.{237 + 11 * k}   {TAIL}" for k in range(3)),
+    "week": HEAD + "".join(f"2312 295200.{237 + 11 * k}   {TAIL}" for k in range(3)),
+}
+
+
+@pytest.mark.parametrize("name", ["date", "week"])
+def test_rtklib_events(tmp_path, name):
+    path = tmp_path / "flight_events.pos"
+    path.write_text(POS[name])
+    found = read_trajectory(path)
+    np.testing.assert_allclose(found.xyz, np.tile(HERE, (3, 1)))
+    np.testing.assert_allclose(found.sigma, np.tile((0.003, 0.004, 0.009), (3, 1)))
+    np.testing.assert_allclose(found.correlation[0], (1e-6 / 1.2e-5, -1e-6 / 2.7e-5, 0.0), rtol=1e-6)
+    assert found.fix == ("rtk fixed",) * 3
+    assert matched(found, ["IMG_0103.jpg", "IMG_0099.jpg", "IMG_0101.jpg"]).tolist() == [2, 0, 1]
+    with pytest.raises(InputError, match="3 positions without names and 2 photographs"):
+        matched(found, ["a.jpg", "b.jpg"])
+
+
+def test_rtklib_from_the_earths_centre(tmp_path):
+    path = tmp_path / "a.pos"
+    head = "%  GPST  x-ecef(m)  y-ecef(m)  z-ecef(m)  Q  ns\n"
+    path.write_text(head + "2312 295200.237 4273000.0 619500.0 4680000.0 2 9\n")
+    found = read_trajectory(path)
+    assert found.xyz[0, :2] == pytest.approx((8.249, 47.5), abs=0.1)
+    assert found.fix == ("rtk float",)
+
+
+@pytest.mark.parametrize("step", [0.05, 0.1, 0.2, 1.0, 5.0])
+def test_a_track_is_no_list_of_exposures(tmp_path, step):
+    path = tmp_path / "rover.pos"
+    path.write_text(HEAD + "".join(f"2312 {295200 + k * step:.3f}   {TAIL}" for k in range(20)))
+    with pytest.raises(InputError, match="it is a track of 20 epochs"):
+        read_trajectory(path)
+
+
+def test_formats_that_are_only_read(tmp_path):
+    path = tmp_path / "geo.txt"
+    path.write_text("EPSG:4326\na.jpg 8.25 47.5 450\n")
+    with pytest.raises(InputError, match="format geo-txt is only read; written are"):
+        write_trajectory(read_trajectory(path), tmp_path / "b.txt", name="geo-txt")
