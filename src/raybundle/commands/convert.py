@@ -156,7 +156,13 @@ def _to_one(settings: ConvertSettings, progress: Progress) -> Converted:
     from raybundle.io.pictures.undistort import point_colours  # noqa: PLC0415
     from raybundle.pipeline.project import photographs_of  # noqa: PLC0415
     from raybundle.workflows.convert import BLOCK, RPC, check_new, placed, straightened, written  # noqa: PLC0415
-    from raybundle.workflows.sources import read_source, result_within, with_adjusted_cameras  # noqa: PLC0415
+    from raybundle.workflows.sources import (  # noqa: PLC0415
+        read_source,
+        recognised,
+        result_within,
+        with_adjusted_cameras,
+        with_two_rays,
+    )
 
     s, to = settings, settings.to
     if (s.frame_origin is not None or s.undulation is not None) and s.crs is None:
@@ -176,6 +182,10 @@ def _to_one(settings: ConvertSettings, progress: Progress) -> Converted:
     check_new(s.out, to)
     source = result_within(s.source) if s.read_as in {None, BLOCK} else s.source
     export, remarks = read_source(source, s.read_as, approximate=s.approximate)
+    if to == BLOCK and (s.read_as or recognised(source)) != BLOCK:
+        block, more = with_two_rays(export.block)
+        export = replace(export, block=block, colours=None)
+        remarks += more
     if s.crs is not None:
         export, more = placed(export, s.crs, s.frame_origin, s.undulation)
         remarks += more

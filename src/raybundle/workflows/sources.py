@@ -10,6 +10,7 @@ from typing import Any
 import numpy as np
 
 from raybundle.block import Block, Camera, Images, Role
+from raybundle.block.select import points_left, with_rows
 from raybundle.errors import InputError
 from raybundle.io.block.folder import read_block
 from raybundle.io.formats import Export, check_deviation, formats, looks_like, read_format
@@ -27,6 +28,8 @@ from raybundle.workflows.block_frame import in_block_frame
 
 BLOCK = "block"
 """The word for block folders and result folders among the formats."""
+LEAST_RAYS = 2
+"""Of a tie point that an adjustment determines."""
 READABLE = (BLOCK, *sorted(n for n, f in formats.items() if f.read))
 
 
@@ -46,6 +49,20 @@ def read_source(source: Path, given: str | None = None, *, approximate: bool = F
         return _result(source)
     block, frame, remarks = in_block_frame(read_block(source))
     return Export(block=block, frame=frame), remarks
+
+
+def with_two_rays(block: Block) -> tuple[Block, tuple[str, ...]]:
+    """A block of another program without tie points that no adjustment determines, and remarks.
+
+    Programs hold points with one ray, or with none, as a place; points that other observations name stay.
+    """
+    rays = np.bincount(block.observations.point, minlength=len(block.points))
+    free = (np.asarray(block.points.role) == Role.TIE) & ~block.points_named
+    thin = free & (rays < LEAST_RAYS)
+    if not thin.any() or thin.all():
+        return block, ()
+    remark = f"{counted(int(thin.sum()), 'tie point')} left out: fewer than two image observations each"
+    return with_rows(block, ~thin[block.observations.point]), (remark,)
 
 
 def result_within(source: Path) -> Path:
@@ -101,22 +118,27 @@ def _result(folder: Path) -> tuple[Export, tuple[str, ...]]:
     }
     named = zip(o.image.tolist(), o.point.tolist(), strict=True)
     kept = np.array([(block.images.ids[i], block.points.ids[p]) not in out for i, p in named], bool)
+    there = points_left(block, kept)
     block = replace(
         block,
         # results of versions that did not write it into the block tell it, too
         free_scale="scale" in result.result.get("datum_defect", ()),
         points=replace(block.points, xyz=xyz),
-        observations=o.rows(kept),
     )
+    block = with_rows(block, kept)
     remarks = (f"{counted(int((~kept).sum()), 'rejected image observation')} left out",) if not kept.all() else ()
+    if not there.all():
+        remarks += (
+            f"{counted(int((~there).sum()), 'tie point')} left out: all of their image observations are rejected",
+        )
     frame, state = result.result.get("frame"), state_words(result.result)
     export = Export(
         block=block,
-        sigma=sigma,
+        sigma=sigma[there],
         station_sigma=station_sigma,
         station_angle_sigma=angle_sigma,
         frame=frame_from_mapping(frame) if isinstance(frame, dict) else None,
-        given=given,
+        given=given[there],
         record={**read_recorded(folder)[0].as_mapping(), **({STATE: state} if state else {})},
         interior=_interior(result.result),
     )
