@@ -18,7 +18,7 @@ NOT_IN_BLOCKS = {"metashape", "nerfstudio"}
 SETS = {
     "board": ("calibrate", "photos", "--target", "chessboard-9x6", "--spacing", "25"),
     "flight": ("orient", "photos"),
-    "part": ("calibrate", "before", "--target", "aicon14", "--scale-bar", "101", "102", "0.66", "0.000005"),
+    "part": ("measure", "before", "--target", "aicon14", "--scale-bar", "101", "102", "0.66", "0.000005"),
 }
 """Demonstration sets of photographs, and what makes a result of them; `scene` is no block of photographs."""
 

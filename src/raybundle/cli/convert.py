@@ -73,7 +73,7 @@ def command(source: Path, progress: str, **given: Any) -> None:
         done = run_convert(settings, tell)
     b = done.block
     facts(images=int(b.images.oriented.sum()), points=len(b.points), observations=len(b.observations))
-    facts(files=dict(done.written), cameras_px=done.deviation_px)
+    facts(files=dict(done.written), cameras_px=done.deviation_px, not_read=dict(done.unread))
     click.echo(f" {counted(int(b.images.oriented.sum()), 'oriented image')}, {counted(len(b.points), 'point')}, "
                f"{counted(len(b.observations), 'image observation')}")  # fmt: skip
     if done.state:

@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from contextlib import ExitStack
-from dataclasses import MISSING, dataclass, replace
+from dataclasses import MISSING, dataclass, field, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Literal
 
@@ -77,6 +77,8 @@ class Converted:
     """largest deviation of a camera from the given one, over the whole format"""
     state: str = ""
     """why the result is not to be used yet; empty: nothing says so"""
+    unread: Mapping[str, int] = field(default_factory=dict[str, int])
+    """number of elements of INPUT that its reader passed over, by kind"""
 
 
 def convert(source: str | Path, out: str | Path, *, to: str, progress: Progress = silent, **settings: Any) -> Converted:
@@ -217,4 +219,4 @@ def _to_one(settings: ConvertSettings, progress: Progress) -> Converted:
     progress("writing", 1.0)
     every = tuple(dict.fromkeys((*remarks, *more)))
     return Converted(block=export.block, files=files, written=((to, s.out),), remarks=every, deviation_px=deviation,
-                     state=export.record.get(STATE, ""))  # fmt: skip
+                     state=export.record.get(STATE, ""), unread=export.unread)  # fmt: skip

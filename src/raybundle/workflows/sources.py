@@ -44,7 +44,7 @@ def read_source(source: Path, given: str | None = None, *, approximate: bool = F
     if name != BLOCK:
         imported = read_format(name, source)
         check_deviation(imported.deviation_px, imported.remarks, source, approximate=approximate)
-        return Export(block=imported.block, colours=imported.colours), imported.remarks
+        return Export(block=imported.block, colours=imported.colours, unread=imported.unread), imported.remarks
     if (source / "result.json").is_file():
         return _result(source)
     block, frame, remarks = in_block_frame(read_block(source))

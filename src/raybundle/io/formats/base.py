@@ -15,6 +15,7 @@ from raybundle.errors import InputError
 from raybundle.io.folders import check_free, check_new_file, make_parent, new_files, new_folder
 from raybundle.io.geo.coordinate_systems import LocalFrame
 from raybundle.io.reading.files import guarded, opened
+from raybundle.io.reading.ledger import ledger, not_read
 from raybundle.numerics.arrays import Array, Index, Mask
 from raybundle.readable import readable, readable_names
 from raybundle.sensors import ProjectionDiverged, sensor_models
@@ -78,6 +79,8 @@ class Export:
         default_factory=dict[str, tuple[tuple[str, ...], "Array"]]
     )
     """Camera -> symbols of its free parameters and their covariance, in their units, where a result tells it."""
+    unread: Mapping[str, int] = field(default_factory=dict[str, int])
+    """Number of elements of the file it comes from that the reader passed over, by kind."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -91,6 +94,8 @@ class Import:
     """What was left out, approximated or assumed."""
     deviation_px: float = 0.0
     """Largest deviation of our cameras from those of the file, over the whole format."""
+    unread: Mapping[str, int] = field(default_factory=dict[str, int])
+    """Number of elements of the file that were passed over, by kind; `read_format` fills it in."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -179,8 +184,11 @@ def read_format(name: str, path: str | Path) -> Import:
         raise InputError(f"format {name} is only written, not read; readable: {readable}", file=path)
     if not path.exists():
         raise InputError("there is no such file or folder; check the path", file=path)
-    with guarded(path):
-        return format_.read(path)
+    with guarded(path), ledger() as passed_over:
+        found = format_.read(path)
+        unread = passed_over.counts()
+    remarks = (*found.remarks, *filter(None, [not_read(unread)]))
+    return replace(found, remarks=remarks, unread=unread)
 
 
 def write_format(

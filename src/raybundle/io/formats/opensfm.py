@@ -37,6 +37,7 @@ from raybundle.io.formats.base import (
     scene,
 )  # fmt: skip
 from raybundle.io.reading.files import read_text
+from raybundle.io.reading.ledger import declare
 from raybundle.io.reading.trees import Json, read_json
 from raybundle.io.reading.words import number_of, quoted
 from raybundle.numerics.rotation import rotation_from_vector, vector_from_rotation
@@ -52,6 +53,8 @@ TERMS: Mapping[str, tuple[str, ...]] = {
     "fisheye_opencv": ("k1", "k2", "k3", "k4"),
 }
 """Projection type -> distortion."""
+NO_GEOMETRY = ("orientation", "scale", "capture_time", "gps_dop", "vertices", "faces", "merge_cc", "color")
+"""Keys of shots and points without bearing on the block; `scale` is that of a mesh."""
 SCALE = 0.004
 """Scale of a feature as OpenSfM's tracks want one; it weights nothing there by default."""
 
@@ -128,6 +131,7 @@ def read(path: Path) -> Import:
     if path.is_dir():
         path = path / "reconstruction.json"
     everything = read_json(path).items()
+    declare(*NO_GEOMETRY)
     if not everything:
         raise InputError("holds no reconstruction", file=path)
     remarks: list[str] = []

@@ -34,16 +34,24 @@ from raybundle.io.formats.base import (
     scene,
 )
 from raybundle.io.reading.files import read_bytes
+from raybundle.io.reading.ledger import declare, enter
 from raybundle.io.reading.trees import Json, read_json
 from raybundle.io.reading.words import quoted
 from raybundle.numerics.arrays import Array
 from raybundle.numerics.rotation import angles_from_rotation, rotation_from_angles
+from raybundle.settings import option
 
 TERMS = ("fx", "cx", "cy", "k1", "k2", "k3", "p1", "p2")
 CRS = (
     'ENGINEERINGCRS["Local frame",ENGINEERINGDATUM["Local datum"],CS[Cartesian,3],AXIS["(X)",east,ORDER[1]],'
     'AXIS["(Y)",north,ORDER[2]],AXIS["(Z)",up,ORDER[3]],LENGTHUNIT["metre",1]]'
 )
+NO_GEOMETRY = (
+    "format", "version", "generator", "id", "sources", "name", "description", "bands", "captures", "asset", "scene",
+    "scenes", "mesh", "mode", "material", "materials", "extensionsUsed", "extensionsRequired", "byteLength", "target",
+    "min", "max", "COLOR_0", "featureIds", "scales", "sensors.internals",
+)  # fmt: skip
+"""Members without bearing on the block, and those that the calibrated cameras repeat."""
 GLTF_FROM_OBJECT = np.array([[1.0, 0, 0], [0, 0, 1], [0, -1, 0]])
 COMPONENTS = {5126: "<f4", 5125: "<u4", 5121: "u1"}
 WIDTHS = {"SCALAR": 1, "VEC2": 2, "VEC3": 3, "VEC4": 4}
@@ -240,6 +248,7 @@ def read(path: Path) -> Import:
             raise InputError(f"holds {len(found)} .opf files; give the one to be read", file=path)
         path = found[0]
     project = read_json(path)
+    declare(*NO_GEOMETRY)
     resources = _resources(project, path)
     remarks: list[str] = []
     deviations: list[float] = []
@@ -266,12 +275,18 @@ def read(path: Path) -> Import:
 
 def _frame_remark(frame: Json) -> list[str]:
     """How the processing frame lies, in words, if it is not the coordinate system itself."""
-    shift = frame.get("base_to_canonical").get("shift").numbers(3)
-    if not shift.any():
-        return []
-    system = quoted(frame.get("crs").get("definition").value)
+    base = frame.get("base_to_canonical")
+    shift = base.get("shift").numbers(3)
+    scale = base.get("scale").numbers(3) if base.has("scale") else np.ones(3)
+    swapped = bool(base.get("swap_xy").value) if base.has("swap_xy") else False
+    definition = frame.get("crs").get("definition").value
+    system = quoted(definition)
+    if not shift.any() and not swapped and (scale == 1).all():
+        return [] if definition == CRS else [f"coordinates stand in {system}; give it with {option('crs')}"]
     place = ", ".join(f"{v:.3f}" for v in shift.tolist())
-    return [f"coordinates stand in the project's processing frame, shifted by {place} against {system}"]
+    scaled = "" if (scale == 1).all() else f", scaled by {', '.join(f'{v:g}' for v in scale.tolist())}"
+    swap = ", X and Y interchanged" if swapped else ""
+    return [f"coordinates stand in the project's processing frame, shifted by {place}{scaled}{swap} against {system}"]
 
 
 def _resources(project: Json, path: Path) -> dict[str, Path]:
@@ -320,6 +335,8 @@ def _cameras_in(
         if len(size.items()) < 2:
             size.fail("width and height are needed")
         width, height = (v.whole() for v in size.items()[:2])
+        shutter = sensor.get("shutter_type").text() if sensor.has("shutter_type") else "global"
+        enter(f"shutter_type {quoted(shutter)}", int(shutter != "global"))
         pixel = sensor.optional("pixel_size_um") / 1000
         sizes[_id(sensor)] = (width, height, pixel if pixel > 0 else None)
     cameras: list[Camera] = []

@@ -6,8 +6,8 @@ import ast
 import json
 import re
 import tomllib
-from collections.abc import Mapping
-from dataclasses import dataclass
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any, NoReturn, cast
 
@@ -15,6 +15,7 @@ import numpy as np
 
 from raybundle.errors import InputError
 from raybundle.io.reading.files import TEXT_BYTES, read_text
+from raybundle.io.reading.ledger import enter_tree
 from raybundle.io.reading.words import NOT_FINITE, finite, no_number, quoted, whole_of
 from raybundle.numerics.arrays import Array
 
@@ -25,6 +26,35 @@ _TOKEN = re.compile(r'"(?:[^"\\]|\\[\s\S])*+(?:"|\Z)|[\[\]{}]')
 _KEY = re.compile(r"""\s*([A-Za-z0-9_-]+|"[^"]*"|'[^']*')\s*[=.]""")
 
 
+class Asked(dict[str, "Asked"]):
+    """Keys that a reader asked for, as a tree; MEMBER and ELEMENT stand for all members and elements."""
+
+    __slots__ = ()
+
+    def below(self, key: str) -> Asked:
+        """The keys asked for below a key, which counts as asked for."""
+        if key not in self:
+            self[key] = Asked()
+        return self[key]
+
+
+MEMBER, ELEMENT = "\0*", "\0[]"
+
+
+def _passed_over(value: object, asked: Asked, name: str) -> Iterator[tuple[str, str]]:
+    """Keys that hold something and were not asked for; a value of which nothing was asked is read as a whole."""
+    if isinstance(value, dict) and asked:
+        for key, member in cast("dict[str, Any]", value).items():
+            below = asked.get(key, asked.get(MEMBER))
+            if below is not None:
+                yield from _passed_over(member, below, key if key in asked else name)
+            elif member not in (None, "", [], {}):
+                yield key, _step(f"{name}.{key}" if name else key)
+    elif isinstance(value, list) and asked.get(ELEMENT):
+        for element in cast("list[Any]", value):
+            yield from _passed_over(element, asked[ELEMENT], name)
+
+
 @dataclass(frozen=True, slots=True)
 class Json:
     """A JSON value with the way to it, for messages."""
@@ -32,25 +62,32 @@ class Json:
     file: Path
     value: Any
     at: str = ""
+    asked: Asked = field(default_factory=Asked, repr=False, compare=False)
 
     def fail(self, message: str) -> NoReturn:
         """Raise at this place."""
         raise InputError(message, file=self.file, column=self.at or None)
 
-    def _below(self, key: str | int, value: object) -> Json:
-        return Json(self.file, value, f"{self.at}.{_step(key)}" if self.at else _step(key))
+    def _below(self, key: str | int, value: object, asked: Asked) -> Json:
+        return Json(self.file, value, f"{self.at}.{_step(key)}" if self.at else _step(key), asked)
+
+    def passed_over(self) -> Iterator[tuple[str, str]]:
+        """Keys that hold something and were not asked for, each with the key above it."""
+        return _passed_over(self.value, self.asked, "")
 
     def mapping(self) -> Mapping[str, Json]:
         """The members of an object."""
         if not isinstance(self.value, dict):
             self.fail("an object or table is needed here")
-        return {k: self._below(k, v) for k, v in cast("dict[str, Any]", self.value).items()}
+        asked = self.asked.below(MEMBER)
+        return {k: self._below(k, v, asked) for k, v in cast("dict[str, Any]", self.value).items()}
 
     def items(self) -> list[Json]:
         """The elements of an array."""
         if not isinstance(self.value, list):
             self.fail("a list is needed here")
-        return [self._below(k, v) for k, v in enumerate(cast("list[Any]", self.value))]
+        asked = self.asked.below(ELEMENT)
+        return [self._below(k, v, asked) for k, v in enumerate(cast("list[Any]", self.value))]
 
     def has(self, key: str) -> bool:
         """Whether an object has a member that is not null."""
@@ -62,7 +99,7 @@ class Json:
             self.fail("an object or table is needed here")
         if not self.has(key):
             self.fail(f"key {quoted(key)} is missing")
-        return self._below(key, cast("dict[str, Any]", self.value)[key])
+        return self._below(key, cast("dict[str, Any]", self.value)[key], self.asked.below(key))
 
     def text(self) -> str:
         """A string that can be printed."""
@@ -114,7 +151,9 @@ class _NotFinite(ValueError):
 
 def read_json(path: Path, limit: int = TEXT_BYTES) -> Json:
     """The value in a JSON file; raises InputError with the line of a mistake."""
-    return Json(path, json_of(read_text(path, limit), path))
+    top = Json(path, json_of(read_text(path, limit), path))
+    enter_tree(top)
+    return top
 
 
 def json_of(text: str, path: Path) -> Any:

@@ -10,9 +10,29 @@ from xml.parsers import expat
 
 from raybundle.errors import InputError
 from raybundle.io.reading.files import read_bytes
+from raybundle.io.reading.ledger import enter_tree
 from raybundle.io.reading.trees import DEEPEST
 from raybundle.io.reading.words import no_number, number_of, numbers_of, quoted
 from raybundle.numerics.arrays import Array
+
+
+class Attributes(dict[str, str]):
+    """The attributes of an element, which know their names that were asked for."""
+
+    __slots__ = ("asked",)
+
+    def __init__(self, values: Mapping[str, str]) -> None:
+        super().__init__(values)
+        self.asked: set[str] = set()
+
+    def __getitem__(self, name: str) -> str:
+        self.asked.add(name)
+        return super().__getitem__(name)
+
+    def get(self, name: str, default: str = "") -> str:  # type: ignore[override]
+        """An attribute, or the default where there is none."""
+        self.asked.add(name)
+        return super().get(name, default)
 
 
 @dataclass(slots=True)
@@ -22,9 +42,11 @@ class Element:
     file: Path
     line: int
     name: str
-    attributes: Mapping[str, str]
+    attributes: Attributes
     children: list[Element] = field(default_factory=list["Element"])
     content: str = ""
+    asked: bool = False
+    """Whether a reader asked for it."""
 
     def fail(self, message: str) -> NoReturn:
         """Raise at this element."""
@@ -32,7 +54,20 @@ class Element:
 
     def all(self, name: str) -> Iterator[Element]:
         """Children of this name."""
-        return (c for c in self.children if c.name == name)
+        for child in self.children:
+            if child.name == name:
+                child.asked = True
+                yield child
+
+    def passed_over(self) -> Iterator[tuple[str, str]]:
+        """Elements and attributes that were not asked for; of an element within one of these nothing is counted."""
+        for name in self.attributes.keys() - self.attributes.asked:
+            yield name, f"{name} of <{self.name}>"
+        for child in self.children:
+            if child.asked:
+                yield from child.passed_over()
+            else:
+                yield child.name, f"<{child.name}>"
 
     def find(self, *names: str) -> Element | None:
         """The first element down this way of names."""
@@ -85,7 +120,9 @@ def read_xml(path: Path, root: str) -> Element:
 
     raises  InputError with the line
     """
-    return xml_of(read_bytes(path), path, root)
+    top = xml_of(read_bytes(path), path, root)
+    enter_tree(top)
+    return top
 
 
 def xml_of(data: bytes, path: Path, root: str) -> Element:
@@ -96,7 +133,7 @@ def xml_of(data: bytes, path: Path, root: str) -> Element:
     top: list[Element] = []
 
     def begin(name: str, attributes: dict[str, str]) -> None:
-        element = Element(path, parser.CurrentLineNumber, name, attributes)
+        element = Element(path, parser.CurrentLineNumber, name, Attributes(attributes))
         if len(stack) >= DEEPEST:
             element.fail(f"nested more than {DEEPEST} deep")
         (stack[-1].children if stack else top).append(element)
