@@ -7,13 +7,15 @@ and shifts camera axes to object axes.  There are no tracks in this format.
 from __future__ import annotations
 
 import json
+from collections.abc import Mapping
 from pathlib import Path
-from typing import Any
+from typing import Any, Literal
 
 import numpy as np
 
 from raybundle.block import Block, Camera, Images
 from raybundle.cameras.conversions import FISHEYE, camera_from_forward, forward_fit, pinhole_of, terms_for
+from raybundle.cameras.equirectangular import equirectangular_camera
 from raybundle.cameras.forward_camera import ForwardCamera
 from raybundle.errors import InputError
 from raybundle.io.formats.base import (
@@ -30,14 +32,37 @@ from raybundle.io.formats.base import (
     scene,
 )  # fmt: skip
 from raybundle.io.formats.ply import write_vertices
+from raybundle.io.reading.ledger import declare
 from raybundle.io.reading.trees import Json, read_json
 from raybundle.io.reading.words import quoted
 from raybundle.numerics.arrays import Array
 from raybundle.numerics.rotation import nearest_rotation
 
 TERMS = ("fx", "fy", "cx", "cy", "k1", "k2", "k3", "k4", "p1", "p2")
+DISTORTION = TERMS[4:]
 KEYS = {"fx": "fl_x", "fy": "fl_y"}
 FOLDER = "images/"
+NO_GEOMETRY = (
+    "ply_file_path",
+    "camera_angle_x",
+    "camera_angle_y",
+    "aabb_scale",
+    "sharpness",
+    "colmap_im_id",
+    "scale",
+    "offset",
+)
+"""Keys without bearing on cameras: clouds beside the file, angles that repeat fl_x, the cube of a radiance field."""
+LENSES: Mapping[str, Literal["central", "equidistant", "sphere"]] = {
+    "OPENCV": "central", "PINHOLE": "central", "SIMPLE_PINHOLE": "central", "SIMPLE_RADIAL": "central",
+    "RADIAL": "central", "OPENCV_FISHEYE": "equidistant",
+    "EQUIRECTANGULAR": "sphere",
+}  # fmt: skip
+"""Camera models that are read."""
+FLAGS = {"is_fisheye": "OPENCV_FISHEYE", "equirectangular": "EQUIRECTANGULAR"}
+"""Keys of instant-ngp that name a lens -> the same as a camera model."""
+OTHER_LENSES = ("latlong", "orthographic", "ftheta_p0")
+"""Keys of instant-ngp for lenses that are not read."""
 NOTE = "nerfstudio looks for the photographs in images/ beside the file"
 
 
@@ -94,10 +119,11 @@ def read(path: Path) -> Import:
     if path.is_dir():
         path = path / "transforms.json"
     top = read_json(path)
+    declare(*NO_GEOMETRY)
     frames = top.get("frames").items()
     if not frames:
         top.get("frames").fail("there is no frame")
-    forward: list[ForwardCamera] = []
+    forward: list[ForwardCamera | tuple[int, int]] = []
     index: list[int] = []
     names: list[str] = []
     matrices = np.zeros((len(frames), 4, 4))
@@ -118,6 +144,9 @@ def read(path: Path) -> Import:
     deviations: list[float] = []
     cameras: list[Camera] = []
     for k, camera in enumerate(forward, 1):
+        if not isinstance(camera, ForwardCamera):
+            cameras.append(equirectangular_camera(str(k), *camera, whole_sphere=True))
+            continue
         fit = camera_from_forward(camera, str(k), where=f"{path}: ")
         cameras.append(fitted_camera(fit, f"camera {k}", remarks, deviations))
     images = Images(
@@ -145,28 +174,63 @@ def _check_rotation(place: Json, R: Array) -> None:
         place.fail("its 3 x 3 part is no rotation")
 
 
-def _camera_in(top: Json, frame: Json) -> ForwardCamera:
-    def place(key: str) -> Json:
-        return frame if frame.has(key) else top
+def _place(top: Json, frame: Json, key: str) -> Json:
+    """Where a key stands: in the frame, else in the file, whose value a frame replaces."""
+    top.asked.below(key)
+    return frame if frame.has(key) else top
 
-    model = top.get("camera_model").text() if top.has("camera_model") else "OPENCV"
-    if model not in {"OPENCV", "PINHOLE", "SIMPLE_PINHOLE", "OPENCV_FISHEYE"}:
-        top.get("camera_model").fail(f"{quoted(model)} is not read; known: OPENCV, PINHOLE, OPENCV_FISHEYE")
+
+def _lens(top: Json, frame: Json) -> str:
+    """The camera model of a frame: its own or that of the file, by name or by a flag of instant-ngp."""
+    named = _place(top, frame, "camera_model")
+    model = named.get("camera_model").text() if named.has("camera_model") else ""
+    if model and model not in LENSES:
+        named.get("camera_model").fail(f"{quoted(model)} is not read; known: {', '.join(LENSES)}")
+    for key in OTHER_LENSES:
+        place = _place(top, frame, key)
+        if place.has(key) and place.get(key).value is not False:
+            place.get(key).fail(f"the lens model of {key} is not read; known: {', '.join(LENSES)}")
+    for key, lens in FLAGS.items():
+        place = _place(top, frame, key)
+        if not place.has(key):
+            continue
+        flag = place.get(key).value
+        if not isinstance(flag, bool) and flag not in (0, 1):
+            place.get(key).fail(f"{quoted(flag)} is not true or false")
+        if flag and model and model != lens:
+            place.get(key).fail(f"contradicts camera_model {quoted(model)}; correct one of them")
+        model = lens if flag else model
+    return model or "OPENCV"
+
+
+def _camera_in(top: Json, frame: Json) -> ForwardCamera | tuple[int, int]:
+    """The camera of a frame; of an equirectangular image its width and height."""
+
+    def place(key: str) -> Json:
+        return _place(top, frame, key)
+
+    model = _lens(top, frame)
     width, height = (place(k).get(k).whole() for k in ("w", "h"))
+    every = {t: place(t).optional(t) for t in DISTORTION}
+    if LENSES[model] == "sphere":
+        return width, height
     fx = place("fl_x").get("fl_x").number()
     fy = place("fl_y").optional("fl_y", fx)
     if not (fx > 0 and fy > 0):
         frame.fail(f"a focal length of {fx:g}, {fy:g} px cannot be; it must be positive")
-    terms = () if "PINHOLE" in model else ("k1", "k2", "k3", "k4") + (("p1", "p2") if model == "OPENCV" else ())
+    terms = () if "PINHOLE" in model else DISTORTION if LENSES[model] == "central" else FISHEYE[4:]
+    for term, value in every.items():
+        if term not in terms and value:
+            place(term).get(term).fail(f"{value:g} is no parameter of {model}; remove it, or correct camera_model")
     return ForwardCamera(
         width_px=width,
         height_px=height,
-        projection="equidistant" if model == "OPENCV_FISHEYE" else "central",
+        projection="equidistant" if LENSES[model] == "equidistant" else "central",
         fx=fx,
         fy=fy,
         cx=place("cx").optional("cx", width / 2),
         cy=place("cy").optional("cy", height / 2),
-        **{t: place(t).optional(t) for t in terms},
+        **{t: every[t] for t in terms},
     )
 
 
