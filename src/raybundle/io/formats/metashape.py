@@ -8,14 +8,14 @@ from there to object space.
 
 from __future__ import annotations
 
+from dataclasses import replace
 from html import escape
 from pathlib import Path, PurePosixPath
 
 import numpy as np
 
-from raybundle.block import Block, Camera, Images, Role
-from raybundle.cameras.conversions import camera_from_forward, forward_fit, terms_for
-from raybundle.cameras.forward_camera import ForwardCamera
+from raybundle.block import Role
+from raybundle.cameras.conversions import forward_fit, terms_for
 from raybundle.io.digits import exact
 from raybundle.io.formats.base import (
     SENSOR_FROM_CV,
@@ -24,17 +24,15 @@ from raybundle.io.formats.base import (
     Format,
     Import,
     Scene,
-    Tracks,
     block_of,
     deviation_remark,
-    fitted_camera,
     register,
     scene,
 )
-from raybundle.io.reading.words import quoted
-from raybundle.io.reading.xml import Element, read_xml
+from raybundle.io.formats.metashape_chunk import NO_GEOMETRY, Reading, read_images, read_markers, read_sensors
+from raybundle.io.reading.ledger import declare
+from raybundle.io.reading.xml import read_xml
 from raybundle.numerics.arrays import Array
-from raybundle.numerics.rotation import nearest_rotation
 
 TERMS = ("fx", "fy", "cx", "cy", "skew", "k1", "k2", "k3", "k4", "p1", "p2")
 LOCAL = (
@@ -58,7 +56,7 @@ def write(export: Export, path: Path) -> Draft:
         lines.append(f'<camera id="{k}" sensor_id="{int(s.camera[k])}" label="{escape(label)}">')
         lines.append(f"<orientation>1</orientation><transform>{_row(M.ravel())}</transform></camera>")
     lines.append("</cameras>")
-    lines += _markers(s, export.block)
+    lines += _markers(s, export)
     lines += [f"<reference>{escape(LOCAL)}</reference>", "<transform>"]
     lines += [f'<rotation locked="true">{_row(np.eye(3).ravel())}</rotation>']
     lines += ['<translation locked="true">0 0 0</translation><scale locked="true">1</scale>', "</transform>"]
@@ -98,18 +96,17 @@ def _sensors(s: Scene) -> tuple[list[str], list[tuple[str, str, float]]]:
     return lines, deviations
 
 
-def _markers(s: Scene, block: Block) -> list[str]:
+def _markers(s: Scene, export: Export) -> list[str]:
+    block = export.block
     named = [k for k, p in enumerate(s.points.tolist()) if block.points.role[p] != Role.TIE]
     if not named:
         return []
     lines = [f'<markers next_id="{len(named)}" next_group_id="0">']
     for number, k in enumerate(named):
         p = int(s.points[k])
-        x, y, z = s.xyz[k].tolist()
-        given = f'x="{exact(x)}" y="{exact(y)}" z="{exact(z)}"'
         enabled = "true" if block.points.role[p] == Role.CONTROL else "false"
         lines.append(f'<marker id="{number}" label="{escape(block.points.ids[p])}">')
-        lines.append(f'<reference {given} enabled="{enabled}"/></marker>')
+        lines.append(f'<reference {_reference(export, p)} enabled="{enabled}"/></marker>')
     lines += ["</markers>", '<frames next_id="1"><frame id="0"><markers>']
     for number, k in enumerate(named):
         lines.append(f'<marker marker_id="{number}">')
@@ -120,176 +117,38 @@ def _markers(s: Scene, block: Block) -> list[str]:
     return [*lines, "</markers></frame></frames>"]
 
 
+def _reference(export: Export, p: int) -> str:
+    """Given coordinates and standard deviations of a point as attributes; those that are not given are missing."""
+    points = export.block.points
+    given = points.xyz[p] if export.given is None else np.where(np.isfinite(export.given[p]), export.given[p], np.nan)
+    if not np.isfinite(given).any():
+        given = points.xyz[p]
+    known = np.isfinite(points.sigma[p])
+    told = known if known.any() else np.isfinite(given)
+    words = [f'{n}="{exact(v)}"' for n, v, t in zip("xyz", given.tolist(), told.tolist(), strict=True) if t]
+    words += [f's{n}="{exact(v)}"' for n, v in zip("xyz", points.sigma[p].tolist(), strict=True) if np.isfinite(v)]
+    return " ".join(words)
+
+
 def read(path: Path) -> Import:
     """Cameras, images and markers of the first chunk; images that Metashape did not align stay without orientation."""
     root = read_xml(path, "document")
-    chunk = root.get("chunk")
-    remarks: list[str] = []
-    deviations: list[float] = []
-    chunks = len(list(root.all("chunk")))
-    if chunks > 1:
-        remarks.append(f"the first of {chunks} chunks is read")
-    cameras: dict[str, Camera] = {}
-    for sensor in chunk.get("sensors").all("sensor"):
-        camera = _read_sensor(sensor, path, remarks, deviations)
-        if camera is not None:
-            cameras[sensor.attribute("id")] = camera
-    if not cameras:
-        chunk.get("sensors").fail("no sensor has a calibration")
-    images, numbers = _read_images(chunk, cameras, remarks)
-    tracks = _read_markers(chunk, numbers)
+    declare(*NO_GEOMETRY)
+    chunks = list(root.all("chunk"))
+    chunk = chunks[0] if chunks else root.get("chunk")
+    found = Reading(path)
+    if len(chunks) > 1:
+        found.remarks.append(f"the first of {len(chunks)} chunks is read")
+    cameras = read_sensors(chunk, found)
+    images, numbers, free_scale = read_images(chunk, cameras, found)
+    tracks, control = read_markers(chunk, numbers, found)
     block, more = block_of(
         name=path.stem, source="Metashape", cameras=tuple(cameras.values()), images=images, tracks=tracks
     )
-    return Import(block=block, remarks=(*remarks, *more), deviation_px=max(deviations, default=0.0))
-
-
-def _read_sensor(sensor: Element, path: Path, remarks: list[str], deviations: list[float]) -> Camera | None:
-    calibration = next((c for c in sensor.all("calibration") if c.attributes.get("class") == "adjusted"), None)
-    calibration = calibration or sensor.find("calibration")
-    if calibration is None:
-        remarks.append(
-            f"sensor {sensor.attributes.get('label', '?')} has no calibration and is left out with its images"
-        )
-        return None
-    kind = calibration.attributes.get("type", sensor.attributes.get("type", "frame"))
-    if kind not in {"frame", "fisheye"}:
-        calibration.fail(f"sensor type {quoted(kind)} is not read; known: frame, fisheye")
-    for term in ("p3", "p4"):
-        if calibration.number(term, 0.0):
-            calibration.fail(f"{term} is not known here; calibrate without p3 and p4")
-    resolution = calibration.find("resolution") or sensor.get("resolution")
-    width, height = (_whole(resolution, n) for n in ("width", "height"))
-    f = calibration.number("f")
-    b1 = calibration.number("b1", 0.0)
-    if f <= 0 or f + b1 <= 0:
-        calibration.fail(f"f = {f:g} px cannot be; it must be positive")
-    forward = ForwardCamera(
-        width_px=width,
-        height_px=height,
-        projection="equidistant" if kind == "fisheye" else "central",
-        fx=f + b1,
-        fy=f,
-        cx=width / 2 + calibration.number("cx", 0.0),
-        cy=height / 2 + calibration.number("cy", 0.0),
-        skew=calibration.number("b2", 0.0),
-        **{t: calibration.number(t, 0.0) for t in ("k1", "k2", "k3", "k4")},
-        p1=calibration.number("p2", 0.0),
-        p2=calibration.number("p1", 0.0),
-    )
-    id_ = sensor.attribute("id")
-    fit = camera_from_forward(forward, id_, pixel_mm=_pixel(sensor), where=f"{path}: ")
-    return fitted_camera(fit, f"camera {id_}", remarks, deviations)
-
-
-def _pixel(sensor: Element) -> float | None:
-    for p in sensor.all("property"):
-        if p.attributes.get("name") == "pixel_height":
-            size = _float(p, "value")
-            return size if 0 < size < 1 else None
-    return None
-
-
-def _float(element: Element, name: str) -> float:
-    return element.value(name)
-
-
-def _whole(element: Element, name: str) -> int:
-    value = _float(element, name)
-    if value != int(value) or not 0 < value <= 10_000_000:
-        element.fail(f"attribute {name} = {value:g} is no size in pixels")
-    return int(value)
-
-
-def _similarity(chunk: Element, remarks: list[str]) -> tuple[float, Array, Array]:
-    """Scale, rotation and translation from the chunk's to object space."""
-    element = chunk.find("transform")
-    if element is None:
-        remarks.append("the chunk has no transform; coordinates stand in its own frame, without scale")
-        return 1.0, np.eye(3), np.zeros(3)
-    reference = chunk.find("reference")
-    if reference is not None and not reference.content.strip().startswith("LOCAL_CS"):
-        remarks.append("the chunk is georeferenced: its coordinates are geocentric (X, Y, Z of the earth)")
-    R = element.get("rotation").numbers(9).reshape(3, 3) if element.find("rotation") else np.eye(3)
-    t = element.get("translation").numbers(3) if element.find("translation") else np.zeros(3)
-    scale = element.number("scale", 1.0)
-    if scale <= 0 or np.abs(R @ R.T - np.eye(3)).max() > 1e-4 or np.linalg.det(R) < 0:
-        element.fail("is no similarity: the scale must be positive, the rotation orthogonal")
-    return scale, nearest_rotation(R), t
-
-
-def _read_images(chunk: Element, cameras: dict[str, Camera], remarks: list[str]) -> tuple[Images, dict[str, int]]:
-    scale, R, t = _similarity(chunk, remarks)
-    order = {id_: k for k, id_ in enumerate(cameras)}
-    ids: list[str] = []
-    index: list[int] = []
-    centre: list[Array] = []
-    rotation: list[Array] = []
-    numbers: dict[str, int] = {}
-    group = chunk.get("cameras")
-    elements = [*group.all("camera"), *(c for g in group.all("group") for c in g.all("camera"))]
-    for element in elements:
-        sensor = element.attribute("sensor_id")
-        if sensor not in order:
-            continue
-        label = element.attribute("label")
-        if not label.isprintable() or not label or label != label.strip() or label in ids:
-            element.fail(f"label {quoted(label)} is empty, stands twice or cannot be printed")
-        numbers[element.attribute("id")] = len(ids)
-        ids.append(label)
-        index.append(order[sensor])
-        X0, own = np.full(3, np.nan), np.full((3, 3), np.nan)
-        if (transform := element.find("transform")) is not None:
-            M = transform.numbers(16).reshape(4, 4)
-            if np.abs(M[:3, :3] @ M[:3, :3].T - np.eye(3)).max() > 1e-4 or np.linalg.det(M[:3, :3]) < 0:
-                transform.fail("its 3 x 3 part is no rotation")
-            X0, own = scale * R @ M[:3, 3] + t, SENSOR_FROM_CV @ nearest_rotation(M[:3, :3]).T @ R.T
-        centre.append(X0)
-        rotation.append(own)
-    if not ids:
-        group.fail("there is no camera with a calibrated sensor")
-    images = Images(
-        ids=tuple(ids),
-        camera=np.array(index, np.int32),
-        file=tuple(ids),
-        centre=np.array(centre),
-        rotation=np.array(rotation),
-    )
-    return images, numbers
-
-
-def _read_markers(chunk: Element, numbers: dict[str, int]) -> Tracks:
-    markers = chunk.find("markers")
-    ids: dict[str, int] = {}
-    labels: list[str] = []
-    image: list[int] = []
-    point: list[int] = []
-    xy: list[tuple[float, float]] = []
-    for marker in markers.all("marker") if markers else ():
-        label = marker.attribute("label")
-        if not label.isprintable() or not label or label != label.strip() or label in labels:
-            marker.fail(f"label {quoted(label)} is empty, stands twice or cannot be printed")
-        ids[marker.attribute("id")] = len(labels)
-        labels.append(label)
-    measured = chunk.find("frames", "frame", "markers")
-    for marker in measured.all("marker") if measured else ():
-        k = ids.get(marker.attribute("marker_id"))
-        if k is None:
-            marker.fail(f"marker {marker.attribute('marker_id')} stands nowhere in the chunk's markers")
-        for location in marker.all("location"):
-            at = numbers.get(location.attribute("camera_id"))
-            if at is None or location.attributes.get("pinned") == "false":
-                continue
-            image.append(at)
-            point.append(k)
-            xy.append((_float(location, "x"), _float(location, "y")))
-    return Tracks(
-        point_ids=tuple(labels),
-        xyz=np.full((len(labels), 3), np.nan),
-        image=np.array(image, np.int64),
-        point=np.array(point, np.int64),
-        xy_px=np.array(xy, float).reshape(-1, 2),
-    )
+    points = replace(block.points, role=control.role, xyz=control.xyz, sigma=control.sigma)
+    block = replace(block, points=points, free_scale=free_scale)
+    largest = max(found.deviations, default=0.0)
+    return Import(block=block, remarks=(*found.all_remarks(), *more), deviation_px=largest)
 
 
 register(

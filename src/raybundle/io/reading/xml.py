@@ -60,9 +60,14 @@ class Element:
                 yield child
 
     def passed_over(self) -> Iterator[tuple[str, str]]:
-        """Elements and attributes that were not asked for; of an element within one of these nothing is counted."""
+        """Elements and attributes that were not asked for; of an element within one of these nothing is counted.
+
+        An element of whose children none was asked for is read as a whole.
+        """
         for name in self.attributes.keys() - self.attributes.asked:
             yield name, f"{name} of <{self.name}>"
+        if not any(child.asked for child in self.children):
+            return
         for child in self.children:
             if child.asked:
                 yield from child.passed_over()

@@ -1,0 +1,450 @@
+"""The elements of a Metashape chunk: sensors, cameras, rigs, components and markers.
+
+A camera's transform turns and shifts its axes (x right, y down, z forward) to those of the chunk, or of the component
+that holds it; the transform of the component, or of the chunk before version 2, leads from there to object space.  A
+slave of a rig has the transform of its master times rotation and location of its sensor.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import TypeVar
+
+import numpy as np
+
+from raybundle.block import Camera, Images, Role
+from raybundle.cameras.conversions import camera_from_forward
+from raybundle.cameras.equirectangular import equirectangular_camera
+from raybundle.cameras.forward_camera import ForwardCamera
+from raybundle.errors import InputError
+from raybundle.io.formats.base import SENSOR_FROM_CV, Tracks, fitted_camera
+from raybundle.io.geo.coordinate_systems import local_frame
+from raybundle.io.reading.ledger import enter
+from raybundle.io.reading.words import numbers_of, quoted
+from raybundle.io.reading.xml import Element
+from raybundle.numerics.arrays import Array, Index
+from raybundle.numerics.counting import counted
+from raybundle.numerics.rotation import nearest_rotation
+
+NO_GEOMETRY = (
+    "version", "label", "name", "enabled", "next_id", "next_group_id", "active_id", "id", "value", "locked",
+    "orientation", "region", "settings", "meta", "bands", "data_type", "covariance", "rotation_covariance",
+    "location_covariance", "params", "black_level", "sensitivity", "vignetting", "layer_index", "partition", "class", "pinned", "valid",
+    "type of <calibration>",
+)  # fmt: skip
+"""Elements and attributes without bearing on the block."""
+DEFAULT_SIGMA = 0.005
+"""Standard deviation of markers in Metashape where the chunk sets none [m]."""
+T = TypeVar("T")
+
+
+@dataclass(slots=True)
+class Reading:
+    """What a reader remarks on while it goes through a file."""
+
+    path: Path
+    remarks: list[str] = field(default_factory=list[str])
+    deviations: list[float] = field(default_factory=list[float])
+    errors: dict[str, list[InputError]] = field(default_factory=dict[str, list[InputError]])
+    """Elements that could not be read, by kind."""
+
+    def attempt(self, kind: str, read: Callable[[], T]) -> T | None:
+        """What `read` returns; an error costs this element alone."""
+        try:
+            return read()
+        except InputError as error:
+            self.errors.setdefault(kind, []).append(error)
+            return None
+
+    def all_remarks(self) -> tuple[str, ...]:
+        """The remarks, and one for each kind of elements with errors."""
+        lost = (f"{counted(len(e), kind)} left out: {e[0]}" for kind, e in self.errors.items())
+        return (*self.remarks, *lost)
+
+
+def read_sensors(chunk: Element, found: Reading) -> dict[str, Camera]:
+    """Cameras by the ids of their sensors; raises InputError where there is none."""
+    cameras: dict[str, Camera] = {}
+    sensors = list(chunk.get("sensors").all("sensor"))
+    for sensor in sensors:
+        camera = found.attempt("sensor", lambda sensor=sensor: _sensor(sensor, found))
+        if camera is not None:
+            cameras[sensor.attribute("id")] = camera
+    if not cameras:
+        if found.errors:
+            raise next(iter(found.errors.values()))[0]
+        chunk.get("sensors").fail("no sensor has a calibration")
+    return cameras
+
+
+def _sensor(sensor: Element, found: Reading) -> Camera | None:
+    given = list(sensor.all("calibration"))
+    calibration = next((c for c in given if c.attributes.get("class") == "adjusted"), given[0] if given else None)
+    kind = sensor.attributes.get("type", "frame")
+    if calibration is not None:
+        kind = calibration.attributes.get("type", kind)
+    id_ = sensor.attribute("id")
+    if kind == "spherical":
+        resolution = sensor.find("resolution") or (calibration or sensor).get("resolution")
+        return equirectangular_camera(id_, _size(resolution, "width"), _size(resolution, "height"), whole_sphere=False)
+    place = calibration or sensor
+    if kind not in {"frame", "fisheye"}:
+        place.fail(f"sensor type {quoted(kind)} is not read; known: frame, fisheye, spherical")
+    if calibration is None:
+        label = sensor.attributes.get("label", "?")
+        found.remarks.append(f"sensor {label} has no calibration and is left out with its images")
+        return None
+    forward = _forward(sensor, calibration, kind)
+    fit = camera_from_forward(forward, id_, pixel_mm=_pixel(sensor), where=f"{found.path}: ")
+    return fitted_camera(fit, f"camera {id_}", found.remarks, found.deviations)
+
+
+def _forward(sensor: Element, calibration: Element, kind: str) -> ForwardCamera:
+    for term in ("p3", "p4"):
+        if calibration.number(term, 0.0):
+            calibration.fail(f"{term} is not known here; calibrate without p3 and p4")
+    given = [r for r in (calibration.find("resolution"), sensor.find("resolution")) if r is not None]
+    sizes = [(_size(r, "width"), _size(r, "height")) for r in given or [sensor.get("resolution")]]
+    width, height = sizes[0]
+    if sizes[-1] != sizes[0]:
+        calibration.fail(
+            f"its format of {width} x {height} px is not that of the sensor, {sizes[-1][0]} x {sizes[-1][1]}"
+        )
+    f, b1 = calibration.number("f"), calibration.number("b1", 0.0)
+    if f <= 0 or f + b1 <= 0:
+        calibration.fail(f"f = {f:g} px cannot be; it must be positive")
+    return ForwardCamera(
+        width_px=width,
+        height_px=height,
+        projection="equidistant" if kind == "fisheye" else "central",
+        fx=f + b1,
+        fy=f,
+        cx=width / 2 + calibration.number("cx", 0.0),
+        cy=height / 2 + calibration.number("cy", 0.0),
+        skew=calibration.number("b2", 0.0),
+        **{t: calibration.number(t, 0.0) for t in ("k1", "k2", "k3", "k4")},
+        p1=calibration.number("p2", 0.0),
+        p2=calibration.number("p1", 0.0),
+    )
+
+
+def _pixel(sensor: Element) -> float | None:
+    for p in sensor.all("property"):
+        if p.attributes.get("name") == "pixel_height":
+            size = p.value("value")
+            return size if 0 < size < 1 else None
+    return None
+
+
+def _size(element: Element, name: str) -> int:
+    value = element.value(name)
+    if value != int(value) or not 0 < value <= 10_000_000:
+        element.fail(f"attribute {name} = {value:g} is no size in pixels")
+    return int(value)
+
+
+@dataclass(frozen=True, slots=True)
+class _Similarity:
+    """From the axes of a chunk or component to object space."""
+
+    scale: float = 1.0
+    rotation: Array = field(default_factory=lambda: np.eye(3))
+    translation: Array = field(default_factory=lambda: np.zeros(3))
+
+    def pose(self, M: Array) -> tuple[Array, Array]:
+        """Projection centre and rotation from object axes to our sensor axes of a transform (4, 4)."""
+        centre = self.scale * self.rotation @ M[:3, 3] + self.translation
+        return centre, SENSOR_FROM_CV @ nearest_rotation(M[:3, :3]).T @ self.rotation.T
+
+
+def _similarity(element: Element | None) -> _Similarity | None:
+    if element is None:
+        return None
+    R = element.get("rotation").numbers(9).reshape(3, 3) if element.find("rotation") else np.eye(3)
+    t = element.get("translation").numbers(3) if element.find("translation") else np.zeros(3)
+    scale = element.number("scale", 1.0)
+    if scale <= 0 or np.abs(R @ R.T - np.eye(3)).max() > 1e-4 or np.linalg.det(R) < 0:
+        element.fail("is no similarity: the scale must be positive, the rotation orthogonal")
+    return _Similarity(scale, nearest_rotation(R), t)
+
+
+@dataclass(slots=True)
+class _Frames:
+    """The transforms of a chunk: its own, and those of its components."""
+
+    own: _Similarity | None
+    components: dict[str, _Similarity | None]
+    members: dict[str, str]
+    """Id of a camera -> of its component, as the components list them."""
+
+    def component_of(self, camera: Element) -> str:
+        """Id of the component that holds a camera; of the only one where nothing else names one."""
+        named = camera.attributes.get("component_id", self.members.get(camera.attributes.get("id"), ""))
+        if named in self.components:
+            return named
+        return next(iter(self.components)) if len(self.components) == 1 else ""
+
+    def transform(self, component: str) -> _Similarity | None:
+        """To object space: of the component, else of the chunk."""
+        return self.components.get(component) or self.own
+
+
+def _frames(chunk: Element) -> _Frames:
+    components: dict[str, _Similarity | None] = {}
+    members: dict[str, str] = {}
+    group = chunk.find("components")
+    for component in group.all("component") if group else ():
+        id_ = component.attribute("id")
+        components[id_] = _similarity(component.find("transform"))
+        listed = component.find("partition", "camera_ids")
+        members |= dict.fromkeys(listed.content.split() if listed else (), id_)
+    return _Frames(_similarity(chunk.find("transform")), components, members)
+
+
+def _matrix(camera: Element) -> Array | None:
+    """The transform (4, 4) of a camera; None: not aligned."""
+    transform = camera.find("transform")
+    if transform is None:
+        return None
+    M = transform.numbers(16).reshape(4, 4)
+    if np.abs(M[:3, :3] @ M[:3, :3].T - np.eye(3)).max() > 1e-4 or np.linalg.det(M[:3, :3]) < 0:
+        transform.fail("its 3 x 3 part is no rotation")
+    return M
+
+
+def _mounting(sensor: Element) -> Array | None:
+    """Rotation and location (4, 4) of a slave sensor on the axes of its master; None: it states neither."""
+    rotation, location = sensor.find("rotation"), sensor.find("location")
+    if rotation is None and location is None:
+        return None
+    M = np.eye(4)
+    if rotation is not None:
+        R = rotation.numbers(9).reshape(3, 3)
+        if np.abs(R @ R.T - np.eye(3)).max() > 1e-4 or np.linalg.det(R) < 0:
+            rotation.fail("is no rotation")
+        M[:3, :3] = nearest_rotation(R)
+    if location is not None:
+        M[:3, 3] = location.numbers(3)
+    return M
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class _Image:
+    id: str
+    label: str
+    sensor: str
+    component: str
+    matrix: Array | None
+
+
+def read_images(chunk: Element, cameras: Mapping[str, Camera], found: Reading) -> tuple[Images, dict[str, int], bool]:
+    """The images, their positions by the ids of the cameras in the file, and whether nothing fixes the scale."""
+    frames = _frames(chunk)
+    rows = _rows(chunk, cameras, frames, found)
+    oriented = [r for r in rows if r.matrix is not None]
+    scaled = {r.component for r in oriented if frames.transform(r.component) is not None}
+    used = scaled or _largest(oriented)
+    free = bool(oriented) and not scaled
+    if free:
+        found.remarks.append(
+            "no transform leads to object space; coordinates stand in the chunk's frame, without scale"
+        )
+    apart = sum(r.component not in used for r in oriented)
+    if apart:
+        found.remarks.append(
+            f"{counted(apart, 'image')} of components without a transform are read without orientation: nothing "
+            "connects them with the rest"
+        )
+    reference = chunk.find("reference")
+    if not free and reference is not None and not _is_local(reference):
+        found.remarks.append("the chunk is georeferenced: its coordinates are geocentric (X, Y, Z of the earth)")
+    order = {id_: k for k, id_ in enumerate(cameras)}
+    centre, rotation = np.full((len(rows), 3), np.nan), np.full((len(rows), 3, 3), np.nan)
+    for k, row in enumerate(rows):
+        if row.matrix is not None and row.component in used:
+            centre[k], rotation[k] = (frames.transform(row.component) or _Similarity()).pose(row.matrix)
+    labels = tuple(r.label for r in rows)
+    images = Images(
+        ids=labels,
+        camera=np.array([order[r.sensor] for r in rows], np.int32),
+        file=labels,
+        centre=centre,
+        rotation=rotation,
+    )
+    return images, {r.id: k for k, r in enumerate(rows)}, free
+
+
+def _largest(rows: list[_Image]) -> set[str]:
+    """The component with the most images."""
+    names = [r.component for r in rows]
+    return {max(names, key=names.count)} if names else set()
+
+
+def _is_local(reference: Element) -> bool:
+    return reference.content.strip().startswith("LOCAL_CS")
+
+
+def _rows(chunk: Element, cameras: Mapping[str, Camera], frames: _Frames, found: Reading) -> list[_Image]:
+    """The images of calibrated sensors; a camera with an error is left out."""
+    group = chunk.get("cameras")
+    elements = [*group.all("camera"), *(c for g in group.all("group") for c in g.all("camera"))]
+    sensors = {s.attributes.get("id"): s for s in chunk.get("sensors").all("sensor")}
+    matrices = {c.attributes.get("id"): found.attempt("transform", lambda c=c: _matrix(c)) for c in elements}
+    mounted = {
+        id_: found.attempt("rotation or location of a sensor", lambda s=s: _mounting(s))
+        for id_, s in sensors.items()
+        if s.attributes.get("master_id")
+    }
+    labels: set[str] = set()
+
+    def image(element: Element) -> _Image | None:
+        sensor = element.attribute("sensor_id")
+        if sensor not in cameras:
+            return None
+        label = _label(element, labels)
+        id_, master = element.attribute("id"), element.attributes.get("master_id")
+        matrix, mounting = matrices[id_], mounted.get(sensor)
+        if matrix is None and master and mounting is not None:
+            from_master = matrices.get(master)
+            matrix = None if from_master is None else from_master @ mounting
+        labels.add(label)
+        whole = next((e for e in elements if e.attributes.get("id") == master), element) if master else element
+        component = frames.component_of(element if "component_id" in element.attributes else whole)
+        return _Image(id=id_, label=label, sensor=sensor, component=component, matrix=matrix)
+
+    read = (found.attempt("camera", lambda element=element: image(element)) for element in elements)
+    rows = [row for row in read if row is not None]
+    if not rows:
+        if found.errors.get("camera"):
+            raise found.errors["camera"][0]
+        group.fail("there is no camera with a calibrated sensor")
+    return rows
+
+
+def _label(element: Element, taken: set[str]) -> str:
+    label = element.attribute("label")
+    if not label.isprintable() or not label or label != label.strip() or label in taken:
+        element.fail(f"label {quoted(label)} is empty, stands twice or cannot be printed")
+    return label
+
+
+@dataclass(frozen=True, slots=True)
+class Control:
+    """Roles, given coordinates (p, 3) and standard deviations (p, 3) of markers."""
+
+    role: Index
+    xyz: Array
+    sigma: Array
+
+
+def read_markers(chunk: Element, numbers: Mapping[str, int], found: Reading) -> tuple[Tracks, Control]:
+    """Markers with their image points; those with a reference are control points, disabled ones check points."""
+    group = chunk.find("markers")
+    taken: set[str] = set()
+    kept: dict[str, Element] = {}
+    for marker in group.all("marker") if group else ():
+        id_ = found.attempt("marker", lambda marker=marker: (_label(marker, taken), marker.attribute("id"))[1])
+        if id_ is not None:
+            taken.add(marker.attribute("label"))
+            kept[id_] = marker
+    position = {id_: k for k, id_ in enumerate(kept)}
+    image: list[int] = []
+    point: list[int] = []
+    xy: list[tuple[float, float]] = []
+    measured = chunk.find("frames", "frame", "markers")
+    for marker in measured.all("marker") if measured else ():
+        k = position.get(marker.attribute("marker_id"))
+        if k is None:
+            enter("<marker> of <frame>")
+            continue
+        for location in marker.all("location"):
+            at = numbers.get(location.attribute("camera_id"))
+            if at is None or location.attributes.get("pinned") == "false":
+                continue
+            image.append(at)
+            point.append(k)
+            xy.append((location.value("x"), location.value("y")))
+    control = _control(chunk, list(kept.values()), found)
+    tracks = Tracks(
+        point_ids=tuple(m.attribute("label") for m in kept.values()),
+        xyz=control.xyz,
+        image=np.array(image, np.int64),
+        point=np.array(point, np.int64),
+        xy_px=np.array(xy, float).reshape(-1, 2),
+    )
+    return tracks, control
+
+
+def _control(chunk: Element, markers: list[Element], found: Reading) -> Control:
+    count = len(markers)
+    role = np.full(count, Role.TIE, np.int32)
+    xyz, sigma = np.full((count, 3), np.nan), np.full((count, 3), np.nan)
+    default, assumed = _marker_sigma(chunk), 0
+    for k, marker in enumerate(markers):
+        reference = marker.find("reference")
+        if reference is None:
+            continue
+        read = found.attempt("reference of a marker", lambda reference=reference: _reference(reference))
+        if read is None or not np.isfinite(read[0]).any():
+            continue
+        role[k] = Role.CHECK if reference.attributes.get("enabled") in {"false", "0"} else Role.CONTROL
+        xyz[k], sigma[k] = read
+        if not np.isfinite(sigma[k]).any():
+            sigma[k] = np.where(np.isfinite(xyz[k]), default, np.nan)
+            assumed += 1
+    if assumed:
+        words = ", ".join(f"{v:g}" for v in dict.fromkeys(default.tolist()))
+        found.remarks.append(
+            f"{counted(assumed, 'marker')} without accuracy: the chunk's standard deviation of {words} is assumed"
+        )
+    return _in_object_space(chunk, Control(role, xyz, sigma), found)
+
+
+def _reference(reference: Element) -> tuple[Array, Array]:
+    """Coordinates and standard deviations (3,); NaN where they are not stated."""
+    values = [reference.value(n) if n in reference.attributes else np.nan for n in "xyz"]
+    sigma: list[float] = []
+    for name, value in zip("xyz", values, strict=True):
+        key = next((a for a in (f"s{name}", "sxy" if name != "z" else "", "sxyz") if a in reference.attributes), "")
+        sigma.append(reference.value(key) if key and np.isfinite(value) else np.nan)
+    if any(s < 0 for s in sigma):
+        reference.fail(f"an accuracy of {min(sigma):g} cannot be; it must not be negative")
+    return np.array(values), np.array(sigma)
+
+
+def _marker_sigma(chunk: Element) -> Array:
+    """(3,) standard deviation of markers that state none, by the settings of the chunk."""
+    settings = chunk.find("settings")
+    for p in settings.all("property") if settings else ():
+        if p.attributes.get("name") == "accuracy_markers":
+            values = numbers_of(p.attribute("value").replace("/", " ").split())
+            if values is not None and len(values) in {1, 2, 3} and (values > 0).all():
+                return np.array(
+                    [values[0], values[min(1, len(values) - 1)] if len(values) == 3 else values[0], values[-1]]
+                )
+    return np.full(3, DEFAULT_SIGMA)
+
+
+def _in_object_space(chunk: Element, control: Control, found: Reading) -> Control:
+    """Coordinates of a georeferenced chunk as geocentric ones, as its cameras stand."""
+    reference = chunk.find("reference")
+    given = np.asarray(control.role) != Role.TIE
+    if reference is None or not reference.content.strip() or _is_local(reference) or not given.any():
+        return control
+    whole = given & np.isfinite(control.xyz).all(axis=1)
+    xyz, sigma, role = control.xyz.copy(), control.sigma.copy(), np.array(control.role)
+    try:
+        frame = local_frame(reference.content.strip(), control.xyz[whole][0]) if whole.any() else None
+    except InputError as error:
+        frame = None
+        found.remarks.append(f"the coordinate system of the chunk is not read: {error}")
+    lost = given & ~whole if frame is not None else given
+    xyz[lost], sigma[lost], role[lost] = np.nan, np.nan, Role.TIE
+    enter("<reference> of <marker>", int(lost.sum()))
+    if frame is not None:
+        origin, axes = frame.geocentric
+        xyz[whole] = origin + frame.local_from_crs(control.xyz[whole]) @ axes
+        sigma[whole] = np.sqrt(control.sigma[whole] ** 2 @ axes**2)
+    return Control(role, xyz, sigma)
