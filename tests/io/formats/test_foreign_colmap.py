@@ -10,14 +10,14 @@ from raybundle.cameras.conversions import camera_from_forward, camera_rays
 from raybundle.cameras.forward_camera import forward_pixels, forward_rays
 from raybundle.errors import InputError
 from raybundle.io.formats import Export, read_format, write_format
-from raybundle.io.formats.colmap import MODELS, forward_of
+from raybundle.io.formats.colmap_cameras import MODELS, forward_of
 from raybundle.planning.scenes import TargetField, brown_camera, field_scene
 from raybundle.planning.simulate import Survey, simulate
 
 SIZE = (640, 480)
 PARAMETERS = {
     "f": 500.0, "fx": 500.0, "fy": 505.0, "cx": 318.0, "cy": 243.0, "k1": -0.05, "k2": 0.01, "k3": -0.002,
-    "k4": 0.001, "p1": 0.001, "p2": -0.002, "d1": 0.01, "d2": 0.002, "d3": 0.0001,
+    "k4": 0.001, "p1": 0.001, "p2": -0.002, "d1": 0.01, "d2": 0.002, "d3": 0.0001, "s1": 0.0005, "s3": -0.0004,
 }  # fmt: skip
 
 

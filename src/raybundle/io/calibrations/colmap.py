@@ -10,7 +10,7 @@ from raybundle.cameras.forward_camera import ForwardCamera
 from raybundle.errors import InputError
 from raybundle.io.calibrations.base import Calibration, CalibrationFormat, Conversion, Variant, register
 from raybundle.io.digits import exact
-from raybundle.io.formats.colmap import MODELS, NUMBERS, forward_of
+from raybundle.io.formats.colmap_cameras import MODELS, NUMBERS, forward_of
 from raybundle.io.reading.files import read_text
 from raybundle.io.reading.words import numbers_of, quoted
 

@@ -31,7 +31,8 @@ from raybundle.numerics.rotation import nearest_rotation
 NO_GEOMETRY = (
     "version", "label", "name", "enabled", "next_id", "next_group_id", "active_id", "id", "value", "locked",
     "orientation", "region", "settings", "meta", "bands", "data_type", "covariance", "rotation_covariance",
-    "location_covariance", "params", "black_level", "sensitivity", "vignetting", "layer_index", "partition", "class", "pinned", "valid",
+    "location_covariance", "params", "black_level", "sensitivity", "vignetting", "layer_index", "partition", "class",
+    "pinned", "valid",
     "type of <calibration>",
 )  # fmt: skip
 """Elements and attributes without bearing on the block."""
