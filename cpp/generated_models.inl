@@ -1602,6 +1602,501 @@ struct brown_harmonic {
   }
 };
 
+struct division {
+  static constexpr const char* label = "division";
+  static constexpr int parameters = 5;
+  static constexpr bool explicit_image = false;
+  static constexpr bool all_round = false;
+  static RB_INLINE void evaluate(const double (*in)[V], const double (*own)[V], double (*out)[V]) {
+    RB_SIMD
+    for (int l = 0; l < V; ++l) {
+      const double x = in[0][l];
+      const double y = in[1][l];
+      const double X = in[2][l];
+      const double Y = in[3][l];
+      const double Z = in[4][l];
+      const double c = own[0][l];
+      const double x0 = own[1][l];
+      const double y0 = own[2][l];
+      const double k = own[3][l];
+      const double A = own[4][l];
+      const double t0 = (1.0/(Z));
+      const double t1 = (1.0/((c)*(c)));
+      const double t2 = x - x0;
+      const double t3 = ((t2)*(t2));
+      const double t4 = A + 1;
+      const double t5 = (1.0/((t4)*(t4)));
+      const double t6 = y - y0;
+      const double t7 = ((t6)*(t6));
+      const double t8 = t5*t7;
+      const double t9 = t1*t3 + t1*t8;
+      const double t10 = k*t9 + 1;
+      const double t11 = t0*t10;
+      const double t12 = c*t11;
+      const double t13 = t12*t4;
+      const double t14 = 2*x - 2*x0;
+      const double t15 = k*t0;
+      const double t16 = t15/c;
+      const double t17 = X*t16;
+      const double t18 = 2*y - 2*y0;
+      const double t19 = t17*t5;
+      const double t20 = X*c;
+      const double t21 = t10/((Z)*(Z));
+      const double t22 = 2/((c)*(c)*(c));
+      const double t23 = -t22*t3 - t22*t8;
+      const double t24 = t0*t20;
+      const double t25 = -t14;
+      const double t26 = -t18;
+      const double t27 = Y*t4;
+      const double t28 = t16*t27;
+      const double t29 = Y*t16;
+      const double t30 = t29/t4;
+      const double t31 = c*t27;
+      out[0][l] = X*t12 + t2;
+      out[1][l] = Y*t13 + t6;
+      out[2][l] = t14*t17 + 1;
+      out[3][l] = t18*t19;
+      out[4][l] = t12;
+      out[5][l] = 0;
+      out[6][l] = -t20*t21;
+      out[7][l] = X*t11 + k*t23*t24;
+      out[8][l] = t17*t25 - 1;
+      out[9][l] = t19*t26;
+      out[10][l] = t24*t9;
+      out[11][l] = -2*t17*t7/((t4)*(t4)*(t4));
+      out[12][l] = t14*t28;
+      out[13][l] = t18*t30 + 1;
+      out[14][l] = 0;
+      out[15][l] = t13;
+      out[16][l] = -t21*t31;
+      out[17][l] = t11*t27 + t15*t23*t31;
+      out[18][l] = t25*t28;
+      out[19][l] = t26*t30 - 1;
+      out[20][l] = t0*t31*t9;
+      out[21][l] = Y*t12 - 2*t29*t8;
+    }
+  }
+  static RB_INLINE void by_image(const double (*in)[V], const double (*own)[V], double (*out)[V]) {
+    RB_SIMD
+    for (int l = 0; l < V; ++l) {
+      const double x = in[0][l];
+      const double y = in[1][l];
+      const double X = in[2][l];
+      const double Y = in[3][l];
+      const double Z = in[4][l];
+      const double c = own[0][l];
+      const double x0 = own[1][l];
+      const double y0 = own[2][l];
+      const double k = own[3][l];
+      const double A = own[4][l];
+      const double t0 = (1.0/(Z));
+      const double t1 = (1.0/((c)*(c)));
+      const double t2 = x - x0;
+      const double t3 = ((t2)*(t2));
+      const double t4 = A + 1;
+      const double t5 = (1.0/((t4)*(t4)));
+      const double t6 = y - y0;
+      const double t7 = ((t6)*(t6));
+      const double t8 = t5*t7;
+      const double t9 = t1*t3 + t1*t8;
+      const double t10 = k*t9 + 1;
+      const double t11 = t0*t10;
+      const double t12 = c*t11;
+      const double t13 = t12*t4;
+      const double t14 = 2*x - 2*x0;
+      const double t15 = k*t0;
+      const double t16 = t15/c;
+      const double t17 = X*t16;
+      const double t18 = 2*y - 2*y0;
+      const double t19 = t17*t5;
+      const double t27 = Y*t4;
+      const double t28 = t16*t27;
+      const double t29 = Y*t16;
+      const double t30 = t29/t4;
+      out[0][l] = X*t12 + t2;
+      out[1][l] = Y*t13 + t6;
+      out[2][l] = t14*t17 + 1;
+      out[3][l] = t18*t19;
+      out[4][l] = t14*t28;
+      out[5][l] = t18*t30 + 1;
+    }
+  }
+  static RB_INLINE void by_point(const double (*in)[V], const double (*own)[V], double (*out)[V]) {
+    RB_SIMD
+    for (int l = 0; l < V; ++l) {
+      const double x = in[0][l];
+      const double y = in[1][l];
+      const double X = in[2][l];
+      const double Y = in[3][l];
+      const double Z = in[4][l];
+      const double c = own[0][l];
+      const double x0 = own[1][l];
+      const double y0 = own[2][l];
+      const double k = own[3][l];
+      const double A = own[4][l];
+      const double t0 = (1.0/(Z));
+      const double t1 = (1.0/((c)*(c)));
+      const double t2 = x - x0;
+      const double t3 = ((t2)*(t2));
+      const double t4 = A + 1;
+      const double t5 = (1.0/((t4)*(t4)));
+      const double t6 = y - y0;
+      const double t7 = ((t6)*(t6));
+      const double t8 = t5*t7;
+      const double t9 = t1*t3 + t1*t8;
+      const double t10 = k*t9 + 1;
+      const double t11 = t0*t10;
+      const double t12 = c*t11;
+      const double t13 = t12*t4;
+      const double t14 = 2*x - 2*x0;
+      const double t15 = k*t0;
+      const double t16 = t15/c;
+      const double t17 = X*t16;
+      const double t18 = 2*y - 2*y0;
+      const double t19 = t17*t5;
+      const double t20 = X*c;
+      const double t21 = t10/((Z)*(Z));
+      const double t27 = Y*t4;
+      const double t28 = t16*t27;
+      const double t29 = Y*t16;
+      const double t30 = t29/t4;
+      const double t31 = c*t27;
+      out[0][l] = X*t12 + t2;
+      out[1][l] = Y*t13 + t6;
+      out[2][l] = t14*t17 + 1;
+      out[3][l] = t18*t19;
+      out[4][l] = t12;
+      out[5][l] = 0;
+      out[6][l] = -t20*t21;
+      out[7][l] = t14*t28;
+      out[8][l] = t18*t30 + 1;
+      out[9][l] = 0;
+      out[10][l] = t13;
+      out[11][l] = -t21*t31;
+    }
+  }
+};
+
+struct eucm {
+  static constexpr const char* label = "eucm";
+  static constexpr int parameters = 6;
+  static constexpr bool explicit_image = true;
+  static constexpr bool all_round = false;
+  static RB_INLINE void evaluate(const double (*in)[V], const double (*own)[V], double (*out)[V]) {
+    RB_SIMD
+    for (int l = 0; l < V; ++l) {
+      const double x = in[0][l];
+      const double y = in[1][l];
+      const double X = in[2][l];
+      const double Y = in[3][l];
+      const double Z = in[4][l];
+      const double c = own[0][l];
+      const double x0 = own[1][l];
+      const double y0 = own[2][l];
+      const double alpha = own[3][l];
+      const double beta = own[4][l];
+      const double A = own[5][l];
+      const double t0 = alpha - 1;
+      const double t1 = ((X)*(X));
+      const double t2 = ((Y)*(Y));
+      const double t3 = std::sqrt(((Z)*(Z)) + beta*(t1 + t2));
+      const double t4 = Z*t0 + alpha*t3;
+      const double t5 = (1.0/(t4));
+      const double t6 = c*t5;
+      const double t7 = A + 1;
+      const double t8 = t6*t7;
+      const double t9 = c/((t4)*(t4));
+      const double t10 = alpha/t3;
+      const double t11 = beta*t10;
+      const double t12 = t11*t9;
+      const double t13 = X*t9;
+      const double t14 = t11*t13;
+      const double t15 = -Z*t10 - t0;
+      const double t16 = -Z - t3;
+      const double t17 = t10*((1.0/2.0)*t1 + (1.0/2.0)*t2);
+      const double t18 = Y*t7;
+      const double t19 = t18*t9;
+      out[0][l] = -X*t6 + x - x0;
+      out[1][l] = -Y*t8 + y - y0;
+      out[2][l] = 1;
+      out[3][l] = 0;
+      out[4][l] = t1*t12 - t6;
+      out[5][l] = Y*t14;
+      out[6][l] = -t13*t15;
+      out[7][l] = -X*t5;
+      out[8][l] = -1;
+      out[9][l] = 0;
+      out[10][l] = -t13*t16;
+      out[11][l] = t13*t17;
+      out[12][l] = 0;
+      out[13][l] = 0;
+      out[14][l] = 1;
+      out[15][l] = t14*t18;
+      out[16][l] = t12*t2*t7 - t8;
+      out[17][l] = -t15*t19;
+      out[18][l] = -t18*t5;
+      out[19][l] = 0;
+      out[20][l] = -1;
+      out[21][l] = -t16*t19;
+      out[22][l] = t17*t19;
+      out[23][l] = -Y*t6;
+    }
+  }
+  static RB_INLINE void by_image(const double (*in)[V], const double (*own)[V], double (*out)[V]) {
+    RB_SIMD
+    for (int l = 0; l < V; ++l) {
+      const double x = in[0][l];
+      const double y = in[1][l];
+      const double X = in[2][l];
+      const double Y = in[3][l];
+      const double Z = in[4][l];
+      const double c = own[0][l];
+      const double x0 = own[1][l];
+      const double y0 = own[2][l];
+      const double alpha = own[3][l];
+      const double beta = own[4][l];
+      const double A = own[5][l];
+      const double t0 = alpha - 1;
+      const double t1 = ((X)*(X));
+      const double t2 = ((Y)*(Y));
+      const double t3 = std::sqrt(((Z)*(Z)) + beta*(t1 + t2));
+      const double t4 = Z*t0 + alpha*t3;
+      const double t5 = (1.0/(t4));
+      const double t6 = c*t5;
+      const double t7 = A + 1;
+      const double t8 = t6*t7;
+      out[0][l] = -X*t6 + x - x0;
+      out[1][l] = -Y*t8 + y - y0;
+      out[2][l] = 1;
+      out[3][l] = 0;
+      out[4][l] = 0;
+      out[5][l] = 1;
+    }
+  }
+  static RB_INLINE void by_point(const double (*in)[V], const double (*own)[V], double (*out)[V]) {
+    RB_SIMD
+    for (int l = 0; l < V; ++l) {
+      const double x = in[0][l];
+      const double y = in[1][l];
+      const double X = in[2][l];
+      const double Y = in[3][l];
+      const double Z = in[4][l];
+      const double c = own[0][l];
+      const double x0 = own[1][l];
+      const double y0 = own[2][l];
+      const double alpha = own[3][l];
+      const double beta = own[4][l];
+      const double A = own[5][l];
+      const double t0 = alpha - 1;
+      const double t1 = ((X)*(X));
+      const double t2 = ((Y)*(Y));
+      const double t3 = std::sqrt(((Z)*(Z)) + beta*(t1 + t2));
+      const double t4 = Z*t0 + alpha*t3;
+      const double t5 = (1.0/(t4));
+      const double t6 = c*t5;
+      const double t7 = A + 1;
+      const double t8 = t6*t7;
+      const double t9 = c/((t4)*(t4));
+      const double t10 = alpha/t3;
+      const double t11 = beta*t10;
+      const double t12 = t11*t9;
+      const double t13 = X*t9;
+      const double t14 = t11*t13;
+      const double t15 = -Z*t10 - t0;
+      const double t18 = Y*t7;
+      const double t19 = t18*t9;
+      out[0][l] = -X*t6 + x - x0;
+      out[1][l] = -Y*t8 + y - y0;
+      out[2][l] = 1;
+      out[3][l] = 0;
+      out[4][l] = t1*t12 - t6;
+      out[5][l] = Y*t14;
+      out[6][l] = -t13*t15;
+      out[7][l] = 0;
+      out[8][l] = 1;
+      out[9][l] = t14*t18;
+      out[10][l] = t12*t2*t7 - t8;
+      out[11][l] = -t15*t19;
+    }
+  }
+};
+
+struct field_of_view {
+  static constexpr const char* label = "field_of_view";
+  static constexpr int parameters = 5;
+  static constexpr bool explicit_image = true;
+  static constexpr bool all_round = false;
+  static RB_INLINE void evaluate(const double (*in)[V], const double (*own)[V], double (*out)[V]) {
+    RB_SIMD
+    for (int l = 0; l < V; ++l) {
+      const double x = in[0][l];
+      const double y = in[1][l];
+      const double X = in[2][l];
+      const double Y = in[3][l];
+      const double Z = in[4][l];
+      const double c = own[0][l];
+      const double x0 = own[1][l];
+      const double y0 = own[2][l];
+      const double w = own[3][l];
+      const double A = own[4][l];
+      const double t0 = std::sin(w);
+      const double t1 = ((t0)*(t0));
+      const double t2 = std::cos(w);
+      const double t3 = t2 + 1;
+      const double t4 = (1.0/((t3)*(t3)));
+      const double t5 = ((X)*(X));
+      const double t6 = ((Y)*(Y));
+      const double t7 = t5 + t6;
+      const double t8 = t4*t7;
+      const double t9 = 4*t1*t8;
+      const double t10 = -Z;
+      const double t11 = angle_ratio(t9, t10);
+      const double t12 = (1.0/(w));
+      const double t13 = c*t12;
+      const double t14 = 2*t11*t13;
+      const double t15 = (1.0/(t3));
+      const double t16 = t0*t15;
+      const double t17 = t14*t16;
+      const double t18 = A + 1;
+      const double t19 = t17*t18;
+      const double t20 = ((t0)*(t0)*(t0))/((t3)*(t3)*(t3));
+      const double t21 = t13*angle_ratio_slope(t9, t10);
+      const double t22 = 16*t20*t21;
+      const double t23 = X*t22;
+      const double t24 = 2*t16;
+      const double t25 = X*t24;
+      const double t26 = t13/(((Z)*(Z)) + t9);
+      const double t27 = (1.0/((w)*(w)));
+      const double t28 = X*t14;
+      const double t29 = t15*t2;
+      const double t30 = t1*t4;
+      const double t31 = t21*(8*t0*t2*t8 + 8*t20*t7);
+      const double t32 = Y*t18;
+      const double t33 = t24*t32;
+      const double t34 = t14*t32;
+      out[0][l] = -X*t17 + x - x0;
+      out[1][l] = -Y*t19 + y - y0;
+      out[2][l] = 1;
+      out[3][l] = 0;
+      out[4][l] = -t17 - t22*t5;
+      out[5][l] = -Y*t23;
+      out[6][l] = -t25*t26;
+      out[7][l] = -t11*t12*t25;
+      out[8][l] = -1;
+      out[9][l] = 0;
+      out[10][l] = 2*X*c*t0*t11*t15*t27 - t25*t31 - t28*t29 - t28*t30;
+      out[11][l] = 0;
+      out[12][l] = 0;
+      out[13][l] = 1;
+      out[14][l] = -t23*t32;
+      out[15][l] = -t18*t22*t6 - t19;
+      out[16][l] = -t26*t33;
+      out[17][l] = -t11*t12*t33;
+      out[18][l] = 0;
+      out[19][l] = -1;
+      out[20][l] = 2*Y*c*t0*t11*t15*t18*t27 - t29*t34 - t30*t34 - t31*t33;
+      out[21][l] = -Y*t17;
+    }
+  }
+  static RB_INLINE void by_image(const double (*in)[V], const double (*own)[V], double (*out)[V]) {
+    RB_SIMD
+    for (int l = 0; l < V; ++l) {
+      const double x = in[0][l];
+      const double y = in[1][l];
+      const double X = in[2][l];
+      const double Y = in[3][l];
+      const double Z = in[4][l];
+      const double c = own[0][l];
+      const double x0 = own[1][l];
+      const double y0 = own[2][l];
+      const double w = own[3][l];
+      const double A = own[4][l];
+      const double t0 = std::sin(w);
+      const double t1 = ((t0)*(t0));
+      const double t2 = std::cos(w);
+      const double t3 = t2 + 1;
+      const double t4 = (1.0/((t3)*(t3)));
+      const double t5 = ((X)*(X));
+      const double t6 = ((Y)*(Y));
+      const double t7 = t5 + t6;
+      const double t8 = t4*t7;
+      const double t9 = 4*t1*t8;
+      const double t10 = -Z;
+      const double t11 = angle_ratio(t9, t10);
+      const double t12 = (1.0/(w));
+      const double t13 = c*t12;
+      const double t14 = 2*t11*t13;
+      const double t15 = (1.0/(t3));
+      const double t16 = t0*t15;
+      const double t17 = t14*t16;
+      const double t18 = A + 1;
+      const double t19 = t17*t18;
+      out[0][l] = -X*t17 + x - x0;
+      out[1][l] = -Y*t19 + y - y0;
+      out[2][l] = 1;
+      out[3][l] = 0;
+      out[4][l] = 0;
+      out[5][l] = 1;
+    }
+  }
+  static RB_INLINE void by_point(const double (*in)[V], const double (*own)[V], double (*out)[V]) {
+    RB_SIMD
+    for (int l = 0; l < V; ++l) {
+      const double x = in[0][l];
+      const double y = in[1][l];
+      const double X = in[2][l];
+      const double Y = in[3][l];
+      const double Z = in[4][l];
+      const double c = own[0][l];
+      const double x0 = own[1][l];
+      const double y0 = own[2][l];
+      const double w = own[3][l];
+      const double A = own[4][l];
+      const double t0 = std::sin(w);
+      const double t1 = ((t0)*(t0));
+      const double t2 = std::cos(w);
+      const double t3 = t2 + 1;
+      const double t4 = (1.0/((t3)*(t3)));
+      const double t5 = ((X)*(X));
+      const double t6 = ((Y)*(Y));
+      const double t7 = t5 + t6;
+      const double t8 = t4*t7;
+      const double t9 = 4*t1*t8;
+      const double t10 = -Z;
+      const double t11 = angle_ratio(t9, t10);
+      const double t12 = (1.0/(w));
+      const double t13 = c*t12;
+      const double t14 = 2*t11*t13;
+      const double t15 = (1.0/(t3));
+      const double t16 = t0*t15;
+      const double t17 = t14*t16;
+      const double t18 = A + 1;
+      const double t19 = t17*t18;
+      const double t20 = ((t0)*(t0)*(t0))/((t3)*(t3)*(t3));
+      const double t21 = t13*angle_ratio_slope(t9, t10);
+      const double t22 = 16*t20*t21;
+      const double t23 = X*t22;
+      const double t24 = 2*t16;
+      const double t25 = X*t24;
+      const double t26 = t13/(((Z)*(Z)) + t9);
+      const double t32 = Y*t18;
+      const double t33 = t24*t32;
+      out[0][l] = -X*t17 + x - x0;
+      out[1][l] = -Y*t19 + y - y0;
+      out[2][l] = 1;
+      out[3][l] = 0;
+      out[4][l] = -t17 - t22*t5;
+      out[5][l] = -Y*t23;
+      out[6][l] = -t25*t26;
+      out[7][l] = 0;
+      out[8][l] = 1;
+      out[9][l] = -t23*t32;
+      out[10][l] = -t18*t22*t6 - t19;
+      out[11][l] = -t26*t33;
+    }
+  }
+};
+
 struct fisheye {
   static constexpr const char* label = "fisheye";
   static constexpr int parameters = 8;
@@ -3320,6 +3815,30 @@ struct radial_rolling : carried<radial, rolling> {
   static constexpr const char* label = "radial_rolling";
 };
 
+struct division_mounted : carried<division, mounted> {
+  static constexpr const char* label = "division_mounted";
+};
+
+struct field_of_view_mounted : carried<field_of_view, mounted> {
+  static constexpr const char* label = "field_of_view_mounted";
+};
+
+struct division_rolling : carried<division, rolling> {
+  static constexpr const char* label = "division_rolling";
+};
+
+struct eucm_mounted : carried<eucm, mounted> {
+  static constexpr const char* label = "eucm_mounted";
+};
+
+struct field_of_view_rolling : carried<field_of_view, rolling> {
+  static constexpr const char* label = "field_of_view_rolling";
+};
+
+struct eucm_rolling : carried<eucm, rolling> {
+  static constexpr const char* label = "eucm_rolling";
+};
+
 struct fisheye_mounted : carried<fisheye, mounted> {
   static constexpr const char* label = "fisheye_mounted";
 };
@@ -3360,12 +3879,36 @@ struct brown_rolling : carried<brown, rolling> {
   static constexpr const char* label = "brown_rolling";
 };
 
+struct division_trajectory : carried<division, trajectory> {
+  static constexpr const char* label = "division_trajectory";
+};
+
+struct field_of_view_trajectory : carried<field_of_view, trajectory> {
+  static constexpr const char* label = "field_of_view_trajectory";
+};
+
 struct pushbroom : carried<line, trajectory> {
   static constexpr const char* label = "pushbroom";
 };
 
+struct division_rolling_mounted : carried<division_rolling, mounted> {
+  static constexpr const char* label = "division_rolling_mounted";
+};
+
+struct eucm_trajectory : carried<eucm, trajectory> {
+  static constexpr const char* label = "eucm_trajectory";
+};
+
+struct field_of_view_rolling_mounted : carried<field_of_view_rolling, mounted> {
+  static constexpr const char* label = "field_of_view_rolling_mounted";
+};
+
 struct rational_mounted : carried<rational, mounted> {
   static constexpr const char* label = "rational_mounted";
+};
+
+struct eucm_rolling_mounted : carried<eucm_rolling, mounted> {
+  static constexpr const char* label = "eucm_rolling_mounted";
 };
 
 struct rational_rolling : carried<rational, rolling> {
@@ -3420,8 +3963,20 @@ struct brown_rolling_mounted : carried<brown_rolling, mounted> {
   static constexpr const char* label = "brown_rolling_mounted";
 };
 
+struct division_trajectory_mounted : carried<division_trajectory, mounted> {
+  static constexpr const char* label = "division_trajectory_mounted";
+};
+
+struct field_of_view_trajectory_mounted : carried<field_of_view_trajectory, mounted> {
+  static constexpr const char* label = "field_of_view_trajectory_mounted";
+};
+
 struct thin_prism_rolling : carried<thin_prism, rolling> {
   static constexpr const char* label = "thin_prism_rolling";
+};
+
+struct eucm_trajectory_mounted : carried<eucm_trajectory, mounted> {
+  static constexpr const char* label = "eucm_trajectory_mounted";
 };
 
 struct rational_trajectory : carried<rational, trajectory> {
@@ -3476,4 +4031,4 @@ struct thin_prism_trajectory_mounted : carried<thin_prism_trajectory, mounted> {
   static constexpr const char* label = "thin_prism_trajectory_mounted";
 };
 
-#define RB_MODELS(DO) DO(aicon) DO(aicon_mounted) DO(aicon_rolling) DO(aicon_rolling_mounted) DO(aicon_trajectory) DO(aicon_trajectory_mounted) DO(brown) DO(brown_harmonic) DO(brown_harmonic_mounted) DO(brown_harmonic_rolling) DO(brown_harmonic_rolling_mounted) DO(brown_harmonic_trajectory) DO(brown_harmonic_trajectory_mounted) DO(brown_mounted) DO(brown_rolling) DO(brown_rolling_mounted) DO(brown_trajectory) DO(brown_trajectory_mounted) DO(fisheye) DO(fisheye_mounted) DO(fisheye_rolling) DO(fisheye_rolling_mounted) DO(fisheye_trajectory) DO(fisheye_trajectory_mounted) DO(kannala_brandt) DO(kannala_brandt_mounted) DO(kannala_brandt_rolling) DO(kannala_brandt_rolling_mounted) DO(kannala_brandt_trajectory) DO(kannala_brandt_trajectory_mounted) DO(panorama) DO(pushbroom) DO(radial) DO(radial_mounted) DO(radial_rolling) DO(radial_rolling_mounted) DO(radial_trajectory) DO(radial_trajectory_mounted) DO(rational) DO(rational_mounted) DO(rational_rolling) DO(rational_rolling_mounted) DO(rational_trajectory) DO(rational_trajectory_mounted) DO(spherical) DO(spherical_mounted) DO(thin_prism) DO(thin_prism_mounted) DO(thin_prism_rolling) DO(thin_prism_rolling_mounted) DO(thin_prism_trajectory) DO(thin_prism_trajectory_mounted)
+#define RB_MODELS(DO) DO(aicon) DO(aicon_mounted) DO(aicon_rolling) DO(aicon_rolling_mounted) DO(aicon_trajectory) DO(aicon_trajectory_mounted) DO(brown) DO(brown_harmonic) DO(brown_harmonic_mounted) DO(brown_harmonic_rolling) DO(brown_harmonic_rolling_mounted) DO(brown_harmonic_trajectory) DO(brown_harmonic_trajectory_mounted) DO(brown_mounted) DO(brown_rolling) DO(brown_rolling_mounted) DO(brown_trajectory) DO(brown_trajectory_mounted) DO(division) DO(division_mounted) DO(division_rolling) DO(division_rolling_mounted) DO(division_trajectory) DO(division_trajectory_mounted) DO(eucm) DO(eucm_mounted) DO(eucm_rolling) DO(eucm_rolling_mounted) DO(eucm_trajectory) DO(eucm_trajectory_mounted) DO(field_of_view) DO(field_of_view_mounted) DO(field_of_view_rolling) DO(field_of_view_rolling_mounted) DO(field_of_view_trajectory) DO(field_of_view_trajectory_mounted) DO(fisheye) DO(fisheye_mounted) DO(fisheye_rolling) DO(fisheye_rolling_mounted) DO(fisheye_trajectory) DO(fisheye_trajectory_mounted) DO(kannala_brandt) DO(kannala_brandt_mounted) DO(kannala_brandt_rolling) DO(kannala_brandt_rolling_mounted) DO(kannala_brandt_trajectory) DO(kannala_brandt_trajectory_mounted) DO(panorama) DO(pushbroom) DO(radial) DO(radial_mounted) DO(radial_rolling) DO(radial_rolling_mounted) DO(radial_trajectory) DO(radial_trajectory_mounted) DO(rational) DO(rational_mounted) DO(rational_rolling) DO(rational_rolling_mounted) DO(rational_trajectory) DO(rational_trajectory_mounted) DO(spherical) DO(spherical_mounted) DO(thin_prism) DO(thin_prism_mounted) DO(thin_prism_rolling) DO(thin_prism_rolling_mounted) DO(thin_prism_trajectory) DO(thin_prism_trajectory_mounted)

@@ -36,6 +36,15 @@ def cos(x: Scalar) -> Scalar:
     return np.cos(x)
 
 
+def sqrt(x: Scalar) -> Scalar:
+    """Square root."""
+    if _symbolic(x):
+        import sympy  # noqa: PLC0415
+
+        return sympy.sqrt(x)
+    return np.sqrt(x)
+
+
 def angle_ratio(r2: Scalar, w: Scalar) -> Scalar:
     """atan2(r, w) / r as a function of r**2 and w: smooth at r = 0 for w > 0."""
     if _symbolic(r2):
