@@ -371,7 +371,7 @@ BAD = {
     "k.yaml": ("cam0:\n  camera_model: omni\n  distortion_model: radtan\n", "omni"),
     "k2.yaml": ("cam0:\n  camera_model: pinhole\n  distortion_model: radtan\n  intrinsics: [1,2,3]\n", "3 elements"),
     "c.txt": ("1 OPENCV 640 480 500 500 320 240 0.1\n", "5 parameters"),
-    "c2.txt": ("1 FOV 640 480 500 500 320 240 0.1\n1 PINHOLE 640 480 1 1 1 1\n", "FOV"),
+    "c2.txt": ("1 RAD_TAN 640 480 500 500 320 240 0.1\n1 PINHOLE 640 480 1 1 1 1\n", "RAD_TAN"),
     "m.xml": ("<calibration><projection>frame</projection><width>640</width><height>480</height></calibration>", "f"),
     "m2.xml": ("<calibration><projection>frame</projection><width>640", "XML"),
     "a.cameramodel": ("{ 'lensmodel': 'LENSMODEL_OPENCV8', 'intrinsics': [1,2,3", "complete"),

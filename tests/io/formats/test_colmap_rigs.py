@@ -8,8 +8,8 @@ import pytest
 
 from raybundle.cameras.conversions import camera_rays
 from raybundle.errors import InputError
-from raybundle.io.formats import read_format
-from raybundle.io.formats.colmap_cameras import DIRECT, MODELS, NOT_READ
+from raybundle.io.formats import Export, read_format, write_format
+from raybundle.io.formats.colmap_cameras import DIRECT, MODELS, NOT_READ, OURS, PARAMETERS, own_camera
 
 RIGS = {"one camera": (2, 1, 3), "stereo": (1, 2, 3), "three": (2, 3, 2)}
 """Rigs, cameras of a rig, frames of a rig."""
@@ -79,6 +79,67 @@ def test_every_model_gives_the_poses_of_pycolmap(number, kind, rigs, pycolmap, t
         rays = camera_rays(camera, o.xy_px[rows].T)
         apart = np.linalg.norm(rays - points[:, rows] / np.linalg.norm(points[:, rows], axis=0), axis=0)
         assert apart.max() < 1e-6
+
+
+VALUES = {
+    "FOV": [(500, 505, 318, 243, 0.5), (500, 505, 318, 243, 0.05), (480, 480, 320, 240, 1.4)],
+    "SIMPLE_DIVISION": [(500, 318, 243, -0.1), (500, 320, 240, 0.1), (500, 318, 243, 0)],
+    "DIVISION": [(500, 505, 318, 243, -0.1), (505, 500, 318, 243, 0.05), (500, 500, 320, 240, -0.3)],
+    "EUCM": [(500, 505, 318, 243, 0.5, 1.2), (500, 505, 318, 243, 0, 1), (500, 500, 320, 240, 0.9, 0.8)],
+}
+
+
+@pytest.mark.parametrize("name", OURS)
+@pytest.mark.parametrize("case", range(3))
+def test_rays_of_models_of_ours_are_those_of_pycolmap(name, case, pycolmap):
+    values = VALUES[name][case]
+    theirs = pycolmap.Camera(model=name, width=640, height=480, params=[float(v) for v in values])
+    ours = own_camera(name, "1", 640, 480, values)
+    rng = np.random.default_rng(3)
+    points = np.stack([rng.uniform(-0.5, 0.5, 80), rng.uniform(-0.4, 0.4, 80), np.ones(80)], axis=1)
+    pixels = np.array([theirs.img_from_cam(p) for p in points]).reshape(-1, 2)
+    rays = camera_rays(ours, pixels.T)
+    expected = (points * [1, -1, -1]).T
+    np.testing.assert_allclose(rays, expected / np.linalg.norm(expected, axis=0), atol=1e-11)
+
+
+@pytest.mark.parametrize("target", ["colmap", "colmap-text"])
+@pytest.mark.parametrize("number", [k for k in DIRECT if k != 12])
+def test_models_of_ours_are_written_as_they_are_read(number, target, pycolmap, tmp_path):
+    folder = written(synthesised(pycolmap, pycolmap.CameraModelId(number)), tmp_path / "m", "text")
+    found = read_format("colmap", folder)
+    done = write_format(target, Export(block=found.block), tmp_path / "again")
+    assert done.deviation_px == 0
+    here, there = (pycolmap.Reconstruction(str(f)) for f in (folder, tmp_path / "again"))
+    for a, b in zip(here.cameras.values(), there.cameras.values(), strict=True):
+        assert a.model == b.model
+        np.testing.assert_allclose(a.params, b.params, rtol=1e-12)
+    assert read_format("colmap", tmp_path / "again").block.cameras[0].model == found.block.cameras[0].model
+
+
+IMPOSSIBLE = {
+    "f": ("FOV 640 480 0 500 320 240 0.9", "must be positive"),
+    "one f": ("SIMPLE_DIVISION 640 480 -1 320 240 0.1", "must be positive"),
+    "w": ("FOV 640 480 500 500 320 240 0", "not within 1e-06 and 3.14"),
+    "large w": ("FOV 640 480 500 500 320 240 4", "not within"),
+    "alpha": ("EUCM 640 480 500 500 320 240 1.5 1", "not within 0 and 1"),
+    "few": ("EUCM 640 480 500 500 320 240 1.5", "5 parameters, EUCM has 6"),
+    "sphere": ("EQUIRECTANGULAR 640 480 640 400", "not the format of 640 x 480"),
+}
+
+
+@pytest.mark.parametrize("case", IMPOSSIBLE.values(), ids=IMPOSSIBLE)
+def test_impossible_parameters_are_named(case, tmp_path):
+    line, words = case
+    folder = text_model(tmp_path / "m", IMAGES)
+    (folder / "cameras.txt").write_text(f"1 PINHOLE 9 9 9 9 5 5\n2 {line}\n")
+    with pytest.raises(InputError, match=re.escape(words)) as caught:
+        read_format("colmap", folder)
+    assert caught.value.line == 2
+
+
+def test_every_model_that_is_read_has_parameters():
+    assert set(PARAMETERS) == {n for n, _ in (*MODELS.values(), *DIRECT.values())}
 
 
 def moved(text, *, at, by):

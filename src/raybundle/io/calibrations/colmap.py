@@ -10,7 +10,7 @@ from raybundle.cameras.forward_camera import ForwardCamera
 from raybundle.errors import InputError
 from raybundle.io.calibrations.base import Calibration, CalibrationFormat, Conversion, Variant, register
 from raybundle.io.digits import exact
-from raybundle.io.formats.colmap_cameras import MODELS, NUMBERS, forward_of
+from raybundle.io.formats.colmap_cameras import MODELS, NUMBERS, PARAMETERS, forward_of, own_camera
 from raybundle.io.reading.files import read_text
 from raybundle.io.reading.words import numbers_of, quoted
 
@@ -40,13 +40,14 @@ def _camera(path: Path, line: int, words: Sequence[str]) -> Calibration:
             "a camera is CAMERA_ID MODEL WIDTH HEIGHT PARAMETERS; is the file complete?", file=path, line=line
         )
     id_, model, *rest = words
-    if model not in NUMBERS:
-        raise InputError(f"camera model {quoted(model)} is not read; known: {', '.join(NUMBERS)}", file=path, line=line)
+    if model not in PARAMETERS:
+        known = ", ".join(PARAMETERS)
+        raise InputError(f"camera model {quoted(model)} is not read; known: {known}", file=path, line=line)
     given = numbers_of(rest)
     if given is None:
         raise InputError(f"{quoted(' '.join(rest))} is not a row of finite numbers", file=path, line=line)
     width, height, *values = given.tolist()
-    terms = MODELS[NUMBERS[model]][1]
+    terms = PARAMETERS[model]
     if len(values) != len(terms):
         raise InputError(f"{len(values)} parameters, {model} has {len(terms)}: {' '.join(terms)}", file=path, line=line)
     if not all(s == int(s) and 0 < s <= 10_000_000 for s in (width, height)) or values[0] <= 0:
@@ -55,7 +56,9 @@ def _camera(path: Path, line: int, words: Sequence[str]) -> Calibration:
             file=path,
             line=line,
         )
-    return Calibration(id=id_, camera=forward_of(model, int(width), int(height), values))
+    size = int(width), int(height)
+    camera = forward_of(model, *size, values) if model in NUMBERS else own_camera(model, id_, *size, values)
+    return Calibration(id=id_, camera=camera)
 
 
 def write(conversions: Sequence[Conversion], suffix: str) -> str:

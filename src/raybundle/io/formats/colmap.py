@@ -16,7 +16,6 @@ import numpy as np
 
 from raybundle.block import Camera, Images
 from raybundle.cameras.conversions import camera_from_forward, opencv_fit
-from raybundle.cameras.forward_camera import ForwardCamera
 from raybundle.errors import InputError
 from raybundle.io.digits import exact
 from raybundle.io.formats.base import (
@@ -34,7 +33,7 @@ from raybundle.io.formats.base import (
     register,
     scene,
 )  # fmt: skip
-from raybundle.io.formats.colmap_cameras import NUMBERS, model_of
+from raybundle.io.formats.colmap_cameras import EVERY_NUMBER, model_of, written_directly
 from raybundle.io.formats.colmap_files import NO_POINT, POINT2D, TRACK, Model, read_model, suffix_of
 from raybundle.io.formats.colmap_rigs import image_poses, quaternions
 from raybundle.numerics.arrays import Array, Index
@@ -83,13 +82,16 @@ def _points(s: Scene, export: Export) -> Iterator[_Point]:
         )
 
 
-def _cameras(s: Scene) -> tuple[list[tuple[str, ForwardCamera, tuple[float, ...]]], Draft]:
-    rows: list[tuple[str, ForwardCamera, tuple[float, ...]]] = []
+def _cameras(s: Scene) -> tuple[list[tuple[str, Camera, tuple[float, ...]]], Draft]:
+    rows: list[tuple[str, Camera, tuple[float, ...]]] = []
     deviations: list[tuple[str, str, float]] = []
     for camera in s.cameras:
+        if (direct := written_directly(camera)) is not None:
+            rows.append((direct[0], camera, direct[1]))
+            continue
         fit = opencv_fit(camera)
         name, values = model_of(fit.camera)
-        rows.append((name, fit.camera, values))
+        rows.append((name, camera, values))
         deviations.append((camera.id, name, fit.deviation_px))
     remarks, largest = deviation_remark(deviations)
     return rows, Draft(remarks=s.remarks + remarks, deviation_px=largest)
@@ -102,7 +104,7 @@ def write_binary(export: Export, folder: Path) -> Draft:
     with (folder / "cameras.bin").open("wb") as file:
         file.write(struct.pack("<Q", len(cameras)))
         for k, (name, camera, values) in enumerate(cameras, 1):
-            file.write(struct.pack("<iiQQ", k, NUMBERS[name], camera.width_px, camera.height_px))
+            file.write(struct.pack("<iiQQ", k, EVERY_NUMBER[name], camera.width_px, camera.height_px))
             file.write(struct.pack(f"<{len(values)}d", *values))
     numbers = np.array(_numbers(s, export), np.int64)
     with (folder / "images.bin").open("wb") as file:

@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 from pathlib import Path
 
 from raybundle.block import Camera
+from raybundle.cameras.conversions import NOMINAL_SIDE_MM
 from raybundle.cameras.equirectangular import equirectangular_camera
 from raybundle.cameras.forward_camera import ForwardCamera
 from raybundle.errors import InputError
@@ -25,11 +27,26 @@ MODELS: dict[int, tuple[str, tuple[str, ...]]] = {
     15: ("FISHEYE", ("fx", "fy", "cx", "cy")),
 }
 """Number -> name and parameters of a forward camera; of COLMAP 4.2."""
-DIRECT: dict[int, tuple[str, int]] = {17: ("EQUIRECTANGULAR", 2)}
-"""Number -> name and number of parameters of models that are one of ours."""
-NOT_READ = {7: "FOV", 11: "RAD_TAN_THIN_PRISM_FISHEYE", 12: "SIMPLE_DIVISION", 13: "DIVISION", 16: "EUCM"}
+DIRECT: dict[int, tuple[str, tuple[str, ...]]] = {
+    7: ("FOV", ("fx", "fy", "cx", "cy", "w")),
+    12: ("SIMPLE_DIVISION", ("f", "cx", "cy", "k")),
+    13: ("DIVISION", ("fx", "fy", "cx", "cy", "k")),
+    16: ("EUCM", ("fx", "fy", "cx", "cy", "alpha", "beta")),
+    17: ("EQUIRECTANGULAR", ("w", "h")),
+}
+"""Number -> name and parameters of models that are one of ours; after cx, cy by our symbols."""
+OURS = {"FOV": "field_of_view", "SIMPLE_DIVISION": "division", "DIVISION": "division", "EUCM": "eucm"}
+"""Name -> model of ours."""
+NOT_READ = {11: "RAD_TAN_THIN_PRISM_FISHEYE"}
 """Number -> name of models that are refused."""
+PARAMETERS = dict((*MODELS.values(), *DIRECT.values()))
+"""Name -> parameters of all models that are read."""
+EVERY_NUMBER = {name: number for number, (name, _) in (*MODELS.items(), *DIRECT.items())}
+"""Name -> number of all models that are read."""
+LIMITS: dict[str, tuple[str, float, float]] = {"FOV": ("w", 1e-6, math.pi), "EUCM": ("alpha", 0.0, 1.0)}
+"""Name -> parameter with the least and the largest value that it can have."""
 NUMBERS = {name: number for number, (name, _) in MODELS.items()}
+"""Name -> number of models of forward cameras."""
 
 
 def model_of(camera: ForwardCamera) -> tuple[str, tuple[float, ...]]:
@@ -52,10 +69,41 @@ def forward_of(name: str, width: int, height: int, values: Sequence[float]) -> F
     return ForwardCamera(width_px=width, height_px=height, projection=projection, **terms)
 
 
-def parameter_count(name: str) -> int:
-    """Number of parameters of a model that is read; -1 of any other."""
-    counts = {n: len(terms) for n, terms in MODELS.values()} | dict(DIRECT.values())
-    return counts.get(name, -1)
+def own_camera(name: str, id_: str, width: int, height: int, values: Sequence[float]) -> Camera:
+    """The camera of one of the `DIRECT` models; the size of its pixels is nominal."""
+    if name == "EQUIRECTANGULAR":
+        return equirectangular_camera(id_, width, height, whole_sphere=True)
+    terms = dict(zip(PARAMETERS[name], values, strict=True))
+    fx, fy = terms.pop("fx", terms.get("f", 0.0)), terms.pop("fy", terms.get("f", 0.0))
+    pixel = NOMINAL_SIDE_MM / max(width, height)
+    x0, y0 = (terms.pop("cx") - width / 2) * pixel, (height / 2 - terms.pop("cy")) * pixel
+    terms.pop("f", None)
+    return Camera(
+        id=id_,
+        model=OURS[name],
+        width_px=width,
+        height_px=height,
+        pixel_mm=(pixel, pixel),
+        values={"c": fx * pixel, "x0": x0, "y0": y0, "A": fy / fx - 1, **terms},
+        estimate="auto",
+    )
+
+
+def written_directly(camera: Camera) -> tuple[str, tuple[float, ...]] | None:
+    """Name and parameters where one of the `DIRECT` models is the camera's own; None: it has none there."""
+    width, height = camera.width_px * camera.pixel_mm[0], camera.height_px * camera.pixel_mm[1]
+    v = camera.values
+    if camera.model == "spherical":
+        turn = 2 * math.pi * v["c"]
+        whole = math.isclose(turn, width, rel_tol=1e-12) and math.isclose(turn, 2 * height, rel_tol=1e-12)
+        return ("EQUIRECTANGULAR", (camera.width_px, camera.height_px)) if whole and not v.get("y0") else None
+    name = next((n for n, own in OURS.items() if own == camera.model and n != "SIMPLE_DIVISION"), None)
+    if name is None:
+        return None
+    fx, fy = v["c"] / camera.pixel_mm[0], v["c"] * (1 + v.get("A", 0.0)) / camera.pixel_mm[1]
+    cx = camera.width_px / 2 + v.get("x0", 0.0) / camera.pixel_mm[0]
+    cy = camera.height_px / 2 - v.get("y0", 0.0) / camera.pixel_mm[1]
+    return name, (fx, fy, cx, cy, *(v[t] for t in PARAMETERS[name][4:]))
 
 
 def name_of(number: int) -> str:
@@ -71,20 +119,22 @@ def checked_camera(
     place = f"camera {number}"
     if not all(0 < s <= 10_000_000 for s in size):
         raise InputError(f"{place}: a format of {size[0]} x {size[1]} px cannot be", file=path, line=line)
-    if name == "EQUIRECTANGULAR":
-        if tuple(values) != size:
-            message = f"{place}: parameters {values[0]:g}, {values[1]:g} are not the format of {size[0]} x {size[1]} px"
-            raise InputError(message, file=path, line=line)
-        return equirectangular_camera(str(number), *size, whole_sphere=True)
-    forward = forward_of(name, *size, values)
-    if not (forward.fx > 0 and forward.fy > 0):
-        raise InputError(
-            f"{place}: principal distance {forward.fx:g}, {forward.fy:g} px; it must be positive", file=path, line=line
-        )
-    return forward
+    terms = dict(zip(PARAMETERS[name], values, strict=True))
+    if name == "EQUIRECTANGULAR" and tuple(values) != size:
+        message = f"{place}: parameters {values[0]:g}, {values[1]:g} are not the format of {size[0]} x {size[1]} px"
+        raise InputError(message, file=path, line=line)
+    fx, fy = (terms.get(k, terms.get("f", 1.0)) for k in ("fx", "fy"))
+    if not (fx > 0 and fy > 0):
+        message = f"{place}: principal distance {fx:g}, {fy:g} px; it must be positive"
+        raise InputError(message, file=path, line=line)
+    term, least, most = LIMITS.get(name, ("", 0.0, 0.0))
+    if term and not least <= terms[term] <= most:
+        message = f"{place}: {term} of {name} is {terms[term]:g}, not within {least:g} and {most:g}"
+        raise InputError(message, file=path, line=line)
+    return forward_of(name, *size, values) if name in NUMBERS else own_camera(name, str(number), *size, values)
 
 
 def unknown_model(path: Path, place: str, line: int | None, name: object) -> InputError:
     """The error of a model that is not read."""
-    known = ", ".join(n for n, _ in (*MODELS.values(), *DIRECT.values()))
+    known = ", ".join(PARAMETERS)
     return InputError(f"{place}: camera model {name} is not read; known: {known}", file=path, line=line)

@@ -11,7 +11,7 @@ import numpy as np
 from raybundle.block import Camera
 from raybundle.cameras.forward_camera import ForwardCamera
 from raybundle.errors import InputError
-from raybundle.io.formats.colmap_cameras import checked_camera, name_of, parameter_count, unknown_model
+from raybundle.io.formats.colmap_cameras import PARAMETERS, checked_camera, name_of, unknown_model
 from raybundle.io.reading.binary import Binary
 from raybundle.io.reading.files import read_text
 from raybundle.io.reading.words import no_number, number_of, numbers_of, quoted, whole_of
@@ -111,9 +111,9 @@ def _read_cameras_binary(path: Path, model: Model) -> None:
     for _ in range(file.count(24 + 16, "cameras")):
         number, kind, width, height = file.take("iiQQ")
         name = name_of(kind)
-        if (count := parameter_count(name)) < 0:
+        if name not in PARAMETERS:
             raise unknown_model(path, f"camera {number}", None, name)
-        values = file.floats(count, f"camera {number}")
+        values = file.floats(len(PARAMETERS[name]), f"camera {number}")
         if number in model.cameras:
             file.fail(f"camera {number} stands twice")
         model.cameras[number] = checked_camera(path, number, None, name, (width, height), values)
@@ -184,11 +184,11 @@ def _read_cameras_text(path: Path, model: Model) -> None:
             raise InputError("number, model, width, height and parameters are needed", file=path, line=line)
         number, name = _whole(path, line, words[0], "camera"), words[1]
         place = f"camera {number}"
-        if (count := parameter_count(name)) < 0:
+        if name not in PARAMETERS:
             raise unknown_model(path, place, line, quoted(name))
         width, height = (_whole(path, line, w, place) for w in words[2:4])
         values = _floats(path, line, words[4:], place)
-        if len(values) != count:
+        if len(values) != (count := len(PARAMETERS[name])):
             raise InputError(f"{place}: {len(values)} parameters, {name} has {count}", file=path, line=line)
         if number in model.cameras:
             raise InputError(f"{place} stands twice", file=path, line=line)
