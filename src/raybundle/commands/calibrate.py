@@ -46,8 +46,8 @@ class CalibrateSettings:
         "metadata.", metavar="PATTERN",
     )  # fmt: skip
     model: str = setting(
-        "auto", "Distortion model: aicon, brown, brown_harmonic, division, eucm, field_of_view, fisheye, kannala_brandt, "
-        "radial, rational, spline, thin_prism; auto: brown, or "
+        "auto", "Distortion model: aicon, brown, brown_harmonic, division, eucm, field_of_view, fisheye, "
+        "kannala_brandt, radial, rational, spline, thin_prism; auto: brown, or "
         "what fits a wide lens or what repeats in all residuals better.", metavar="NAME",
     )  # fmt: skip
     parameters: str = setting(
