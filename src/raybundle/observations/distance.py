@@ -58,7 +58,7 @@ class Distance(ObservationKind):
         start, end = table.start[rows.item], table.end[rows.item]
         d = values.xyz[end] - values.xyz[start]
         length = np.linalg.norm(d, axis=1)
-        unit, k = d / length[:, None], np.arange(len(rows))
+        unit, k = d / np.maximum(length, 1e-300)[:, None], np.arange(len(rows))  # ends in one place: no direction
         return Observed(
             length - rows.value,
             tuple(
