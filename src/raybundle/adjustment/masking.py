@@ -78,6 +78,8 @@ def unmasked(
     if found is None:
         return None
     start, bad = found
+    if (given | bad).all():
+        return None
     size, scale = _sizes(start, ~given & ~bad)
     whole = float(np.sqrt(np.mean(size[~given & ~bad] ** 2)))
     limit = family_wise_normal(options.significance, 2 * int((~given).sum()))
@@ -90,6 +92,8 @@ def unmasked(
             return None
         start, bad = found
         inside = ~out & ~lone & ~bad
+        if not inside.any():
+            return None
         size, scale = _sizes(start, inside)
         new = given | bad | ((size > limit * scale) & ~spared)
         if np.array_equal(new, out):
