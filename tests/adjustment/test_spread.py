@@ -3,6 +3,7 @@
 import numpy as np
 import pytest
 
+from raybundle.adjustment.network import _without_few
 from raybundle.adjustment.spread import few_hold
 
 
@@ -25,3 +26,12 @@ def test_points_that_differ_as_they_do_are_not(spread):
 def test_nothing_is_said_of_no_points_or_exact_ones():
     assert few_hold(np.zeros((0, 3))) is None
     assert few_hold(np.zeros((4, 3))) is None
+
+
+def test_a_few_far_points_do_not_govern_the_relative_precision():
+    std = np.full((400, 3), 0.001)
+    std[:3] = 5.0
+    assert _without_few(std).max() == 0.001
+    assert len(_without_few(std)) == 380
+    even = np.full((400, 3), 0.001)
+    assert _without_few(even) is even

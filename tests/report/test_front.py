@@ -454,3 +454,12 @@ def test_known_lengths_stand_on_the_first_page_with_what_the_others_say_of_them(
     assert abs(float(row[-2].replace("−", "-"))) < abs(float(row[-1].replace("−", "-")))
     alone = adjust_block(block.having(bars.rows(np.array([0]))))
     assert not [t for t in parts_of(alone, "table") if t.columns[-1].label == "had it taken no part"]
+
+
+def test_one_step_for_all_cautions_of_one_kind(flight):
+    told = tuple(
+        Notice(code="levelled", message=f"photograph {k} is level; do something", ids=(f"p{k}",)) for k in range(3)
+    )
+    o = occasion(replace(flight, notices=told))
+    assert len(next_steps(o)) == 1
+    assert verdict_sentence(o).startswith("Usable with 1 caution")

@@ -6,6 +6,7 @@ import numpy as np
 
 from raybundle.adjustment.assemble import State, System
 from raybundle.adjustment.result import NetworkFigures
+from raybundle.adjustment.spread import HANDFUL, few_hold
 from raybundle.block import Block
 from raybundle.block.points import automatic
 from raybundle.numerics import large
@@ -87,7 +88,8 @@ def network_figures(system: System, state: State, std: Array | None, parts: int,
     free = None if std is None else std[used & (std > 0).any(axis=1)]
     if free is not None and len(free):
         # a held coordinate has no standard deviation: as a zero it would make the mean too small
-        mean = float(np.mean(free[free > 0]))
+        typical = _without_few(free)
+        mean = float(np.mean(typical[typical > 0]))
         sigma = mean * unit_mm
         cov = block.observations.cov_px2[system.rows]
         sigma_xy = float(np.sqrt(np.mean(cov[:, :2])) * np.mean(np.abs(system.pixel_mm)))
@@ -104,6 +106,13 @@ def network_figures(system: System, state: State, std: Array | None, parts: int,
         precision_class=precision_class(relative) if relative > 0 else "",
         components=parts,
     )  # fmt: skip
+
+
+def _without_few(std: Array) -> Array:
+    """Standard deviations (n, 3) without the least precise points where a few far ones hold half of the variance."""
+    if few_hold(std) is None:
+        return std
+    return std[np.argsort(np.nansum(std**2, axis=1), kind="stable")[: int(len(std) * (1 - HANDFUL))]]
 
 
 def _rays(state: State, image: Index, point: Index) -> tuple[Array, Array]:

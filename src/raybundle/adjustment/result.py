@@ -58,15 +58,18 @@ NAMED = 10
 """Objects that a notice names in the place of their notices."""
 
 
-def as_told(notices: Iterable[Notice]) -> list[Notice]:
-    """The notices as people read them, the gravest first: one in place of many that say the same of other objects."""
+def as_told(notices: Iterable[Notice], many: int = MANY) -> list[Notice]:
+    """The notices as people read them, the gravest first: one in place of many that say the same of other objects.
+
+    many  notices of one kind that stand one by one
+    """
     kinds: dict[tuple[str, Severity], list[Notice]] = {}
     for n in gravest_first(notices):
         kinds.setdefault((n.code, n.severity), []).append(n)
     told: list[Notice] = []
     for group in kinds.values():
-        if len(group) <= MANY or not all(n.ids for n in group):
-            told += group
+        if len(group) <= many or not all(n.ids for n in group):
+            told += list({n.message: n for n in group}.values())
             continue
         # a parameter stands behind its camera
         names = [": ".join(n.ids) if len(n.ids) == 2 else n.ids[0] for n in group[1:]]

@@ -72,7 +72,7 @@ def verdict_sentence(o: Occasion) -> str:
     """Whether the result can be used, in one sentence that is never better than the gravest notice."""
     a = o.view.adjustment
     faults = sum(1 for n in a.notices if n.severity is Severity.FAULT)
-    cautions = sum(1 for n in as_told(a.notices) if n.severity is Severity.CAUTION)
+    cautions = sum(1 for n in as_told(a.notices, many=1) if n.severity is Severity.CAUTION)
     outcomes = () if o.delivery is None else o.delivery.outcomes
     if faults:
         return f"Not to be used yet: {counted(faults, 'matter')} to settle first."
@@ -114,7 +114,7 @@ def steps_left(o: Occasion) -> int:
 def _steps(o: Occasion) -> tuple[tuple[str, str], ...]:
     """Faults, what to photograph next for a calibration, cautions."""
     say = o.language.text
-    told = [(n.severity, _sentence(say(unbroken(n.message)))) for n in as_told(o.view.adjustment.notices)]
+    told = [(n.severity, _sentence(say(unbroken(n.message)))) for n in as_told(o.view.adjustment.notices, many=1)]
     next_ = [("next", _sentence(say(f"camera {q.camera}: {q.advice[0].words}"))) for q in o.qualities if q.advice]
     faults, cautions = ([(s.value, w) for s, w in told if s is of] for of in (Severity.FAULT, Severity.CAUTION))
     return (*faults, *next_, *cautions)
