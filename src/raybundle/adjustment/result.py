@@ -316,7 +316,9 @@ class NetworkFigures:
     """Diagonal of the box of the object points along their principal axes [length unit]; of more than 200 points
     without the 0.25 % at either end of each axis."""
     mean_std: float
-    """Mean standard deviation of a free coordinate of the object points [length unit]; NaN without statistics."""
+    """Mean standard deviation of a free coordinate of the object points [length unit]; NaN without statistics.
+
+    Where a few far points hold half of the variance: without the 5 % that are least precise."""
     precision_class: str
     components: int
     """Connected parts of the network."""
