@@ -19,6 +19,7 @@ import numpy as np
 
 from raybundle.errors import InputError
 from raybundle.io.photos.exif import read_tags
+from raybundle.io.reading.tiff import tiff_tags
 from raybundle.numerics.arrays import Array
 
 Kind = Literal["jpeg", "png", "tiff", "webp", "heic", "raw"]
@@ -103,7 +104,8 @@ def read_header(path: Path, *, limit_pixels: int) -> Header:
     except Unusable:
         raise
     except Exception as error:  # noqa: BLE001  (decoders raise anything on a damaged file; it costs that file only)
-        raise Unusable(f"the header cannot be read ({_first_line(error)})") from None
+        reason = unread_tiff(path) if kind == "tiff" else ""
+        raise Unusable(reason or f"the header cannot be read ({_first_line(error)})") from None
     try:
         width, height = _stored_size(image, kind)
         _check_size(width, height, limit_pixels)
@@ -111,6 +113,27 @@ def read_header(path: Path, *, limit_pixels: int) -> Header:
         return Header(kind=kind, width_px=width, height_px=height, bits=_bits(image, kind, path), exif=exif, xmp=xmp)
     finally:
         _close(image)
+
+
+BITS, SAMPLES, FORMAT, PLANAR = 258, 277, 339, 284
+"""Tags of TIFF: bits of each sample, samples of a pixel, their format, their arrangement"""
+FORMATS = {1: "whole numbers", 2: "signed whole numbers", 3: "floating-point numbers"}
+
+
+def unread_tiff(path: Path) -> str:
+    """Bands, bits and format of a sound TIFF whose pixels are of no kind that is read; "" where it is not sound."""
+    try:
+        _, tags = tiff_tags(path, frozenset({BITS, SAMPLES, FORMAT, PLANAR}))
+    except (InputError, OSError):
+        return ""
+    bits, bands = sorted({int(b) for b in tags.get(BITS, (1,))}), int(next(iter(tags.get(SAMPLES, (1,)))))
+    kind = FORMATS.get(int(next(iter(tags.get(FORMAT, (1,))))), "numbers of another format")
+    arrangement = ", band after band" if tags.get(PLANAR, (1,))[0] == 2 else ""
+    of = " and ".join(str(b) for b in bits)
+    return (
+        f"a TIFF of {bands} band{'s' * (bands != 1)} of {of}-bit {kind}{arrangement}, which is not read; write 8-bit "
+        "colour, or one band of 8 or 16 bits (gdal_translate -ot Byte -scale, -b BAND for each band)"
+    )
 
 
 def _close(image: Any) -> None:
