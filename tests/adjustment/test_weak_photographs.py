@@ -18,3 +18,5 @@ def test_few_common_points_are_told_of_found_points_alone(name, told):
     notices = [n for n in adjust(block).notices if n.code == "weak_photographs"]
     assert bool(notices) is told
     assert not told or set(notices[0].ids) == set(block.images.ids)
+    assert not told or notices[0].severity == "fault"  # the whole block hangs on few points
+    assert not told or notices[0].values == {"weak": 8, "photographs": 8, "common": 30}

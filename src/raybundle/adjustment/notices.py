@@ -339,10 +339,6 @@ KNOWN_BY = 2.0
 """Ratio of the 95 % limits of sigma0 from which on it tells nothing: a-priori values are a guess of that factor."""
 
 
-MOST_WEAK = 0.5
-"""Share of photographs that hang on one connection or few points above which the whole block does: a fault."""
-
-
 def _photographs(result: Adjustment) -> list[Notice]:
     """Photographs joined by tie points that hang on one connection, or whose residuals tell next to nothing.
 
@@ -358,7 +354,7 @@ def _photographs(result: Adjustment) -> list[Notice]:
     used = np.unique(block.observations.image[result.image_observations.used])
     weak = [block.images.ids[k] for k in weak_images(network, len(block.images))]
     if weak:
-        grave = len(weak) > MOST_WEAK * len(used) and len(used) > 2
+        grave = len(weak) == len(used) > 2  # the block as a whole hangs on few points
         found.append(
             Notice(
                 code="weak_photographs",
