@@ -15,6 +15,7 @@ from pathlib import Path
 from tempfile import TemporaryDirectory, gettempdir
 
 import uvicorn
+from starlette.types import ASGIApp
 
 from raybundle.commands.opening import hand_over
 from raybundle.errors import InputError
@@ -22,7 +23,7 @@ from raybundle.settings import option
 from raybundle.studio.app import Studio
 from raybundle.studio.desk import Desk
 from raybundle.studio.guard import Session
-from raybundle.studio.sockets import Server, Waiting, protocol_of
+from raybundle.studio.sockets import HEADERS_S, Server, Waiting, protocol_of
 
 FOLDER = "raybundle-studio-"
 """Begin of the names of folders of decoded photographs; the process that owns it follows."""
@@ -46,15 +47,25 @@ def listening(port: int) -> socket.socket:
     return found
 
 
+def configured(app: ASGIApp, waiting: Waiting) -> uvicorn.Config:
+    """How the server works; `waiting` closes connections that send no whole header in time."""
+    return uvicorn.Config(
+        app, log_level="warning", access_log=False, ws="websockets-sansio", ws_max_size=LARGEST_MESSAGE,
+        ws_per_message_deflate=False, limit_concurrency=512, timeout_graceful_shutdown=2, server_header=False,
+        http=protocol_of(waiting),
+    )  # fmt: skip
+
+
 def serve(
     source: Path, photos: Sequence[Path] = (), *, port: int = 0, browser: bool = True,
-    told: Callable[[str], None] = print,
+    told: Callable[[str], None] = print, header_s: float = HEADERS_S,
 ) -> None:  # fmt: skip
     """Open a project, result or block folder and serve it until interrupted.
 
     port     0: a free one
     browser  open the page
     told     gets the address once; it works once
+    header_s seconds within which the header of a request is complete
     raises   InputError where there is nothing to open, or the port is taken
     """
     _sweep()
@@ -62,11 +73,7 @@ def serve(
         desk = Desk.open(source, Path(folder), photos)
         with listening(port) as connection:
             session = Session(port=connection.getsockname()[1])
-            config = uvicorn.Config(
-                Studio.of(desk, session).app(), log_level="warning", access_log=False, ws="websockets-sansio",
-                ws_max_size=LARGEST_MESSAGE, ws_per_message_deflate=False, limit_concurrency=512,
-                timeout_graceful_shutdown=2, server_header=False, http=protocol_of(Waiting()),
-            )  # fmt: skip
+            config = configured(Studio.of(desk, session).app(), Waiting(seconds=header_s))
             page = hand_over(session.address, Path(folder)) if browser else None
             server = Server(config, lambda: page and webbrowser.open(page.as_uri()))
             with _ending(server):

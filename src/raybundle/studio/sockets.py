@@ -22,7 +22,9 @@ class Waiting:
         self.seconds, self.most = seconds, most
         self._ends: dict[Any, asyncio.TimerHandle] = {}
 
-    def __len__(self) -> int:
+    @property
+    def count(self) -> int:
+        """How many there are now."""
         return len(self._ends)
 
     def begins(self, connection: Any) -> None:
