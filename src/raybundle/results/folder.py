@@ -18,6 +18,7 @@ from raybundle.errors import InputError
 from raybundle.io.block.folder import block_files, read_block, write_block_files
 from raybundle.io.digits import told
 from raybundle.io.folders import check_place, names_in, new_folder
+from raybundle.io.ids import check_ids_of
 from raybundle.io.reading.trees import read_json
 from raybundle.io.reading.words import quoted
 from raybundle.io.table_files import SUFFIXES, TableFormat, new_table_file, table_file
@@ -122,9 +123,10 @@ def written_folder(
     path        where; an older result there is replaced when the new one is complete
     additions   further keys of result.json
     tables      how tables are written, as of `write_block`
-    raises      InputError where something else stands at `path`
+    raises      InputError where something else stands at `path`, or an id is empty or there twice
     """
     check_target(path)
+    check_ids_of(adjustment.adjusted, Path(path))
     with new_folder(Path(path), replacing=True) as folder:
         progress("writing tables", 0.0)
         (folder / "block").mkdir()

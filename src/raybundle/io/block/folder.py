@@ -24,6 +24,7 @@ from raybundle.io.block.tables import ANGLES, XYZ, columns_of, problems_of, requ
 from raybundle.io.block.toml import head_text, read_head
 from raybundle.io.digits import EVERY
 from raybundle.io.folders import check_free, new_folder
+from raybundle.io.ids import check_ids_of
 from raybundle.io.reading.files import stands
 from raybundle.io.reading.words import quoted
 from raybundle.io.table_files import SUFFIXES, TableFormat, new_table_file, table_file
@@ -306,11 +307,12 @@ def write_block(block: Block, path: str | Path, *, tables: TableFormat = "auto")
     path    a new folder, or an empty one; a block that stands there is never overwritten
     tables  "csv" or "parquet" (with pyarrow); "auto": CSV, Parquet for tables of more rows than a spreadsheet holds
             where pyarrow is installed
-    raises  InputError where something stands at `path` already, or pyarrow is not there
+    raises  InputError where something stands at `path` already, an id is empty or there twice, or pyarrow is not there
     Numbers are written so that they read back equal; angles of the exterior orientation to 1e-12 degrees.
     """
     folder = Path(path)
     check_free(folder)
+    check_ids_of(block, folder)
     with new_folder(folder) as temporary:
         write_block_files(block, temporary, tables)
 

@@ -14,6 +14,7 @@ from raybundle.cameras.conversions import LIMIT_PX, CameraFit, interiors, parame
 from raybundle.errors import InputError
 from raybundle.io.folders import check_free, check_new_file, make_parent, new_files, new_folder
 from raybundle.io.geo.coordinate_systems import LocalFrame
+from raybundle.io.ids import check_ids_of
 from raybundle.io.reading.files import guarded, opened
 from raybundle.io.reading.ledger import ledger, not_read
 from raybundle.numerics.arrays import Array, Index, Mask
@@ -212,6 +213,7 @@ def write_format(
             file=path,
         )
     check_free(path)
+    check_ids_of(export.block, path)
     if export.block.free_scale and format_.metric and not free_scale:
         raise InputError(
             f"{FREE_SCALE}, and {name} counts in metres; {GIVE_SCALE}, or {option('free_scale', True)}", file=path

@@ -13,6 +13,7 @@ from raybundle.block import Stations
 from raybundle.errors import InputError
 from raybundle.io.folders import check_free, make_parent, new_files
 from raybundle.io.geo.coordinate_systems import LocalFrame, local_frame
+from raybundle.io.ids import check_ids
 from raybundle.io.reading.files import as_utf8, guarded, opened
 from raybundle.io.reading.words import whole_of
 from raybundle.numerics.arrays import Array, Index
@@ -124,6 +125,7 @@ def write_trajectory(trajectory: Trajectory, path: str | Path, *, name: str) -> 
         written = ", ".join(n for n, f in trajectory_formats.items() if f.write is not None)
         raise InputError(f"format {name} is only read; written are {written}", file=path)
     check_free(path)
+    check_ids("position", trajectory.names, path)
     make_parent(path)
     with new_files(path) as (file,):
         write(trajectory, file)

@@ -1,0 +1,33 @@
+"""Ids that a reader takes: checked before anything is written, so that what is written can be read."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from pathlib import Path
+
+from raybundle.block import Block
+from raybundle.errors import InputError
+
+
+def check_ids(what: str, ids: Sequence[str], file: Path) -> None:
+    """Raise InputError for an id that is empty, and for one that two of them have.
+
+    what  they are ids of: "image", "point"
+    file  that was to be written
+    """
+    first: dict[str, int] = {}
+    for k, name in enumerate(ids, 1):
+        if not name:
+            message = f"{what} {k} of {len(ids)} has an empty id; nothing is written. Give it an id"
+            raise InputError(message, file=file)
+        if first.setdefault(name, k) != k:
+            message = f"{what}s {first[name]} and {k} of {len(ids)} have the same id {name!r}; nothing is written"
+            raise InputError(f"{message}. Give each an id of its own", file=file)
+
+
+def check_ids_of(block: Block, file: Path) -> None:
+    """The same for cameras, images, points and instruments of a block."""
+    check_ids("camera", [c.id for c in block.cameras], file)
+    check_ids("image", block.images.ids, file)
+    check_ids("point", block.points.ids, file)
+    check_ids("instrument", [i.id for i in block.instruments], file)
