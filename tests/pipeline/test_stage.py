@@ -3,6 +3,7 @@
 from dataclasses import dataclass, field, replace
 from datetime import UTC, datetime
 from enum import Enum
+from itertools import product
 from pathlib import Path
 
 import numpy as np
@@ -12,8 +13,10 @@ from raybundle.errors import NoOrientation
 from raybundle.pipeline.executors import Processes, Threads
 from raybundle.pipeline.keys import key_of
 from raybundle.pipeline.project import Project
+from raybundle.pipeline.queues import drive
 from raybundle.pipeline.stage import Alternative, Codec, Run, Stage, Workflow
-from raybundle.pipeline.tasks import Task
+from raybundle.pipeline.store import Folder
+from raybundle.pipeline.tasks import Task, do_written, written
 from tests.pipeline.test_executors import HERE, Sum
 
 MADE: list[str] = []
@@ -183,8 +186,8 @@ def test_every_kind_of_content_tells_keys_apart():
         key_of("test", object())
 
 
-def _from_kept(given, means):
-    """Sums of what the stage itself keeps for its tasks."""
+def _over_kept(given, means):
+    """Tasks of sums of what the stage itself keeps for them; they are done."""
     keys = [key_of("kept", given, k) for k in range(3)]
     for k, key in enumerate(keys):
         if not means.store.has(key):
@@ -195,7 +198,12 @@ def _from_kept(given, means):
         for key in keys
     ]
     assert not means.do(tasks, "sums")
-    return tuple(float(means.store.wanted(t.key)["sum"][0]) for t in tasks)
+    return tasks
+
+
+def _from_kept(given, means):
+    """Sums of what the stage itself keeps for its tasks."""
+    return tuple(float(means.store.wanted(t.key)["sum"][0]) for t in _over_kept(given, means))
 
 
 @pytest.mark.parametrize("executor", [Threads(1), Processes(2)], ids=str)
@@ -220,3 +228,67 @@ def test_what_a_stage_keeps_for_its_tasks_is_made_again_where_it_is_damaged(tmp_
             path.write_bytes(data)
         for path in (tmp_path / "p/cache").rglob("over-*.npz"):
             path.unlink()
+
+
+class Foreign:
+    """Does tasks as another process does, which does not know how products are made; the last one first."""
+
+    jobs = 2
+
+    def __init__(self):
+        self.waiting = []
+
+    def run(self, tasks, store):
+        self.store = Folder(store.path)
+        yield from drive(tasks, self, store, float("inf"))
+
+    def room(self):
+        return 100
+
+    def submit(self, task):
+        self.waiting.append(task)
+
+    def ended(self):
+        task = self.waiting.pop()
+        return [(task.key, do_written(written(task), self.store))]
+
+
+def _over_two(given, means):
+    """Sums of sums of what the stage keeps."""
+    below = [t.key for t in _over_kept(given, means)]
+    tasks = [
+        Task(key=key_of("top", key), function=f"{HERE}:total", options=Sum(number=1.0, of=(key,)), inputs=(key,))
+        for key in below
+    ]
+    failed = means.do(tasks, "top")
+    assert not failed
+    return tuple(float(means.store.wanted(t.key)["sum"][0]) for t in tasks)
+
+
+def damage(path, how):
+    data = bytearray(path.read_bytes())
+    if how == "flipped":
+        data[len(data) // 2] ^= 255
+        path.write_bytes(data)
+    elif how == "cut":
+        path.write_bytes(data[: len(data) // 2])
+    elif how == "gone":
+        path.unlink()
+
+
+@pytest.mark.parametrize("damages", [*product(["whole", "flipped", "cut", "gone"], repeat=3)], ids="-".join)
+@pytest.mark.parametrize("executor", [Threads(1), Foreign()], ids=["here", "elsewhere"])
+def test_whatever_is_damaged_at_three_levels_is_made_again(tmp_path, executor, damages):
+    steps = Workflow("test")
+    steps.register(replace(SUMS, after=(), inputs=lambda s: s.given, function=_over_two))
+    for attempt in range(2):
+        project = Project.open(tmp_path / "p")
+        try:
+            found = Run(project=project, executor=executor).workflow(steps, State(given=3.0))
+        finally:
+            project.close()
+        assert found.sums == (5.0, 6.0, 7.0)
+        if not attempt:
+            for level, how in zip(("kept", "over", "top"), damages, strict=True):
+                for path in (tmp_path / "p/cache").rglob(f"{level}-*.npz"):
+                    damage(path, how)

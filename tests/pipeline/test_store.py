@@ -1,5 +1,6 @@
 """The store: archives whose arrays are read, or mapped, one by one, and verified as they are."""
 
+import errno
 import os
 import subprocess
 import sys
@@ -10,7 +11,8 @@ import pytest
 
 from raybundle.pipeline.archives import ALIGNED, is_complete, members_of, write_archive
 from raybundle.pipeline.keys import key_of
-from raybundle.pipeline.store import Folder, ProductGone
+from raybundle.pipeline.store import KEY as KEY_NAME
+from raybundle.pipeline.store import Folder, ProductGone, StoreLost, mark_of
 
 KEY = key_of("test", 1)
 PRODUCT = {
@@ -156,3 +158,39 @@ def test_a_file_that_is_swept_away_while_it_is_written_is_written_again(store, m
     store.store(KEY, PRODUCT)
     assert swept
     assert store.load(KEY)["number"] == 2.5
+
+
+@pytest.mark.parametrize("look", [1, 2, 3])
+def test_a_product_that_is_made_again_while_a_damaged_one_is_removed_stays(store, path, monkeypatch, look):
+    """Another process makes it after each of the looks at the file."""
+    data = path.read_bytes()
+    path.write_bytes(data[: len(data) // 2] + bytes(b ^ 255 for b in data[len(data) // 2 :]))
+    looks = []
+
+    def seen(file):
+        mark = mark_of(file)
+        looks.append(mark)
+        if len(looks) == look:
+            Folder(store.path).place.keep(KEY, {**PRODUCT, KEY_NAME: np.array(KEY)})
+        return mark
+
+    monkeypatch.setattr("raybundle.pipeline.store.mark_of", seen)
+    store.load(KEY)
+    monkeypatch.undo()
+    assert len(looks) >= look
+    assert Folder(store.path).load(KEY)["number"] == 2.5
+    assert [p.name for p in path.parent.iterdir()] == [path.name]
+
+
+@pytest.mark.parametrize("number", [errno.EMFILE, errno.ENFILE, errno.ENOMEM])
+@pytest.mark.parametrize("read", ["load", "mapped", "wanted", "lent", "held"])
+def test_a_system_that_is_short_of_something_damages_no_product(store, path, monkeypatch, number, read):
+    def members(file):
+        raise OSError(number, os.strerror(number))
+
+    monkeypatch.setattr("raybundle.pipeline.store.members_of", members)
+    with pytest.raises(StoreLost, match="cannot be read: .*; end other programs"):
+        getattr(store, read)(KEY)
+    monkeypatch.undo()
+    assert path.exists()
+    assert store.wanted(KEY)["number"] == 2.5

@@ -145,8 +145,13 @@ class Means:
         gone = next((done.lost for done in stopped if done.lost not in makers), "")
         for key in sorted({key for done in stopped for key in (done.lost, *done.task.inputs) if key in makers}):
             if self.store.mapped(key) is None:
-                with suppress(InputError):  # those that need it say so
+                try:
                     makers[key]()
+                except ProductGone as error:
+                    if error.key not in makers:  # it is made from what a stage keeps: that stage makes it
+                        gone = gone or error.key
+                except InputError:  # those that need it say so
+                    continue
         self.store.release()
         if gone:
             raise ProductGone(gone, self.store.place.name)

@@ -40,6 +40,8 @@ Product = Mapping[str, Array]
 KEY = "__key__"
 """Array of a product that holds the key under which it was kept."""
 FULL = {errno.ENOSPC, errno.EDQUOT} if hasattr(errno, "EDQUOT") else {errno.ENOSPC}
+SHORT = {errno.EMFILE, errno.ENFILE, errno.ENOMEM}
+"""What a system answers that is short of files or memory: the file itself may be whole"""
 HELD = 256
 """Archives that tasks of one process have mapped, the latest ones: their memory is the system's to take back."""
 WRITES = 3
@@ -200,9 +202,20 @@ class Files:
         self._forget_this(key, which)
 
     def _forget_this(self, key: str, which: FileMark | None) -> None:
-        """Remove a file, not the one that another process or thread has put in its place since."""
-        if which is None or mark_of(self._path(key)) == which:
-            self.forget(key)
+        """Remove a file, not the one that another process or thread has put in its place since.
+
+        It is moved aside before it is looked at: no other can take its place between the look and the removal.
+        """
+        path = self._path(key)
+        if which is not None and mark_of(path) != which:
+            return
+        aside = path.with_name(f".{key}.{uuid.uuid4().hex[:8]}")
+        with contextlib.suppress(OSError):
+            path.rename(aside)
+            if which is not None and mark_of(aside) != which and not path.exists():
+                aside.rename(path)
+            else:
+                aside.unlink()
 
     def keep(self, key: str, product: Product) -> None:
         """Write beside its place, and rename."""
@@ -358,7 +371,12 @@ class Folder:
                     return dict(zip(wanted, read(file, [members[name] for name in wanted]), strict=True))
             except FileNotFoundError:
                 continue
-            except DAMAGED:
+            except DAMAGED as error:
+                if isinstance(error, OSError) and error.errno in SHORT:
+                    raise StoreLost(
+                        f"cannot be read: {error.strerror}; end other programs and run the same command again",
+                        file=self.place.name,
+                    ) from None
                 self.place.damaged(key, damaged, which)
                 damaged = True
         if damaged:  # not a copy alone
