@@ -13,6 +13,7 @@ from __future__ import annotations
 
 import contextlib
 import json
+import os
 import sqlite3
 import threading
 import uuid
@@ -32,6 +33,10 @@ from raybundle.measuring.known import Known
 from raybundle.measuring.state import Fold, State
 
 SCHEMA = "1"
+READ_ONLY = (
+    "the folder {folder} cannot be written, so that nothing can be measured in it; what is there can be looked at. "
+    "Allow writing in it, or copy it to where you may write, and open it again"
+)
 LONGEST_ID, LONGEST_AUTHOR = 200, 200
 _TABLES = """
 BEGIN IMMEDIATE;
@@ -120,6 +125,8 @@ class Journal:
     known: Known
     """What actions may name; may be exchanged when the block changes"""
     db: sqlite3.Connection
+    read_only: str = ""
+    """why nothing can be added, and what to do; empty: actions are added"""
     _file: tuple[int, int] = (0, 0)
     """device and number of the file that was opened"""
     _fold: Fold = field(default_factory=Fold)
@@ -142,7 +149,25 @@ class Journal:
                 db.close()
                 raise
         opened = path.stat()
-        return cls(path, known, db, (opened.st_dev, opened.st_ino))
+        return cls(path, known, db, _file=(opened.st_dev, opened.st_ino))
+
+    @classmethod
+    def open_or_look(cls, path: str | Path, known: Known) -> Journal:
+        """The same; where its folder cannot be written, what is there to be looked at: `append` then says why not.
+
+        raises  InputError where it is no journal, or the folder can be written and the journal cannot
+        """
+        path = Path(path)
+        try:
+            return cls.open(path, known)
+        except InputError:
+            if can_be_written(path):
+                raise
+        db = sqlite3.connect(":memory:", isolation_level=None, check_same_thread=False)
+        _with_schema(db, path)
+        rows = [(e.seq, e.id, e.time, e.author, e.verb, json.dumps(e.arguments)) for e in entries_of(path)]
+        db.executemany("INSERT INTO actions VALUES (?, ?, ?, ?, ?, ?)", rows)
+        return cls(path, known, db, read_only=READ_ONLY.format(folder=path.parent))
 
     def close(self) -> None:
         """Close the file."""
@@ -181,6 +206,8 @@ class Journal:
                 raise InputError(f"{what} {quoted(text)} has {len(text)} characters; at most {most} are allowed")
             if not text.isprintable():
                 raise InputError(f"{what} {quoted(text)} has characters that cannot be printed; choose another")
+        if self.read_only:
+            raise InputError(self.read_only)
         with self._lock, self._transaction():
             self._check_there()
             # all before it: nobody else can add until this transaction ends
@@ -251,8 +278,12 @@ def entries_of(path: str | Path) -> list[Entry]:
     path = Path(path)
     if not path.exists():
         return []
+    log = path.with_name(f"{path.name}-wal")
+    # a log's index is a file that SQLite makes, also to read: where it cannot, nobody else writes either
+    alone = not can_be_written(path) and not (log.exists() and log.stat().st_size)
+    how = "immutable=1" if alone else "mode=ro"
     with _telling(path):
-        db = sqlite3.connect(f"{path.absolute().as_uri()}?mode=ro", uri=True, timeout=30, isolation_level=None)
+        db = sqlite3.connect(f"{path.absolute().as_uri()}?{how}", uri=True, timeout=30, isolation_level=None)
         try:
             rows = db.execute("SELECT seq, id, time, author, verb, arguments FROM actions ORDER BY seq").fetchall()
         finally:
@@ -323,6 +354,11 @@ def _with_schema(db: sqlite3.Connection, path: Path) -> None:
         )
 
 
+def can_be_written(path: Path) -> bool:
+    """Whether a file, and others beside it, can be written; nothing is."""
+    return os.access(path.parent, os.W_OK | os.X_OK) and (not path.exists() or os.access(path, os.W_OK))
+
+
 @contextmanager
 def _telling(path: Path) -> Generator[None]:
     """Turn what SQLite complains of into a message that says what to do."""
@@ -336,6 +372,8 @@ def _telling(path: Path) -> Generator[None]:
             advice = "no space is left; free some and try again"
         elif any(w in text for w in ("malformed", "not a database", "corrupt", "no such")):
             advice = "the file is damaged or no journal; restore it from a copy, or move it away"
+        elif "readonly" in text or not can_be_written(path):
+            advice = f"the folder {path.parent} cannot be written. Allow writing in it and do the last step again"
         else:
             advice = "look whether the folder exists and can be written"
         raise InputError(f"the journal cannot be used: {text}; {advice}", file=path) from None

@@ -66,7 +66,7 @@ class Desk:
         given = read_block(block_folder(source))
         scans = read_scans(source)
         known = Known.of(given, () if scans is None else scans.calibrated.names)
-        journal = Journal.open(journal_path(source), known)
+        journal = Journal.open_or_look(journal_path(source), known)
         block = _latest_block(source, given)
         tiles = _tiles(folder, source, given, known, photos)
         session = Session.of_block(block, None)

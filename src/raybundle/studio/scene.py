@@ -97,5 +97,5 @@ def _of_rays(desk: Desk) -> dict[str, Array]:
         np.fmin.at(r, point[used], np.fmin.reduce(s.redundancy[used], axis=1, initial=np.nan))
         count = np.bincount(point[used], minlength=len(v))
         square = np.bincount(point[used], (s.residuals_px[used] ** 2).sum(axis=1), minlength=len(v))
-        np.sqrt(square / count, out=v, where=count > 0)
+        np.sqrt(square / np.maximum(count, 1), out=v, where=count > 0)
     return {"w": w, "r": r, "v": v}

@@ -78,6 +78,8 @@ def serve(
             server = Server(config, lambda: page and webbrowser.open(page.as_uri()))
             with _ending(server):
                 told(session.address)
+                if desk.journal.read_only:
+                    told(f"warning: {desk.journal.read_only}")
                 server.run(sockets=[connection])
 
 
