@@ -161,7 +161,7 @@ class Journal:
         try:
             return cls.open(path, known)
         except InputError:
-            if can_be_written(path):
+            if can_be_written(path) or not path.parent.is_dir():
                 raise
         db = sqlite3.connect(":memory:", isolation_level=None, check_same_thread=False)
         _with_schema(db, path)
@@ -372,7 +372,7 @@ def _telling(path: Path) -> Generator[None]:
             advice = "no space is left; free some and try again"
         elif any(w in text for w in ("malformed", "not a database", "corrupt", "no such")):
             advice = "the file is damaged or no journal; restore it from a copy, or move it away"
-        elif "readonly" in text or not can_be_written(path):
+        elif "readonly" in text or (path.parent.is_dir() and not can_be_written(path)):
             advice = f"the folder {path.parent} cannot be written. Allow writing in it and do the last step again"
         else:
             advice = "look whether the folder exists and can be written"
