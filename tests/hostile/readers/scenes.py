@@ -223,3 +223,47 @@ def read_a_trajectory(folder: Path) -> list[str]:
 
 
 target("trajectory", trajectory_seeds, read_a_trajectory)
+
+
+def trajectory_texts() -> dict[str, list[dict[str, str]]]:
+    """Files of each format of positions and attitudes."""
+    from tests.io.trajectories.test_position_lists import GEO_TXT, POS, TABLES
+    from tests.io.trajectories.test_trajectories import MRK
+
+    ecef = "%  GPST  x-ecef(m)  y-ecef(m)  z-ecef(m)  Q  ns\n2312 295200.237 4273000.0 619500.0 4680000.0 2 9\n"
+    place, at = "image,X,Y,Z", "a,500000,5400000,1200"
+    return {
+        "mrk": [{"flight_Timestamp.MRK": MRK}],
+        "positions": [{"p.csv": f"{place},sX,sY,sZ\n{at},0.02,0.02,0.04\n{at.replace('a', 'b')},0.02,0.02,0.04\n"}],
+        "opk": [{"eo.csv": f"{place},omega_gon,phi_gon,kappa_gon,sX,sY,sZ\n{at},1,-2,100,0.02,0.02,0.04\n"}],
+        "rpy": [
+            {"ins.csv": f"{place},roll_deg,pitch_deg,yaw_deg\n{at},0,0,0\n"},
+            {"gim.csv": "image,longitude_deg,latitude_deg,height_m,roll_deg,pitch_deg,yaw_deg\na,11,48,12,0,0,0\n"},
+        ],
+        "geo-txt": [{"geo.txt": text} for text, *_ in GEO_TXT.values()],
+        "image-list": [{"list.csv": text} for text, *_ in TABLES.values()],
+        "rtklib": [{"a_events.pos": text} for text in (*POS.values(), ecef)],
+    }
+
+
+def trajectory_target(name: str, seeds: list[dict[str, str]]) -> None:
+    """A format by its name: a file whose beginning is damaged is read, too."""
+
+    def read(folder: Path) -> list[str]:
+        from raybundle.io.trajectories import read_trajectory
+
+        found = read_trajectory(only(folder), name=name)
+        count = len(found)
+        wrong = [n for n in ("xyz", "sigma") if getattr(found, n).shape != (count, 3)]
+        wrong += ["xyz"] if np.isinf(found.xyz).any() else []
+        wrong += ["sigma"] if np.isinf(found.sigma).any() or (found.sigma < 0).any() else []
+        wrong += ["names"] if len({*found.names}) < count or "" in found.names else []
+        wrong += ["lines"] if len(found.lines) not in {0, count} or len(found.fix) not in {0, count} else []
+        c = found.correlation
+        return wrong + (["correlation"] if c is not None and (np.abs(c) > 1).any() else [])
+
+    target(f"trajectory-{name}", texts(*seeds), read)
+
+
+for _name, _seeds in trajectory_texts().items():
+    trajectory_target(_name, _seeds)
