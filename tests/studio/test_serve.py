@@ -1,10 +1,12 @@
 """However the server ends, nothing of it stays behind."""
 
+import contextlib
+import http.client
 import os
 import signal
 import subprocess
 import sys
-import time
+from urllib.parse import urlsplit
 
 import pytest
 
@@ -13,7 +15,13 @@ def started(project, temporary):
     environment = {**os.environ, "TMPDIR": str(temporary)}
     command = [sys.executable, "-m", "raybundle", "studio", str(project), "--no-browser"]
     server = subprocess.Popen(command, stdout=subprocess.PIPE, text=True, env=environment)
-    assert "http://127.0.0.1:" in server.stdout.readline()
+    line = server.stdout.readline()
+    assert "http://127.0.0.1:" in line
+    address = urlsplit(next(word for word in line.split() if word.startswith("http://")))
+    # who connects before the server answers waits until it does
+    with contextlib.closing(http.client.HTTPConnection(address.hostname, address.port, timeout=60)) as connection:
+        connection.request("GET", "/")
+        assert connection.getresponse().status == 401
     return server
 
 
@@ -24,7 +32,6 @@ def test_decoded_photographs_go_with_the_server(project, tmp_path):
     temporary.mkdir()
     for number in (signal.SIGTERM, signal.SIGHUP, signal.SIGINT, signal.SIGKILL):
         server = started(project, temporary)
-        time.sleep(1.0)
         server.send_signal(number)
         server.wait(30)
         server.stdout.close()
