@@ -154,6 +154,57 @@ def test_rtklib_from_the_earths_centre(tmp_path):
     assert found.fix == ("rtk float",)
 
 
+STATED = {  # a line of the header and what it gives: a remark, none, or the reason of a refusal
+    "% (lat/lon/height=WGS84/ellipsoidal,Q=1:fix,2:float,ns=# of satellites)": "",
+    "% (lat/lon/height=WGS-84 / Ellipsoidal, Q=1:fix)": "",
+    "% height: ellipsoidal": "",
+    "% height    : ellipsoid": "",
+    "% antenna height: none": "does not state what its heights count from",
+    "% height: 1.5 m": "does not state what its heights count from",
+    "% pos mode  : Kinematic": "does not state what its heights count from",
+    "% (lat/lon/height=WGS84/geodetic,Q=1:fix,2:float,ns=# of satellites)": "a geoid that the file does not name",
+    "% (lat/lon/height=wgs84/geodetic)": "a geoid that the file does not name",
+    "% height: geodetic": "a geoid that the file does not name",
+    "% height    : orthometric": "'orthometric'.*a geoid that the file does not name",
+    "% (lat/lon/height=Tokyo/ellipsoidal,Q=1:fix)": "the datum 'Tokyo'",
+    "% (lat/lon/height=Tokyo/geodetic,Q=1:fix)": "the datum 'Tokyo'",
+    "% (lat/lon/height=CGCS2000/ellipsoidal,Q=1:fix)": "the datum 'CGCS2000'",
+    "% (x/y/z-ecef=Tokyo,Q=1:fix)": "the datum 'Tokyo'",
+}
+
+
+@pytest.mark.parametrize("stated", STATED)
+def test_rtklib_states_datum_and_heights(tmp_path, stated):
+    path = tmp_path / "a_events.pos"
+    path.write_text(f"{stated}\n{POS['date']}")
+    right = STATED[stated]
+    if "geoid" in right or "datum" in right:
+        with pytest.raises(InputError, match=f"line 1: .*{right}"):
+            read_trajectory(path)
+        return
+    found = read_trajectory(path)
+    assert found.crs == W
+    assert any("does not state" in r for r in found.remarks) == bool(right)
+
+
+@pytest.mark.parametrize("clock", ["GPST", "UTC ", "JST ", "BDT "])
+def test_rtklib_states_its_times(tmp_path, clock):
+    path = tmp_path / "a_events.pos"
+    path.write_text(POS["date"].replace("GPST", clock))
+    assert (read_trajectory(path).time is None) == (clock != "GPST")
+
+
+def test_rtklib_columns_by_name(tmp_path):
+    path = tmp_path / "a_events.pos"
+    path.write_text(POS["date"].replace("latitude(deg) longitude(deg)", "longitude(deg) latitude(deg)"))
+    with pytest.raises(InputError, match="the columns are longitude, latitude, height"):
+        read_trajectory(path)
+    path.write_text(POS["date"].replace("sdn(m)   sde(m)", "sde(m)   sdn(m)"))
+    found = read_trajectory(path)
+    assert np.isnan(found.sigma).all()
+    assert any("have other names" in r for r in found.remarks)
+
+
 @pytest.mark.parametrize("step", [0.05, 0.1, 0.2, 1.0, 5.0])
 def test_a_track_is_no_list_of_exposures(tmp_path, step):
     path = tmp_path / "rover.pos"

@@ -5,7 +5,9 @@
 
 Also with week and second, and as x, y, z from the earth's centre.  Signs of sdne, sdeu, sdun are those of the
 covariances, whose roots they are (RTKLIB manual, appendix B.1).  A track of all epochs is refused: its lines belong to
-no photograph.
+no photograph.  Refused as well: another datum than WGS 84, and heights above a geoid, which the file does not name.
+
+    % (lat/lon/height=WGS84/ellipsoidal,Q=1:fix,2:float,3:sbas,4:dgps,5:single,6:ppp,ns=# of satellites)
 """
 
 from __future__ import annotations
@@ -28,17 +30,22 @@ GPS_EPOCH = datetime(1980, 1, 6)  # noqa: DTZ001  (GPS time has no zone)
 FIX = {1: "rtk fixed", 2: "rtk float", 5: "single"}
 EPOCH_S, SAME_S, FEWEST = 0.05, 1e-4, 3
 """Receivers record epochs at whole multiples of 0.05 s (20 Hz and slower); of exposures one in 500 falls there."""
+COLUMNS = ("latitude", "longitude", "height", "q", "ns", "sdn", "sde", "sdu", "sdne", "sdeu", "sdun")
+"""Names of the columns, without their units; the last is also sdue."""
+_STATED = re.compile(r"(?:/|%\s*)(height|z-ecef)\s*[=:]\s*([a-z][^,;()\s/]*)(?:\s*/\s*([^,;()\s]+))?", re.IGNORECASE)
+"""Datum and reference of the heights: lat/lon/height=WGS84/ellipsoidal, height: geodetic, x/y/z-ecef=WGS84."""
 _TIME = re.compile(r"\s*(?:(\d{4})/(\d\d)/(\d\d)\s+(\d\d):(\d\d):(\d\d(?:\.\d*)?)|(\d{1,4})\s+(\d+(?:\.\d*)?))\s+(.+)")
 
 
 def read(path: Path) -> Trajectory:
     """Positions of events; raises InputError with the line of what cannot be read."""
-    header = ""
+    header, heights = "", False
     times: list[float] = []
     rows: list[list[float]] = []
     lines: list[int] = []
     for line, text in enumerate(table_text(path).split("\n"), 1):
         if text.startswith("%"):
+            heights |= _check_reference(path, line, text)
             header = text if "(" in text and re.search(r"latitude|x-ecef|baseline", text) else header
         elif text.strip():
             second, values = _line(path, line, text)
@@ -47,7 +54,8 @@ def read(path: Path) -> Trajectory:
             lines.append(line)
     if not rows:
         raise InputError("it holds no position", file=path, line=1)
-    width = min(map(len, rows))
+    columns = _columns(path, header)
+    width = min(*map(len, rows), columns)
     table = np.array([r[:width] for r in rows])
     _check(path, header, times, table)
     ecef = "x-ecef" in header
@@ -57,15 +65,66 @@ def read(path: Path) -> Trajectory:
     sigma, correlation = _spread(table, ecef=ecef)
     fix = tuple(FIX.get(int(q), "") for q in table[:, 3]) if width > 3 else ()
     weak = sum(f != "rtk fixed" for f in fix)
+    clock = _clock(header)
     remarks = [
         "positions are those of the antenna, by the order of the photographs' names; heights above the ellipsoid",
+        *(["the file does not state what its heights count from"] if not (heights or ecef) else []),
+        *([f"times are {clock}, not GPS time, and not used"] if clock else []),
+        *(["the columns of the standard deviations have other names and are not used"] if columns < 8 else []),
         *([f"{weak} of {len(fix)} positions have no fixed solution"] if weak else []),
     ]
     return Trajectory(
         path=path, names=tuple(str(k + 1) for k in range(len(rows))), numbered=True, ordered=True, xyz=xyz, sigma=sigma,
-        correlation=correlation, crs=WGS84_HEIGHT, time=np.array(times), fix=fix, remarks=tuple(remarks),
-        lines=np.array(lines, np.int32),
+        correlation=correlation, crs=WGS84_HEIGHT, time=None if clock else np.array(times), fix=fix,
+        remarks=tuple(remarks), lines=np.array(lines, np.int32),
     )  # fmt: skip
+
+
+def _check_reference(path: Path, line: int, text: str) -> bool:
+    """Whether a line of the header states ellipsoidal heights; raises InputError for others, and another datum."""
+    match = _STATED.search(text)
+    if match is None:
+        return False
+    datum, above = match[2], match[3] or ""
+    if match[1].lower() == "height" and not above and _word(datum) != "WGS84":
+        datum, above = "WGS84", datum
+    if _word(datum) != "WGS84":
+        message = f"positions refer to the datum {quoted(datum)}; write the solution in WGS84"
+        raise InputError(message, file=path, line=line)
+    if above and not _word(above).startswith("ELLIPSOID"):
+        raise InputError(
+            f"heights are {quoted(above)}: they count from a geoid that the file does not name; write the solution "
+            "with ellipsoidal heights (RTKLIB: out-height =ellipsoidal)",
+            file=path,
+            line=line,
+        )
+    return bool(above)
+
+
+def _word(text: str) -> str:
+    return re.sub(r"[\W_]", "", text).upper()
+
+
+def _columns(path: Path, header: str) -> int:
+    """Number of columns after the time whose names are those of RTKLIB; raises InputError for other coordinates."""
+    names = [n.lower() for n in re.findall(r"([A-Za-z][\w-]*)(?:\([^)]*\))?", header)][1:]
+    if not names or "latitude" not in header:
+        return len(COLUMNS)
+    same = 0
+    for name, right in zip(names, COLUMNS, strict=False):
+        if name not in {right, right.replace("sdun", "sdue")}:
+            break
+        same += 1
+    if same < 3:
+        message = f"the columns are {', '.join(names[:3])}; write the solution as latitude, longitude and height"
+        raise InputError(message, file=path)
+    return same
+
+
+def _clock(header: str) -> str:
+    """Name of the times where they are not GPS time."""
+    match = re.match(r"%\s*([A-Z]{2,5})\b", header)
+    return match[1] if match and not match[1].startswith("GPS") else ""
 
 
 def _line(path: Path, line: int, text: str) -> tuple[float, list[float]]:
