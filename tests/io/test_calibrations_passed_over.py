@@ -17,7 +17,7 @@ from raybundle.io.calibrations import (
     recognised,
     write_calibrations,
 )
-from raybundle.io.reading.passed_over import PassedOver
+from raybundle.io.reading.ledger import NAMED, declare, enter, ledger, not_read
 
 REPORTS = DATA / "reports"
 K1 = [[545.2, 0, 339.5], [0, 540.9, 181.4], [0, 0, 1]]
@@ -55,7 +55,7 @@ def test_both_cameras_are_read(tmp_path, name):
     assert (one.camera.fx, two.camera.fx) == (545.2, 600.0)
     assert one.camera.k1 == two.camera.k1 == -0.3
     assert one.id != two.id
-    assert one.remarks == ("not read: R, T",)
+    assert one.remarks == ("Not read: 1 R, 1 T",)
 
 
 def test_one_camera_keeps_its_name(tmp_path):
@@ -83,18 +83,18 @@ MORE = {  # a format: what is replaced, what by, and what is to be reported
     "opencv": (
         "camera_matrix:",
         "avg_error: 0.3\nrectification: [1, 0, 0]\ncamera_matrix:",
-        "avg_error, rectification",
+        "1 avg_error, 1 rectification",
     ),
-    "kalibr": ("  rostopic:", "  timeshift_cam_imu: 0.01\n  rostopic:", "timeshift_cam_imu"),
+    "kalibr": ("  rostopic:", "  timeshift_cam_imu: 0.01\n  rostopic:", "1 cam0.timeshift_cam_imu"),
     "metashape": (
         "</calibration>",
         "<k5>0.1</k5><rolling_shutter>1</rolling_shutter></calibration>",
-        "k5, rolling_shutter",
+        "1 <k5>, 1 <rolling_shutter>",
     ),
-    "micmac": ("<SzIm>", "<ParamForGrid>1</ParamForGrid><SzIm>", "ParamForGrid"),
-    "mrcal": ("'lensmodel'", "'icam_intrinsics': 3, 'lensmodel'", "icam_intrinsics"),
-    "australis": ("   K3 ", "   K4  0.0   0.0   1e-9   1.0e+003   0.0\n   K3 ", "K4"),
-    "photomodeler": ("    K3\n", "    K4\n        Value: 1e-9\n    K3\n", "K4"),
+    "micmac": ("<SzIm>", "<ParamForGrid>1</ParamForGrid><SzIm>", "1 <ParamForGrid>"),
+    "mrcal": ("'lensmodel'", "'icam_intrinsics': 3, 'lensmodel'", "1 icam_intrinsics"),
+    "australis": ("   K3 ", "   K4  0.0   0.0   1e-9   1.0e+003   0.0\n   K3 ", "1 K4"),
+    "photomodeler": ("    K3\n", "    K4\n        Value: 1e-9\n    K3\n", "1 K4"),
 }
 
 
@@ -108,26 +108,28 @@ def test_own_files_have_nothing_that_is_passed_over_and_others_say_so(tmp_path, 
     camera = brown if calibration_formats[name].model != "forward" else forward
     file = tmp_path / f"camera{calibration_formats[name].suffixes[0]}"
     write_calibrations(name, [convert_calibration(Calibration(id="1", camera=camera), name)], file, approximate=True)
-    assert not any("not read" in r for c in read_calibrations(file, name) for r in c.remarks)
+    assert not any("Not read" in r for c in read_calibrations(file, name) for r in c.remarks)
     if name in MORE:
         old, new, right = MORE[name]
         text = file.read_text()
         assert old in text
         other = file.with_stem("other")
         other.write_text(text.replace(old, new))
-        remarks = [r for c in read_calibrations(other, name) for r in c.remarks if r.startswith("not read")]
-        assert remarks == [f"not read: {right}"]
+        remarks = [r for c in read_calibrations(other, name) for r in c.remarks if r.startswith("Not read")]
+        assert remarks == [f"Not read: {right}"]
 
 
-def test_the_note_counts_and_is_short():
-    passed = PassedOver()
-    assert passed.note() == ()
-    passed.count("a", 3)
-    passed.unknown(["a", "b", "c"], {"c"}, "cam.")
-    assert passed.note() == ("not read: a (3), cam.a, cam.b",)
-    passed.unknown(map(str, range(20)), ())
-    (note,) = passed.note()
-    assert note.endswith("and 15 more")
+def test_the_remark_counts_and_is_short():
+    with ledger() as found:
+        assert not_read(found.counts()) == ""
+        enter("a", 3)
+        enter("b\x1b[31m")
+        enter("date")
+        declare("c")
+        assert not_read(found.counts()) == "Not read: 3 a, 1 'b\\x1b[31m', 1 date"
+        for k in range(20):
+            enter(str(k))
+        assert not_read(found.counts()).endswith(f"and {23 - NAMED} more")
 
 
 @pytest.mark.skipif(not REPORTS.is_dir(), reason="no public data: set RAYBUNDLE_DATA to the folder of reports/")

@@ -77,7 +77,7 @@ def test_position_lists(tmp_path, key):
     assert found.crs == crs
     np.testing.assert_allclose(found.sigma[row], sigma or (np.nan,) * 3)
     if name in {"Metashape", "angles and accuracies"}:
-        assert any("not read: " in r and "yaw" in r.lower() for r in found.remarks)
+        assert any("Not read: " in r and "yaw" in r.lower() for r in found.remarks)
     if crs is not None:
         assert np.isfinite(in_wgs84(found, None).xyz[row, :2]).all()
 

@@ -27,6 +27,7 @@ from raybundle.errors import InputError
 from raybundle.io.calibrations.validity import Validity, validity
 from raybundle.io.folders import check_free, make_parent, new_files
 from raybundle.io.reading.files import as_utf8, guarded, read_bytes
+from raybundle.io.reading.ledger import ledger, not_read
 from raybundle.numerics.arrays import Array
 from raybundle.sensors import sensor_models
 from raybundle.settings import option
@@ -160,8 +161,9 @@ def read_calibrations(
     path = Path(path)
     format_ = format_named(name or recognised(path))
     _text(path)  # a folder, or a file too large for a calibration, is refused before it is parsed
-    with guarded(path):
+    with guarded(path), ledger() as passed_over:
         found = format_.read(path, size_px)
+        remark = not_read(passed_over.counts())
     for calibration in found:
         size = (calibration.camera.width_px, calibration.camera.height_px)
         if size_px is not None and size != size_px:
@@ -170,7 +172,7 @@ def read_calibrations(
                 "camera's calibration?",
                 file=path,
             )
-    return found
+    return (replace(found[0], remarks=(*found[0].remarks, remark)), *found[1:]) if remark and found else found
 
 
 def convert_calibration(

@@ -17,7 +17,7 @@ from raybundle.errors import InputError
 from raybundle.io.calibrations.base import Calibration, CalibrationFormat, Conversion, register
 from raybundle.io.digits import exact
 from raybundle.io.reading.files import read_text
-from raybundle.io.reading.passed_over import PassedOver
+from raybundle.io.reading.ledger import enter
 from raybundle.io.reading.words import fortran_of, quoted, whole_of
 from raybundle.sensors import sensor_models
 from raybundle.settings import option
@@ -57,7 +57,6 @@ def _pixels(text: str, path: Path, line: int) -> int:
 def read_australis(path: Path, size_px: tuple[int, int] | None) -> tuple[Calibration, ...]:
     """The first camera of a report "Camera Parameters": final values and their standard deviations."""
     del size_px
-    passed = PassedOver()
     sensor: dict[str, tuple[int, float]] = {}
     final: dict[str, float] = {}
     std: dict[str, float] = {}
@@ -80,7 +79,7 @@ def read_australis(path: Path, size_px: tuple[int, int] | None) -> tuple[Calibra
             if len(columns) == COLUMNS and columns[FINAL_STD] > 0:
                 std[symbol] = columns[FINAL_STD]
         elif other := _OTHER_ROW.match(text):
-            passed.count(other[1])
+            enter(other[1])
     missing = [k for k, s in AUSTRALIS.items() if s not in final and s not in {"A", "S"}]
     if missing or len(sensor) != len("HV"):
         what = ", ".join(missing) or "sensor size and pixel size (H, V)"
@@ -97,7 +96,7 @@ def read_australis(path: Path, size_px: tuple[int, int] | None) -> tuple[Calibra
             pixel_mm=camera.pixel_mm,
             free=free,
             covariance=covariance,
-            remarks=(*remarks, *passed.note()),
+            remarks=remarks,
         ),
     )
 
@@ -150,7 +149,6 @@ def read_photomodeler(path: Path, size_px: tuple[int, int] | None) -> tuple[Cali
     values: dict[str, float] = {}
     std: dict[str, float] = {}
     name = heading = ""
-    passed = PassedOver()
     for line, text in enumerate(read_text(path).split("\n"), 1):
         if image := _IMAGE.match(text):
             size_px = (_pixels(image[1], path, line), _pixels(image[2], path, line))
@@ -159,7 +157,7 @@ def read_photomodeler(path: Path, size_px: tuple[int, int] | None) -> tuple[Cali
             if name and name not in where:
                 where[name] = _number(entry[2], path, line)
             elif not name and heading and entry[1] == "Value":
-                passed.count(heading)
+                enter(heading)
         elif named := _NAMED.match(text):
             name = PHOTOMODELER[named[1]]
         elif text.strip():
@@ -190,7 +188,7 @@ def read_photomodeler(path: Path, size_px: tuple[int, int] | None) -> tuple[Cali
             pixel_mm=camera.pixel_mm,
             free=free,
             covariance=np.diag([std[s] ** 2 for s in free]) if free else None,
-            remarks=(*(("the file tells standard deviations, no correlations",) if free else ()), *passed.note()),
+            remarks=("the file tells standard deviations, no correlations",) if free else (),
         ),
     )
 

@@ -4,20 +4,17 @@ from __future__ import annotations
 
 import re
 from collections.abc import Sequence
-from dataclasses import replace
 from pathlib import Path
 
 from raybundle.cameras.forward_camera import ForwardCamera
 from raybundle.io.calibrations.base import Calibration, CalibrationFormat, Conversion, Variant, register
 from raybundle.io.calibrations.opencv import HALF
 from raybundle.io.calibrations.yaml_text import read_yaml
-from raybundle.io.reading.passed_over import PassedOver
+from raybundle.io.reading.ledger import declare
 from raybundle.io.reading.trees import Json
 from raybundle.io.reading.words import quoted
 
 MODELS = {"radtan": ("k1", "k2", "p1", "p2"), "equidistant": ("k1", "k2", "k3", "k4"), "none": ()}
-KNOWN = ("camera_model", "distortion_model", "intrinsics", "distortion_coeffs", "resolution", "rostopic")
-"""Members of a camera; a topic says nothing of it."""
 _CAM = re.compile(r"cam\d+")
 
 
@@ -25,15 +22,11 @@ def read(path: Path, size_px: tuple[int, int] | None) -> tuple[Calibration, ...]
     """The cameras cam0, cam1, ... of a camchain."""
     del size_px
     top = read_yaml(path)
-    cameras = {k: v for k, v in top.mapping().items() if _CAM.fullmatch(k)}
+    cameras = [k for k in top.names() if _CAM.fullmatch(k)]
     if not cameras:
         top.fail("there is no camera cam0; is it the camchain of Kalibr?")
-    passed = PassedOver()
-    passed.unknown(top.mapping(), cameras)
-    for camera in cameras.values():
-        passed.unknown(camera.mapping(), KNOWN)
-    first, *others = (_camera(k, v) for k, v in cameras.items())
-    return (replace(first, remarks=passed.note()), *others)
+    declare("rostopic")
+    return tuple(_camera(k, top.get(k)) for k in cameras)
 
 
 def _camera(id_: str, value: Json) -> Calibration:

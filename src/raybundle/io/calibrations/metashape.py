@@ -12,15 +12,12 @@ from pathlib import Path
 from raybundle.cameras.forward_camera import ForwardCamera, Projection
 from raybundle.io.calibrations.base import Calibration, CalibrationFormat, Conversion, Variant, register
 from raybundle.io.digits import exact
-from raybundle.io.reading.passed_over import PassedOver
+from raybundle.io.reading.ledger import declare
 from raybundle.io.reading.words import quoted
 from raybundle.io.reading.xml import Element, read_xml
 
 PROJECTIONS: dict[str, Projection] = {"frame": "central", "fisheye": "equidistant"}
 RADIAL = ("k1", "k2", "k3", "k4")
-KNOWN = ("projection", "width", "height", "f", "cx", "cy", "b1", "b2", *RADIAL, "p1", "p2", "p3", "p4", "date")
-OLD = ("projection", "width", "height", "fx", "fy", "cx", "cy", "skew", *RADIAL, "p1", "p2", "p3", "p4", "date")
-"""Elements that are read, and the date, which is not of the camera."""
 TERMS = ("fx", "fy", "cx", "cy", "skew", *RADIAL, "p1", "p2")
 
 
@@ -53,9 +50,8 @@ def read(path: Path, size_px: tuple[int, int] | None) -> tuple[Calibration, ...]
         p1=root.number("p2", 0.0),
         p2=root.number("p1", 0.0),
     )
-    passed = PassedOver()
-    passed.unknown((c.name for c in root.children), OLD if old else KNOWN)
-    return (Calibration(id=path.stem, camera=camera, remarks=passed.note()),)
+    declare("date")
+    return (Calibration(id=path.stem, camera=camera),)
 
 
 def _whole(root: Element, name: str) -> int:

@@ -15,14 +15,11 @@ from pathlib import Path
 from raybundle.cameras.forward_camera import ForwardCamera
 from raybundle.io.calibrations.base import Calibration, CalibrationFormat, Conversion, Variant, register
 from raybundle.io.digits import exact
-from raybundle.io.reading.passed_over import PassedOver
 from raybundle.io.reading.words import quoted
 from raybundle.io.reading.xml import Element, read_xml
 from raybundle.numerics.arrays import Array
 
 RADIAL = ("k1", "k2", "k3", "k4", "k5")
-KNOWN = ("KnownConv", "PP", "F", "SzIm", "CalibDistortion", "RayonUtile")
-OF_DISTORTION = ("CDist", "CoeffDist", "RadialePart", "P1", "P2", "b1", "b2")
 CONVENTION = "eConvApero_DistM2C"
 
 
@@ -48,16 +45,7 @@ def read(path: Path, size_px: tuple[int, int] | None) -> tuple[Calibration, ...]
     camera = replace(pinhole, **terms)
     useful = root.find("RayonUtile")
     remarks = (f"MicMac names {useful.numbers(1)[0]:.0f} px as its valid radius",) if useful is not None else ()
-    return (Calibration(id=path.stem, camera=camera, remarks=(*remarks, *_passed_over(root).note())),)
-
-
-def _passed_over(root: Element) -> PassedOver:
-    """Elements of the camera and of its distortion that are not read."""
-    passed = PassedOver()
-    passed.unknown((c.name for c in root.children), KNOWN)
-    for model in (m for d in root.all("CalibDistortion") for m in d.children):
-        passed.unknown((c.name for c in model.children), OF_DISTORTION, f"{model.name}/")
-    return passed
+    return (Calibration(id=path.stem, camera=camera, remarks=remarks),)
 
 
 def _distortion(element: Element, F: float, principal: Array) -> dict[str, float]:

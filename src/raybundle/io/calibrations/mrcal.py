@@ -12,12 +12,11 @@ from raybundle.errors import InputError
 from raybundle.io.calibrations.base import Calibration, CalibrationFormat, Conversion, Variant, register
 from raybundle.io.calibrations.opencv import HALF, ORDER
 from raybundle.io.reading.files import read_text
-from raybundle.io.reading.passed_over import PassedOver
+from raybundle.io.reading.ledger import declare, enter, enter_tree
 from raybundle.io.reading.trees import Json, python_of
 from raybundle.io.reading.words import quoted
 
 CENTRAL = ("fx", "fy", "cx", "cy")
-KNOWN = ("lensmodel", "intrinsics", "extrinsics", "imagersize", "optimization_inputs")
 MODELS = {"LENSMODEL_PINHOLE": CENTRAL} | {f"LENSMODEL_OPENCV{n}": (*CENTRAL, *ORDER[:n]) for n in (4, 5, 8, 12)}
 
 
@@ -39,16 +38,15 @@ def read(path: Path, size_px: tuple[int, int] | None) -> tuple[Calibration, ...]
     size = top.get("imagersize").items()
     if len(size) != 2:
         top.get("imagersize").fail(f"{len(size)} elements; width and height are needed")
-    passed = PassedOver()
-    passed.unknown(top.mapping(), KNOWN)
+    declare("optimization_inputs")
     if top.has("extrinsics") and any(v.number() for v in top.get("extrinsics").items()):
-        passed.count("extrinsics")
+        enter("extrinsics")
     remark = "its optimization inputs are not read, so its covariance is not known here"
     return (
         Calibration(
             id=path.stem,
             camera=ForwardCamera(width_px=size[0].whole(), height_px=size[1].whole(), **values),
-            remarks=(*((remark,) if top.has("optimization_inputs") else ()), *passed.note()),
+            remarks=(remark,) if top.has("optimization_inputs") else (),
         ),
     )
 
@@ -59,7 +57,9 @@ def _literal(path: Path) -> Json:
     if not isinstance(value, dict):
         raise InputError("this is no .cameramodel: a dictionary is needed", file=path)
     members = cast("dict[Any, Any]", value)
-    return Json(path, {str(k): list(v) if isinstance(v, tuple) else v for k, v in members.items()})
+    top = Json(path, {str(k): list(v) if isinstance(v, tuple) else v for k, v in members.items()})
+    enter_tree(top)
+    return top
 
 
 def write(conversions: Sequence[Conversion], suffix: str) -> str:

@@ -9,8 +9,7 @@ from __future__ import annotations
 
 import json
 import re
-from collections.abc import Sequence
-from dataclasses import replace
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Any, cast
 
@@ -21,7 +20,7 @@ from raybundle.cameras.opencv import COUNTS, HALF, ORDER
 from raybundle.io.calibrations.base import Calibration, CalibrationFormat, Conversion, Variant, register
 from raybundle.io.calibrations.yaml_text import read_yaml
 from raybundle.io.digits import exact
-from raybundle.io.reading.passed_over import PassedOver
+from raybundle.io.reading.ledger import declare
 from raybundle.io.reading.trees import Json, read_json
 from raybundle.numerics.arrays import Array
 from raybundle.settings import option
@@ -98,19 +97,19 @@ def _key_pattern(names: Sequence[str]) -> re.Pattern[str]:
 _MATRIX_KEY, _DISTORTION_KEY = _key_pattern(MATRIX), _key_pattern(DISTORTION)
 
 
-def _by_side(top: Json, pattern: re.Pattern[str], *, only: int | None = None) -> dict[str, tuple[str, Json]]:
-    """Key and value by the side or number in the key, "" for a key without one.
+def _by_side(members: Mapping[str, Any], pattern: re.Pattern[str], *, only: int | None = None) -> dict[str, str]:
+    """Keys by the side or number in them, "" for a key without one.
 
     only  how many numbers a value has; others are no such entries
     """
-    found: dict[str, tuple[str, Json]] = {}
-    for key, value in top.mapping().items():
+    found: dict[str, str] = {}
+    for key, value in members.items():
         match = pattern.fullmatch(key)
-        if match is None or not isinstance(value.value, list | dict):
+        if match is None or not isinstance(value, list | dict):
             continue
-        if only is not None and _length(value.value) != only:
+        if only is not None and _length(value) != only:
             continue
-        found.setdefault((match[1] or match[3] or "").lower(), (key, value))
+        found.setdefault((match[1] or match[3] or "").lower(), key)
     return found
 
 
@@ -126,49 +125,43 @@ def _length(value: Any) -> int | None:
 
 def _read(path: Path, size_px: tuple[int, int] | None, *, fisheye: bool) -> tuple[Calibration, ...]:
     top = read_file(path)
-    top.mapping()
+    declare(*WIDTH, *HEIGHT, *SIZES, *NAMES, *MODEL_WORDS, "dt", "type_id")
     groups = _groups(top)
     if not groups:
         top.fail(f"there is no camera matrix; it is looked for as {', '.join(MATRIX)}")
-    passed = PassedOver()
-    if all(g is not top for _, g in groups):
-        passed.unknown(top.mapping(), {*(i for i, _ in groups), *WIDTH, *HEIGHT, *SIZES, *NAMES, *MODEL_WORDS})
     found: list[Calibration] = []
     for id_, group in groups:
-        found += _cameras(path, id_, group, top, size_px, passed, fisheye=fisheye)
-    note = passed.note()
-    return (replace(found[0], remarks=(*found[0].remarks, *note)), *found[1:])
+        found += _cameras(path, id_, group, top, size_px, fisheye=fisheye)
+    return tuple(found)
 
 
 def _groups(top: Json) -> list[tuple[str, Json]]:
     """The tables that hold camera matrices: the file itself, or members of it, each with its name."""
-    if _by_side(top, _MATRIX_KEY):
+    names = top.names()
+    if _by_side(top.value, _MATRIX_KEY):
         return [("", top)]
-    tables = [(k, v) for k, v in top.mapping().items() if isinstance(v.value, dict)]
-    return [(k, v) for k, v in tables if _by_side(v, _MATRIX_KEY)]
+    tables = [k for k in names if isinstance(top.value[k], dict)]
+    return [(k, top.get(k)) for k in tables if _by_side(top.value[k], _MATRIX_KEY)]
 
 
 def _cameras(
-    path: Path, id_: str, table: Json, top: Json, size_px: tuple[int, int] | None, passed: PassedOver, *, fisheye: bool
+    path: Path, id_: str, table: Json, top: Json, size_px: tuple[int, int] | None, *, fisheye: bool
 ) -> list[Calibration]:
     """The cameras of one table: one for each side or number that its camera matrices have."""
-    matrices = _by_side(table, _MATRIX_KEY, only=9) or _by_side(table, _MATRIX_KEY)
-    distortions = _by_side(table, _DISTORTION_KEY)
+    matrices = _by_side(table.value, _MATRIX_KEY, only=9) or _by_side(table.value, _MATRIX_KEY)
+    distortions = _by_side(table.value, _DISTORTION_KEY)
     if len(matrices) == 1 and len(distortions) == 1:
         distortions = dict(zip(matrices, distortions.values(), strict=True))
-    used = {k for k, _ in (*matrices.values(), *(v for s, v in distortions.items() if s in matrices))}
-    known = {*used, *WIDTH, *HEIGHT, *SIZES, *NAMES, *MODEL_WORDS}
-    passed.unknown(table.mapping(), known, f"{id_}." if id_ else "")
     _check_kind(table, top, fisheye=fisheye)
     name = _member(table, NAMES)
     stem = id_ or (name.text().strip() if name is not None and isinstance(name.value, str) else "") or path.stem
     sized = table if _has_size(table) else top
     return [
         _camera(
-            stem if len(matrices) == 1 else f"{stem}-{side or 'first'}", matrix, distortions.get(side, ("", None))[1],
-            _size(sized, size_px), fisheye=fisheye,
+            stem if len(matrices) == 1 else f"{stem}-{side or 'first'}", table.get(matrix),
+            table.get(distortions[side]) if side in distortions else None, _size(sized, size_px), fisheye=fisheye,
         )
-        for side, (_, matrix) in matrices.items()
+        for side, matrix in matrices.items()
     ]  # fmt: skip
 
 

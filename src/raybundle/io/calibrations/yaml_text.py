@@ -12,6 +12,7 @@ from typing import Any, NoReturn
 
 from raybundle.errors import InputError
 from raybundle.io.reading.files import read_text
+from raybundle.io.reading.ledger import enter_tree
 from raybundle.io.reading.trees import Json
 from raybundle.io.reading.words import number_of, whole_of
 
@@ -30,7 +31,9 @@ class _Line:
 
 def read_yaml(path: Path) -> Json:
     """The value in a YAML file; raises InputError with the line of what is not understood."""
-    return Json(path, parse_yaml(read_text(path), path))
+    top = Json(path, parse_yaml(read_text(path), path))
+    enter_tree(top)
+    return top
 
 
 def parse_yaml(text: str, path: Path) -> Any:

@@ -6,7 +6,7 @@
     xml      XML without document types and entities
     rows     the cells of CSV lines
     binary   records, every count held against what is left of the file
-    passed_over   elements that a reader does not use, counted for one note
+    ledger   elements that a reader passes over, counted for one remark
 
 A reader of a format takes its values from here; a test fails where one calls `json.loads`, `tomllib`, `csv` or
 `float` on a text itself.

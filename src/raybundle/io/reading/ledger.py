@@ -13,8 +13,12 @@ from contextvars import ContextVar
 from dataclasses import dataclass, field
 from typing import Protocol
 
+from raybundle.io.reading.words import quoted
+
 NAMED = 6
 """Kinds of elements that a sentence names; the data hold all of them."""
+LONGEST = 80
+"""Characters of a kind that stand without quotes; longer ones are cut."""
 
 
 class Tree(Protocol):
@@ -65,7 +69,7 @@ def enter_tree(tree: Tree) -> None:
 def enter(kind: str, count: int = 1) -> None:
     """Enter elements that a reader passes over."""
     if count and (found := _open.get()) is not None:
-        found.entries[kind] += count
+        found.entries[_printed(kind)] += count
 
 
 def declare(*names: str) -> None:
@@ -81,3 +85,7 @@ def not_read(counts: Mapping[str, int]) -> str:
     kinds = [f"{n} {kind}" for kind, n in list(counts.items())[:NAMED]]
     more = sum(list(counts.values())[NAMED:])
     return f"Not read: {', '.join(kinds)}" + (f" and {more} more" if more else "")
+
+
+def _printed(kind: str) -> str:
+    return kind if kind.isprintable() and len(kind) <= LONGEST and kind.strip() == kind else quoted(kind)

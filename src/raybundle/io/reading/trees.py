@@ -89,6 +89,12 @@ class Json:
         asked = self.asked.below(ELEMENT)
         return [self._below(k, v, asked) for k, v in enumerate(cast("list[Any]", self.value))]
 
+    def names(self) -> list[str]:
+        """Names of the members of an object; their values count as passed over until a reader asks for them."""
+        if not isinstance(self.value, dict):
+            self.fail("an object or table is needed here")
+        return list(cast("dict[str, Any]", self.value))
+
     def has(self, key: str) -> bool:
         """Whether an object has a member that is not null."""
         return isinstance(self.value, dict) and cast("dict[str, Any]", self.value).get(key) is not None

@@ -15,6 +15,7 @@ from raybundle.io.folders import check_free, make_parent, new_files
 from raybundle.io.geo.coordinate_systems import LocalFrame, local_frame
 from raybundle.io.ids import check_ids
 from raybundle.io.reading.files import as_utf8, guarded, opened
+from raybundle.io.reading.ledger import ledger, not_read
 from raybundle.io.reading.words import whole_of
 from raybundle.numerics.arrays import Array, Index
 from raybundle.numerics.counting import counted
@@ -105,16 +106,21 @@ def read_trajectory(path: str | Path, *, name: str | None = None) -> Trajectory:
     """
     path = Path(path)
     if name is not None:
-        with guarded(path):
-            return _named(name).read(path)
+        return _read(_named(name), path)
     with opened(path) as file:
         head = as_utf8(file.read(4096), whole=False).decode("utf-8", errors="replace")
     for format_ in trajectory_formats.values():
         if format_.recognises(head, path.suffix.lower()):
-            with guarded(path):
-                return format_.read(path)
+            return _read(format_, path)
     known = "; ".join(f"{f.name}: {f.title}" for f in trajectory_formats.values())
     raise InputError(f"its format is not recognised; known are {known}", file=path, line=1)
+
+
+def _read(format_: TrajectoryFormat, path: Path) -> Trajectory:
+    with guarded(path), ledger() as passed_over:
+        found = format_.read(path)
+        remark = not_read(passed_over.counts())
+    return replace(found, remarks=(*found.remarks, remark)) if remark else found
 
 
 def write_trajectory(trajectory: Trajectory, path: str | Path, *, name: str) -> None:

@@ -14,7 +14,7 @@ from pathlib import Path
 from raybundle.errors import InputError
 from raybundle.io.geo.parsed_systems import parse_crs
 from raybundle.io.reading.dialects import table_text
-from raybundle.io.reading.passed_over import PassedOver
+from raybundle.io.reading.ledger import enter
 from raybundle.io.reading.words import number_of
 from raybundle.io.trajectories.base import WGS84_HEIGHT, Trajectory, TrajectoryFormat, register
 from raybundle.io.trajectories.image_rows import ImageRow, cell_number, cells_of_line, listed
@@ -32,10 +32,9 @@ def read(path: Path) -> Trajectory:
         raise InputError("the file is empty; its first line names the coordinate system", file=path, line=1)
     (first, system), *rest = lines
     crs, remarks = system_of(system, path, first)
-    passed = PassedOver()
     separator = "\t" if rest and all(t.count("\t") >= 2 for _, t in rest) else None
-    rows = [_row(path, n, cells_of_line(t, separator), passed) for n, t in rest]
-    return listed(path, rows, crs, (*remarks, *passed.note()))
+    rows = [_row(path, n, cells_of_line(t, separator)) for n, t in rest]
+    return listed(path, rows, crs, remarks)
 
 
 def system_of(text: str, path: Path, line: int) -> tuple[str, tuple[str, ...]]:
@@ -51,7 +50,7 @@ def system_of(text: str, path: Path, line: int) -> tuple[str, tuple[str, ...]]:
     return text, ()
 
 
-def _row(path: Path, line: int, words: list[str], passed: PassedOver) -> ImageRow:
+def _row(path: Path, line: int, words: list[str]) -> ImageRow:
     if len(words) < 3:
         message = f"{len(words)} columns, at least image, X and Y are needed"
         raise InputError(message, file=path, line=line)
@@ -61,9 +60,9 @@ def _row(path: Path, line: int, words: list[str], passed: PassedOver) -> ImageRo
     x, y = numbers[:2]
     height = numbers[2] if len(numbers) > 2 else math.nan
     for name in NAMES[4 : min(7, len(words))]:
-        passed.count(name)
+        enter(name)
     for k in range(len(NAMES), len(words)):
-        passed.count(f"column {k + 1}")
+        enter(f"column {k + 1}")
     plan = numbers[6] if len(numbers) > 6 else math.nan
     up = numbers[7] if len(numbers) > 7 else math.nan
     return ImageRow(line, words[0], (x, y, height), (plan, plan, up))

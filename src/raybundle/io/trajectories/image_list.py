@@ -20,7 +20,7 @@ from pathlib import Path
 from raybundle.errors import InputError
 from raybundle.io.photos.container import SUFFIXES
 from raybundle.io.reading.dialects import table_text
-from raybundle.io.reading.passed_over import PassedOver
+from raybundle.io.reading.ledger import enter
 from raybundle.io.reading.words import number_of
 from raybundle.io.trajectories.base import WGS84_HEIGHT, Trajectory, TrajectoryFormat, register
 from raybundle.io.trajectories.geo_txt import WGS84_HEIGHTS, system_of
@@ -76,7 +76,6 @@ def read(path: Path) -> Trajectory:
             content.append((line, text))
     separator = separator_of([*([header] if header else []), *(t for _, t in content)])
     cells = [(n, cells_of_line(t, separator)) for n, t in content]
-    passed = PassedOver()
     columns = _header(header) if header else None
     if columns is None:  # nothing names them
         columns, remark = _by_plausibility(path, cells)
@@ -86,9 +85,9 @@ def read(path: Path) -> Trajectory:
     width = max((len(w) for _, w in cells), default=0)
     for k in range(width):
         if k not in columns.at.values():
-            passed.count(columns.names[k] if k < len(columns.names) else f"column {k + 1}")
+            enter(columns.names[k] if k < len(columns.names) else f"column {k + 1}")
     rows = [_row(path, n, w, columns, comma=separator != ",") for n, w in cells]
-    return listed(path, rows, crs, (*remarks, *passed.note()))
+    return listed(path, rows, crs, remarks)
 
 
 def _header(text: str) -> _Columns | None:
