@@ -1,5 +1,7 @@
 """Position lists of other programs: geo.txt, Pix4D, Metashape, RTKLIB."""
 
+import re
+
 import numpy as np
 import pytest
 
@@ -152,6 +154,39 @@ def test_rtklib_from_the_earths_centre(tmp_path):
     found = read_trajectory(path)
     assert found.xyz[0, :2] == pytest.approx((8.249, 47.5), abs=0.1)
     assert found.fix == ("rtk float",)
+
+
+BRACKETS = {  # names of latitude, longitude, height, accuracy; words of the refusal, or nothing
+    "latitude [decimal degrees],longitude [decimal degrees],altitude [meter],accuracy horizontal [meter]": "",
+    "Latitude (deg),Longitude (deg),Height (m),Sigma XY (m)": "",
+    "latitude (WGS84),longitude (WGS84),ellipsoidal height (m),accuracy horizontal": "",
+    "latitude,longitude,altitude (ellipsoidal) [m],accuracy horizontal": "",
+    "latitude,longitude,altitude [feet],accuracy horizontal": "'feet' is not read; give metres",
+    "latitude,longitude,altitude (ft),accuracy horizontal": "'ft' is not read; give metres",
+    "latitude,longitude,height (US survey ft),accuracy horizontal": "'US survey ft' is not read",
+    "latitude,longitude,altitude (MSL),accuracy horizontal": "'MSL' is not read; give metres above the ellipsoid",
+    "latitude,longitude,height [m] (EGM96),accuracy horizontal": "'EGM96' is not read",
+    "latitude,longitude,altitude (orthometric),accuracy horizontal": "'orthometric' is not read",
+    "latitude (rad),longitude (rad),altitude,accuracy horizontal": "'rad' is not read; give degrees",
+    "latitude (gon),longitude (gon),altitude,accuracy horizontal": "'gon' is not read; give degrees",
+    "latitude,longitude,altitude,accuracy horizontal [cm]": "'cm' is not read; give metres",
+}
+
+
+@pytest.mark.parametrize("names", BRACKETS)
+def test_units_of_columns(tmp_path, names):
+    path = tmp_path / "list.csv"
+    text = f"imagename,{names}\na.jpg,47.5,8.25,450,0.02\n"
+    path.write_text(text)
+    if words := BRACKETS[names]:
+        with pytest.raises(InputError, match=re.escape(words)):
+            read_trajectory(path)
+    else:
+        np.testing.assert_allclose(read_trajectory(path).xyz, [HERE])
+    system = "# CoordinateSystem: EPSG:4326+5773\n"
+    path.write_text(system + text)
+    if "MSL" in names or "EGM96" in names or "orthometric" in names:
+        assert read_trajectory(path).crs == "EPSG:4326+5773"
 
 
 STATED = {  # a line of the header and what it gives: a remark, none, or the reason of a refusal

@@ -18,10 +18,11 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from raybundle.errors import InputError
+from raybundle.io.geo.parsed_systems import parse_crs
 from raybundle.io.photos.container import SUFFIXES
 from raybundle.io.reading.dialects import table_text
 from raybundle.io.reading.ledger import enter
-from raybundle.io.reading.words import number_of
+from raybundle.io.reading.words import number_of, quoted
 from raybundle.io.trajectories.base import WGS84_HEIGHT, Trajectory, TrajectoryFormat, register
 from raybundle.io.trajectories.geo_txt import WGS84_HEIGHTS, system_of
 from raybundle.io.trajectories.image_rows import ImageRow, cell_number, cells_of_line, listed, separator_of
@@ -43,6 +44,10 @@ _KINDS = {
     r"(z|vert|vertical|altitude)accuracym?|sz",
 }
 _PATTERNS = {kind: re.compile(pattern) for kind, pattern in _KINDS.items()}
+METRES = {"", "m", "meter", "meters", "metre", "metres"}
+DEGREES = {"", "deg", "degree", "degrees", "decimaldegree", "decimaldegrees", "dd", "wgs84"}
+ELLIPSOID = {"wgs84", "ellipsoid", "ellipsoidal", "ellipsoidalheight", "hae"}
+"""Words in brackets that the columns may have."""
 BY_COUNT = {6: (4, 5), 9: (7, 8)}
 """Columns of horizontal and vertical accuracy by the number of columns, without names."""
 
@@ -82,6 +87,7 @@ def read(path: Path) -> Trajectory:
         remarks = (*remarks, *remark)
     if columns.geographic and crs is None:
         crs, remarks = WGS84_HEIGHT, (*remarks, WGS84_HEIGHTS)
+    _check_units(path, columns, compound=crs is not None and parse_crs(crs).is_compound)
     width = max((len(w) for _, w in cells), default=0)
     for k in range(width):
         if k not in columns.at.values():
@@ -104,6 +110,29 @@ def _header(text: str) -> _Columns | None:
             at.setdefault(kind, k)
     placed = {"longitude", "latitude"} <= at.keys() or {"x", "y"} <= at.keys()
     return _Columns(at, words) if "name" in at and placed else None
+
+
+def _check_units(path: Path, columns: _Columns, *, compound: bool) -> None:
+    """Raise InputError where a name states, in brackets, another unit or another reference of the heights.
+
+    compound  whether the coordinate system says what heights count from
+    """
+    for kind, k in columns.at.items():
+        if kind == "name" or k >= len(columns.names):
+            continue
+        for words in re.findall(r"[\[(](.*?)[\])]", columns.names[k]):
+            plain = re.sub(r"[^a-z0-9]", "", words.lower())
+            allowed = DEGREES if kind in {"longitude", "latitude"} else METRES
+            if plain in allowed or _PATTERNS[kind].fullmatch(plain):
+                continue
+            if kind == "z" and (compound or plain in ELLIPSOID):
+                continue
+            need = "degrees" if allowed is DEGREES else "metres"
+            if kind == "z":
+                need = (
+                    "metres above the ellipsoid, or name the system of the heights (# CoordinateSystem: EPSG:4326+5773)"
+                )
+            raise InputError(f"{quoted(words)} is not read; give {need}", file=path, column=columns.names[k])
 
 
 def _by_plausibility(path: Path, cells: Sequence[tuple[int, list[str]]]) -> tuple[_Columns, tuple[str, ...]]:
