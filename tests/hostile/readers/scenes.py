@@ -203,6 +203,7 @@ target("scene-control", control_seeds, read_the_scene_control)
 
 
 def trajectory_seeds(top: Path) -> None:
+    from tests.io.trajectories.test_position_lists import META, POS
     from tests.io.trajectories.test_trajectories import MRK
 
     texts(
@@ -211,6 +212,9 @@ def trajectory_seeds(top: Path) -> None:
         {"eo.csv": "image,X,Y,Z,omega_gon,phi_gon,kappa_gon,sX,sY,sZ\na,500000,5400000,1200,1,-2,100,0.02,0.02,0.04\n"},
         {"ins.csv": "image,X,Y,Z,roll_deg,pitch_deg,yaw_deg\na,500000,5400000,1200,0,0,0\n"},
         {"gim.csv": "image,longitude_deg,latitude_deg,height_m,roll_deg,pitch_deg,yaw_deg\na,11.2,48.1,1200,0,0,0\n"},
+        {"geo.txt": "EPSG:32633\na.jpg 500010.5 5400020.25 450 12 0 1 0.02 0.03\nb.jpg 500020.5 5400020.25 450\n"},
+        {"list.csv": f'# CoordinateSystem: "EPSG:4326"\n{META}a.jpg,8.25,47.5,450,1,2,3,0.1,0.1,8.2,47.4,449\n'},
+        {"flight_events.pos": f"% (lat/lon/height=WGS84/ellipsoidal,Q=1:fix,2:float)\n{POS['date']}"},
     )(top)
 
 
