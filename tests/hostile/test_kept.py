@@ -59,7 +59,31 @@ def unchanged(seeds, _name, number):
     return seeds[number]
 
 
+def commanded(*words):
+    """The command with these words, of which those that name files of the folder are paths."""
+
+    def read(folder):
+        places = [str(folder / w) if (folder / w).exists() else w for w in words]
+        out = [] if words[0] in {"mark", "heights", "datasets"} else ["--out", str(folder.parent / "out")]
+        command(*places, *out)
+        return []
+
+    return read
+
+
+MISSION = ("plan", "mission")
+AREA = "11.0 48.0, 11.002 48.0, 11.002 48.001, 11.0 48.001"
+FLIGHT = ("--vehicle", "mavic-3e", "--gsd", "0.02")
 READERS = {
+    "area-kmz-name": [commanded(*MISSION, "a.kmz", *FLIGHT)],
+    "bar-mm": [commanded("adjust", ".", "--no-report")],
+    "datasets-ipv6": [commanded("datasets", "list", "--listing", "d.toml")],
+    "heights-npz": [commanded("heights", "volume", ".")],
+    "heights-sign": [commanded("adjust", ".", "--no-report")],
+    "journal-null": [commanded("mark", "list", "block")],
+    "mission-wpml-zlib": [commanded(*MISSION, "a.kmz", *FLIGHT)],
+    "raster-pr": [commanded(*MISSION, AREA, *FLIGHT, "--dem", "d.asc")],
+    "snooping-12-percent": [commanded("adjust", "sim/block", "--reject", "snooping", "--no-report")],
     "adjust": [same("adjust"), same("block")],
     "cameras": [same("cameras")],
     "codes": [same("codes")],

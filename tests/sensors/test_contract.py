@@ -194,7 +194,7 @@ from raybundle.sensors import Parameter, SensorModel
 class Division(SensorModel):
     \"\"\"Division model of radial distortion (Fitzgibbon 2001).\"\"\"
 
-    name = "division"
+    name = "own_division"
     parameters = (
         Parameter("c", "mm", "camera constant", 20.0, kind="scale"),
         Parameter("L", "mm^-2", "radial distortion", typical=1e-4, kind="radial"),
@@ -213,9 +213,9 @@ import raybundle.sensors as sensors
 import raybundle.platforms
 before = set(sensors.sensor_models)
 sensors.__path__.append(sys.argv[1])
-importlib.import_module("raybundle.sensors.division")
+importlib.import_module("raybundle.sensors.own_division")
 new = set(sensors.sensor_models) - before
-assert new == {"division", *("division_" + p for p in (
+assert new == {"own_division", *("own_division_" + p for p in (
     "mounted", "rolling", "rolling_mounted", "trajectory", "trajectory_mounted"
 ))}, new
 from dataclasses import replace
@@ -223,7 +223,7 @@ from raybundle.planning.simulate import Survey, simulate
 from raybundle.planning.scenes import TargetField, field_scene
 from raybundle.adjustment.engine import adjust_block
 scene = field_scene(TargetField(rows=4, columns=5, stations=4, frontal=1))
-camera = replace(scene.camera, model="division", values={"c": 20.4, "L": 2e-4}, estimate=("c", "L"))
+camera = replace(scene.camera, model="own_division", values={"c": 20.4, "L": 2e-4}, estimate=("c", "L"))
 survey = Survey(control=6, points="exact", orientation="exact", interior="exact")
 block = simulate(replace(scene, camera=camera), survey).observed
 result = adjust_block(block)
@@ -236,7 +236,7 @@ print("adjusted")
 
 def test_a_new_file_is_a_new_model(tmp_path):
     """One file among the sensors: registered, derived and adjusted without any other change."""
-    (tmp_path / "division.py").write_text(NEW_MODEL)
+    (tmp_path / "own_division.py").write_text(NEW_MODEL)
     done = subprocess.run(
         [sys.executable, "-c", USE_IT, str(tmp_path)], capture_output=True, text=True, check=False, timeout=120
     )

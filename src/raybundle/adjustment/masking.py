@@ -99,7 +99,7 @@ def unmasked(
         if np.array_equal(new, out):
             break
         out = new
-    if not whole >= MASKED * scale:
+    if not whole >= MASKED * scale or _whole_images(block, out & ~given, ~given):
         return None
     out = given | _wrong(start, out & ~given)
     new_reasons = list(reasons)
@@ -172,6 +172,14 @@ def _unknowns(block: Block, inside: Mask) -> int:
     o = block.observations
     points = len(np.unique(o.point[inside]))
     return 3 * points + 6 * len(np.unique(o.image[inside]))
+
+
+def _whole_images(block: Block, out: Mask, asked: Mask) -> bool:
+    """Whether images lose most of their observations while others do not: no gross errors, but images or a model."""
+    image, n = block.observations.image, len(block.images)
+    count = np.bincount(image[asked], minlength=n)
+    share = np.bincount(image[out], minlength=n) / np.maximum(count, 1)
+    return bool(((count >= FEWEST) & (share > 0.5) & (share > 2 * np.median(share[count > 0]))).any())
 
 
 def _wrong(block: Block, suspects: Mask) -> Mask:

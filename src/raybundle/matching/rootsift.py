@@ -18,6 +18,8 @@ CONTRAST = 0.015
 NOISE_GAIN, TIMES = 0.1, 4.0
 """Standard deviation of a difference of Gaussians (0.8 and 1.0 px, 0.102; 1.6 and 2.0 px, 0.051) by that of the grey
 values, and the multiple of it from which a feature is more than noise (one false one in 16 000)."""
+HALF = 128.0
+"""Grey levels; the limit of contrast is meant for photographs that use more of their 255."""
 NOISE_SAMPLE = 300_000
 """Pixels, in whole rows, that tell the noise of a photograph"""
 QUANTISED = 0.29
@@ -45,14 +47,14 @@ class RootSift(FeatureMethod):
 
         The image is searched from half its size upwards, so that the first octave has the size of the image: a
         quarter of the work, and the points that are left out are the least repeatable ones.  Where that gives
-        few points the octave of double size is searched too, and where that does not help, features are taken down
-        to the noise of the photograph: a dark or hazy one has no less of them, only weaker ones.
+        few points the octave of double size is searched too, and where that does not help, features of dark and hazy
+        photographs are taken down to their noise: they have no less of them, only weaker ones.
         """
         h, w = grey.shape
         tiles = _detect(grey, 2, count)
         if sum(len(t.keypoints) for t in tiles) < FEW * count:
             tiles = _detect(grey, 1, count)
-        weak = noise_contrast(grey)
+        weak = noise_contrast(grey) if low_contrast(grey) else CONTRAST
         if weak < CONTRAST and sum(len(t.keypoints) for t in tiles) < FEW * count:
             tiles = _detect(grey, 1, count, weak)
         table = np.vstack([np.zeros((0, 5)), *(t.table for t in tiles)])
@@ -94,6 +96,12 @@ class _Tile:
     keypoints: list[Any]
     table: Array
     """(n, 5) place in the image of full size, scale, angle, response"""
+
+
+def low_contrast(grey: Array) -> bool:
+    """Whether 98 % of the grey values of an image (h, w) lie within half of the range, as of dark and hazy ones."""
+    low, high = np.percentile(grey[:: max(len(grey) // 500, 1), :: max(len(grey[0]) // 500, 1)], (1, 99))
+    return bool(high - low < HALF)
 
 
 def noise_contrast(grey: Array) -> float:
