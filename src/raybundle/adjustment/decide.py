@@ -203,7 +203,8 @@ def _snoop(
         chosen = apart(block, size, suspects)
         stuck = not chosen or number in MASKING_ROUNDS
         if robust and tried is None and wrong is None and stuck and is_suspect(result):
-            tried = unmasked(block, options, choices.free, choices.reasons, guarded)
+            r = result.image_observations.redundancy
+            tried = unmasked(block, options, choices.free, choices.reasons, guarded, r)
             if tried is not None:
                 before = block, choices.reasons
                 block, choices.reasons = tried.block, tried.reasons

@@ -26,16 +26,14 @@ from raybundle.numerics.statistics import family_wise_normal
 
 MEDIAN = 0.6745
 """Median of the absolute value of a standard normal variable."""
-SUSPECT = 1.3
-"""sigma0 over the median-based scale of least squares from which a robust estimate is worth its time.
-
-A normal sample has 1.0; Student's t with five degrees of freedom, heavier than residuals of photographs, has 1.2."""
 MASKED = 2.0
 """The same of a robust estimate from which gross errors mask one another: they make three quarters of the variance.
 
 Student's t with three degrees of freedom has 1.5."""
 UNCLEAN = 1.5
 """sigma0 after a robust estimate from which more of them are likely: what it leaves is clean, with sigma0 about 1."""
+LEAST_SHARE = 0.2
+"""Redundancy number from which on a residual tells of its observation."""
 FINITE = 0.5
 """Share of the points that must have a place for an estimate to be one."""
 PASSES = 12
@@ -54,8 +52,8 @@ class Unmasked:
 
 
 def is_suspect(result: Adjustment) -> bool:
-    """Whether residuals are far from normal, or larger than stated: reason enough for a robust estimate."""
-    return ratio_of(result) >= SUSPECT or result.sigma0 >= POOR_FIT
+    """Whether residuals are far larger than stated: reason enough for a robust estimate."""
+    return result.sigma0 >= POOR_FIT
 
 
 def ratio_of(result: Adjustment) -> float:
@@ -66,11 +64,13 @@ def ratio_of(result: Adjustment) -> float:
 
 
 def unmasked(
-    block: Block, options: AdjustmentOptions, free: dict[str, tuple[str, ...]], reasons: Rejections, spared: Mask
-) -> Unmasked | None:
+    block: Block, options: AdjustmentOptions, free: dict[str, tuple[str, ...]], reasons: Rejections, spared: Mask,
+    redundancy: Array | None = None,
+) -> Unmasked | None:  # fmt: skip
     """The block without the observations that a robust estimate finds wrong; None where nothing is masked.
 
-    spared  (m,) observations that stay in any case
+    spared      (m,) observations that stay in any case
+    redundancy  (m, 2) of an adjustment of the block, by which residuals are standardised; None: all alike
     """
     given = np.array([r is not None and r.kind is not RejectionKind.BLUNDER for r in reasons], bool)
     robust = replace(options, robust_start=True, statistics=False)
@@ -80,7 +80,7 @@ def unmasked(
     start, bad = found
     if (given | bad).all():
         return None
-    size, scale = _sizes(start, ~given & ~bad)
+    size, scale = _sizes(start, ~given & ~bad, redundancy)
     whole = float(np.sqrt(np.mean(size[~given & ~bad] ** 2)))
     limit = family_wise_normal(options.significance, 2 * int((~given).sum()))
     out = given | bad | ((size > limit * scale) & ~spared)
@@ -94,7 +94,7 @@ def unmasked(
         inside = ~out & ~lone & ~bad
         if not inside.any():
             return None
-        size, scale = _sizes(start, inside)
+        size, scale = _sizes(start, inside, redundancy)
         new = given | bad | ((size > limit * scale) & ~spared)
         if np.array_equal(new, out):
             break
@@ -131,7 +131,7 @@ def _estimated(
 def masked_notices(result: Adjustment, found: Unmasked | None) -> list[Notice]:
     """What a reader must know of gross errors that masked one another, or still do."""
     ratio, sigma0 = ratio_of(result), result.sigma0
-    if ratio >= MASKED or sigma0 >= (POOR_FIT if found is None else UNCLEAN):
+    if sigma0 >= (POOR_FIT if found is None else UNCLEAN):
         count = sum(r is not None for r in result.image_observations.rejected)
         return [
             Notice(
@@ -154,7 +154,7 @@ def masked_notices(result: Adjustment, found: Unmasked | None) -> list[Notice]:
     ]
 
 
-def _sizes(block: Block, inside: Mask) -> tuple[Array, float]:
+def _sizes(block: Block, inside: Mask, redundancy: Array | None) -> tuple[Array, float]:
     """Largest standardised residual (m,) of each observation, and the scale from the median of those inside."""
     rows = np.arange(len(block.observations))
     with np.errstate(all="ignore"):
@@ -163,6 +163,12 @@ def _sizes(block: Block, inside: Mask) -> tuple[Array, float]:
         except np.linalg.LinAlgError:
             return np.full(len(rows), np.inf), 1.0
     w = np.where(np.isfinite(w), w, 1e12)
+    if redundancy is not None:
+        share = np.where(np.isfinite(redundancy), redundancy, 1.0)
+        told = share[inside] >= LEAST_SHARE
+        w = w / np.sqrt(np.maximum(share, LEAST_SHARE))
+        if told.any():
+            return w.max(axis=1), float(np.median(w[inside][told])) / MEDIAN or 1.0
     scale = float(np.median(w[inside])) / MEDIAN
     free = 1 - _unknowns(block, inside) / max(2 * int(inside.sum()), 1)
     return w.max(axis=1), scale / np.sqrt(max(free, 0.05)) or 1.0
