@@ -1,4 +1,4 @@
-"""Verdicts on simulated blocks: 100 good, 100 weak, 100 wrong by construction; what is said of each.
+"""Verdicts on simulated blocks: 100 good, 100 weak, 100 wrong by construction; counts of each verdict.
 
     python benchmarks/block_verdicts.py [blocks of each class=100]
 

@@ -174,9 +174,9 @@ def _snoop(
                 continue
             if number == 0 and isinstance(error, NoConvergence):
                 tried = unmasked(block, options, choices.free, choices.reasons, guarded)
-            if tried is not None and isinstance(error, NoConvergence):
-                block, choices.reasons, start = tried.block, tried.reasons, "adjusted"
-                continue
+                if tried is not None:
+                    block, choices.reasons, start = tried.block, tried.reasons, "adjusted"
+                    continue
             if not isinstance(error, DatumDefect):
                 raise
             guarded = np.asarray(block.points.is_control.any(axis=1))[block.observations.point]

@@ -38,7 +38,7 @@ The second-order part of its error is that share of the first: above a fifth, st
 
 
 def _unknown_constant(result: Adjustment, who: str, interior: InteriorResult) -> list[Notice]:
-    """The fault of photographs that do not tell the camera constant, nor does anything else."""
+    """The fault of a camera constant that is not determined well enough."""
     camera = next((c for c in result.given.cameras if c.id == interior.camera), None)
     symbol = "" if camera is None else camera.sensor.scale_symbol
     p = interior.parameters.get(symbol)

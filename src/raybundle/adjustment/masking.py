@@ -27,13 +27,13 @@ from raybundle.numerics.statistics import family_wise_normal
 MEDIAN = 0.6745
 """Median of the absolute value of a standard normal variable."""
 MASKED = 2.0
-"""The same of a robust estimate from which gross errors mask one another: they make three quarters of the variance.
+"""Ratio of rms to median-based scale from which gross errors mask one another: three quarters of the variance.
 
 Student's t with three degrees of freedom has 1.5."""
 UNCLEAN = 1.5
 """sigma0 after a robust estimate from which more of them are likely: what it leaves is clean, with sigma0 about 1."""
 LEAST_SHARE = 0.2
-"""Redundancy number from which on a residual tells of its observation."""
+"""Smallest redundancy number of an observation whose residual enters the scale."""
 FINITE = 0.5
 """Share of the points that must have a place for an estimate to be one."""
 PASSES = 12
@@ -165,10 +165,10 @@ def _sizes(block: Block, inside: Mask, redundancy: Array | None) -> tuple[Array,
     w = np.where(np.isfinite(w), w, 1e12)
     if redundancy is not None:
         share = np.where(np.isfinite(redundancy), redundancy, 1.0)
-        told = share[inside] >= LEAST_SHARE
+        controlled = share[inside] >= LEAST_SHARE
         w = w / np.sqrt(np.maximum(share, LEAST_SHARE))
-        if told.any():
-            return w.max(axis=1), float(np.median(w[inside][told])) / MEDIAN or 1.0
+        if controlled.any():
+            return w.max(axis=1), float(np.median(w[inside][controlled])) / MEDIAN or 1.0
     scale = float(np.median(w[inside])) / MEDIAN
     free = 1 - _unknowns(block, inside) / max(2 * int(inside.sum()), 1)
     return w.max(axis=1), scale / np.sqrt(max(free, 0.05)) or 1.0
@@ -209,7 +209,7 @@ def _too_few(block: Block, out: Mask) -> Mask:
 
 
 def _leave_unlocated(block: Block, reasons: list[Rejection | None], limit: float) -> None:
-    """Reject all rays of tie points of which fewer than three are left: which one is wrong cannot be told."""
+    """Reject all rays of tie points of which fewer than three are left: the wrong one cannot be located."""
     o = block.observations
     wrong = [i for i, r in enumerate(reasons) if r is not None and r.kind is RejectionKind.BLUNDER]
     left = np.bincount(

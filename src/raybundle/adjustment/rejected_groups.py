@@ -18,7 +18,7 @@ MOST = 0.5
 TIMES = 3.0
 """Ratio of an image's share to the median one: where gross errors are many everywhere, no image stands out."""
 FEWEST_POINTS, FEWEST_RAYS = 10, 3
-"""Image points and rays from which on such a share tells; two control points tell with two rays each."""
+"""Smallest numbers of image points and of rays for such a share; two rays suffice if two control points agree."""
 BLUNDERS = {RejectionKind.BLUNDER, RejectionKind.BLUNDER_NOT_LOCATED}
 
 

@@ -42,7 +42,7 @@ def mirror_mends(
                     orientation has, and as given
     solved          adjusts a block; None where there is no solution
 
-    Control alone cannot tell one mend from another: the orientation that the block was given does.
+    Control alone does not distinguish the mends; the given orientation of the block does.
     """
     if len(source) < FEWEST:
         return None
@@ -53,9 +53,9 @@ def mirror_mends(
     size = {name: _unrotated(source, _mended(target, name)) / extent for name in MENDS}
     order = sorted(MENDS, key=lambda name: size[name])
     first, second = size[order[0]], size[order[1]]
-    told = tuple(order[:1]) if first < ORIENTED and DECIDEDLY * first < second else USUAL
-    result = solved(_with_mend(block, told[0]))
-    return None if result is None or result.sigma0 > POOR_FIT else (told, result.sigma0)
+    likely = tuple(order[:1]) if first < ORIENTED and DECIDEDLY * first < second else USUAL
+    result = solved(_with_mend(block, likely[0]))
+    return None if result is None or result.sigma0 > POOR_FIT else (likely, result.sigma0)
 
 
 def mirror_words(mends: tuple[str, ...]) -> str:

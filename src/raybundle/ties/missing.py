@@ -38,8 +38,8 @@ one by 0.36 at least (benchmarks/missing.py); this is near the geometric middle.
 TIMES = 3.0
 """Ratio of barren shares between groups and within them, at like angles, from which on the groups are doubted.
 
-Two photographs of one glossy or fine-textured place have few points in common, too: what is missing between two groups
-tells only where as much is not missing within them."""
+Two photographs of one glossy or fine-textured place have few points in common, too: correspondences missing between two
+groups count only where fewer are missing within them."""
 LIKE = np.radians(7.5)
 """Difference of the angles between the rays of two photographs that are compared so."""
 NEAR = np.radians(15.0)

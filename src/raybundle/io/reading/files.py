@@ -30,8 +30,7 @@ _CONTROL = re.compile(r"[\x00-\x08\x0b\x0e-\x1f\x7f]")
 
 
 UNPACKING = (zipfile.BadZipFile, zlib.error, lzma.LZMAError, RuntimeError, EOFError, ValueError, struct.error)
-"""What a damaged zip file raises: of its directory, of a member's name, of the compressed data (NotImplementedError of
-a method that there is not is a RuntimeError)"""
+"""Exceptions of a damaged zip file: directory, names of members, compressed data, unknown method (a RuntimeError)."""
 
 
 @contextmanager
