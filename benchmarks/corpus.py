@@ -20,6 +20,7 @@ import os
 import statistics
 import sys
 import tomllib
+from collections import Counter
 from pathlib import Path
 
 import numpy as np
@@ -33,6 +34,8 @@ HERE = Path(__file__).resolve().parent
 LISTING = HERE / "corpus.toml"
 LEAST = 10
 """Photographs from which on a set is halved."""
+AGREE = 0.01
+"""Two results are one where their centres agree to this share of the extent."""
 
 
 def half_of(name: str) -> str:
@@ -92,9 +95,8 @@ def peer(photos: Path, work: Path, cameras: str, limit_s: float) -> dict:
     return {"status": 0, **told, "cpu_s": run["cpu_s"] - told["global_cpu_s"], "memory_mb": run["memory_mb"]}
 
 
-def beside(project: Path, images: dict) -> dict:
-    """How far both results are apart: centres as a share of their extent, directions."""
-    here = of_block(project / "result/block")
+def beside(here: dict, images: dict) -> dict:
+    """How far two results are apart: centres as a share of their extent, directions."""
     both = [n for n in here if n in images]
     found = errors(here, images)
     if not found:
@@ -106,6 +108,22 @@ def beside(project: Path, images: dict) -> dict:
         "centres_share": found["centres_rms_mm"] / 1000 / extent,
         "angles_deg": found["angles_mean_deg"],
     }
+
+
+def judged(row: dict) -> tuple[str, str]:
+    """What is known of a result, and its verdict.
+
+    Right or wrong where both mappers of the peer are less than AGREE apart: the result is within or beyond of both.
+    """
+    p, o = row.get("pycolmap", {}), row["raybundle"]
+    shares = [a.get("centres_share") for a in (p.get("mappers_apart", {}), *row.get("apart_from", {}).values())]
+    known = "unknown"
+    if len(shares) == 3 and None not in shares and shares[0] < AGREE:
+        known = {0: "right", 2: "wrong"}.get(sum(s > AGREE for s in shares[1:]), "unknown")
+    severities = {w["severity"] for w in o.get("warnings", [])}
+    return known, "fault" if o["status"] or "fault" in severities else (
+        "caution" if "caution" in severities else "usable"
+    )
 
 
 def one_set(name: str, entry: dict, asked: argparse.Namespace) -> dict:
@@ -120,8 +138,12 @@ def one_set(name: str, entry: dict, asked: argparse.Namespace) -> dict:
         if not kept.exists():
             kept.write_text(json.dumps(peer(photos, work, entry.get("cameras", "single"), asked.limit_s)))
         told = json.loads(kept.read_text())
+        mappers, images = told.pop("mappers", {}), told.pop("images", {})
+        told["mappers_apart"] = beside(*mappers.values()) if len(mappers) == 2 else {}
         if row["raybundle"]["oriented"]:
-            row["apart"] = beside(work / "project", told.pop("images", {}))
+            here = of_block(work / "project/result/block")
+            row["apart"] = beside(here, images)
+            row["apart_from"] = {mapper: beside(here, of) for mapper, of in mappers.items()}
         row["pycolmap"] = told
     if asked.splits and row["raybundle"]["oriented"] >= LEAST:
         try:
@@ -148,6 +170,7 @@ def summary(rows: dict) -> dict:
         "halves_median": statistics.median(h["median"] for h in halves) if halves else None,
         "halves_medians_above_2": sum(h["median"] > 2 for h in halves),
         "halves_splits_above_8": sum(h["max"] > 8 for h in halves),
+        "verdicts": dict(Counter(", ".join(judged(r)) for r in rows.values())),
     }
 
 
@@ -165,6 +188,10 @@ def figures(row: dict) -> dict:
         **{k: o[k] for k in names if k in o},
         "pycolmap": {k: p[k] for k in ("registered", "cpu_s", "memory_mb") if k in p},
         "apart": row.get("apart", {}),
+        "apart_from": row.get("apart_from", {}),
+        "mappers_apart": p.get("mappers_apart", {}),
+        "judged": judged(row),
+        "faults": [w["code"] for w in o.get("warnings", []) if w["severity"] == "fault"],
         "halves": {k: v for k, v in h.items() if k in ("splits", "not_solvable") or isinstance(v, dict)},
     }
 

@@ -18,6 +18,15 @@ from pathlib import Path
 import pycolmap
 
 
+def images_of(model: pycolmap.Reconstruction) -> dict:
+    """Centres and rotations of the oriented photographs of a model."""
+    return {
+        i.name: {"centre": list(i.projection_center()), "rotation": i.cam_from_world().rotation.matrix().tolist()}
+        for i in model.images.values()
+        if i.has_pose
+    }
+
+
 def main() -> None:
     parser = argparse.ArgumentParser()
     parser.add_argument("photos", type=Path)
@@ -56,7 +65,8 @@ def main() -> None:
         models["global"] = list(
             pycolmap.global_mapping(database, options.photos, options.work / "global", options=every).values()
         )
-    best = max((m for of in models.values() for m in of), key=lambda r: r.num_reg_images(), default=None)
+    largest = {name: max(of, key=lambda r: r.num_reg_images()) for name, of in models.items() if of}
+    best = max(largest.values(), key=lambda r: r.num_reg_images(), default=None)
     told = {
         "version": pycolmap.__version__,
         # models of the incremental mapper may share images
@@ -64,16 +74,12 @@ def main() -> None:
             name: len({i.name for m in of for i in m.images.values() if i.has_pose}) for name, of in models.items()
         },
         "global_cpu_s": time.process_time() - before_global,
+        "mappers": {name: images_of(model) for name, model in largest.items()},
     }
     if best is None:
         print(json.dumps({**told, "oriented": 0, "images": {}}))
         return
-    images = {}
-    for image in best.images.values():
-        if not image.has_pose:
-            continue
-        R = image.cam_from_world().rotation.matrix()
-        images[image.name] = {"centre": list(image.projection_center()), "rotation": R.tolist()}
+    images = images_of(best)
     print(
         json.dumps(
             {
