@@ -157,9 +157,29 @@ def test_models_that_contradict_each_other_are_a_fault(tmp_path, capsys, wrong, 
     assert "contradicts the vendor's RPC" in capsys.readouterr().err
     assert not out.exists()
     assert main(["rpc", "project", str(file), str(points), "--model", "rpc", "--out", str(tmp_path / "o.csv")]) == 0
+    control = tmp_path / "control.csv"
+    control.write_text("point,lon_deg,lat_deg,h_m,x_px,y_px\n" + control_rows(rpc))
+    for words, to in (
+        (["correct", str(file), str(control)], "corrected_RPC.TXT"),
+        (["batch", str(file), "--control", str(control)], "all"),
+    ):
+        capsys.readouterr()
+        assert main(["rpc", *words, "--out", str(tmp_path / to)]) == 0
+        assert "contradicts the vendor's RPC" in capsys.readouterr().out
     with pytest.raises(ModelsContradict, match="contradicts the vendor's RPC"):
         read_block(scene_block(tmp_path / "block", file, "linescan"))
     assert read_block(scene_block(tmp_path / "other", file, "rpc")).cameras
+
+
+def control_rows(rpc):
+    """Six points of a scene, where its RPC has them."""
+    steps = np.array([[-0.5, -0.5], [0.5, -0.5], [0, 0], [-0.5, 0.5], [0.5, 0.5], [0.2, -0.3]])
+    lonlat = rpc.ground_offset[:2] + steps * rpc.ground_scale[:2]
+    ground = np.column_stack([lonlat, np.full(len(steps), rpc.ground_offset[2])])
+    return "".join(
+        f"P{k},{','.join(map(repr, (*g.tolist(), *xy.tolist())))}\n"
+        for k, (g, xy) in enumerate(zip(ground, rpc.project(ground), strict=True))
+    )
 
 
 def scene_block(folder, file, model):

@@ -45,6 +45,8 @@ def batch(scenes: tuple[Path, ...], progress: str, **given: Any) -> None:
         rms = ", ".join(f"{v:.3f}" for v in c.fit.rms)
         used = len(c.ids) - len(c.advice.set_aside)
         click.echo(f" {scene.name[:31]:32}{c.fit.kind:>8}{used:8d}{rms:>18}{significant(c.errors.err_bias_m):>14}")
+        for remark in scene.remarks:
+            click.echo(f"   remark: {remark}")
         for k in c.advice.set_aside:
             click.echo(f"   caution: {c.ids[k]} contradicts the others and took no part")
     for scene in done.failed:
@@ -57,6 +59,7 @@ def _fact(scene: BatchScene) -> dict[str, Any]:
     c = scene.correction
     fit = None if c is None else c.fit
     return {
-        "scene": scene.name, "file": scene.file, "problem": scene.problem, "bias": None if fit is None else fit.kind,
+        "scene": scene.name, "file": scene.file, "problem": scene.problem,
+        "remarks": list(scene.remarks), "bias": None if fit is None else fit.kind,
         "rms_px": None if fit is None else fit.rms, "errors": None if c is None else c.errors,
     }  # fmt: skip

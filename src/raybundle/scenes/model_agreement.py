@@ -53,9 +53,12 @@ class ModelsContradict(NotSolvable):
 
     def __init__(self, file: object, agreement: ModelAgreement) -> None:
         kind = "stated error of the RPC" if agreement.stated else "aberration and refraction together"
+        self.difference = (
+            f"the rigorous model contradicts the vendor's RPC: {agreement.rms_px:.4g} px apart (rms), limit "
+            f"{agreement.limit_px:.3g} px ({kind})"
+        )
         super().__init__(
-            f"{file}: the rigorous model contradicts the vendor's RPC: {agreement.rms_px:.4g} px apart (rms), "
-            f"limit {agreement.limit_px:.3g} px ({kind}).\n"
+            f"{file}: {self.difference}.\n"
             "  One of them is wrong, or is read wrongly.  Get the file again, or use the RPC alone (model rpc)."
         )
         self.agreement = agreement

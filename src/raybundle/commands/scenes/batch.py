@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import MISSING, dataclass
+from dataclasses import MISSING, dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Literal
 
@@ -53,6 +53,7 @@ class BatchScene:
     """what was written of it"""
     problem: str = ""
     """why nothing was"""
+    remarks: tuple[str, ...] = ()
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -121,10 +122,7 @@ def run_batch(s: RpcBatchSettings, progress: Progress = silent) -> Batch:
             raise InputError(f"none of {counted(len(found), 'scene')} could be corrected:\n{told}", file=s.control)
         _write_biases(folder / BIASES, found)
     return Batch(
-        scenes=tuple(
-            f if f.file is None else BatchScene(name=f.name, correction=f.correction, file=s.out / f.file.name)
-            for f in found
-        ),
+        scenes=tuple(f if f.file is None else replace(f, file=s.out / f.file.name) for f in found),
         table=s.out / BIASES,
     )
 
@@ -182,7 +180,7 @@ def _one(s: RpcBatchSettings, file: Path, control: SceneControl, folder: Path, t
         write_rpc(found.corrected, target, given.picture)
     except RaybundleError as error:
         return BatchScene(name=file.name, problem=str(error).replace("\n", " "))
-    return BatchScene(name=file.name, correction=found, file=target)
+    return BatchScene(name=file.name, correction=found, file=target, remarks=given.remarks)
 
 
 def _write_biases(path: Path, scenes: Sequence[BatchScene]) -> None:

@@ -190,7 +190,8 @@ def correction_on(given: SceneInput, control: SceneControl, s: ControlSettings) 
         rpc=rpc, ids=used.ids, advice=advice, fit=fit, scene=scene, size_px=size_of(scene), picture=given.picture,
         beyond=_odd_points(scene, rpc, used),
         errors=None if fit is None else ground_errors(rpc, advice, fit),
-        checked=None if fit is None or not checks.ids else _checked(rpc, fit, checks), remarks=control.remarks,
+        checked=None if fit is None or not checks.ids else _checked(rpc, fit, checks),
+        remarks=(*given.remarks, *control.remarks),
     )  # fmt: skip
 
 

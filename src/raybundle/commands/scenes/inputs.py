@@ -29,6 +29,13 @@ class SceneInput:
     opened: Any = None
     """the object that was handed over"""
 
+    @property
+    def remarks(self) -> tuple[str, ...]:
+        """What is to be known of the scene where its RPC is used."""
+        from raybundle.io.scenes import remarks_of  # noqa: PLC0415  (what computes is loaded after the help)
+
+        return remarks_of(self.scene)
+
 
 def is_object(given: object) -> bool:
     """Whether it is an opened dataset of rasterio, or a DataArray as rioxarray opens it; by what it can do."""

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Generator
 from contextlib import contextmanager
-from dataclasses import MISSING, dataclass
+from dataclasses import MISSING, dataclass, replace
 from importlib import import_module
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Literal
@@ -165,7 +165,8 @@ def run_ortho(
     ):
         size = picture.width, picture.height
         plan = ortho_of(rpc, size, ground, crs=s.crs, pixel=s.pixel, area=s.extent, kernel=s.resampling)
-        return _made(plan, picture, s, progress)
+        done = _made(plan, picture, s, progress)
+    return replace(done, remarks=(*given.remarks, *done.remarks))
 
 
 def _made(plan: Ortho, picture: Picture, s: RpcOrthoSettings, progress: Progress) -> Orthophoto:

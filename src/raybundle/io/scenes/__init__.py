@@ -6,7 +6,7 @@ A new format is one new file: it makes a `SceneFormat` and hands it to `register
 from importlib import import_module
 from pkgutil import iter_modules
 
-from raybundle.io.scenes.agreement import agreement_of, check_agreement
+from raybundle.io.scenes.agreement import agreement_of, check_agreement, remarks_of
 from raybundle.io.scenes.base import Scene, SceneFormat, check_image, is_scene, read_scene, rpc_of_image, scene_formats
 
 for _module in iter_modules(__path__):
@@ -20,6 +20,7 @@ __all__ = [
     "check_image",
     "is_scene",
     "read_scene",
+    "remarks_of",
     "rpc_of_image",
     "scene_formats",
 ]

@@ -25,6 +25,15 @@ def check_agreement(scene: Scene) -> None:
         raise ModelsContradict(scene.file, agreement)
 
 
+def remarks_of(scene: Scene) -> tuple[str, ...]:
+    """Remarks on a scene whose RPC is used: those of its reader, and a rigorous model that contradicts the RPC."""
+    try:
+        check_agreement(scene)
+    except ModelsContradict as contradiction:
+        return (*scene.remarks, f"{contradiction.difference}; the RPC is used")
+    return scene.remarks
+
+
 def _beside(file: Path) -> Rpc | None:
     """The RPC of a DIMAP product: DIM_NAME.XML and RPC_NAME.XML stand in one folder."""
     kind, _, name = file.name.partition("_")

@@ -16,7 +16,7 @@ from raybundle.io.photos.photo import LIMIT_PIXELS, shown
 from raybundle.io.photos.windows import Windows
 from raybundle.io.reading.files import as_utf8
 from raybundle.io.reading.tiff import is_tiff, tiff_tags
-from raybundle.io.scenes import Scene, read_scene, rpc_of_image, scene_formats
+from raybundle.io.scenes import Scene, read_scene, remarks_of, rpc_of_image, scene_formats
 from raybundle.matching.features import FeatureMethod, Features
 from raybundle.matching.refine import smoothed
 from raybundle.numerics.arrays import Array, Mask
@@ -115,7 +115,7 @@ def find_scenes(inputs: Sequence[Path]) -> FoundScenes:
         else:
             first[scene.sha256] = scene.name
             scenes.append(scene)
-    remarks = [f"{s.name}: {r}" for s in scenes for r in s.scene.remarks]
+    remarks = [f"{s.name}: {r}" for s in scenes for r in remarks_of(s.scene)]
     return FoundScenes(scenes=tuple(scenes), refused=tuple(refused), files=frozenset(taken), remarks=tuple(remarks))
 
 
