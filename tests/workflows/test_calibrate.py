@@ -1,6 +1,7 @@
 """From photographs of targets and boards to a calibration with its verdict; what is wrong is said."""
 
 import json
+import re
 import shutil
 
 import cv2
@@ -10,6 +11,7 @@ import pytest
 from raybundle.block.stored import joint_covariance
 from raybundle.cli.main import main
 from raybundle.errors import InputError
+from raybundle.io.block.folder import read_block
 from raybundle.io.block.toml import read_cameras
 from raybundle.workflows.calibrate import CalibrateOptions, calibrate
 from raybundle.workflows.recognise import recognised
@@ -57,6 +59,23 @@ def test_chessboard(board):
     assert q.advice[0].ratio < 0.25
     assert "r5c8" in q.advice[0].words  # where to stand is told beside a photograph, what it must show by name
     assert "left08.jpg" in q.advice[0].words
+
+
+@needs_board
+@pytest.mark.parametrize(("spacing", "scale"), [("", "free"), ("2.5cm", "nominal")])
+def test_lengths_are_in_the_unit_of_a_spacing_that_is_given(tmp_path, spacing, scale):
+    words = ["calibrate", str(BOARD), "--target", "chessboard-9x6", "--out", str(tmp_path / "out"), "--jobs", "1"]
+    assert main([*words, *(["--spacing", spacing] if spacing else [])]) == 0
+    assert json.loads((tmp_path / "out/result.json").read_text())["scale"] == scale
+    block = read_block(tmp_path / "out/block")
+    assert (block.free_scale, block.nominal_scale) == (not spacing, bool(spacing))
+    report = (tmp_path / "out/report.html").read_text()
+    assert ("The scale was given, not measured." in report) == bool(spacing)
+    assert bool(re.search(r"\d units", report)) != bool(spacing)
+    rows = dict(zip(block.points.ids, block.points.xyz, strict=True))
+    flat = np.array([[int(n.split("c")[1]), int(n[1 : n.index("c")])] for n in rows]) * (25.0 if spacing else 1.0)
+    size = [np.linalg.norm(np.array(x) - np.mean(x, axis=0)) for x in ([*rows.values()], flat)]
+    assert size[0] / size[1] == pytest.approx(1, abs=1e-4)
 
 
 @needs_board

@@ -22,7 +22,7 @@ def block_again(adjustment: Adjustment) -> Block:
         cameras.append(replace(before, values={**after.values, **observed}))
     return replace(
         given,
-        free_scale="scale" in adjustment.datum_defect,
+        free_scale=adjustment.free_scale,
         noise="" if adjustment.options.noise == "auto" else adjustment.options.noise,
         datum_over="" if adjustment.options.datum_over == "all" else adjustment.options.datum_over,
         rejected=found_wrong(given, adjustment.image_observations.rejected),

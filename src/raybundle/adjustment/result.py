@@ -377,7 +377,12 @@ class Adjustment:
     @property
     def length_unit(self) -> str:
         """Unit of lengths in object space; empty where nothing fixes the scale."""
-        return "" if "scale" in self.datum_defect else self.given.length_unit
+        return "" if self.free_scale else self.given.length_unit
+
+    @property
+    def free_scale(self) -> bool:
+        """Whether nothing fixes the scale, neither observations nor a nominal length."""
+        return "scale" in self.datum_defect and not self.given.nominal_scale
 
     @property
     def variance_factor(self) -> float:

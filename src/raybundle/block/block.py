@@ -263,6 +263,9 @@ class Block:
     length_unit: LengthUnit = "m"
     free_scale: bool = False
     """Whether an adjustment found that nothing fixes the scale: lengths are then in no unit, whatever `length_unit`."""
+    nominal_scale: bool = False
+    """Whether approximate coordinates have their size from a given length, as the spacing of a board: where nothing
+    that was observed fixes the scale, lengths are in `length_unit`, and the error of that length is in no sigma."""
     sigma0_apriori: float = 1.0
     residuals: Residuals = "measured"
     noise: Literal["", "white", "fields"] = ""

@@ -54,10 +54,9 @@ class CalibrateSettings:
         "", "Parameters to be estimated, as c,x0,y0,K1,K2,P1,P2.  [default: what is significant and determinable]",
         metavar="SYMBOLS",
     )  # fmt: skip
-    spacing: float = setting(
-        1.0, "Distance of neighbouring points of a board, as 25mm; the calibration does not depend on it.",
-        limits=POSITIVE,
-        typed="1mm",
+    spacing: float | None = setting(
+        None, "Distance of neighbouring points of a board, as 25mm, for lengths in mm; the calibration does not depend "
+        "on it.", limits=POSITIVE,
     )  # fmt: skip
     dots: bool = setting(False, "Use dots without a code among the targets, too.")
     shear: bool = setting(False, "Believe any shear and affinity of the pixels: for scanned pictures.")

@@ -35,7 +35,7 @@ def point_set(result: Adjustment, name: str, points: Sequence[str] = ()) -> Poin
             f"{name}: {len(mine)} points are more than the {MOST} whose joint covariance is formed; name some"
         )
     metres = 0.001 if block.length_unit == "mm" else 1.0
-    free = "scale" in result.datum_defect
+    free = result.free_scale
     return PointSet(
         name=name, ids=tuple(ids[k] for k in mine), xyz=metres * block.points.xyz[mine],
         covariance=metres**2 * joint.of_points(mine.tolist()),

@@ -100,7 +100,7 @@ def positions(block: Block, points: Sequence[str]) -> Array:
 
 
 def _unit(result: Adjustment, quantity: Quantity) -> tuple[str, str]:
-    free = "scale" in " ".join(result.datum_defect)
+    free = result.free_scale
     length = "" if free else result.adjusted.length_unit
     power = QUANTITIES[quantity].power
     unit = {0: "deg", 1: length, 2: f"{length}^2" if length else ""}[power]

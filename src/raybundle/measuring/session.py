@@ -82,7 +82,7 @@ class Session:
         """Of an adjustment, with its full covariances if it has statistics."""
         joint = None if adjustment.handle.work is None else Joint.of(adjustment)
         words = "" if joint else "the adjustment was made without statistics: there are no covariances"
-        block = replace(adjustment.adjusted, free_scale="scale" in adjustment.datum_defect)
+        block = replace(adjustment.adjusted, free_scale=adjustment.free_scale)
         return cls._made(block, adjustment, words, joint)
 
     @classmethod

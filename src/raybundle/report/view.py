@@ -68,8 +68,8 @@ class View:
 
     @property
     def arbitrary_scale(self) -> bool:
-        """Whether nothing that was measured fixes the scale of object space."""
-        return "scale" in self.adjustment.datum_defect
+        """Whether nothing fixes the scale of object space."""
+        return self.adjustment.free_scale
 
     @property
     def free_frame(self) -> bool:

@@ -32,7 +32,7 @@ def result_json(adjustment: Adjustment) -> dict[str, Any]:
         "name": a.given.name,
         "raybundle": _version(),
         "length_unit": a.given.length_unit,
-        "scale": "free" if "scale" in a.datum_defect else "fixed",
+        "scale": "fixed" if "scale" not in a.datum_defect else "free" if a.free_scale else "nominal",
         "sigma0": one(a.sigma0, SHARE),
         "sigma0_apriori": a.given.sigma0_apriori,
         "weighted_square_sum": one(a.weighted_square_sum, SHARE),

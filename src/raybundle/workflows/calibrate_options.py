@@ -26,8 +26,8 @@ class CalibrateOptions:
     """distortion model; auto: brown, or what fits a wide lens better"""
     estimate: tuple[str, ...] = ()
     """parameters that are estimated, no more and no less; (): chosen by significance and determinability"""
-    spacing: float = 1.0
-    """distance of neighbouring points of a board [mm]"""
+    spacing: float | None = None
+    """distance of neighbouring points of a board [mm]; None: not known, so that lengths are in no unit"""
     jobs: int = 0
     """photographs worked on at the same time; 0 = processors"""
     dots: bool = False

@@ -122,7 +122,7 @@ def _result(folder: Path) -> tuple[Export, tuple[str, ...]]:
     block = replace(
         block,
         # results of versions that did not write it into the block tell it, too
-        free_scale="scale" in result.result.get("datum_defect", ()),
+        free_scale="scale" in result.result.get("datum_defect", ()) and not block.nominal_scale,
         points=replace(block.points, xyz=xyz),
     )
     block = with_rows(block, kept)

@@ -153,7 +153,7 @@ def _checked(made: Adjustment, source: Path, *, free_scale: bool) -> Adjustment:
 
     Whatever a folder tells of it: a block says nothing, and observations of a result may be gone.
     """
-    free = "scale" in made.datum_defect
+    free = made.free_scale
     if free and not free_scale:
         raise InputError(
             f"{FREE_SCALE}, so that lengths of the surface would be in no unit; {GIVE_SCALE}, or "

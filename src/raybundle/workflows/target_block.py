@@ -55,12 +55,12 @@ def block_of_targets(
     groups: Sequence[CameraGroup],
     targets: Sequence[Target],
     marks: Sequence[Sequence[Marks]],
-    spacing: float,
+    spacing: float | None,
     sheet: PrintedSheet | None = None,
 ) -> TargetBlock:
     """A block of the named points; those that one photograph alone shows are left out.
 
-    spacing  of a board, in the block's length unit
+    spacing  of a board, in the block's length unit; None: not known
     sheet    what was photographed, where that is known; of several pages the places are not used
     """
     names: dict[str, int] = {}
@@ -102,10 +102,11 @@ def block_of_targets(
     )  # fmt: skip
     rays = np.bincount(block.observations.point, minlength=p)
     keep: Mask = np.asarray(rays[block.observations.point] > 1)
+    places = _places(targets, spacing, sheet)
+    block = replace(block, nominal_scale=bool(places) and (spacing is not None or sheet is not None))
     return TargetBlock(
-        block=with_rows(block, keep), radius_px=_joined(size, 0)[keep], not_used=tuple(lost),
-        places=_places(targets, spacing, sheet),
-    )  # fmt: skip
+        block=with_rows(block, keep), radius_px=_joined(size, 0)[keep], not_used=tuple(lost), places=places
+    )
 
 
 def _too_few(sets: Sequence[Marks]) -> str:
@@ -123,7 +124,7 @@ def _joined(parts: Sequence[Array], columns: int) -> Array:
     return np.zeros((0, columns)) if columns else np.zeros(0)
 
 
-def _places(targets: Sequence[Target], spacing: float, sheet: PrintedSheet | None) -> dict[str, Array]:
+def _places(targets: Sequence[Target], spacing: float | None, sheet: PrintedSheet | None) -> dict[str, Array]:
     if sheet is not None:
         pages = {t.page for t in sheet.targets}
         return {t.name: np.array([t.x_mm, t.y_mm, 0.0]) for t in sheet.targets} if len(pages) == 1 else {}
@@ -135,7 +136,7 @@ def _places(targets: Sequence[Target], spacing: float, sheet: PrintedSheet | Non
             f"a board ({boards[0].title}) is calibrated with alone; name one board, or single targets "
             f"({option('target')})"
         )
-    return {name: spacing * np.asarray(xyz, float) for name, xyz in boards[0].objects.items()}
+    return {name: (spacing or 1.0) * np.asarray(xyz, float) for name, xyz in boards[0].objects.items()}
 
 
 def completed(

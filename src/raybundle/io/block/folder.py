@@ -79,6 +79,7 @@ def read_without_observations(path: str | Path) -> tuple[Block, Points, dict[str
         licence=head.licence,
         length_unit=head.length_unit,
         free_scale=head.free_scale,
+        nominal_scale=head.nominal_scale,
         sigma0_apriori=head.sigma0_apriori,
         residuals=head.residuals,
         noise=head.noise,

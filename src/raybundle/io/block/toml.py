@@ -26,7 +26,7 @@ from raybundle.observations.parameter import Calibrated
 from raybundle.platforms import InstrumentModel, instrument_models
 from raybundle.sensors import SensorModel, sensor_models
 
-SCALES = ("fixed", "free")
+SCALES = ("fixed", "free", "nominal")
 RELATION = {"name", "terms", "observed", "sigma", "logarithm", "origin"}
 """What a table of `relations` may hold."""
 ORIGINS: tuple[Literal["known before", "calibration"], ...] = ("known before", "calibration")
@@ -43,6 +43,7 @@ class Head:
     licence: str
     length_unit: LengthUnit
     free_scale: bool
+    nominal_scale: bool
     sigma0_apriori: float
     noise: Literal["", "white", "fields"]
     datum_over: Literal["", "all", "good"]
@@ -151,7 +152,8 @@ def read_head(path: Path) -> Head:
         source=top.text("source", ""),
         licence=top.text("licence", ""),
         length_unit=cast("LengthUnit", top.choice("length_unit", ("m", "mm"), "m")),
-        free_scale=top.choice("scale", SCALES, "fixed") == "free",
+        free_scale=(scale := top.choice("scale", SCALES, "fixed")) == "free",
+        nominal_scale=scale == "nominal",
         sigma0_apriori=top.number("sigma0_apriori", 1.0, above=0),
         residuals=cast("Residuals", top.choice("residuals", ("measured", "corrected"), "measured")),
         noise=cast("Any", top.choice("noise", ("", "white", "fields"), "")),
@@ -397,8 +399,8 @@ def _flag(section: Section, value: object) -> bool:
 def head_text(block: Block) -> str:
     """The block.toml of a block; reads back equal."""
     lines = [f"{key} = {_quoted(getattr(block, key))}" for key in ("name", "about", "source", "licence", "length_unit")]
-    if block.free_scale:
-        lines.append('scale = "free"')
+    if block.free_scale or block.nominal_scale:
+        lines.append(f'scale = "{"free" if block.free_scale else "nominal"}"')
     lines.append(f"sigma0_apriori = {exact(block.sigma0_apriori)}")
     lines.append(f"residuals = {_quoted(block.residuals)}")
     if block.noise:

@@ -79,7 +79,7 @@ def _precision(a: Adjustment) -> list[str]:
     if not free.any():
         return []
     factor, unit = printed_lengths(a)
-    scale = " of a scale that is arbitrary" if "scale" in a.datum_defect else ""
+    scale = " of a scale that is arbitrary" if a.free_scale else ""
     mean = np.sqrt((std[free] ** 2).mean(axis=0)) * factor
     each = ", ".join(f"{axis} {significant(m)}" for axis, m in zip("XYZ", mean, strict=True))
     lines = [f"standard deviation of object points (rms): {each} {unit}{scale}"]

@@ -446,6 +446,8 @@ DATUM_OF_SIGMAS = "They describe the shape of the object, not its place in a sup
 NO_SCALE = (
     "The scale was chosen, not measured: lengths are in units of their own. Give a scale bar or two control points."
 )
+NOMINAL_SCALE = """\
+All lengths are as right as the length that was given for the target. Its error is in no standard deviation."""
 HELD_CONTROL = """\
 Its real uncertainty is missing in all standard deviations; give control with its standard deviation instead."""
 HELD_INTERIOR = "It was held; what is wrong with it goes into the object coordinates unseen."
@@ -470,6 +472,7 @@ def not_told(view: View) -> tuple[tuple[str, str], ...]:
         (not view.compared, "Nothing independent was compared.", NO_COMPARISON),
         (view.free_frame, "The standard deviations belong to the datum stated.", datum_of_sigmas(a.datum_defect)),
         (view.arbitrary_scale, "No length is absolute.", NO_SCALE),
+        ("scale" in a.datum_defect and not a.free_scale, "The scale was given, not measured.", NOMINAL_SCALE),
         (held, "Held control counts as free of error.", HELD_CONTROL),
         (not any(i.free for i in a.interior), "The interior orientation counts as free of error.", HELD_INTERIOR),
         (snooped, "What is left after rejection looks better than it is.", AFTER_REJECTION),
