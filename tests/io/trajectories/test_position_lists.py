@@ -10,6 +10,7 @@ from raybundle.io.trajectories import in_wgs84, matched, read_trajectory, trajec
 from raybundle.io.trajectories.base import WGS84_HEIGHT
 
 HERE = (8.25, 47.5, 450.0)
+EAST = (151.25, -33.5, 450.0)
 UTM = (500010.5, 5400020.25, 450.0)
 WKT = (
     'GEOGCS["WGS 84",DATUM["World Geodetic System 1984",SPHEROID["WGS 84",6378137,298.257223563]],'
@@ -42,15 +43,15 @@ GEO_TXT = {  # text, place, system, standard deviations
 }
 TABLES = {
     "Pix4D": (f"{PIX4D}\na.jpg,47.5,8.25,450,0.02,0.03\n", HERE, W, OWN),
-    "Pix4D without names": ("a.jpg,47.5,8.25,450,0.02,0.03\n", HERE, W, OWN),
-    "Pix4D with angles": ("a.jpg\t47.5\t8.25\t450\t1\t2\t3\t0.02\t0.03\n", HERE, W, OWN),
+    "Pix4D without names": ("a.jpg,-33.5,151.25,450,0.02,0.03\n", EAST, W, OWN),
+    "Pix4D with angles": ("a.jpg\t-33.5\t151.25\t450\t1\t2\t3\t0.02\t0.03\n", EAST, W, OWN),
     "Pix4D in a grid": (f"a.jpg,{GRID}\n", UTM, None, None),
     "Pix4D, grid with names": (f"#imagename,X,Y,Z\na.jpg,{GRID}\n", UTM, None, None),
     "decimal commas": ("image name;Latitude;Longitude;Altitude\na.jpg;47,5;8,25;450\n", HERE, W, None),
-    "blanks, decimal commas": ("a.jpg 47,5 8,25 450\n", HERE, W, None),
-    "blanks": ("my a.jpg 47.5 8.25 450\n", HERE, W, None),
+    "blanks, decimal commas": ("a.jpg -33,5 151,25 450\n", EAST, W, None),
+    "blanks": ("my a.jpg -33.5 151.25 450\n", EAST, W, None),
     "longitude first": ("filename,lon,lat,alt\na.jpg,8.25,47.5,450\n", HERE, W, None),
-    "longitude first, no names": ("a.jpg,151.25,-33.5,450\n", (151.25, -33.5, 450.0), W, None),
+    "longitude first, no names": ("a.jpg,151.25,-33.5,450\n", EAST, W, None),
     "easting, northing": (f"Photo;Easting;Northing;Height\na.jpg;{GRID.replace(',', ';')}\n", UTM, None, None),
     "Metashape": (f"# Cameras (1)\n# CoordinateSystem: {WKT}\n{META}{FULL}", HERE, W, None),
     "Metashape in a grid": (
@@ -253,3 +254,85 @@ def test_formats_that_are_only_read(tmp_path):
     path.write_text("EPSG:4326\na.jpg 8.25 47.5 450\n")
     with pytest.raises(InputError, match="format geo-txt is only read; written are"):
         write_trajectory(read_trajectory(path), tmp_path / "b.txt", name="geo-txt")
+
+
+NUMBERS = "8.25,47.5,450"
+HEADERS = {  # names, and the place; None: refused
+    "#Label,X_est,Y_est,Z_est": (None, HERE),
+    "#Label,Longitude_est,Latitude_est,Altitude_est": (W, HERE),
+    "#Label,X/Longitude,Y/Latitude,Z/Altitude": (W, HERE),
+    "#Image,Local X,Local Y,Local Z": (None, HERE),
+    "Label,pos_x,pos_y,pos_z": (None, HERE),
+    "Photo,GPSLongitude,GPSLatitude,GPSAltitude": (W, HERE),
+    "Photo,Camera X (m),Camera Y (m),Camera Z (m)": (None, HERE),
+    "photo,X/East,Y/North,Z/Up": (None, HERE),
+    "photo,East [m],North [m],Elev [m]": (None, HERE),
+    "photo,Rechtswert,Hochwert,Hoehe": (None, HERE),
+    "file,xcoordinate,ycoordinate,zcoordinate": (None, HERE),
+    "#Label,Links,Hoch,Auf": "'Links', 'Hoch', 'Auf'",
+    "photo,abscissa,ordinate,height": "'abscissa', 'ordinate'",
+    "photo,first,second,third": "'first', 'second', 'third'",
+    "photo,X/Latitude,Y/Longitude,Z": "'X/Latitude', 'Y/Longitude'",
+    "photo,Y/Easting,X/Northing,Z": "'Y/Easting', 'X/Northing'",
+    "#Label,X_var,Y_var,Z_var": "'X_var', 'Y_var', 'Z_var'",
+    "foto,a,b,c": "'foto', 'a', 'b', 'c'",
+    "photo,latitude,easting,height": "'photo', 'latitude', 'easting', 'height'",
+}
+
+
+@pytest.mark.parametrize("names", HEADERS)
+def test_names_of_columns_are_understood_or_refused(tmp_path, names):
+    path = tmp_path / "list.csv"
+    for comment in ("", "# a list by hand\n# of 2024\n"):
+        path.write_text(f"{comment}{names}\na.jpg,{NUMBERS}\nb.jpg,{NUMBERS}\n")
+        if isinstance(HEADERS[names], str):
+            with pytest.raises(InputError, match=f"do not determine the coordinates: {HEADERS[names]}; known names"):
+                read_trajectory(path)
+            continue
+        crs, place = HEADERS[names]
+        found = read_trajectory(path)
+        assert found.crs == crs
+        np.testing.assert_allclose(found.xyz[0], place)
+        assert any("estimated coordinates alone" in r for r in found.remarks) == ("_est" in names)
+
+
+NAMELESS = {  # lines, and latitude, longitude ("lat"), longitude, latitude ("lon"), X, Y ("xy"); "": refused
+    "a.jpg,47.5,8.25,450": "",
+    "a.jpg,8.25,47.5,450": "",
+    "a.jpg,12.5,47.5,45\nb.jpg,22.5,40.5,45": "",
+    "a.jpg,12.5,120.5,45\nb.jpg,22.5,140.5,45": "",
+    "a.jpg,-33.5,-70.25,450": "",
+    "# site north\na.jpg,0,0,0\nb.jpg,1,1,0": "",
+    "a.jpg,-33.5,151.25,450": "lat",
+    "a.jpg,40.1,-105.2,450\nb.jpg,40.2,-105.3,450": "lat",
+    "# by hand, in 2024, on site\na.jpg,40.1,-105.2,450": "lat",
+    "a.jpg,-105.2,40.1,450": "lon",
+    "a.jpg,312.5,47.5,45": "xy",
+    "a.jpg,95.5,120.5,45": "xy",
+    "#crs: EPSG:32632\na.jpg,12.5,47.5,45": "xy",
+    "#crs: EPSG:4326\na.jpg,12.5,47.5,45": "",
+    "#crs: EPSG:4326\na.jpg,12.5,147.5,45\nb.jpg,22.5,147.5,45": "lat",
+}
+
+
+@pytest.mark.parametrize("lines", NAMELESS)
+def test_lists_without_names_are_read_where_numbers_decide(tmp_path, lines):
+    path = tmp_path / "list.csv"
+    path.write_text(f"{lines}\n")
+    if not NAMELESS[lines]:
+        with pytest.raises(InputError, match="no column names, and the numbers .* do not decide"):
+            read_trajectory(path)
+        return
+    remark = {"lat": "latitude, longitude, height", "lon": "longitude, latitude, height", "xy": "X, Y, Z"}
+    assert any(r == f"no column names: taken as {remark[NAMELESS[lines]]}" for r in read_trajectory(path).remarks)
+
+
+def test_numbers_as_names_of_photographs(tmp_path):
+    path = tmp_path / "geo.txt"
+    path.write_text("EPSG:4326\n0001 8.25 47.5 450\n12 8.26 47.5 450\n")
+    with pytest.raises(InputError, match=r"line 2, column image: '0001' is a number.*a line is IMAGE X Y Z"):
+        read_trajectory(path)
+    path = tmp_path / "list.csv"
+    path.write_text("0001,47.5,8.25,450\n")
+    with pytest.raises(InputError, match="begins with a line of names: imagename,latitude,longitude,altitude"):
+        read_trajectory(path)

@@ -113,7 +113,11 @@ def read_trajectory(path: str | Path, *, name: str | None = None) -> Trajectory:
         if format_.recognises(head, path.suffix.lower()):
             return _read(format_, path)
     known = "; ".join(f"{f.name}: {f.title}" for f in trajectory_formats.values())
-    raise InputError(f"its format is not recognised; known are {known}", file=path, line=1)
+    raise InputError(
+        f"its format is not recognised; known are {known}; a list made by hand begins with a line of names: "
+        "imagename,latitude,longitude,altitude",
+        file=path, line=1,
+    )  # fmt: skip
 
 
 def _read(format_: TrajectoryFormat, path: Path) -> Trajectory:

@@ -15,7 +15,7 @@ from raybundle.errors import InputError
 from raybundle.io.geo.parsed_systems import parse_crs
 from raybundle.io.reading.dialects import table_text
 from raybundle.io.reading.ledger import enter
-from raybundle.io.reading.words import number_of
+from raybundle.io.reading.words import number_of, quoted
 from raybundle.io.trajectories.base import WGS84_HEIGHT, Trajectory, TrajectoryFormat, register
 from raybundle.io.trajectories.image_rows import ImageRow, cell_number, cells_of_line, listed
 
@@ -54,6 +54,12 @@ def _row(path: Path, line: int, words: list[str]) -> ImageRow:
     if len(words) < 3:
         message = f"{len(words)} columns, at least image, X and Y are needed"
         raise InputError(message, file=path, line=line)
+    if number_of(words[0]) is not None:
+        raise InputError(
+            f"{quoted(words[0])} is a number, and the first column is the name of a photograph; a line is IMAGE X Y Z, "
+            f"as {words[0]}.jpg 8.25 47.5 450",
+            file=path, line=line, column="image",
+        )  # fmt: skip
     numbers = [
         cell_number(w, path, line, c, comma=False) for w, c in zip(words[1:], NAMES[1:], strict=False)
     ]  # fmt: skip
@@ -73,7 +79,7 @@ def _recognises(head: str, suffix: str) -> bool:
     if suffix != ".txt" or len(lines) < 2 or not SYSTEM.match(lines[0]):
         return False
     words = cells_of_line(lines[1], "\t" if lines[1].count("\t") >= 2 else None)
-    return len(words) >= 3 and number_of(words[0]) is None and all(number_of(w) is not None for w in words[1:3])
+    return len(words) >= 3 and all(number_of(w) is not None for w in words[1:3])
 
 
 register(

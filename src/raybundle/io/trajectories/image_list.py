@@ -5,8 +5,9 @@
     #Label,X/Longitude,Y/Latitude,Z/Altitude,Yaw,Pitch,Roll,...                                          (Metashape)
     a.jpg,47.5,8.25,450,0.02,0.03
 
-Columns stand between commas, semicolons, tabs or blanks.  Without names the order is Pix4D's, latitude first, unless
-the numbers contradict it.  Angles, estimated values and errors are not read.
+Columns stand between commas, semicolons, tabs or blanks.  Without names the numbers must decide the order: one of the
+two is beyond 90 degrees, or both are no degrees.  Angles and errors are not read; estimated coordinates only where the
+list has no others.
 """
 
 from __future__ import annotations
@@ -17,15 +18,26 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
+import numpy as np
+
 from raybundle.errors import InputError
+from raybundle.io.cells import SHOWN
 from raybundle.io.geo.parsed_systems import parse_crs
 from raybundle.io.photos.container import SUFFIXES
 from raybundle.io.reading.dialects import table_text
 from raybundle.io.reading.ledger import enter
 from raybundle.io.reading.words import number_of, quoted
 from raybundle.io.trajectories.base import WGS84_HEIGHT, Trajectory, TrajectoryFormat, register
-from raybundle.io.trajectories.geo_txt import WGS84_HEIGHTS, system_of
-from raybundle.io.trajectories.image_rows import ImageRow, cell_number, cells_of_line, listed, separator_of
+from raybundle.io.trajectories.geo_txt import SYSTEM, WGS84_HEIGHTS, system_of
+from raybundle.io.trajectories.image_rows import (
+    LIMITS,
+    SEPARATORS,
+    ImageRow,
+    cell_number,
+    cells_of_line,
+    listed,
+    separator_of,
+)
 
 OURS = {"image", "point"}
 """First columns of raybundle's own tables."""
@@ -34,9 +46,9 @@ _KINDS = {
     "name": r"(image|photo|file|camera)?(name|label)|image|images|photo|file|label|name",
     "longitude": r"x?(longitude|lon|long|lng)(deg|decimaldegrees|wgs84)?",
     "latitude": r"y?(latitude|lat)(deg|decimaldegrees|wgs84)?",
-    "x": r"x|xm|xeasting|easting|xeast|east|e",
-    "y": r"y|ym|ynorthing|northing|ynorth|north|n",
-    "z": r"z|zm|zaltitude|altitude|altitudem|altitudemeter|alt|height|heightm|elevation|ellipsoidalheight|zheight|h",
+    "x": r"xm?|x?(easting|east|e|rechtswert)m?",
+    "y": r"ym?|y?(northing|north|n|hochwert)m?",
+    "z": r"zm?|z?(altitude|alt|ellipsoidalheight|height|elevation|elev|up|h|hoehe)(m|meter)?",
     "plan": r"(accuracy|error|sigma)(horz|horizontal|xy|h|plan)m?|(horz|horizontal|xy)accuracym?|accuracyxym?",
     "sx": r"(accuracy|sigma)(x|xeasting|xlongitude|east|lon|longitude)m?|(x|east|easting|longitude)accuracym?|sx",
     "sy": r"(accuracy|sigma)(y|ynorthing|ylatitude|north|lat|latitude)m?|(y|north|northing|latitude)accuracym?|sy",
@@ -44,6 +56,15 @@ _KINDS = {
     r"(z|vert|vertical|altitude)accuracym?|sz",
 }
 _PATTERNS = {kind: re.compile(pattern) for kind, pattern in _KINDS.items()}
+_ABOUT = "gps|gnss|position|pos|local|coordinate|coord|camera|cam"
+_AROUND = {
+    estimated: re.compile(rf"(?:{words})*(.+?)(?:{words})*")
+    for estimated, words in ((False, _ABOUT), (True, f"estimated|est|{_ABOUT}"))
+}
+"""Words before and behind the name of a coordinate, which change nothing of it."""
+ESTIMATED = "the list has estimated coordinates alone: they are no observations of a receiver"
+SPREAD_DEG = 2.0
+"""Extent of a block up to which two numbers are taken for degrees; at the equator 220 km."""
 METRES = {"", "m", "meter", "meters", "metre", "metres"}
 DEGREES = {"", "deg", "degree", "degrees", "decimaldegree", "decimaldegrees", "dd", "wgs84"}
 ELLIPSOID = {"wgs84", "ellipsoid", "ellipsoidal", "ellipsoidalheight", "hae"}
@@ -58,6 +79,8 @@ class _Columns:
 
     at: dict[str, int]
     names: Sequence[str] = ()
+    estimated: bool = False
+    """Whether the coordinates are results of an adjustment."""
 
     @property
     def geographic(self) -> bool:
@@ -71,20 +94,26 @@ def read(path: Path) -> Trajectory:
     crs: str | None = None
     remarks: tuple[str, ...] = ()
     header = ""
+    comments: list[tuple[int, str]] = []
     content: list[tuple[int, str]] = []
     for line, text in lines:
         if said := _SYSTEM.fullmatch(text):
             crs, remarks = system_of(said[1].strip().strip('"'), path, line)
         elif not content and not header and _header(text) is not None:
             header = text
-        elif not text.startswith("#"):
+        elif text.startswith("#"):
+            comments += [(line, text)] if not content else []
+        else:
             content.append((line, text))
     separator = separator_of([*([header] if header else []), *(t for _, t in content)])
     cells = [(n, cells_of_line(t, separator)) for n, t in content]
     columns = _header(header) if header else None
-    if columns is None:  # nothing names them
-        columns, remark = _by_plausibility(path, cells)
+    if columns is None:
+        _check_names(path, comments, cells, separator)
+        columns, remark = _by_plausibility(path, cells, crs)
         remarks = (*remarks, *remark)
+    elif columns.estimated:
+        remarks = (*remarks, ESTIMATED)
     if columns.geographic and crs is None:
         crs, remarks = WGS84_HEIGHT, (*remarks, WGS84_HEIGHTS)
     _check_units(path, columns, compound=crs is not None and parse_crs(crs).is_compound)
@@ -98,18 +127,67 @@ def read(path: Path) -> Trajectory:
 
 def _header(text: str) -> _Columns | None:
     """The columns of a line of names; None where it is none."""
+    words = _names(text)
+    for estimated in (False, True):
+        at: dict[str, int] = {}
+        for k, word in enumerate(words):
+            if (kind := _kind(word, estimated=estimated)) is not None:
+                at.setdefault(kind, k)
+        if "name" in at and ({"longitude", "latitude"} <= at.keys() or {"x", "y"} <= at.keys()):
+            return _Columns(at, words, estimated)
+    return None
+
+
+def _names(text: str) -> list[str]:
     bare = text.lstrip("#").strip()
-    counts = {s: bare.count(s) for s in ("\t", ";", ",")}
+    counts = {s: bare.count(s) for s in SEPARATORS}
     separator = max(counts, key=lambda s: counts[s])
-    words = [w.strip().strip('"') for w in (bare.split(separator) if counts[separator] else bare.split())]
-    at: dict[str, int] = {}
-    for k, word in enumerate(words):
-        plain = re.sub(r"[^a-z0-9]", "", re.sub(r"[\[(].*?[\])]", "", word.lower()))  # without units
-        kind = next((n for n, p in _PATTERNS.items() if p.fullmatch(plain)), None)
-        if kind is not None:
-            at.setdefault(kind, k)
-    placed = {"longitude", "latitude"} <= at.keys() or {"x", "y"} <= at.keys()
-    return _Columns(at, words) if "name" in at and placed else None
+    return [w.strip().strip('"') for w in (bare.split(separator) if counts[separator] else bare.split())]
+
+
+def _kind(word: str, *, estimated: bool) -> str | None:
+    """What a column of this name holds; None: not understood."""
+    plain = re.sub(r"[^a-z0-9]", "", re.sub(r"[\[(].*?[\])]", "", word.lower()))  # without units
+    core = _AROUND[estimated].fullmatch(plain)
+    for name in (plain, core[1] if core else plain):
+        for kind, pattern in _PATTERNS.items():
+            if pattern.fullmatch(name):
+                return kind
+    return None
+
+
+def _check_names(
+    path: Path, comments: Sequence[tuple[int, str]], cells: Sequence[tuple[int, list[str]]], separator: str | None
+) -> None:
+    """Raise InputError where a line above the numbers names columns, and the coordinates are not among the known names.
+
+    A comment names columns where it has as many as the first line, or begins with the name of the first column.
+    """
+    candidates = [(n, _names(t)) for n, t in comments]
+    wide = len(cells[0][1]) if cells else 0
+    lines = [
+        (n, w) for n, w in candidates
+        if (separator is not None and len(w) == wide > 2) or (len(w) > 2 and _kind(w[0], estimated=True) == "name")
+    ]  # fmt: skip
+    if len(cells) > 1 and _is_header(cells[0][1]):
+        lines.append(cells[0])
+    if not lines:
+        return
+    line, words = lines[-1]
+    unknown = [w for w in words if w and _kind(w, estimated=True) is None]
+    names = ", ".join(map(quoted, (unknown or words)[:SHOWN]))
+    raise InputError(
+        f"these names of columns do not determine the coordinates: {names}; known names are imagename or label; "
+        "latitude and longitude, or X and Y (Easting and Northing); altitude, height or Z",
+        file=path, line=line,
+    )  # fmt: skip
+
+
+def _is_header(words: Sequence[str]) -> bool:
+    """Whether a line has words where a position has numbers."""
+    place = [w for w in words[1:4] if w]
+    named = bool(words) and Path(words[0]).suffix.lower() in SUFFIXES
+    return len(place) > 1 and not named and all(number_of(w.replace(",", ".")) is None for w in place)
 
 
 def _check_units(path: Path, columns: _Columns, *, compound: bool) -> None:
@@ -135,8 +213,13 @@ def _check_units(path: Path, columns: _Columns, *, compound: bool) -> None:
             raise InputError(f"{quoted(words)} is not read; give {need}", file=path, column=columns.names[k])
 
 
-def _by_plausibility(path: Path, cells: Sequence[tuple[int, list[str]]]) -> tuple[_Columns, tuple[str, ...]]:
-    """The columns of a list without names: name, latitude, longitude, height, or X, Y, Z."""
+def _by_plausibility(
+    path: Path, cells: Sequence[tuple[int, list[str]]], crs: str | None
+) -> tuple[_Columns, tuple[str, ...]]:
+    """The columns of a list without names: name, latitude, longitude, height in one order, or X, Y, Z.
+
+    raises  InputError where the numbers do not decide between these
+    """
     places: list[tuple[float, float]] = []
     for line, words in cells:
         if len(words) < 4:
@@ -148,16 +231,26 @@ def _by_plausibility(path: Path, cells: Sequence[tuple[int, list[str]]]) -> tupl
     at = {"name": 0, "z": 3}
     if width in BY_COUNT:
         at["plan"], at["sz"] = BY_COUNT[width]
-    a, b = (max((abs(p[k]) for p in places if p[k] == p[k]), default=0.0) for k in (0, 1))
-    if a <= 90 and b <= 180:
+    known = np.array([p for p in places if p[0] == p[0] and p[1] == p[1]]).reshape(-1, 2)
+    a, b = np.abs(known).max(axis=0, initial=0.0).tolist()
+    geographic = None if crs is None else parse_crs(crs).is_geographic
+    if geographic is False or max(a, b) > LIMITS[0] or min(a, b) > LIMITS[1]:
+        return _Columns(at | {"x": 1, "y": 2}), ("no column names: taken as X, Y, Z",)
+    degrees = geographic or not len(known) or float(np.ptp(known, axis=0).max()) <= SPREAD_DEG
+    if degrees and b > LIMITS[1]:
         return _Columns(at | {"latitude": 1, "longitude": 2}), (
             "no column names: taken as latitude, longitude, height",
         )
-    if a <= 180 and b <= 90:
+    if degrees and a > LIMITS[1]:
         return _Columns(at | {"longitude": 1, "latitude": 2}), (
             "no column names: taken as longitude, latitude, height",
         )
-    return _Columns(at | {"x": 1, "y": 2}), ("no column names: taken as X, Y, Z",)
+    first = f"{known[0, 0]:.10g}, {known[0, 1]:.10g}" if len(known) else "no numbers"
+    raise InputError(
+        f"no column names, and the numbers ({first}) do not decide between latitude, longitude and longitude, latitude "
+        "or X, Y; add a first line of names, as imagename,latitude,longitude,altitude",
+        file=path, line=cells[0][0] if cells else 1,
+    )  # fmt: skip
 
 
 def _row(path: Path, line: int, words: list[str], columns: _Columns, *, comma: bool) -> ImageRow:
@@ -175,17 +268,21 @@ def _row(path: Path, line: int, words: list[str], columns: _Columns, *, comma: b
 
 def _recognises(head: str, suffix: str) -> bool:
     lines = [t.strip() for t in head.splitlines() if t.strip()]
-    if suffix not in {".csv", ".txt"} or not lines:
+    if suffix not in {".csv", ".txt"} or not lines or SYSTEM.match(lines[0]):
         return False
     for text in lines[:5]:
-        columns = _header(text)
-        if columns is not None:
-            return columns.names[0] not in OURS
+        if _names(text)[0] in OURS:
+            return False
+        if _header(text) is not None:
+            return True
         if not text.startswith("#"):
             break
-    rows = [t for t in lines if not t.startswith("#")][:1]
+    rows = [t for t in lines if not t.startswith("#")][:2]
     separator = separator_of(rows)
-    words = cells_of_line(rows[0], separator) if rows else []
+    cells = [cells_of_line(t, separator) for t in rows]
+    if len(cells) > 1 and _is_header(cells[0]):
+        cells = cells[1:]
+    words = cells[0] if cells else []
     named = bool(words) and Path(words[0]).suffix.lower() in SUFFIXES
     return named and len(words) >= 4 and all(number_of(w.replace(",", ".")) is not None for w in words[1:4])
 
