@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 
 from raybundle.errors import InputError
+from raybundle.io.geo.control_files import read_control
 from raybundle.io.trajectories import in_wgs84, matched, read_trajectory, trajectory_formats, write_trajectory
 from raybundle.io.trajectories.base import WGS84_HEIGHT
 
@@ -309,7 +310,7 @@ NAMELESS = {  # lines, and latitude, longitude ("lat"), longitude, latitude ("lo
     "a.jpg,-105.2,40.1,450": "lon",
     "a.jpg,312.5,47.5,45": "xy",
     "a.jpg,95.5,120.5,45": "xy",
-    "#crs: EPSG:32632\na.jpg,12.5,47.5,45": "xy",
+    "#crs: EPSG:32632\na.jpg,512.5,470.5,45": "xy",
     "#crs: EPSG:4326\na.jpg,12.5,47.5,45": "",
     "#crs: EPSG:4326\na.jpg,12.5,147.5,45\nb.jpg,22.5,147.5,45": "lat",
 }
@@ -336,3 +337,64 @@ def test_numbers_as_names_of_photographs(tmp_path):
     path.write_text("0001,47.5,8.25,450\n")
     with pytest.raises(InputError, match="begins with a line of names: imagename,latitude,longitude,altitude"):
         read_trajectory(path)
+
+
+ORDERS = {  # system, coordinates, and what is wrong with them: nothing, a remark, or a refusal
+    "EPSG:32632 443550.5 5261000.25": "",
+    "EPSG:32632 5261000.25 443550.5": "refused: .*eastings and northings exchanged",
+    "WGS84 UTM 32N 5261000.25 443550.5": "refused: .*eastings and northings exchanged",
+    "+proj=utm +zone=32 +datum=WGS84 5261000.25 443550.5": "refused: .*eastings and northings exchanged",
+    "EPSG:32632+5773 5261000.25 443550.5": "refused: .*eastings and northings exchanged",
+    "EPSG:2056 1200000 2600000": "refused: .*eastings and northings exchanged",
+    "EPSG:2056+5728 1200000 2600000": "refused: .*eastings and northings exchanged",
+    "EPSG:31467 5261000 3450000": "refused: .*eastings and northings exchanged",
+    "EPSG:2263 200000 980000": "refused: .*eastings and northings exchanged",
+    "EPSG:4258 48.1 11.5": "refused: .*eastings and northings exchanged",
+    "EPSG:4258 11.5 48.1": "",
+    "EPSG:4807 2.5 54.0": "",  # grads from Paris
+    "EPSG:27572 600000 2200000": "",
+    "EPSG:2056 2600000 1200000": "",
+    "EPSG:31467 3450000 5261000": "",
+    "EPSG:2263 980000 200000": "",
+    "EPSG:27700 530000 180000": "",
+    "WGS84 UTM 19S 330000.5 6243000.25": "",
+    "EPSG:32760 830000 8200000": "",  # beside the date line
+    "EPSG:3857 918000 6000000": "",
+    "EPSG:4978 4272570 619515": "",
+    "EPSG:25833 1010000 7800000": "outside the area of use",  # all of Norway
+    "EPSG:32632 250000 985000": "",
+    "EPSG:32633 985000 195000": "outside the area of use.*exchanged",
+    "EPSG:32632 8.25 47.5": "refused: .*look like degrees",
+    "EPSG:32632 47.5 8.25": "refused: .*look like degrees",
+    "WGS84 500010.5 5400020.25": "refused: .*180",
+    "EPSG:4258 11.5 95.0": "refused: .*latitude in EPSG:4258 ends at 90",
+    "EPSG:4258 190.0 48.0": "refused: .*longitude in EPSG:4258 ends at 180",
+    "EPSG:4258 48.0 111.0": "refused: .*are longitude and latitude swapped",
+    "+proj=tmerc +lat_0=0 +lon_0=27 +k=1 +x_0=500000 +y_0=0 +ellps=bessel +units=m 500010.5 5400020.25": "",
+}
+
+
+@pytest.mark.parametrize("line", ORDERS)
+def test_order_of_coordinates_in_a_named_system(tmp_path, line):
+    system, x, y = line.rsplit(" ", 2)
+    geo, gcp = tmp_path / "geo.txt", tmp_path / "gcp_list.txt"
+    geo.write_text(f"{system}\na.jpg {x} {y} 450\n")
+    gcp.write_text(f"{system}\n{x} {y} 450 10 20 a.jpg p1\n")
+    right = ORDERS[line]
+    for path, read in ((geo, read_trajectory), (gcp, read_control)):
+        if right.startswith("refused: "):
+            with pytest.raises(InputError, match=f"line 2: {right.removeprefix('refused: ')}"):
+                read(path)
+            continue
+        beyond = [r for r in read(path).remarks if "outside the area of use" in r]
+        assert len(beyond) == bool(right)
+        assert all(re.search(right, r) for r in beyond)
+
+
+def test_order_of_coordinates_in_a_system_that_the_user_names(tmp_path):
+    path = tmp_path / "list.csv"
+    path.write_text("name,X,Y,Z\na.jpg,5261000.25,443550.5,450\n")
+    with pytest.raises(InputError, match="eastings and northings exchanged"):
+        in_wgs84(read_trajectory(path), "EPSG:32632")
+    path.write_text("name,X,Y,Z\na.jpg,443550.5,5261000.25,450\n")
+    assert not any("outside" in r for r in in_wgs84(read_trajectory(path), "EPSG:32632").remarks)

@@ -19,6 +19,7 @@ import numpy as np
 from raybundle.block import ROLES, Role
 from raybundle.block.frames import in_file_frames
 from raybundle.errors import InputError
+from raybundle.io.geo.areas import check_area
 from raybundle.io.geo.gcp_rows import GCP_COLUMNS, GcpRow, content_lines, gcp_rows
 from raybundle.io.geo.parsed_systems import parse_crs
 from raybundle.io.reading.dialects import header_of
@@ -177,6 +178,8 @@ def read_gcp_list(path: str | Path, *, defaults: ControlDefaults = DEFAULTS) -> 
     if not rows:
         raise InputError("there is no point after the first line; add lines X Y Z x y image", file=path, line=first)
     result = _grouped(path, crs, rows, defaults)
+    beyond = check_area(crs, np.array([r.xyz[:2] for r in rows]), path, lines=result.measurements.line)
+    result = replace(result, remarks=(*result.remarks, *beyond))
     return _with_unknown_heights(result, np.zeros(len(result.ids), bool))
 
 

@@ -7,17 +7,13 @@ from dataclasses import replace
 
 import numpy as np
 
-from raybundle.errors import InputError
+from raybundle.io.geo.areas import check_area
 from raybundle.io.geo.control_files import ControlFile
 from raybundle.io.geo.coordinate_systems import local_frame
 from raybundle.io.geo.parsed_systems import is_plan, parse_crs, plan_of, system_name
 from raybundle.numerics.arrays import Array
 from raybundle.settings import option
 
-BEYOND_DEG = 1.0
-"""How far beyond its area of use a grid is still taken: zones of UTM overlap by 40 km, half a degree at the equator and
-nearly one at 60 degrees of latitude.  Coordinates of a site that begin near 0 are farther off: the false easting of a
-zone of 6 degrees puts them 1.5 degrees beyond its edge, those of smaller zones and of state grids farther."""
 MAP_M = 1e5
 """From zero, in plan: no site's own axes begin so far away, and grids add such numbers lest coordinates be negative."""
 
@@ -44,7 +40,8 @@ def in_one_system(files: Sequence[ControlFile], crs: str | None = None) -> tuple
     for f in files:
         if f.crs is None and np.isfinite(f.xyz).any():
             remark = f"{f.path.name} names no coordinate system; taken in that of {others}: {system_name(known)}"
-            told = () if _among(f.xyz[:, :2], around) else (remark,)
+            beyond = check_area(known, f.xyz[:, :2], f.path)
+            told = () if _among(f.xyz[:, :2], around) else (remark, *beyond)
             f = replace(f, crs=known, remarks=(*f.remarks, *told))  # noqa: PLW2901
         found.append(f)
     return tuple(found)
@@ -83,30 +80,9 @@ def _in_named(file: ControlFile, crs: str | None) -> ControlFile:
             f"taken for Cartesian metres; name their system with {option('crs', 'EPSG:...')}"
         )
         return replace(file, remarks=(*file.remarks, remark))
-    _check_area(file, crs, x, y)
+    check_area(crs, xy, file.path, named=True)
     remark = f"{file.path.name}: taken in {system_name(crs)}, which {option('crs')} names; the file names none"
     return replace(file, crs=crs, remarks=(*file.remarks, remark))
-
-
-def _check_area(file: ControlFile, crs: str, x: float, y: float) -> None:
-    """Raise InputError where a place lies beyond the area that a system is used in."""
-    system = parse_crs(crs)
-    area = system.area_of_use
-    if area is None or system.is_geocentric:
-        return
-    longitude, latitude, _ = local_frame(crs, (x, y, 0.0), undulation_m=0.0).wgs84_from_local(np.zeros((1, 3)))[0]
-    west, east = area.west, area.east if area.east >= area.west else area.east + 360
-    off = max(west - longitude, longitude - east) if not west <= longitude + 360 <= east else 0.0
-    if max(off, area.south - latitude, latitude - area.north) <= BEYOND_DEG:
-        return
-    degrees = f"longitude {area.west:.4g} to {area.east:.4g}, latitude {area.south:.4g} to {area.north:.4g}"
-    raise InputError(
-        f"names no coordinate system, and {x:.10g}, {y:.10g} are no coordinates of {system_name(crs)}, which "
-        f"{option('crs')} names: they would lie at longitude {longitude:.2f}, latitude {latitude:.2f}, outside its "
-        f"area ({degrees}); name the system that the coordinates stand in, or leave {option('crs')} out where they are "
-        "metres of a site's own axes",
-        file=file.path,
-    )
 
 
 def _among(xy: Array, around: Array) -> bool:

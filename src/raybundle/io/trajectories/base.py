@@ -12,6 +12,7 @@ import numpy as np
 from raybundle.block import Stations
 from raybundle.errors import InputError
 from raybundle.io.folders import check_free, make_parent, new_files
+from raybundle.io.geo.areas import check_area
 from raybundle.io.geo.coordinate_systems import LocalFrame, local_frame
 from raybundle.io.ids import check_ids
 from raybundle.io.reading.files import as_utf8, guarded, opened
@@ -124,7 +125,8 @@ def _read(format_: TrajectoryFormat, path: Path) -> Trajectory:
     with guarded(path), ledger() as passed_over:
         found = format_.read(path)
         remark = not_read(passed_over.counts())
-    return replace(found, remarks=(*found.remarks, remark)) if remark else found
+    beyond = () if found.crs is None else check_area(found.crs, found.xyz[:, :2], found.path, lines=found.lines)
+    return replace(found, remarks=(*found.remarks, *((remark,) if remark else ()), *beyond))
 
 
 def write_trajectory(trajectory: Trajectory, path: str | Path, *, name: str) -> None:
@@ -248,6 +250,7 @@ def in_wgs84(trajectory: Trajectory, crs: str | None) -> Trajectory:
         )
     if crs == WGS84_HEIGHT:
         return trajectory
+    beyond = () if trajectory.crs else check_area(crs, trajectory.xyz[:, :2], trajectory.path, lines=trajectory.lines)
     known = np.isfinite(trajectory.xyz[:, :2]).all(axis=1)
     if not known.any():
         raise InputError("it holds no position", file=trajectory.path)
@@ -263,7 +266,7 @@ def in_wgs84(trajectory: Trajectory, crs: str | None) -> Trajectory:
         rotation = turned
     return replace(
         trajectory, xyz=xyz, crs=WGS84_HEIGHT, rotation=rotation, true_north=rotation is not None,
-        remarks=(*trajectory.remarks, *frame.remarks),
+        remarks=(*trajectory.remarks, *beyond, *frame.remarks),
     )  # fmt: skip
 
 

@@ -1,0 +1,136 @@
+"""Coordinates against the area that their coordinate system is used in."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from functools import lru_cache
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from raybundle.errors import InputError
+from raybundle.io.geo.parsed_systems import plan_of, system_name
+from raybundle.io.geo.told_systems import told_system
+from raybundle.numerics.arrays import Array, Index
+from raybundle.settings import option
+
+if TYPE_CHECKING:
+    from pyproj import Transformer
+
+BEYOND_DEG = 1.0
+"""How far beyond its area of use a grid is still taken: zones of UTM overlap by 40 km, half a degree at the equator and
+nearly one at 60 degrees of latitude.  Coordinates of a site that begin near 0 are farther off: the false easting of a
+zone of 6 degrees puts them 1.5 degrees beyond its edge, those of smaller zones and of state grids farther."""
+HALF_TURN, QUARTER_TURN = 180.0, 90.0
+EXCHANGED = "eastings and northings exchanged? "
+
+
+def check_area(crs: str, xy: Array, file: Path, *, named: bool = False, lines: Index | None = None) -> tuple[str, ...]:
+    """Remark on places (n, 2) that lie beyond the area of use of their system: a grid may be used farther out.
+
+    named   whether the user names the system, and not the file
+    lines   (n,) of the file
+    raises  InputError for longitudes and latitudes that do not exist, for degrees in a grid, for places beyond the area
+            where the other order of the two fits (in a grid: beyond by more than the extent of the area), and for all
+            beyond that of a system that the user names
+    """
+    known = np.flatnonzero(np.isfinite(xy).all(axis=1))
+    if not len(known) or plan_of(crs).is_geocentric:
+        return ()
+    line = None if lines is None or not len(lines) else lines[known]
+    places = xy[known]
+    _check_degrees(crs, places, file, line)
+    x, y = np.median(places, axis=0).tolist()
+    here = _beside(crs, x, y)
+    if here.off <= BEYOND_DEG:
+        return ()
+    name = system_name(crs)
+    exchanged = EXCHANGED if _beside(crs, y, x).off <= BEYOND_DEG else ""
+    words = f"{x:.10g}, {y:.10g} are no coordinates of {name}"
+    where = f"they would lie at {here.place}{_words(crs)}" if math.isfinite(here.off) else "no place on earth has them"
+    if named:
+        raise InputError(
+            f"names no coordinate system, and {words}, which {option('crs')} names: {where}; {exchanged}name the "
+            f"system that the coordinates stand in, or leave {option('crs')} out where they are metres of a site's own "
+            "axes",
+            file=file,
+        )
+    geographic = plan_of(crs).is_geographic
+    degrees = abs(x) <= HALF_TURN and abs(y) <= HALF_TURN and not geographic
+    if (exchanged and (geographic or here.share > 1)) or degrees or not math.isfinite(here.off):
+        what = "they look like degrees; name the system of longitude and latitude" if degrees else (
+            f"{exchanged}write east or longitude first, or correct the system"
+        )  # fmt: skip
+        first = None if line is None else int(line[0])
+        raise InputError(f"{words}: {where}; {what}", file=file, line=first)
+    remark = f"{file.name}: {x:.10g}, {y:.10g} lie outside the area of use of {name}, at {here.place}"
+    return (f"{remark}; {exchanged.strip()}" if exchanged else remark,)
+
+
+def _check_degrees(crs: str, places: Array, file: Path, lines: Index | None) -> None:
+    """Raise InputError where longitude or latitude of a geographic system is beyond what a circle has."""
+    system = plan_of(crs)
+    if not system.is_geographic:
+        return
+    turn = math.pi / system.axis_info[0].unit_conversion_factor
+    for k, (limit, name) in enumerate(((HALF_TURN, "longitude"), (QUARTER_TURN, "latitude"))):
+        bad = np.flatnonzero(np.abs(places[:, k]) > limit * turn / HALF_TURN * (1 + 1e-12))
+        if not len(bad):
+            continue
+        x, y = places[bad[0]]
+        swapped = abs(x) <= turn / 2 and abs(y) <= turn
+        hint = "are longitude and latitude swapped?" if swapped else "name the grid, as EPSG:32633"
+        raise InputError(
+            f"{x:.10g}, {y:.10g}: {name} in {system_name(crs)} ends at {limit * turn / HALF_TURN:g}; {hint}",
+            file=file, line=None if lines is None else int(lines[bad[0]]),
+        )  # fmt: skip
+
+
+@dataclass(frozen=True, slots=True)
+class _Beside:
+    """A place against the area of use of its system."""
+
+    place: str
+    off: float
+    """how far beyond [degrees]; infinite where it is no place on the earth"""
+    share: float
+    """the same, of the extent of the area"""
+
+
+def _beside(crs: str, x: float, y: float) -> _Beside:
+    longitude, latitude = _geographic(crs).transform(x, y)
+    place = f"longitude {longitude:.2f}, latitude {latitude:.2f}"
+    if not (math.isfinite(longitude) and math.isfinite(latitude)):
+        return _Beside(place, math.inf, math.inf)
+    if (area := _area(crs)) is None:
+        return _Beside(place, 0.0, 0.0)
+    west, south, east, north = area
+    east += 360 if east < west else 0
+    aside = min(max(west - at, at - east) for at in (longitude - 360, longitude, longitude + 360))
+    along = max(south - latitude, latitude - north)
+    share = max(aside / max(east - west, BEYOND_DEG), along / max(north - south, BEYOND_DEG))
+    return _Beside(place, max(aside, along), share)
+
+
+@lru_cache(maxsize=64)
+def _area(crs: str) -> tuple[float, float, float, float] | None:
+    """West, south, east, north of the plan of a system; None where it states none, as a PROJ string of its own."""
+    area = told_system(crs).area_of_use or plan_of(crs).area_of_use
+    return None if area is None else area.bounds
+
+
+def _words(crs: str) -> str:
+    """The area in words, behind the place of a point."""
+    if (area := _area(crs)) is None:
+        return ""
+    west, south, east, north = area
+    return f", outside its area (longitude {west:.4g} to {east:.4g}, latitude {south:.4g} to {north:.4g})"
+
+
+@lru_cache(maxsize=64)
+def _geographic(crs: str) -> Transformer:
+    from pyproj import Transformer  # noqa: PLC0415  (only where a coordinate system is used)
+
+    return Transformer.from_crs(plan_of(crs), "EPSG:4326", always_xy=True)
