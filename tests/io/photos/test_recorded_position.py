@@ -68,7 +68,18 @@ USED = {
         exif((48, 1, 0), (8, 15, 0)), dji("47.5000987", "8.2500876") | copy("47,30N", "8,15E"), None, "contradict",
     ),
     "across the date line": (exif((10, 0, 0), (179, 59, 59.99)), dji("10.0000", "-179.9999"), (10.0, -179.9999), ""),
-    "datum": (exif(*FINE, tags={18: "TOKYO"}), {}, (47.5000987, 8.2500876), "'TOKYO'"),
+    "datum Tokyo": (exif((35, 42, 0), (139, 42, 0), tags={18: "TOKYO"}), {}, (35.7032350, 139.6967710), "moved by 46"),
+    "datum of the Earth's centre": (exif(*FINE, tags={18: "ETRS89"}), {}, (47.5000987, 8.2500876), "moved by 0 m"),
+    "datum of an acronym": (exif(*FINE, tags={18: "CGCS2000"}), {}, (47.5000987, 8.2500876), "EPSG:4490"),
+    "datum ED50 beside XMP": (
+        exif((47, 30, 3.7), (8, 15, 4.3), tags={18: "ED-50"}), dji("47.50008", "8.25003"), (47.50008, 8.25003), "ED-50",
+    ),
+    "datum in XMP": (Tags(), copy("35,42,0.00N", "139,42,0.00E") | {"exif:GPSMapDatum": "Tokyo"},
+        (35.7032350, 139.6967710), "moved by 46"),
+    "datum blank": (exif(*FINE, tags={18: "  "}), {}, (47.5000987, 8.2500876), ""),
+    "datum unknown, XMP": (exif(*FINE, tags={18: "BESSEL"}), dji("47.5", "8.25"), (47.5, 8.25), "no transformation"),
+    "void, XMP": (exif((48, 1, 0), (8, 15, 0), tags={9: "V"}), dji("47.5", "8.25"), (47.5, 8.25), "GPSStatus V"),
+    "active": (exif(*FINE, tags={9: "A", 10: "3"}), {}, (47.5000987, 8.2500876), ""),
     "datum WGS 84": (exif(*FINE, tags={18: "WGS-84"}), {}, (47.5000987, 8.2500876), ""),
 }  # fmt: skip
 
@@ -87,6 +98,11 @@ NONE = {
     "beyond the pole": (exif((97, 30, 0), (8, 15, 0)), {}, "beyond 90"),
     "latitude and longitude exchanged": (Tags(), dji("151.25", "-33.51"), "no place on the earth"),
     "half of XMP": (Tags(), {"drone-dji:GpsLatitude": "47.5"}, "its longitude is missing"),
+    "datum unknown": (exif(*FINE, tags={18: "Datum of my own"}), {}, "no transformation from GPSMapDatum"),
+    "datum alike": (exif(*FINE, tags={18: "Pulkovo"}), {}, "no transformation from GPSMapDatum 'Pulkovo'"),
+    "datum that is a system": (exif(*FINE, tags={18: "+proj=longlat +ellps=bessel"}), {}, "no transformation"),
+    "void": (exif(*FINE, tags={9: "V"}), {}, "EXIF position is not used: GPSStatus V"),
+    "void in XMP": (Tags(), copy("47,30.5N", "8,15.25E") | {"exif:GPSStatus": "V"}, "GPSStatus V"),
     "four numbers": (exif((47, 30, 0, 0), (8, 15, 0)), {}, "4 numbers"),
 }
 
@@ -108,6 +124,59 @@ def test_no_position_and_the_reason(name):
     found, remarks = recorded_position(tags, entries)
     assert found is None
     assert any(remark in r for r in remarks)
+
+
+def height(metres, reference=0.0, **tags):
+    return exif(*FINE, tags={6: (metres,), 5: (reference,)} | {int(k[1:]): v for k, v in tags.items()})
+
+
+def of_dji(metres, kind=""):
+    return {"drone-dji:AbsoluteAltitude": metres} | ({"drone-dji:AltitudeType": kind} if kind else {})
+
+
+def of_copy(metres, reference="0", **more):
+    return {"exif:GPSAltitude": metres, "exif:GPSAltitudeRef": reference} | more
+
+
+SEA, ABOVE = "sea level", "ellipsoid"
+HEIGHTS = {
+    "EXIF": (height(123.45), {}, (123.45, SEA), ""),
+    "below the sea": (height(12.0, 1.0), {}, (-12.0, SEA), ""),
+    "above the ellipsoid": (height(123.45, 2.0), {}, (123.45, ABOVE), ""),
+    "the same": (height(123.45), of_dji("+123.45"), (123.45, SEA), ""),
+    "the same, rounded": (height(123.0), of_dji("+123.45"), (123.45, SEA), ""),
+    "the same, RTK": (height(123.45), of_dji("+123.45", "RtkAlt"), (123.45, ABOVE), ""),
+    "a geoid between": (height(123.45, 2.0), of_dji("+76.20"), (76.2, SEA), ""),
+    "a geoid between, RTK": (height(76.2), of_dji("+123.45", "RtkAlt"), (123.45, ABOVE), ""),
+    "800 m": (height(123.45), of_dji("+923.45"), (None, ""), "altitudes contradict each other and none is used"),
+    "800 m, a geoid between": (height(123.45, 2.0), of_dji("+923.45"), (None, ""), "altitudes contradict"),
+    "12 m": (height(123.45), of_dji("+135.45"), (135.45, SEA), "altitudes differ, that of XMP"),
+    "no fix in EXIF": (height(0.0), of_dji("+123.45"), (123.45, SEA), ""),
+    "no fix in XMP": (height(123.45), of_dji("+0.00"), (123.45, SEA), ""),
+    "sea level": (height(0.0), {}, (0.0, SEA), ""),
+    "XMP copy": (exif(*FINE), of_copy("12345/100"), (123.45, SEA), ""),
+    "XMP copy below the sea": (exif(*FINE), of_copy("12345/100", "1"), (-123.45, SEA), ""),
+    "XMP copy, no fraction": (exif(*FINE), of_copy("123.45"), (123.45, SEA), ""),
+    "XMP copy, x/0": (exif(*FINE), of_copy("12345/0"), (None, ""), ""),
+    "a copy is no second witness": (height(123.45), of_copy("500/1"), (123.45, SEA), ""),
+    "in plan alone": (height(123.45, t10="2"), {}, (None, ""), "GPSMeasureMode 2"),
+    "in plan alone, XMP copy": (exif(*FINE), of_copy("99/1", **{"exif:GPSMeasureMode": "2"}), (None, ""), "Mode 2"),
+    "in plan alone, a barometer": (height(123.45, t10="2"), of_dji("+130.00"), (130.0, SEA), "GPSMeasureMode 2"),
+    "in space": (height(123.45, t10="3"), {}, (123.45, SEA), ""),
+    "weak": (height(123.45, t11=(25.0,)), {}, (123.45, SEA), "GPSDOP above 10"),
+    "weak, with a sigma": (height(123.45, t11=(25.0,), t31=(1.5,)), {}, (123.45, SEA), ""),
+    "usual": (height(123.45, t11=(2.5,)), {}, (123.45, SEA), ""),
+}
+
+
+@pytest.mark.parametrize("name", HEIGHTS)
+def test_the_altitude_that_is_used(name, monkeypatch):
+    tags, entries, right, remark = HEIGHTS[name]
+    monkeypatch.setattr("raybundle.io.photos.read_metadata.read_tags", lambda _: tags)
+    monkeypatch.setattr("raybundle.io.photos.read_metadata.read_xmp", lambda _: (entries, ()))
+    found = read_metadata(b"EXIF", b"XMP")[0]
+    assert (found.gps.altitude_m, found.gps.altitude_reference) == right
+    assert any(remark in r for r in found.remarks) if remark else not found.remarks
 
 
 def test_a_rounded_position_has_the_standard_deviation_of_its_rounding():

@@ -139,9 +139,12 @@ def find_photos(
     return Found(photos=kept, refused=tuple(sorted(refused + thumbnails)), remarks=tuple(remarks), copies=copies)
 
 
+PLACE = ("position", "latitude", "longitude", "altitude")
+
+
 def _concerns_all(remark: str) -> bool:
     """Whether a remark on the metadata of a photograph matters to the set: entries of XMP, positions."""
-    return remark.startswith(("XMP ", "EXIF position", "EXIF latitude", "EXIF longitude", "position", "GPSMapDatum"))
+    return remark.startswith(("XMP ", "GPS", "position", "altitude", *(f"EXIF {n}" for n in PLACE)))
 
 
 def _together(remarks: list[tuple[str, str]]) -> list[str]:

@@ -9,6 +9,7 @@ from datetime import datetime, timedelta, timezone
 
 from raybundle.io.photos.exif import Tags, read_tags
 from raybundle.io.photos.metadata import Gps, Metadata
+from raybundle.io.photos.recorded_altitude import recorded_altitude
 from raybundle.io.photos.recorded_position import Recorded, recorded_position
 from raybundle.io.photos.xmp import read_xmp
 from raybundle.io.reading.words import finite, number_of, quoted, whole_of
@@ -27,6 +28,9 @@ NUMBERS = tuple(
 )  # fmt: skip
 """Entries that are numbers."""
 NAN = math.nan
+WEAK_DOP = 10.0
+"""Dilution of precision above which a position is a rough estimate (Langley 1999); as a factor it is not defined,
+because programs write an accuracy in metres under this name, too."""
 
 
 def read_metadata(exif: bytes | memoryview | None, xmp: bytes | None) -> tuple[Metadata, int]:
@@ -63,7 +67,7 @@ def read_metadata(exif: bytes | memoryview | None, xmp: bytes | None) -> tuple[M
         focal_range_mm=_focal_range(tags),
         subject_distance_m=_distance(tags),
         taken=_taken(tags),
-        gps=None if place is None else _gps(place, tags, entries),
+        gps=None if place is None else _gps(place, tags, entries, remarks),
         gimbal=_angles(entries, "drone-dji:Gimbal{}Degree") or _angles(entries, "Camera:{}"),
         flight=_angles(entries, "drone-dji:Flight{}Degree"),
         xmp=entries,
@@ -157,15 +161,19 @@ def _angles(entries: Mapping[str, str], pattern: str) -> tuple[float, float, flo
     return yaw, pitch, roll
 
 
-def _gps(place: Recorded, tags: Tags, entries: Mapping[str, str]) -> Gps:
+def _gps(place: Recorded, tags: Tags, entries: Mapping[str, str], remarks: list[str]) -> Gps:
     flag = _number(entries, "drone-dji:RtkFlag")
-    altitude, reference = _altitude(tags, entries, no_fix=place.origin != "EXIF")
+    altitude, reference = recorded_altitude(tags, entries, remarks, of_exif=place.origin == "EXIF")
+    sigma = _sigma(tags, entries)
+    dop = tags.positive(11, gps=True) or _positive(entries, "exif:GPSDOP")
+    if dop is not None and dop > WEAK_DOP and sigma is None:
+        remarks.append(f"GPSDOP above {WEAK_DOP:g}, the position is a rough estimate with the usual sigma: {dop:.3g}")
     return Gps(
         latitude_deg=place.angles[0],
         longitude_deg=place.angles[1],
         altitude_m=altitude,
         altitude_reference=reference,
-        sigma_m=_with_rounding(place, _sigma(tags, entries)),
+        sigma_m=_with_rounding(place, sigma),
         fix="" if flag is None else RTK_FIX.get(int(flag), ""),
     )
 
@@ -178,24 +186,6 @@ def _with_rounding(place: Recorded, sigma: tuple[float, float, float] | None) ->
     coarse = place.rounding_m
     plan = [r if math.isnan(s) else math.hypot(r, s) for r, s in zip(coarse, (east, north), strict=True)]
     return plan[0], plan[1], up
-
-
-def _altitude(tags: Tags, entries: Mapping[str, str], *, no_fix: bool) -> tuple[float | None, str]:
-    """Altitude [m] and what it is above; EXIF 3.0 for references 2 and 3, DJI writes AltitudeType RtkAlt.
-
-    no_fix  whether the position is not that of EXIF, whose altitude 0 is then that of a receiver without a fix
-    """
-    ellipsoid = entries.get("drone-dji:AltitudeType", "") == "RtkAlt"
-    absolute = _number(entries, "drone-dji:AbsoluteAltitude")
-    if absolute is not None:
-        return absolute, "ellipsoid" if ellipsoid else "sea level"
-    altitude = tags.number(6, gps=True)
-    if altitude is None or (no_fix and altitude == 0):
-        return None, ""
-    code = tags.gps.get(5, (0.0,))
-    reference = code[0] if isinstance(code, bytes) and code else code[0] if isinstance(code, tuple) and code else 0
-    sign = -1.0 if reference in {1, 3} else 1.0
-    return sign * altitude, "ellipsoid" if ellipsoid or reference in {2, 3} else "sea level"
 
 
 def _sigma(tags: Tags, entries: Mapping[str, str]) -> tuple[float, float, float] | None:

@@ -14,6 +14,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 
 from raybundle.io.photos.exif import Tags
+from raybundle.io.photos.map_datum import geographic_system, in_wgs84, is_wgs84
 from raybundle.io.reading.words import number_of
 
 GNSS_M = 5.0
@@ -88,21 +89,16 @@ def recorded_position(tags: Tags, entries: Mapping[str, str]) -> tuple[Recorded 
     chosen = _chosen(usable, remarks)
     if chosen is not None and chosen.coarse:
         remarks.append(f"position rounded to {max(chosen.rounding_m) * math.sqrt(12):.3g} m: {chosen}")
-    if chosen is not None and chosen.origin == "EXIF":
-        datum = re.sub(r"[^A-Z0-9]", "", tags.text(18, gps=True).upper())
-        if datum and not re.fullmatch(r"(WORLDGEODETICSYSTEM|WGS)(19)?84.*|UNKNOWN.*", datum):
-            remarks.append(f"GPSMapDatum is taken as WGS 84: {tags.text(18, gps=True)!r}")
     return chosen, tuple(remarks)
 
 
 def _candidates(tags: Tags, entries: Mapping[str, str], remarks: list[str]) -> Iterator[Recorded]:
     exif = _from_exif(tags, remarks)
+    if exif is None and not any(tags.numbers(tag, gps=True) for tag in (2, 4)):
+        exif = _from_xmp_exif(entries, remarks)  # an editor's copy of EXIF: no second witness beside it
+    exif = None if exif is None else _of_receiver(exif, tags, entries, remarks)
     if exif is not None:
         yield exif
-    elif entries.get("exif:GPSLatitude") and entries.get("exif:GPSLongitude"):
-        copy = _from_xmp_exif(entries, remarks)  # an editor's copy of EXIF: no second witness beside it
-        if copy is not None:
-            yield copy
     for source, *keys in XMP_PAIRS:
         texts = [next((entries[k].strip() for k in names if entries.get(k)), "") for names in keys]
         if not any(texts):
@@ -114,8 +110,28 @@ def _candidates(tags: Tags, entries: Mapping[str, str], remarks: list[str]) -> I
         elif any(abs(a) > m for a, m in zip(angles, LIMITS, strict=True) if a is not None):
             remarks.append(f"{source} is not used, it is no place on the earth: {angles[0]:.9g}, {angles[1]:.9g}")
         else:
-            steps = (_step_of_text(texts[0]), _step_of_text(texts[1]))
+            steps = (step_of_text(texts[0]), step_of_text(texts[1]))
             yield Recorded(source=source, origin="drone-dji", angles=(angles[0], angles[1]), step=steps)
+
+
+def _of_receiver(found: Recorded, tags: Tags, entries: Mapping[str, str], remarks: list[str]) -> Recorded | None:
+    """The position of EXIF in WGS 84; None with a remark where the receiver had no fix or its datum is not known."""
+    status = (tags.text(9, gps=True) or entries.get("exif:GPSStatus", "")).strip().upper()
+    if status[:1] == "V":
+        remarks.append(f"{found.source} position is not used: GPSStatus {status}, the receiver had no fix")
+        return None
+    datum = tags.text(18, gps=True) or entries.get("exif:GPSMapDatum", "")
+    if is_wgs84(datum):
+        return found
+    system = geographic_system(datum)
+    moved = None if system is None or not all(found.signed) else in_wgs84(system, *found.angles)
+    if moved is None:
+        remarks.append(f"{found.source} position is not used: no transformation from GPSMapDatum {datum!r} to WGS 84")
+        return None
+    result = replace(found, angles=moved)
+    shift = f"{result.distance_m(found):.3g} m"
+    remarks.append(f"GPSMapDatum {datum!r} is {system}: {found.source} position is moved by {shift} to WGS 84")
+    return result
 
 
 def _from_exif(tags: Tags, remarks: list[str]) -> Recorded | None:
@@ -128,6 +144,8 @@ def _from_exif(tags: Tags, remarks: list[str]) -> Recorded | None:
 
 def _from_xmp_exif(entries: Mapping[str, str], remarks: list[str]) -> Recorded | None:
     """Texts like "47,30.5N" or "47,30,15N"."""
+    if not (entries.get("exif:GPSLatitude") and entries.get("exif:GPSLongitude")):
+        return None
     parts: list[tuple[float, ...]] = []
     letters: list[str] = []
     for key in ("exif:GPSLatitude", "exif:GPSLongitude"):
@@ -191,7 +209,13 @@ def _decimals(value: float) -> int:
     return next((k for k in range(FINEST) if abs(round(value, k) - value) < 1e-10), FINEST)
 
 
-def _step_of_text(text: str) -> float:
+def step_of_number(value: float) -> float:
+    """Step of the last digit of a number."""
+    return 10.0 ** -_decimals(value)
+
+
+def step_of_text(text: str) -> float:
+    """Step of the last digit of a number as it is written."""
     digits = re.search(r"\.(\d*)", text)
     return 10.0 ** -min(len(digits[1]) if digits else 0, FINEST)
 
