@@ -303,3 +303,82 @@ def test_elements_passed_over_are_counted(case, tmp_path):
     found = read(tmp_path, chunk=TRANSFORM + chunk, shots=cameras("", inner))
     assert found.unread == counts
     assert sum(r.startswith("Not read: ") for r in found.remarks) == bool(counts)
+
+
+FOOT = 'LOCAL_CS["Local Coordinates",LOCAL_DATUM["Local Datum",0],UNIT["{}",{}]]'
+UNITS = {
+    "metre": (FOOT.format("metre", 1), 1.0), "foot": (FOOT.format("foot", 0.3048), 0.3048),
+    "US survey foot": (FOOT.format("US survey foot", 0.3048006096012192), 0.3048006096012192),
+    "millimetre": (FOOT.format("millimetre", 1e-3), 1e-3), "kilometre": (FOOT.format("kilometre", "1E+3"), 1e3),
+    "none": ('LOCAL_CS["Local Coordinates",LOCAL_DATUM["Local Datum",0]]', 1.0),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("unit", UNITS)
+def test_markers_of_a_local_system_are_in_metres(unit, tmp_path):
+    reference, length = UNITS[unit]
+    found = read(tmp_path, reference=reference, chunk=TRANSFORM + markers('<reference x="1" y="2" z="3" sxyz="0.01"/>'))
+    np.testing.assert_allclose(found.block.points.xyz[0], length * np.array([1, 2, 3]))
+    np.testing.assert_allclose(found.block.points.sigma[0], 0.01)
+    assert any("to metres" in r for r in found.remarks) == (length != 1)
+    np.testing.assert_allclose(found.block.images.centre, EXPECTED, atol=1e-9)
+
+
+def test_a_unit_without_length_is_refused(tmp_path):
+    with pytest.raises(InputError, match="no positive number"):
+        read(tmp_path, reference=FOOT.format("foot", 0), chunk=TRANSFORM + markers('<reference x="1" y="2" z="3"/>'))
+
+
+@pytest.mark.parametrize(("word", "count"), [("false", 2), ("0", 2), ("False", 2), ("true", 3), ("1", 3), (None, 3)])
+def test_disabled_cameras_are_not_used(word, count, tmp_path):
+    words = "" if word is None else f'enabled="{word}"'
+    found = read(tmp_path, shots=camera("0") + camera("1", words) + camera("2"))
+    assert len(found.block.images) == count
+    assert found.unread == {}
+    assert any("1 disabled camera not used" in r for r in found.remarks) == (count == 2)
+
+
+def test_all_cameras_disabled(tmp_path):
+    with pytest.raises(InputError, match="all cameras are disabled"):
+        read(tmp_path, shots=cameras('enabled="false"'))
+
+
+def test_disabled_markers_are_not_used(tmp_path):
+    text = markers('<reference x="1" y="2" z="3"/>', "", '<reference x="4" y="5" z="6"/>')
+    found = read(tmp_path, chunk=TRANSFORM + text.replace('<marker id="0"', '<marker id="0" enabled="false"'))
+    assert found.block.points.ids == ("G1", "G2")
+    assert found.unread == {}
+    assert any("1 disabled marker not used" in r for r in found.remarks)
+    for word in ('valid="false"', 'valid="0"', 'pinned="0"'):
+        off = read(tmp_path, chunk=TRANSFORM + text.replace("<location", f"<location {word}"))
+        assert len(off.block.observations) == 0
+
+
+CHUNKS = {  # attributes of chunks, whether they have cameras; the one that is read, words of the remarks
+    "one": ([("", True)], 0, ""),
+    "one disabled": ([('enabled="false"', True)], 0, "the chunk is disabled, and no other"),
+    "two": ([("", True), ("", True)], 0, "chunk 1 of 2 is read"),
+    "first disabled": ([('enabled="false"', True), ('enabled="true"', True)], 1, "chunk 2 of 2 is read; those before"),
+    "first disabled by number": ([('enabled="0"', True), ("", True)], 1, "chunk 2 of 2 is read; those before"),
+    "second disabled": ([("", True), ('enabled="0"', True)], 0, "chunk 1 of 2 is read"),
+    "first empty": ([("", False), ("", True)], 1, "chunk 2 of 2 is read; those before"),
+    "first empty, second disabled": ([("", False), ('enabled="0"', True), ("", True)], 2, "chunk 3 of 3 is read"),
+    "empty and disabled": ([("", False), ('enabled="0"', True)], 1, "the chunk is disabled, and no other"),
+}
+
+
+@pytest.mark.parametrize("case", CHUNKS.values(), ids=CHUNKS)
+def test_the_first_enabled_chunk_with_cameras_is_read(case, tmp_path):
+    chunks, right, words = case
+    text = "".join(
+        f"<chunk {attributes}><sensors>{SENSOR}</sensors><cameras>{shots}</cameras>{TRANSFORM}</chunk>"
+        for attributes, shots in (
+            (a, cameras().replace("IMG", f"C{k}") if full else "") for k, (a, full) in enumerate(chunks)
+        )
+    )
+    path = tmp_path / "cameras.xml"
+    path.write_text(f'<document version="2.0.0">{text}</document>')
+    found = read_format("metashape", path)
+    assert found.block.images.ids[0] == f"C{right}_0"
+    assert found.unread == {}
+    assert any(words in r for r in found.remarks) if words else not any("chunk" in r for r in found.remarks)

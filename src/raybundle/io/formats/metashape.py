@@ -29,7 +29,7 @@ from raybundle.io.formats.base import (
     register,
     scene,
 )
-from raybundle.io.formats.metashape_chunk import NO_GEOMETRY, Reading, read_images, read_markers, read_sensors
+from raybundle.io.formats.metashape_chunk import NO_GEOMETRY, Reading, chunk_of, read_images, read_markers, read_sensors
 from raybundle.io.reading.ledger import declare
 from raybundle.io.reading.xml import read_xml
 from raybundle.numerics.arrays import Array
@@ -131,14 +131,12 @@ def _reference(export: Export, p: int) -> str:
 
 
 def read(path: Path) -> Import:
-    """Cameras, images and markers of the first chunk; images that Metashape did not align stay without orientation."""
+    """Cameras, images and markers of the first enabled chunk; images that were not aligned stay without orientation."""
     root = read_xml(path, "document")
     declare(*NO_GEOMETRY)
     chunks = list(root.all("chunk"))
-    chunk = chunks[0] if chunks else root.get("chunk")
     found = Reading(path)
-    if len(chunks) > 1:
-        found.remarks.append(f"the first of {len(chunks)} chunks is read")
+    chunk = chunk_of(chunks, found) if chunks else root.get("chunk")
     cameras = read_sensors(chunk, found)
     images, numbers, free_scale = read_images(chunk, cameras, found)
     tracks, control = read_markers(chunk, numbers, found)

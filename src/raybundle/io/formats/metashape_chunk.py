@@ -7,7 +7,8 @@ slave of a rig has the transform of its master times rotation and location of it
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+import re
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import TypeVar
@@ -22,7 +23,7 @@ from raybundle.errors import InputError
 from raybundle.io.formats.base import SENSOR_FROM_CV, Tracks, fitted_camera
 from raybundle.io.geo.coordinate_systems import local_frame
 from raybundle.io.reading.ledger import enter
-from raybundle.io.reading.words import numbers_of, quoted
+from raybundle.io.reading.words import number_of, numbers_of, quoted
 from raybundle.io.reading.xml import Element
 from raybundle.numerics.arrays import Array, Index
 from raybundle.numerics.counting import counted
@@ -36,6 +37,8 @@ NO_GEOMETRY = (
     "type of <calibration>",
 )  # fmt: skip
 """Elements and attributes without bearing on the block."""
+_UNIT = re.compile(r'UNIT\s*\[\s*"([^"]*)"\s*,\s*([-+.\deE]+)')
+"""Name and length [m] of the unit in the WKT of a local system."""
 DEFAULT_SIGMA = 0.005
 """Standard deviation of markers in Metashape where the chunk sets none [m]."""
 T = TypeVar("T")
@@ -63,6 +66,40 @@ class Reading:
         """The remarks, and one for each kind of elements with errors."""
         lost = (f"{counted(len(e), kind)} left out: {e[0]}" for kind, e in self.errors.items())
         return (*self.remarks, *lost)
+
+
+def disabled(element: Element, name: str = "enabled") -> bool:
+    """Whether an element is switched off."""
+    return element.attributes.get(name, "").strip().lower() in {"false", "0"}
+
+
+def chunk_of(chunks: Sequence[Element], found: Reading) -> Element:
+    """The first enabled chunk with cameras, else the first with cameras, else the first."""
+    full = [c for c in chunks if (group := c.find("cameras")) is not None and len(_cameras(group))]
+    chunk = next((c for c in full if not disabled(c)), (full or chunks)[0])
+    for other in chunks:
+        if other is not chunk:
+            other.leave_out()
+    if len(chunks) > 1:
+        before = "" if chunk is chunks[0] else "; those before it are disabled or have no camera"
+        found.remarks.append(f"chunk {1 + chunks.index(chunk)} of {len(chunks)} is read{before}")
+    if disabled(chunk):
+        found.remarks.append("the chunk is disabled, and no other has cameras")
+    return chunk
+
+
+def _enabled(elements: list[Element], kind: str, found: Reading) -> list[Element]:
+    """Those that are not switched off, and a remark on the others."""
+    off = [e for e in elements if disabled(e)]
+    for element in off:
+        element.leave_out()
+    if off:
+        found.remarks.append(f"{counted(len(off), kind)} not used")
+    return [e for e in elements if not disabled(e)]
+
+
+def _cameras(group: Element) -> list[Element]:
+    return [*group.all("camera"), *(c for g in group.all("group") for c in g.all("camera"))]
 
 
 def read_sensors(chunk: Element, found: Reading) -> dict[str, Camera]:
@@ -290,7 +327,7 @@ def _is_local(reference: Element) -> bool:
 def _rows(chunk: Element, cameras: Mapping[str, Camera], frames: _Frames, found: Reading) -> list[_Image]:
     """The images of calibrated sensors; a camera with an error is left out."""
     group = chunk.get("cameras")
-    elements = [*group.all("camera"), *(c for g in group.all("group") for c in g.all("camera"))]
+    elements = _cameras(group)
     sensors = {s.attributes.get("id"): s for s in chunk.get("sensors").all("sensor")}
     matrices = {c.attributes.get("id"): found.attempt("transform", lambda c=c: _matrix(c)) for c in elements}
     mounted = {
@@ -315,7 +352,10 @@ def _rows(chunk: Element, cameras: Mapping[str, Camera], frames: _Frames, found:
         component = frames.component_of(element if "component_id" in element.attributes else whole)
         return _Image(id=id_, label=label, sensor=sensor, component=component, matrix=matrix)
 
-    read = (found.attempt("camera", lambda element=element: image(element)) for element in elements)
+    used = _enabled(elements, "disabled camera", found)
+    if elements and not used:
+        group.fail("all cameras are disabled; enable those to be used")
+    read = (found.attempt("camera", lambda element=element: image(element)) for element in used)
     rows = [row for row in read if row is not None]
     if not rows:
         if found.errors.get("camera"):
@@ -345,24 +385,26 @@ def read_markers(chunk: Element, numbers: Mapping[str, int], found: Reading) -> 
     group = chunk.find("markers")
     taken: set[str] = set()
     kept: dict[str, Element] = {}
-    for marker in group.all("marker") if group else ():
+    markers = list(group.all("marker")) if group else []
+    for marker in _enabled(markers, "disabled marker", found):
         id_ = found.attempt("marker", lambda marker=marker: (_label(marker, taken), marker.attribute("id"))[1])
         if id_ is not None:
             taken.add(marker.attribute("label"))
             kept[id_] = marker
+    off = {m.attributes.get("id") for m in markers if disabled(m)}
     position = {id_: k for k, id_ in enumerate(kept)}
     image: list[int] = []
     point: list[int] = []
     xy: list[tuple[float, float]] = []
     measured = chunk.find("frames", "frame", "markers")
     for marker in measured.all("marker") if measured else ():
-        k = position.get(marker.attribute("marker_id"))
+        k = position.get(id_ := marker.attribute("marker_id"))
         if k is None:
-            enter("<marker> of <frame>")
+            enter("<marker> of <frame>", 0 if id_ in off else 1)
             continue
         for location in marker.all("location"):
             at = numbers.get(location.attribute("camera_id"))
-            if at is None or location.attributes.get("pinned") == "false":
+            if at is None or disabled(location, "pinned") or disabled(location, "valid"):
                 continue
             image.append(at)
             point.append(k)
@@ -390,7 +432,7 @@ def _control(chunk: Element, markers: list[Element], found: Reading) -> Control:
         read = found.attempt("reference of a marker", lambda reference=reference: _reference(reference))
         if read is None or not np.isfinite(read[0]).any():
             continue
-        role[k] = Role.CHECK if reference.attributes.get("enabled") in {"false", "0"} else Role.CONTROL
+        role[k] = Role.CHECK if disabled(reference) else Role.CONTROL
         xyz[k], sigma[k] = read
         if not np.isfinite(sigma[k]).any():
             sigma[k] = np.where(np.isfinite(xyz[k]), default, np.nan)
@@ -432,8 +474,10 @@ def _in_object_space(chunk: Element, control: Control, found: Reading) -> Contro
     """Coordinates of a georeferenced chunk as geocentric ones, as its cameras stand."""
     reference = chunk.find("reference")
     given = np.asarray(control.role) != Role.TIE
-    if reference is None or not reference.content.strip() or _is_local(reference) or not given.any():
+    if reference is None or not reference.content.strip() or not given.any():
         return control
+    if _is_local(reference):
+        return _in_metres(reference, control, found)
     whole = given & np.isfinite(control.xyz).all(axis=1)
     xyz, sigma, role = control.xyz.copy(), control.sigma.copy(), np.array(control.role)
     try:
@@ -449,3 +493,15 @@ def _in_object_space(chunk: Element, control: Control, found: Reading) -> Contro
         xyz[whole] = origin + frame.local_from_crs(control.xyz[whole]) @ axes
         sigma[whole] = np.sqrt(control.sigma[whole] ** 2 @ axes**2)
     return Control(role, xyz, sigma)
+
+
+def _in_metres(reference: Element, control: Control, found: Reading) -> Control:
+    """Coordinates of a local system in metres, as its cameras stand; standard deviations are metres in each system."""
+    unit = _UNIT.search(reference.content)
+    length = 1.0 if unit is None else number_of(unit[2])
+    if length is None or length <= 0:
+        reference.fail("the length of its unit is no positive number")
+    if unit is None or length == 1:
+        return control
+    found.remarks.append(f"coordinates of markers are converted from {unit[1]} to metres: 1 {unit[1]} = {length:g} m")
+    return Control(control.role, control.xyz * length, control.sigma)

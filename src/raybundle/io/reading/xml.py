@@ -74,6 +74,13 @@ class Element:
             else:
                 yield child.name, f"<{child.name}>"
 
+    def leave_out(self) -> None:
+        """Count nothing within as passed over: a remark of the reader covers the whole element."""
+        self.asked = True
+        self.attributes.asked.update(self.attributes)
+        for child in self.children:
+            child.leave_out()
+
     def find(self, *names: str) -> Element | None:
         """The first element down this way of names."""
         found: Element | None = self
