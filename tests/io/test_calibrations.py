@@ -1,6 +1,7 @@
 """Calibrations of other programs: exact in the same direction, fitted over the format in the other; bad files."""
 
 import json
+from contextlib import nullcontext
 from dataclasses import replace
 from functools import cache
 from pathlib import Path
@@ -459,3 +460,62 @@ def test_writing_refuses_what_cannot_be(tmp_path):
         convert_calibration(Calibration(id="1", camera=FORWARD), "opencv", variant="6")
     with pytest.raises(InputError, match="unknown calibration format"):
         convert_calibration(Calibration(id="1", camera=FORWARD), "pix4d")
+
+
+FORMATS = {  # cx, cy in OpenCV's count, and the format; "": right, else words of a remark or of a refusal
+    "central": ((319.5, 179.5), [640, 360], ""),
+    "a usual offset": ((350, 200), [640, 360], ""),
+    "cut at one side": ((235, 179.5), [640, 360], ""),
+    "portrait": ((179.5, 319.5), [360, 640], ""),
+    "square": ((270, 240), [512, 512], ""),
+    "names of the sides": ((319.5, 179.5), {"height": 360, "width": 640}, ""),
+    "height first": ((320, 180), [360, 640], "refused: .*360 x 640 px, but of 640 x 360 px"),
+    "height first, offset": ((310, 190), [360, 640], "refused: .*exchange width and height"),
+    "width first of a portrait": ((180, 320), [640, 360], "refused: .*exchange width and height"),
+    "names exchanged": ((320, 180), {"height": 640, "width": 360}, "refused: .*exchange width and height"),
+    "of half the size": ((320, 180), [1280, 720], "but of 641 x 361 px: is the matrix of another size"),
+    "of a quarter": ((320, 180), [2560, 1440], "of another size"),
+    "of twice the size": ((639.5, 359.5), [640, 360], "refused: .*it lies outside"),
+    "outside": ((900, 100), [640, 360], "refused: .*it lies outside"),
+    "at a corner": ((40, 300), [640, 360], "is not near the centre"),
+}
+
+
+@pytest.mark.parametrize("name", FORMATS)
+def test_the_format_against_the_camera_matrix(name, tmp_path):
+    (cx, cy), size, right = FORMATS[name]
+    path = tmp_path / "c.json"
+    values = {"camera_matrix": [[545.0, 0, cx], [0, 540.0, cy], [0, 0, 1]], "dist_coeffs": [0.0] * 5}
+    path.write_text(json.dumps(values | {"image_size": size}))
+    if right.startswith("refused: "):
+        with pytest.raises(InputError, match=right.removeprefix("refused: ")):
+            read_calibrations(path)
+        return
+    (found,) = read_calibrations(path)
+    sides = (size["width"], size["height"]) if isinstance(size, dict) else tuple(size)
+    assert (found.camera.width_px, found.camera.height_px) == sides
+    assert [right in r for r in found.remarks] == [True] * bool(right)
+
+
+WIDE = {
+    "a flag": ({"fisheye": True}, True), "a flag as a number": ({"fisheye": 1}, True),
+    "is_fisheye": ({"is_fisheye": True}, True), "isFisheye": ({"isFisheye": True}, True),
+    "fisheye_model": ({"fisheye_model": 1}, True), "a word": ({"fisheye": "true"}, True),
+    "lens_type": ({"lens_type": "fisheye"}, True), "camera_model": ({"camera_model": "OPENCV_FISHEYE"}, True),
+    "distortion_model": ({"distortion_model": "equidistant"}, True),
+    "flag off": ({"fisheye": False}, False), "flag off as a number": ({"fisheye_model": 0}, False),
+    "plumb bob": ({"distortion_model": "plumb_bob"}, False), "none": ({}, False),
+    "pinhole": ({"camera_model": "pinhole"}, False), "a word off": ({"is_fisheye": "false"}, False),
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("name", WIDE)
+def test_a_stereo_calibration_of_fisheyes(name, tmp_path):
+    keys, wide = WIDE[name]
+    K = [[545.0, 0, 319.5], [0, 540.0, 179.5], [0, 0, 1]]
+    path = tmp_path / "stereo.json"
+    path.write_text(json.dumps({"K1": K, "D1": [0.1, 0.01, 0, 0], "K2": K, "D2": [0.1, 0.01, 0, 0]} | keys))
+    found = read_calibrations(path, size_px=(640, 360))
+    assert [c.camera.projection for c in found] == ["equidistant" if wide else "central"] * 2
+    with pytest.raises(InputError, match="fisheye") if wide else nullcontext():
+        read_calibrations(path, size_px=(640, 360), name="opencv")

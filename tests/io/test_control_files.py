@@ -355,3 +355,28 @@ def test_the_named_system_tells_the_heights_of_files_in_the_same_plan(tmp_path):
     files = [read_control(tmp_path / n) for n in ("list.txt", "checks.csv")]
     assert {c.crs for c in in_one_system(files, "EPSG:32633+ellipsoid")} == {"EPSG:32633+ellipsoid"}
     assert {c.crs for c in in_one_system(files, "EPSG:32632+ellipsoid")} == {"EPSG:32633"}
+
+
+BEHIND = {  # words behind the image; names of the points, and what a remark names
+    "g1": ("g1", ""),
+    "corner one": ("corner", "'one' behind 'corner' in line 2"),
+    "g1 extra1 extra2": ("g1", "'extra1 extra2' behind 'g1' in line 2"),
+    "g1 0.02 0.03": ("g1", "'0.02 0.03' behind 'g1'"),
+    "north corner of wall": ("north", "'corner of wall' behind 'north'"),
+    "g.1": ("g.1", ""),
+}
+
+
+@pytest.mark.parametrize("words", BEHIND)
+def test_words_behind_the_names_of_points(tmp_path, words):
+    path = tmp_path / "gcp_list.txt"
+    name, remark = BEHIND[words]
+    path.write_text(
+        f"EPSG:32633\n500010.5 5400020.25 123.5 10 20 a.jpg {words}\n500110.5 5400020.25 124 10 20 b.jpg h\n"
+    )
+    found = read_control(path)
+    assert found.ids == (name, "h")
+    assert [remark in r for r in found.remarks] == [True] * bool(remark)
+    path.write_text(f"EPSG:32633\n500010.5\t5400020.25\t123.5\t10\t20\ta.jpg\t{words}\n")
+    assert read_control(path).ids == (words,)
+    assert read_control(path).remarks == ()

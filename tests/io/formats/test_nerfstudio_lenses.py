@@ -17,10 +17,10 @@ NONE = dict.fromkeys(("k1", "k2", "k3", "k4", "p1", "p2"), 0.0)
 GRID = np.stack(np.meshgrid(np.linspace(50, 750, 9), np.linspace(50, 550, 7))).reshape(2, -1)
 
 
-def read(path, *, frame=None, **top):
+def read(path, *, frame=None, head=HEAD, **top):
     matrix = np.eye(4).tolist()
     frames = [{"file_path": f"images/{k}.jpg", "transform_matrix": matrix, **(frame or {})} for k in "ab"]
-    path.write_text(json.dumps({**HEAD, **top, "frames": frames}))
+    path.write_text(json.dumps({**head, **top, "frames": frames}))
     return read_format("nerfstudio", path)
 
 
@@ -113,3 +113,37 @@ def test_keys_passed_over_are_counted(case, tmp_path):
     found = read(tmp_path / "transforms.json", **NONE, **given)
     assert found.unread == counts
     assert sum(r.startswith("Not read: ") for r in found.remarks) == bool(counts)
+
+
+SIZE = {"w": 800, "h": 600}
+WIDE, HIGH = 2 * np.arctan(400 / 500), 2 * np.arctan(300 / 510)
+ANGLES = {  # keys in the file and in each frame; focal lengths, and words of a remark
+    "radians": ({"camera_angle_x": WIDE}, {}, (500, 500), ""),
+    "radians of both": ({"camera_angle_x": WIDE, "camera_angle_y": HIGH}, {}, (500, 510), ""),
+    "degrees": ({"x_fov": np.degrees(WIDE)}, {}, (500, 500), ""),
+    "degrees of both": ({"x_fov": np.degrees(WIDE), "y_fov": np.degrees(HIGH)}, {}, (500, 510), ""),
+    "of the frame": ({}, {"camera_angle_x": WIDE}, (500, 500), ""),
+    "frame before file": ({"camera_angle_x": 1.0}, {"camera_angle_x": WIDE}, (500, 500), ""),
+    "repeated": ({"fl_x": 500.0, "fl_y": 510.0, "camera_angle_x": WIDE, "camera_angle_y": HIGH}, {}, (500, 510), ""),
+    "repeated, rounded": ({"fl_x": 500.0, "camera_angle_x": round(WIDE, 2)}, {}, (500, 500), ""),
+    "focal length of the frame": ({"camera_angle_x": 1.0}, {"fl_x": 500.0}, (500, 500), ""),
+    "contradiction": ({"fl_x": 500.0, "camera_angle_x": 1.0}, {}, (500, 500), "camera_angle_x contradicts it"),
+    "contradiction in degrees": ({"fl_x": 500.0, "x_fov": 50.0}, {}, (500, 500), "x_fov contradicts it"),
+}
+
+
+@pytest.mark.parametrize("case", ANGLES.values(), ids=ANGLES)
+def test_a_field_of_view_gives_the_focal_length(case, tmp_path):
+    given, frame, (fx, fy), words = case
+    found = read(tmp_path / "transforms.json", frame=frame, head=SIZE, **given)
+    expected = np.stack([(GRID[0] - 400) / fx, (300 - GRID[1]) / fy, np.full(len(GRID[0]), -1.0)])
+    np.testing.assert_allclose(rays(found), expected / np.linalg.norm(expected, axis=0), atol=1e-12)
+    assert found.unread == {}
+    assert sum("contradicts" in r for r in found.remarks) == bool(words)
+    assert any(words in r for r in found.remarks)
+
+
+@pytest.mark.parametrize("case", [{}, {"camera_angle_y": 1.0}, {"camera_angle_x": 0.0}, {"camera_angle_x": 3.2}])
+def test_a_lacking_or_impossible_field_of_view(case, tmp_path):
+    with pytest.raises(InputError, match="fl_x .px. or camera_angle_x|has no focal length"):
+        read(tmp_path / "transforms.json", head=SIZE, **case)

@@ -158,6 +158,35 @@ def test_rtklib_from_the_earths_centre(tmp_path):
     assert found.fix == ("rtk float",)
 
 
+ECEF_HEAD = "%  GPST  x-ecef(m)  y-ecef(m)  z-ecef(m)  Q  ns  sdx(m)  sdy(m)  sdz(m)  sdxy(m)  sdyz(m)  sdzx(m)\n"
+PLACES = [(0.0, 0.0), (90.0, 0.0), (8.25, 47.5), (-70.5, -33.5), (151.25, 10.0), (180.0, 45.0), (-0.1, 89.0)]
+
+
+@pytest.mark.parametrize("place", PLACES)
+def test_rtklib_covariances_from_the_earths_centre(tmp_path, place):
+    """East, north, up of a covariance of x, y, z is the turned one; the file holds signed roots."""
+    C = np.array([[4.0, -1.5, 0.5], [-1.5, 9.0, 2.0], [0.5, 2.0, 1.0]]) * 1e-4
+    lon, lat = np.radians(place)
+    so, co, sa, ca = np.sin(lon), np.cos(lon), np.sin(lat), np.cos(lat)
+    R = np.array([[-so, co, 0], [-sa * co, -sa * so, ca], [ca * co, ca * so, sa]])
+    xyz = 6.378e6 * R[2]
+    roots = [C[0, 0], C[1, 1], C[2, 2], C[0, 1], C[1, 2], C[2, 0]]
+    words = [*xyz, 1, 9, *(np.sign(v) * abs(v) ** 0.5 for v in roots)]
+    path = tmp_path / "a.pos"
+    path.write_text(f"{ECEF_HEAD}2312 295200.237 {' '.join(f'{v:.10f}' for v in words)}\n")
+    found = read_trajectory(path)
+    right = R @ C @ R.T
+    np.testing.assert_allclose(found.sigma[0], np.diag(right) ** 0.5, rtol=2e-2)  # geodetic and spherical latitude
+    s = np.diag(right) ** 0.5
+    np.testing.assert_allclose(
+        found.correlation[0], (right / np.outer(s, s))[(0, 0, 1), (1, 2, 2)], atol=0.03
+    )  # fmt: skip
+    path.write_text(f"{ECEF_HEAD.replace('sdy(m)  sdz', 'sdz(m)  sdy')}2312 295200.237 {' '.join(map(str, words))}\n")
+    other = read_trajectory(path)
+    assert np.isnan(other.sigma).all()
+    assert any("have other names" in r for r in other.remarks)
+
+
 BRACKETS = {  # names of latitude, longitude, height, accuracy; words of the refusal, or nothing
     "latitude [decimal degrees],longitude [decimal degrees],altitude [meter],accuracy horizontal [meter]": "",
     "Latitude (deg),Longitude (deg),Height (m),Sigma XY (m)": "",

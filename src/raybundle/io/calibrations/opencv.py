@@ -37,7 +37,12 @@ SIZES = ("image_size", "imageSize", "img_size", "size", "resolution")
 MODEL_WORDS = ("distortion_model", "camera_model", "model", "fisheye_model")
 NAMES = ("camera_name", "name")
 _SIDE = r"(left|right|l|r|cam(?:era)?_?[0-9]+|[0-9]+)"
-FISHEYE_MODELS = {"equidistant", "fisheye", "opencv_fisheye", "equi"}
+_FISHEYE_MODEL = r"equi|equidistant|\w*fish_?eye\w*"
+_FLAG, _KIND = r"\w*fish_?eye\w*", r"\w*(?:model|type|projection|lens)"
+"""Keys that state a fisheye: a flag, and the name of a model."""
+FAR, NEAR = 0.15, 0.05
+"""Distances of a principal point from the centre, as shares of width and height.  Lenses stand within NEAR; a cut
+picture may have FAR, and then no other format has its centre at the same place."""
 
 
 def read_file(path: Path) -> Json:
@@ -69,7 +74,13 @@ def _size(top: Json, size_px: tuple[int, int] | None) -> tuple[int, int]:
         return width.whole(), height.whole()
     both = _member(top, SIZES)
     if both is not None:
-        items = list(both.mapping().values()) if isinstance(both.value, dict) else both.items()
+        named = both if isinstance(both.value, dict) else None
+        sides = (
+            None if named is None else (_member(named, ("width", "w", "cols")), _member(named, ("height", "h", "rows")))
+        )
+        if sides is not None and sides[0] is not None and sides[1] is not None:
+            return sides[0].whole(), sides[1].whole()
+        items = list(both.mapping().values()) if named else both.items()
         if len(items) == 2:
             return items[0].whole(), items[1].whole()
         both.fail("width and height of the image are needed here")
@@ -81,11 +92,13 @@ def _size(top: Json, size_px: tuple[int, int] | None) -> tuple[int, int]:
     return size_px
 
 
-def _is_fisheye(top: Json) -> bool:
-    if top.has("fisheye_model"):
-        return bool(top.get("fisheye_model").value)
-    words = _member(top, ("distortion_model", "camera_model", "model"))
-    return words is not None and str(words.value).lower() in FISHEYE_MODELS
+def _is_fisheye(table: Json) -> bool:
+    """Whether a flag of a fisheye is set, or a model of this name is stated."""
+    flags = [table.get(k).value for k in table.names() if re.fullmatch(_FLAG, k, re.IGNORECASE)]
+    kinds = [table.get(k).value for k in table.names() if re.fullmatch(_KIND, k, re.IGNORECASE)]
+    return any(str(v).strip().lower() in {"1", "1.0", "true", "yes"} for v in flags) or any(
+        re.fullmatch(_FISHEYE_MODEL, str(v).strip().lower()) for v in kinds
+    )
 
 
 def _key_pattern(names: Sequence[str]) -> re.Pattern[str]:
@@ -181,13 +194,16 @@ def _camera(id_: str, matrix: Json, distortion: Json | None, size: tuple[int, in
     fx, skew, cx, zero, fy, cy, *last = K.tolist()
     if zero or last != [0, 0, 1] or fx <= 0 or fy <= 0:
         matrix.fail("this is no camera matrix [fx s cx; 0 fy cy; 0 0 1] with positive fx, fy")
+    misplaced = _check_size(matrix, (cx + HALF, cy + HALF), size)
     coefficients = np.zeros(4) if distortion is None else _numbers(distortion)
     place = distortion or matrix
     if fisheye and len(coefficients) != 4:
         place.fail(f"{len(coefficients)} distortion coefficients; OpenCV's fisheye has 4: k1 k2 k3 k4")
     if not fisheye and len(coefficients) not in COUNTS:
         place.fail(f"{len(coefficients)} distortion coefficients; OpenCV has {', '.join(map(str, COUNTS))}")
-    remarks = [] if distortion is not None else ["the file holds no distortion coefficients; they are taken as 0"]
+    remarks = [*misplaced]
+    if distortion is None:
+        remarks.append("the file holds no distortion coefficients; they are taken as 0")
     if skew and not fisheye:
         remarks.append(f"OpenCV's functions pass over the skew {skew:g} in the matrix, and so it is left out")
         skew = 0.0
@@ -203,6 +219,25 @@ def _camera(id_: str, matrix: Json, distortion: Json | None, size: tuple[int, in
         **dict(zip(FISHEYE if fisheye else ORDER, coefficients.tolist(), strict=False)),
     )
     return Calibration(id=id_, camera=camera, remarks=tuple(remarks))
+
+
+def _check_size(matrix: Json, point: tuple[float, float], size: tuple[int, int]) -> list[str]:
+    """Remark on a principal point far from the centre of the format.
+
+    raises  InputError where it lies outside, or near the centre of the format with width and height exchanged
+    """
+    (x, y), (width, height) = point, size
+    off = max(abs(x / width - 0.5), abs(y / height - 0.5))
+    if off <= FAR:
+        return []
+    words = f"the principal point {x:.6g}, {y:.6g} px is not near the centre of the format, {width} x {height} px"
+    if max(abs(x / height - 0.5), abs(y / width - 0.5)) <= NEAR:
+        matrix.fail(f"{words}, but of {height} x {width} px; exchange width and height of the image")
+    same = abs(x / width - y / height) <= NEAR * (x / width + y / height)
+    words += f", but of {2 * x:.0f} x {2 * y:.0f} px" if same else ""
+    if off >= 0.5:
+        matrix.fail(f"{words}: it lies outside; give the format that the matrix belongs to")
+    return [f"{words}: is the matrix of another size of the images?" if same else words]
 
 
 def read(path: Path, size_px: tuple[int, int] | None) -> tuple[Calibration, ...]:
@@ -267,10 +302,8 @@ def _known(text: str, suffix: str, *, fisheye: bool) -> bool:
         return False
     if not any(_MATRIX_KEY.fullmatch(k) for k in re.findall(r"""(?:^|[\s{,"'])([A-Za-z]\w*)["']?\s*:""", text)):
         return False
-    wide = re.search(r'fisheye_model"?\s*:\s*(1|true)', text) or re.search(
-        rf'model"?\s*:\s*"?({"|".join(FISHEYE_MODELS)})\b', text
-    )
-    return bool(wide) == fisheye
+    stated = rf"""{_FLAG}["']?\s*:\s*["']?(1|true|yes)\b|{_KIND}["']?\s*:\s*["']?({_FISHEYE_MODEL})\b"""
+    return (re.search(stated, text, re.IGNORECASE) is not None) == fisheye
 
 
 def _variant(count: int) -> Variant:

@@ -7,7 +7,8 @@ and shifts camera axes to object axes.  There are no tracks in this format.
 from __future__ import annotations
 
 import json
-from collections.abc import Mapping
+import math
+from collections.abc import Callable, Mapping
 from pathlib import Path
 from typing import Any, Literal
 
@@ -44,15 +45,13 @@ KEYS = {"fx": "fl_x", "fy": "fl_y"}
 FOLDER = "images/"
 NO_GEOMETRY = (
     "ply_file_path",
-    "camera_angle_x",
-    "camera_angle_y",
     "aabb_scale",
     "sharpness",
     "colmap_im_id",
     "scale",
     "offset",
 )
-"""Keys without bearing on cameras: clouds beside the file, angles that repeat fl_x, the cube of a radiance field."""
+"""Keys without bearing on cameras: clouds beside the file, the cube of a radiance field."""
 LENSES: Mapping[str, Literal["central", "equidistant", "sphere"]] = {
     "OPENCV": "central", "PINHOLE": "central", "SIMPLE_PINHOLE": "central", "SIMPLE_RADIAL": "central",
     "RADIAL": "central", "OPENCV_FISHEYE": "equidistant",
@@ -63,6 +62,8 @@ FLAGS = {"is_fisheye": "OPENCV_FISHEYE", "equirectangular": "EQUIRECTANGULAR"}
 """Keys of instant-ngp that name a lens -> the same as a camera model."""
 OTHER_LENSES = ("latlong", "orthographic", "ftheta_p0")
 """Keys of instant-ngp for lenses that are not read."""
+ANGLE_SHARE = 0.01
+"""Largest difference of a focal length from that of the field of view beside it, as a share."""
 NOTE = "nerfstudio looks for the photographs in images/ beside the file"
 
 
@@ -126,9 +127,10 @@ def read(path: Path) -> Import:
     forward: list[ForwardCamera | tuple[int, int]] = []
     index: list[int] = []
     names: list[str] = []
+    remarks: list[str] = []
     matrices = np.zeros((len(frames), 4, 4))
     for k, frame in enumerate(frames):
-        camera = _camera_in(top, frame)
+        camera = _camera_in(top, frame, remarks)
         if camera not in forward:
             forward.append(camera)
         index.append(forward.index(camera))
@@ -140,7 +142,6 @@ def read(path: Path) -> Import:
         _check_rotation(frame.get("transform_matrix"), matrices[k, :3, :3])
     if len(set(names)) < len(names):
         top.get("frames").fail("a file_path stands twice")
-    remarks: list[str] = []
     deviations: list[float] = []
     cameras: list[Camera] = []
     for k, camera in enumerate(forward, 1):
@@ -203,7 +204,29 @@ def _lens(top: Json, frame: Json) -> str:
     return model or "OPENCV"
 
 
-def _camera_in(top: Json, frame: Json) -> ForwardCamera | tuple[int, int]:
+def _focal(place: Callable[[str], Json], axis: str, size: int, remarks: list[str]) -> float | None:
+    """Focal length [px] along an axis: stated, or of the field of view [rad] or [deg] as instant-ngp takes it.
+
+    A field of view that contradicts a focal length in the same place has a remark.
+    """
+    key, angle_key, degrees_key = f"fl_{axis}", f"camera_angle_{axis}", f"{axis}_fov"
+    where = next((k for k in (angle_key, degrees_key) if place(k).has(k)), "")
+    angle = place(where).get(where).number() if where else math.nan
+    angle = math.radians(angle) if where == degrees_key else angle
+    if where and not 0 < angle < math.pi:
+        place(where).get(where).fail(f"a field of view of {math.degrees(angle):g} degrees has no focal length in px")
+    derived = size / (2 * math.tan(angle / 2)) if where else None
+    if not place(key).has(key):
+        return derived
+    stated = place(key).get(key).number()
+    if derived is not None and place(key) is place(where) and abs(derived - stated) > ANGLE_SHARE * abs(stated):
+        words = f"{key} = {stated:.6g} px is used; {where} contradicts it: {derived:.6g} px"
+        if words not in remarks:
+            remarks.append(words)
+    return stated
+
+
+def _camera_in(top: Json, frame: Json, remarks: list[str]) -> ForwardCamera | tuple[int, int]:
     """The camera of a frame; of an equirectangular image its width and height."""
 
     def place(key: str) -> Json:
@@ -214,8 +237,10 @@ def _camera_in(top: Json, frame: Json) -> ForwardCamera | tuple[int, int]:
     every = {t: place(t).optional(t) for t in DISTORTION}
     if LENSES[model] == "sphere":
         return width, height
-    fx = place("fl_x").get("fl_x").number()
-    fy = place("fl_y").optional("fl_y", fx)
+    fx = _focal(place, "x", width, remarks)
+    fy = _focal(place, "y", height, remarks) or fx
+    if fx is None or fy is None:
+        frame.fail("fl_x [px] or camera_angle_x [rad] is missing; give one of them, in the file or in each frame")
     if not (fx > 0 and fy > 0):
         frame.fail(f"a focal length of {fx:g}, {fy:g} px cannot be; it must be positive")
     terms = () if "PINHOLE" in model else DISTORTION if LENSES[model] == "central" else FISHEYE[4:]

@@ -26,6 +26,7 @@ from raybundle.io.reading.dialects import header_of
 from raybundle.io.reading.words import number_of, quoted
 from raybundle.io.tables import SHOWN, Column, Problem, fail, read_table
 from raybundle.numerics.arrays import Array, Index, Mask
+from raybundle.numerics.counting import counted
 
 XYZ, SIGMA, NORMAL = ("X", "Y", "Z"), ("sX", "sY", "sZ"), ("nX", "nY", "nZ")
 NO_TOLERANCE = "the column tolerance is for nominal coordinates, and control has none: it is not used"
@@ -231,9 +232,22 @@ def _grouped(path: Path, crs: str, rows: Sequence[GcpRow], defaults: ControlDefa
             xy_px=np.array([r.xy for r in rows]),
             line=np.array([r.line for r in rows], np.int32),
         ),
-        remarks=() if any(named) else (_nameless(stem, 0),),
+        remarks=(*(() if any(named) else (_nameless(stem, 0),)), *_behind_names(path, rows)),
         stem="" if any(named) else stem,
     )
+
+
+def _behind_names(path: Path, rows: Sequence[GcpRow]) -> tuple[str, ...]:
+    """Remark on words behind the names of points: columns of a program, or names with blanks."""
+    more = [r for r in rows if r.rest]
+    if not more:
+        return ()
+    first = f"{quoted(more[0].rest)} behind {quoted(more[0].name)} in line {more[0].line}"
+    remark = (
+        f"{path.name}: words behind the name of the point are not read in {counted(len(more), 'line')}, first {first}; "
+        "if names of points have blanks, separate columns by tabs"
+    )
+    return (remark,)
 
 
 def _nameless(stem: str, first: int) -> str:

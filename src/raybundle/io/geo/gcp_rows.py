@@ -25,6 +25,8 @@ class GcpRow:
     image: str
     name: str
     columns: int = len(GCP_COLUMNS)
+    rest: str = ""
+    """Words behind the name of the point, which are not read."""
 
 
 def content_lines(path: Path) -> Iterator[tuple[int, str]]:
@@ -68,7 +70,7 @@ def gcp_rows(lines: Iterator[tuple[int, str]]) -> tuple[list[GcpRow], list[Probl
             continue
         X, Y, Z, x, y = (float(n) for n in numbers)
         name = words[6] if len(words) > len(GCP_COLUMNS) else ""
-        rows.append(GcpRow(line, (X, Y, Z), (x, y), words[5], name, len(words)))
+        rows.append(GcpRow(line, (X, Y, Z), (x, y), words[5], name, len(words), " ".join(words[7:])))
     return rows, problems
 
 

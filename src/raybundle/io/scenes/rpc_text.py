@@ -82,11 +82,14 @@ def _collected(path: Path, text: str) -> tuple[dict[str, float], dict[str, dict[
     spelling = {s: k for k, all_ in SCALARS.items() for s in all_}
     scalars: dict[str, float] = {}
     polynomials: dict[str, dict[int, float]] = {}
+    stated: dict[str, tuple[int, float]] = {}
     for match in _LIST.finditer(text):
         if (name := _polynomial(match[1])) is not None:
             words = match[2].replace(",", " ").split()
             line = text.count("\n", 0, match.start()) + 1
             polynomials[name] = {k: _number(path, w, line, match[1]) for k, w in enumerate(words)}
+            for k, value in polynomials[name].items():
+                _check_once(path, stated, f"{name}({k + 1})", match[1], line, value)
     first = 0 if re.search(r"coeff?_0?0\s*[:=]", text, re.IGNORECASE) else 1
     for number, row in enumerate(text.split("\n"), 1):
         match = _PAIR.match(row)
@@ -99,10 +102,24 @@ def _collected(path: Path, text: str) -> tuple[dict[str, float], dict[str, dict[
         if plain in spelling:
             key = spelling[plain]
             _check_unit(path, key, match[3], number)
+            _check_once(path, stated, plain, match[1], number, value)
             scalars[key] = value
         elif indexed and (name := _polynomial(indexed[1])) is not None:
-            polynomials.setdefault(name, {})[(whole_of(indexed[2]) or 0) - first] = value
+            k = (whole_of(indexed[2]) or 0) - first
+            _check_once(path, stated, f"{name}({k + 1})", match[1], number, value)
+            polynomials.setdefault(name, {})[k] = value
     return scalars, polynomials
+
+
+def _check_once(
+    path: Path, stated: dict[str, tuple[int, float]], plain: str, key: str, line: int, value: float
+) -> None:
+    """Raise InputError where a key has another value than in a line before."""
+    before, old = stated.setdefault(plain, (line, value))
+    if old != value:
+        raise InputError(
+            f"{value:.12g}, and {old:.12g} in line {before}; delete one of the two", file=path, line=line, column=key
+        )
 
 
 def _polynomial(name: str) -> str | None:

@@ -3,9 +3,10 @@
     %  GPST                  latitude(deg) longitude(deg)  height(m)   Q  ns   sdn(m)   sde(m)   sdu(m)  sdne(m) ...
     2024/05/01 10:00:01.237   47.500012345    8.250001234   450.1234   1  12   0.0041   0.0032   0.0087   0.0011 ...
 
-Also with week and second, and as x, y, z from the earth's centre.  Signs of sdne, sdeu, sdun are those of the
-covariances, whose roots they are (RTKLIB manual, appendix B.1).  A track of all epochs is refused: its lines belong to
-no photograph.  Refused as well: another datum than WGS 84, and heights above a geoid, which the file does not name.
+Also with week and second, and as x, y, z from the earth's centre.  Signs of sdne, sdeu, sdun, or sdxy, sdyz, sdzx, are
+those of the covariances, whose roots they are (RTKLIB manual, appendix B.1).  A track of all epochs is refused: its
+lines belong to no photograph.  Refused as well: another datum than WGS 84, and heights above a geoid, which the file
+does not name.
 
     % (lat/lon/height=WGS84/ellipsoidal,Q=1:fix,2:float,3:sbas,4:dgps,5:single,6:ppp,ns=# of satellites)
 """
@@ -24,7 +25,7 @@ from raybundle.io.reading.dialects import table_text
 from raybundle.io.reading.words import number_of, quoted
 from raybundle.io.trajectories.base import WEEK_S, WGS84_HEIGHT, Trajectory, TrajectoryFormat, register
 from raybundle.numerics.arrays import Array
-from raybundle.numerics.geodesy import geographic_from_geocentric
+from raybundle.numerics.geodesy import enu_from_geocentric, geographic_from_geocentric
 
 GPS_EPOCH = datetime(1980, 1, 6)  # noqa: DTZ001  (GPS time has no zone)
 FIX = {1: "rtk fixed", 2: "rtk float", 5: "single"}
@@ -32,6 +33,7 @@ EPOCH_S, SAME_S, FEWEST = 0.05, 1e-4, 3
 """Receivers record epochs at whole multiples of 0.05 s (20 Hz and slower); of exposures one in 500 falls there."""
 COLUMNS = ("latitude", "longitude", "height", "q", "ns", "sdn", "sde", "sdu", "sdne", "sdeu", "sdun")
 """Names of the columns, without their units; the last is also sdue."""
+ECEF = ("x-ecef", "y-ecef", "z-ecef", "q", "ns", "sdx", "sdy", "sdz", "sdxy", "sdyz", "sdzx")
 _STATED = re.compile(r"(?:/|%\s*)(height|z-ecef)\s*[=:]\s*([a-z][^,;()\s/]*)(?:\s*/\s*([^,;()\s]+))?", re.IGNORECASE)
 """Datum and reference of the heights: lat/lon/height=WGS84/ellipsoidal, height: geodetic, x/y/z-ecef=WGS84."""
 _TIME = re.compile(r"\s*(?:(\d{4})/(\d\d)/(\d\d)\s+(\d\d):(\d\d):(\d\d(?:\.\d*)?)|(\d{1,4})\s+(\d+(?:\.\d*)?))\s+(.+)")
@@ -62,7 +64,7 @@ def read(path: Path) -> Trajectory:
     xyz = table[:, :3][:, [1, 0, 2]]
     if ecef:
         xyz = geographic_from_geocentric(table[:, :3])
-    sigma, correlation = _spread(table, ecef=ecef)
+    sigma, correlation = _spread(table, xyz if ecef else None)
     fix = tuple(FIX.get(int(q), "") for q in table[:, 3]) if width > 3 else ()
     weak = sum(f != "rtk fixed" for f in fix)
     clock = _clock(header)
@@ -108,15 +110,16 @@ def _word(text: str) -> str:
 def _columns(path: Path, header: str) -> int:
     """Number of columns after the time whose names are those of RTKLIB; raises InputError for other coordinates."""
     names = [n.lower() for n in re.findall(r"([A-Za-z][\w-]*)(?:\([^)]*\))?", header)][1:]
-    if not names or "latitude" not in header:
+    known = ECEF if "x-ecef" in header else COLUMNS
+    if not names or not ("latitude" in header or known is ECEF):
         return len(COLUMNS)
     same = 0
-    for name, right in zip(names, COLUMNS, strict=False):
+    for name, right in zip(names, known, strict=False):
         if name not in {right, right.replace("sdun", "sdue")}:
             break
         same += 1
     if same < 3:
-        message = f"the columns are {', '.join(names[:3])}; write the solution as latitude, longitude and height"
+        message = f"the columns are {', '.join(names[:3])}; write the solution as {', '.join(known[:3])}"
         raise InputError(message, file=path)
     return same
 
@@ -173,20 +176,30 @@ def _check(path: Path, header: str, times: list[float], table: Array) -> None:
         )
 
 
-def _spread(table: Array, *, ecef: bool) -> tuple[Array, Array | None]:
-    """Standard deviations east, north, up [m] and their correlations; of x, y, z they are not turned but left out."""
+def _spread(table: Array, geographic: Array | None) -> tuple[Array, Array | None]:
+    """Standard deviations east, north, up [m] and their correlations, NaN where the variances are not positive.
+
+    geographic  (n, 3) longitude and latitude [deg] where the columns are x, y, z from the earth's centre; None: they
+                are north, east, up
+    """
     n, width = table.shape
-    sigma = np.full((n, 3), math.nan)
-    if ecef or width < 8:
+    if width < 8:
+        return np.full((n, 3), math.nan), None
+    C = np.zeros((n, 3, 3))
+    C[:, (0, 1, 2), (0, 1, 2)] = np.where(table[:, 5:8] > 0, table[:, 5:8] ** 2, math.nan)
+    for k, (i, j) in enumerate(((0, 1), (1, 2), (2, 0)) if width >= 11 else ()):
+        C[:, i, j] = C[:, j, i] = np.sign(table[:, 8 + k]) * table[:, 8 + k] ** 2
+    east, north, up = (1, 0, 2)
+    if geographic is not None:
+        R = enu_from_geocentric(geographic)
+        C, (east, north, up) = R @ C @ np.swapaxes(R, -1, -2), (0, 1, 2)
+    variance = C[:, (east, north, up), (east, north, up)]
+    sigma = np.sqrt(np.where(variance > 0, variance, math.nan))
+    if width < 11 and geographic is None:
         return sigma, None
-    sigma = table[:, [6, 5, 7]]
-    sigma = np.where(sigma > 0, sigma, math.nan)
-    if width < 11:
-        return sigma, None
-    ne, eu, un = (np.sign(c) * c * c for c in table[:, 8:11].T)
-    east, north, up = sigma.T
+    pairs = C[:, (east, east, north), (north, up, up)]
     with np.errstate(all="ignore"):
-        found = np.stack([ne / (east * north), eu / (east * up), un / (north * up)], axis=1)
+        found = pairs / (sigma[:, (0, 0, 1)] * sigma[:, (1, 2, 2)])
     return sigma, np.clip(np.nan_to_num(found), -1, 1)
 
 
