@@ -427,3 +427,16 @@ def test_order_of_coordinates_in_a_system_that_the_user_names(tmp_path):
         in_wgs84(read_trajectory(path), "EPSG:32632")
     path.write_text("name,X,Y,Z\na.jpg,443550.5,5261000.25,450\n")
     assert not any("outside" in r for r in in_wgs84(read_trajectory(path), "EPSG:32632").remarks)
+
+
+@pytest.mark.parametrize("word", ["0", "1", "False", "true", ""])
+def test_positions_that_the_list_disables(tmp_path, word):
+    path = tmp_path / "list.csv"
+    path.write_text(
+        f"#Label,Enable,X/Longitude,Y/Latitude,Z/Altitude\na.jpg,1,8.25,47.5,450\nb.jpg,{word},8.26,47.5,450\n"
+    )
+    found = read_trajectory(path)
+    off = word in {"0", "False"}
+    assert np.isnan(found.xyz[1, :2]).all() == off
+    assert any("1 of 2 positions are disabled" in r for r in found.remarks) == off
+    assert not any("Not read" in r for r in found.remarks)

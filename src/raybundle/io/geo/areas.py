@@ -60,7 +60,7 @@ def check_area(crs: str, xy: Array, file: Path, *, named: bool = False, lines: I
     geographic = plan_of(crs).is_geographic
     degrees = abs(x) <= HALF_TURN and abs(y) <= HALF_TURN and not geographic
     if (exchanged and (geographic or here.share > 1)) or degrees or not math.isfinite(here.off):
-        what = "they look like degrees; name the system of longitude and latitude" if degrees else (
+        what = "they look like degrees, or metres of a site's own axes; name their system" if degrees else (
             f"{exchanged}write east or longitude first, or correct the system"
         )  # fmt: skip
         first = None if line is None else int(line[0])

@@ -44,6 +44,7 @@ OURS = {"image", "point"}
 _SYSTEM = re.compile(r"#?\s*(?:coordinate\s*system|crs)\s*[:=]\s*(.+)", re.IGNORECASE)
 _KINDS = {
     "name": r"(image|photo|file|camera)?(name|label)|image|images|photo|file|label|name",
+    "enabled": r"enabled?",
     "longitude": r"x?(longitude|lon|long|lng)(deg|decimaldegrees|wgs84)?",
     "latitude": r"y?(latitude|lat)(deg|decimaldegrees|wgs84)?",
     "x": r"xm?|x?(easting|east|e|rechtswert)m?",
@@ -122,6 +123,8 @@ def read(path: Path) -> Trajectory:
         if k not in columns.at.values():
             enter(columns.names[k] if k < len(columns.names) else f"column {k + 1}")
     rows = [_row(path, n, w, columns, comma=separator != ",") for n, w in cells]
+    if off := sum(_is_off(w, columns) for _, w in cells):
+        remarks = (*remarks, f"{off} of {len(cells)} positions are disabled in the list and not used")
     return listed(path, rows, crs, remarks)
 
 
@@ -253,6 +256,12 @@ def _by_plausibility(
     )  # fmt: skip
 
 
+def _is_off(words: Sequence[str], columns: _Columns) -> bool:
+    """Whether the list switches a position off."""
+    k = columns.at.get("enabled", len(words))
+    return k < len(words) and words[k].lower() in {"0", "false"}
+
+
 def _row(path: Path, line: int, words: list[str], columns: _Columns, *, comma: bool) -> ImageRow:
     def number(*kinds: str) -> float:
         k = next((columns.at[kind] for kind in kinds if kind in columns.at), None)
@@ -261,7 +270,7 @@ def _row(path: Path, line: int, words: list[str], columns: _Columns, *, comma: b
     if len(words) <= max(columns.at[k] for k in columns.at if k in {"name", "longitude", "latitude", "x", "y"}):
         raise InputError(f"{len(words)} columns, fewer than the names of columns need", file=path, line=line)
     place = ("longitude", "latitude") if columns.geographic else ("x", "y")
-    x, y = (number(n) for n in place)
+    x, y = (math.nan if _is_off(words, columns) else number(n) for n in place)
     sigma = number("sx", "plan"), number("sy", "plan"), number("sz")
     return ImageRow(line, words[columns.at["name"]], (x, y, number("z")), sigma)
 
