@@ -75,7 +75,7 @@ class Element:
                 yield child.name, f"<{child.name}>"
 
     def leave_out(self) -> None:
-        """Count nothing within as passed over: a remark of the reader covers the whole element."""
+        """Count nothing within as passed over: the reader reports the whole element."""
         self.asked = True
         self.attributes.asked.update(self.attributes)
         for child in self.children:
