@@ -44,13 +44,13 @@ GEO_TXT = {  # text, place, system, standard deviations
 }
 TABLES = {
     "Pix4D": (f"{PIX4D}\na.jpg,47.5,8.25,450,0.02,0.03\n", HERE, W, OWN),
-    "Pix4D without names": ("a.jpg,-33.5,151.25,450,0.02,0.03\n", EAST, W, OWN),
+    "Pix4D without names": ("a.jpg,47.5,8.25,450,0.02,0.03\n", HERE, W, OWN),
     "Pix4D with angles": ("a.jpg\t-33.5\t151.25\t450\t1\t2\t3\t0.02\t0.03\n", EAST, W, OWN),
     "Pix4D in a grid": (f"a.jpg,{GRID}\n", UTM, None, None),
     "Pix4D, grid with names": (f"#imagename,X,Y,Z\na.jpg,{GRID}\n", UTM, None, None),
     "decimal commas": ("image name;Latitude;Longitude;Altitude\na.jpg;47,5;8,25;450\n", HERE, W, None),
     "blanks, decimal commas": ("a.jpg -33,5 151,25 450\n", EAST, W, None),
-    "blanks": ("my a.jpg -33.5 151.25 450\n", EAST, W, None),
+    "blanks": ("my a.jpg 47.5 8.25 450\n", HERE, W, None),
     "longitude first": ("filename,lon,lat,alt\na.jpg,8.25,47.5,450\n", HERE, W, None),
     "longitude first, no names": ("a.jpg,151.25,-33.5,450\n", EAST, W, None),
     "easting, northing": (f"Photo;Easting;Northing;Height\na.jpg;{GRID.replace(',', ';')}\n", UTM, None, None),
@@ -326,13 +326,13 @@ def test_names_of_columns_are_understood_or_refused(tmp_path, names):
         assert any("estimated coordinates alone" in r for r in found.remarks) == ("_est" in names)
 
 
-NAMELESS = {  # lines, and latitude, longitude ("lat"), longitude, latitude ("lon"), X, Y ("xy"); "": refused
-    "a.jpg,47.5,8.25,450": "",
-    "a.jpg,8.25,47.5,450": "",
+NAMELESS = {  # lines, and latitude, longitude ("lat"), longitude, latitude ("lon"), X, Y ("xy"), a place; "": refused
+    "a.jpg,47.5,8.25,450": "47.5 N, 8.25 E",
+    "a.jpg,8.25,47.5,450": "8.25 N, 47.5 E",
     "a.jpg,12.5,47.5,45\nb.jpg,22.5,40.5,45": "",
     "a.jpg,12.5,120.5,45\nb.jpg,22.5,140.5,45": "",
-    "a.jpg,-33.5,-70.25,450": "",
-    "# site north\na.jpg,0,0,0\nb.jpg,1,1,0": "",
+    "a.jpg,-33.5,-70.25,450": "33.5 S, 70.25 W",
+    "# site north\na.jpg,0,0,0\nb.jpg,3,3,0": "",
     "a.jpg,-33.5,151.25,450": "lat",
     "a.jpg,40.1,-105.2,450\nb.jpg,40.2,-105.3,450": "lat",
     "# by hand, in 2024, on site\na.jpg,40.1,-105.2,450": "lat",
@@ -340,7 +340,7 @@ NAMELESS = {  # lines, and latitude, longitude ("lat"), longitude, latitude ("lo
     "a.jpg,312.5,47.5,45": "xy",
     "a.jpg,95.5,120.5,45": "xy",
     "#crs: EPSG:32632\na.jpg,512.5,470.5,45": "xy",
-    "#crs: EPSG:4326\na.jpg,12.5,47.5,45": "",
+    "#crs: EPSG:4326\na.jpg,12.5,47.5,45": "12.5 N, 47.5 E",
     "#crs: EPSG:4326\na.jpg,12.5,147.5,45\nb.jpg,22.5,147.5,45": "lat",
 }
 
@@ -352,6 +352,10 @@ def test_lists_without_names_are_read_where_numbers_decide(tmp_path, lines):
     if not NAMELESS[lines]:
         with pytest.raises(InputError, match="no column names, and the numbers .* do not decide"):
             read_trajectory(path)
+        return
+    if "," in NAMELESS[lines]:
+        (remark,) = (r for r in read_trajectory(path).remarks if r.startswith("no column names"))
+        assert remark.endswith(f"the order of Pix4D; its first place is {NAMELESS[lines]}")
         return
     remark = {"lat": "latitude, longitude, height", "lon": "longitude, latitude, height", "xy": "X, Y, Z"}
     assert any(r == f"no column names: taken as {remark[NAMELESS[lines]]}" for r in read_trajectory(path).remarks)

@@ -5,8 +5,8 @@
     #Label,X/Longitude,Y/Latitude,Z/Altitude,Yaw,Pitch,Roll,...                                          (Metashape)
     a.jpg,47.5,8.25,450,0.02,0.03
 
-Columns stand between commas, semicolons, tabs or blanks.  Without names the numbers must decide the order: one of the
-two is beyond 90 degrees, or both are no degrees.  Angles and errors are not read; estimated coordinates only where the
+Columns stand between commas, semicolons, tabs or blanks.  Without names the numbers decide the order where one of the
+two is beyond 90 degrees, or both are no degrees; else a list of one site in degrees has the order of Pix4D.  Angles and errors are not read; estimated coordinates only where the
 list has no others.
 """
 
@@ -247,6 +247,12 @@ def _by_plausibility(
     if degrees and a > LIMITS[1]:
         return _Columns(at | {"longitude": 1, "latitude": 2}), (
             "no column names: taken as longitude, latitude, height",
+        )
+    if degrees and len(known):
+        north, east = known[0].tolist()
+        return _Columns(at | {"latitude": 1, "longitude": 2}), (
+            "no column names: taken as latitude, longitude, height, the order of Pix4D; its first place is "
+            f"{abs(north):.6g} {'S' if north < 0 else 'N'}, {abs(east):.6g} {'W' if east < 0 else 'E'}",
         )
     first = f"{known[0, 0]:.10g}, {known[0, 1]:.10g}" if len(known) else "no numbers"
     raise InputError(
