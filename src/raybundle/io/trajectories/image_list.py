@@ -6,8 +6,8 @@
     a.jpg,47.5,8.25,450,0.02,0.03
 
 Columns stand between commas, semicolons, tabs or blanks.  Without names the numbers decide the order where one of the
-two is beyond 90 degrees, or both are no degrees; else a list of one site in degrees has the order of Pix4D.  Angles and errors are not read; estimated coordinates only where the
-list has no others.
+two is beyond 90 degrees, or both are no degrees; else a list of one site in degrees has the order of Pix4D.  Angles and
+errors are not read; estimated coordinates only where the list has no others.
 """
 
 from __future__ import annotations
@@ -250,10 +250,11 @@ def _by_plausibility(
         )
     if degrees and len(known):
         north, east = known[0].tolist()
-        return _Columns(at | {"latitude": 1, "longitude": 2}), (
+        remark = (
             "no column names: taken as latitude, longitude, height, the order of Pix4D; its first place is "
-            f"{abs(north):.6g} {'S' if north < 0 else 'N'}, {abs(east):.6g} {'W' if east < 0 else 'E'}",
+            f"{abs(north):.6g} {'S' if north < 0 else 'N'}, {abs(east):.6g} {'W' if east < 0 else 'E'}"
         )
+        return _Columns(at | {"latitude": 1, "longitude": 2}), (remark,)
     first = f"{known[0, 0]:.10g}, {known[0, 1]:.10g}" if len(known) else "no numbers"
     raise InputError(
         f"no column names, and the numbers ({first}) do not decide between latitude, longitude and longitude, latitude "
