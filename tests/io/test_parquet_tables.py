@@ -1,5 +1,6 @@
 """Parquet tables: the same rows and complaints as CSV, bit by bit, and nothing that a damaged file could do."""
 
+import contextlib
 import re
 from dataclasses import replace
 
@@ -16,6 +17,7 @@ from raybundle.io import parquet, table_files
 from raybundle.io.block.arrays import arrays_of_block
 from raybundle.io.block.folder import read_block, write_block
 from raybundle.io.block.pieces import read_in_pieces
+from raybundle.io.reading.parquet_pages import row_groups
 from raybundle.io.tables import Column, read_table, write_table
 from raybundle.planning.scenes import AerialStrips, aerial_scene
 from raybundle.planning.simulate import Survey, simulate
@@ -238,6 +240,35 @@ def test_a_page_that_says_more_than_the_footer_is_found(tmp_path):
         found = list(parquet.pages(raw, told.data_page_offset, told.total_compressed_size))
     assert sum(p.unpacked for p in found) >= 8 << 19
     assert {p.encoding for p in found} == {0}
+
+
+def test_sizes_in_the_footer_are_those_that_pyarrow_reads(block, tmp_path, monkeypatch):
+    monkeypatch.setattr(parquet, "GROUP_ROWS", 100)
+    write_block(block, tmp_path / "b", tables="parquet")
+    for path in sorted((tmp_path / "b").glob("*.parquet")):
+        known = pq.ParquetFile(path).metadata
+        with path.open("rb") as raw:
+            found = row_groups(parquet._footer(raw))
+        assert [rows for rows, _ in found] == [known.row_group(k).num_rows for k in range(known.num_row_groups)]
+        for k, (_, chunks) in enumerate(found):
+            columns = [known.row_group(k).column(j) for j in range(known.num_columns)]  # of a file that is whole
+            assert [c.name for c in chunks] == [c.path_in_schema for c in columns]
+            assert [c.length for c in chunks] == [c.total_compressed_size for c in columns]
+            begins = [c.dictionary_page_offset if c.has_dictionary_page else c.data_page_offset for c in columns]
+            assert [c.begin for c in chunks] == begins
+
+
+def test_a_footer_whose_sizes_contradict_the_schema_is_refused(block, tmp_path):
+    """pyarrow ends the process when it is asked for such a column."""
+    write_block(block, tmp_path / "b", tables="parquet")
+    path = tmp_path / "b/images.parquet"
+    data = path.read_bytes()
+    at = len(data) - 8 - int.from_bytes(data[-8:-4], "little")
+    for k in range(at, len(data) - 8, 3):
+        for byte in (0, 255, data[k] ^ 2):
+            path.write_bytes(data[:k] + bytes([byte]) + data[k + 1 :])
+            with contextlib.suppress(InputError):
+                read_block(tmp_path / "b")
 
 
 def test_a_block_is_read_in_pieces(block, tmp_path, monkeypatch):

@@ -21,7 +21,7 @@ from raybundle.io.cells import Column, Problem, converted, fail, numbers_good, t
 from raybundle.io.digits import EVERY, Digits, exact, rounded
 from raybundle.io.reading import words
 from raybundle.io.reading.files import opened
-from raybundle.io.reading.parquet_pages import BadPage, pages
+from raybundle.io.reading.parquet_pages import BadPage, Chunk, pages, row_groups
 from raybundle.io.table_files import Named, TableFormat
 from raybundle.numerics.arrays import Array, Index
 
@@ -117,14 +117,17 @@ def groups(path: Path, present_in: Callable[[Sequence[str]], list[Column]]) -> I
         for column in present:
             _check_kind(pa, path, column, schema.field(column.name).type)
         seen: list[dict[str, int]] = [{} for _ in present]
-        row = 0
+        row, whole = 0, row_groups(_footer(raw))
+        if len(whole) != file.num_row_groups:
+            raise InputError(f"its footer has no sense; {AGAIN}", file=path)
         if not file.num_row_groups:
             none = {"number": np.zeros(0), "id": (), "text": ()}
             yield Group(0, tuple(present), tuple(none.get(c.kind, np.zeros(0, np.int32)) for c in present))
         for k in range(file.num_row_groups):
-            _check_group(path, raw, file.metadata.row_group(k))
+            rows, chunks = whole[k]
+            _check_group(path, raw, rows, chunks)
             read = file.read_row_group(k, [c.name for c in present], use_threads=False)
-            if read.num_rows != file.metadata.row_group(k).num_rows:
+            if read.num_rows != rows:
                 raise InputError("its columns are not of one length; the file is damaged", file=path)
             problems: list[Problem] = []
             parts = tuple(_part(path, pa, read.column(j), c, seen[j], problems, row + 2) for j, c in enumerate(present))
@@ -200,22 +203,26 @@ def _check_kind(pa: Any, path: Path, column: Column, kind: Any) -> None:
         raise InputError(f"holds {str(kind)[:40]}; give {wanted} here", file=path, column=column.name)
 
 
-def _check_group(path: Path, raw: BinaryIO, told: Any) -> None:
+def _footer(raw: BinaryIO) -> bytes:
+    """The list of what is in the file: pyarrow's view of it ends the process where sizes contradict each other."""
+    size = os.fstat(raw.fileno()).st_size
+    raw.seek(size - 8)
+    length = int.from_bytes(raw.read(4), "little")
+    raw.seek(size - 8 - length)
+    return raw.read(length)
+
+
+def _check_group(path: Path, raw: BinaryIO, rows: int, chunks: Sequence[Chunk]) -> None:
     """Raise where a group of rows would unfold to more than a table's does, or to more than it says."""
     unpacked = 0
-    for j in range(told.num_columns):
-        column = told.column(j)
-        begin = column.data_page_offset
-        if column.has_dictionary_page and column.dictionary_page_offset is not None:
-            begin = min(begin, column.dictionary_page_offset)
-        for page in pages(raw, begin, column.total_compressed_size):
+    for chunk in chunks:
+        for page in pages(raw, chunk.begin, chunk.length):
             unpacked += page.unpacked
             if page.encoding in UNFOLDING:
                 what = f"is encoded as {UNFOLDING[page.encoding]}, of which nothing tells how much it holds"
-                name = column.path_in_schema
-                raise InputError(f"{what}; write it with another encoding", file=path, column=name)
-    if told.num_rows > MOST_GROUP_ROWS or unpacked > MOST_GROUP_BYTES:
-        what = f"{told.num_rows} rows and {unpacked} bytes in one group of rows"
+                raise InputError(f"{what}; write it with another encoding", file=path, column=chunk.name)
+    if rows > MOST_GROUP_ROWS or unpacked > MOST_GROUP_BYTES:
+        what = f"{rows} rows and {unpacked} bytes in one group of rows"
         limits = f"{MOST_GROUP_ROWS} and {MOST_GROUP_BYTES} are read; write it in smaller groups"
         raise InputError(f"{what}, of which {limits}", file=path)
 
@@ -270,6 +277,8 @@ def _texts(pa: Any, values: Any) -> tuple[Index, list[str]]:
     different = [text or "" for text in values.dictionary.to_pylist()]
     codes = values.indices.fill_null(len(different)).to_numpy(zero_copy_only=False)
     different.append("")
+    if len(codes) and not 0 <= codes.min() <= codes.max() < len(different):
+        raise BadPage("a row refers to a text that its dictionary does not have")
     used = np.flatnonzero(np.bincount(codes, minlength=len(different)))
     if len(used) == len(different):
         return codes, different

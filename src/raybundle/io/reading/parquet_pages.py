@@ -1,6 +1,6 @@
-"""What the pages of a Parquet file say of their own size, before anything is decoded.
+"""What footer and pages of a Parquet file state of their own sizes, before anything is decoded.
 
-A footer tells sizes, and so does the head of each page; a decoder believes the latter.  The heads are read
+A footer states sizes, and so does the head of each page; a decoder believes the latter.  Both are read
 here (Thrift's compact protocol; Apache Parquet format, parquet.thrift), so that a small file cannot unfold to what no
 memory holds.
 """
@@ -15,14 +15,14 @@ HEAD_BYTES = 1 << 16
 """Of the head of a page: type, sizes, encodings, and the least and largest value."""
 DEEP = 8
 """Structures within each other in the head of a page; the format has 3."""
-NONE, TRUE, FALSE, BYTE, DOUBLE, BINARY, STRUCT = 0, 1, 2, 3, 7, 8, 12
+NONE, TRUE, FALSE, BYTE, DOUBLE, BINARY, LIST, STRUCT = 0, 1, 2, 3, 7, 8, 9, 12
 WHOLE = (4, 5, 6)
 ENCODING = {5: 2, 8: 4}
 """Field of a page's head that describes its kind of data page -> field of the encoding in there."""
 
 
 class BadPage(Exception):
-    """The head of a page cannot be read."""
+    """The footer, or the head of a page, cannot be read."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -35,6 +35,41 @@ class Page:
     """of its values, as the format numbers them; -1 of a dictionary"""
 
 
+@dataclass(frozen=True, slots=True)
+class Chunk:
+    """Where a column of a group of rows stands in the file [bytes]."""
+
+    name: str
+    begin: int
+    length: int
+
+
+def row_groups(footer: bytes) -> list[tuple[int, list[Chunk]]]:
+    """Number of rows and columns of each group of rows.
+
+    raises  BadPage
+    """
+    found: list[tuple[int, list[Chunk]]] = []
+    for group in _part(_Head(footer).struct(0), 4, list):
+        chunks: list[Chunk] = []
+        for column in _part(group, 1, list):
+            told = _part(column, 3, dict)
+            begin, dictionary = _part(told, 9, int), told.get(11)
+            if isinstance(dictionary, int) and dictionary > 0:
+                begin = min(begin, dictionary)
+            name = ".".join(str(n, "utf-8", "replace") for n in _part(told, 3, list) if isinstance(n, bytes))
+            chunks.append(Chunk(name, begin, _part(told, 7, int)))
+        found.append((_part(group, 3, int), chunks))
+    return found
+
+
+def _part(fields: Any, number: int, kind: type) -> Any:
+    value = fields.get(number) if isinstance(fields, dict) else None
+    if not isinstance(value, kind):
+        raise BadPage
+    return value
+
+
 def pages(file: BinaryIO, begin: int, length: int) -> Iterator[Page]:
     """The pages of a column within a group of rows.
 
@@ -42,6 +77,8 @@ def pages(file: BinaryIO, begin: int, length: int) -> Iterator[Page]:
     raises         BadPage
     """
     at, end = begin, begin + length
+    if begin < 0 or length < 0:
+        raise BadPage
     while at < end:
         file.seek(at)
         head = _Head(file.read(min(HEAD_BYTES, end - at)))
@@ -81,10 +118,11 @@ class _Head:
         n = self.number()
         return (n >> 1) ^ -(n & 1)
 
-    def skip(self, count: int) -> None:
+    def skip(self, count: int) -> bytes:
         if count > len(self.data) - self.at:
             raise BadPage
         self.at += count
+        return self.data[self.at - count : self.at]
 
     def struct(self, depth: int) -> dict[int, Any]:
         """Fields by their numbers."""
@@ -104,6 +142,16 @@ class _Head:
         if kind == STRUCT:
             return self.struct(depth + 1)
         if kind in {BYTE, DOUBLE, BINARY}:
-            self.skip({BYTE: 1, DOUBLE: 8}.get(kind) or self.number())
-            return None
-        raise BadPage  # lists and maps: no head of a page has one
+            return self.skip({BYTE: 1, DOUBLE: 8}.get(kind) or self.number())
+        if kind == LIST:
+            return self.values(depth)
+        raise BadPage  # sets and maps: the format has none
+
+    def values(self, depth: int) -> list[Any]:
+        """A list."""
+        head = self.byte()
+        count, kind = head >> 4, head & 15
+        count = self.number() if count == 15 else count
+        if count > len(self.data) - self.at:
+            raise BadPage
+        return [self.byte() == TRUE if kind in {TRUE, FALSE} else self.value(kind, depth) for _ in range(count)]
