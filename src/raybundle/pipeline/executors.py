@@ -7,11 +7,12 @@ from __future__ import annotations
 
 import os
 import signal
-from collections.abc import Callable, Generator, Iterator, Sequence
+from collections.abc import Callable, Generator, Iterator, Mapping, Sequence
 from concurrent.futures import BrokenExecutor, Future, ProcessPoolExecutor, ThreadPoolExecutor
 from contextlib import contextmanager, suppress
 from dataclasses import dataclass, field
 from multiprocessing import get_context, parent_process
+from multiprocessing.process import BaseProcess
 from queue import SimpleQueue
 from threading import Thread
 from typing import Protocol
@@ -173,6 +174,8 @@ class _Pool:
     def close(self) -> None:
         """End it."""
         if self.pool is not None:
+            if getattr(self.pool, "_broken", False):
+                _end_processes(self.pool)
             self.pool.shutdown(wait=True, cancel_futures=True)
 
     def room(self) -> int:
@@ -187,8 +190,7 @@ class _Pool:
             with suppress(BrokenExecutor):
                 future = self.give(self.pool, task, self.store)
         if future is None:
-            if self.pool is not None:
-                self.pool.shutdown(wait=True, cancel_futures=True)
+            self.close()
             self.pool = self.begin()
             future = self.give(self.pool, task, self.store)
         future.add_done_callback(lambda ended, key=task.key: self.done.put((key, ended)))
@@ -199,6 +201,17 @@ class _Pool:
         while not self.done.empty():
             found.append(self.done.get())
         return [(key, _result(future)) for key, future in found]
+
+
+def _end_processes(pool: Pool) -> None:
+    """End all processes of a pool that is broken.
+
+    It ends those that it had when one of them died, and waits for one that a task began at that instant, too: that one
+    would not end where a lock died with the other (Python 3.11; later ones begin none then).
+    """
+    processes: Mapping[int, BaseProcess] = getattr(pool, "_processes", None) or {}
+    for process in [*processes.values()]:
+        process.kill()
 
 
 def _result(future: Future[Done]) -> Done | None:
