@@ -7,6 +7,7 @@ import tempfile
 from pathlib import Path
 
 import pytest
+from hypothesis import HealthCheck, settings
 
 DATA = Path(os.environ.get("RAYBUNDLE_DATA", Path(__file__).resolve().parents[2] / "shared/data"))
 
@@ -23,6 +24,10 @@ os.environ["RAYBUNDLE_CONFIG"] = tempfile.mkdtemp(prefix="raybundle-config-")
 atexit.register(shutil.rmtree, os.environ["RAYBUNDLE_CONFIG"], ignore_errors=True)
 os.environ["RAYBUNDLE_TASK_MODULES"] = "tests.pipeline.graph,tests.pipeline.test_executors,tests.pipeline.test_stage"
 """Tasks of tests, in this process and in those that it begins."""
+
+settings.register_profile("busy", deadline=None, suppress_health_check=[HealthCheck.too_slow])
+settings.load_profile("busy")
+"""How long an example takes says how busy the machine is."""
 
 
 @pytest.fixture(scope="session")

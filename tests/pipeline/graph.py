@@ -12,6 +12,7 @@ from raybundle.errors import InputError
 from raybundle.pipeline.keys import key_of
 from raybundle.pipeline.store import Folder
 from raybundle.pipeline.tasks import Task
+from tests.barriers import wait_for
 
 HERE = "tests.pipeline.graph"
 SIZE = 60
@@ -38,8 +39,8 @@ def _logged(options):
         with options.log.open("a") as file:
             file.write(f"{options.number} {os.getpid()} {time.time():.3f}\n")
     time.sleep(options.seconds)
-    while options.gate is not None and not options.gate.exists():
-        time.sleep(0.01)
+    if options.gate is not None:
+        wait_for(options.gate.exists, "the gate is open")
 
 
 def leaf(store: Folder, options: Node):
@@ -70,14 +71,14 @@ def trace(store: Folder, options: Node):
     return {"trace": np.array(np.trace(a)), "matches": np.array([[options.number, len(a)]], np.int32)}
 
 
-def tasks_of(leaves, *, log=None, seconds=0.0, crash=None, small=True, cost=1.0, gate=None):
-    """The tasks of a graph; `crash`: what goes wrong by numbers of leaves; `gate`: for which all wait but 4 leaves."""
+def tasks_of(leaves, *, log=None, seconds=0.0, crash=None, small=True, cost=1.0, gate=None, free=4):
+    """The tasks of a graph; what goes wrong by numbers of leaves; the gate for which all wait but so many free leaves."""
     crash = crash or {}
 
     def task(kind, number, *below, is_small=False):
         options = Node(
             number=number, below=tuple(t.key for t in below), log=log, seconds=seconds, crash=crash.get(number, ""),
-            gate=gate if number >= 4 else None,
+            gate=gate if number >= free else None,
         )  # fmt: skip
         key = key_of(kind, number, options.below, leaves)
         return Task(
@@ -106,13 +107,14 @@ def digest(store, tasks, small):
     return total.hexdigest()
 
 
-def done_by(executor, tasks, store):
-    """The digest of what an executor makes of tasks."""
+def done_by(executor, tasks, store, meanwhile=lambda: None):
+    """The digest of what an executor makes of tasks; `meanwhile` is called after each of them, before the next."""
     small = {}
     for done in executor.run(tasks, store):
         assert not done.failed, done.failed
         if done.task.small:
             small[done.task.key] = done.product
+        meanwhile()
     return digest(store, tasks, small)
 
 

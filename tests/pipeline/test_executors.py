@@ -1,7 +1,7 @@
 """Tasks done by threads and by processes of their own: the same products, in whatever order they end."""
 
 import os
-import time
+import threading
 from contextlib import nullcontext
 from dataclasses import dataclass
 from pathlib import Path
@@ -15,6 +15,7 @@ from raybundle.pipeline.keys import key_of
 from raybundle.pipeline.store import Folder
 from raybundle.pipeline.tasks import Task, do_written, function_of, read_task, written
 from raybundle.settings import on_the_command_line, option
+from tests.barriers import DEADLINE_S
 from tests.pipeline.graph import executions, tasks_of
 
 HERE = "tests.pipeline.test_executors"
@@ -163,20 +164,23 @@ def test_a_function_is_called_by_its_name(name):
         function_of(name)
 
 
-def slow(store: Folder, options: Sum):
-    """How many of these work at once."""
+def together(store: Folder, options: Sum):
+    """How many of these work at once; each waits for as many as `TOGETHER` says."""
     del store, options
     WORKING.append(1)
-    time.sleep(0.05)
+    TOGETHER[0].wait(DEADLINE_S)
     most = len(WORKING)
+    TOGETHER[0].wait(DEADLINE_S)
     WORKING.pop()
     return {"at_once": np.array(most)}
 
 
 WORKING: list[int] = []
+TOGETHER = [threading.Barrier(1)]
 
 
-@pytest.mark.parametrize(("memory", "most"), [(2e9, 2), (0.5e9, 1)])
+@pytest.mark.parametrize(("memory", "most"), [(3e9, 3), (2e9, 2), (0.5e9, 1)])
 def test_memory_limits_how_many_work_at_once(store, memory, most):
-    tasks = [task(k, function="slow", small=True, memory=1e9) for k in range(6)]
-    assert max(int(d.product["at_once"]) for d in Threads(6, memory).run(tasks, store)) <= most
+    TOGETHER[0] = threading.Barrier(most)
+    tasks = [task(k, function="together", small=True, memory=1e9) for k in range(6)]
+    assert {int(d.product["at_once"]) for d in Threads(6, memory).run(tasks, store)} == {most}

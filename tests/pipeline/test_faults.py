@@ -1,13 +1,11 @@
 """Tasks under faults on one machine: processes and drivers that are killed, full disks, cut products, interrupts."""
 
-import contextlib
 import json
 import os
 import random
 import signal
 import subprocess
 import sys
-import threading
 from multiprocessing import active_children
 from pathlib import Path
 
@@ -40,8 +38,8 @@ if __name__ == "__main__":
     signal.signal(signal.SIGINT, interrupted)
     project = Project.open(Path(sys.argv[1]))
     means = Means(project=project, executor=Processes(2), progress=lambda w, s: print(json.dumps([w, s]), flush=True))
-    gate = Path(sys.argv[5]) if len(sys.argv) > 5 else None
-    tasks = tasks_of(int(sys.argv[3]), log=Path(sys.argv[2]), seconds=float(sys.argv[4]), gate=gate)
+    gate, free = (Path(sys.argv[5]), int(sys.argv[6])) if len(sys.argv) > 5 else (None, 0)
+    tasks = tasks_of(int(sys.argv[3]), log=Path(sys.argv[2]), seconds=float(sys.argv[4]), gate=gate, free=free)
     print("begun", flush=True)
     try:
         failed = means.do(tasks, "graph")
@@ -86,31 +84,24 @@ def test_the_same_bits_whoever_does_them(tmp_path, expected, executor):
 @pytest.mark.skipif(not hasattr(signal, "SIGKILL"), reason="there is no kill -9 here")
 @pytest.mark.parametrize("most", [2, pytest.param(20, marks=pytest.mark.long)])
 def test_processes_that_are_killed_cost_the_tasks_in_work_alone(tmp_path, expected, most):
-    log, kills, stop = tmp_path / "log", [], threading.Event()
-    log.touch()
+    log, kills, rng = tmp_path / "log", [], random.Random(3)
+    left = (
+        3  # tasks to be done before a kill: who is killed again before others are done is guilty for all that is known
+    )
 
-    def reaper():
-        begun = (
-            0  # tasks, at the last kill: who is killed again before others have begun is guilty for all that is known
-        )
-        random.seed(3)
-        while not stop.wait(random.uniform(0.3, 0.9)) and len(kills) < most:
-            now = sum(executions(log).values())
-            for child in active_children()[:1]:
-                if child.pid is not None and now >= begun + 4:
-                    with contextlib.suppress(ProcessLookupError):
-                        os.kill(child.pid, signal.SIGKILL)
-                        kills.append(child.pid)
-                        begun = now
+    def kill():
+        nonlocal left
+        left -= 1
+        children = active_children()
+        if left <= 0 and len(kills) < most and children:
+            child = rng.choice(children)
+            child.kill()
+            child.join()
+            kills.append(child.pid)
+            left = rng.randint(2, 3)
 
-    thread = threading.Thread(target=reaper)
-    thread.start()
-    tasks = tasks_of(LEAVES, log=log, seconds=0.15 if most < 10 else 0.6)
-    try:
-        assert done_by(Processes(2), tasks, Folder(tmp_path / "s")) == expected
-    finally:
-        stop.set()
-        thread.join()
+    tasks = tasks_of(LEAVES, log=log, seconds=0.05)
+    assert done_by(Processes(2), tasks, Folder(tmp_path / "s"), meanwhile=kill) == expected
     assert len(kills) >= min(most, 8)
     # a broken pool ends both of its processes
     assert sum(executions(log).values()) <= len(tasks) + 2 * len(kills)
@@ -127,20 +118,15 @@ def test_a_task_that_kills_its_process_is_told_from_those_beside_it(tmp_path):
 
 @pytest.mark.skipif(not hasattr(signal, "SIGKILL"), reason="there is no kill -9 here")
 def test_a_driver_that_is_killed_goes_on_with_nothing_lost(tmp_path, expected):
-    kills = 0
-    while kills < 3:
-        with begun(tmp_path, 0.05) as driver:
-            seen = [driver.stdout.readline() for _ in range(4)]
-            if driver.poll() is None and seen[-1]:
-                driver.kill()
-                kills += 1
-            else:
-                break
+    kills = 3
+    for k in range(kills):
+        with begun(tmp_path, 0.05, tmp_path / "gate", 4 * (k + 1)) as driver:  # it can do four tasks more, and no other
+            assert all(driver.stdout.readline() for _ in range(4))
+            driver.kill()
             driver.stdout.read()  # to its end: its processes do not outlive it
     with begun(tmp_path, 0.0) as driver:
         driver.communicate()
     assert driver.returncode == 0
-    assert kills
     assert made(tmp_path) == expected
     # of each killed driver the two tasks in work, and small products of the last two seconds
     again = sum(n - 1 for name, n in executions(tmp_path / "log").items() if int(name) < 10_000)
@@ -150,7 +136,7 @@ def test_a_driver_that_is_killed_goes_on_with_nothing_lost(tmp_path, expected):
 @pytest.mark.skipif(os.name == "nt", reason="an interrupt is sent as a signal")
 def test_an_interrupt_keeps_what_is_finished(tmp_path, expected):
     gate = tmp_path / "gate"
-    with begun(tmp_path, 0.0, gate, stderr=subprocess.PIPE) as driver:
+    with begun(tmp_path, 0.0, gate, 4, stderr=subprocess.PIPE) as driver:
         for _ in range(3):  # tasks without a gate are done, the others wait
             driver.stdout.readline()
         driver.send_signal(signal.SIGINT)

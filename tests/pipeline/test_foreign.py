@@ -23,6 +23,7 @@ from raybundle.pipeline.stores import check_store
 from raybundle.pipeline.task_functions import FUNCTIONS
 from raybundle.pipeline.tasks import function_of, options_of
 from raybundle.workflows.left import NOTES, STORES, forget_stores
+from tests.barriers import DEADLINE_S
 
 fsspec = pytest.importorskip("fsspec", reason="the extra [cluster] is not installed")
 
@@ -54,7 +55,7 @@ class Listener:
     def close(self):
         self.socket.shutdown(socket.SHUT_RDWR)
         self.socket.close()
-        self.thread.join(10)
+        self.thread.join(DEADLINE_S)
 
 
 @pytest.fixture

@@ -374,7 +374,9 @@ if __name__ == "__main__":
     project = Project.open(Path(sys.argv[1]), store=sys.argv[2])
     means = Means(project=project, executor=Processes(2), progress=lambda *_: print("one", flush=True))
     try:
-        assert not means.do(tasks_of(16, log=Path(sys.argv[3]), seconds=float(sys.argv[4])), "graph")
+        gate, free = (Path(sys.argv[5]), int(sys.argv[6])) if len(sys.argv) > 5 else (None, 0)
+        tasks = tasks_of(16, log=Path(sys.argv[3]), seconds=float(sys.argv[4]), gate=gate, free=free)
+        assert not means.do(tasks, "graph")
     finally:
         project.close()
 """
@@ -384,16 +386,14 @@ if __name__ == "__main__":
 def test_runs_that_are_killed_go_on_and_leave_nothing_half(tmp_path, url, expected, copies):
     (tmp_path / "driver.py").write_text(DRIVER)
     words = [sys.executable, tmp_path / "driver.py", tmp_path / "p", url, tmp_path / "log"]
-    env, kills = {**os.environ, "PYTHONPATH": str(ROOT)}, 0
-    for _ in range(3):
-        with subprocess.Popen([*words, "0.05"], stdout=subprocess.PIPE, env=env) as driver:
-            for _ in range(4):
-                driver.stdout.readline()
-            kills += driver.poll() is None
+    env, kills = {**os.environ, "PYTHONPATH": str(ROOT)}, 3
+    for k in range(kills):
+        gated = ["0.05", tmp_path / "gate", str(4 * (k + 1))]  # it can do four tasks more, and no other
+        with subprocess.Popen([*words, *gated], stdout=subprocess.PIPE, env=env) as driver:
+            assert all(driver.stdout.readline() for _ in range(3))
             driver.kill()
             driver.stdout.read()
         assert all(is_complete(p) for p in (tmp_path / "objects").rglob("[!.]*.npz"))
-    assert kills
     shutil.rmtree(copies)  # it goes on at another machine
     subprocess.run([*words, "0"], check=True, stdout=subprocess.DEVNULL, env=env)
     tasks = tasks_of(LEAVES)

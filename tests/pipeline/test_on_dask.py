@@ -1,6 +1,7 @@
 """Tasks on a cluster by Dask: the same bits, whoever dies meanwhile."""
 
 import contextlib
+import itertools
 import json
 import os
 import random
@@ -9,9 +10,9 @@ import socket
 import subprocess
 import sys
 import threading
-import time
 from dataclasses import replace
 from pathlib import Path
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -26,6 +27,7 @@ from raybundle.pipeline.project import Project
 from raybundle.pipeline.stage import Means
 from raybundle.pipeline.store import Folder
 from raybundle.ties.points import find_features, match_pairs
+from tests.barriers import DEADLINE_S, wait_for
 from tests.pipeline.graph import done_by, executions, tasks_of
 from tests.pipeline.machines import Line, Machines, processes_of
 
@@ -155,30 +157,26 @@ def test_the_same_bits_with_so_many_workers(machines, tmp_path, expected, worker
 def test_twenty_workers_that_are_killed_cost_the_tasks_in_work_alone(machines, tmp_path, expected):
     machines.scheduler()
     worker = machines.worker(jobs=2)
-    log, kills, stop = tmp_path / "log", [], threading.Event()
+    log, kills, rng = tmp_path / "log", [], random.Random(1)
+    left = 5  # tasks to be done before the next kill
 
-    def reaper():
-        random.seed(1)
-        while not stop.wait(random.uniform(1.5, 2.5)) and len(kills) < 24:
-            alive = [p for p in processes_of(worker) if p.pid not in kills]
-            if alive and log.exists():
-                with contextlib.suppress(Exception):
-                    alive[0].kill()
-                    kills.append(alive[0].pid)
+    def kill():
+        nonlocal left
+        left -= 1
+        alive = [p for p in processes_of(worker) if p.pid not in kills]
+        if left <= 0 and alive:
+            with contextlib.suppress(Exception):
+                alive[0].kill()
+                kills.append(alive[0].pid)
+                left = rng.randint(6, 16)
 
-    thread = threading.Thread(target=reaper)
-    thread.start()
     store, begun = Folder(tmp_path / "s"), np.zeros(2, int)
-    try:
-        while len(kills) < 20:
-            tasks = tasks_of(LEAVES, log=log, seconds=0.3)
-            for t in tasks:
-                store.forget(t.key)
-            begun += np.array([not t.small for t in tasks]).sum(), len(tasks)
-            assert done_by(on(machines.folder), tasks, store) == expected
-    finally:
-        stop.set()
-        thread.join()
+    while len(kills) < 20:
+        tasks = tasks_of(LEAVES, log=log, seconds=0.3)
+        for t in tasks:
+            store.forget(t.key)
+        begun += np.array([not t.small for t in tasks]).sum(), len(tasks)
+        assert done_by(on(machines.folder), tasks, store, meanwhile=kill) == expected
     found = executions(log)
     # with each kill the task in work; and small numbers, which no store keeps, that were on their way to the driver
     assert sum(n for k, n in found.items() if int(k) < 10_000) <= begun[0] + len(kills)
@@ -197,7 +195,7 @@ def test_a_scheduler_that_is_killed_is_told_and_what_is_finished_is_kept(machine
     with pytest.raises(InputError, match="does not answer any more .* What is finished is kept") as error:
         ended += [done.task.key for done in running]
     assert "start a scheduler and run the same command again, or run it without one" in str(error.value)
-    time.sleep(1.0)
+    wait_for(lambda: not processes_of(worker), "workers end with their scheduler")
     kept = [t for t in tasks if not t.small and store.has(t.key)]
     assert len(kept) >= 3
     with pytest.raises(InputError, match="no scheduler answers at"):
@@ -358,10 +356,10 @@ def test_a_worker_that_somebody_else_started_becomes_ours_by_a_preload(machines,
             process.wait()
 
 
-def ended(folder, *words, seconds=30):
+def ended(folder, *words):
     """Exit status, and what a command says that ends by itself."""
     done = subprocess.run(
-        [sys.executable, "-m", "raybundle", *map(str, words)], capture_output=True, text=True, timeout=seconds,
+        [sys.executable, "-m", "raybundle", *map(str, words)], capture_output=True, text=True, timeout=DEADLINE_S,
         cwd=folder, check=False, env={**os.environ, "PYTHONPATH": str(Path(__file__).parents[2])},
     )  # fmt: skip
     return done.returncode, done.stderr
@@ -438,8 +436,10 @@ def test_certificates_that_are_none_or_over_are_named(tmp_path, capsys, monkeypa
 def test_a_worker_leaves_no_project_aside_and_waits_for_no_folder_without_end(tmp_path, capsys, monkeypatch):
     from raybundle.cli.main import main
 
-    monkeypatch.setattr("raybundle.pipeline.dask_machines.FOLDER_S", 0.2)
+    monkeypatch.setattr("raybundle.pipeline.dask_machines.FOLDER_S", 1.5)
     monkeypatch.setattr("raybundle.pipeline.dask_machines.LOOK_S", 0.1)
+    seconds = itertools.count()  # one passes between two looks at the clock
+    monkeypatch.setattr("raybundle.pipeline.dask_machines.time", SimpleNamespace(monotonic=lambda: next(seconds)))
     (tmp_path / "cluster").mkdir()
     assert main(["worker", str(tmp_path), "--cluster", str(tmp_path / "cluster")]) == 2
     said = capsys.readouterr().err
@@ -447,8 +447,8 @@ def test_a_worker_leaves_no_project_aside_and_waits_for_no_folder_without_end(tm
     assert "--shard I/N" in said
     assert main(["worker", "--cluster", str(tmp_path / "none")]) == 2
     out, err = capsys.readouterr()
-    assert "none: there is no such folder; where none comes within 0.2 s this ends" in out
-    assert "none: there is no such folder, and none came within 0.2 s; `raybundle scheduler" in err
+    assert "none: there is no such folder; where none comes within 1.5 s this ends" in out
+    assert "none: there is no such folder, and none came within 1.5 s; `raybundle scheduler" in err
     assert not (tmp_path / "none").exists()
 
 
@@ -456,15 +456,21 @@ def test_a_run_says_that_it_waits_for_a_worker_and_a_worker_for_a_scheduler(mach
     monkeypatch.setattr("raybundle.pipeline.on_dask.SAY_S", 0.5)
     waiting = machines.command("worker", "--cluster", machines.folder, wait="waits for a scheduler: ")
     machines.scheduler()
-    until = time.monotonic() + 60
-    said, store = [], Folder(tmp_path / "s")
-    executor = on(machines.folder, progress=lambda text, share: said.append((text, type(share))))
-    assert len(list(executor.run(tasks_of(4), store))) == 11
-    assert time.monotonic() < until
+    assert len(list(on(machines.folder).run(tasks_of(4), Folder(tmp_path / "s")))) == 11
     waiting.send_signal(signal.SIGTERM)
-    waiting.wait(30)
-    waiting.reader.join(10)
+    waiting.wait(DEADLINE_S)
+    waiting.reader.join(DEADLINE_S)
     assert "11 tasks done in all" in waiting.said[0]
+
+    class Told(Exception):
+        """That somebody is waited for."""
+
+    def progress(text, share):
+        if text.startswith("no worker is there: waiting for up to "):
+            assert isinstance(share, Remark)
+            raise Told
+
+    with pytest.raises(Told):
+        list(on(machines.folder, progress=progress).run(tasks_of(2), Folder(tmp_path / "t")))
     with pytest.raises(InputError, match="no worker can do the tasks"):
-        list(on(machines.folder, patience=3.0, progress=executor.progress).run(tasks_of(2), Folder(tmp_path / "t")))
-    assert ("no worker is there: waiting for up to ", Remark) in [(t[:38], kind) for t, kind in said]
+        list(on(machines.folder, patience=0.0).run(tasks_of(2), Folder(tmp_path / "t")))

@@ -8,7 +8,6 @@ import sqlite3
 import subprocess
 import sys
 import threading
-import time
 from pathlib import Path
 
 import numpy as np
@@ -20,7 +19,7 @@ from raybundle.pipeline.project import Project
 from raybundle.pipeline.store import writing
 
 WRITER = """
-import sys, time
+import sys
 from pathlib import Path
 import numpy as np
 from raybundle.pipeline.keys import key_of
@@ -34,6 +33,7 @@ while True:
         project.products.store(key_of("features", k % 40), {"a": np.full((40_000,), k % 40), "b": np.arange(k % 40)})
         rows = [(f"{k}-{i}", {"candidates": np.array(k), "matches": np.full((k % 50, 2), i)}) for i in range(20)]
         project.store_small(rows)
+    print(k, flush=True)
     k += 1
 """
 
@@ -49,19 +49,21 @@ def leftovers(folder):
     return [p for p in folder.rglob(".*") if p.is_file()]
 
 
-@pytest.mark.parametrize("after", [0.05, 0.31, 0.7])
+@pytest.mark.parametrize("rounds", [0, 7, 50])
 @pytest.mark.skipif(not hasattr(signal, "SIGKILL"), reason="there is no kill -9 here")
-def test_a_killed_writer_leaves_whole_products_only(tmp_path, after):
+def test_a_killed_writer_leaves_whole_products_only(tmp_path, rounds):
     folder = tmp_path / "p"
     with subprocess.Popen([sys.executable, "-c", WRITER, str(folder)], stdout=subprocess.PIPE) as writer:
         assert writer.stdout is not None
         assert writer.stdout.readline() == b"begun\n"
-        time.sleep(after)
+        for k in range(rounds):
+            assert writer.stdout.readline() == b"%d\n" % k
         writer.send_signal(signal.SIGKILL)
         writer.wait()
     project = Project.open(folder)
     try:
         there = [k for k in range(40) if project.products.has(key_of("features", k))]
+        assert len(there) >= min(rounds, 40), "what was finished is lost"
         for k in there:
             product = project.products.load(key_of("features", k))
             assert product is not None
@@ -72,6 +74,7 @@ def test_a_killed_writer_leaves_whole_products_only(tmp_path, after):
         for (key,) in rows:
             by_round.setdefault(key.split("-")[0], []).append(key)
         assert all(len(keys) == 20 for keys in by_round.values())
+        assert len(by_round) >= rounds
         for key, found in project.small([key for (key,) in rows]).items():
             assert found["matches"].shape == (found["candidates"] % 50, 2)
             assert (found["matches"] == int(key.split("-")[1])).all()
