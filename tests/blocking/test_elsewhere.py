@@ -1,12 +1,11 @@
 """Parts that others reduce: blunders and parameters as in one piece, the same bits, and runs that go on."""
 
 import os
-import signal
 import subprocess
 import sys
-import time
 from collections import deque
 from dataclasses import replace
+from pathlib import Path
 from weakref import WeakValueDictionary
 
 import numpy as np
@@ -23,6 +22,7 @@ from raybundle.io.block.folder import write_block
 from raybundle.numerics import native
 from raybundle.pipeline.executors import Staying, Threads
 from raybundle.pipeline.store import Folder
+from tests.barriers import kill_where_held
 from tests.blocking.networks import flight
 from tests.pipeline.machines import Machines
 
@@ -138,10 +138,13 @@ from pathlib import Path
 from raybundle.blocking.adjusted import in_parts
 from raybundle.commands.adjust import AdjustSettings, run_adjust
 from raybundle.workflows import within_memory
+from tests.barriers import hold
 
 if __name__ == "__main__":
     within_memory.in_parts = partial(in_parts, 24)
-    block, out, cluster = sys.argv[1:]
+    block, out, cluster, *notes = sys.argv[1:]
+    if notes:
+        hold("notes/", int(notes[0]))
     given = {"cluster": cluster, "memory": 4.0} if cluster else {"memory": 0.01}
     run_adjust(
         AdjustSettings(block=Path(block), out=Path(out), reject="snooping", jobs=1, report=False, **given)
@@ -160,16 +163,12 @@ def test_a_cluster_whose_driver_is_killed_gives_the_tables_of_one_process(tmp_pa
         machines.scheduler()
         machines.worker(jobs=2)
         words = [sys.executable, str(tmp_path / "driver.py"), str(tmp_path / "block")]
-        subprocess.run([*words, str(tmp_path / "one"), ""], check=True)
-        notes, kept = tmp_path / ".two.parts" / "notes", [0]
-        for _ in range(3):
-            with subprocess.Popen([*words, str(tmp_path / "two"), str(machines.folder)]) as driver:
-                while driver.poll() is None and sum(1 for _ in notes.glob("*/*.npz")) < kept[-1] + 6:
-                    time.sleep(0.05)
-                assert driver.poll() is None
-                driver.send_signal(signal.SIGKILL)
-            kept.append(sum(1 for _ in notes.glob("*/*.npz")))
-        subprocess.run([*words, str(tmp_path / "two"), str(machines.folder)], check=True)
+        env = {**os.environ, "PYTHONPATH": str(Path(__file__).parents[2])}
+        subprocess.run([*words, str(tmp_path / "one"), ""], check=True, env=env)
+        on_two = [*words, str(tmp_path / "two"), str(machines.folder)]
+        for more in (6, 5, 7):
+            kill_where_held([*on_two, str(more)], env=env)
+        subprocess.run(on_two, check=True, env=env)
     finally:
         machines.close()
     one, two = ({f.name: f.read_bytes() for f in (tmp_path / n).glob("*.csv")} for n in ("one", "two"))

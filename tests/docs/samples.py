@@ -7,8 +7,9 @@ import os
 import shutil
 import subprocess
 import sys
-import time
 from pathlib import Path
+
+from tests.barriers import wait_for
 
 REPOSITORY = Path(__file__).resolve().parents[2]
 PORTAL = REPOSITORY / "demo_data/portal"
@@ -186,10 +187,7 @@ def lay_out(name, shared, folder):
     try:
         lock.mkdir()
     except FileExistsError:
-        until = time.monotonic() + 600
-        while not made.exists():
-            assert time.monotonic() < until, f"sample {name} was not made by the process that began it"
-            time.sleep(0.2)
+        wait_for(made.exists, f"sample {name} is made by the process that began it", 1200)
     else:
         fresh = shared / f"sample-{name}.making"
         fresh.mkdir()

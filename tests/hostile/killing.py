@@ -69,6 +69,14 @@ class Job:
         inside = list(self.out.rglob(".*")) if self.out.is_dir() else []
         return [str(p.relative_to(self.out.parent)) for p in (*beside, *inside)]
 
+    def outlives(self, running: subprocess.Popen, seconds: float) -> bool:
+        """Wait until a run is to be killed; whether it still runs."""
+        try:
+            running.wait(seconds)
+        except subprocess.TimeoutExpired:
+            return True
+        return False
+
 
 def _digest(path: Path) -> str:
     data = path.read_bytes()
@@ -115,14 +123,13 @@ def kill(job: Job, count: int, seed: int, deadline: float = float("inf")) -> Out
     while told.kills < count and (time.monotonic() < deadline or told.kills == 0):
         turn += 1
         running = job.start(turn)
-        try:
-            late = time.monotonic() >= deadline  # a run that ends before its kill tries nothing
-            running.wait(rng.uniform(0.05, 0.5 if late else 1.05) * seconds)
-            told.survived += 1
-        except subprocess.TimeoutExpired:
+        late = time.monotonic() >= deadline  # a run that ends before its kill tries nothing
+        if job.outlives(running, rng.uniform(0.05, 0.5 if late else 1.05) * seconds):
             os.killpg(running.pid, signal.SIGKILL)
             running.wait()
             told.kills += 1
+        else:
+            told.survived += 1
         if running.stderr is not None:
             running.stderr.close()
         _judge(job, wanted, told, turn)

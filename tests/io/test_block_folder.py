@@ -467,10 +467,10 @@ def test_ten_million_rows_of_rubbish_take_seconds_and_little_memory(small, line)
 
     rubbish(small / "observations.csv", line, 10_000_000)
     tracemalloc.start()
-    began = time.perf_counter()
+    began = time.process_time()
     with pytest.raises(InputError):
         read_block(small)
-    seconds = time.perf_counter() - began
+    seconds = time.process_time() - began
     _, peak = tracemalloc.get_traced_memory()
     tracemalloc.stop()
     assert seconds < 120  # a guard against hanging, not a speed
@@ -483,9 +483,9 @@ def test_a_million_good_rows_read_in_seconds(small):
     with (small / "observations.csv").open("w") as file:
         file.write("image,point,x_px,y_px,sx_px,sy_px\n")
         file.writelines(f"{'ab'[k % 2]},t{k // 2},{k / 7},{k / 3},0.1,0.1\n" for k in range(1_000_000))
-    began = time.perf_counter()
+    began = time.process_time()
     block = read_block(small)
-    assert time.perf_counter() - began < 120  # a guard against hanging, not a speed
+    assert time.process_time() - began < 120  # a guard against hanging, not a speed
     assert len(block.observations) == 1_000_000
     assert block.observations.xy_px[-1].tolist() == [999_999 / 7, 999_999 / 3]
     assert block.points.ids[-1] == "t499999"

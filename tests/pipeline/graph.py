@@ -72,7 +72,7 @@ def trace(store: Folder, options: Node):
 
 
 def tasks_of(leaves, *, log=None, seconds=0.0, crash=None, small=True, cost=1.0, gate=None, free=4):
-    """The tasks of a graph; what goes wrong by numbers of leaves; the gate for which all wait but so many free leaves."""
+    """The tasks of a graph; `crash`: what goes wrong by numbers of leaves; `gate`: that all await but `free` leaves."""
     crash = crash or {}
 
     def task(kind, number, *below, is_small=False):

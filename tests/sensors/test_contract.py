@@ -11,6 +11,7 @@ from raybundle.numerics import native
 from raybundle.numerics.derive import derive
 from raybundle.platforms import Carried, platforms
 from raybundle.sensors import Parameter, ProjectionDiverged, SensorModel, sensor_models
+from tests.barriers import DEADLINE_S
 
 ROOT = Path(__file__).resolve().parents[2]
 FORMAT = 12.0, 8.0
@@ -238,7 +239,7 @@ def test_a_new_file_is_a_new_model(tmp_path):
     """One file among the sensors: registered, derived and adjusted without any other change."""
     (tmp_path / "own_division.py").write_text(NEW_MODEL)
     done = subprocess.run(
-        [sys.executable, "-c", USE_IT, str(tmp_path)], capture_output=True, text=True, check=False, timeout=120
+        [sys.executable, "-c", USE_IT, str(tmp_path)], capture_output=True, text=True, check=False, timeout=DEADLINE_S
     )
     assert done.stdout.strip() == "adjusted", done.stderr
 

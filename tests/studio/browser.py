@@ -9,6 +9,8 @@ import sys
 from contextlib import contextmanager
 from pathlib import Path
 
+from tests.barriers import DEADLINE_S
+
 PORTAL = Path(__file__).parents[2] / "demo_data" / "portal"
 ARGUMENTS = (
     "--no-sandbox", "--disable-gpu", "--disable-quic", "--no-first-run", "--disable-background-networking",
@@ -32,7 +34,7 @@ def served(project: Path, photos: Path):
             yield line[line.index("http://") :].strip()
         finally:
             server.terminate()
-            server.wait(20)
+            server.wait(DEADLINE_S)
 
 
 def targets() -> dict[str, dict[str, tuple[float, float]]]:
@@ -58,7 +60,7 @@ class Hand:
         self.fineness = 0.0
         """A pixel of the screen, in pixels of the photograph, where it was pointed at before it was zoomed"""
 
-    def wait(self, words, seconds=60):
+    def wait(self, words, seconds=DEADLINE_S):
         """Until the line below says something."""
         self.page.locator("#message", has_text=words).wait_for(timeout=1000 * seconds)
 

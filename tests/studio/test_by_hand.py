@@ -1,7 +1,6 @@
 """The server's part of masks, tables dropped on the window, and many open tabs."""
 
 import asyncio
-import time
 
 import numpy as np
 from PIL import Image
@@ -89,14 +88,12 @@ def test_three_hundred_tabs_are_told_at_once():
         live = Live()
         queues = [live.join() for _ in range(300)]
         message = {"type": "state", "state": {"marks": [{"image": "a", "point": str(k)} for k in range(5000)]}}
-        began = time.perf_counter()
         live.tell(message)
-        texts = [q.get_nowait() for q in queues]
-        return time.perf_counter() - began, texts
+        return [q.get_nowait() for q in queues]
 
-    seconds, texts = asyncio.run(told())
+    texts = asyncio.run(told())
+    assert len(texts) == 300
     assert all(t is texts[0] for t in texts)
-    assert seconds < 1
 
 
 def test_a_picture_of_a_pixel_is_remarked():

@@ -13,6 +13,7 @@ from raybundle.studio import work as work_module
 from raybundle.studio.app import Studio
 from raybundle.studio.desk import Desk
 from raybundle.studio.guard import Session
+from tests.barriers import DEADLINE_S
 from tests.studio.conftest import PORT
 from tests.studio.test_app import act
 
@@ -325,12 +326,12 @@ def test_stopped_nothing_is_changed(client, studio, desk, project, monkeypatch):
 
     def slowly(self, stage, share):
         at.set()
-        go.wait(20)
+        go.wait(DEADLINE_S)
         tell(self, stage, share)
 
     monkeypatch.setattr(work_module.Work, "_tell", slowly)
     assert client.post("/api/adjust", json={}).json() == {"begun": True}
-    assert at.wait(20)
+    assert at.wait(DEADLINE_S)
     assert client.post("/api/adjust", json={}).json() == {"begun": False}
     assert client.post("/api/stop", json={}).json() == {"stopping": True}
     go.set()

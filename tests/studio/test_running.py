@@ -1,7 +1,6 @@
 """Stages run from the page: the settings of the command, progress, stop, what is kept, the desk with the new result."""
 
 import signal
-import time
 
 import pytest
 
@@ -12,18 +11,18 @@ from raybundle.results.folder import read_result
 from raybundle.settings import settings_of
 from raybundle.studio.child import Child
 from raybundle.studio.forms import settings_of_form
+from tests.barriers import wait_for
 from tests.studio.test_app import act
 
 
-def until(client, wanted, seconds=60):
+def until(client, wanted):
     """What is told of the run as soon as something of it is so."""
-    end = time.monotonic() + seconds
-    while time.monotonic() < end:
+
+    def told():
         run = client.get("/api/run").json()["run"]
-        if wanted(run):
-            return run
-        time.sleep(0.05)
-    raise AssertionError(run)
+        return run if wanted(run) else None
+
+    return wait_for(told, "the run is as wanted")
 
 
 def chosen(client, **values):
@@ -115,7 +114,7 @@ def test_run_stop_run_again(client, studio, project, tmp_path):
     assert read_result(project / "result").block.images.ids  # the one before, whole
     before = client.get("/api/overview").json()["times"]
     client.post("/api/run", json={})
-    done = until(client, lambda r: r["outcome"] != "running", 120)
+    done = until(client, lambda r: r["outcome"] != "running")
     assert (done["outcome"], [s["state"] for s in done["stages"]][-1]) == ("done", "done")
     assert done["stages"][0]["title"] in kept
     assert "4 of 4 photographs oriented" in done["words"]

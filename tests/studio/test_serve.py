@@ -10,6 +10,8 @@ from urllib.parse import urlsplit
 
 import pytest
 
+from tests.barriers import DEADLINE_S
+
 
 def started(project, temporary):
     environment = {**os.environ, "TMPDIR": str(temporary)}
@@ -19,7 +21,9 @@ def started(project, temporary):
     assert "http://127.0.0.1:" in line
     address = urlsplit(next(word for word in line.split() if word.startswith("http://")))
     # who connects before the server answers waits until it does
-    with contextlib.closing(http.client.HTTPConnection(address.hostname, address.port, timeout=60)) as connection:
+    with contextlib.closing(
+        http.client.HTTPConnection(address.hostname, address.port, timeout=DEADLINE_S)
+    ) as connection:
         connection.request("GET", "/")
         assert connection.getresponse().status == 401
     return server
@@ -33,7 +37,7 @@ def test_decoded_photographs_go_with_the_server(project, tmp_path):
     for number in (signal.SIGTERM, signal.SIGHUP, signal.SIGINT, signal.SIGKILL):
         server = started(project, temporary)
         server.send_signal(number)
-        server.wait(30)
+        server.wait(DEADLINE_S)
         server.stdout.close()
         left = [p.name for p in temporary.glob("raybundle-studio-*")]
         assert len(left) == (1 if number == signal.SIGKILL else 0), number
@@ -41,6 +45,6 @@ def test_decoded_photographs_go_with_the_server(project, tmp_path):
     server = started(project, temporary)
     assert len(list(temporary.glob("raybundle-studio-*"))) == 1
     server.send_signal(signal.SIGINT)
-    server.wait(30)
+    server.wait(DEADLINE_S)
     server.stdout.close()
     assert list(temporary.glob("raybundle-studio-*")) == []

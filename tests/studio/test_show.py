@@ -11,6 +11,7 @@ import raybundle as rb
 from raybundle.errors import InputError
 from raybundle.planning.scenes import TargetField, field_scene
 from raybundle.planning.simulate import Survey, simulate
+from tests.barriers import DEADLINE_S
 
 
 @pytest.fixture
@@ -33,7 +34,7 @@ def test_an_adjustment_opens_in_a_folder_and_the_folder_again(result, quiet, tmp
         assert studio.address.partition("token=")[2] not in quiet[0]  # a command line is read by all users
         assert studio.address in Path(urlsplit(quiet[0]).path).read_text()
         opener = urllib.request.build_opener(urllib.request.HTTPCookieProcessor())
-        assert b"studio" in opener.open(studio.address, timeout=20).read()
+        assert b"studio" in opener.open(studio.address, timeout=DEADLINE_S).read()
         assert studio.address in studio._repr_html_()
         assert str(tmp_path / "result") in repr(studio)
     finally:

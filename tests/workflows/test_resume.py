@@ -6,7 +6,6 @@ import signal
 import sqlite3
 import subprocess
 import sys
-import time
 from contextlib import closing
 from pathlib import Path
 
@@ -25,7 +24,7 @@ pytestmark = [
 ]
 NUMBERS = (2, 3, 4)
 INSTANTS = np.random.default_rng(20).uniform(0.12, 1.0, 10)
-"""Ten random instants, as shares of the time of an uninterrupted run."""
+"""Ten random instants, as shares of the progress that an uninterrupted run tells."""
 
 
 @pytest.fixture(scope="module")
@@ -51,13 +50,12 @@ def begun(photos, out, *more, **pipes):
 
 @pytest.fixture(scope="module")
 def done(photos, tmp_path_factory):
-    """An uninterrupted run, and what it took [s]."""
+    """An uninterrupted run, and how many lines of progress it told."""
     out = tmp_path_factory.mktemp("done") / "project"
-    began = time.perf_counter()
-    with begun(photos, out, stdout=subprocess.PIPE, stderr=subprocess.STDOUT) as running:
-        said = running.communicate()[0]
-    assert running.returncode == 0, said
-    return out, time.perf_counter() - began
+    with begun(photos, out, "--progress", "json", stdout=subprocess.DEVNULL, stderr=subprocess.PIPE) as running:
+        told = running.stderr.readlines()
+    assert running.returncode == 0, told
+    return out, len(told)
 
 
 def result_of(project):
@@ -80,27 +78,27 @@ def kept(project):
             return products
 
 
-def killed(photos, project, seconds):
-    """Run for so long and kill; whether the run ended by itself before."""
-    with begun(photos, project, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE) as running:
-        try:
-            running.wait(timeout=seconds)
-        except subprocess.TimeoutExpired:
-            running.kill()
-            running.wait()
-            return False
-        assert running.returncode == 0, running.stderr.read()
+def killed(photos, project, lines):
+    """Run until so much progress was told and kill; whether the run ended by itself before."""
+    told = []
+    with begun(photos, project, "--progress", "json", stdout=subprocess.DEVNULL, stderr=subprocess.PIPE) as running:
+        for line in running.stderr:
+            told.append(line)
+            if len(told) > lines:
+                running.kill()
+                return False
+    assert running.returncode == 0, told
     return True
 
 
 @pytest.mark.long
 def test_killed_at_ten_random_instants_it_continues_with_nothing_lost_and_gives_the_same(done, photos, tmp_path):
-    reference, seconds = done
+    reference, lines = done
     expected = result_of(reference)
     round_, before, ended = 0, set(), 0
     for share in INSTANTS:
         project = tmp_path / str(round_) / reference.name
-        if killed(photos, project, share * seconds):
+        if killed(photos, project, share * lines):
             assert result_of(project) == expected
             round_, before, ended = round_ + 1, set(), ended + 1
             continue
