@@ -38,6 +38,25 @@ if __name__ == "__main__":
 """
 """Runs a command of raybundle that is held: arguments are those of `hold`, and the words of the command."""
 
+SIGNALLED = """
+import os, signal, sys
+from raybundle.cli import progress
+from raybundle.cli.main import main
+
+say, stages = progress._JsonLines._say, [sys.argv[1]]
+
+def told(line):
+    say(line)
+    if line.get("stage") in stages:
+        stages.clear()
+        os.kill(os.getpid(), signal.Signals[sys.argv[2]])
+
+if __name__ == "__main__":
+    progress._JsonLines._say = staticmethod(told)
+    sys.exit(main([*sys.argv[3:], "--progress", "json"]))
+"""
+"""Runs a command of raybundle that gets a signal at the first progress of a stage: stage, signal, words."""
+
 
 def hold(which: str, count: int) -> None:
     """Say "held" when this process has kept so many products, and go no further: somebody is to kill it there.

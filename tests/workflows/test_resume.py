@@ -1,6 +1,7 @@
 """Runs that are killed, interrupted or find torn files: the same numbers in the end, and nothing done twice."""
 
 import json
+import os
 import shutil
 import signal
 import sqlite3
@@ -16,6 +17,7 @@ from PIL import Image
 from raybundle.cli.main import main
 from raybundle.pipeline.project import Project
 from raybundle.workflows.orient import stages
+from tests.barriers import SIGNALLED
 
 PORTAL = Path(__file__).resolve().parents[2] / "demo_data/portal/photos"
 pytestmark = [
@@ -42,9 +44,17 @@ def command(photos, out, *more):
     return ["orient", str(photos), "--out", str(out), *options, *more]
 
 
-def begun(photos, out, *more, **pipes):
+def signalled(stage, name, photos, out):
+    """A run that gets a signal at the first progress of a stage."""
     if signal.getsignal(signal.SIGINT) is signal.SIG_IGN:  # tests in the background; the run would inherit it
         signal.signal(signal.SIGINT, signal.default_int_handler)
+    words = [sys.executable, "-c", SIGNALLED, stage, name, *command(photos, out)]
+    return subprocess.run(
+        words, capture_output=True, text=True, check=False, env={**os.environ, "PYTHONPATH": str(PORTAL.parents[2])}
+    )
+
+
+def begun(photos, out, *more, **pipes):
     return subprocess.Popen([sys.executable, "-m", "raybundle", *command(photos, out, *more)], text=True, **pipes)
 
 
@@ -117,12 +127,8 @@ def test_killed_at_ten_random_instants_it_continues_with_nothing_lost_and_gives_
 def stopped(done, photos, tmp_path_factory):
     """A project whose run was killed when its pairs were in the journal of the database only."""
     project = tmp_path_factory.mktemp("stopped") / done[0].name
-    with begun(photos, project, "--progress", "json", stdout=subprocess.DEVNULL, stderr=subprocess.PIPE) as running:
-        for line in running.stderr:
-            if json.loads(line)["stage"] == "least-squares matching":
-                break
-        running.kill()
-        running.wait()
+    ended = signalled("least-squares matching", "SIGKILL", photos, project)
+    assert ended.returncode == -signal.SIGKILL, ended.stderr
     assert (project / "project.db-wal").stat().st_size > 0
     return project
 
@@ -198,19 +204,10 @@ def test_a_damaged_database_says_what_to_do(done, photos, tmp_path, capsys):
 
 
 def test_an_interrupted_run_says_that_it_can_be_continued(photos, tmp_path):
-    for attempt in range(6):
-        out = tmp_path / f"project{attempt}"
-        with begun(photos, out, "--progress", "json", stdout=subprocess.PIPE, stderr=subprocess.PIPE) as running:
-            for line in running.stderr:
-                if json.loads(line)["stage"] == "features":
-                    break
-            running.send_signal(signal.SIGINT)
-            said, told = running.communicate()
-        if running.returncode != 0:  # on a busy machine it may end before the signal comes
-            break
-    assert running.returncode == 130
-    assert said == ""
-    last = told.splitlines()[-1]
+    ended = signalled("features", "SIGINT", photos, tmp_path / "project")
+    assert ended.returncode == 130
+    assert ended.stdout == ""
+    last = ended.stderr.splitlines()[-1]
     assert "what is finished is kept" in last
     assert "the same command continues there" in last
 
