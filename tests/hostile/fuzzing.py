@@ -123,10 +123,10 @@ def _where(trace) -> str:
 
 
 def fuzz(target, seeds, numbers: range, work: Path, deadline: float = float("inf"), make=variant) -> Found:
-    """Try the inputs of these numbers; ends early at the deadline (of time.monotonic)."""
+    """Try the inputs of these numbers; after the deadline (of time.monotonic) no other than the first one."""
     found = Found()
     at = numbers.start
-    while at < numbers.stop and time.monotonic() < deadline:
+    while at < numbers.stop and (at == numbers.start or time.monotonic() < deadline):
         at = _batch(target, seeds, range(at, min(at + BATCH, numbers.stop)), work, found, deadline, make)
     return found
 
@@ -189,7 +189,7 @@ def _in_child(target, seeds, numbers, work, writing, deadline, make):
     np.seterr(all="ignore")
     with os.fdopen(writing, "w") as pipe:
         for number in numbers:
-            if time.monotonic() > deadline:
+            if number > numbers.start and time.monotonic() > deadline:
                 break
             pipe.write(f"{number}\n")
             pipe.flush()

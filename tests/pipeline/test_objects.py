@@ -486,7 +486,7 @@ def test_workers_of_a_cluster_by_the_url_alone(tmp_path, url, expected):
     try:
         machines.scheduler()
         machines.worker()
-        executor = Dask(cluster_at(str(machines.folder)), patience=30.0)
+        executor = Dask(cluster_at(str(machines.folder)))
         assert done_by(executor, tasks_of(LEAVES), Folder(tmp_path / "p/cache", url)) == expected
     finally:
         machines.close()
