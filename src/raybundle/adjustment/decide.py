@@ -15,10 +15,12 @@ import numpy as np
 
 from raybundle.adjustment.asked_parameters import check_asked, with_asked
 from raybundle.adjustment.engine import Extent, Start, adjust_block, as_start, free_parameters
+from raybundle.adjustment.exchanged_points import exchanged_notices
 from raybundle.adjustment.known_before import against_known
 from raybundle.adjustment.masking import Unmasked, is_suspect, masked_notices, unmasked
 from raybundle.adjustment.options import AdjustmentOptions
 from raybundle.adjustment.pixel_shape import beyond_sensor, shape_limit, under_its_noise, untold_shape
+from raybundle.adjustment.reintersection import reintersected
 from raybundle.adjustment.rejected_groups import rejected_group_notices
 from raybundle.adjustment.result import Adjustment, InteriorResult, Notice, printed_unit
 from raybundle.adjustment.severity import Severity
@@ -43,7 +45,7 @@ from raybundle.settings import option
 ROUNDS = 40
 CHOICES = 30
 """Steps of the choice of parameters; each holds one or one group."""
-OF_THE_END = {"control_not_located", "snooping_masked", "image_contradicts", "control_contradicts"}
+OF_THE_END = {"control_not_located", "snooping_masked", "image_contradicts", "control_contradicts", "names_exchanged"}
 """Codes of notices on what snooping leaves: those of an earlier run are replaced"""
 MASKING_ROUNDS = (10, 20, 30)
 """Rounds of data snooping at which masked gross errors are looked for, beside where no suspect is left."""
@@ -165,6 +167,7 @@ def _snoop(
     tried: Unmasked | None = None
     before: tuple[Block, Rejections] | None = None
     robust = True
+    tried_again: set[int] = set()
     for number in range(ROUNDS):
         try:
             result = _quiet(block, options, choices, progress, extent="tests", start=start)
@@ -172,7 +175,7 @@ def _snoop(
             if before is not None:  # without what a robust estimate left out the block is not determined
                 block, choices.reasons, tried, before, robust = *before, None, None, False
                 continue
-            if number == 0 and isinstance(error, NoConvergence):
+            if robust and tried is None and _may_be_torn(error):
                 tried = unmasked(block, options, choices.free, choices.reasons, guarded)
                 if tried is not None:
                     block, choices.reasons, start = tried.block, tried.reasons, "adjusted"
@@ -210,11 +213,17 @@ def _snoop(
                 block, choices.reasons = tried.block, tried.reasons
                 continue
         if not chosen:
+            again = reintersected(result, block, tried_again)
+            if again is not None:
+                block, choices.reasons, found = again
+                tried_again |= found
+                continue
             back = [i for i in innocent(result) if i not in returned]
             if not back:
                 choices.notices = [n for n in choices.notices if n.code not in OF_THE_END]
                 choices.notices += [] if wrong is None else [kept_notice(wrong)]
                 choices.notices += [*masked_notices(result, tried), *rejected_group_notices(result)]
+                choices.notices += exchanged_notices(result)
                 return block
             returned.update(back)
             choices.reasons = without_reasons(choices.reasons, back)
@@ -224,6 +233,12 @@ def _snoop(
         Notice(code="snooping_unfinished", message=f"data snooping stopped after {ROUNDS} rounds; suspects are left")
     )
     return block
+
+
+def _may_be_torn(error: NotSolvable) -> bool:
+    """Whether gross errors may be why there is no solution: no convergence, or points alone that are not determined."""
+    torn = isinstance(error, RankDefect) and {u.kind for u in error.undetermined} == {"point"}
+    return torn or isinstance(error, NoConvergence)
 
 
 def _wrong_control(result: Adjustment, choices: Decisions, largest: float) -> WrongControl | None:

@@ -55,16 +55,21 @@ def with_rejected(result: Adjustment, reasons: Rejections, chosen: Array, size: 
 
 
 def apart(block: Block, size: Array, suspects: Array) -> list[int]:
-    """Suspects in order of size, one for each object point and few for each image: one blunder's smear is spared."""
+    """Suspects in order of size, one for each object point and few for each image: one blunder's smear is spared.
+
+    Of a point only its largest suspect is a candidate; where its image has enough of them, the point waits for the
+    next round, as the smear on its other rays would take its place.
+    """
     points: set[int] = set()
     images: dict[int, int] = {}
     chosen: list[int] = []
     counts = np.bincount(block.observations.image, minlength=len(block.images))
     for i in suspects[np.argsort(-size[suspects], kind="stable")]:
         image, point = int(block.observations.image[i]), int(block.observations.point[i])
-        if point in points or images.get(image, 0) >= max(1, counts[image] // 100):
-            continue
+        first = point not in points
         points.add(point)
+        if not first or images.get(image, 0) >= max(1, counts[image] // 100):
+            continue
         images[image] = images.get(image, 0) + 1
         chosen.append(int(i))
     return chosen

@@ -1,0 +1,47 @@
+"""Rejected image points of an image that fit under one another's names: exchanged when they were measured."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from raybundle.adjustment.predict import predicted_px
+from raybundle.adjustment.result import Adjustment, Notice
+from raybundle.block.rejection import RejectionKind
+from raybundle.numerics.arrays import Index
+from raybundle.numerics.counting import counted
+
+SHOWN = 5
+BLUNDERS = {RejectionKind.BLUNDER, RejectionKind.BLUNDER_NOT_LOCATED, RejectionKind.BEHIND_CAMERA}
+
+
+def exchanged_notices(result: Adjustment) -> list[Notice]:
+    """A remark on the image points that are rejected under their own names and fit under those of each other."""
+    o, ids = result.given.observations, result.given.points.ids
+    out = np.array([r is not None and r.kind in BLUNDERS for r in result.image_observations.rejected], bool)
+    found = [
+        (int(image), pair)
+        for image in np.unique(o.image[out])
+        for pair in _pairs(result, int(image), out & (o.image == image))
+    ]
+    if not found:
+        return []
+    images = result.given.images.ids
+    each = "; ".join(f"{ids[a]} and {ids[b]} in image {images[i]}" for i, (a, b) in found[:SHOWN])
+    more = f"; and {counted(len(found) - SHOWN, 'more pair')}" if len(found) > SHOWN else ""
+    message = f"rejected image points fit under each other's names: {each}{more}. Exchange the names in these images"
+    names = tuple(dict.fromkeys(ids[k] for _, pair in found for k in pair))
+    return [Notice(code="names_exchanged", message=message, ids=names[:100], values={"pairs": len(found)})]
+
+
+def _pairs(result: Adjustment, image: int, rows: Index) -> list[tuple[int, int]]:
+    """Two points each that lie where the other one was measured, within the limit of data snooping."""
+    block, o = result.adjusted, result.given.observations
+    row = np.flatnonzero(rows)
+    row = row[np.isfinite(block.points.xyz[o.point[row]]).all(axis=1)]
+    if len(row) < 2:
+        return []
+    at = predicted_px(block, image, block.points.xyz[o.point[row]])
+    sigma = np.sqrt(o.cov_px2[row, :2]) * max(result.sigma0, 1.0) * result.critical_tau
+    fits = (np.abs(at[:, None] - o.xy_px[row][None]) < sigma[None]).all(axis=2)  # [predicted, measured]
+    both = np.argwhere(fits & fits.T)
+    return [(int(o.point[row[a]]), int(o.point[row[b]])) for a, b in both.tolist() if a < b]

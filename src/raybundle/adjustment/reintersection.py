@@ -1,0 +1,108 @@
+"""Points that left while gross errors bent the block, intersected anew from the images as they are without these.
+
+Rays then end behind the camera or diverge, and residuals of right ones are as large as that of the wrong one.
+"""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from itertools import combinations
+
+import numpy as np
+
+from raybundle.adjustment.predict import residuals_px
+from raybundle.adjustment.result import Adjustment
+from raybundle.adjustment.separability import FEWEST
+from raybundle.block import Block
+from raybundle.block.rejection import Rejection, RejectionKind, Rejections
+from raybundle.numerics.arrays import Array, Index, Mask
+
+WHOLE = {
+    RejectionKind.BEHIND_CAMERA, RejectionKind.RAYS_DIVERGE, RejectionKind.SINGLE_RAY,
+    RejectionKind.BLUNDER_NOT_LOCATED,
+}  # fmt: skip
+"""Kinds of rejections that say of a point, not which of its rays is wrong"""
+MOST_PAIRS = 200
+"""Pairs of rays of a point that are intersected: all of 20 rays"""
+
+
+def reintersected(result: Adjustment, block: Block, skip: set[int]) -> tuple[Block, Rejections, set[int]] | None:
+    """The block and its rejections with such points where most of their rays meet; None where none do.
+
+    result  adjusted, without gross errors among the rays that took part
+    skip    points that are not tried again
+
+    Of each two rays the intersection with most others within the critical value counts (Fischler and Bolles 1981); the
+    other rays are blunders.  Three rays have to meet, and more than half of them; or both of two.  No other ray may
+    meet them in the place of one of these: which one is wrong could not be located.
+    """
+    o, reasons = block.observations, list(result.image_observations.rejected)
+    lost = np.array([r is not None and r.kind in WHOLE for r in reasons], bool)
+    held: Mask = np.any(block.points.is_control, axis=1) | np.isin(np.arange(len(block.points)), list(skip))
+    scene: Mask = np.array([c.is_scene for c in block.cameras], bool)[block.images.camera[o.image]]
+    points = np.setdiff1d(np.unique(o.point[lost & ~scene]), np.flatnonzero(held))
+    oriented = block.images.oriented[o.image]
+    found: set[int] = set()
+    xyz = block.points.xyz.copy()
+    for p in points.tolist():
+        rows = np.flatnonzero((o.point == p) & oriented & ~scene)
+        rows = rows[[(r := reasons[i]) is None or r.kind is not RejectionKind.GIVEN for i in rows]]
+        place, meet = _meeting(result, block, rows)
+        if int(meet.sum()) < min(FEWEST, len(rows)) or 2 * int(meet.sum()) <= len(rows):
+            continue
+        found.add(p)
+        xyz[p] = place
+        for i, fits in zip(rows.tolist(), meet.tolist(), strict=True):
+            reasons[i] = None if fits else Rejection(kind=RejectionKind.BLUNDER)
+    if not found:
+        return None
+    return replace(block, points=replace(block.points, xyz=xyz)), tuple(reasons), found
+
+
+def _meeting(result: Adjustment, block: Block, rows: Index) -> tuple[Array, Array]:
+    """The place (3,) where most of these rays of one point meet, and which of them (k,)."""
+    o, none = block.observations, (np.full(3, np.nan), np.zeros(len(rows), bool))
+    if len(rows) < 2:
+        return none
+    centre, direction = block.images.centre[o.image[rows]], _directions(block, rows)
+    P = np.eye(3) - direction[:, :, None] * direction[:, None, :]
+    right = np.einsum("nij,nj->ni", P, centre)
+    limit = result.critical_tau * max(result.sigma0, 1.0) * np.sqrt(o.cov_px2[rows, :2])
+
+    def fitting(inside: Index) -> tuple[Array, Array]:
+        try:
+            place = np.linalg.solve(P[inside].sum(axis=0), right[inside].sum(axis=0))
+        except np.linalg.LinAlgError:
+            return none
+        there = replace(block, points=replace(block.points, xyz=np.tile(place, (len(block.points), 1))))
+        ahead = np.einsum("ni,ni->n", place - centre, direction) > 0
+        with np.errstate(all="ignore"):
+            v = np.nan_to_num(residuals_px(there, rows), nan=np.inf)
+        return place, ahead & (np.abs(v) < limit).all(axis=1)
+
+    best = none
+    for pair in list(combinations(range(len(rows)), 2))[:MOST_PAIRS]:
+        found = fitting(np.array(pair))
+        if found[1].sum() > best[1].sum():
+            best = found
+    if best[1].sum() < 2:
+        return best
+    more = fitting(np.flatnonzero(best[1]))
+    best = more if more[1].sum() >= best[1].sum() else best
+    inside, outside = np.flatnonzero(best[1]), np.flatnonzero(~best[1])
+    for i in inside.tolist():
+        for j in outside.tolist():
+            instead = np.array([*inside[inside != i], j])
+            if fitting(instead)[1][instead].all():
+                return none
+    return best
+
+
+def _directions(block: Block, rows: Index) -> Array:
+    """Unit rays (k, 3) of image observations in object space."""
+    o, found = block.observations, np.zeros((len(rows), 3))
+    for k, i in enumerate(rows.tolist()):
+        camera = block.camera_of(int(o.image[i]))
+        ray = camera.sensor.ray(camera.image_from_pixel(o.xy_px[i][None]).T, camera.parameters)[:, 0]
+        found[k] = block.images.rotation[o.image[i]].T @ ray
+    return found

@@ -1,0 +1,55 @@
+"""Two names exchanged in an image cost these two image points, and both points are named."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from raybundle import adjust
+from raybundle.adjustment.options import AdjustmentOptions
+from raybundle.planning.scenes import AerialStrips, Ring, TargetField, aerial_scene, field_scene, ring_scene
+from raybundle.planning.simulate import Survey, simulate
+
+SNOOPING = AdjustmentOptions(jobs=1, reject="snooping")
+SCENES = {
+    "testfield": lambda: (field_scene(TargetField()), Survey(seed=4, scale_bars=2)),
+    "ring": lambda: (ring_scene(Ring()), Survey(seed=4, scale_bars=2)),
+    "aerial": lambda: (aerial_scene(AerialStrips()), Survey(seed=0, control=8, control_sigma=(0.02, 0.02, 0.03))),
+}
+
+
+def exchanged(block, rng, pairs, images):
+    """The block with names exchanged in some images, and the rows."""
+    o, point, bad = block.observations, block.observations.point.copy(), []
+    tie = ~block.points.is_control.any(axis=1) & ~block.points_named & (block.ray_count >= 6)
+    for image in rng.choice(len(block.images), images, replace=False):
+        rows = rng.permutation(np.flatnonzero((o.image == image) & tie[o.point]))[: 2 * pairs]
+        for a, b in rows.reshape(-1, 2).tolist():
+            point[[a, b]] = o.point[[b, a]]
+            bad += [a, b]
+    return replace(block, observations=replace(o, point=point)), sorted(bad)
+
+
+@pytest.mark.parametrize(("pairs", "images"), [(1, 1), (2, 1), (1, 4)])
+@pytest.mark.parametrize("kind", list(SCENES))
+def test_exchanged_names_cost_these_image_points_alone(kind, pairs, images):
+    scene, survey = SCENES[kind]()
+    block, bad = exchanged(simulate(scene, survey).observed, np.random.default_rng(0), pairs, images)
+    result = adjust(block, SNOOPING)
+    assert np.flatnonzero([r is not None for r in result.image_observations.rejected]).tolist() == bad
+    (notice,) = [n for n in result.notices if n.code == "names_exchanged"]
+    assert notice.values["pairs"] == pairs * images
+    assert set(notice.ids) == {block.points.ids[k] for k in block.observations.point[bad]}
+    assert "blunder_not_located" not in {n.code for n in result.notices}
+
+
+@pytest.mark.parametrize("px", [8.0, 80.0, 800.0])
+def test_image_points_beside_their_own_place_are_not_called_exchanged(px):
+    block = simulate(field_scene(TargetField()), Survey(seed=4, scale_bars=2)).observed
+    o = block.observations
+    rows = np.flatnonzero((o.image == 3) & ~block.points_named[o.point])[:4]
+    xy = o.xy_px.copy()
+    xy[rows] += px * np.array([[1, 1], [-1, 1], [1, -1], [-1, -1]])
+    result = adjust(replace(block, observations=replace(o, xy_px=xy)), SNOOPING)
+    assert np.flatnonzero([r is not None for r in result.image_observations.rejected]).tolist() == rows.tolist()
+    assert "names_exchanged" not in {n.code for n in result.notices}
