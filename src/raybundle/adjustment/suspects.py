@@ -19,6 +19,8 @@ from raybundle.observations import observation_kinds
 MOST = 40
 """Suspects of a group that are told from each other: each costs a solution of the normal equations."""
 MOST_DECIMALS = 9
+LINEAR = 0.1
+"""Share of a length up to which its error is linear: of a larger one the estimate may be any number, a negative too."""
 
 
 def leverages(result: Adjustment, kind: str, rows: Index) -> Array | None:
@@ -52,12 +54,17 @@ def suspect_notices(result: Adjustment, g: ObservationGroup, limit: float) -> li
         more = f"; {' or '.join(g.ids[j] for j in by)} may be wrong instead, which of them cannot be told" if by else ""
         if beside:
             more += f"; only beside it the test rejects {', '.join(beside)}"
+        far = g.kind == "distance" and abs(off) > LINEAR * given
+        shown = (
+            f"and all else contradicts it by more than {LINEAR:.0%} of it"
+            if far
+            else f"and all else shows {given + off:.{digits}f}{unit}: {off:+.2g}{unit}"
+        )
         found.append(
             Notice(
                 code=f"{g.kind}_suspect",
-                message=f"{g.kind} {g.ids[k]}, {g.component[k]}: given as {given:.{digits}f}{unit}, and all else shows "
-                f"{given + off:.{digits}f}{unit}: {off:+.2g}{unit}, at a sigma of {factor * g.sigma[k]:.3g}{unit} "
-                f"(|w| {abs(g.w[k]):.1f} against {limit:.1f}){more}. Check "
+                message=f"{g.kind} {g.ids[k]}, {g.component[k]}: given as {given:.{digits}f}{unit}, {shown}, at a "
+                f"sigma of {factor * g.sigma[k]:.3g}{unit} (|w| {abs(g.w[k]):.1f} against {limit:.1f}){more}. Check "
                 "this value",
                 ids=(g.ids[k],),
             )

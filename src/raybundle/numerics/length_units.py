@@ -37,3 +37,14 @@ def units_of(ratio: float) -> tuple[str, str] | None:
     left = {p: abs(log(ratio * UNITS[p[0]] / UNITS[p[1]])) for p in pairs}
     likely = [p for p in pairs if left[p] < log(LIKELY)]
     return min(likely, key=lambda p: ("m" not in p, left[p]), default=None)
+
+
+def factor_unit(ratio: float, unit: str, near: float) -> str:
+    """The unit in which given lengths are `ratio` times the right ones in `unit`; "" where none explains it.
+
+    near  relative difference within which a unit explains it
+
+    Kilometres are not named: nobody measures bars in them.
+    """
+    names = [n for n in UNITS if n not in (unit, "km")]
+    return next((n for n in names if abs(ratio * UNITS[n] / UNITS[unit] - 1) < near), "")

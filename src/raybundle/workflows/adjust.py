@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import time
+from collections.abc import Callable, Sequence
 from dataclasses import replace
 
 import numpy as np
@@ -29,6 +30,8 @@ from raybundle.numerics.arrays import Array, Index, Mask
 from raybundle.numerics.counting import counted, counted_are
 from raybundle.numerics.progress import Progress, in_rounds, silent
 from raybundle.orientation.given_points import intersected_where_better, without_given_ties
+from raybundle.placing.approximate_scale import start_scale_notices
+from raybundle.placing.bar_doubts import BarDoubt, bar_doubt_notice, doubted_bars
 from raybundle.placing.conflicts import Conflict, conflict_notice, conflict_words, conflicts
 from raybundle.placing.control_doubts import as_ties, doubted_control, notice, words
 from raybundle.settings import option
@@ -41,6 +44,8 @@ FEW_BEHIND = 0.005
 """Share of the image points behind cameras up to which wrong names or matches explain them."""
 DOUBTED = 10.0
 """sigma0 from which on the approximate values are doubted."""
+OF_BARS = {"distance_suspect", "distance_lost", "behind_camera"}
+"""Codes of notices that a wrong scale bar may be behind."""
 
 
 def adjust(block: Block, options: AdjustmentOptions | None = None, progress: Progress = silent) -> Adjustment:
@@ -58,17 +63,18 @@ def adjust(block: Block, options: AdjustmentOptions | None = None, progress: Pro
     defects.check_rays(block, wrong)
     twins = identical_images(block)
     identical = identical_notices(block)
+    bars: BarDoubt | None = None
     try:
         result = _adjusted(block, options, progress)
+        if result.sigma0 > POOR_FIT or OF_BARS & {n.code for n in result.notices}:
+            bars = _doubted_bars(block, options)
     except NotSolvable as error:
-        why = [_twin_words(twins)] if twins else [n.message for n in identical]
-        found = [] if why or isinstance(error, DatumDefect) else _conflicts(block, options)
-        if found:
-            raise error.worded(conflict_words(found, float("nan"))) from error
-        why = why or (_control_words(block, options) if isinstance(error, NoConvergence) else [])
-        if why:
-            raise error.worded("\n  ".join([str(error), *why])) from error
-        raise
+        bars = None if isinstance(error, DatumDefect) else _doubted_bars(block, options)
+        result = _without(bars, options, progress)
+        if result is None:
+            raise _explained(error, block, options, twins, identical) from error
+    else:
+        result = _without(bars, options, progress) or result
     if twins and not result.converged:
         raise NoConvergence(f"the iteration did not end.\n  {_twin_words(twins)}")
     if twins:
@@ -90,11 +96,35 @@ def adjust(block: Block, options: AdjustmentOptions | None = None, progress: Pro
         bent |= set() if doubt is None else {"image_contradicts", "control_not_located"}
         others = [n for n in result.notices if n.code not in bent]
         result = replace(result, notices=(*plain, *others))
+    if bars is not None:
+        others = [n for n in result.notices if bars.rest is not None or n.code not in OF_BARS]
+        result = replace(result, notices=(bar_doubt_notice(bars, block.length_unit), *others))
+    elif not plain and (scale := start_scale_notices(block, result)):
+        others = [n for n in result.notices if n.code != "approximate_values_replaced"]
+        result = replace(result, notices=(*scale, *others))
     held = () if plain else _held_calibrations(result, options)
     first = (*calibration_notices(result), *held, *_given_rejected(wrong))
     result = replace(result, notices=(*first, *result.notices, *_structure(result, options)))
-    given = result.given if options.variance_groups else block
+    given = result.given if options.variance_groups or (bars is not None and bars.rest is not None) else block
     return with_check_notice(replace(result, given=given, seconds=time.perf_counter() - began))
+
+
+def _explained(
+    error: NotSolvable, block: Block, options: AdjustmentOptions, twins: list[tuple[str, str]],
+    identical: Sequence[Notice],
+) -> NotSolvable:  # fmt: skip
+    """The error with what may be behind it."""
+    why = [_twin_words(twins)] if twins else [n.message for n in identical]
+    found = [] if why or isinstance(error, DatumDefect) else _conflicts(block, options)
+    if found:
+        return error.worded(conflict_words(found, float("nan")))
+    why = why or (_control_words(block, options) if isinstance(error, NoConvergence) else [])
+    return error.worded("\n  ".join([str(error), *why])) if why else error
+
+
+def _without(bars: BarDoubt | None, options: AdjustmentOptions, progress: Progress) -> Adjustment | None:
+    """The adjustment without bars that are wrong; None where none are."""
+    return None if bars is None or bars.rest is None else _adjusted(bars.rest, options, progress)
 
 
 def _as_before(block: Block, options: AdjustmentOptions) -> AdjustmentOptions:
@@ -163,10 +193,8 @@ def _control_words(block: Block, options: AdjustmentOptions) -> list[str]:
     return [] if doubt is None else [words(doubt, float("nan"))]
 
 
-def _conflicts(block: Block, options: AdjustmentOptions) -> list[Conflict]:
-    """Groups of given values that contradict others; empty where it is control alone, which has tests of its own."""
-    if _held(block) or not (len(block.distances) or len(block.stations.image)):
-        return []
+def _solver(options: AdjustmentOptions) -> Callable[[Block], Adjustment | None]:
+    """Adjusts a block with what was given alone and without statistics; None where there is no solution."""
     brief = replace(options, statistics=False, reject="none", estimate="given", datum="auto", noise="white")
 
     def solved(rest: Block) -> Adjustment | None:
@@ -176,8 +204,20 @@ def _conflicts(block: Block, options: AdjustmentOptions) -> list[Conflict]:
         except (InputError, NotSolvable):
             return None
 
+    return solved
+
+
+def _doubted_bars(block: Block, options: AdjustmentOptions) -> BarDoubt | None:
+    """Scale bars that contradict the others, or the control."""
+    return None if _held(block) or not len(block.distances) else doubted_bars(block, _solver(options))
+
+
+def _conflicts(block: Block, options: AdjustmentOptions) -> list[Conflict]:
+    """Groups of given values that contradict others; empty where it is control alone, which has tests of its own."""
+    if _held(block) or not (len(block.distances) or len(block.stations.image)):
+        return []
     control = np.flatnonzero(block.points.is_control.any(axis=1))
-    found = conflicts(block, solved, as_ties(block, control) if len(control) else block)
+    found = conflicts(block, _solver(options), as_ties(block, control) if len(control) else block)
     return found if any(c.group != "control points" for c in found) else []
 
 
