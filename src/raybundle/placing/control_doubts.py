@@ -18,7 +18,8 @@ from raybundle.errors import InputError, NotSolvable
 from raybundle.numerics.arrays import Array, Index
 from raybundle.numerics.statistics import fisher_tail
 from raybundle.numerics.transform import robust_similarity, similarity
-from raybundle.placing.mirror_mends import mirror_mends, mirror_words
+from raybundle.placing.mirror_mends import USUAL, mirror_mends, mirror_words
+from raybundle.placing.mirrored_images import hand_of_images
 
 ROUNDS = 3
 """Points that are left out, one after the other; fewer than a third, or what is left explains as little."""
@@ -50,6 +51,8 @@ class Doubt:
     """What is exchanged in the control, where all fits with it the other way round: two points"""
     mirror: tuple[str, ...] = ()
     """Single mends of control in a system of the other hand that fit the block's orientation, the likeliest first"""
+    images: str | None = None
+    """Mend of the image axes beside `mirror`: "" where the given orientation contradicts it, None where it is open"""
     apart: tuple[Array, Array] | None = None
     """Where the observed projection centres are what control contradicts: mean and standard deviation (3,) of the
     centres as observed minus as the photographs have them with control alone; NaN for an axis that was not observed"""
@@ -84,7 +87,9 @@ def doubted_control(
             return Doubt(alone=free.sigma0, wrong=(), left=by_control.sigma0, names=names, apart=apart)
     _, source, target = _known_control(block, free)
     if (mirror := mirror_mends(block, source, target, lambda b: _tried(b, brief, adjust))) is not None:
-        return Doubt(alone=free.sigma0, wrong=(), left=mirror[1], names=names, mirror=mirror[0])
+        hand = hand_of_images(block, free.adjusted)
+        mends, images = (USUAL, None) if hand is None else (mirror[0], hand[0])
+        return Doubt(alone=free.sigma0, wrong=(), left=mirror[1], names=names, mirror=mends, images=images)
     if (found := _exchanged(block, free, brief, adjust)) is not None:
         what, points, left = found
         return Doubt(alone=free.sigma0, wrong=points, left=left, names=names, exchange=what)
@@ -113,7 +118,7 @@ def words(doubt: Doubt, sigma0: float) -> str:
     if doubt.mirror:
         return (
             f"the control is a mirror image of the object: {with_all}, {doubt.left:.3g} mirrored (limit {POOR_FIT:g}). "
-            f"{mirror_words(doubt.mirror)}"
+            f"{mirror_words(doubt.mirror, doubt.images)}"
         )
     if doubt.exchange:
         return (

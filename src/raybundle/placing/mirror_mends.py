@@ -58,8 +58,18 @@ def mirror_mends(
     return None if result is None or result.sigma0 > POOR_FIT else (likely, result.sigma0)
 
 
-def mirror_words(mends: tuple[str, ...]) -> str:
-    """What to look for, from the mends that are likely."""
+def mirror_words(mends: tuple[str, ...], images: str | None) -> str:
+    """What to look for, from the mends that are likely.
+
+    images  mend of the image axes by the orientation that was given; "" where it fits as it is, None where it is open
+    """
+    if images:
+        return f"Likely cause: image points with {images}. Correct observations.csv: x to the right, y down"
+    if images is None:
+        return (
+            f"Possible causes: {' or '.join(mends)} in the control, or image points with y counted upward or x and y "
+            "exchanged. Correct the file of control, or observations.csv"
+        )
     if len(mends) == 1:
         return f"Likely cause: {mends[0]}. Correct the file of control"
     return f"Possible causes: {' or '.join(mends)}. Correct the file of control"

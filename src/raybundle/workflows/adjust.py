@@ -34,6 +34,7 @@ from raybundle.placing.approximate_scale import start_scale_notices
 from raybundle.placing.bar_doubts import BarDoubt, bar_doubt_notice, doubted_bars
 from raybundle.placing.conflicts import Conflict, conflict_notice, conflict_words, conflicts
 from raybundle.placing.control_doubts import as_ties, doubted_control, notice, words
+from raybundle.placing.mirrored_images import mirrored_image_notices
 from raybundle.settings import option
 from raybundle.workflows.noise_in_parts import in_parts, sample_words, without_fields
 
@@ -102,6 +103,9 @@ def adjust(block: Block, options: AdjustmentOptions | None = None, progress: Pro
     elif not plain and (scale := start_scale_notices(block, result)):
         others = [n for n in result.notices if n.code != "approximate_values_replaced"]
         result = replace(result, notices=(*scale, *others))
+    if not plain and not _held(block) and (mirrored := mirrored_image_notices(block, result.adjusted)):
+        others = [n for n in result.notices if n.code != "approximate_values_replaced"]
+        result = replace(result, notices=(*mirrored, *others))
     held = () if plain else _held_calibrations(result, options)
     first = (*calibration_notices(result), *held, *_given_rejected(wrong))
     result = replace(result, notices=(*first, *result.notices, *_structure(result, options)))
@@ -118,6 +122,8 @@ def _explained(
     found = [] if why or isinstance(error, DatumDefect) else _conflicts(block, options)
     if found:
         return error.worded(conflict_words(found, float("nan")))
+    if not why and isinstance(error, RankDefect) and (torn := _control_words(block, options)):
+        return error.worded("\n  ".join([*torn, str(error)]))
     why = why or (_control_words(block, options) if isinstance(error, NoConvergence) else [])
     return error.worded("\n  ".join([str(error), *why])) if why else error
 
