@@ -34,6 +34,7 @@ from raybundle.placing.approximate_scale import start_scale_notices
 from raybundle.placing.bar_doubts import BarDoubt, bar_doubt_notice, doubted_bars
 from raybundle.placing.conflicts import Conflict, conflict_notice, conflict_words, conflicts
 from raybundle.placing.control_doubts import as_ties, doubted_control, notice, words
+from raybundle.placing.image_doubts import image_doubt_notices, unit_words
 from raybundle.placing.mirrored_images import mirrored_image_notices
 from raybundle.settings import option
 from raybundle.workflows.noise_in_parts import in_parts, sample_words, without_fields
@@ -97,6 +98,13 @@ def adjust(block: Block, options: AdjustmentOptions | None = None, progress: Pro
         bent |= set() if doubt is None else {"image_contradicts", "control_not_located"}
         others = [n for n in result.notices if n.code not in bent]
         result = replace(result, notices=(*plain, *others))
+    if result.sigma0 > POOR_FIT and not plain and bars is None and not _held(block):
+        images = image_doubt_notices(block, result, _solver(options))
+        # parameters that take up errors of images are not what is wrong
+        bent = (
+            {"not_determinable", "systematic_residuals", "pixel_shape", "image_contradicts"} if images else set[str]()
+        )
+        result = replace(result, notices=(*images, *(n for n in result.notices if n.code not in bent)))
     if bars is not None:
         others = [n for n in result.notices if bars.rest is not None or n.code not in OF_BARS]
         result = replace(result, notices=(bar_doubt_notice(bars, block.length_unit), *others))
@@ -119,6 +127,9 @@ def _explained(
 ) -> NotSolvable:  # fmt: skip
     """The error with what may be behind it."""
     why = [_twin_words(twins)] if twins else [n.message for n in identical]
+    unit = None if why or isinstance(error, DatumDefect) else unit_words(block)
+    if unit is not None:
+        return error.worded(f"{unit}\n  {error}")
     found = [] if why or isinstance(error, DatumDefect) else _conflicts(block, options)
     if found:
         return error.worded(conflict_words(found, float("nan")))
@@ -204,13 +215,18 @@ def _solver(options: AdjustmentOptions) -> Callable[[Block], Adjustment | None]:
     brief = replace(options, statistics=False, reject="none", estimate="given", datum="auto", noise="white")
 
     def solved(rest: Block) -> Adjustment | None:
-        try:
-            defects.check_rays(rest, known_wrong(rest))
-            return _plainly(rest, brief)
-        except (InputError, NotSolvable):
-            return None
+        return _tried(rest, brief)
 
     return solved
+
+
+def _tried(block: Block, options: AdjustmentOptions) -> Adjustment | None:
+    """The adjustment; None where there is none."""
+    try:
+        defects.check_rays(block, known_wrong(block))
+        return _plainly(block, options)
+    except (InputError, NotSolvable):
+        return None
 
 
 def _doubted_bars(block: Block, options: AdjustmentOptions) -> BarDoubt | None:

@@ -1,0 +1,180 @@
+"""What images that do not fit one another come from: one free parameter in turn, or images left out.
+
+Each cause is tried in an adjustment of its own; what makes the block fit is named, with its value.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import replace
+
+import numpy as np
+
+from raybundle.adjustment.result import Adjustment, Notice
+from raybundle.adjustment.severity import POOR_FIT
+from raybundle.block import Block, Camera
+from raybundle.block.select import with_rows
+from raybundle.numerics.counting import counted, some_of
+
+MENDED = 2.0
+"""Ratio of sigma0 as given and mended, from which on the mend explains it; POOR_FIT is the limit of what is left."""
+OTHER = 1e-3
+"""Relative difference of the camera constant of an image from the median of its camera from which on it is named."""
+TRIED = 3
+"""Images that are left out in turn, those with the largest residuals"""
+FEWEST_RAYS = 2
+SEEN = 0.2
+"""Share of the format in mm that image points in mm cover at the least."""
+
+
+def image_doubt_notices(block: Block, result: Adjustment, solved: Callable[[Block], Adjustment | None]) -> list[Notice]:
+    """The fault that names what makes the images fit; () where nothing does.
+
+    result  of the block, which fits poorly
+    solved  adjusts a block with little else; None where there is no solution
+    """
+    if (words := unit_words(block)) is not None:
+        return [Notice(code="camera_contradicts", message=words)]
+    limit = min(POOR_FIT, result.sigma0 / MENDED)
+    found: list[tuple[float, Notice]] = []
+    own = solved(replace(block, cameras=_with_own_constants(block)))
+    if own is not None and own.sigma0 <= limit and (notice := _constant_notice(own, result.sigma0)) is not None:
+        found.append((own.sigma0, notice))
+    shaped = solved(replace(block, cameras=_with_shape(block)))
+    if shaped is not None and shaped.sigma0 < result.sigma0 / MENDED:
+        found += _with_pixels(block, shaped, result.sigma0, limit, solved)
+    if found:
+        return [min(found, key=lambda f: f[0])[1]]
+    return _without_image(block, result, limit, solved)
+
+
+def _without_image(
+    block: Block, result: Adjustment, limit: float, solved: Callable[[Block], Adjustment | None]
+) -> list[Notice]:
+    """The image without which the others fit, of those with the largest residuals."""
+    o, n = result.given.observations, len(result.given.images)
+    used = result.image_observations.used
+    square = np.sum(np.nan_to_num(result.image_observations.residuals_px) ** 2, axis=1) * used
+    mean = np.bincount(o.image, square, n) / np.maximum(np.bincount(o.image, used, n), 1)
+    for name in [result.given.images.ids[k] for k in np.argsort(-mean, kind="stable")[:TRIED]]:
+        rest = block.observations.image != block.images.ids.index(name)
+        rays = np.bincount(block.observations.point[rest], minlength=len(block.points))
+        lone = (rays < FEWEST_RAYS) & ~np.any(block.points.is_control, axis=1) & ~block.points_named
+        without = solved(with_rows(block, rest & ~lone[block.observations.point]))
+        if without is not None and without.sigma0 <= limit:
+            message = (
+                f"image {name} contradicts the others: sigma0 {result.sigma0:.3g}, and {without.sigma0:.3g} without "
+                "it. It may be of another camera, or its image points have the names of others or of another image. "
+                "Correct its image points, give it a camera of its own, or leave it out"
+            )
+            return [Notice(code="image_contradicts", message=message, ids=(name,), values={"sigma0": without.sigma0})]
+    return []
+
+
+def unit_words(block: Block) -> str | None:
+    """That image points seem to be in mm; None where they do not."""
+    o, camera = block.observations, block.images.camera[block.observations.image]
+    for k, c in enumerate(block.cameras):
+        mine = camera == k
+        if c.is_scene or not mine.any():
+            continue
+        extent, size = np.ptp(o.xy_px[mine], axis=0), np.abs(np.asarray(c.size_mm))
+        pixels = np.array([c.width_px, c.height_px])
+        if (extent <= size).all() and (extent >= SEEN * size).all() and (extent < SEEN * pixels).all():
+            return (
+                f"camera {c.id}: its image points extend over {extent[0]:.3g} x {extent[1]:.3g} px of {c.width_px} x "
+                f"{c.height_px}, as the format does in mm: are they in mm? Give pixels from the upper left corner"
+            )
+    return None
+
+
+def _free(camera: Camera) -> bool:
+    return not camera.is_scene and camera.estimate != "auto" and bool(camera.estimate)
+
+
+def _affinity(camera: Camera) -> str:
+    """The first parameter of affinity; "" of a model that has none."""
+    return next((p.symbol for p in camera.sensor.parameters if p.kind == "affinity"), "")
+
+
+def _with_shape(block: Block) -> tuple[Camera, ...]:
+    """The cameras with free affinity and shear."""
+    return tuple(
+        replace(
+            c,
+            estimate=(
+                *c.estimate,
+                *(p.symbol for p in c.sensor.parameters if p.kind == "affinity" and p.symbol not in c.estimate),
+            ),
+        )
+        if _free(c)
+        else c
+        for c in block.cameras
+    )
+
+
+def _with_own_constants(block: Block) -> tuple[Camera, ...]:
+    """The cameras with a camera constant of each image."""
+    return tuple(
+        replace(c, per_image=(c.sensor.scale_symbol,))
+        if _free(c) and c.interior == "shared" and not c.per_image and c.sensor.scale_symbol in c.estimate
+        else c
+        for c in block.cameras
+    )
+
+
+def _with_pixels(
+    block: Block, shaped: Adjustment, sigma0: float, limit: float, solved: Callable[[Block], Adjustment | None]
+) -> list[tuple[float, Notice]]:
+    """The notice with sigma0, where pixels of another ratio of their sides make the block fit.
+
+    shaped  with free affinity and shear, which the distortion of a lens does not follow exactly
+    """
+    names = [c.id for c in block.cameras if _free(c) and _affinity(c)]
+    for sign in (-1, 1):
+        ratio = {c.id: (1 + c.values.get(_affinity(c), 0.0)) ** sign for c in shaped.adjusted.cameras if c.id in names}
+        if not ratio or min(ratio.values()) <= 0 or max(abs(r - 1) for r in ratio.values()) < OTHER:
+            return []
+        cameras = tuple(
+            replace(c, pixel_mm=(c.pixel_mm[0], c.pixel_mm[1] * ratio.get(c.id, 1.0))) for c in _with_shape(block)
+        )
+        mended = solved(replace(block, cameras=cameras))
+        if mended is None or not mended.sigma0 <= limit:
+            continue
+        left = {c.id: (1 + c.values.get(_affinity(c), 0.0)) ** sign for c in mended.adjusted.cameras}
+        if 2 * max(abs(left[name] - 1) for name in names) > max(abs(r - 1) for r in ratio.values()):
+            continue  # the other way round: the affinity that is left is twice as large
+        each = ", ".join(f"{name}: {ratio[name] * left[name]:.5g}" for name in names)
+        message = (
+            f"pixels are not as given: sigma0 {sigma0:.3g}, and {mended.sigma0:.3g} with another height of the "
+            f"pixels of camera {each} times that given. Check pixel_mm, and whether images were resampled"
+        )
+        notice = Notice(code="camera_contradicts", message=message, values={"sigma0": mended.sigma0})
+        return [(mended.sigma0, notice)]
+    return []
+
+
+def _constant_notice(mended: Adjustment, sigma0: float) -> Notice | None:
+    images, own = mended.adjusted.images, mended.adjusted.images.interior
+    symbol = [c.sensor.scale_symbol for c in mended.adjusted.cameras]
+    value = np.array([own.get(k, {}).get(symbol[images.camera[k]], np.nan) for k in range(len(images))])
+    names: list[str] = []
+    ratios: list[float] = []
+    for camera in np.unique(images.camera):
+        mine = np.flatnonzero(images.camera == camera)
+        middle = float(np.nanmedian(value[mine]))
+        other = mine[np.abs(value[mine] / middle - 1) > OTHER]
+        if 2 * len(other) > len(mine):  # the median stands between two halves
+            other = mine[value[mine] > (np.nanmax(value[mine]) + np.nanmin(value[mine])) / 2]
+        rest = np.setdiff1d(mine, other)
+        names += [images.ids[k] for k in other]
+        ratios += [float(np.median(value[other]) / np.median(value[rest]))] if len(other) and len(rest) else []
+    if not names or not ratios:
+        return None
+    message = (
+        f"{counted(len(names), 'image')} ({some_of(tuple(names))}) of another camera constant: sigma0 {sigma0:.3g}, "
+        f"and {mended.sigma0:.3g} with one of each image; theirs is {ratios[0]:.5g} times that of the others. Another "
+        "camera, zoom or focus: give them a camera of their own"
+    )
+    values = {"images": len(names), "ratio": ratios[0], "sigma0": mended.sigma0}
+    return Notice(code="camera_contradicts", message=message, ids=tuple(names[:100]), values=values)

@@ -1,0 +1,82 @@
+"""What images that do not fit come from is named: another camera constant, pixels, a single image, the unit."""
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from raybundle import adjust
+from raybundle.adjustment.options import AdjustmentOptions
+from raybundle.errors import NotSolvable
+from raybundle.planning.scenes import Ring, TargetField, field_scene, ring_scene
+from raybundle.planning.simulate import Survey, simulate
+
+OPTIONS = AdjustmentOptions(jobs=1)
+SCENES = {"testfield": lambda: field_scene(TargetField(stations=4)), "ring": lambda: ring_scene(Ring())}
+
+
+def simulated(kind="testfield"):
+    return simulate(SCENES[kind](), Survey(seed=6, scale_bars=2)).observed
+
+
+def fault(block):
+    """The first fault, or the error."""
+    try:
+        return adjust(block, OPTIONS).notices[0]
+    except NotSolvable as error:
+        return str(error)
+
+
+def zoomed(block, images, factor):
+    o, camera = block.observations, block.cameras[0]
+    middle = np.array([camera.width_px, camera.height_px]) / 2
+    mine = np.isin(o.image, images)[:, None]
+    return replace(block, observations=replace(o, xy_px=np.where(mine, middle + factor * (o.xy_px - middle), o.xy_px)))
+
+
+@pytest.mark.parametrize(("kind", "count", "factor"), [
+    ("testfield", 1, 0.9), ("testfield", 3, 1.02), ("testfield", 4, 0.97), ("ring", 10, 1.05),
+])  # fmt: skip
+def test_images_of_another_camera_constant_are_named(kind, count, factor):
+    block = simulated(kind)
+    notice = fault(zoomed(block, range(count), factor))
+    mine, others = block.images.ids[:count], block.images.ids[count:]
+    assert notice.code == "camera_contradicts"
+    if 2 * count == len(block.images):
+        assert notice.ids in (mine, others)
+    else:
+        assert notice.ids == mine
+    ratio = factor if notice.ids == mine else 1 / factor
+    assert notice.values["ratio"] == pytest.approx(ratio, rel=2e-3)
+
+
+@pytest.mark.parametrize("ratio", [1.25, 1.02, 0.9])
+def test_pixels_that_are_not_square_are_named(ratio):
+    block = simulated()
+    camera = block.cameras[0]
+    other = replace(camera, pixel_mm=(camera.pixel_mm[0], camera.pixel_mm[1] * ratio))
+    notice = fault(replace(block, cameras=(other,)))
+    assert notice.code == "camera_contradicts"
+    assert "another height of the pixels" in notice.message
+    found = float(notice.message.split("camera 1: ")[1].split(" ")[0])
+    assert found == pytest.approx(1 / ratio, rel=2e-3)
+
+
+@pytest.mark.parametrize(("kind", "image"), [("testfield", 0), ("testfield", 5), ("ring", 11)])
+def test_an_image_whose_points_have_the_names_of_others_is_named(kind, image):
+    block = simulated(kind)
+    o, point = block.observations, block.observations.point.copy()
+    rows = np.flatnonzero(o.image == image)
+    point[rows] = np.roll(point[rows], 1)
+    notice = fault(replace(block, observations=replace(o, point=point)))
+    assert (notice.code, notice.ids) == ("image_contradicts", (block.images.ids[image],))
+
+
+@pytest.mark.parametrize("origin", [0.0, 0.5])
+def test_image_points_in_mm_are_named(origin):
+    block = simulated()
+    o, camera = block.observations, block.cameras[0]
+    size = np.array([camera.width_px, camera.height_px])
+    xy = (o.xy_px - origin * size) * np.array(camera.pixel_mm)
+    found = fault(replace(block, observations=replace(o, xy_px=xy)))
+    assert "are they in mm?" in (found if isinstance(found, str) else found.message)
