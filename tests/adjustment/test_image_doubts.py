@@ -41,7 +41,7 @@ def test_images_of_another_camera_constant_are_named(kind, count, factor):
     block = simulated(kind)
     notice = fault(zoomed(block, range(count), factor))
     mine, others = block.images.ids[:count], block.images.ids[count:]
-    assert notice.code == "camera_contradicts"
+    assert notice.code == "image_contradicts"
     if 2 * count == len(block.images):
         assert notice.ids in (mine, others)
     else:

@@ -23,6 +23,8 @@ OTHER = 1e-3
 TRIED = 3
 """Images that are left out in turn, those with the largest residuals"""
 FEWEST_RAYS = 2
+FEW = 4
+"""Image points, those with the largest residuals: where all fits without these alone, they are blunders"""
 SEEN = 0.2
 """Share of the format in mm that image points in mm cover at the least."""
 
@@ -62,6 +64,10 @@ def _without_image(
         lone = (rays < FEWEST_RAYS) & ~np.any(block.points.is_control, axis=1) & ~block.points_named
         without = solved(with_rows(block, rest & ~lone[block.observations.point]))
         if without is not None and without.sigma0 <= limit:
+            few = np.argsort(-square * ~rest, kind="stable")[:FEW]
+            blunders = solved(with_rows(block, ~np.isin(np.arange(len(rest)), few)))
+            if blunders is not None and blunders.sigma0 <= limit:
+                return []
             message = (
                 f"image {name} contradicts the others: sigma0 {result.sigma0:.3g}, and {without.sigma0:.3g} without "
                 "it. It may be of another camera, or its image points have the names of others or of another image. "
@@ -177,4 +183,4 @@ def _constant_notice(mended: Adjustment, sigma0: float) -> Notice | None:
         "camera, zoom or focus: give them a camera of their own"
     )
     values = {"images": len(names), "ratio": ratios[0], "sigma0": mended.sigma0}
-    return Notice(code="camera_contradicts", message=message, ids=tuple(names[:100]), values=values)
+    return Notice(code="image_contradicts", message=message, ids=tuple(names[:100]), values=values)
