@@ -15,26 +15,27 @@ from raybundle.observations.table import Table
 from raybundle.platforms.station import sensor_from_object
 
 
-def residuals_px(block: Block, rows: Array) -> Array:
+def residuals_px(block: Block, rows: Array, xyz: Array | None = None) -> Array:
     """Residuals (k, 2) [px], model - measured, of these rows of the observations.
 
+    xyz  (k, 3) places of their points in place of those in the block
     In the measured image to first order: -B^-1 g at the measured point.
     """
     observations = block.observations
     result = np.zeros((len(rows), 2))
     camera = block.images.camera[observations.image[rows]]
+    xyz = block.points.xyz[observations.point[rows]] if xyz is None else xyz
     for c in np.unique(camera):
         mine = np.flatnonzero(camera == c)
         cam = block.cameras[c]
         model = cam.sensor
         image = observations.image[rows[mine]]
-        point = observations.point[rows[mine]]
         values = np.array([cam.parameters] * len(mine)).T
         for k, i in enumerate(image):
             own = block.images.interior.get(int(i))
             if own is not None:
                 values[:, k] = [own.get(p.symbol, cam.values.get(p.symbol, p.default)) for p in model.parameters]
-        P = sensor_from_object(block.images.rotation[image], block.images.centre[image], block.points.xyz[point])
+        P = sensor_from_object(block.images.rotation[image], block.images.centre[image], xyz[mine])
         xy = cam.image_from_pixel(observations.xy_px[rows[mine]]).T
         g, J = model.condition_and_jacobian(*xy, *P, *values)
         B = np.moveaxis(J[:, :2], 2, 0)

@@ -74,10 +74,9 @@ def _meeting(result: Adjustment, block: Block, rows: Index) -> tuple[Array, Arra
             place = np.linalg.solve(P[inside].sum(axis=0), right[inside].sum(axis=0))
         except np.linalg.LinAlgError:
             return none
-        there = replace(block, points=replace(block.points, xyz=np.tile(place, (len(block.points), 1))))
         ahead = np.einsum("ni,ni->n", place - centre, direction) > 0
         with np.errstate(all="ignore"):
-            v = np.nan_to_num(residuals_px(there, rows), nan=np.inf)
+            v = np.nan_to_num(residuals_px(block, rows, np.tile(place, (len(rows), 1))), nan=np.inf)
         return place, ahead & (np.abs(v) < limit).all(axis=1)
 
     best = none
