@@ -46,7 +46,7 @@ class Inputs:
     groups: tuple[CameraGroup, ...]
     targets: tuple[Target, ...]
     marks: tuple[tuple[Marks, ...], ...]
-    spacing: float
+    spacing: float | None
     sheet: PrintedSheet | None
     model: str
     estimate: tuple[str, ...]
