@@ -106,7 +106,8 @@ def _tell_advice(advice: BiasAdvice, ids: tuple[str, ...]) -> None:
         )
     click.echo(f" advised: {advice.reason}")
     if advice.prior_ratio is not None:
-        click.echo(f" that shift is {advice.prior_ratio:.2g} times the bias that the vendor states")
+        caution = "caution: " if advice.is_far else ""
+        click.echo(f" {caution}that shift is {advice.prior_ratio:.2g} times the bias that the vendor states")
 
 
 def _tell_fit(advice: BiasAdvice, fit: BiasFit, rpc: Rpc) -> None:

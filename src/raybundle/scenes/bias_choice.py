@@ -18,6 +18,8 @@ from raybundle.scenes.rpc import Rpc
 
 LARGEST_MISFIT = 5.0
 """Residuals larger than so many times the stated sigma are no fit: nothing should be built on it."""
+FAR = 3.0
+"""Ratio of a shift to the stated bias above which the points or the RPC deserve a second look."""
 ENOUGH = 4
 """Redundancy from which the scatter of the residuals itself says what is significant; below, the stated sigma does."""
 
@@ -68,11 +70,16 @@ class BiasAdvice:
     """Stated, of an image coordinate."""
     prior_ratio: float | None
     """Length of the advised shift in the middle of the RPC over the sigma that the vendor states (ERR_BIAS);
-    None without either.  Above 3 the points or the RPC deserve a second look."""
+    None without either.  Above FAR the points or the RPC deserve a second look."""
     set_aside: tuple[int, ...]
     """Rows of points that contradict the others and took no part, the worst first."""
     set_aside_px: Array
     """(len(set_aside), 2) measured - corrected projection of these points."""
+
+    @property
+    def is_far(self) -> bool:
+        """Whether the shift is decidedly larger than what the vendor states."""
+        return self.prior_ratio is not None and self.prior_ratio > FAR
 
 
 def choose_bias(

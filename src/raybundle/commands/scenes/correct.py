@@ -176,6 +176,7 @@ def correction_on(given: SceneInput, control: SceneControl, s: ControlSettings) 
     import numpy as np  # noqa: PLC0415
 
     from raybundle.scenes.bias_choice import choose_bias  # noqa: PLC0415
+    from raybundle.scenes.image_axes import check_image_axes  # noqa: PLC0415
     from raybundle.scenes.rpc_errors import ground_errors  # noqa: PLC0415
 
     scene, rpc = given.scene, given.scene.rpc
@@ -186,6 +187,8 @@ def correction_on(given: SceneInput, control: SceneControl, s: ControlSettings) 
     check_near(scene, rpc, control.geographic, control.ids)
     advice = choose_bias(rpc, used.geographic, used.xy_px, sigma_px=s.image_sigma, sigma_ground_m=used.sigma_m)
     fit = advice.advised if s.scene_bias == "auto" else next((f for f in advice.fits if f.kind == s.scene_bias), None)
+    if fit is not None:
+        check_image_axes(rpc, used.geographic, used.xy_px, size_of(scene), fit)
     return Correction(
         rpc=rpc, ids=used.ids, advice=advice, fit=fit, scene=scene, size_px=size_of(scene), picture=given.picture,
         beyond=_odd_points(scene, rpc, used),
