@@ -396,6 +396,11 @@ ORDERS = {  # system, coordinates, and what is wrong with them: nothing, a remar
     "EPSG:4978 4272570 619515": "",
     "EPSG:25833 1010000 7800000": "outside the area of use",  # all of Norway
     "EPSG:32632 250000 985000": "",
+    "EPSG:2056 8530183.7 3937007.9": "refused: .*as feet they would lie in its area: write metres",
+    "EPSG:32632 1451443.6 17260498.7": "refused: .*as feet they would lie in its area: write metres",
+    "EPSG:21781 2600000 1200000": "refused: .*or name the system that they stand in",  # of EPSG:2056
+    "EPSG:2056 600000 200000": "refused: .*name the system that they stand in",
+    "EPSG:25833 1150000 7900000": "outside the area of use",
     "EPSG:32633 985000 195000": "outside the area of use.*exchanged",
     "EPSG:32632 8.25 47.5": "refused: .*look like degrees",
     "EPSG:32632 47.5 8.25": "refused: .*look like degrees",

@@ -23,6 +23,9 @@ BEYOND_DEG = 1.0
 """How far beyond its area of use a grid is still taken: zones of UTM overlap by 40 km, half a degree at the equator and
 nearly one at 60 degrees of latitude.  Coordinates of a site that begin near 0 are farther off: the false easting of a
 zone of 6 degrees puts them 1.5 degrees beyond its edge, those of smaller zones and of state grids farther."""
+FAR = 3.0
+"""Distance beyond the area, in extents of it, at which nobody uses a grid: the whole of Norway in one zone has 2.2."""
+FOOT_M = 0.3048
 HALF_TURN, QUARTER_TURN = 180.0, 90.0
 EXCHANGED = "eastings and northings exchanged? "
 
@@ -33,8 +36,8 @@ def check_area(crs: str, xy: Array, file: Path, *, named: bool = False, lines: I
     named   whether the user names the system, and not the file
     lines   (n,) of the file
     raises  InputError for longitudes and latitudes that do not exist, for degrees in a grid, for places beyond the area
-            where the other order of the two fits (in a grid: beyond by more than the extent of the area), and for all
-            beyond that of a system that the user names
+            where the other order of the two fits (in a grid: beyond by more than the extent of the area), for a grid
+            beyond by FAR extents, and for all beyond that of a system that the user names
     """
     known = np.flatnonzero(np.isfinite(xy).all(axis=1))
     if not len(known) or plan_of(crs).is_geocentric:
@@ -59,10 +62,18 @@ def check_area(crs: str, xy: Array, file: Path, *, named: bool = False, lines: I
         )
     geographic = plan_of(crs).is_geographic
     degrees = abs(x) <= HALF_TURN and abs(y) <= HALF_TURN and not geographic
-    if (exchanged and (geographic or here.share > 1)) or degrees or not math.isfinite(here.off):
-        what = "they look like degrees, or metres of a site's own axes; name their system" if degrees else (
-            f"{exchanged}write east or longitude first, or correct the system"
-        )  # fmt: skip
+    far = here.share > FAR or not math.isfinite(here.off)
+    if (exchanged and (geographic or here.share > 1)) or degrees or far:
+        feet = not exchanged and _beside(crs, FOOT_M * x, FOOT_M * y).off <= BEYOND_DEG
+        what = (
+            "they look like degrees, or metres of a site's own axes; name their system"
+            if degrees
+            else f"{exchanged}write east or longitude first, or correct the system"
+            if exchanged
+            else "as feet they would lie in its area: write metres, or name the system that they stand in"
+            if feet
+            else "name the system that they stand in"
+        )
         first = None if line is None else int(line[0])
         raise InputError(f"{words}: {where}; {what}", file=file, line=first)
     remark = f"{file.name}: {x:.10g}, {y:.10g} lie outside the area of use of {name}, at {here.place}"
