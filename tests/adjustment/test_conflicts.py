@@ -42,8 +42,19 @@ UNITS = [(1e3, "mm"), (1e2, "cm"), (1e-3, "km"), (1 / 0.3048, "feet"), (1 / 0.02
 def test_the_unit_of_scale_bars_is_named(factor, unit):
     said = answer(with_lengths(block_with(), factor))
     assert "scale bar" in said
-    assert f"are they in {unit}?" in said
+    assert f"are they in {unit}" in said
     assert "parallel" not in said
+
+
+@pytest.mark.parametrize(("factor", "unit"), [(1e3, "mm"), (1e2, "cm"), (1 / 0.3048, "feet")])
+def test_control_in_another_unit_beside_bars_is_asked_for_too(factor, unit):
+    block = block_with()
+    control = block.points.is_control.any(axis=1)
+    xyz = np.where(control[:, None], block.points.xyz * factor, block.points.xyz)
+    sigma = np.where(control[:, None], block.points.sigma * factor, block.points.sigma)
+    assert f"are the control points in {unit}?" in answer(
+        replace(block, points=replace(block.points, xyz=xyz, sigma=sigma))
+    )
 
 
 @pytest.mark.parametrize("factor", [1.0, 1.0002, 0.9998])

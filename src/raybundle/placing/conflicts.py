@@ -77,7 +77,8 @@ def conflict_words(found: list[Conflict], sigma0: float) -> str:
     groups = " and ".join(counted(c.count, c.group.removesuffix("s")) for c in found)
     every = f"sigma0 {sigma0:.3g} with all of them" if np.isfinite(sigma0) else "no solution with all of them"
     each = ", ".join(f"{c.sigma0:.3g} without the {c.group}" for c in found)
-    named = [_factor_words(c) for c in found if c.unit]
+    others = [c.group for c in found if c.group != "scale bars"]
+    named = [words for c in found if (words := _factor_words(c, others[0] if others else ""))]
     verb = "contradict each other" if len(found) > 1 else "contradict the other observations"
     todo = " ".join(named) or "Check their unit, coordinate system and names"
     return f"{groups} {verb}: {every}, sigma0 {each}. {todo}"
@@ -94,10 +95,19 @@ def conflict_notice(found: list[Conflict], sigma0: float) -> Notice:
     )
 
 
-def _factor_words(conflict: Conflict) -> str:
+def _factor_words(conflict: Conflict, other: str) -> str:
+    """The question for the unit, "" without one; `other` is what contradicts the bars as well as they do it."""
     if conflict.unit == "degrees":
         return "The positions lie within the range of longitude and latitude: degrees in place of metres?"
-    return f"Given lengths are {conflict.factor:.5g} times those adjusted: are they in {conflict.unit}?"
+    unit = _unit(1 / conflict.factor) if other and conflict.group == "scale bars" else ""
+    asked = [f"are they in {conflict.unit}"] if conflict.unit else []
+    asked += [f"are the {other} in {unit}"] if unit else []
+    return f"Given lengths are {conflict.factor:.5g} times those adjusted: {', or '.join(asked)}?" if asked else ""
+
+
+def _unit(factor: float) -> str:
+    """The unit that explains a factor of lengths; "" where none does."""
+    return next((u for f, u in UNITS.items() if abs(factor / f - 1) < NEAR), "")
 
 
 def _of_lengths(block: Block, adjusted: Block) -> tuple[float, str]:
@@ -112,8 +122,7 @@ def _of_lengths(block: Block, adjusted: Block) -> tuple[float, str]:
     if not len(factor):
         return float("nan"), ""
     middle = float(np.median(factor))
-    unit = next((u for f, u in UNITS.items() if abs(middle / f - 1) < NEAR), "")
-    return middle, unit
+    return middle, _unit(middle)
 
 
 def _of_positions(block: Block, adjusted: Block) -> tuple[float, str]:
