@@ -43,6 +43,29 @@ def test_exchanged_names_cost_these_image_points_alone(kind, pairs, images):
     assert "blunder_not_located" not in {n.code for n in result.notices}
 
 
+@pytest.mark.parametrize("seed", range(6))
+def test_a_minority_of_exchanged_names_does_not_win(seed):
+    """The same two points in several images: rays with the wrong names meet one another in the other point."""
+    survey = Survey(seed=seed, control=8, control_sigma=(2e-4, 2e-4, 2e-4))
+    simulated = simulate(ring_scene(Ring()), survey)
+    block, rng = simulated.observed, np.random.default_rng(seed)
+    o, point = block.observations, block.observations.point.copy()
+    images = [set(o.image[o.point == k].tolist()) for k in range(len(block.points))]
+    loose = np.flatnonzero(~block.points_named & ~block.points.is_control.any(axis=1))
+    pairs = [(a, b) for a in loose for b in loose if a < b and len(images[a] & images[b]) >= 4]
+    a, b = pairs[rng.integers(len(pairs))]
+    rays = min(len(images[a]), len(images[b]))
+    some = rng.permutation(sorted(images[a] & images[b]))[: (rays - 1) // 2]
+    for image in some:
+        here = {k: int(np.flatnonzero((o.image == image) & (o.point == k))[0]) for k in (a, b)}
+        point[[here[a], here[b]]] = b, a
+    result = adjust(replace(block, observations=replace(o, point=point)), SNOOPING)
+    away = result.adjusted.points.xyz[[a, b]] - simulated.truth.points.xyz[[a, b]]
+    extent = np.linalg.norm(np.ptp(simulated.truth.points.xyz, axis=0))
+    assert np.linalg.norm(away[np.isfinite(away).all(axis=1)], axis=1).max(initial=0) < 0.01 * extent
+    assert {"names_exchanged", "blunder_not_located"} & {n.code for n in result.notices}
+
+
 @pytest.mark.parametrize("px", [8.0, 80.0, 800.0])
 def test_image_points_beside_their_own_place_are_not_called_exchanged(px):
     block = simulate(field_scene(TargetField()), Survey(seed=4, scale_bars=2)).observed

@@ -19,10 +19,10 @@ def simulated(kind="testfield"):
     return simulate(SCENES[kind](), Survey(seed=6, scale_bars=2)).observed
 
 
-def fault(block):
+def fault(block, options=OPTIONS):
     """The first fault, or the error."""
     try:
-        return adjust(block, OPTIONS).notices[0]
+        return adjust(block, options).notices[0]
     except NotSolvable as error:
         return str(error)
 
@@ -48,6 +48,15 @@ def test_images_of_another_camera_constant_are_named(kind, count, factor):
         assert notice.ids == mine
     ratio = factor if notice.ids == mine else 1 / factor
     assert notice.values["ratio"] == pytest.approx(ratio, rel=2e-3)
+
+
+@pytest.mark.parametrize("reject", ["none", "snooping"])
+@pytest.mark.parametrize(("count", "factor", "seed"), [(3, 1.05, 1), (3, 0.95, 2), (2, 1.08, 3), (1, 1.05, 4)])
+def test_no_other_image_is_named_and_snooping_does_not_hide_them(reject, count, factor, seed):
+    block = simulate(SCENES["testfield"](), Survey(seed=seed, scale_bars=2)).observed
+    images = np.random.default_rng(seed).choice(len(block.images), count, replace=False)
+    notice = fault(zoomed(block, images, factor), replace(OPTIONS, reject=reject))
+    assert (notice.code, set(notice.ids)) == ("image_contradicts", {block.images.ids[k] for k in images})
 
 
 @pytest.mark.parametrize("ratio", [1.25, 1.02, 0.9])

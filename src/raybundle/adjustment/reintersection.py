@@ -32,6 +32,9 @@ def reintersected(result: Adjustment, block: Block, skip: set[int]) -> tuple[Blo
     result  adjusted, without gross errors among the rays that took part
     skip    points that are not tried again
 
+    Points of which no more rays take part than were rejected are tried as well: gross errors that agree, as names
+    exchanged in several images, win where they come first.  Where no majority meets, such a point is left out.
+
     Of each two rays the intersection with most others within the critical value counts (Fischler and Bolles 1981); the
     other rays are blunders.  Three rays have to meet, and more than half of them; or both of two.  No other ray may
     meet them in the place of one of these: which one is wrong could not be located.
@@ -40,7 +43,8 @@ def reintersected(result: Adjustment, block: Block, skip: set[int]) -> tuple[Blo
     lost = np.array([r is not None and r.kind in WHOLE for r in reasons], bool)
     held: Mask = np.any(block.points.is_control, axis=1) | np.isin(np.arange(len(block.points)), list(skip))
     scene: Mask = np.array([c.is_scene for c in block.cameras], bool)[block.images.camera[o.image]]
-    points = np.setdiff1d(np.unique(o.point[lost & ~scene]), np.flatnonzero(held))
+    doubted = _outnumbered(result) & ~held & ~block.points_named
+    points = np.setdiff1d(np.union1d(o.point[lost & ~scene], np.flatnonzero(doubted)), np.flatnonzero(held))
     oriented = block.images.oriented[o.image]
     found: set[int] = set()
     xyz = block.points.xyz.copy()
@@ -49,6 +53,14 @@ def reintersected(result: Adjustment, block: Block, skip: set[int]) -> tuple[Blo
         rows = rows[[(r := reasons[i]) is None or r.kind is not RejectionKind.GIVEN for i in rows]]
         place, meet = _meeting(result, block, rows)
         if int(meet.sum()) < min(FEWEST, len(rows)) or 2 * int(meet.sum()) <= len(rows):
+            if doubted[p]:
+                found.add(p)
+                for i in rows.tolist():
+                    reasons[i] = reasons[i] or Rejection(kind=RejectionKind.BLUNDER_NOT_LOCATED)
+            continue
+        if doubted[p] and all(
+            (reasons[i] is None) == fits for i, fits in zip(rows.tolist(), meet.tolist(), strict=True)
+        ):
             continue
         found.add(p)
         xyz[p] = place
@@ -57,6 +69,14 @@ def reintersected(result: Adjustment, block: Block, skip: set[int]) -> tuple[Blo
     if not found:
         return None
     return replace(block, points=replace(block.points, xyz=xyz)), tuple(reasons), found
+
+
+def _outnumbered(result: Adjustment) -> Mask:
+    """Points (p,) of which no more image points take part than were rejected as blunders."""
+    o, reasons, n = result.given.observations, result.image_observations.rejected, len(result.given.points)
+    out = np.array([r is not None and r.kind is RejectionKind.BLUNDER for r in reasons], bool)
+    kept = np.bincount(o.point[result.image_observations.used], minlength=n)
+    return (kept > 1) & (np.bincount(o.point[out], minlength=n) >= kept)
 
 
 def _meeting(result: Adjustment, block: Block, rows: Index) -> tuple[Array, Array]:

@@ -14,12 +14,17 @@ from raybundle.adjustment.result import Adjustment, Notice
 from raybundle.adjustment.severity import POOR_FIT
 from raybundle.block import Block, Camera
 from raybundle.block.select import with_rows
+from raybundle.numerics.arrays import Array, Index
 from raybundle.numerics.counting import counted, some_of
 
 MENDED = 2.0
 """Ratio of sigma0 as given and mended, from which on the mend explains it; POOR_FIT is the limit of what is left."""
 OTHER = 1e-3
-"""Relative difference of the camera constant of an image from the median of its camera from which on it is named."""
+"""Relative difference of the camera constant of images from that of the others from which on they are named."""
+APART = 5.0
+"""The same, in standard deviations of the camera constant of one image, from the scatter of the others"""
+BESIDE = 0.2
+"""Share of the largest difference below which no further one is named: it is what makes the images fit"""
 TRIED = 3
 """Images that are left out in turn, those with the largest residuals"""
 FEWEST_RAYS = 2
@@ -160,6 +165,20 @@ def _with_pixels(
     return []
 
 
+def _alike(value: Array) -> Index:
+    """Positions of the largest group of values without a gap that their scatter does not explain."""
+    group, limit = np.argsort(value, kind="stable"), OTHER
+    while len(group) > 1:
+        at = int(np.diff(value[group]).argmax()) + 1
+        less, more = sorted((group[:at], group[at:]), key=len)
+        middle = float(np.median(value[more]))
+        difference = abs(float(np.median(value[less])) - middle)
+        if difference <= max(limit, APART * 1.4826 * float(np.median(np.abs(value[more] - middle)))):
+            break
+        group, limit = more, max(limit, BESIDE * difference)
+    return np.sort(group)
+
+
 def _constant_notice(mended: Adjustment, sigma0: float) -> Notice | None:
     images, own = mended.adjusted.images, mended.adjusted.images.interior
     symbol = [c.sensor.scale_symbol for c in mended.adjusted.cameras]
@@ -168,11 +187,9 @@ def _constant_notice(mended: Adjustment, sigma0: float) -> Notice | None:
     ratios: list[float] = []
     for camera in np.unique(images.camera):
         mine = np.flatnonzero(images.camera == camera)
-        middle = float(np.nanmedian(value[mine]))
-        other = mine[np.abs(value[mine] / middle - 1) > OTHER]
-        if 2 * len(other) > len(mine):  # the median stands between two halves
-            other = mine[value[mine] > (np.nanmax(value[mine]) + np.nanmin(value[mine])) / 2]
-        rest = np.setdiff1d(mine, other)
+        mine = mine[np.isfinite(value[mine])]
+        rest = mine[_alike(np.log(value[mine]))]
+        other = np.setdiff1d(mine, rest)
         names += [images.ids[k] for k in other]
         ratios += [float(np.median(value[other]) / np.median(value[rest]))] if len(other) and len(rest) else []
     if not names or not ratios:

@@ -98,8 +98,8 @@ def adjust(block: Block, options: AdjustmentOptions | None = None, progress: Pro
         bent |= set() if doubt is None else {"image_contradicts", "control_not_located"}
         others = [n for n in result.notices if n.code not in bent]
         result = replace(result, notices=(*plain, *others))
-    if result.sigma0 > POOR_FIT and not plain and bars is None and not _held(block):
-        images = image_doubt_notices(block, result, _solver(options))
+    if not plain and bars is None and not _held(block) and (torn := _torn(block, result, options)) is not None:
+        images = image_doubt_notices(block, torn, _solver(options))
         # parameters that take up errors of images are not what is wrong
         bent = (
             {"not_determinable", "systematic_residuals", "pixel_shape", "image_contradicts"} if images else set[str]()
@@ -196,6 +196,21 @@ def _structure(result: Adjustment, options: AdjustmentOptions) -> tuple[Notice, 
     if 2 * automatic(points).sum() < len(points) or (found := structure_notice(result)) is None:
         return ()
     return (replace(found, message=f"{found.message}. {more}"),)
+
+
+MANY = 0.05
+"""Share of image observations that are rejected from which on images, not their points, may be what is wrong"""
+
+
+def _torn(block: Block, result: Adjustment, options: AdjustmentOptions) -> Adjustment | None:
+    """The adjustment whose images do not fit each other: with what data snooping rejected; None where they fit."""
+    if result.sigma0 > POOR_FIT:
+        return result
+    blunders = sum(r is not None and r.kind is RejectionKind.BLUNDER for r in result.image_observations.rejected)
+    if blunders <= MANY * len(result.given.observations):
+        return None
+    whole = _solver(options)(block)
+    return whole if whole is not None and whole.sigma0 > POOR_FIT else None
 
 
 def _plainly(block: Block, options: AdjustmentOptions) -> Adjustment:
