@@ -170,7 +170,7 @@ def _alike(value: Array) -> Index:
     group, limit = np.argsort(value, kind="stable"), OTHER
     while len(group) > 1:
         at = int(np.diff(value[group]).argmax()) + 1
-        less, more = sorted((group[:at], group[at:]), key=len)
+        less, more = (group[:at], group[at:]) if 2 * at <= len(group) else (group[at:], group[:at])
         middle = float(np.median(value[more]))
         difference = abs(float(np.median(value[less])) - middle)
         if difference <= max(limit, APART * 1.4826 * float(np.median(np.abs(value[more] - middle)))):
