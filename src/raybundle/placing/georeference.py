@@ -36,6 +36,7 @@ from raybundle.placing.marks import (
 )
 from raybundle.placing.mirrored import mirrored_notices, without_control
 from raybundle.placing.misread import without_exchanged_positions, without_misread_control
+from raybundle.placing.misread_axes import control_as_read, positions_as_read
 from raybundle.placing.positions import SCALE, Positions, mean_place, observe, positions_of, scale_sigma, turn_sigma
 from raybundle.placing.reduced_marks import take_at_their_size
 from raybundle.placing.round_marks import take_eccentricity_off
@@ -98,7 +99,7 @@ def georeference(
     take_at_their_size(state, given.control, given.mark_px)
     free = intersected(state.block)
     drop_gross_marks(state, free)
-    _drop_wrong_control(state, free, units=frame is None)
+    _drop_wrong_control(state, free, given, frame)
     control = _control_to_fit(state.block, free)
     positions = None if frame is None or not given.gps else _likely_positions(state, photos, frame)
     alone = positions is None or len(positions) < 3
@@ -152,24 +153,29 @@ def frame_of(photos: Sequence[Photo], given: Given) -> LocalFrame | None:
     return local_frame(WGS84, mean)
 
 
-def _drop_wrong_control(state: Placing, free: Array, *, units: bool) -> None:
-    """Take all control out where its axes are those of a mirror image, or else misread points of it.
-
-    units  whether its unit of length may be another one
-    """
+def _drop_wrong_control(state: Placing, free: Array, given: Given, frame: LocalFrame | None) -> None:
+    """Take all control out where its columns or axes are misread, or else misread points of it."""
+    state.block, told = control_as_read(state.block, free, given.control, None if frame is None else frame.undulation_m)
+    state.notices += told
+    if told:
+        return
     mirrored = mirrored_notices(state.block, free)
     state.notices += mirrored
     if mirrored:
         state.block = without_control(state.block)
         return
-    state.block, told = without_misread_control(state.block, free, units=units)
+    state.block, told = without_misread_control(state.block, free, units=frame is None)
     state.notices += told
 
 
 def _likely_positions(state: Placing, photos: Sequence[Photo], frame: LocalFrame) -> Positions:
-    """The positions that photographs state, without those that are exchanged."""
-    given = positions_of(photos, state.block.images.oriented, frame)
-    positions, told = without_exchanged_positions(state.block, given)
+    """The positions that photographs state, without those that are misread."""
+    positions = positions_of(photos, state.block.images.oriented, frame)
+    positions, told = positions_as_read(state.block, photos, positions)
+    if told:
+        state.notices += told
+        return positions
+    positions, told = without_exchanged_positions(state.block, positions)
     state.notices += told
     return positions
 
