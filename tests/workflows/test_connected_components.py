@@ -242,7 +242,8 @@ def test_positions_in_a_line_do_not_tell_the_turn_about_it():
     def positions(xyz, sigma=0.5):
         n = len(xyz)
         return Positions(
-            image=np.arange(n), xyz=np.array(xyz), sigma=np.full((n, 3), sigma), flight=np.zeros(n, int), flights=1
+            image=np.arange(n), xyz=np.array(xyz), sigma=np.full((n, 3), sigma), flight=np.zeros(n, int), flights=1,
+            assumed=np.zeros(n, bool),
         )  # fmt: skip
 
     line = [[20.0 * k, 0.01 * (-1) ** k, 80.0] for k in range(6)]

@@ -90,6 +90,8 @@ def georeference(
     """
     state = Placing(block)
     frame = frame_of(photos, given) if around is None else around.frame
+    if frame is not None and around is None:
+        state.notices.append(place_notice(frame, given))
     add_points(state, photos, given, frame)
     state.notices += identical_notices(state.block)
     add_bars(state, given)
@@ -151,6 +153,17 @@ def frame_of(photos: Sequence[Photo], given: Given) -> LocalFrame | None:
     if any(np.isfinite(c.xyz).any() for c in given.control) or not given.gps or mean is None:
         return None
     return local_frame(WGS84, mean)
+
+
+def place_notice(frame: LocalFrame, given: Given) -> Notice:
+    """Where on the earth control or positions lie, from which a reader sees an exchanged sign or column."""
+    lon, lat = frame.wgs84_from_local(np.zeros((1, 3)))[0, :2].tolist()
+    place = f"{abs(lat):.4f} {'S' if lat < 0 else 'N'}, {abs(lon):.4f} {'W' if lon < 0 else 'E'}"
+    if any(c.crs for c in given.control):
+        message = f"place of the control: {place} (WGS 84)"
+    else:
+        message = f"place of the positions: {place} (WGS 84)"
+    return Notice(code="place", message=message, values={"latitude": lat, "longitude": lon})
 
 
 def _drop_wrong_control(state: Placing, free: Array, given: Given, frame: LocalFrame | None) -> None:

@@ -163,6 +163,6 @@ def without_exchanged_positions(block: Block, positions: Positions) -> tuple[Pos
     )
     left = replace(
         positions, image=positions.image[keep], xyz=positions.xyz[keep], sigma=positions.sigma[keep],
-        flight=positions.flight[keep],
+        flight=positions.flight[keep], assumed=positions.assumed[keep],
     )  # fmt: skip
     return left, [Notice(code="positions_exchanged", message=message, ids=names)]

@@ -129,9 +129,9 @@ def positions_as_read(block: Block, photos: Sequence[Photo], positions: Position
             "two columns, or their names, in the file of positions"
         )
         notice = Notice(code="positions_axes", message=message, ids=names[:100])
-    nothing = np.zeros(0, np.int32)
     left = replace(
-        positions, image=nothing, xyz=np.zeros((0, 3)), sigma=np.zeros((0, 3)), flight=nothing,
+        positions, image=positions.image[:0], xyz=positions.xyz[:0], sigma=positions.sigma[:0],
+        flight=positions.flight[:0], assumed=positions.assumed[:0],
     )  # fmt: skip
     return left, [notice]
 

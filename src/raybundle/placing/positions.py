@@ -16,7 +16,7 @@ from raybundle.block import Block, Instrument, Stations
 from raybundle.block.select import selected
 from raybundle.io.geo.coordinate_systems import LocalFrame
 from raybundle.io.photos.photo import Photo
-from raybundle.numerics.arrays import Array, Index
+from raybundle.numerics.arrays import Array, Index, Mask
 from raybundle.numerics.counting import counted
 from raybundle.placing.marks import Given, Placing
 from raybundle.platforms.antenna import Antenna
@@ -44,6 +44,8 @@ class Positions:
     flight: Index
     """(k,) number of the flight, 0 first; flights are those of all photographs, oriented or not"""
     flights: int
+    assumed: Mask
+    """(k,) positions of which no standard deviation is stated"""
 
     def __len__(self) -> int:
         return len(self.image)
@@ -62,12 +64,14 @@ def mean_place(photos: Sequence[Photo]) -> Array | None:
 def positions_of(photos: Sequence[Photo], oriented: Array, frame: LocalFrame) -> Positions:
     """The positions of the oriented photographs (n,) that state one."""
     rows = [i for i, p in enumerate(photos) if p.metadata.gps is not None and oriented[i]]
+    assumed = np.zeros(len(rows), bool)
     geographic, sigma = np.full((len(rows), 3), np.nan), np.full((len(rows), 3), np.nan)
     for k, i in enumerate(rows):
         g = photos[i].metadata.gps
         assert g is not None
         geographic[k] = g.longitude_deg, g.latitude_deg, np.nan if g.altitude_m is None else g.altitude_m
         stated = g.sigma_m or (np.nan, np.nan, np.nan)
+        assumed[k] = not any(np.isfinite(s) and s > 0 for s in stated)
         sigma[k] = [s if np.isfinite(s) and s > 0 else d for s, d in zip(stated, GPS_M, strict=True)]
     local = frame.local_from_wgs84(geographic) if rows else geographic
     stated = [i for i, p in enumerate(photos) if p.metadata.gps is not None]
@@ -79,6 +83,7 @@ def positions_of(photos: Sequence[Photo], oriented: Array, frame: LocalFrame) ->
         sigma=np.where(np.isfinite(local), sigma, np.nan),
         flight=number[rows],
         flights=int(number.max()) + 1 if rows else 0,
+        assumed=assumed,
     )
 
 
@@ -189,6 +194,12 @@ def observe(state: Placing, positions: Positions, given: Given) -> None:
             told += ", with a shift of their own" + (f" for each of {count} flights" if count > 1 else "")
     state.block = block.having(stations)
     state.tell("gps", told)
+    if positions.assumed.any():
+        state.tell(
+            "positions_assumed",
+            f"{counted(int(positions.assumed.sum()), 'position')} without standard deviations: {GPS_M[0]:g} m in plan "
+            f"and {GPS_M[2]:g} m in height are assumed. Give the accuracies in the file of positions if they are known",
+        )
 
 
 def without_idle(block: Block) -> Block:
