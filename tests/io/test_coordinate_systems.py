@@ -8,7 +8,7 @@ from pyproj import Transformer
 
 from raybundle.errors import InputError
 from raybundle.io.geo import coordinate_systems
-from raybundle.io.geo.coordinate_systems import LocalFrame, _vertical, frame_from_mapping, local_frame
+from raybundle.io.geo.coordinate_systems import LocalFrame, _vertical, frame_from_mapping, height_remarks, local_frame
 from raybundle.io.geo.parsed_systems import parse_crs, system_name
 from raybundle.io.geo.told_systems import told_system
 
@@ -231,9 +231,7 @@ def no_geoid():
 
 @pytest.mark.usefixtures("no_geoid")
 def test_heights_above_a_missing_geoid_are_refused():
-    with pytest.raises(
-        InputError, match=r"DHHN2016 height.*\.tif.*pyproj sync --file .*say so: EPSG:25832\+ellipsoid$"
-    ):
+    with pytest.raises(InputError, match=r"DHHN2016 height.*\.tif.*pyproj sync --file .* EPSG:25832\+ellipsoid, "):
         local_frame(GEOID, RHINE)
     with pytest.raises(InputError, match="a geoid that is not installed"):
         LocalFrame(crs=GEOID, origin=RHINE).local_from_crs(np.array([RHINE]))
@@ -334,3 +332,8 @@ def test_the_height_of_a_geoid_counts_from_the_earth_s_ellipsoid(crs, at):
     assert any("(WGS 84)" in r for r in frame.remarks)
     with pytest.raises(InputError, match="counts heights from the ellipsoid; leave undulation"):
         local_frame(crs + "+ellipsoid", (x, y, 100.0), undulation_m=45.0)
+
+
+def test_advice_on_heights_does_not_rest_on_an_option_that_a_command_may_not_have():
+    (remark,) = height_remarks("+proj=tmerc +lat_0=47 +lon_0=8 +ellps=WGS84 +units=m")
+    assert "add the height of the geoid to them" in remark

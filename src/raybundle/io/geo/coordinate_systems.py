@@ -265,7 +265,7 @@ def height_remarks(crs: str, undulation_m: float | None = None) -> tuple[str, ..
             named, sea = f"name the system as {code}{ELLIPSOID}", f"name theirs too, as {code}+5773 (EGM96)"
         else:  # a code of another place would move the block there
             named = f"write {ELLIPSOID} behind the name of the system"
-            sea = f"give the height of the geoid with {option('undulation')}"
+            sea = f"add the height of the geoid to them (`convert`, `rpc`: {option('undulation')})"
         how += f"{named}, if they are above the sea {sea}"
         return (f"{system_name(crs)} says nothing about heights; they are taken in {unit}, {how}",)
     if undulation_m is not None:
@@ -288,8 +288,8 @@ def _missing_geoid(crs: str, grid: str) -> InputError:
         get = f"get its grid {grid}: `pyproj sync --file {grid}`, or {offline}"
     return InputError(
         f"{height_name(crs)} counts heights above a geoid that is not installed; taken as heights above the ellipsoid "
-        f"they would be wrong by up to 100 m; {get}; or give the height of the geoid, where {option('undulation')} is "
-        f"an option; or, where the heights do stand above the ellipsoid, say so: {alone}"
+        f"they would be wrong by up to 100 m; {get}; or add the height of the geoid to all heights (`convert`, `rpc`: "
+        f"{option('undulation')}), and name the system {alone}, as for heights that do stand above the ellipsoid"
     )
 
 
