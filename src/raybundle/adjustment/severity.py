@@ -25,8 +25,8 @@ _CODES = {
         "control_exchanged control_identical control_left_out control_mirrored control_not_located control_rejected "
         "control_unit epochs_names epochs_scale images_mirrored group_less_precise groups_contradict image_contradicts "
         "incomplete camera_constant_unknown mark_contradicts no_redundancy "
-        "nominal_mirrored nominal_names nominal_scale not_determinable positions_axes positions_exchanged "
-        "positions_unit redundancy_sum "
+        "nominal_mirrored nominal_names nominal_scale not_determinable position_left_out positions_axes "
+        "positions_exchanged positions_unit redundancy_sum "
         "snooping_masked snooping_unfinished weak_convergence"
     ),
     Severity.CAUTION: (

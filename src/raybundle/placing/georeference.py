@@ -42,6 +42,7 @@ from raybundle.placing.reduced_marks import take_at_their_size
 from raybundle.placing.round_marks import take_eccentricity_off
 from raybundle.placing.turned_marks import take_turned_back
 from raybundle.placing.upright import Upright, doubts, upright
+from raybundle.placing.wrong_positions import without_wrong_positions
 
 LEVEL = 0.05
 """Tangent of the angle to which a block is level by the viewing direction of its photographs."""
@@ -190,6 +191,9 @@ def _likely_positions(state: Placing, photos: Sequence[Photo], frame: LocalFrame
         return positions
     positions, told = without_exchanged_positions(state.block, positions)
     state.notices += told
+    if not told:
+        positions, told = without_wrong_positions(state.block, positions)
+        state.notices += told
     return positions
 
 
