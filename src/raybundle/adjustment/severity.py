@@ -47,8 +47,9 @@ _CODES = {
     ),
     Severity.REMARK: (
         "attitudes axes_fitted camera camera_joined check_points_open control_unchecked dropped given_rejected gps "
-        "in_parts masks memory_exceeded model not_significant parallel_rays parts_joined photographs place positions_assumed read_out "
-        "reduced_features rejected relative_positions scale_checked scene_joins stored_turned target_eccentricity "
+        "in_parts masks memory_exceeded model not_significant parallel_rays parts_joined photographs place "
+        "positions_assumed read_out reduced_features rejected relative_positions "
+        "scale_checked scene_joins stored_turned target_eccentricity "
         "names_exchanged snooping_robust target_radius up_by_edges up_without_edges variance_groups"
     ),
 }
