@@ -25,6 +25,8 @@ LEVEL = 1e-5
 GROSS, FAR = 10.0, 0.05
 """Distance of a wrong position from where the others put it: in its standard deviations, and as a share of the extent
 of the others, which no free block bends by.  What is nearer is left to the tests of the adjustment."""
+TRIED = 20
+"""Positions that are left out in turn, those with the largest residuals"""
 MOST = 0.25
 """Share of the positions that may be wrong."""
 
@@ -73,16 +75,18 @@ def _worst(source: Array, target: Array, sigma: Array) -> tuple[int, float] | No
     n = len(source)
     redundancy = 3 * (n - 1) - 7
     try:
-        whole = float(np.sum(similarity(source, target).residuals ** 2))
-        rests = [similarity(np.delete(source, k, 0), np.delete(target, k, 0)) for k in range(n)]
+        each = np.sum(similarity(source, target).residuals ** 2, axis=1)
+        tried = np.argsort(-each, kind="stable")[:TRIED].tolist()
+        rests = [similarity(np.delete(source, k, 0), np.delete(target, k, 0)) for k in tried]
     except InputError:  # in a line
         return None
     squares = [max(float(np.sum(r.residuals**2)), 1e-300) for r in rests]
-    k = int(np.argmin(squares))
-    F = (whole - squares[k]) / 3 / (squares[k] / redundancy)
+    best = int(np.argmin(squares))
+    k, onto = tried[best], rests[best]
+    F = (float(each.sum()) - squares[best]) / 3 / (squares[best] / redundancy)
     others = np.delete(target, k, 0)
     extent = float(np.sqrt(np.mean(np.sum((others - others.mean(axis=0)) ** 2, axis=1))))
-    gap = rests[k].points(source[k : k + 1])[0] - target[k]
+    gap = onto.points(source[k : k + 1])[0] - target[k]
     distance = float(np.linalg.norm(gap))
     gross = distance > FAR * extent and bool((np.abs(gap) > GROSS * sigma[k]).any())
     return (k, distance) if gross and fisher_tail(F, 3, redundancy) < LEVEL / n else None
