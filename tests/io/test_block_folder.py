@@ -199,12 +199,14 @@ def rich_block() -> Block:
 
 def test_everything_the_format_knows_reads_back_equal(tmp_path):
     block = rich_block()
+    nominal = replace(block, free_scale=False, nominal_scale=True)  # one block has one of the two
     of_tables = {f"{t.__name__}.{f.name}" for t in tables.values() for f in fields(t)}  # tests/observations reads them
     # rigs share no parameters of their own; the format says of instruments only what is free or observed
     elsewhere = {f"Instrument.{name}" for name in ("known", "calibrated", "relations")} | {"Images.station"}
-    assert always_as_by_default([block]) - of_tables == elsewhere | {"Camera.known"}
-    write_block(block, tmp_path / "b")
-    assert_same(block, read_block(tmp_path / "b"))
+    assert always_as_by_default([block, nominal]) - of_tables == elsewhere | {"Camera.known"}
+    for given, name in ((block, "b"), (nominal, "nominal")):
+        write_block(given, tmp_path / name)
+        assert_same(given, read_block(tmp_path / name))
 
 
 def test_auto_estimate_reads_back(tmp_path):

@@ -185,9 +185,9 @@ TEXT = {
         "line denominator is",
     ),
     "infinite": (lambda t: t.replace("LAT_SCALE: ", "LAT_SCALE: 1e999 "), "LAT_SCALE"),
-    "a key twice": (lambda t: f"{t}\nLINE_OFF: 1\n", r"column LINE_OFF: 1, and \S+ in line 1; delete one"),
-    "a key twice, spelt otherwise": (lambda t: f"{t}\nline_off = 1\n", r"column line_off: 1, and \S+ in line 1"),
-    "a coefficient twice": (lambda t: f"{t}\nSAMP_NUM_COEFF_3: 7\n", r"column SAMP_NUM_COEFF_3: 7, and "),
+    "a key twice": (lambda t: f"{t}\nLINE_OFF: 1\n", r"column LINE_OFF: 1\S*, and \S+ in line 1; delete one"),
+    "a key twice, spelt otherwise": (lambda t: f"{t}\nline_off = 1\n", r"column line_off: 1\S*, and \S+ in line 1"),
+    "a coefficient twice": (lambda t: f"{t}\nSAMP_NUM_COEFF_3: 7\n", r"column SAMP_NUM_COEFF_3: 7\S*, and "),
     "a list beside coefficients": (lambda t: f"{t}\nlineNumCoef = (7, 8);\n", "in line .*; delete one"),
 }
 

@@ -74,7 +74,10 @@ def adjust(block: Block, options: AdjustmentOptions | None = None, progress: Pro
         bars = None if isinstance(error, DatumDefect) else _doubted_bars(block, options)
         result = _without(bars, options, progress)
         if result is None:
-            raise _explained(error, block, options, twins, identical) from error
+            words_ = _explained(error, block, options, twins, identical)
+            if not words_:
+                raise
+            raise error.worded(words_) from error  # in no variable: its traceback would keep it, and all it was made of
     else:
         result = _without(bars, options, progress) or result
     if twins and not result.converged:
@@ -124,19 +127,19 @@ def adjust(block: Block, options: AdjustmentOptions | None = None, progress: Pro
 def _explained(
     error: NotSolvable, block: Block, options: AdjustmentOptions, twins: list[tuple[str, str]],
     identical: Sequence[Notice],
-) -> NotSolvable:  # fmt: skip
-    """The error with what may be behind it."""
+) -> str:  # fmt: skip
+    """The words of an error with what may be behind it; "" where there is nothing to add."""
     why = [_twin_words(twins)] if twins else [n.message for n in identical]
     unit = None if why or isinstance(error, DatumDefect) else unit_words(block)
     if unit is not None:
-        return error.worded(f"{unit}\n  {error}")
+        return f"{unit}\n  {error}"
     found = [] if why or isinstance(error, DatumDefect) else _conflicts(block, options)
     if found:
-        return error.worded(conflict_words(found, float("nan")))
+        return conflict_words(found, float("nan"))
     if not why and isinstance(error, RankDefect) and (torn := _control_words(block, options)):
-        return error.worded("\n  ".join([*torn, str(error)]))
+        return "\n  ".join([*torn, str(error)])
     why = why or (_control_words(block, options) if isinstance(error, NoConvergence) else [])
-    return error.worded("\n  ".join([str(error), *why])) if why else error
+    return "\n  ".join([str(error), *why]) if why else ""
 
 
 def _without(bars: BarDoubt | None, options: AdjustmentOptions, progress: Progress) -> Adjustment | None:

@@ -118,7 +118,10 @@ def _check_once(
     before, old = stated.setdefault(plain, (line, value))
     if old != value:
         raise InputError(
-            f"{value:.12g}, and {old:.12g} in line {before}; delete one of the two", file=path, line=line, column=key
+            f"{exact(value)}, and {exact(old)} in line {before}; delete one of the two",
+            file=path,
+            line=line,
+            column=key,
         )
 
 
