@@ -33,7 +33,8 @@ def reintersected(result: Adjustment, block: Block, skip: set[int]) -> tuple[Blo
     skip    points that are not tried again
 
     Points of which no more rays take part than were rejected are tried as well: gross errors that agree, as names
-    exchanged in several images, win where they come first.  Where no majority meets, such a point is left out.
+    exchanged in several images, win where they come first.  Such a point is left out where no majority meets and as
+    many of the rejected rays meet in another place.
 
     Of each two rays the intersection with most others within the critical value counts (Fischler and Bolles 1981); the
     other rays are blunders.  Three rays have to meet, and more than half of them; or both of two.  No other ray may
@@ -53,7 +54,8 @@ def reintersected(result: Adjustment, block: Block, skip: set[int]) -> tuple[Blo
         rows = rows[[(r := reasons[i]) is None or r.kind is not RejectionKind.GIVEN for i in rows]]
         place, meet = _meeting(result, block, rows)
         if int(meet.sum()) < min(FEWEST, len(rows)) or 2 * int(meet.sum()) <= len(rows):
-            if doubted[p]:
+            out = rows[[reasons[i] is not None for i in rows]]
+            if doubted[p] and int(_meeting(result, block, out)[1].sum()) >= len(rows) - len(out):
                 found.add(p)
                 for i in rows.tolist():
                     reasons[i] = reasons[i] or Rejection(kind=RejectionKind.BLUNDER_NOT_LOCATED)
