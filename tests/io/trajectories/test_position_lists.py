@@ -361,6 +361,14 @@ def test_lists_without_names_are_read_where_numbers_decide(tmp_path, lines):
     assert any(r == f"no column names: taken as {remark[NAMELESS[lines]]}" for r in read_trajectory(path).remarks)
 
 
+@pytest.mark.parametrize("name", ["", " ", "\t"])
+def test_an_empty_name_is_refused(tmp_path, name):
+    path = tmp_path / "list.csv"
+    path.write_text(f"imagename,latitude,longitude,altitude\na.jpg,47.5,8.25,450\n{name},47.5,8.26,450\n")
+    with pytest.raises(InputError, match=r"line 3.*the name of the image is empty"):
+        read_trajectory(path)
+
+
 def test_numbers_as_names_of_photographs(tmp_path):
     path = tmp_path / "geo.txt"
     path.write_text("EPSG:4326\n0001 8.25 47.5 450\n12 8.26 47.5 450\n")

@@ -76,6 +76,8 @@ def listed(
         raise InputError("it holds no position; a line is NAME X Y Z, or NAME LATITUDE LONGITUDE HEIGHT", file=path)
     first: dict[str, int] = {}
     for row in rows:
+        if not row.name.strip():
+            raise InputError("the name of the image is empty", file=path, line=row.line, column="name")
         if row.name in first:
             message = f"{row.name} stands in line {first[row.name]} already; delete one"
             raise InputError(message, file=path, line=row.line, column="name")
