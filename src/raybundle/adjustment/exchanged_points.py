@@ -18,11 +18,10 @@ def exchanged_notices(result: Adjustment) -> list[Notice]:
     """A remark on the image points that are rejected under their own names and fit under those of each other."""
     o, ids = result.given.observations, result.given.points.ids
     out = np.array([r is not None and r.kind in BLUNDERS for r in result.image_observations.rejected], bool)
-    found = [
-        (int(image), pair)
-        for image in np.unique(o.image[out])
-        for pair in _pairs(result, int(image), out & (o.image == image))
-    ]
+    rows = np.flatnonzero(out)
+    rows = rows[np.argsort(o.image[rows], kind="stable")]
+    parts = np.split(rows, np.flatnonzero(np.diff(o.image[rows])) + 1) if len(rows) else []
+    found = [(int(o.image[part[0]]), pair) for part in parts for pair in _pairs(result, int(o.image[part[0]]), part)]
     if not found:
         return []
     images = result.given.images.ids
@@ -33,10 +32,9 @@ def exchanged_notices(result: Adjustment) -> list[Notice]:
     return [Notice(code="names_exchanged", message=message, ids=names[:100], values={"pairs": len(found)})]
 
 
-def _pairs(result: Adjustment, image: int, rows: Index) -> list[tuple[int, int]]:
+def _pairs(result: Adjustment, image: int, row: Index) -> list[tuple[int, int]]:
     """Two points each that lie where the other one was measured, within the limit of data snooping."""
     block, o = result.adjusted, result.given.observations
-    row = np.flatnonzero(rows)
     row = row[np.isfinite(block.points.xyz[o.point[row]]).all(axis=1)]
     if len(row) < 2:
         return []

@@ -46,12 +46,15 @@ def reintersected(result: Adjustment, block: Block, skip: set[int]) -> tuple[Blo
     scene: Mask = np.array([c.is_scene for c in block.cameras], bool)[block.images.camera[o.image]]
     doubted = _outnumbered(result) & ~held & ~block.points_named
     points = np.setdiff1d(np.union1d(o.point[lost & ~scene], np.flatnonzero(doubted)), np.flatnonzero(held))
-    oriented = block.images.oriented[o.image]
+    if not len(points):
+        return None
+    given = np.array([r is not None and r.kind is RejectionKind.GIVEN for r in reasons], bool)
+    usable = np.flatnonzero(block.images.oriented[o.image] & ~scene & ~given & np.isin(o.point, points))
+    usable = usable[np.argsort(o.point[usable], kind="stable")]
+    ends = np.searchsorted(o.point[usable], points, side="right")
     found: set[int] = set()
     xyz = block.points.xyz.copy()
-    for p in points.tolist():
-        rows = np.flatnonzero((o.point == p) & oriented & ~scene)
-        rows = rows[[(r := reasons[i]) is None or r.kind is not RejectionKind.GIVEN for i in rows]]
+    for p, rows in zip(points.tolist(), np.split(usable, ends[:-1]), strict=True):
         place, meet = _meeting(result, block, rows)
         if int(meet.sum()) < min(FEWEST, len(rows)) or 2 * int(meet.sum()) <= len(rows):
             out = rows[[reasons[i] is not None for i in rows]]

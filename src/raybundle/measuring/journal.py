@@ -153,7 +153,7 @@ class Journal:
 
     @classmethod
     def open_or_look(cls, path: str | Path, known: Known) -> Journal:
-        """The same; where its folder cannot be written, what is there to be looked at: `append` then says why not.
+        """The same; where its folder cannot be written, what is there to be looked at; `append` then raises the reason.
 
         raises  InputError where it is no journal, or the folder can be written and the journal cannot
         """

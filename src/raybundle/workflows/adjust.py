@@ -74,10 +74,10 @@ def adjust(block: Block, options: AdjustmentOptions | None = None, progress: Pro
         bars = None if isinstance(error, DatumDefect) else _doubted_bars(block, options)
         result = _without(bars, options, progress)
         if result is None:
-            words_ = _explained(error, block, options, twins, identical)
-            if not words_:
+            text = _explained(error, block, options, twins, identical)
+            if not text:
                 raise
-            raise error.worded(words_) from error  # in no variable: its traceback would keep it, and all it was made of
+            raise error.worded(text) from error  # in no variable: its traceback would keep it, and all it was made of
     else:
         result = _without(bars, options, progress) or result
     if twins and not result.converged:

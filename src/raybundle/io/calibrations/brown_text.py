@@ -87,7 +87,7 @@ def read_australis(path: Path, size_px: tuple[int, int] | None) -> tuple[Calibra
     (width, pixel_x), (height, pixel_y) = sensor["H"], sensor["V"]
     camera = _camera(path, path.stem, (width, height), (pixel_x, pixel_y), final)
     free = tuple(s for s in sensor_models["brown"].symbols if s in std)
-    remarks = ("the file tells standard deviations, no correlations",) if free else ()
+    remarks = ("the file holds standard deviations and no correlations",) if free else ()
     covariance = np.diag([std[s] ** 2 for s in free]) if free else None
     return (
         Calibration(
@@ -188,7 +188,7 @@ def read_photomodeler(path: Path, size_px: tuple[int, int] | None) -> tuple[Cali
             pixel_mm=camera.pixel_mm,
             free=free,
             covariance=np.diag([std[s] ** 2 for s in free]) if free else None,
-            remarks=("the file tells standard deviations, no correlations",) if free else (),
+            remarks=("the file holds standard deviations and no correlations",) if free else (),
         ),
     )
 

@@ -41,8 +41,8 @@ def in_one_system(files: Sequence[ControlFile], crs: str | None = None) -> tuple
         if f.crs is None and np.isfinite(f.xyz).any():
             remark = f"{f.path.name} names no coordinate system; taken in that of {others}: {system_name(known)}"
             beyond = check_area(known, f.xyz[:, :2], f.path)
-            told = () if _among(f.xyz[:, :2], around) else (remark, *beyond)
-            f = replace(f, crs=known, remarks=(*f.remarks, *told))  # noqa: PLW2901
+            more = () if _among(f.xyz[:, :2], around) else (remark, *beyond)
+            f = replace(f, crs=known, remarks=(*f.remarks, *more))  # noqa: PLW2901
         found.append(f)
     return tuple(found)
 

@@ -53,12 +53,12 @@ def row_groups(footer: bytes) -> list[tuple[int, list[Chunk]]]:
     for group in _part(_Head(footer).struct(0), 4, list):
         chunks: list[Chunk] = []
         for column in _part(group, 1, list):
-            told = _part(column, 3, dict)
-            begin, dictionary = _part(told, 9, int), told.get(11)
+            meta = _part(column, 3, dict)
+            begin, dictionary = _part(meta, 9, int), meta.get(11)
             if isinstance(dictionary, int) and dictionary > 0:
                 begin = min(begin, dictionary)
-            name = ".".join(str(n, "utf-8", "replace") for n in _part(told, 3, list) if isinstance(n, bytes))
-            chunks.append(Chunk(name, begin, _part(told, 7, int)))
+            name = ".".join(str(n, "utf-8", "replace") for n in _part(meta, 3, list) if isinstance(n, bytes))
+            chunks.append(Chunk(name, begin, _part(meta, 7, int)))
         found.append((_part(group, 3, int), chunks))
     return found
 

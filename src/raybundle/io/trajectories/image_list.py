@@ -196,7 +196,7 @@ def _is_header(words: Sequence[str]) -> bool:
 def _check_units(path: Path, columns: _Columns, *, compound: bool) -> None:
     """Raise InputError where a name states, in brackets, another unit or another reference of the heights.
 
-    compound  whether the coordinate system says what heights count from
+    compound  whether the coordinate system has a zero of heights
     """
     for kind, k in columns.at.items():
         if kind == "name" or k >= len(columns.names):
