@@ -39,12 +39,11 @@ def units_of(ratio: float) -> tuple[str, str] | None:
     return min(likely, key=lambda p: ("m" not in p, left[p]), default=None)
 
 
-def factor_unit(ratio: float, unit: str, near: float) -> str:
+def factor_unit(ratio: float, unit: str, near: float, *, kilometres: bool = False) -> str:
     """The unit in which given lengths are `ratio` times the right ones in `unit`; "" where none explains it.
 
-    near  relative difference within which a unit explains it
-
-    Kilometres are not named: nobody measures bars in them.
+    near        relative difference within which a unit explains it
+    kilometres  whether they are named, too; nobody measures bars in them
     """
-    names = [n for n in UNITS if n not in (unit, "km")]
+    names = [n for n in UNITS if n != unit and (kilometres or n != "km")]
     return next((n for n in names if abs(ratio * UNITS[n] / UNITS[unit] - 1) < near), "")

@@ -16,11 +16,10 @@ from raybundle.adjustment.severity import POOR_FIT, Severity
 from raybundle.block import Block, Distances, Stations
 from raybundle.numerics.arrays import Array
 from raybundle.numerics.counting import counted
+from raybundle.numerics.length_units import factor_unit
 
-UNITS = {1e3: "mm", 1e2: "cm", 1e-3: "km", 1 / 0.3048: "feet", 1 / 0.0254: "inches", 0.3048: "metres, the block feet"}
-"""Factor by which lengths are too large where a file is in this unit and the block in metres."""
 NEAR = 0.01
-"""Relative distance from such a factor within which it is named: photographs and control know the scale better."""
+"""Relative distance from a unit's factor within which it is named: photographs and control know the scale better."""
 DEGREES = (180.0, 90.0)
 """Largest longitude and latitude."""
 TINY = 1e-3
@@ -40,6 +39,8 @@ class Conflict:
     """median of given lengths over adjusted ones"""
     unit: str = ""
     """in which the values seem to be given"""
+    other_unit: str = ""
+    """in which what they contradict would have to be given instead"""
 
 
 def conflicts(block: Block, solved: Callable[[Block], Adjustment | None], without_control: Block) -> list[Conflict]:
@@ -63,12 +64,16 @@ def conflicts(block: Block, solved: Callable[[Block], Adjustment | None], withou
         result = solved(rest)
         if result is None or not result.sigma0 <= POOR_FIT:
             continue
-        factor, unit = float("nan"), ""
+        factor, unit, other = float("nan"), "", ""
         if group == "scale bars":
-            factor, unit = _of_lengths(block, result.adjusted)
+            factor = _of_lengths(block, result.adjusted)
+            unit = factor_unit(factor, block.length_unit, NEAR, kilometres=True)
+            other = factor_unit(1 / factor, block.length_unit, NEAR)
         elif group == "positions":
             factor, unit = _of_positions(block, result.adjusted)
-        found.append(Conflict(group=group, count=count, sigma0=result.sigma0, factor=factor, unit=unit))
+        found.append(
+            Conflict(group=group, count=count, sigma0=result.sigma0, factor=factor, unit=unit, other_unit=other)
+        )
     return found
 
 
@@ -99,19 +104,13 @@ def _factor_words(conflict: Conflict, other: str) -> str:
     """The question for the unit, "" without one; `other` is what contradicts the bars as well as they do it."""
     if conflict.unit == "degrees":
         return "The positions lie within the range of longitude and latitude: degrees in place of metres?"
-    unit = _unit(1 / conflict.factor) if other and conflict.group == "scale bars" else ""
     asked = [f"are they in {conflict.unit}"] if conflict.unit else []
-    asked += [f"are the {other} in {unit}"] if unit else []
+    asked += [f"are the {other} in {conflict.other_unit}"] if other and conflict.other_unit else []
     return f"Given lengths are {conflict.factor:.5g} times those adjusted: {', or '.join(asked)}?" if asked else ""
 
 
-def _unit(factor: float) -> str:
-    """The unit that explains a factor of lengths; "" where none does."""
-    return next((u for f, u in UNITS.items() if abs(factor / f - 1) < NEAR), "")
-
-
-def _of_lengths(block: Block, adjusted: Block) -> tuple[float, str]:
-    """Median factor of the given lengths, and the unit that explains it; "" where they disagree or none does."""
+def _of_lengths(block: Block, adjusted: Block) -> float:
+    """Median factor of the given lengths; NaN without one."""
     index = {name: k for k, name in enumerate(adjusted.points.ids)}
     d, ids = block.distances, block.points.ids
     ends = [(index.get(ids[a]), index.get(ids[b])) for a, b in zip(d.start.tolist(), d.end.tolist(), strict=True)]
@@ -120,9 +119,8 @@ def _of_lengths(block: Block, adjusted: Block) -> tuple[float, str]:
     own = np.array([np.linalg.norm(xyz[ends[k][0]] - xyz[ends[k][1]]) for k in rows])
     factor = np.asarray(d.length)[rows] / np.maximum(own, 1e-300)
     if not len(factor):
-        return float("nan"), ""
-    middle = float(np.median(factor))
-    return middle, _unit(middle)
+        return float("nan")
+    return float(np.median(factor))
 
 
 def _of_positions(block: Block, adjusted: Block) -> tuple[float, str]:

@@ -20,6 +20,7 @@ from raybundle.io.geo.parsed_systems import parse_crs
 from raybundle.io.photos.photo import Photo
 from raybundle.numerics.arrays import Array, Index
 from raybundle.numerics.counting import counted
+from raybundle.numerics.length_units import UNITS
 from raybundle.numerics.statistics import fisher_tail
 from raybundle.numerics.transform import similarity
 from raybundle.placing.mirrored import without_control
@@ -36,11 +37,10 @@ STATED, ROUGHLY = 3.0, 0.01
 block with an unadjusted camera holds."""
 LINE = 0.05
 """Width of the places, as a share of their length, up to which they stand in a line."""
-FOOT_M = 0.3048
 EXCHANGED, FEET = "axes_exchanged", "heights_in_feet"
 MENDS: Mapping[str, Array] = {
     EXCHANGED: np.array([[0.0, 1, 0], [1, 0, 0], [0, 0, 1]]),
-    FEET: np.diag([1.0, 1, FOOT_M]),
+    FEET: np.diag([1.0, 1, UNITS["feet"]]),
 }
 """Matrices from the coordinates as given to the mended ones."""
 

@@ -89,7 +89,7 @@ def adjust(block: Block, options: AdjustmentOptions | None = None, progress: Pro
         result = replace(result, notices=(warning, *result.notices))
     doubt = None
     found = _conflicts(block, options) if result.sigma0 > POOR_FIT and not identical else []
-    if any(c.unit for c in found):
+    if any(c.unit or (c.other_unit and len(found) > 1) for c in found):
         identical = (*identical, conflict_notice(found, result.sigma0))
     if result.sigma0 > POOR_FIT and block.points.is_control.any() and not identical and not _held(block):
         doubt = doubted_control(block, result, options, _plainly)

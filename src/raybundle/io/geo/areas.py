@@ -14,6 +14,7 @@ from raybundle.errors import InputError
 from raybundle.io.geo.parsed_systems import plan_of, system_name
 from raybundle.io.geo.told_systems import told_system
 from raybundle.numerics.arrays import Array, Index
+from raybundle.numerics.length_units import UNITS
 from raybundle.settings import option
 
 if TYPE_CHECKING:
@@ -25,7 +26,6 @@ nearly one at 60 degrees of latitude.  Coordinates of a site that begin near 0 a
 zone of 6 degrees puts them 1.5 degrees beyond its edge, those of smaller zones and of state grids farther."""
 FAR = 3.0
 """Distance beyond the area, in extents of it, at which nobody uses a grid: the whole of Norway in one zone has 2.2."""
-FOOT_M = 0.3048
 HALF_TURN, QUARTER_TURN = 180.0, 90.0
 EXCHANGED = "eastings and northings exchanged? "
 
@@ -64,7 +64,7 @@ def check_area(crs: str, xy: Array, file: Path, *, named: bool = False, lines: I
     degrees = abs(x) <= HALF_TURN and abs(y) <= HALF_TURN and not geographic
     far = here.share > FAR or not math.isfinite(here.off)
     if (exchanged and (geographic or here.share > 1)) or degrees or far:
-        feet = not exchanged and _beside(crs, FOOT_M * x, FOOT_M * y).off <= BEYOND_DEG
+        feet = not exchanged and _beside(crs, UNITS["feet"] * x, UNITS["feet"] * y).off <= BEYOND_DEG
         what = (
             "they look like degrees, or metres of a site's own axes; name their system"
             if degrees
