@@ -4,8 +4,10 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+from pyproj import Transformer
 
 from raybundle.block.select import with_rows
+from raybundle.io.geo.coordinate_systems import local_frame
 from raybundle.numerics.geodesy import LocalPlace
 from raybundle.placing.georeference import georeference
 from raybundle.placing.marks import Given
@@ -122,3 +124,21 @@ def test_positions_without_standard_deviations_name_those_that_are_assumed(fligh
     (notice,) = [n for n in georeference(flight.free, photos, Given()).notices if n.code == "positions_assumed"]
     assert notice.severity == "remark"
     assert notice.message.startswith("3 positions without standard deviations: 5 m in plan and 10 m in height")
+
+
+def test_positions_in_a_grid_keep_it(flight):
+    photos = with_gps(flight)
+    geographic = georeference(flight.free, photos, Given())
+    lon, lat, h = geographic.frame.wgs84_from_local(np.zeros((1, 3)))[0]
+    centre = local_frame("EPSG:4979", (lon, lat, h))
+    x, y = Transformer.from_crs("EPSG:4979", "EPSG:32632", always_xy=True).transform(lon, lat)
+    grid = local_frame("EPSG:32632+ellipsoid", (x, y, h))
+    placed = georeference(flight.free, photos, Given(positions_frame=grid))
+    assert placed.frame is grid
+    by_grid = placed.frame.crs_from_local(placed.block.images.centre)
+    by_hand = Transformer.from_crs("EPSG:4979", "EPSG:32632", always_xy=True).transform(
+        *centre.wgs84_from_local(geographic.block.images.centre).T[:2]
+    )
+    np.testing.assert_allclose(by_grid[:, :2], np.transpose(by_hand), atol=2e-3)
+    control = in_degrees(flight, [0, 1, 2, 3])
+    assert georeference(flight.free, photos, Given(control=(control,), positions_frame=grid)).frame.crs == control.crs

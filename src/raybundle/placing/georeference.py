@@ -123,7 +123,9 @@ def georeference(
         _fix_by_bars(state, photos, free, given)
         frame = None
     if frame is not None and around is None:
-        state.notices += [Notice(code="coordinate_system", message=r) for r in frame.remarks]
+        own = () if given.positions_frame is None else given.positions_frame.remarks
+        remarks = dict.fromkeys((*frame.remarks, *own))
+        state.notices += [Notice(code="coordinate_system", message=r) for r in remarks]
     state.notices += [Notice(code="control_file", message=r) for c in given.control for r in c.remarks]
     if fixed or len(state.block.distances):  # in metres
         take_eccentricity_off(state, given.control)
@@ -141,7 +143,7 @@ def georeference(
 
 
 def frame_of(photos: Sequence[Photo], given: Given) -> LocalFrame | None:
-    """A local frame in the coordinate system of the control, else of the GPS positions."""
+    """A local frame in the coordinate system of the control, else of the list of positions, else WGS 84."""
     systems = {c.crs for c in given.control if c.crs}
     if len(systems) > 1:
         raise InputError(f"control in different coordinate systems: {', '.join(sorted(systems))}; use one")
@@ -153,7 +155,7 @@ def frame_of(photos: Sequence[Photo], given: Given) -> LocalFrame | None:
     mean = mean_place(photos)
     if any(np.isfinite(c.xyz).any() for c in given.control) or not given.gps or mean is None:
         return None
-    return local_frame(WGS84, mean)
+    return given.positions_frame or local_frame(WGS84, mean)
 
 
 def place_notice(frame: LocalFrame, given: Given) -> Notice:

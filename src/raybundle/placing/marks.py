@@ -61,6 +61,8 @@ class Given:
     scale_bars: tuple[ScaleBar, ...] = ()
     gps: bool = True
     """use the positions that the photographs state"""
+    positions_frame: LocalFrame | None = None
+    """local frame in the grid of a list of positions; None: they are geographic"""
     shift: bool = True
     """beside control, a shift of the positions of each flight is estimated"""
     lever_arm: tuple[tuple[float, float, float], float] | None = None

@@ -22,6 +22,7 @@ from raybundle.io.trajectories import (
     write_trajectory,
 )
 from raybundle.io.trajectories.base import WGS84_HEIGHT
+from raybundle.io.trajectories.photographs import frame_of_positions
 from raybundle.numerics.attitude import opk_from_rotation, rotation_from_opk, rotation_from_rpy
 
 MRK = (
@@ -299,3 +300,17 @@ def test_correlated_positions_become_correlated_stations(tmp_path):
     photo = Photo(name="a.jpg", metadata=Metadata(), path=path, width_px=1, height_px=1, sha256="")
     _, remarks = with_positions([photo], t)
     assert any("correlations of the positions in ppk.csv are not used" in r for r in remarks)
+
+
+def test_a_list_in_a_grid_gives_the_frame_of_its_photographs(tmp_path):
+    path = tmp_path / "geo.txt"
+    path.write_text("EPSG:32632\na.jpg 500000 5300000 100\nb.jpg 500020 5300040 120\nfar.jpg 600000 5300000 0\n")
+    photos = [
+        Photo(path=tmp_path / n, name=n, width_px=4, height_px=3, sha256="", metadata=Metadata())
+        for n in ("a.jpg", "b.jpg")
+    ]
+    frame = frame_of_positions(photos, read_trajectory(path))
+    assert frame.crs == "EPSG:32632"
+    assert frame.origin == pytest.approx((500010, 5300020, 110))
+    path.write_text("EPSG:4326\na.jpg 9.1 47.2 100\nb.jpg 9.2 47.2 120\n")
+    assert frame_of_positions(photos, read_trajectory(path)) is None

@@ -18,7 +18,7 @@ from raybundle.io.ids import check_ids
 from raybundle.io.reading.files import as_utf8, guarded, opened
 from raybundle.io.reading.ledger import ledger, not_read
 from raybundle.io.reading.words import whole_of
-from raybundle.numerics.arrays import Array, Index
+from raybundle.numerics.arrays import Array, Index, Mask
 from raybundle.numerics.counting import counted
 from raybundle.numerics.natural import natural
 from raybundle.settings import option
@@ -252,11 +252,8 @@ def in_wgs84(trajectory: Trajectory, crs: str | None) -> Trajectory:
         return trajectory
     beyond = () if trajectory.crs else check_area(crs, trajectory.xyz[:, :2], trajectory.path, lines=trajectory.lines)
     known = np.isfinite(trajectory.xyz[:, :2]).all(axis=1)
-    if not known.any():
-        raise InputError("it holds no position", file=trajectory.path)
     place = trajectory.xyz[known]
-    heights = place[np.isfinite(place[:, 2]), 2]
-    frame = local_frame(crs, (*place[:, :2].mean(axis=0), heights.mean() if len(heights) else np.nan))
+    frame = frame_at(crs, trajectory, known)
     xyz = np.full_like(trajectory.xyz, np.nan)
     xyz[known] = frame.wgs84_from_local(frame.local_from_crs(place))
     rotation = trajectory.rotation
@@ -268,6 +265,16 @@ def in_wgs84(trajectory: Trajectory, crs: str | None) -> Trajectory:
         trajectory, xyz=xyz, crs=WGS84_HEIGHT, rotation=rotation, true_north=rotation is not None,
         remarks=(*trajectory.remarks, *beyond, *frame.remarks),
     )  # fmt: skip
+
+
+def frame_at(crs: str, trajectory: Trajectory, rows: Mask | Index) -> LocalFrame:
+    """The local frame in a system at the mean of some positions in it; raises InputError where there are none."""
+    place = trajectory.xyz[rows]
+    place = place[np.isfinite(place[:, :2]).all(axis=1)]
+    if not len(place):
+        raise InputError("it holds no position", file=trajectory.path)
+    heights = place[np.isfinite(place[:, 2]), 2]
+    return local_frame(crs, (*place[:, :2].mean(axis=0), heights.mean() if len(heights) else np.nan))
 
 
 def rotations_in(trajectory: Trajectory, frame: LocalFrame | None) -> Array:

@@ -9,9 +9,10 @@ from dataclasses import replace
 import numpy as np
 
 from raybundle.errors import InputError
+from raybundle.io.geo.coordinate_systems import LocalFrame, parse_crs
 from raybundle.io.photos.metadata import Gps
 from raybundle.io.photos.photo import Photo
-from raybundle.io.trajectories.base import Trajectory, in_wgs84, matched
+from raybundle.io.trajectories.base import Trajectory, frame_at, in_wgs84, matched
 from raybundle.numerics.arrays import Array
 from raybundle.numerics.counting import counted
 
@@ -40,6 +41,18 @@ def with_positions(
         "deviations alone; in the stations.csv of a block they count"
     )
     return tuple(changed), (remark, *((left,) if told else ()), *trajectory.remarks)
+
+
+def frame_of_positions(photos: Sequence[Photo], trajectory: Trajectory, crs: str | None = None) -> LocalFrame | None:
+    """The local frame in the grid of a trajectory at the mean of these photographs; None where it is in degrees.
+
+    crs     the system of a trajectory that names none
+    """
+    system = trajectory.crs or crs
+    if system is None or parse_crs(system).is_geographic:
+        return None
+    rows = matched(trajectory, [p.name for p in photos])
+    return frame_at(system, trajectory, rows[rows >= 0])
 
 
 def _gps(trajectory: Trajectory, row: int) -> Gps | None:

@@ -7,8 +7,10 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 
 from raybundle.errors import InputError
+from raybundle.io.geo.coordinate_systems import LocalFrame
 from raybundle.io.photos.photo import Found, Photo, find_photos
 from raybundle.io.trajectories import Trajectory, with_positions
+from raybundle.io.trajectories.photographs import frame_of_positions
 from raybundle.numerics.counting import counted
 from raybundle.pipeline.stage import Means, Stage
 from raybundle.placing.marks import under_kept_names
@@ -33,6 +35,7 @@ class Searched:
 
     found: Found
     scenes: FoundScenes
+    positions_frame: LocalFrame | None = None
 
 
 def _inputs(state: OrientState) -> Inputs:
@@ -48,13 +51,16 @@ def search(given: Inputs, means: Means) -> Searched:
     scenes = find_scenes(given.paths)
     used = _beside(given.paths, [*given.control, *([] if given.positions is None else [given.positions.path])])
     found = find_photos(given.paths, leave=[*scenes.files, *used], progress=means.progress)
+    frame = None
     if given.positions is not None:
         placed, told = with_positions(found.photos, given.positions, given.crs)
-        found = replace(found, photos=placed, remarks=(*found.remarks, *told))
+        frame = frame_of_positions(found.photos, given.positions, given.crs)
+        later = () if frame is None else frame.remarks  # stated with the place of the block
+        found = replace(found, photos=placed, remarks=(*found.remarks, *(r for r in told if r not in later)))
     check_number(
         given.paths, found.photos, len(scenes.scenes), (*_refused(found), *scenes.refused), found.remarks
     )  # fmt: skip
-    return Searched(found=found, scenes=scenes)
+    return Searched(found=found, scenes=scenes, positions_frame=frame)
 
 
 def _refused(found: Found) -> Reasons:
@@ -74,7 +80,11 @@ def _put(state: OrientState, product: Searched) -> OrientState:
         photos=found.photos,
         refused=_refused(found),
         remarks=found.remarks,
-        given=replace(state.given, control=under_kept_names(state.given.control, found.copies)),
+        given=replace(
+            state.given,
+            control=under_kept_names(state.given.control, found.copies),
+            positions_frame=product.positions_frame,
+        ),
         scenes=SceneState(images=scenes.scenes) if scenes.scenes else None,
         scenes_found=scenes,
     )
