@@ -79,6 +79,14 @@ def test_a_product_is_made_once_and_again_when_what_it_depends_on_changes(run):
     assert run.project.records[0].summary == "6"
 
 
+def test_a_product_with_the_fields_of_another_version_is_made_again(run):
+    earlier = replace(DOUBLE, codec=Codec(arrays=lambda p: {"q": np.array(p)}, product=lambda a: float(a["q"])))
+    assert run.stages((earlier,), State(given=3.0)).doubled == 6.0
+    for made in (2, 2):
+        assert run.stages((DOUBLE,), State(given=3.0)).doubled == 6.0
+        assert len(MADE) == made
+
+
 def test_stages_of_one_line_are_told_together(run):
     other = replace(SUMS, line="double", told=lambda s: f"{len(s.sums)} sums")
     run.stages((DOUBLE, other), State(given=3.0))

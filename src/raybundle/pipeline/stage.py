@@ -381,7 +381,8 @@ class Run:
         key = key_of(stage.name, stage.version, inputs)
         kept = store.load(key)
         if kept is not None:
-            return codec.product(kept), key, True
+            with suppress(KeyError, TypeError, ValueError):  # another version of raybundle has other fields
+                return codec.product(kept), key, True
         arrays = codec.arrays(stage.function(inputs, means))
         store.store(key, arrays)
         return codec.product(arrays), key, False
