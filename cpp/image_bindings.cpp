@@ -40,19 +40,21 @@ nb::tuple match_windows(Image reference, Image target, Const xy_reference, Const
   if (xy_start.size() != 2 * n || affine_start.size() != 4 * n) throw std::invalid_argument("windows have the wrong size");
   if (xy_reference.size() % 2 || half < 2 || half > kLargestHalf) throw std::invalid_argument("half a window is not from 2 to 256 pixels");
   auto xy = make({n, 2}), affine = make({n, 2, 2}), covariance = make({n, 3}), correlation = make({n});
+  auto residual = make({n, size_t(kResidual)});
   auto outcome = array<int32_t>({n});
+  std::fill_n(residual.data(), kResidual * n, 0.0);
   std::copy_n(xy_start.data(), 2 * n, xy.data());
   std::copy_n(affine_start.data(), 4 * n, affine.data());
   const Grey from{reference.data(), int(reference.shape(1)), int(reference.shape(0))};
   const Grey to{target.data(), int(target.shape(1)), int(target.shape(0))};
   const double* c = xy_reference.data();
-  double *p = xy.data(), *B = affine.data(), *Q = covariance.data(), *r = correlation.data();
+  double *p = xy.data(), *B = affine.data(), *Q = covariance.data(), *r = correlation.data(), *e = residual.data();
   int32_t* o = outcome.data();
   {
     nb::gil_scoped_release release;
-    imaging_kernels().match(from, to, {half, sigma, iterations, step, reach, loose}, 0, int(n), c, p, B, Q, r, o);
+    imaging_kernels().match(from, to, {half, sigma, iterations, step, reach, loose}, 0, int(n), c, p, B, Q, r, e, o);
   }
-  return nb::make_tuple(xy, affine, covariance, correlation, outcome);
+  return nb::make_tuple(xy, affine, covariance, correlation, residual, outcome);
 }
 
 nb::tuple fit_dots(Image image, Const xy, Const shape, Const window, int iterations, double step, double reach, double slope) {

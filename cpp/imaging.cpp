@@ -356,8 +356,42 @@ struct Window {
   double total;
 };
 
+// What the residuals e of a match tell of displacements of its parts: grey^2, displacements in the target.
+static void judge(const Window& o, int side, const double* e, double square, double contrast, double mean, const double* B,
+                  double* found) {
+  double b[kParts * kParts][2] = {}, t[3] = {};
+  for (int i = 0; i < o.count; ++i) {
+    double* of = b[i / side * kParts / side * kParts + i % side * kParts / side];
+    const double gx = o.J[i], gy = o.J[o.filled + i], w = o.w[i];
+    of[0] += w * gx * e[i];
+    of[1] += w * gy * e[i];
+    t[0] += w * w * gx * gx;
+    t[1] += w * w * gx * gy;
+    t[2] += w * w * gy * gy;
+  }
+  double m[3] = {};
+  for (const auto& of : b) {
+    m[0] += of[0] * of[0];
+    m[1] += of[0] * of[1];
+    m[2] += of[1] * of[1];
+  }
+  const double det = B[0] * B[3] - B[1] * B[2];
+  const double C[4] = {B[3] / det, -B[1] / det, -B[2] / det, B[0] / det};  // reference from target
+  const double grey = contrast * contrast;
+  found[0] = square / o.total * o.count / (o.count - kUnknowns) * grey;
+  found[1] = mean;
+  const double* of[2] = {m, t};
+  for (int k = 0; k < 2; ++k) {
+    const double* s = of[k];
+    const double unit = k ? 1 : grey;
+    found[2 + 3 * k] = unit * (C[0] * (C[0] * s[0] + C[2] * s[1]) + C[2] * (C[0] * s[1] + C[2] * s[2]));
+    found[3 + 3 * k] = unit * (C[0] * (C[1] * s[0] + C[3] * s[1]) + C[2] * (C[1] * s[1] + C[3] * s[2]));
+    found[4 + 3 * k] = unit * (C[1] * (C[1] * s[0] + C[3] * s[1]) + C[3] * (C[1] * s[1] + C[3] * s[2]));
+  }
+}
+
 static void match(const Grey& reference, const Grey& target, const Patch& patch, int begin, int end, const double* xy_reference,
-                  double* xy, double* affine, double* covariance, double* correlation, int32_t* outcome) {
+                  double* xy, double* affine, double* covariance, double* correlation, double* residual, int32_t* outcome) {
   const int h = patch.half, side = 2 * h + 1, count = side * side, filled = (count + kDoubles - 1) / kDoubles * kDoubles;
   Window o;
   o.count = count;
@@ -416,7 +450,7 @@ static void match(const Grey& reference, const Grey& target, const Patch& patch,
       outcome[n] = flat;
       continue;
     }
-    const double level = mean / contrast;
+    const double grey_level = mean, level = mean / contrast;
     for (int i = 0; i < count; ++i) {
       const double gx = J[i] /= contrast, gy = J[filled + i] /= contrast;
       J[2 * filled + i] = gx * o.u[i];
@@ -504,6 +538,7 @@ static void match(const Grey& reference, const Grey& target, const Patch& patch,
         covariance[3 * n] = variance * (B[0] * (B[0] * q00 + B[1] * q01) + B[1] * (B[0] * q01 + B[1] * q11));
         covariance[3 * n + 1] = variance * (B[2] * (B[2] * q00 + B[3] * q01) + B[3] * (B[2] * q01 + B[3] * q11));
         covariance[3 * n + 2] = variance * (B[2] * (B[0] * q00 + B[1] * q01) + B[3] * (B[0] * q01 + B[1] * q11));
+        judge(o, side, G, square, contrast, grey_level, B, residual + kResidual * n);
         break;
       }
     }

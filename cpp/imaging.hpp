@@ -23,6 +23,9 @@ struct Patch {
 // What became of a point: see least_squares.py.
 enum Outcome : int32_t { matched = 0, outside = 1, flat = 2, moved = 3, unsteady = 4 };
 
+constexpr int kResidual = 8;  // figures of the residuals of a match: see least_squares.py
+constexpr int kParts = 3;     // of a window along a side, each of which may be displaced by itself
+
 struct ImagingKernels {
   // For rows of a (n, k): position and value of the largest inner product with rows of b (m, k), the second
   // largest; for rows of b: position of the largest.  k a multiple of 4.
@@ -32,7 +35,7 @@ struct ImagingKernels {
                      int32_t* reverse);
   // Affine least-squares matching of points of a reference image in a target image.
   void (*match)(const Grey& reference, const Grey& target, const Patch& patch, int begin, int end, const double* xy_reference,
-                double* xy, double* affine, double* covariance, double* correlation, int32_t* outcome);
+                double* xy, double* affine, double* covariance, double* correlation, double* residual, int32_t* outcome);
 };
 
 namespace baseline { extern const ImagingKernels imaging; }

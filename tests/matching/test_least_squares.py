@@ -167,6 +167,8 @@ def test_the_kernel_gives_what_the_twin_gives(affine_pair, options):
     np.testing.assert_allclose(a.affine[good], b.affine[good], atol=1e-6)
     np.testing.assert_allclose(a.cov_px2[good], b.cov_px2[good], rtol=1e-5)
     np.testing.assert_allclose(a.correlation[good], b.correlation[good], atol=1e-7)
+    size = np.abs(b.residual[good]).max(axis=0)
+    np.testing.assert_allclose(a.residual[good] / size, b.residual[good] / size, rtol=1e-3, atol=1e-6)
 
 
 KERNELS = [pytest.param(match_windows, id="kernel"), pytest.param(match_windows_twin, id="twin")]

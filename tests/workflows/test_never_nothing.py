@@ -65,6 +65,8 @@ def matching(monkeypatch, block, truth, failing, share=0.0):
             reference=is_reference,
             correlation=np.ones(m),
             level=np.zeros(m, int),
+            window_px=np.full(m, 3.0),
+            residual=np.zeros((m, 8)),
         )
 
     def nothing(points, places):
@@ -75,6 +77,8 @@ def matching(monkeypatch, block, truth, failing, share=0.0):
             cov_px2=np.zeros((k, 3)),
             correlation=np.zeros(k),
             level=np.full(k, LEVELS),
+            window_px=np.full(k, np.nan),
+            residual=np.zeros((k, 8)),
         )
 
     monkeypatch.setattr(precise, "refine_tracks", refined)

@@ -47,6 +47,7 @@ from raybundle.adjustment.result import (
     Precision,
     variance_factor,
 )
+from raybundle.adjustment.roughness import with_roughness
 from raybundle.adjustment.solve import CAUTIOUS, FLOOR, HUBER, solve
 from raybundle.adjustment.steady import steadied, told_by_network, without_priors
 from raybundle.adjustment.straight import check_turning
@@ -132,6 +133,7 @@ def _finished(result: Adjustment, extent: Extent, progress: Progress) -> Adjustm
     progress("statistics", 1.0)
     check_turning(result)
     result = under_noise(result) if result.options.noise == "fields" else result
+    result = with_roughness(result)
     progress("statistics", 1.0)
     return replace(result, notices=(*result.notices, *own_field_notices(result), *systematic_notices(result)))
 

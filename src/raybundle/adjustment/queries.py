@@ -48,7 +48,18 @@ def covariance_between(result: Adjustment, first: str, second: str) -> Array:
     b, Db = _selection(system, state, second)
     nodes, points = _cofactors_with(work, state, a)
     C = np.array([points[at, axis] if kind == "point" else nodes[at] for kind, at, axis in b]).T
-    return _variance(result) * Da @ C @ Db.T
+    C = _variance(result) * Da @ C @ Db.T
+    return C + _roughness(result, first) if first == second else C
+
+
+def _roughness(result: Adjustment, name: str) -> Array | float:
+    """What relief within its windows adds to the covariance (3, 3) of a point; 0 for everything else."""
+    kind, _, identity = name.partition(":")
+    rough = None if result.precision is None else result.precision.roughness
+    if kind != "point" or rough is None:
+        return 0.0
+    r = rough[result.given.points.ids.index(identity)]
+    return np.outer(r, r)
 
 
 def _cofactors_with(work: Work, state: State, chosen: list[tuple[str, int, int]]) -> tuple[Array, Array]:
@@ -170,6 +181,7 @@ def precision_in_datum(result: Adjustment, datum_points: tuple[str, ...]) -> Pre
         kind="inner", basis=work.datum.basis, centre=work.datum.centre, extent=work.datum.extent, carriers=carriers
     )
     assert work.found is not None
+    rough = None if result.precision is None else result.precision.roughness
     if work.spread is not None:
         found = spread_in_datum(work.spread, work.found, datum)
     else:
@@ -180,7 +192,11 @@ def precision_in_datum(result: Adjustment, datum_points: tuple[str, ...]) -> Pre
         change = change.with_points(points_h)
         points = change.apply_own(work.found.points_minimal)
         found = replace(work.found, transformation=change, points=points)
-    return precision(work.normals, state, found, _variance(result))
+    changed = precision(work.normals, state, found, _variance(result))
+    if rough is None:
+        return changed
+    wider = changed.object_points + rough[:, :, None] * rough[:, None, :]
+    return replace(changed, object_points=wider, roughness=rough)
 
 
 def _work(result: Adjustment) -> tuple[Work, State]:

@@ -227,6 +227,13 @@ class Points(Records):
     """(p, 3) given or approximate coordinates; NaN where not known."""
     sigma: Array = column("number", shape=(3,), follows="deviations")
     """(p, 3) 0 = held, > 0 = observed with this sigma, NaN = only approximate."""
+    window: Array | None = column("number", follows="length", empty=True, optional=True)
+    """(p,) standard deviation of the Gaussian weights of the window that matching saw of the point, on the object in
+    `length_unit`; NaN where the point was not measured by matching."""
+    misfit: Array | None = column("number", follows="stays", empty=True, optional=True)
+    """(p,) variance of the residuals of these windows over that of their noise."""
+    relief: Array | None = column("number", follows="stays", empty=True, optional=True)
+    """(p,) power of displacements of the windows' parts along the parallax over that across."""
 
     def stuck(self, by: SimilarityTransform) -> Sequence[Stuck]:
         """As of all tables; of coordinates, those that are given to be checked."""

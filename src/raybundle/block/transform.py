@@ -45,7 +45,8 @@ def transform_block(block: Block, by: SimilarityTransform, *, observed: Literal[
         what = f"R R' differs from 1 by {off:.2g} (limit {SQUARE:g})" if not off < SQUARE else "it is a mirror image"
         raise InputError(f"rotation of a transformation: {what}; give an orthogonal matrix of determinant +1")
     if observed == "stay":
-        points = replace(block.points, xyz=by.points(block.points.xyz))
+        window = None if block.points.window is None else by.scale * block.points.window
+        points = replace(block.points, xyz=by.points(block.points.xyz), window=window)
         return replace(block, images=block.images.transformed(by), points=points)
     if by.is_identity:
         return block

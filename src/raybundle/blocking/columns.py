@@ -88,7 +88,8 @@ OBSERVATIONS: Mapping[str, tuple[str, tuple[int, ...]]] = {
     "image": ("<i4", ()), "point": ("<i4", ()), "xy_px": ("<f8", (2,)), "cov_px2": ("<f8", (3,)),
 }  # fmt: skip
 POINTS: Mapping[str, tuple[str, tuple[int, ...]]] = {
-    "role": ("<i4", ()), "xyz": ("<f8", (3,)), "sigma": ("<f8", (3,)), "ids": ("<U24", ()),
+    "role": ("<i4", ()), "xyz": ("<f8", (3,)), "sigma": ("<f8", (3,)), "window": ("<f8", ()),
+    "misfit": ("<f8", ()), "relief": ("<f8", ()), "ids": ("<U24", ()),
 }  # fmt: skip
 
 
@@ -105,7 +106,8 @@ class InFiles:
         folder.mkdir(parents=True, exist_ok=True)
         for table, columns in (("observations", OBSERVATIONS), ("points", POINTS)):
             for name, (kind, _) in columns.items():
-                values = np.array(getattr(getattr(block, table), name))
+                values = getattr(getattr(block, table), name)
+                values = np.full(len(getattr(block, table)), np.nan) if values is None else np.array(values)
                 values.astype(kind).tofile(folder / f"{table}.{name}")
         return cls(InMemory(block).bare, folder)
 
@@ -156,7 +158,10 @@ class InFiles:
 
 
 def _points(found: Mapping[str, Array]) -> Points:
-    return Points(ids=tuple(found["ids"].tolist()), role=found["role"], xyz=found["xyz"], sigma=found["sigma"])
+    return Points(
+        ids=tuple(found["ids"].tolist()), role=found["role"], xyz=found["xyz"], sigma=found["sigma"],
+        window=found["window"], misfit=found["misfit"], relief=found["relief"],
+    )  # fmt: skip
 
 
 assert {f.name for f in fields(Observations)} == set(OBSERVATIONS)

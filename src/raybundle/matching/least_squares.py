@@ -18,6 +18,8 @@ from raybundle.numerics import native
 from raybundle.numerics.arrays import Array, Index
 
 UNKNOWNS = 10
+PARTS = 3
+"""Of a window along a side, each of which may be displaced by itself."""
 NOISE_SIGMA_PX = 0.6
 """White noise after the smoothing of `smoothed` and `halved` correlates as exp(-d^2 / (4 sigma^2)) at a distance d."""
 LEAST_SHARE = 0.2
@@ -63,6 +65,12 @@ class WindowMatches:
     """(n, 3) variances of x and y and their covariance, from grey values alone"""
     correlation: Array
     """(n,) of the two windows, weighted"""
+    residual: Array
+    """(n, 8) of matched points: variance of the residuals [grey values^2]; mean grey value of the reference window; for
+    displacements in the target, sum of b b' over the parts of the window and sum of w^2 g g' over its positions, each
+    as xx, xy, yy.  b: sum of w g e over a part, w weights, g gradients in the target [1 / px] of grey values with
+    variance 1, e residuals [grey values].  Of noise alone, along any direction the former is the variance of the
+    residuals times the latter; a part that is displaced adds to it along its displacement."""
     outcome: Index
     """(n,) `Outcome`"""
 
@@ -91,10 +99,12 @@ def match_windows(
     if module is None:
         return match_windows_twin(*arguments, options)
     o = options
-    xy, affine, covariance, correlation, outcome = module.match_windows(
+    xy, affine, covariance, correlation, residual, outcome = module.match_windows(
         *arguments, o.half, o.sigma, o.iterations, o.step, o.reach, o.loose
     )
-    return WindowMatches(xy_px=xy, affine=affine, cov_px2=covariance, correlation=correlation, outcome=outcome)
+    return WindowMatches(
+        xy_px=xy, affine=affine, cov_px2=covariance, correlation=correlation, residual=residual, outcome=outcome
+    )
 
 
 def with_noisy_gradients(found: WindowMatches, xy_reference: Array, options: WindowOptions) -> WindowMatches:
@@ -155,7 +165,7 @@ def match_windows_twin(
     n = len(xy_reference)
     result = WindowMatches(
         xy_px=xy_start.copy(), affine=affine_start.copy(), cov_px2=np.zeros((n, 3)), correlation=np.zeros(n),
-        outcome=np.full(n, Outcome.UNSTEADY, np.int32),
+        residual=np.zeros((n, 8)), outcome=np.full(n, Outcome.UNSTEADY, np.int32),
     )  # fmt: skip
     side = np.arange(-options.half, options.half + 1.0)
     u = np.stack(np.meshgrid(side, side), axis=-1).reshape(-1, 2)
@@ -178,6 +188,10 @@ class _Window:
     T: Array
     J: Array
     N: Array
+    level: float
+    """mean grey value"""
+    contrast: float
+    """standard deviation of the grey values"""
 
     @classmethod
     def of(cls, image: Array, centre: Array, u: Array, w: Array) -> _Window | Outcome:
@@ -193,7 +207,7 @@ class _Window:
         columns = [gx, gy, gx * u[:, 0], gx * u[:, 1], gy * u[:, 0], gy * u[:, 1], np.ones_like(T), T, *slope.T]
         J = np.stack(columns, axis=1)
         N = J.T @ (w[:, None] * J)
-        return cls(u, w, T, J, N)
+        return cls(u, w, T, J, N, float(level), contrast)
 
 
 def _match_one(o: _Window, target: Array, i: int, result: WindowMatches, options: WindowOptions) -> None:
@@ -239,8 +253,20 @@ def _match_one(o: _Window, target: Array, i: int, result: WindowMatches, options
             variance = square / total * len(o.u) / (len(o.u) - UNKNOWNS)
             C = variance * B @ Q[:2, :2] @ B.T
             result.cov_px2[i] = C[0, 0], C[1, 1], C[0, 1]
+            result.residual[i] = _judged(o, e, square, B, h)
             break
     result.xy_px[i], result.affine[i], result.outcome[i] = p, B, outcome
+
+
+def _judged(o: _Window, e: Array, square: float, B: Array, half: int) -> Array:
+    """(8,) see `WindowMatches.residual`."""
+    part = ((o.u + half).astype(int) * PARTS // (2 * half + 1)) @ [1, PARTS]
+    g = o.J[:, :2]
+    b = np.stack([np.bincount(part, o.w * g[:, k] * e, PARTS**2) for k in range(2)], axis=1) * o.contrast
+    C = np.linalg.inv(B)
+    M, T = (C.T @ S @ C for S in (b.T @ b, (o.w[:, None] * g).T @ (o.w[:, None] * g)))
+    variance = square / o.w.sum() * len(o.u) / (len(o.u) - UNKNOWNS) * o.contrast**2
+    return np.array([variance, o.level, M[0, 0], M[0, 1], M[1, 1], T[0, 0], T[0, 1], T[1, 1]])
 
 
 def _inside(image: Array, xy: Array) -> bool:

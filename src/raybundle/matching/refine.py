@@ -70,6 +70,10 @@ class Refined:
     """(m,) 1 for references"""
     level: Index
     """(m,) of the pyramid, 0 the full size; of a reference: the finest at which it was matched"""
+    window_px: Array
+    """(m,) standard deviation of the weights of the window [px of the full size]; NaN where nothing was matched"""
+    residual: Array
+    """(m, 8) see `WindowMatches.residual`; 0 where nothing was matched"""
 
 
 def choose_references(points: TrackPoints) -> Index:
@@ -115,6 +119,10 @@ class CandidateMatches:
     correlation: Array
     level: Index
     """(k,) of the pyramid; `LEVELS` where nothing was found"""
+    window_px: Array
+    """(k,) standard deviation of the weights of the window [px of the full size]; NaN where nothing was found"""
+    residual: Array
+    """(k, 8) see `WindowMatches.residual`, in pixels of the level; 0 where nothing was found"""
 
 
 Matcher = Callable[[TrackPoints, Candidates], CandidateMatches]
@@ -136,6 +144,8 @@ def refine_tracks(points: TrackPoints, match: Matcher) -> Refined:
     found = match(points, start)
     xy, cov = points.xy_px.copy(), np.zeros((m, 3))
     measured, correlation, level = np.zeros(m, bool), np.zeros(m), np.full(m, LEVELS)
+    window, residual = np.full(m, np.nan), np.zeros((m, 8))
+    window[rows], residual[rows] = found.window_px, found.residual
     xy[rows[found.good]], cov[rows[found.good]] = found.xy_px[found.good], found.cov_px2[found.good]
     measured[rows], correlation[rows], level[rows] = found.good, found.correlation, found.level
     references = np.unique(reference[measured])
@@ -144,8 +154,9 @@ def refine_tracks(points: TrackPoints, match: Matcher) -> Refined:
     is_reference = np.zeros(m, bool)
     is_reference[references] = True
     return Refined(
-        xy_px=xy, cov_px2=cov, measured=measured, reference=is_reference, correlation=correlation, level=level
-    )
+        xy_px=xy, cov_px2=cov, measured=measured, reference=is_reference, correlation=correlation, level=level,
+        window_px=window, residual=residual,
+    )  # fmt: skip
 
 
 def match_candidates(
@@ -163,6 +174,7 @@ def match_candidates(
     """
     k = len(candidates.image)
     xy, cov, correlation, level = candidates.xy_px.copy(), np.zeros((k, 3)), np.zeros(k), np.full(k, LEVELS)
+    width, residual = np.full(k, np.nan), np.zeros((k, 8))
     source = points.image[candidates.reference]
     pair = source.astype(np.int64) * (int(points.image.max(initial=0)) + 1) + candidates.image
     order = np.argsort(pair, kind="stable")
@@ -189,7 +201,8 @@ def match_candidates(
                 better = (found.outcome == Outcome.MATCHED) & (found.correlation > CORRELATION)
                 better &= (level[at] == LEVELS) | (grey[:, :2].sum(axis=1) < cov[at, :2].sum(axis=1))
                 at = at[better]
-                correlation[at], level[at] = found.correlation[better], step
+                correlation[at], level[at], width[at] = found.correlation[better], step, window.sigma * size
+                residual[at] = found.residual[better]
                 xy[at], cov[at] = found.xy_px[better] * size, grey[better]
                 # what a small window cannot match is an edge of the relief, or the wrong place
                 mine = mine[(level[group[mine]] == step) & (cov[group[mine], :2].max(axis=1) > (ENOUGH_PX * size) ** 2)]
@@ -199,7 +212,15 @@ def match_candidates(
     with ThreadPoolExecutor(max(threads, 1)) as pool:
         for n, _ in enumerate(pool.map(run, groups)):
             progress("least-squares matching", (n + 1) / max(len(groups), 1))
-    return CandidateMatches(good=level < LEVELS, xy_px=xy, cov_px2=cov, correlation=correlation, level=level)
+    return CandidateMatches(
+        good=level < LEVELS,
+        xy_px=xy,
+        cov_px2=cov,
+        correlation=correlation,
+        level=level,
+        window_px=width,
+        residual=residual,
+    )
 
 
 def _affine(points: TrackPoints, rows_a: Index, rows_b: Index, reference: Index, row: Index) -> Array:

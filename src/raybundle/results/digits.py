@@ -27,7 +27,7 @@ from raybundle.io.digits import (
 )
 from raybundle.numerics.arrays import Array
 from raybundle.observations import ObservationKind, in_order
-from raybundle.results.tables import SIGMA_ANGLES, Columns
+from raybundle.results.tables import LATER, SIGMA_ANGLES, Columns
 
 Rules = dict[str, Digits]
 
@@ -63,7 +63,7 @@ def _points(a: Adjustment) -> Rules:
     With inner constraints or a minimal datum control keeps all digits: the block states it as given, and where the
     datum is taken again it is from here.
     """
-    rules: Rules = {**dict.fromkeys(SIGMA_XYZ, STD), "rays": COUNT}
+    rules: Rules = {**dict.fromkeys((*SIGMA_XYZ, *LATER), STD), "rays": COUNT}
     if a.precision is None:
         return rules | dict.fromkeys(XYZ, EVERY)
     again = a.given.points.is_control.any(axis=1) & (a.options.datum in {"inner", "minimal"})

@@ -28,7 +28,7 @@ from raybundle.numerics.progress import Progress, silent
 from raybundle.readable import readable, without_controls
 from raybundle.results.contents import clean, result_json
 from raybundle.results.digits import result_digits
-from raybundle.results.tables import ALWAYS, TABLES, result_table
+from raybundle.results.tables import ALWAYS, LATER, TABLES, result_table
 from raybundle.settings import option
 
 PROJECT = "project"
@@ -166,7 +166,7 @@ def columns_of_table(name: str) -> tuple[Column, ...]:
     first, numbers, last = TABLES[name]
     return (
         *(Column(name=n, kind="text", empty=True) for n in first),
-        *(Column(name=n, kind="number", empty=True) for n in numbers),
+        *(Column(name=n, kind="number", empty=True, optional=n in LATER) for n in numbers),
         *(Column(name=n, kind="text", empty=True) for n in last),
     )
 

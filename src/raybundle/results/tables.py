@@ -25,7 +25,9 @@ Layout = tuple[tuple[str, ...], tuple[str, ...], tuple[str, ...]]
 
 SIGMA_ANGLES = ("somega_deg", "sphi_deg", "skappa_deg")
 IMAGES = (*XYZ, *ANGLES, *SIGMA_XYZ, *SIGMA_ANGLES)
-POINTS = (*XYZ, *SIGMA_XYZ, "rays")
+LATER = ("window", "roughness")
+"""Columns of points.csv that results of earlier versions lack."""
+POINTS = (*XYZ, *SIGMA_XYZ, "rays", *LATER)
 OBSERVATIONS = (
     *("x_px", "y_px", "sx_px", "sy_px", "vx_px", "vy_px", "rx", "ry"),
     *("wx", "wy", "tx", "ty", "mdbx_px", "mdby_px"),
@@ -128,13 +130,21 @@ def _point_std(a: Adjustment) -> Array:
 
 
 def _points(a: Adjustment) -> Columns:
-    points = a.adjusted.points
+    points, rough = a.adjusted.points, None if a.precision is None else a.precision.roughness
     return {
         **point_columns(points),
         **columns_of(XYZ, points.xyz),
         **columns_of(SIGMA_XYZ, _point_std(a)),
         "rays": used_rays(a),
+        "window": _lacking(a) if points.window is None else points.window,
+        "roughness": _lacking(a)
+        if rough is None
+        else np.where(np.isfinite(rough).all(axis=1), np.linalg.norm(rough, axis=1), np.nan),
     }
+
+
+def _lacking(a: Adjustment) -> Array:
+    return np.full(len(a.given.points), np.nan)
 
 
 def _observations(a: Adjustment) -> Columns:

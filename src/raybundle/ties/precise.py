@@ -40,6 +40,7 @@ from raybundle.ties.block import (
     viewing_lines,
 )
 from raybundle.ties.match_weights import Weights, estimate_weights
+from raybundle.ties.relief import misfit_and_relief
 
 if TYPE_CHECKING:
     from raybundle.scenes.sensor import SceneSensor
@@ -97,6 +98,8 @@ class _Work:
     block: Block
     grey: Array
     level: Index
+    window_px: Array
+    residual: Array
     reference: Mask
     feature: Mask
     weights: Weights
@@ -146,7 +149,8 @@ def refine(
             image=o.image[left], point=o.point[left], xy_px=o.xy_px[left], scale_px=tie.scale_px[left],
             angle=tie.angle[left],
         ),
-        block=block, grey=found.cov_px2[keep], level=found.level[keep], reference=found.reference[keep],
+        block=block, grey=found.cov_px2[keep], level=found.level[keep], window_px=found.window_px[keep],
+        residual=found.residual[keep], reference=found.reference[keep],
         feature=np.zeros(len(block.observations), bool), weights=Weights(),
         rejected=np.zeros(len(block.observations), bool), scale_px=tie.scale_px[keep],
         angle=tie.angle[keep],
@@ -162,6 +166,9 @@ def refine(
         progress("weights", (k + 2) / 3)
     block = work.weighted()
     stay = _with_partners(block, ~work.rejected)
+    misfit, relief = misfit_and_relief(block, work.residual, work.window_px, work.reference)
+    width = windows(block, work.window_px, work.reference)
+    block = replace(block, points=replace(block.points, window=width, misfit=misfit, relief=relief))
     kept = with_rows(block, stay)
     ids = tie.block.images.ids
     return PreciseBlock(
@@ -220,6 +227,8 @@ def _append(work: _Work, fresh: Index, rows: Index, at: Index) -> None:
     work.block = replace(block, points=points, observations=observations)
     work.grey = np.vstack([work.grey, np.zeros((k, 3))])
     work.level = np.concatenate([work.level, np.zeros(k, int)])
+    work.window_px = np.concatenate([work.window_px, np.full(k, np.nan)])
+    work.residual = np.vstack([work.residual, np.zeros((k, 8))])
     work.reference = np.concatenate([work.reference, np.zeros(k, bool)])
     work.feature = np.concatenate([work.feature, np.ones(k, bool)])
     work.rejected = np.concatenate([work.rejected, np.zeros(k, bool)])
@@ -303,6 +312,36 @@ def _with_partners(block: Block, keep: Mask) -> Mask:
     return keep & (rays[block.observations.point] > 1)
 
 
+def windows(block: Block, window_px: Array, reference: Mask) -> Array:
+    """(p,) standard deviations of the windows of the points on the object, as their references see them.
+
+    window_px  (m,) of each match [px]; NaN where there was none
+    reference  (m,) from which windows are taken
+    """
+    o, found = block.observations, np.full(len(block.points), np.nan)
+    matched = np.isfinite(window_px)
+    order = np.lexsort((window_px, o.point))
+    order = order[matched[order]]
+    first = np.searchsorted(o.point[order], np.arange(len(found) + 1))
+    middle = order[np.minimum((first[:-1] + first[1:]) // 2, max(len(order) - 1, 0))] if len(order) else order
+    rows = np.flatnonzero(reference)
+    mine = o.point[rows]
+    there = first[mine + 1] > first[mine]
+    rows, mine = rows[there], mine[there]
+    if len(rows):
+        found[mine] = window_px[middle[mine]] * object_pixel(block, rows)
+    return found
+
+
+def object_pixel(block: Block, rows: Index) -> Array:
+    """(k,) size of a pixel on the object, square to the ray, at the points of image observations."""
+    o = block.observations.rows(rows)
+    origin, direction = viewing_lines(replace(block, observations=o))
+    beside = viewing_lines(replace(block, observations=replace(o, xy_px=o.xy_px + np.array([1.0, 0.0]))))[1]
+    distance = np.linalg.norm(block.points.xyz[o.point] - origin, axis=1)
+    return distance * np.linalg.norm(np.cross(direction, beside), axis=1)
+
+
 def reach(level: Index) -> Array:
     """(k,) radius [px] of the largest window at levels of the pyramid."""
     return np.sqrt(2) * WINDOWS[-1].half * 2.0 ** np.asarray(level)
@@ -344,6 +383,8 @@ def _complete(work: _Work, match: Matcher, visible: Visible | None) -> int:
     )
     work.grey = np.vstack([work.grey[old], found.cov_px2[good]])
     work.level = np.concatenate([work.level[old], found.level[good]])
+    work.window_px = np.concatenate([work.window_px[old], found.window_px[good]])
+    work.residual = np.vstack([work.residual[old], found.residual[good]])
     work.reference = np.concatenate([work.reference[old], np.zeros(n, bool)])
     work.feature = np.concatenate([work.feature[old], np.zeros(n, bool)])
     work.rejected = np.concatenate([work.rejected[old], np.zeros(n, bool)])

@@ -34,7 +34,7 @@ from raybundle.pipeline.store import Folder, Product
 from raybundle.pipeline.tasks import Task
 from raybundle.ties.points import grey_of
 
-VERSION = 1
+VERSION = 2
 KINDS = ("candidates", "windows")
 """First words of the keys of what is kept"""
 SMALLEST, LARGEST, SHARE = 2, 16, 16
@@ -67,7 +67,7 @@ def matched(means: Means, photos: Sequence[Photo], points: TrackPoints, wanted: 
     k = len(wanted.image)
     found = CandidateMatches(
         good=np.zeros(k, bool), xy_px=wanted.xy_px.copy(), cov_px2=np.zeros((k, 3)), correlation=np.zeros(k),
-        level=np.full(k, LEVELS),
+        level=np.full(k, LEVELS), window_px=np.full(k, np.nan), residual=np.zeros((k, 8)),
     )  # fmt: skip
     n = len(photos)
     most = min(max(n // SHARE, SMALLEST), LARGEST)
@@ -104,6 +104,7 @@ def matched(means: Means, photos: Sequence[Photo], points: TrackPoints, wanted: 
         product = means.store.wanted(task.key)
         found.xy_px[rows], found.cov_px2[rows] = product["xy_px"], product["cov_px2"]
         found.correlation[rows], found.level[rows] = product["correlation"], product["level"]
+        found.window_px[rows], found.residual[rows] = product["window_px"], product["residual"]
     return replace(found, good=found.level < LEVELS)
 
 
@@ -136,7 +137,8 @@ def windows_of(store: Folder, task: WindowTask) -> Product:
     )
     return {
         "xy_px": found.xy_px, "cov_px2": found.cov_px2, "correlation": found.correlation,
-        "level": found.level.astype(np.int8),
+        "level": found.level.astype(np.int8), "window_px": found.window_px.astype(np.float32),
+        "residual": found.residual.astype(np.float32),
     }  # fmt: skip
 
 

@@ -15,11 +15,14 @@ from raybundle.io.reading.words import quoted
 from raybundle.io.tables import Column, Problem, read_table, write_table
 from raybundle.numerics.arrays import Array
 
+WINDOW = ("window", "misfit", "relief")
+"""Of points that were measured by matching: optional columns"""
 COLUMNS = (
     Column(name="point", kind="id"),
     Column(name="role", kind="text"),
     *(Column(name=n, kind="number", empty=True) for n in XYZ),
     *(Column(name=n, kind="number", empty=True, limit=">= 0") for n in SIGMA_XYZ),
+    *(Column(name=n, kind="number", optional=True, empty=True, limit="> 0") for n in WINDOW),
 )
 
 
@@ -59,23 +62,20 @@ def read_points(path: Path) -> Points:
         lambda k: f"check point {quoted(ids[k])} has no coordinate; give one or make its role tie",
     )
     require(path, problems)
-    return Points(ids=ids, role=role, xyz=xyz, sigma=sigma)
+    return Points(ids=ids, role=role, xyz=xyz, sigma=sigma, **{n: table.number.get(n) for n in WINDOW})
 
 
 def with_tie_points(points: Points, new: tuple[str, ...]) -> Points:
     """The points with those that only the observations know."""
     unknown = np.full((len(new), 3), np.nan)
-    return Points(
-        ids=points.ids + new,
-        role=np.concatenate([points.role, np.full(len(new), Role.TIE, np.int32)]),
-        xyz=np.concatenate([points.xyz, unknown]),
-        sigma=np.concatenate([points.sigma, unknown]),
-    )
+    role = np.full(len(new), Role.TIE, np.int32)
+    return points.append(Points(ids=new, role=role, xyz=unknown, sigma=unknown))
 
 
 def write_points(path: Path, points: Points) -> None:
     """Write the table, with all digits."""
     columns = {**point_columns(points), **columns_of(XYZ, points.xyz), **columns_of(SIGMA_XYZ, points.sigma)}
+    columns |= {n: values for n in WINDOW if (values := getattr(points, n)) is not None}
     write_table(path, columns, EVERY)
 
 

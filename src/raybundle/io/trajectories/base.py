@@ -251,7 +251,7 @@ def in_wgs84(trajectory: Trajectory, crs: str | None) -> Trajectory:
     if crs == WGS84_HEIGHT:
         return trajectory
     beyond = () if trajectory.crs else check_area(crs, trajectory.xyz[:, :2], trajectory.path, lines=trajectory.lines)
-    known = np.isfinite(trajectory.xyz[:, :2]).all(axis=1)
+    known: Mask = np.asarray(np.isfinite(trajectory.xyz[:, :2]).all(axis=1), bool)
     place = trajectory.xyz[known]
     frame = frame_at(crs, trajectory, known)
     xyz = np.full_like(trajectory.xyz, np.nan)

@@ -137,7 +137,7 @@ STAGE = ORIENT.register(
     Stage(
         name="precision",
         kinds=KINDS,
-        version=25,
+        version=26,
         after=("scene_start",),
         inputs=_inputs,
         function=measure,

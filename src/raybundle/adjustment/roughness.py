@@ -1,0 +1,90 @@
+"""What relief within the windows of matching adds to the variances of tie points.
+
+A tie point is measured where its window lies, not where its surface does: relief within the window moves all of its
+rays alike, along their mean direction, and no residual of the adjustment shows it.  Residuals of the grey values do.
+With M how far their variance exceeds that of noise (`Points.misfit` less 1), S the share of their power that displaces
+parts of the window along the parallax (1 - 1 / `Points.relief`), and T the square sum of the point's residuals over its
+redundancy, it is
+
+    variance = s^2 FACTOR M^a S^b T^c
+
+where s is the standard deviation along the rays without it, which holds how steep grey values are, and how parallax
+follows depth: displacements of equal size make M s^2 equal.  M and S are the larger of those of the point and of the
+median of its neighbours: relief is a matter of a place.  Exponents and factor by maximum likelihood (Student's
+distribution with 3 degrees of freedom) of the errors of 12 000 tie points of three rendered sets of other pixels on
+the object (1, 2 and 4 mm), compression and blur, of smooth, steep and broken ground and clutter.
+"""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+
+from raybundle.adjustment.result import Adjustment
+from raybundle.block import Role
+from raybundle.numerics.arrays import Array, Mask
+
+FACTOR, BY_MISFIT, BY_RELIEF, BY_RESIDUALS = 1.3, 1.7, 1.35, 0.85
+LEAST_MISFIT, LEAST_SHARE = 0.1, 0.03
+"""What is less is noise of the figures."""
+NEIGHBOURS = 25
+
+
+def with_roughness(result: Adjustment) -> Adjustment:
+    """The result with variances of tie points that hold the relief within their windows; `Precision.roughness`."""
+    points, precision = result.adjusted.points, result.precision
+    if precision is None or points.misfit is None or points.relief is None:
+        return result
+    variance = np.diagonal(precision.object_points, axis1=1, axis2=2)
+    known = np.isfinite(points.misfit) & np.isfinite(points.relief) & np.isfinite(variance).all(axis=1)
+    known &= (np.asarray(points.role) == Role.TIE) & np.isfinite(points.xyz).all(axis=1)
+    direction, towards = _mean_rays(result)
+    known &= towards
+    if not known.any():
+        return result
+    d, C = direction[known], precision.object_points[known]
+    factor = _factor(points.xyz[known], points.misfit[known], points.relief[known], _residual_ratio(result)[known])
+    along = np.maximum(np.einsum("pi,pij,pj->p", d, C, d), 0.0)
+    roughness = np.zeros((len(points), 3))
+    roughness[known] = np.sqrt(factor * along)[:, None] * d
+    wider = precision.object_points + roughness[:, :, None] * roughness[:, None, :]
+    return replace(result, precision=replace(precision, object_points=wider, roughness=roughness))
+
+
+def _factor(xyz: Array, misfit: Array, relief: Array, residuals: Array) -> Array:
+    """(k,) variances over those without relief."""
+    from scipy.spatial import KDTree  # noqa: PLC0415
+
+    near = KDTree(xyz).query(xyz, k=min(NEIGHBOURS, len(xyz)))[1].reshape(len(xyz), -1)
+    terms = (
+        np.log(np.maximum(misfit - 1, LEAST_MISFIT)),
+        np.log(np.maximum(1 - 1 / np.maximum(relief, 1), LEAST_SHARE)),
+    )
+    misfit, share = (np.maximum(t, np.median(t[near], axis=1)) for t in terms)
+    return FACTOR * np.exp(BY_MISFIT * misfit + BY_RELIEF * share + BY_RESIDUALS * np.log(residuals))
+
+
+def _residual_ratio(result: Adjustment) -> Array:
+    """(p,) square sum of standardised residuals over the redundancy of each point; drawn to 1 where that is little."""
+    s, o = result.image_observations, result.given.observations
+    rows, count = np.flatnonzero(s.used), len(result.given.points)
+    sigma2 = o.cov_px2[rows, :2] * result.variance_factor
+    square = (s.residuals_px[rows] ** 2 / sigma2).sum(axis=1)
+    redundancy = np.nan_to_num(s.redundancy[rows].sum(axis=1))
+    sums = (np.bincount(o.point[rows], np.nan_to_num(w), count) for w in (square, redundancy))
+    squares, redundancies = sums
+    return (squares + 1) / (redundancies + 1)
+
+
+def _mean_rays(result: Adjustment) -> tuple[Array, Mask]:
+    """(p, 3) mean unit direction from each point to its projection centres, and for which points there is one."""
+    block, o = result.adjusted, result.given.observations
+    rows = np.flatnonzero(result.image_observations.used)
+    ray = block.images.centre[o.image[rows]] - block.points.xyz[o.point[rows]]
+    ray = ray / np.linalg.norm(ray, axis=1, keepdims=True)
+    count = len(block.points)
+    total = np.stack([np.bincount(o.point[rows], ray[:, k], count) for k in range(3)], axis=1)
+    length = np.linalg.norm(total, axis=1)
+    there = np.isfinite(length) & (length > 0)
+    return np.divide(total, length[:, None], out=np.zeros_like(total), where=there[:, None]), there
