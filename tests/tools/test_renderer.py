@@ -1,5 +1,6 @@
 """The renderer of tools/: its geometry against closed forms."""
 
+import dataclasses
 import sys
 from pathlib import Path
 
@@ -12,6 +13,7 @@ from renderer.camera import angles, camera, rotation
 from renderer.exposure import exposed
 from renderer.height_field import BLOCK, HeightField
 from renderer.network import photographs
+from renderer.terrain import terrain
 
 GSD = 0.002
 
@@ -137,3 +139,49 @@ def test_centre_of_the_first_pixel_is_at_a_half():
     np.testing.assert_allclose(light[200], 0.5, atol=0.06)
     assert light[198] < 1e-3
     assert light[202] > 0.999
+
+
+@pytest.mark.parametrize("motion", [{}, {"read_out": 25.0}])
+def test_dots_on_the_ground_are_where_they_project(motion):
+    """Soft dots of 4 pixels on relief, measured by their centres of gravity: the whole way from the scene to pixels."""
+    photograph = taken("B", **motion)[9]
+    scene = terrain(7, 400 * GSD, GSD, kinds=())
+    own = scene.texture
+    steps = np.arange(-16, 17)
+    dot = np.exp(-0.5 * (steps[:, None] ** 2 + steps[None, :] ** 2) / 5.0**2)
+    albedo = np.full(own.albedo.shape, 60_000, dtype=np.uint16)
+    nodes = np.stack(np.meshgrid(*(np.arange(100, n - 100, 140) for n in albedo.shape), indexing="ij"), -1).reshape(
+        -1, 2
+    )
+    for i, j in nodes:
+        albedo[i + steps[:, None], j + steps] = 60_000 - np.rint(50_000 * dot)
+    plain = dataclasses.replace(own, albedo=albedo, tint=np.ones_like(own.tint))
+    scene = dataclasses.replace(scene, texture=plain, shade=np.ones_like(scene.shade))
+    v, u = own.origin[::-1, None, None, None] + own.cell * (
+        nodes.T[:, :, None, None] + np.stack(np.meshgrid(steps, steps, indexing="ij"))[:, None]
+    )
+    z = scene.surface.at(u, v)
+    for _ in range(20):  # the object points that these nodes of the texture belong to
+        x, y = u - own.plane[0, 2] * z, v - own.plane[1, 2] * z
+        z = scene.surface.at(x, y)
+    assert np.ptp(z) > 3 * GSD
+    image = photograph.project(np.stack([x, y, z], axis=-1).reshape(-1, 3)).reshape(*z.shape, 2)
+    down, right = np.gradient(image, axis=(1, 2))
+    weight = dot * np.abs(down[..., 0] * right[..., 1] - down[..., 1] * right[..., 0])
+    points = np.einsum("nij,nijk->nk", weight, image) / weight.sum(axis=(1, 2))[:, None]
+    points = points[np.all((points > 14) & (points < np.array([386, 286])), axis=1)]
+    assert len(points) > 50
+    light = exposed(photograph, scene.seen)[1]
+    dark = 1 - light / (light.max() * photograph.camera.light(np.arange(400) + 0.5, np.arange(300)[:, None] + 0.5))
+    measured = []
+    for x, y in points:
+        window = slice(int(y) - 9, int(y) + 10), slice(int(x) - 9, int(x) + 10)
+        part = dark[window] - np.median(np.r_[dark[window][0], dark[window][-1]])
+        at = np.arange(19) + 0.5
+        measured.append(
+            (part.sum(axis=0) @ at + int(x - 9) * part.sum(), part.sum(axis=1) @ at + int(y - 9) * part.sum())
+        )
+        measured[-1] = np.array(measured[-1]) / part.sum()
+    off = np.array(measured) - points
+    assert np.abs(np.median(off, axis=0)).max() < 0.005
+    assert np.sqrt(np.mean(off**2)) < 0.01

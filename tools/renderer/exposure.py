@@ -47,7 +47,8 @@ def exposed(photograph: Photograph, seen: Seen, blur_px: float = 0.45, samples: 
         light = seen(origins, directions)
         part[:, first : first + BLOCK] = _filtered(light, weights, samples, margin, camera.width_px)
     light = _filtered(part.swapaxes(1, 2), weights, samples, margin, camera.height_px).swapaxes(1, 2)
-    x, y = np.arange(camera.width_px) + 0.5, np.arange(camera.height_px) + 0.5
+    x = np.arange(camera.width_px, dtype=float) + 0.5
+    y = np.arange(camera.height_px, dtype=float) + 0.5
     return light * camera.light(x[None, :], y[:, None]).astype(np.float32)
 
 

@@ -37,7 +37,8 @@ class HeightField:
         high, low = _over_cells(h, np.maximum), _over_cells(h, np.minimum)
         slope_x = _over_squares(np.abs(np.diff(h, axis=1))[:, :], (0, 1), size)
         slope_y = _over_squares(np.abs(np.diff(h, axis=0))[:, :], (1, 0), size)
-        levels = [(high, low, np.hypot(slope_x, slope_y) / self.cell)]
+        steep = (np.hypot(slope_x, slope_y) / self.cell).astype(np.float32)
+        levels = [(high, low, steep)]
         while max(levels[-1][0].shape) > 1:
             top, bottom, slope = levels[-1]
             levels.append((_halved(top, np.maximum), _halved(bottom, np.minimum), _halved(slope, np.maximum)))
@@ -58,7 +59,7 @@ class HeightField:
         level = np.clip(np.ceil(np.log2(extent)).astype(int) - FIRST_LEVEL, 0, len(self._shape) - 1)
         size = 2.0 ** (level + FIRST_LEVEL)
         rows, columns = self._shape[level, 0], self._shape[level, 1]
-        found: list[tuple[Array, Array, Array]] = []
+        found: list[tuple[NDArray, NDArray, NDArray]] = []
         for i in (i0, i1):
             for j in (j0, j1):
                 row = np.clip((i // size).astype(int), 0, rows - 1)

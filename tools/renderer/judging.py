@@ -73,7 +73,7 @@ def statistics(error: Array, sigma: Array) -> dict[str, float]:
         "beyond_5_sigma": float(np.mean(np.abs(ratio) > 5)) if len(error) else float("nan"),
         "sigma_mm": float(1e3 * np.median(sigma)) if len(error) else float("nan"),
         "error_mm": float(1e3 * np.median(np.abs(error)) / NORMAL_MEDIAN) if len(error) else float("nan"),
-        "spearman": float(spearmanr(np.abs(error), sigma).statistic) if len(error) > 5 else float("nan"),
+        "spearman": float(np.asarray(spearmanr(np.abs(error), sigma))[0]) if len(error) > 5 else float("nan"),
     }
 
 

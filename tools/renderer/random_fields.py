@@ -16,9 +16,9 @@ def power_law(
     cell                distance of nodes
     longest, shortest   wavelengths between which it has power, in the unit of `cell`
     """
-    size = tuple(int(fft.next_fast_len(n, real=True)) for n in shape)
+    size = tuple(int(fft.next_fast_len(n, real=True) or n) for n in shape)
     noise = rng.standard_normal(size, dtype=np.float32)
-    spectrum = fft.rfft2(noise)
+    spectrum = np.asarray(fft.rfft2(noise))
     del noise
     fy = fft.fftfreq(size[0], cell).astype(np.float32)[:, None]
     fx = fft.rfftfreq(size[1], cell).astype(np.float32)[None, :]
@@ -27,7 +27,7 @@ def power_law(
         f = np.maximum(f, 1e-9, out=f)
         gain = f**-exponent * np.exp(-((shortest * f) ** 4)) * (1 - np.exp(-((longest * f) ** 4)))
         spectrum[i : i + 512] *= gain
-    field = fft.irfft2(spectrum, s=size, overwrite_x=True)[: shape[0], : shape[1]]
+    field = np.asarray(fft.irfft2(spectrum, s=size, overwrite_x=True))[: shape[0], : shape[1]]
     field -= field.mean()
     field /= field.std()
     return np.ascontiguousarray(field, dtype=np.float32)
@@ -37,7 +37,7 @@ def enlarged(coarse: NDArray[np.float32], factor: int, shape: tuple[int, int]) -
     """A coarse grid of nodes by cubic splines on a grid `factor` times as fine, from the same first node."""
     size = tuple((n - 1) * factor + 1 for n in coarse.shape)
     ratio = [m / n for m, n in zip(size, coarse.shape, strict=True)]
-    fine = ndimage.zoom(coarse, ratio, order=3, mode="nearest", output=np.float32)
+    fine = np.asarray(ndimage.zoom(coarse, ratio, order=3, mode="nearest", output=np.float32), dtype=np.float32)
     if fine.shape != size:
         raise ValueError(f"A grid of {coarse.shape} gives {fine.shape} nodes, not {size}.")
     return fine[: shape[0], : shape[1]]

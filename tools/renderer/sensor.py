@@ -50,7 +50,7 @@ class Sensor:
         electrons = np.maximum(raw, 0) * self.full_well
         deviation = np.sqrt(electrons + self.read_noise**2)
         electrons += deviation * rng.standard_normal(raw.shape, dtype=np.float32)
-        return np.rint(np.clip(electrons / self.full_well, -0.05, 1) * 16383).astype(np.float32) / 16383
+        return np.rint(np.clip(electrons / self.full_well, -0.05, 1) * 16383).astype(np.float32) / np.float32(16383)
 
 
 def _colour_of(shape: tuple[int, ...]) -> NDArray[np.uint8]:

@@ -53,7 +53,8 @@ class Texture:
         return np.stack([green * self._between(self.tint[0], grid), green, green * self._between(self.tint[1], grid)])
 
     def _between(self, field: NDArray, grid: Array) -> NDArray[np.float32]:
-        return ndimage.map_coordinates(field, grid, np.float32, order=1, mode="mirror", prefilter=False)
+        light = ndimage.map_coordinates(field, grid, np.float32, order=1, mode="mirror", prefilter=False)
+        return np.asarray(light, dtype=np.float32)
 
 
 @dataclass(frozen=True, slots=True)
@@ -77,15 +78,15 @@ def texture(
     nx, ny = (int(2 * h / cell) + 1 for h in half)
     log = power_law((ny, nx), cell, 200 * gsd, 0.9 * gsd, 1.0, rng)
     log *= CONTRAST
-    x, y = -half[0] + cell * np.arange(nx)[None, :], -half[1] + cell * np.arange(ny)[:, None]
+    x, y = (-h + cell * np.arange(n, dtype=float) for h, n in zip(half, (nx, ny), strict=True))
     for patch in patches:
-        _draw(log, patch, x, y, gsd)
+        _draw(log, patch, x[None, :], y[:, None], gsd)
     albedo = np.empty(log.shape, dtype=np.uint16)
     for i in range(0, ny, 512):
         albedo[i : i + 512] = np.clip(MEAN * np.exp(log[i : i + 512]), 0.01, 1) * FULL
     tint_cell = 2 * gsd
     factor = round(tint_cell / cell)
-    shape = tuple(coarse_nodes((ny, nx), factor))
+    shape = coarse_nodes((ny, nx), factor)
     tint = np.stack([np.exp(0.08 * power_law(shape, tint_cell, 300 * gsd, 4 * gsd, 1.2, rng)) for _ in range(2)])
     return Texture(
         albedo=albedo,
