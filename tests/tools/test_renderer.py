@@ -145,12 +145,12 @@ def test_centre_of_the_first_pixel_is_at_a_half():
 def test_dots_on_the_ground_are_where_they_project(motion):
     """Soft dots of 4 pixels on relief, measured by their centres of gravity: the whole way from the scene to pixels."""
     photograph = taken("B", **motion)[9]
-    scene = terrain(7, 400 * GSD, GSD, kinds=())
+    scene = terrain(7, 300 * GSD, GSD, kinds=())
     own = scene.texture
     steps = np.arange(-16, 17)
     dot = np.exp(-0.5 * (steps[:, None] ** 2 + steps[None, :] ** 2) / 5.0**2)
     albedo = np.full(own.albedo.shape, 60_000, dtype=np.uint16)
-    nodes = np.stack(np.meshgrid(*(np.arange(100, n - 100, 140) for n in albedo.shape), indexing="ij"), -1).reshape(
+    nodes = np.stack(np.meshgrid(*(np.arange(100, n - 100, 150) for n in albedo.shape), indexing="ij"), -1).reshape(
         -1, 2
     )
     for i, j in nodes:
@@ -158,7 +158,7 @@ def test_dots_on_the_ground_are_where_they_project(motion):
     plain = dataclasses.replace(own, albedo=albedo, tint=np.ones_like(own.tint))
     scene = dataclasses.replace(scene, texture=plain, shade=np.ones_like(scene.shade))
     v, u = own.origin[::-1, None, None, None] + own.cell * (
-        nodes.T[:, :, None, None] + np.stack(np.meshgrid(steps, steps, indexing="ij"))[:, None]
+        nodes.T[:, :, None, None] + np.stack(np.meshgrid(steps[::4], steps[::4], indexing="ij"))[:, None]
     )
     z = scene.surface.at(u, v)
     for _ in range(20):  # the object points that these nodes of the texture belong to
@@ -167,7 +167,7 @@ def test_dots_on_the_ground_are_where_they_project(motion):
     assert np.ptp(z) > 3 * GSD
     image = photograph.project(np.stack([x, y, z], axis=-1).reshape(-1, 3)).reshape(*z.shape, 2)
     down, right = np.gradient(image, axis=(1, 2))
-    weight = dot * np.abs(down[..., 0] * right[..., 1] - down[..., 1] * right[..., 0])
+    weight = dot[::4, ::4] * np.abs(down[..., 0] * right[..., 1] - down[..., 1] * right[..., 0])
     points = np.einsum("nij,nijk->nk", weight, image) / weight.sum(axis=(1, 2))[:, None]
     points = points[np.all((points > 14) & (points < np.array([386, 286])), axis=1)]
     assert len(points) > 50
@@ -183,5 +183,5 @@ def test_dots_on_the_ground_are_where_they_project(motion):
         )
         measured[-1] = np.array(measured[-1]) / part.sum()
     off = np.array(measured) - points
-    assert np.abs(np.median(off, axis=0)).max() < 0.005
-    assert np.sqrt(np.mean(off**2)) < 0.01
+    assert np.abs(np.median(off, axis=0)).max() < 5e-4
+    assert np.sqrt(np.mean(off**2)) < 1e-3

@@ -170,7 +170,7 @@ class Photograph:
     def rays(self, x_px: Array, y_px: Array) -> tuple[Array, Array]:
         """Rays of pixels: origins (..., 3) [m] and directions (..., 3), not of unit length.
 
-        x_px and y_px have one shape.
+        x_px and y_px have shapes that go together, as (1, n) and (m, 1).
         """
         cam, own = self.camera, self.interior
         x = (x_px - cam.width_px / 2) * cam.pixel_mm
@@ -180,7 +180,11 @@ class Photograph:
         if not self.moves:
             return np.broadcast_to(self.centre, image.shape), image @ self.rotation
         centre, R = self._station_at(y_px)
-        return centre, np.einsum("...ij,...i->...j", R, image)
+        if R.shape[-3] == 1:  # a station for each row
+            directions = image @ R[..., 0, :, :]
+        else:
+            directions = np.einsum("...ij,...i->...j", R, image)
+        return np.broadcast_to(centre, image.shape), directions
 
     def project(self, points: Array) -> Array:
         """Pixels (n, 2) of object points (n, 3) [m]; NaN behind the camera."""
@@ -198,7 +202,7 @@ class Photograph:
         return self.centre + share * self.velocity, small_rotation(share * self.turn) @ self.rotation
 
     def _project(self, points: Array, y_px: Array) -> Array:
-        centre, R = self._station_at(y_px)
+        centre, R = self._station_at(y_px) if self.moves else (self.centre, self.rotation[None])
         U, V, W = np.moveaxis(np.einsum("nij,nj->ni", R, points - centre), -1, 0)
         W = np.where(W < 0, W, np.nan)
         own, cam = self.interior, self.camera

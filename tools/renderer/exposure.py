@@ -43,7 +43,7 @@ def exposed(photograph: Photograph, seen: Seen, blur_px: float = 0.45, samples: 
     part = np.empty((3, rows * samples, camera.width_px), dtype=np.float32)
     for first in range(0, rows * samples, BLOCK):
         y = (np.arange(first, first + BLOCK) + 0.5) / samples - margin
-        origins, directions = photograph.rays(*np.broadcast_arrays(x[None, :], y[:, None]))
+        origins, directions = photograph.rays(x[None, :], y[:, None])
         light = seen(origins, directions)
         part[:, first : first + BLOCK] = _filtered(light, weights, samples, margin, camera.width_px)
     light = _filtered(part.swapaxes(1, 2), weights, samples, margin, camera.height_px).swapaxes(1, 2)
