@@ -10,21 +10,25 @@ from __future__ import annotations
 import argparse
 import json
 import time
+from collections.abc import Callable
 from pathlib import Path
 
 import numpy as np
 from renderer.camera import camera
 from renderer.exposure import exposed
+from renderer.facade import facade
 from renderer.network import photographs
 from renderer.sensor import SUBSAMPLING, Sensor, write_photograph
 from renderer.terrain import terrain
-from renderer.truth_folder import write_cameras, write_control, write_surface
+from renderer.truth_folder import Scene, write_cameras, write_control
+
+SCENES: dict[str, Callable[[int, float, float], Scene]] = {"terrain": terrain, "facade": facade}
 
 
 def main() -> None:
     """Read the command line and write the folder."""
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("scene", choices=["terrain"])
+    parser.add_argument("scene", choices=list(SCENES))
     parser.add_argument("--out", type=Path, required=True, help="folder to write; must not exist")
     parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("--camera", choices=["A", "B"], default="A")
@@ -45,11 +49,13 @@ def main() -> None:
     photos.mkdir(parents=True)
     truth.mkdir()
     width = options.width
-    scene = terrain(options.seed, width * options.gsd, options.gsd)
+    scene = SCENES[options.scene](options.seed, width * options.gsd, options.gsd)
     cam = camera(options.camera, width, width * 3 // 4)
     rng = np.random.default_rng([options.seed, 2])
-    taken = photographs(cam, options.photographs, options.gsd, rng, focus=options.focus, read_out=options.read_out)
-    write_surface(scene, truth / "surface.npz")
+    taken = photographs(
+        cam, options.photographs, options.gsd, rng, axes=scene.axes, focus=options.focus, read_out=options.read_out
+    )
+    scene.write(truth / "surface.npz")
     write_cameras(taken, truth / "cameras.json")
     write_control(scene, taken, options.out, rng)
     settings = {key: str(value) if isinstance(value, Path) else value for key, value in vars(options).items()}

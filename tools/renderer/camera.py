@@ -180,11 +180,9 @@ class Photograph:
         if not self.moves:
             return np.broadcast_to(self.centre, image.shape), image @ self.rotation
         centre, R = self._station_at(y_px)
-        if R.shape[-3] == 1:  # a station for each row
-            directions = image @ R[..., 0, :, :]
-        else:
-            directions = np.einsum("...ij,...i->...j", R, image)
-        return np.broadcast_to(centre, image.shape), directions
+        by_row = R.shape[-3] == 1
+        turned = image @ R[..., 0, :, :] if by_row else np.einsum("...ij,...i->...j", R, image)
+        return np.broadcast_to(centre, image.shape), turned
 
     def project(self, points: Array) -> Array:
         """Pixels (n, 2) of object points (n, 3) [m]; NaN behind the camera."""

@@ -2,6 +2,6 @@
 
 from __future__ import annotations
 
-BORDER, SMOOTH, SLOPE, RIDGE, STEP, CLUTTER, WEAK, PATTERN = range(8)
-NAMES = ("border", "smooth", "slope", "ridge", "step", "clutter", "weak", "pattern")
+BORDER, SMOOTH, SLOPE, RIDGE, STEP, CLUTTER, WEAK, PATTERN, CURVED = range(9)
+NAMES = ("border", "smooth", "slope", "ridge", "step", "clutter", "weak", "pattern", "curved")
 """Names by code; `border` are places between classes, which no class is judged by."""

@@ -13,6 +13,7 @@ from scipy.stats import spearmanr
 
 from .classes import NAMES
 from .truth import Surface
+from .truth_mesh import MeshSurface
 
 Array = NDArray[np.float64]
 NORMAL_MEDIAN = 0.6744897501960817
@@ -87,7 +88,7 @@ def similarity(source: Array, target: Array) -> tuple[float, Array, Array]:
     return scale, R, target.mean(axis=0) - scale * R @ source.mean(axis=0)
 
 
-def fitted(points: Array, surface: Surface, half: float, sigma: Array) -> tuple[Array, NDArray[np.bool_]]:
+def fitted(points: Array, surface: Surface | MeshSurface, half: float, sigma: Array) -> tuple[Array, NDArray[np.bool_]]:
     """Points moved, turned and scaled onto the surface, by distances along its normals on smooth ground.
 
     sigma    (n, 3) standard deviations of the points [m]
@@ -100,7 +101,7 @@ def fitted(points: Array, surface: Surface, half: float, sigma: Array) -> tuple[
             surface.classes_at(moved, half), (NAMES.index("smooth"), NAMES.index("slope"))
         )
         part = moved[used]
-        _, normals = surface.window_planes(part, half)
+        normals = surface.normals(part, half)
         error = surface.distances(part, normals)
         scale = np.linalg.norm(normals * sigma[used], axis=1)
         good = np.isfinite(error) & (np.abs(error) < 4 * np.nanmedian(np.abs(error)) + 1e-9)
@@ -112,7 +113,7 @@ def fitted(points: Array, surface: Surface, half: float, sigma: Array) -> tuple[
 
 
 def by_class(
-    surface: Surface, points: Points, coordinates: Array, half: float, error_of: str = "surface"
+    surface: Surface | MeshSurface, points: Points, coordinates: Array, half: float, error_of: str = "surface"
 ) -> Iterator[tuple[str, str, dict[str, float]]]:
     """Statistics of points in the core: (class, whether flagged, statistics); `error_of` is surface or window.
 
@@ -121,7 +122,7 @@ def by_class(
     """
     inside = surface.in_core(coordinates)
     part, flagged = coordinates[inside], points.flagged[inside]
-    _, normals = surface.window_planes(part, half)
+    normals = surface.normals(part, half)
     error = surface.distances(part, normals) if error_of == "surface" else surface.window_distances(part, normals, half)
     whole = np.zeros((len(coordinates), 3))
     whole[inside] = normals
@@ -131,6 +132,6 @@ def by_class(
     for code, name in enumerate(NAMES):
         for label, chosen in (("", ~flagged), ("flagged", flagged)):
             of_class = (codes == code) & chosen
-            if of_class.any() or not label:
+            if of_class.any():
                 yield name, label, statistics(error[of_class], sigma[of_class])
     yield "all", "", statistics(error[~flagged], sigma[~flagged])

@@ -19,12 +19,14 @@ def photographs(
     gsd: float,
     rng: np.random.Generator,
     *,
+    axes: Array | None = None,
     focus: float = 0.0,
     read_out: float = 0.0,
 ) -> list[Photograph]:
     """`count` photographs of a scene around the origin; four in seven are near-vertical, the others oblique.
 
     gsd       mean size of a pixel on the object [m]
+    axes      (3, 3), object axes of right, up and towards the cameras, as columns; a terrain's where none is given
     focus     standard deviation of the camera constant from photograph to photograph, as a share of it
     read_out  movement during the read-out of a frame, in pixels on the object (rolling shutter); its direction is drawn
     """
@@ -32,6 +34,7 @@ def photographs(
     distance = gsd * camera.interior.c / camera.pixel_mm
     vertical = max(round(count * 4 / 7), 4)
     stations = _vertical(vertical, width, distance, rng) + _oblique(count - vertical, width, distance, rng)
+    turned = np.eye(3) if axes is None else axes
     taken: list[Photograph] = []
     for k, (centre, R) in enumerate(stations):
         own = replace(camera.interior, c=camera.interior.c * (1 + focus * rng.standard_normal()))
@@ -43,9 +46,9 @@ def photographs(
                 name=f"{camera.name}{k + 1:03d}.jpg",
                 camera=camera,
                 interior=own,
-                centre=centre,
-                rotation=R,
-                velocity=velocity,
+                centre=turned @ centre,
+                rotation=R @ turned.T,
+                velocity=turned @ velocity,
                 turn=turn,
             )
         )

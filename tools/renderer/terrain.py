@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from pathlib import Path
 
 import numpy as np
 from numpy.typing import NDArray
 
-from .classes import RIDGE, SMOOTH, STEP
+from .classes import NAMES, RIDGE, SMOOTH, STEP
 from .height_field import HeightField
 from .random_fields import coarse_nodes, enlarged, power_law
 from .texture import Patch, Texture, texture
@@ -54,6 +55,45 @@ class Terrain:
         )
         light *= self.shade[i, j]
         return light
+
+    @property
+    def axes(self) -> Array:
+        """Object axes (3, 3) of right, up and out as a camera sees them that looks down, as columns."""
+        return np.eye(3)
+
+    def hidden(self, points: Array, centre: Array) -> NDArray[np.bool_]:
+        """Whether the ground stands between points (n, 3) on it and a projection centre."""
+        share = np.linspace(0.001, 0.2, 800)[:, None]
+        x, y, z = (points[:, k] + share * (centre[k] - points[:, k]) for k in range(3))
+        return (self.surface.at(x, y) > z).any(axis=0)
+
+    def control(self, places: Array, rng: np.random.Generator) -> Array:
+        """Points (n, 3) of smooth ground near places (n, 2), in shares of the core."""
+        found: list[Array] = []
+        size = self.surface.cell * self.class_step
+        margin = int(20 * self.gsd / size)
+        for place in places:
+            for spread in np.linspace(0, 0.4, 400):
+                x, y = self.core * np.clip(place + spread * rng.uniform(-1, 1, 2), -1, 1)
+                j, i = np.rint((np.array([x, y]) - self.surface.origin) / size).astype(int)
+                if (self.classes[i - margin : i + margin + 1, j - margin : j + margin + 1] == SMOOTH).all():
+                    found.append(np.array([x, y, self.surface.at(np.array([x]), np.array([y]))[0]]))
+                    break
+        return np.array(found)
+
+    def write(self, path: Path) -> None:
+        """Write heights, classes and the judged rectangle (`truth.read_surface` reads them)."""
+        np.savez(
+            path,
+            heights=self.surface.heights,
+            origin=self.surface.origin,
+            cell=self.surface.cell,
+            classes=self.classes,
+            class_step=self.class_step,
+            class_names=np.array(NAMES),
+            core=self.core,
+            gsd=self.gsd,
+        )
 
 
 def terrain(seed: int, width: float, gsd: float, kinds: tuple[str, ...] = tuple(TILES)) -> Terrain:

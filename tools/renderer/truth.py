@@ -10,6 +10,8 @@ from numpy.typing import NDArray
 
 from .classes import BORDER, RIDGE, STEP
 from .height_field import HeightField
+from .mesh import Mesh
+from .truth_mesh import MeshSurface
 
 Array = NDArray[np.float64]
 FARTHEST = 0.5
@@ -77,6 +79,10 @@ class Surface:
             normal[part] = np.stack([-dx, -dy, np.ones_like(dx)], axis=1)
         return mean, normal / np.linalg.norm(normal, axis=1, keepdims=True)
 
+    def normals(self, points: Array, half: float) -> Array:
+        """Unit normals (n, 3) of the planes of best fit in the windows of points (n, 3)."""
+        return self.window_planes(points, half)[1]
+
     def distances(self, points: Array, normals: Array) -> Array:
         """Distances (n,) [m] of points (n, 3) from the surface, along unit normals (n, 3), positive above it.
 
@@ -116,9 +122,12 @@ class Surface:
         return z - self.field.at(x, y)
 
 
-def read_surface(folder: Path) -> Surface:
+def read_surface(folder: Path) -> Surface | MeshSurface:
     """The surface of a rendered folder (FOLDER/truth/surface.npz)."""
     with np.load(folder / "truth" / "surface.npz") as data:
+        if "triangles" in data:
+            mesh = Mesh(data["triangles"])
+            return MeshSurface(mesh=mesh, codes=data["codes"], core=data["core"], gsd=float(data["gsd"]))
         return Surface(
             field=HeightField(data["heights"], data["origin"], float(data["cell"])),
             classes=data["classes"],
