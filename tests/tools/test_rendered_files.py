@@ -14,7 +14,7 @@ from renderer.classes import BORDER, CLUTTER, CURVED, NAMES, RIDGE, SMOOTH, STEP
 from renderer.height_field import HeightField
 from renderer.judging import Points, fitted, read_points, robust_chi_square, statistics
 from renderer.network import photographs
-from renderer.sensor import Sensor, demosaiced, mosaic, write_photograph
+from renderer.sensor import Sensor, camera_tables, demosaiced, mosaic, write_photograph
 from renderer.terrain import terrain
 from renderer.texture import WEAK_CONTRAST
 from renderer.truth import Surface, read_surface
@@ -199,3 +199,30 @@ def test_a_fit_finds_the_datum(scene):
     back, used = fitted(moved, true, 6 * GSD, np.full((4000, 3), 1e-4))
     assert used.sum() > 300
     assert np.abs(back - points)[:, 2].max() < 1e-4
+
+
+def test_tables_of_a_camera_are_written(tmp_path):
+    sensor = Sensor(quality=90, tables="camera", subsampling="4:2:2")
+    cam = camera("B", 64, 48)
+    write_photograph(np.full((48, 64, 3), 90, np.uint8), tmp_path / "b.jpg", cam, sensor, 3700)
+    with Image.open(tmp_path / "b.jpg") as image:
+        assert image.quantization[0] == camera_tables(90)[0]
+        assert image.layer[0][1:3] == (2, 1)
+        assert image.getexif().get_ifd(0x8769)[0x9003] == "2026:06:01 11:01:40"
+
+
+def test_ground_moves_with_its_texture(scene):
+    """At the second date the ground stands elsewhere, by what `moved` states, and looks the same."""
+    later = terrain(3, 440 * GSD, GSD, date=2)
+    lift = later.moved.heights
+    np.testing.assert_allclose(later.surface.heights, scene.surface.heights + lift, atol=1e-6)
+    assert lift.max() == pytest.approx(3 * GSD, rel=1e-3)
+    assert lift.min() == pytest.approx(-2 * GSD, rel=1e-2)
+    i, j = np.mean((lift > 0.999 * lift.max()).nonzero(), axis=1)
+    place = scene.surface.origin + CELL * np.array([j, i])
+
+    def below(scene):
+        origins = np.broadcast_to([*place, 1.0], (24, 24, 3))
+        return scene.seen(origins, np.broadcast_to([0.0, 0.0, -1.0], (24, 24, 3)))[:, 0, 0]
+
+    np.testing.assert_allclose(below(later), below(scene), rtol=0.02)

@@ -51,8 +51,8 @@ class Facade:
     def hidden(self, points: Array, centre: Array) -> NDArray[np.bool_]:
         """Whether something stands between points (n, 3) on the mesh and a projection centre."""
         found = np.zeros(len(points), dtype=bool)
-        for triangle in range(len(self.mesh.triangles)):
-            t = self.mesh.meet(triangle, points, centre - points)
+        for triangle in self.mesh.near_lines(points, centre - points):
+            t = self.mesh.meet(int(triangle), points, centre - points)
             found |= (t > 1e-6) & (t < 1)
         return found
 
@@ -66,8 +66,9 @@ class Facade:
                 rim = 25 * self.gsd * np.array([[1, 0, 1], [1, 0, -1], [-1, 0, 1], [-1, 0, -1], [0, 0, 0]])
                 around = np.array([x, 0, z]) + rim
                 ahead = np.array([0.0, -1.0, 0.0])
-                on = np.stack([np.isfinite(self.mesh.meet(int(k), around, ahead)) for k in front]).any(axis=0)
-                if on.all() and not self.hidden(around, around[-1] + ahead).any():
+                near = np.intersect1d(self.mesh.near_lines(around, np.broadcast_to(ahead, around.shape)), front)
+                on = [np.isfinite(self.mesh.meet(int(k), around, ahead)) for k in near]
+                if np.any(on, axis=0).all() and not self.hidden(around, around[-1] + 3 * ahead).any():
                     found.append(around[-1])
                     break
         return np.array(found)
@@ -92,7 +93,7 @@ def facade(seed: int, width: float, gsd: float) -> Facade:
     rng = np.random.default_rng(seed)
     core = np.array([0.5, 0.4]) * width
     columns, rows = ((np.arange(n) + 0.5) / n * 2 - 1 for n in (4, 3))
-    half = np.array([0.1, 0.12]) * core / 0.4
+    half = np.array([0.14, 0.18]) * core
     openings = [np.array([u, v]) * core + 0.1 * half * rng.uniform(-1, 1, 2) for u in columns for v in rows]
     depth = rng.choice(np.array([0.02, 0.04, 0.06]) * width, len(openings))
     ball = int(rng.integers(len(openings)))

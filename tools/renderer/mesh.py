@@ -38,10 +38,18 @@ class Mesh:
         slant = directions @ normal
         with np.errstate(divide="ignore", invalid="ignore"):
             t = ((corner - origins) @ normal) / slant
-        place = origins + t[..., None] * directions - corner
-        u, v = place @ self._dual_u[triangle], place @ self._dual_v[triangle]
+            place = origins + t[..., None] * directions - corner
+            u, v = place @ self._dual_u[triangle], place @ self._dual_v[triangle]
         inside = (u >= -RIM) & (v >= -RIM) & (u + v <= 1 + RIM) & np.isfinite(t)
         return np.where(inside, t, np.nan)
+
+    def near_lines(self, origins: Array, directions: Array) -> NDArray[np.intp]:
+        """Triangles whose surrounding sphere meets one of the lines (n, 3) at least."""
+        unit = directions / np.linalg.norm(directions, axis=1, keepdims=True)
+        away = self.middles[None] - origins[:, None]
+        along = np.einsum("nti,ni->nt", away, unit)
+        beside2 = np.einsum("nti,nti->nt", away, away) - along**2
+        return np.flatnonzero((beside2 <= self.radii**2 * (1 + 1e-9)).any(axis=0))
 
     def cast(self, origins: Array, directions: Array) -> tuple[Array, NDArray[np.intp]]:
         """Where rays (m, n, 3) first meet the mesh: multiples (m, n) of their directions and triangles (m, n).

@@ -28,6 +28,7 @@ class Terrain:
     core     (2,)    half sides [m] of the rectangle that is judged
     classes  (p, q)  codes of `classes`, at every `class_step`-th node of the heights
     shade    (m, n)  light of each cell, 1 = level ground in the sun
+    moved            heights by which the ground has moved since the first date, with its texture; none at that date
     """
 
     surface: HeightField
@@ -37,6 +38,7 @@ class Terrain:
     core: Array
     gsd: float
     shade: NDArray[np.float32]
+    moved: HeightField | None = None
 
     def seen(self, origins: Array, directions: Array) -> NDArray[np.float32]:
         """Light along rays (m, n, 3); see `exposure.Seen`."""
@@ -44,7 +46,7 @@ class Terrain:
         ax, ay = origins[..., 0] - origins[..., 2] * bx, origins[..., 1] - origins[..., 2] * by
         z = self.surface.cast(ax, ay, bx, by)
         x, y = ax + bx * z, ay + by * z
-        light = self.texture.at(x, y, z)
+        light = self.texture.at(x, y, z if self.moved is None else z - self.moved.at(x, y))
         surface = self.surface
         i, j = (
             np.clip(((part - start) / surface.cell).astype(np.int32), 0, n - 1)
@@ -96,10 +98,11 @@ class Terrain:
         )
 
 
-def terrain(seed: int, width: float, gsd: float, kinds: tuple[str, ...] = tuple(TILES)) -> Terrain:
+def terrain(seed: int, width: float, gsd: float, kinds: tuple[str, ...] = tuple(TILES), date: int = 1) -> Terrain:
     """Smooth relief with a tile of each kind, in an order that is drawn.
 
     width  width of a photograph on the object [m]; the core is a rectangle of 1.0 by 0.8 of it
+    date   1 for the first; at later ones parts of the ground have moved (`movement`)
     """
     rng = np.random.default_rng(seed)
     core = np.array([0.5, 0.4]) * width
@@ -129,6 +132,9 @@ def terrain(seed: int, width: float, gsd: float, kinds: tuple[str, ...] = tuple(
         codes[window] = np.where(code >= 0, code, codes[window])
         if kind in {"weak", "pattern"}:
             patches.append(Patch(str(kind), centre, tile_half))
+    moved = movement(x, y, core, gsd, date, np.random.default_rng([seed, 1])) if date > 1 else None
+    if moved is not None:
+        heights += moved
     surface = HeightField(heights, -half, cell)
     return Terrain(
         surface=surface,
@@ -138,7 +144,26 @@ def terrain(seed: int, width: float, gsd: float, kinds: tuple[str, ...] = tuple(
         core=core,
         gsd=gsd,
         shade=_shade(surface),
+        moved=None if moved is None else HeightField(moved, -half, cell),
     )
+
+
+def movement(x: Array, y: Array, core: Array, gsd: float, date: int, rng: np.random.Generator) -> NDArray[np.float32]:
+    """Heights (m, n) [m] by which ground has moved at a date: a bowl that sinks, and a slab that rises.
+
+    x, y  coordinates (n,) and (m,) [m]
+    Both stand at places that are drawn, the slab with a sharp rim; they grow by 2 and by 3 pixels from date to date.
+    """
+    middles = rng.uniform(-0.6, 0.6, (2, 2)) * core
+    while np.linalg.norm((middles[0] - middles[1]) / core) < 0.7:
+        middles = rng.uniform(-0.6, 0.6, (2, 2)) * core
+    r2 = ((x[None, :] - middles[0, 0]) / (0.18 * core[0])) ** 2 + ((y[:, None] - middles[0, 1]) / (0.18 * core[0])) ** 2
+    bowl = -2 * gsd * (date - 1) * np.exp(-0.5 * r2)
+    cell = x[1] - x[0]
+    half = core * rng.uniform(0.12, 0.2, 2)
+    depth = np.minimum(half[0] - np.abs(x[None, :] - middles[1, 0]), half[1] - np.abs(y[:, None] - middles[1, 1]))
+    slab = 3 * gsd * (date - 1) * np.clip(depth / cell + 0.5, 0, 1)
+    return (bowl + slab).astype(np.float32)
 
 
 def _coarser(codes: NDArray[np.int8], step: int) -> NDArray[np.int8]:

@@ -17,7 +17,7 @@ REACH = 0.1
 """Longest distance of a point from the surface that is searched [m]."""
 CREASE_DEG = 20.0
 """Faces that differ by less are taken for one curved face."""
-SAMPLES = 5
+SAMPLES = 7
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
