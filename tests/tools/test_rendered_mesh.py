@@ -94,12 +94,12 @@ def test_different_classes_on_one_face_are_a_border():
 
 
 def test_a_facade_is_written_and_has_control(tmp_path):
-    scene = facade(2, 440 * GSD, GSD)
+    scene = facade(2, 300 * GSD, GSD)
     (tmp_path / "truth").mkdir()
     scene.write(tmp_path / "truth" / "surface.npz")
     true = read_surface(tmp_path)
     assert isinstance(true, MeshSurface)
-    taken = photographs(camera("A", 440, 330), 14, GSD, np.random.default_rng(1), axes=scene.axes)
+    taken = photographs(camera("A", 300, 225), 14, GSD, np.random.default_rng(1), axes=scene.axes)
     assert (np.array([photograph.centre[1] for photograph in taken]) < -0.5).all()
     points = scene.control(CONTROL_PLACES[:3], np.random.default_rng(2))
     assert len(points) > 0
@@ -110,5 +110,5 @@ def test_a_facade_is_written_and_has_control(tmp_path):
     assert any(visible(scene, photograph, points)[1].any() for photograph in taken)
     behind = points + np.array([0, 0.01, 0])
     assert not visible(scene, taken[0], behind)[1].any()
-    light = scene.seen(*taken[0].rays(200.5 + np.arange(24.0)[None, :], 150.5 + np.arange(24.0)[:, None]))
+    light = scene.seen(*taken[0].rays(140.5 + np.arange(24.0)[None, :], 100.5 + np.arange(24.0)[:, None]))
     assert light.std() / light.mean() > 0.1

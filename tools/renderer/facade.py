@@ -12,6 +12,7 @@ from .classes import CURVED, NAMES, SMOOTH
 from .mesh import Mesh, box, rectangle, sphere
 from .terrain import AMBIENT, PLANE, SUN
 from .texture import Texture, texture
+from .truth_mesh import MeshSurface
 
 Array = NDArray[np.float64]
 UPRIGHT = np.array([[1.0, 0.0, 0.0], [0.0, 0.0, -1.0], [0.0, 1.0, 0.0]])
@@ -57,21 +58,16 @@ class Facade:
         return found
 
     def control(self, places: Array, rng: np.random.Generator) -> Array:
-        """Points (n, 3) of the front near places (n, 2), in shares of the core."""
-        front = np.flatnonzero((self.codes == SMOOTH) & (np.abs(self.mesh.triangles[..., 1]).max(axis=1) < 1e-9))
-        found: list[Array] = []
-        for place in places:
-            for spread in np.linspace(0, 0.4, 400):
-                x, z = self.core * np.clip(place + spread * rng.uniform(-1, 1, 2), -1, 1)
-                rim = 25 * self.gsd * np.array([[1, 0, 1], [1, 0, -1], [-1, 0, 1], [-1, 0, -1], [0, 0, 0]])
-                around = np.array([x, 0, z]) + rim
-                ahead = np.array([0.0, -1.0, 0.0])
-                near = np.intersect1d(self.mesh.near_lines(around, np.broadcast_to(ahead, around.shape)), front)
-                on = [np.isfinite(self.mesh.meet(int(k), around, ahead)) for k in near]
-                if np.any(on, axis=0).all() and not self.hidden(around, around[-1] + 3 * ahead).any():
-                    found.append(around[-1])
-                    break
-        return np.array(found)
+        """Points (n, 3) of the front near places (n, 2), in shares of the core; away from edges."""
+        spread = np.linspace(0, 0.3, 40)[:, None] * rng.uniform(-1, 1, (len(places), 40, 2))
+        plan = self.core * np.clip(places[:, None] + spread, -1, 1)
+        points = np.insert(plan.reshape(-1, 2), 1, 0.0, axis=1)
+        true = MeshSurface(mesh=self.mesh, codes=self.codes, core=self.core, gsd=self.gsd)
+        normals = np.broadcast_to([0.0, -1.0, 0.0], points.shape)
+        good = np.abs(np.nan_to_num(true.distances(points, normals, self.gsd), nan=1)) < 1e-9
+        good &= true.classes_at(points, 20 * self.gsd) == SMOOTH
+        good = good.reshape(len(places), -1)
+        return points.reshape(len(places), -1, 3)[good.any(axis=1), good.argmax(axis=1)[good.any(axis=1)]]
 
     def write(self, path: Path) -> None:
         """Write triangles and classes (`truth.read_surface` reads them)."""
