@@ -1,5 +1,6 @@
 """From light to files, and the truth beside them."""
 
+import json
 import sys
 from pathlib import Path
 
@@ -15,6 +16,7 @@ from renderer.height_field import HeightField
 from renderer.judging import Points, fitted, read_points, robust_chi_square, statistics
 from renderer.network import photographs
 from renderer.sensor import Sensor, camera_tables, demosaiced, mosaic, write_photograph
+from renderer.sets import SetSettings, render_set
 from renderer.terrain import terrain
 from renderer.texture import WEAK_CONTRAST
 from renderer.truth import Surface, read_surface
@@ -211,9 +213,9 @@ def test_tables_of_a_camera_are_written(tmp_path):
         assert image.getexif().get_ifd(0x8769)[0x9003] == "2026:06:01 11:01:40"
 
 
-def test_ground_moves_with_its_texture(scene):
+def test_ground_moves_with_its_texture():
     """At the second date the ground stands elsewhere, by what `moved` states, and looks the same."""
-    later = terrain(3, 440 * GSD, GSD, date=2)
+    scene, later = (terrain(3, 200 * GSD, GSD, (), date) for date in (1, 2))
     lift = later.moved.heights
     np.testing.assert_allclose(later.surface.heights, scene.surface.heights + lift, atol=1e-6)
     assert lift.max() == pytest.approx(3 * GSD, rel=1e-3)
@@ -226,3 +228,23 @@ def test_ground_moves_with_its_texture(scene):
         return scene.seen(origins, np.broadcast_to([0.0, 0.0, -1.0], (24, 24, 3)))[:, 0, 0]
 
     np.testing.assert_allclose(below(later), below(scene), rtol=0.02)
+
+
+@pytest.mark.parametrize(("scene", "quality", "names"), [("terrain", 0, "A001.png"), ("facade", 85, "A001.jpg")])
+def test_a_set_is_a_folder(tmp_path, scene, quality, names):
+    """Photographs, control with marks, truth; each mark is a photograph's."""
+    settings = SetSettings(scene=scene, width=96, photographs=4, gsd=0.005, sensor=Sensor(quality=quality))
+    render_set(settings, tmp_path / "set")
+    files = sorted(path.name for path in (tmp_path / "set" / "photos").iterdir())
+    assert len(files) == 4
+    assert files[0] == names
+    with Image.open(tmp_path / "set" / "photos" / names) as image:
+        assert image.size == (96, 72)
+        assert image.format == ("JPEG" if quality else "PNG")
+        assert 60 < np.asarray(image).mean() < 180
+    truth = json.loads((tmp_path / "set" / "truth" / "cameras.json").read_text())
+    assert [row["name"] for row in truth] == files
+    assert json.loads((tmp_path / "set" / "truth" / "settings.json").read_text())["scene"] == scene
+    assert read_surface(tmp_path / "set").gsd == 0.005
+    with pytest.raises(FileExistsError):
+        render_set(settings, tmp_path / "set")

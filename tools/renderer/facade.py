@@ -17,7 +17,8 @@ from .truth_mesh import MeshSurface
 Array = NDArray[np.float64]
 UPRIGHT = np.array([[1.0, 0.0, 0.0], [0.0, 0.0, -1.0], [0.0, 1.0, 0.0]])
 """Object axes of the axes a facade is drawn in: right, up along the facade, out of it."""
-RINGS = 64
+FACET = 0.05
+"""How far a facet of the ball is below the ball, in pixels."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -90,7 +91,8 @@ def facade(seed: int, width: float, gsd: float) -> Facade:
     core = np.array([0.5, 0.4]) * width
     columns, rows = ((np.arange(n) + 0.5) / n * 2 - 1 for n in (4, 3))
     half = np.array([0.14, 0.18]) * core
-    openings = [np.array([u, v]) * core + 0.1 * half * rng.uniform(-1, 1, 2) for u in columns for v in rows]
+    columns, rows = (part + 0.06 * rng.uniform(-1, 1, len(part)) for part in (columns, rows))
+    openings = [np.array([u, v]) * core for u in columns for v in rows]
     depth = rng.choice(np.array([0.02, 0.04, 0.06]) * width, len(openings))
     ball = int(rng.integers(len(openings)))
     parts = [_front(openings, half, core + 0.3 * width)]
@@ -106,7 +108,8 @@ def facade(seed: int, width: float, gsd: float) -> Facade:
             parts.append(box(low, low + np.array([2.2 * half[0], 0.2 * half[1], 0.02 * width])))
     flat = np.concatenate(parts)
     radius = 0.8 * half.min()
-    round_part = sphere(np.array([*openings[ball], 0.5 * radius]), radius, RINGS)
+    rings = int(np.ceil(np.pi * np.sqrt(radius / (8 * FACET * gsd))))
+    round_part = sphere(np.array([*openings[ball], 0.5 * radius]), radius, rings)
     round_part = round_part[round_part[..., 2].max(axis=1) > 0]
     drawn = np.concatenate([flat, round_part])
     mesh = Mesh(drawn @ UPRIGHT.T)

@@ -78,14 +78,14 @@ class Mesh:
         axis /= np.linalg.norm(axis, axis=1, keepdims=True)
         # The corner rays enclose the others but for the curvature of distortion, for which a tenth is added.
         opening = 1.1 * np.arccos(np.clip(np.einsum("bkc,bc->bk", unit, axis).min(axis=1), -1, 1))
-        start = o.mean(axis=1)
-        spread = np.linalg.norm(o - start[:, None], axis=2).max(axis=1)
-        away = self.middles[None] - start[:, None]
-        distance = np.linalg.norm(away, axis=2)
-        angle = np.arccos(np.clip(np.einsum("bnc,bc->bn", away, axis) / distance, -1, 1))
-        radius = self.radii[None] + spread[:, None]
-        reach = np.arcsin(np.clip(radius / distance, 0, 1))
-        blocks, triangles = np.nonzero((angle <= opening[:, None] + reach) | (distance <= radius))
+        start = o[:, [0, BLOCK - 1, -BLOCK, -1]].mean(axis=1)
+        spread = np.linalg.norm(o[:, [0, BLOCK - 1, -BLOCK, -1]] - start[:, None], axis=2).max(axis=1)
+        along = axis @ self.middles.T - np.einsum("bc,bc->b", axis, start)[:, None]
+        beside2 = (
+            (start**2).sum(axis=1)[:, None] - 2 * start @ self.middles.T + (self.middles**2).sum(axis=1) - along**2
+        )
+        width = np.tan(opening)[:, None] * along + (self.radii + spread[:, None]) / np.cos(opening)[:, None]
+        blocks, triangles = np.nonzero((width > 0) & (beside2 <= width**2 * (1 + 1e-9) + 1e-12))
         return blocks, triangles
 
 

@@ -81,7 +81,7 @@ class Terrain:
                 if (self.classes[i - margin : i + margin + 1, j - margin : j + margin + 1] == SMOOTH).all():
                     found.append(np.array([x, y, self.surface.at(np.array([x]), np.array([y]))[0]]))
                     break
-        return np.array(found)
+        return np.array(found).reshape(-1, 3)
 
     def write(self, path: Path) -> None:
         """Write heights, classes and the judged rectangle (`truth.read_surface` reads them)."""
