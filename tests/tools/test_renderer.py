@@ -15,6 +15,9 @@ from renderer.height_field import BLOCK, HeightField
 from renderer.network import photographs
 from renderer.terrain import terrain
 
+from raybundle.numerics.rotation import rotation_from_angles
+from raybundle.sensors.brown import Brown
+
 GSD = 0.002
 
 
@@ -53,6 +56,21 @@ def test_projection_inverts_rays(motion):
     origins, directions = photograph.rays(x, y)
     points = (origins + 0.9 * directions).reshape(-1, 3)
     np.testing.assert_allclose(photograph.project(points), np.stack([x, y], -1).reshape(-1, 2), atol=1e-6)
+
+
+@pytest.mark.parametrize("name", ["A", "B"])
+def test_rays_fulfil_the_condition_of_the_product(name):
+    """The two programs share no code, but one convention: Brown's condition, rotation, pixel frame."""
+    photograph = taken(name)[11]
+    cam, own = photograph.camera, photograph.interior
+    x, y = pixels(photograph)
+    origins, directions = photograph.rays(x, y)
+    R = rotation_from_angles(np.array(angles(photograph.rotation)))
+    X, Y, Z = np.moveaxis((origins + 1.3 * directions - photograph.centre) @ R.T, -1, 0)
+    x, y = (x - cam.width_px / 2) * cam.pixel_mm, (cam.height_px / 2 - y) * cam.pixel_mm
+    assert min(abs(value) for value in dataclasses.asdict(own).values()) > 0
+    off = Brown.condition(x, y, X, Y, Z, **dataclasses.asdict(own))
+    assert np.abs(off).max() < 1e-9
 
 
 def test_rotation_has_the_order_of_the_conventions():
