@@ -99,6 +99,9 @@ def test_a_facade_is_written_and_has_control(tmp_path):
     scene.write(tmp_path / "truth" / "surface.npz")
     true = read_surface(tmp_path)
     assert isinstance(true, MeshSurface)
+    walls = np.abs(true.mesh.normals[:, 1]) < 1e-9
+    assert (true.codes[walls & (true.codes != CURVED)] == STEP).sum() > 50
+    assert (true.codes[np.abs(true.mesh.normals[:, 1]) > 1 - 1e-9] == SMOOTH).any()
     taken = photographs(camera("A", 300, 225), 14, GSD, np.random.default_rng(1), axes=scene.axes)
     assert (np.array([photograph.centre[1] for photograph in taken]) < -0.5).all()
     points = scene.control(CONTROL_PLACES[:3], np.random.default_rng(2))

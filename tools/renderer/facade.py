@@ -8,7 +8,7 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import NDArray
 
-from .classes import CURVED, NAMES, SMOOTH
+from .classes import CURVED, NAMES, SMOOTH, STEP
 from .mesh import Mesh, box, rectangle, sphere
 from .terrain import AMBIENT, PLANE, SUN
 from .texture import Texture, texture
@@ -25,7 +25,7 @@ FACET = 0.05
 class Facade:
     """A mesh with texture; its front is the plane Y = 0, seen from negative Y.
 
-    codes  (n,)  class of place of each triangle
+    codes  (n,)  class of place of each triangle; reveals and the sides of ledges are steps
     core   (2,)  half sides [m] along X and Z of what is judged
     """
 
@@ -114,6 +114,7 @@ def facade(seed: int, width: float, gsd: float) -> Facade:
     drawn = np.concatenate([flat, round_part])
     mesh = Mesh(drawn @ UPRIGHT.T)
     codes = np.repeat(np.array([SMOOTH, CURVED], dtype=np.int8), [len(flat), len(round_part)])
+    codes[: len(flat)][np.abs(mesh.normals[: len(flat), 1]) < 0.5] = STEP
     sun = UPRIGHT @ SUN / np.linalg.norm(SUN)
     direct = np.maximum(mesh.normals @ sun, 0) * np.linalg.norm(SUN) / SUN[2]
     own = texture((core[0] + 0.35 * width, core[1] + 0.35 * width), gsd, (), PLANE @ UPRIGHT.T, rng)
