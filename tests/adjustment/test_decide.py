@@ -8,7 +8,9 @@ import pytest
 from raybundle.adjustment.decide import decide
 from raybundle.adjustment.options import AdjustmentOptions
 from raybundle.adjustment.severity import Severity
+from raybundle.cameras.conversions import camera_from_forward, forward_fit
 from raybundle.planning.calibration_networks import ROLLS, FlatField, flat_field_scene
+from raybundle.planning.scenes import TargetField, field_scene
 from raybundle.planning.simulate import Survey, simulate
 
 GIVEN = {"x0": 0.02, "y0": -0.03, "K1": 2e-6, "K2": 0.0, "K3": 0.0, "P1": 1e-6, "P2": 0.0, "A": 0.0, "S": 0.0}
@@ -74,6 +76,20 @@ def test_what_lenses_seldom_have_is_held_with_a_remark_and_the_rest_with_a_cauti
     assert Severity.CAUTION in graded.values()
 
 
+def test_the_highest_terms_of_a_quotient_are_held_before_the_first():
+    """A lens of a polynomial leaves a denominator open, and with it all of the numerator."""
+    survey = Survey(seed=1, orientation="exact", points="exact", interior="exact", image_sigma_px=0.1)
+    block = simulate(field_scene(TargetField()), survey).observed
+    lens = forward_fit(block.cameras[0], ("fx", "cx", "cy", "k1", "k2", "k3", "p1", "p2")).camera
+    camera = camera_from_forward(lens, block.cameras[0].id).camera
+    assert camera.model == "rational"
+    result = decide(replace(block, cameras=(camera,)), AdjustmentOptions(jobs=1))
+    held = [n for n in result.notices if n.code == "held_not_determinable"]
+    assert [n.ids[1] for n in held] == ["k6", "k5", "k4"]
+    assert {n.severity for n in held} == {Severity.REMARK}
+    assert {"k1", "k2", "k3", "p1", "p2"} <= set(result.interior[0].free)
+
+
 def test_a_ratio_has_no_unit_in_print():
     result, _ = decided(0, 5.0, (0.0,))
     messages = [n.message for n in result.notices if n.code in {"held_not_determinable", "not_determinable"}]
@@ -99,8 +115,6 @@ def test_a_length_is_told_in_the_unit_of_the_block_or_in_none(unit, length, told
 
 
 def test_a_wrong_scale_bar_does_not_take_the_rays_of_the_others_ends():
-    from raybundle.planning.scenes import TargetField, field_scene
-
     survey = Survey(
         image_sigma_px=0.1, scale_bars=4, scale_bar_sigma=1e-5, seed=5, orientation="exact", points="exact",
         interior="exact",

@@ -381,21 +381,22 @@ def _hold_next(
 
 
 def _least_determinable(result: Adjustment, automatic: list[str], choices: Decisions) -> tuple[str, str, str] | None:
-    found: list[tuple[int, float, str, str, str]] = []
+    found: list[tuple[int, int, float, str, str, str]] = []
     for interior in result.interior:
         if interior.camera not in automatic:
             continue
         model = sensor_models[next(c.model for c in result.given.cameras if c.id == interior.camera)]
         kinds = {p.symbol: p.kind for p in model.parameters}
+        order = {s: k if kinds[s] == "radial" else 0 for k, s in enumerate(model.symbols)}
         for p in interior.parameters.values():
             kept = (interior.camera, p.symbol) in choices.kept_free
             if p.status == "not determinable" and kinds[p.symbol] in DROP_ORDER and not kept:
                 std = p.std_words(result.length_unit)
                 reason = f"its standard deviation is {std}, {p.effect_std_px or 0:.0f} px in the image"
-                found.append(
-                    (DROP_ORDER.index(kinds[p.symbol]), -(p.effect_std_px or 0), interior.camera, p.symbol, reason)
-                )
-    return None if not found else min(found)[2:]
+                effect = -(p.effect_std_px or 0)
+                place = DROP_ORDER.index(kinds[p.symbol]), -order[p.symbol], effect
+                found.append((*place, interior.camera, p.symbol, reason))
+    return None if not found else min(found)[3:]
 
 
 def _candidates(interior: InteriorResult, result: Adjustment) -> list[tuple[str, ...]]:
