@@ -13,6 +13,7 @@ from raybundle.io.photos.metadata import Gps, Metadata
 from raybundle.io.photos.photo import Photo
 from raybundle.io.trajectories import (
     Trajectory,
+    in_wgs84,
     matched,
     read_trajectory,
     rotations_in,
@@ -104,6 +105,32 @@ def test_opk_by_hand(tmp_path):
     np.testing.assert_allclose(rotations_in(t, frame), t.rotation, atol=1e-9)
     np.testing.assert_allclose(stations_of(t, ["p/a.jpg"], frame).xyz, [[0, 0, 0]], atol=1e-6)
     np.testing.assert_allclose(stations_of(t, ["a.tif"], None).xyz, t.xyz)
+
+
+@pytest.mark.parametrize("system", ["EPSG:25832+ellipsoid", "EPSG:25833+ellipsoid", WGS84_HEIGHT])
+def test_positions_of_another_system_are_transformed(tmp_path, system):
+    """A block in zone 32, its positions in another zone or in degrees: the same stations and rotations."""
+    path = tmp_path / "eo.csv"
+    path.write_text("image,X,Y,Z,omega_deg,phi_deg,kappa_deg\na,690000,5400000,700,1,-2,30\nb,690100,5400050,,0,0,0\n")
+    frame = local_frame("EPSG:25832+ellipsoid", (690000.0, 5400000.0, 600.0))
+    own = replace(read_trajectory(path), crs=frame.crs)
+    xyz = own.xyz.copy()
+    north = own.rotation @ frame.crs_from_local_rotation(own.xyz) @ frame.local_from_enu(own.xyz)
+    other = in_wgs84(replace(own, crs=frame.crs), None)
+    if system != WGS84_HEIGHT:
+        there = local_frame(system, (250000.0, 5400000.0, 600.0))
+        other = replace(other, xyz=there.crs_from_local(there.local_from_wgs84(other.xyz)), crs=system)
+        assert other.true_north
+    np.testing.assert_allclose(other.rotation, north, atol=1e-8)
+    s = stations_of(other, ["a.jpg", "b.jpg"], frame)
+    np.testing.assert_allclose(s.xyz, frame.local_from_crs(xyz), atol=1e-4)
+    np.testing.assert_allclose(rotations_in(other, frame), rotations_in(own, frame), atol=1e-8)
+
+
+@pytest.mark.parametrize("system", ["EPSG:4326", "EPSG:4258+ellipsoid"])
+def test_degrees_of_any_system_need_a_frame(mrk, system):
+    with pytest.raises(InputError, match="no Cartesian coordinates"):
+        stations_of(replace(read_trajectory(mrk), crs=system), ["DJI_0002.JPG"], None)
 
 
 def test_rpy_against_true_north(tmp_path):

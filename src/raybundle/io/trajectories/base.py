@@ -14,6 +14,7 @@ from raybundle.errors import InputError
 from raybundle.io.folders import check_free, make_parent, new_files
 from raybundle.io.geo.areas import check_area
 from raybundle.io.geo.coordinate_systems import LocalFrame, local_frame
+from raybundle.io.geo.parsed_systems import parse_crs
 from raybundle.io.ids import check_ids
 from raybundle.io.reading.files import as_utf8, guarded, opened
 from raybundle.io.reading.ledger import ledger, not_read
@@ -203,9 +204,10 @@ def stations_of(
 ) -> Stations:
     """Observed projection centres for the images of a block, by the files of its photographs.
 
-    frame          the local frame of the block, in the trajectory's system; None: the block stands in that system
-    default_sigma  [m] where the file tells none
+    frame          the local frame of the block; None: the block stands in the trajectory's system
+    default_sigma  [m] where the file has none
     raises         InputError where positions are geographic and there is no frame, or no photograph is in the file
+    Positions of another system than the frame's are transformed; those of a file without a system are in the frame's.
     """
     rows = matched(trajectory, files)
     images = np.flatnonzero(rows >= 0)
@@ -217,12 +219,12 @@ def stations_of(
             f"{trajectory.names[0] if trajectory.names else 'nothing'}",
             file=trajectory.path,
         )
-    if frame is None and trajectory.crs == WGS84_HEIGHT:
+    if frame is None and trajectory.crs is not None and parse_crs(trajectory.crs).is_geographic:
         raise InputError(
             "longitude and latitude are no Cartesian coordinates; give the local frame of the block",
             file=trajectory.path,
         )
-    xyz = trajectory.xyz[rows[images]]
+    xyz = _in_system_of(frame, trajectory).xyz[rows[images]]
     sigma = trajectory.sigma[rows[images]]
     told = None if trajectory.correlation is None else np.nan_to_num(trajectory.correlation[rows[images]])
     return Stations(
@@ -255,16 +257,33 @@ def in_wgs84(trajectory: Trajectory, crs: str | None) -> Trajectory:
     place = trajectory.xyz[known]
     frame = frame_at(crs, trajectory, known)
     xyz = np.full_like(trajectory.xyz, np.nan)
-    xyz[known] = frame.wgs84_from_local(frame.local_from_crs(place))
+    height = np.isfinite(place[:, 2])
+    filled = np.where(height[:, None] | [True, True, False], place, frame.origin[2])
+    xyz[known] = frame.wgs84_from_local(frame.local_from_crs(filled))
+    xyz[np.flatnonzero(known)[~height], 2] = np.nan
     rotation = trajectory.rotation
     if rotation is not None and not trajectory.true_north:
         turned = np.full_like(rotation, np.nan)
-        turned[known] = rotation[known] @ frame.crs_from_local_rotation(place) @ frame.local_from_enu(place)
+        turned[known] = rotation[known] @ frame.crs_from_local_rotation(filled) @ frame.local_from_enu(filled)
         rotation = turned
     return replace(
         trajectory, xyz=xyz, crs=WGS84_HEIGHT, rotation=rotation, true_north=rotation is not None,
         remarks=(*trajectory.remarks, *beyond, *frame.remarks),
     )  # fmt: skip
+
+
+def _in_system_of(frame: LocalFrame | None, trajectory: Trajectory) -> Trajectory:
+    """The trajectory with positions in the system of the frame, and attitudes that `rotations_in` turns from there."""
+    own = trajectory.crs
+    if frame is None or own is None or own == frame.crs:
+        return trajectory
+    if parse_crs(own).equals(parse_crs(frame.crs), ignore_axis_order=True):
+        return trajectory
+    there = in_wgs84(trajectory, None)
+    xyz = np.full_like(there.xyz, np.nan)
+    known = np.isfinite(there.xyz[:, :2]).all(axis=1)
+    xyz[known] = frame.crs_from_local(frame.local_from_wgs84(there.xyz[known]))
+    return replace(there, xyz=xyz, crs=frame.crs)
 
 
 def frame_at(crs: str, trajectory: Trajectory, rows: Mask | Index) -> LocalFrame:
@@ -292,6 +311,8 @@ def rotations_in(trajectory: Trajectory, frame: LocalFrame | None) -> Array:
                 "attitudes against true north need a coordinate system; give the local frame", file=trajectory.path
             )
         return trajectory.rotation
+    trajectory = _in_system_of(frame, trajectory)
+    assert trajectory.rotation is not None
     turn = (
         np.swapaxes(frame.local_from_enu(trajectory.xyz), -1, -2)
         if trajectory.true_north
