@@ -26,7 +26,7 @@ _CODES = {
         "control_unit epochs_names epochs_scale images_mirrored group_less_precise groups_contradict image_contradicts "
         "incomplete camera_constant_unknown mark_contradicts no_redundancy "
         "nominal_mirrored nominal_names nominal_scale not_determinable position_left_out positions_axes "
-        "positions_exchanged positions_unit redundancy_sum "
+        "positions_distant positions_exchanged positions_unit redundancy_sum "
         "snooping_masked snooping_unfinished weak_convergence"
     ),
     Severity.CAUTION: (

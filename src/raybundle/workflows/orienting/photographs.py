@@ -6,6 +6,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 
+from raybundle.adjustment.result import Notice
 from raybundle.errors import InputError
 from raybundle.io.geo.coordinate_systems import LocalFrame
 from raybundle.io.photos.photo import Found, Photo, find_photos
@@ -13,6 +14,7 @@ from raybundle.io.trajectories import Trajectory, with_positions
 from raybundle.io.trajectories.photographs import frame_of_positions
 from raybundle.numerics.counting import counted
 from raybundle.pipeline.stage import Means, Stage
+from raybundle.placing.distant_positions import distant_positions
 from raybundle.placing.marks import under_kept_names
 from raybundle.workflows.kept import Reasons
 from raybundle.workflows.orient_state import ORIENT, OrientState, SceneState
@@ -36,6 +38,7 @@ class Searched:
     found: Found
     scenes: FoundScenes
     positions_frame: LocalFrame | None = None
+    notices: tuple[Notice, ...] = ()
 
 
 def _inputs(state: OrientState) -> Inputs:
@@ -52,15 +55,19 @@ def search(given: Inputs, means: Means) -> Searched:
     used = _beside(given.paths, [*given.control, *([] if given.positions is None else [given.positions.path])])
     found = find_photos(given.paths, leave=[*scenes.files, *used], progress=means.progress)
     frame = None
+    notices: tuple[Notice, ...] = ()
     if given.positions is not None:
         placed, told = with_positions(found.photos, given.positions, given.crs)
-        frame = frame_of_positions(found.photos, given.positions, given.crs)
-        later = () if frame is None else frame.remarks  # stated with the place of the block
-        found = replace(found, photos=placed, remarks=(*found.remarks, *(r for r in told if r not in later)))
+        fault, exchanged = distant_positions(found.photos, given.positions, given.crs)
+        notices = () if fault is None else (fault,)
+        if not exchanged:
+            frame = frame_of_positions(found.photos, given.positions, given.crs)
+            later = () if frame is None else frame.remarks  # stated with the place of the block
+            found = replace(found, photos=placed, remarks=(*found.remarks, *(r for r in told if r not in later)))
     check_number(
         given.paths, found.photos, len(scenes.scenes), (*_refused(found), *scenes.refused), found.remarks
     )  # fmt: skip
-    return Searched(found=found, scenes=scenes, positions_frame=frame)
+    return Searched(found=found, scenes=scenes, positions_frame=frame, notices=notices)
 
 
 def _refused(found: Found) -> Reasons:
@@ -80,6 +87,7 @@ def _put(state: OrientState, product: Searched) -> OrientState:
         photos=found.photos,
         refused=_refused(found),
         remarks=found.remarks,
+        notices=(*state.notices, *product.notices),
         given=replace(
             state.given,
             control=under_kept_names(state.given.control, found.copies),
