@@ -143,7 +143,10 @@ def test_a_pair_that_stands_twice_is_told_by_its_rows(block, tmp_path, monkeypat
 
 def test_unknown_and_missing_columns(tmp_path):
     pq.write_table(pa.table({**GOOD, "y": [1.0, 2.0, 3.0]}), tmp_path / "t.parquet")
-    with pytest.raises(InputError, match=r"t\.parquet, column y: unknown column 'y'; the header is id,ref,x,s"):
+    with pytest.raises(
+        InputError,
+        match=r"t\.parquet, column y: unknown column 'y'; its columns are id,ref,x,s,y; the header is id,ref,x,s",
+    ):
         read_table(tmp_path / "t.parquet", COLUMNS)
     pq.write_table(pa.table({k: v for k, v in GOOD.items() if k != "x"}), tmp_path / "t.parquet")
     with pytest.raises(InputError, match="column 'x' is missing"):

@@ -248,3 +248,36 @@ def test_damaged_geopackage(tmp_path):
     (tmp_path / "a.gpkg").write_bytes(b"SQLite format 3\0" + b"x" * 100)
     with pytest.raises(InputError, match="cannot be read|has no layer"):
         read_scene_control(tmp_path / "a.gpkg")
+
+
+@pytest.mark.parametrize(
+    ("header", "found"),
+    [
+        ("name,lon,lat,height,x,y", "its columns are name,lon,lat,height,x,y;"),
+        ("point;lon;lat;h;x_px;y_px", "its columns are point,lon,lat,h,x_px,y_px;"),
+        ("point,X,Y,Z,col,row", "its columns are point,X,Y,Z,col,row;"),
+        ("point,easting,northing,height,x_px,y_px", "its columns are point,easting,northing,height,x_px,y_px;"),
+        ("id,lon_deg,lat_deg,h_m,x_px,y_px", "its columns are id,lon_deg,lat_deg,h_m,x_px,y_px;"),
+        (None, "the first line holds values (P0,"),
+    ],
+)
+def test_columns_of_another_name_are_listed_beside_those_that_are_needed(given, header, found):
+    folder, ground, xy = given
+    lines = rows(["point", "lon_deg", "lat_deg", "h_m", "x_px", "y_px"], ground, xy).splitlines()[1:]
+    if header is not None:
+        lines.insert(0, header.replace(";", ","))
+    separator = ";" if header and ";" in header else ","
+    table = folder / "control.csv"
+    table.write_text("\n".join(lines).replace(",", separator) + "\n")
+    with pytest.raises(InputError) as error:
+        read_scene_control(table)
+    assert found in str(error.value)
+    assert "needed are point,lon_deg,lat_deg,h_m,x_px,y_px or point,X,Y,Z,x_px,y_px" in str(error.value)
+
+
+def test_a_list_without_a_coordinate_system_shows_the_form_of_its_lines(given):
+    folder, ground, xy = given
+    table = folder / "control.txt"
+    table.write_text(rows(["point", "lon", "lat", "h", "x", "y"], ground, xy).replace(",", " "))
+    with pytest.raises(InputError, match="each other line of a list of control is X Y Z x_px y_px image"):
+        read_scene_control(table)

@@ -34,7 +34,7 @@ from raybundle.io.reading.dialects import (
 )
 from raybundle.io.reading.files import as_utf8, decoded, opened, read_bytes
 from raybundle.io.reading.rows import BadRow
-from raybundle.io.reading.words import quoted
+from raybundle.io.reading.words import number_of, quoted
 from raybundle.io.rows import rows_of
 from raybundle.numerics import native
 from raybundle.numerics.arrays import Array, Index
@@ -42,6 +42,8 @@ from raybundle.numerics.arrays import Array, Index
 PARQUET = ".parquet"
 PIECE_BYTES = 1 << 22
 LINE_BYTES = 1 << 20
+LISTED = 12
+"""Columns that a message lists"""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -302,18 +304,33 @@ def _should(columns: Sequence[Column]) -> str:
     return f"the header is {needed}" + (f", optional {', '.join(optional)}" if optional else "")
 
 
+def holds_values(header: Sequence[str]) -> bool:
+    """Whether the first line of a table is one of its rows: most of its cells are numbers."""
+    return 2 * sum(number_of(name) is not None for name in header) > len(header)
+
+
+def columns_words(header: Sequence[str]) -> str:
+    """Which columns a table has, or that its first line names none."""
+    names = ",".join(quoted(name)[1:-1] for name in header[:LISTED]) + (",..." if len(header) > LISTED else "")
+    if holds_values(header):
+        return f"the first line holds values ({names}), not the names of columns"
+    return f"its columns are {names}"
+
+
 def _check_names(path: Path, names: Sequence[str], columns: Sequence[Column], at: int = 1) -> list[Column]:
     """The columns in the order of their names in the file, which stand in line `at`."""
     by_name = {c.name: c for c in columns}
+    if holds_values(names):
+        raise InputError(f"{columns_words(names)}; {_should(columns)}", file=path, line=at)
     for position, name in enumerate(names):
         if name not in by_name:
-            message = f"unknown column {quoted(name)}; {_should(columns)}"
+            message = f"unknown column {quoted(name)}; {columns_words(names)}; {_should(columns)}"
             raise InputError(message, file=path, line=at, column=name[:40])
         if name in names[:position]:
             raise InputError(f"column {name!r} stands twice; {_should(columns)}", file=path, line=at, column=name)
     missing = [c.name for c in columns if not c.optional and c.name not in names]
     if missing:
-        message = f"column {missing[0]!r} is missing; {_should(columns)}"
+        message = f"column {missing[0]!r} is missing; {columns_words(names)}; {_should(columns)}"
         raise InputError(message, file=path, line=at, column=missing[0])
     return [by_name[name] for name in names]
 

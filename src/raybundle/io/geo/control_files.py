@@ -29,6 +29,8 @@ from raybundle.numerics.arrays import Array, Index, Mask
 from raybundle.numerics.counting import counted
 
 XYZ, SIGMA, NORMAL = ("X", "Y", "Z"), ("sX", "sY", "sZ"), ("nX", "nY", "nZ")
+COLUMNS = ("point", *XYZ, *SIGMA, "role", "radius", *NORMAL, "tolerance")
+"""Of a table of control"""
 NO_TOLERANCE = "the column tolerance is for nominal coordinates, and control has none: it is not used"
 CHANCE = 0.01
 """Probability below which heights that agree to the last digit are not taken for measured."""
@@ -172,7 +174,10 @@ def read_gcp_list(path: str | Path, *, defaults: ControlDefaults = DEFAULTS) -> 
     try:
         parse_crs(crs)
     except InputError as error:
-        raise InputError(str(error), file=path, line=first) from None
+        form = (
+            f"each other line of a list of control is {' '.join(GCP_COLUMNS)}; a table with a line of names is a .csv"
+        )
+        raise InputError(f"{error}; {form}", file=path, line=first) from None
     rows, problems = gcp_rows(lines)
     if problems:
         fail(path, problems)

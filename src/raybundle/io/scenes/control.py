@@ -24,6 +24,7 @@ import numpy as np
 from raybundle.block import Role
 from raybundle.errors import InputError
 from raybundle.io.geo.control_files import (
+    COLUMNS,
     DEFAULTS,
     ControlFile,
     assumed_words,
@@ -36,7 +37,7 @@ from raybundle.io.reading.files import check_regular
 from raybundle.io.reading.trees import Json, read_json
 from raybundle.io.reading.words import number_of, quoted
 from raybundle.io.scenes.wkb import points_of
-from raybundle.io.tables import Column, Table, read_table
+from raybundle.io.tables import Column, Table, columns_words, read_table
 from raybundle.numerics.arrays import Array, Mask
 from raybundle.settings import option
 
@@ -134,6 +135,7 @@ def read_scene_control(
     """
     if path.suffix.lower() == ".csv":
         header = header_of(path)
+        _check_columns(path, header, image_points)
         if "lon_deg" in header:
             if crs is not None or undulation is not None:
                 raise InputError(
@@ -148,6 +150,21 @@ def read_scene_control(
     else:
         rows = _features(path, image_points)
     return _placed(rows, crs, undulation)
+
+
+def _check_columns(path: Path, header: Sequence[str], image_points: Path | None) -> None:
+    """Raise InputError for a table whose columns are neither those of scenes' control nor those of photographs'."""
+    names = set(header)
+    if {"point", "X"} <= names <= set(COLUMNS) or set(IMAGE_POINTS) <= names or image_points is not None:
+        return
+    forms = [("point", *place, "x_px", "y_px") for place in (GEOGRAPHIC, XYZ)]
+    if any(names.issuperset(form) for form in forms):
+        return
+    raise InputError(
+        f"{columns_words(header)}; needed are {' or '.join(map(','.join, forms))}; a table {','.join(IMAGE_POINTS)} "
+        f"beside ground points is given by {option('image_points', 'FILE.csv')}",
+        file=path, line=1,
+    )  # fmt: skip
 
 
 def _others(*, sigma: tuple[str, ...]) -> list[Column]:
