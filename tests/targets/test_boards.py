@@ -178,6 +178,16 @@ def test_two_rasters_and_two_charuco_boards_are_noticed():
     assert "is seen in two places" in marks.remarks[0]
 
 
+@pytest.mark.parametrize("blind", [False, True])
+def test_squares_counted_for_corners_name_the_board(blind):
+    image, _ = view(chessboard(9, 6), (4.0, -2.5), 30.0)
+    if blind:
+        image[:] = 128
+    marks = detect(image, "chessboard-10x7")
+    assert len(marks) == 0
+    assert ("its name is chessboard-9x6" in marks.remarks[0]) is not blind
+
+
 def test_wrong_numbers_and_hidden_boards_give_a_reason():
     image, _ = view(chessboard(9, 6), (4.0, -2.5), 30.0)
     smaller = detect(image, "chessboard-8x6")
@@ -283,12 +293,20 @@ def test_lattices_go_round_gaps_and_follow_a_lens():
 def test_names():
     assert any("chessboard-" in f for f in forms())
     for name, message in (
+        ("jigsaw-9", "unknown target family 'jigsaw-9'; known: "),
         ("checkers-9x6", "unknown target family 'checkers-9x6'; known: "),
+        ("checkerboard10x7", r"\(did you mean chessboard-10x7\?\)"),
+        ("asymcircles_4x11", r"\(did you mean acircles-4x11\?\)"),
+        ("tag36h11", r"\(did you mean apriltag-36h11\?\)"),
+        ("apriltag36h11", r"\(did you mean apriltag-36h11\?\)"),
+        ("DICT_4X4_50", r"\(did you mean aruco-4x4_50\?\)"),
+        ("aicon-14bit", r"\(did you mean aicon14\?\)"),
+        ("agisoft", r"\(did you mean agisoft12, agisoft14, agisoft16 or agisoft20\?\)"),
         ("chessboard", "named by its inner corners, as chessboard-9x6"),
         ("chessboard-2x6", "at least 3 x 3"),
         ("circles-2x2", "at least 3 x 3"),
         ("circles", "as circles-7x5 or acircles-4x11"),
-        ("apriltag-1h1", "unknown tags 'apriltag-1h1'; known: apriltag-16h5"),
+        ("apriltag-1h1", r"unknown tags 'apriltag-1h1' \(did you mean apriltag-16h5"),
         ("charuco", "named by its squares and its tags, as charuco-8x6-5x5_100"),
         ("charuco-30x30-4x4_50", "needs 450 tags; 4x4_50 has 50"),
         ("charuco-2x5-4x4_50", "at least 3 x 3 squares"),

@@ -6,7 +6,9 @@ circles-7x5, photomodeler-sheet.  Each module in `kinds` registers how one kind 
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+import difflib
+import re
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from importlib import import_module
 from typing import Protocol
@@ -118,9 +120,15 @@ class Kind:
     make: Callable[[str], Target | None]
     """the target of a name in lower case, None where the name is of another kind; raises InputError for a name of
     this kind that cannot be"""
+    names: Callable[[str], Sequence[str]]
+    """names of this kind that a text, which is none, may stand for: all, or those with the numbers in the text"""
 
 
 kinds: dict[str, Kind] = {}
+ALIKE = 0.6
+"""Share of common letters and digits (2 M / T of difflib) from which a text stands for a name, difflib's default"""
+MEANT = 4
+"""Names that are equally near, at most"""
 
 
 def register(name: str, kind: Kind) -> None:
@@ -144,7 +152,31 @@ def target(family: str | Target) -> Target:
         made = kind.make(name)
         if made is not None:
             return made
-    raise InputError(f"unknown target family {family!r}; known: {', '.join(forms())}")
+    near = nearest(name, [n for kind in kinds.values() for n in kind.names(name)])
+    raise InputError(f"unknown target family {family!r}{meant(near)}; known: {', '.join(forms())}")
+
+
+def nearest(text: str, names: Sequence[str]) -> list[str]:
+    """The names that a text most probably stands for, whatever separates its parts; none where it is like no name."""
+    alike = {n: difflib.SequenceMatcher(None, _plain(n), _plain(text)).ratio() for n in names}
+    best = max(alike.values(), default=0.0)
+    return [n for n, a in alike.items() if a == best][:MEANT] if best >= ALIKE else []
+
+
+def meant(names: Sequence[str]) -> str:
+    """The question whether one of some names was meant; nothing without one."""
+    *others, last = [*names] or [""]
+    return f" (did you mean {' or '.join([*filter(None, [', '.join(others)]), last])}?)" if last else ""
+
+
+def with_numbers(text: str, form: str) -> list[str]:
+    """The name of a board of the form NAME-{}x{} with the two numbers of a text; none where it has others."""
+    numbers = re.findall(r"\d+", text)
+    return [form.format(*numbers)] if len(numbers) == 2 else []
+
+
+def _plain(name: str) -> str:
+    return re.sub(r"[^a-z0-9]", "", name.lower())
 
 
 def detect(image: Array, family: str | Target, options: MarkOptions | None = None) -> Marks:

@@ -18,7 +18,7 @@ from raybundle.errors import InputError
 from raybundle.io.reading.words import number_of, whole_of
 from raybundle.numerics.arrays import Array
 from raybundle.targets.detect import eight_bits
-from raybundle.targets.kinds.tags import dictionary
+from raybundle.targets.kinds.tags import dictionaries, dictionary
 from raybundle.targets.marks import (
     Kind,
     MarkOptions,
@@ -158,4 +158,10 @@ def _make(name: str) -> Target | None:
     return Charuco(columns=columns, rows=rows, tags=match[3], ratio=ratio)
 
 
-register("charuco", Kind(form="charuco-COLUMNSxROWS-TAGS (squares; as charuco-8x6-5x5_100)", make=_make))
+def _names(text: str) -> list[str]:
+    numbers = re.findall(r"\d+", text)[:2]
+    tags = [n.removeprefix("aruco-").replace("apriltag-", "apriltag_") for n in dictionaries()]
+    return [f"charuco-{numbers[0]}x{numbers[1]}-{t}" for t in tags] if len(numbers) == 2 else []
+
+
+register("charuco", Kind(form="charuco-COLUMNSxROWS-TAGS (squares; as charuco-8x6-5x5_100)", make=_make, names=_names))

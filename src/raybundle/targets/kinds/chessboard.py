@@ -26,6 +26,7 @@ from raybundle.targets.marks import (
     nothing,
     register,
     two_seen,
+    with_numbers,
 )
 from raybundle.targets.saddle import CornerOptions, Corners, fit_corners
 
@@ -36,8 +37,8 @@ LEAST_SHARE = 0.8
 """Share of the corners that must be measurable."""
 LARGER = 0.6
 """Share of the corners beyond one side that, seen, say that the board is larger."""
-MOST = 200
-"""Corners along a side at most."""
+FEWEST, MOST = 3, 200
+"""Corners along a side."""
 BORDER = 1.3
 """How far around its corners a board is painted over, when another one is sought, in squares."""
 COARSE = 14.0
@@ -83,7 +84,7 @@ class Chessboard:
         del options
         boards = find_boards(eight_bits(image)[0], (self.columns, self.rows))
         if not boards:
-            return nothing(self.family, f"no whole {self.title} seen")
+            return nothing(self.family, f"no whole {self.title} seen{self._squares(image)}")
         if len(boards) > 1:
             return nothing(self.family, two_seen(self.title))
         (rough,) = boards
@@ -110,6 +111,16 @@ class Chessboard:
             family=self.family, name=tuple(n for n, _ in kept), xy_px=fitted.xy_px[which],
             covariance=fitted.covariance[which], ellipse=no_ellipses(len(which)), gate=fitted.residual[which],
         )  # fmt: skip
+
+    def _squares(self, image: Array) -> str:
+        """What is seen of a board of as many squares as this one has corners."""
+        columns, rows = self.columns - 1, self.rows - 1
+        if min(columns, rows) < FEWEST:
+            return ""
+        boards = find_boards(eight_bits(image)[0], (columns, rows))
+        if len(boards) != 1 or beyond(np.ascontiguousarray(image, np.uint16), boards[0]):
+            return ""
+        return f", but one of {self.columns} x {self.rows} squares: its name is chessboard-{columns}x{rows}"
 
     def _turn(self, xy: Array, contrast: Array) -> Array:
         """Corners (rows, columns) as positions in the order found: seen from the front, dark first square."""
@@ -232,9 +243,16 @@ def _make(name: str) -> Target | None:
     if match is None:
         raise InputError(f"{name!r}: a chessboard is named by its inner corners, as chessboard-9x6")
     columns, rows = (whole_of(match[k]) or 0 for k in (1, 2))
-    if min(columns, rows) < 3 or max(columns, rows) > MOST:
+    if min(columns, rows) < FEWEST or max(columns, rows) > MOST:
         raise InputError(f"{name!r}: a chessboard needs at least 3 x 3 inner corners")
     return Chessboard(columns=columns, rows=rows)
 
 
-register("chessboard", Kind(form="chessboard-COLUMNSxROWS (inner corners)", make=_make))
+register(
+    "chessboard",
+    Kind(
+        form="chessboard-COLUMNSxROWS (inner corners)",
+        make=_make,
+        names=lambda text: with_numbers(text, "chessboard-{}x{}"),
+    ),
+)

@@ -13,7 +13,17 @@ from raybundle.io.reading.words import whole_of
 from raybundle.numerics.arrays import Array, Index
 from raybundle.targets.detect import DetectionOptions, Detections, detect_targets
 from raybundle.targets.lattice import lattices
-from raybundle.targets.marks import Kind, MarkOptions, Marks, Target, grid_objects, nothing, register, two_seen
+from raybundle.targets.marks import (
+    Kind,
+    MarkOptions,
+    Marks,
+    Target,
+    grid_objects,
+    nothing,
+    register,
+    two_seen,
+    with_numbers,
+)
 
 NAME = re.compile(r"(a?)circles-(\d+)x(\d+)")
 MISSING = 0.1
@@ -130,4 +140,11 @@ def _make(name: str) -> Target | None:
     return Circles(columns=columns, rows=rows, staggered=bool(match[1]))
 
 
-register("circles", Kind(form="circles-COLUMNSxROWS, acircles-COLUMNSxROWS (staggered)", make=_make))
+register(
+    "circles",
+    Kind(
+        form="circles-COLUMNSxROWS, acircles-COLUMNSxROWS (staggered)",
+        make=_make,
+        names=lambda text: [*with_numbers(text, "circles-{}x{}"), *with_numbers(text, "acircles-{}x{}")],
+    ),
+)

@@ -133,4 +133,4 @@ def _make(name: str) -> Target | None:
     return Sheet() if name == FAMILY else None
 
 
-register("photomodeler", Kind(form=FAMILY, make=_make))
+register("photomodeler", Kind(form=FAMILY, make=_make, names=lambda _: [FAMILY]))

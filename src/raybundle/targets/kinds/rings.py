@@ -77,5 +77,5 @@ def _make(name: str) -> Target | None:
     return Rings(rings=families[name]) if name in families else None
 
 
-register("rings", Kind(form=", ".join(families), make=_make))
-register("dots", Kind(form="dots", make=lambda name: _make(name) if name == "dots" else None))
+register("rings", Kind(form=", ".join(families), make=_make, names=lambda _: [*families]))
+register("dots", Kind(form="dots", make=lambda name: _make(name) if name == "dots" else None, names=lambda _: ["dots"]))

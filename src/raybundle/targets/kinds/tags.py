@@ -17,7 +17,7 @@ from raybundle.errors import InputError
 from raybundle.numerics.arrays import Array
 from raybundle.targets.border import fit_squares
 from raybundle.targets.detect import eight_bits
-from raybundle.targets.marks import Kind, MarkOptions, Marks, Target, no_ellipses, nothing, register
+from raybundle.targets.marks import Kind, MarkOptions, Marks, Target, meant, nearest, no_ellipses, nothing, register
 from raybundle.targets.tag_fit import fit_tags
 from raybundle.targets.tag_reading import bits_of, read_modules
 
@@ -44,7 +44,7 @@ def dictionary(name: str) -> Any:
     """A dictionary of tags; raises InputError."""
     known = dictionaries()
     if name not in known:
-        raise InputError(f"unknown tags {name!r}; known: {', '.join(sorted(known))}")
+        raise InputError(f"unknown tags {name!r}{meant(nearest(name, [*known]))}; known: {', '.join(sorted(known))}")
     return cv2.aruco.getPredefinedDictionary(known[name])
 
 
@@ -162,4 +162,7 @@ def _make(name: str) -> Target | None:
     return Tags(name=name)
 
 
-register("tags", Kind(form="apriltag-36h11 and others, aruco-4x4_50 and others", make=_make))
+register(
+    "tags",
+    Kind(form="apriltag-36h11 and others, aruco-4x4_50 and others", make=_make, names=lambda _: [*dictionaries()]),
+)
