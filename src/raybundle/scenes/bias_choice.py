@@ -99,13 +99,8 @@ def choose_bias(
         raise InputError(f"{len(geographic)} ground points and {len(xy_px)} image points; at least one pair is needed")
     if not sigma_px > 0:
         raise InputError(f"sigma of the image points {sigma_px:g} px must be positive")
-    projected, by_ground = rpc.project_with_partials(geographic)
-    covariance = np.broadcast_to(np.eye(2) * sigma_px**2, (len(xy_px), 2, 2))
-    heights = np.zeros_like(covariance)
-    if sigma_ground_m is not None:
-        J = by_ground / metres_per_geographic(geographic)[:, None, :]
-        heights = np.einsum("ni,nj,n->nij", J[:, :, 2], J[:, :, 2], np.asarray(sigma_ground_m)[:, 2] ** 2)
-        covariance = covariance + J @ (np.asarray(sigma_ground_m)[:, :, None] ** 2 * np.eye(3)) @ np.swapaxes(J, 1, 2)
+    projected = rpc.project(geographic)
+    covariance, heights = point_covariance(rpc, geographic, sigma_px, sigma_ground_m)
     uv = (projected - rpc.image_offset) / rpc.image_scale
     difference = xy_px - projected
     kept = agreeing(uv, difference, covariance)
@@ -133,6 +128,20 @@ def choose_bias(
         set_aside=tuple(aside[order].tolist()),
         set_aside_px=left[order],
     )
+
+
+def point_covariance(rpc: Rpc, geographic: Array, sigma_px: float, sigma_ground_m: Array | None) -> tuple[Array, Array]:
+    """(n, 2, 2) covariance of points in the image, that of their ground coordinates included, and its part by heights.
+
+    arguments as of `choose_bias`; [px^2]
+    """
+    covariance = np.broadcast_to(np.eye(2) * sigma_px**2, (len(geographic), 2, 2))
+    if sigma_ground_m is None:
+        return covariance, np.zeros_like(covariance)
+    J = rpc.project_with_partials(geographic)[1] / metres_per_geographic(geographic)[:, None, :]
+    variance = np.asarray(sigma_ground_m) ** 2
+    heights = np.einsum("ni,nj,n->nij", J[:, :, 2], J[:, :, 2], variance[:, 2])
+    return covariance + J @ (variance[:, :, None] * np.eye(3)) @ np.swapaxes(J, 1, 2), heights
 
 
 def check_fit(advice: BiasAdvice, fit: BiasFit) -> None:

@@ -175,7 +175,8 @@ def correction_on(given: SceneInput, control: SceneControl, s: ControlSettings) 
     """What control of one scene says of its RPC."""
     import numpy as np  # noqa: PLC0415
 
-    from raybundle.scenes.bias_choice import choose_bias  # noqa: PLC0415
+    from raybundle.scenes.bias_choice import choose_bias, point_covariance  # noqa: PLC0415
+    from raybundle.scenes.height_units import check_height_unit  # noqa: PLC0415
     from raybundle.scenes.image_axes import check_image_axes  # noqa: PLC0415
     from raybundle.scenes.rpc_errors import ground_errors  # noqa: PLC0415
 
@@ -189,6 +190,9 @@ def correction_on(given: SceneInput, control: SceneControl, s: ControlSettings) 
     fit = advice.advised if s.scene_bias == "auto" else next((f for f in advice.fits if f.kind == s.scene_bias), None)
     if fit is not None:
         check_image_axes(rpc, used.geographic, used.xy_px, size_of(scene), fit)
+        if used.heights_m is not None:
+            covariance, _ = point_covariance(rpc, used.geographic, s.image_sigma, used.sigma_m)
+            check_height_unit(rpc, used.geographic, used.heights_m, used.xy_px, covariance, fit)
     return Correction(
         rpc=rpc, ids=used.ids, advice=advice, fit=fit, scene=scene, size_px=size_of(scene), picture=given.picture,
         beyond=_odd_points(scene, rpc, used),

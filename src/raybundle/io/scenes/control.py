@@ -31,7 +31,7 @@ from raybundle.io.geo.control_files import (
     read_control,
     read_measurements,
 )
-from raybundle.io.geo.coordinate_systems import WGS84, height_remarks, local_frame, parse_crs
+from raybundle.io.geo.coordinate_systems import WGS84, LocalFrame, height_remarks, local_frame, parse_crs
 from raybundle.io.reading.dialects import header_of
 from raybundle.io.reading.files import check_regular
 from raybundle.io.reading.trees import Json, read_json
@@ -70,6 +70,9 @@ class SceneControl:
     check: Mask
     """(n,) points that take no part and check"""
     remarks: tuple[str, ...] = ()
+    heights_m: Array | None = None
+    """(n,) heights as the file has them, above its own surface, in the unit of its system taken to metres; None: it has
+    geocentric coordinates"""
 
     def rows(self, wanted: Sequence[int]) -> SceneControl:
         """Some of the rows."""
@@ -77,7 +80,7 @@ class SceneControl:
         return replace(
             self, ids=tuple(self.ids[k] for k in rows), geographic=self.geographic[rows], xy_px=self.xy_px[rows],
             sigma_m=None if self.sigma_m is None else self.sigma_m[rows], image=tuple(self.image[k] for k in rows),
-            check=self.check[rows],
+            check=self.check[rows], heights_m=None if self.heights_m is None else self.heights_m[rows],
         )  # fmt: skip
 
     def of(self, *names: str, alone: bool = False) -> SceneControl:
@@ -185,6 +188,7 @@ def _geographic_table(path: Path, image_points: Path | None) -> SceneControl:
         file=path, ids=table.text["point"], geographic=table.numbers(*GEOGRAPHIC),
         xy_px=table.numbers("x_px", "y_px"), sigma_m=stated if np.isfinite(stated).all() else None,
         image=_texts(table, "image"), check=_check_mask(path, _texts(table, "role"), table.first_line),
+        heights_m=table.number["h_m"],
     )  # fmt: skip
 
 
@@ -437,7 +441,12 @@ def _placed(rows: _Rows, crs: str | None, undulation: float | None) -> SceneCont
     return SceneControl(
         file=rows.file, ids=tuple(rows.ids), geographic=geographic, xy_px=rows.xy_px, sigma_m=sigma,
         image=tuple(rows.image), check=_check_mask(rows.file, rows.role), remarks=(*rows.remarks, *remarks, *told),
+        heights_m=None if parse_crs(system).is_geocentric else rows.xyz[:, 2] * _height_unit_m(system),
     )  # fmt: skip
+
+
+def _height_unit_m(crs: str) -> float:
+    return LocalFrame(crs=crs, origin=(0.0, 0.0, 0.0)).units_m[1]
 
 
 def _system(rows: _Rows, crs: str | None) -> tuple[str, tuple[str, ...]]:
