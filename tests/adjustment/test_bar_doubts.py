@@ -134,3 +134,15 @@ def test_approximate_values_in_a_unit_of_their_own_are_no_caution(factor):
     block = simulation().observed
     block = replace(block, images=replace(block.images, centre=block.images.centre * factor))
     assert "approximate_scale" not in {n.code for n in adjust(block, PLAIN).notices}
+
+
+@pytest.mark.parametrize(("kind", "pair"), [("testfield", (0, 1)), ("testfield", (1, 3)), ("ring", (0, 1))])
+def test_exchanged_control_accuses_no_bar(kind, pair):
+    """The other way round all bars fit: what the tests of single values show of them is its doing."""
+    block = simulation(kind, scale_bars=2, control=4, control_sigma=(3e-4, 3e-4, 3e-4)).observed
+    xyz, rows = block.points.xyz.copy(), np.flatnonzero(block.points.is_control.all(axis=1))[[*pair]]
+    xyz[rows] = xyz[rows[::-1]]
+    result = adjust(replace(block, points=replace(block.points, xyz=xyz)), PLAIN)
+    accused = {n.code: n.ids for n in result.notices if n.severity == "fault"}
+    assert set(accused) <= {"control_contradicts", "global_test", "weak_convergence"}
+    assert set(accused["control_contradicts"]) == {block.points.ids[k] for k in rows}

@@ -57,6 +57,11 @@ class Doubt:
     """Where the observed projection centres are what control contradicts: mean and standard deviation (3,) of the
     centres as observed minus as the photographs have them with control alone; NaN for an axis that was not observed"""
 
+    @property
+    def is_explained(self) -> bool:
+        """Whether everything else fits, scale bars and positions included, once this control is mended or left out."""
+        return bool(self.exchange or self.mirror or self.wrong)
+
 
 def doubted_control(
     block: Block, failed: Adjustment | None, options: AdjustmentOptions, adjust: Adjust

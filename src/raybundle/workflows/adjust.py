@@ -29,6 +29,7 @@ from raybundle.errors import DatumDefect, InputError, NoConvergence, NoOrientati
 from raybundle.numerics.arrays import Array, Index, Mask
 from raybundle.numerics.counting import counted, counted_are
 from raybundle.numerics.progress import Progress, in_rounds, silent
+from raybundle.observations import observation_kinds
 from raybundle.orientation.given_points import intersected_where_better, without_given_ties
 from raybundle.placing.approximate_scale import start_scale_notices
 from raybundle.placing.bar_doubts import BarDoubt, bar_doubt_notice, doubted_bars
@@ -46,6 +47,11 @@ FEW_BEHIND = 0.005
 """Share of the image points behind cameras up to which wrong names or matches explain them."""
 DOUBTED = 10.0
 """sigma0 from which on the approximate values are doubted."""
+OF_CONTROL = {
+    *(f"{kind}_suspect" for kind in observation_kinds), "camera_constant_unknown", "group_less_precise",
+    "not_determinable", "pixel_shape", "snooping_masked", "systematic_residuals",
+}  # fmt: skip
+"""Notices that wrong control raises of all else: without it everything else fits"""
 OF_BARS = {"distance_suspect", "distance_lost", "behind_camera"}
 """Codes of notices that a wrong scale bar may be behind."""
 
@@ -99,6 +105,7 @@ def adjust(block: Block, options: AdjustmentOptions | None = None, progress: Pro
         bent = {"control_suspect"} if result.sigma0 > POOR_FIT else set[str]()
         # it is the control that contradicts them, and that is said
         bent |= set() if doubt is None else {"image_contradicts", "control_not_located"}
+        bent |= OF_CONTROL if doubt is not None and doubt.is_explained else set()
         others = [n for n in result.notices if n.code not in bent]
         result = replace(result, notices=(*plain, *others))
     if not plain and bars is None and not _held(block) and (torn := _torn(block, result, options)) is not None:
