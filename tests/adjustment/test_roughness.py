@@ -58,6 +58,13 @@ def test_everything_but_variances_of_tie_points_stays(plain, rough):
     assert wider.max() < 1.01
 
 
+def test_relief_is_no_higher_than_its_window():
+    block = with_windows(1e3, 4.0)
+    low = replace(block, points=replace(block.points, window=np.full(len(block.points), 1e-6)))
+    result = adjust_block(low, AdjustmentOptions())
+    assert np.linalg.norm(result.precision.roughness, axis=1).max() == pytest.approx(2e-6)
+
+
 def test_questions_hold_it(rough):
     names = rough.given.points.ids
     C = covariance_between(rough, f"point:{names[3]}", f"point:{names[3]}")

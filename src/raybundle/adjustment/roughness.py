@@ -29,15 +29,18 @@ FACTOR, BY_MISFIT, BY_RELIEF, BY_RESIDUALS = 1.3, 1.7, 1.35, 0.85
 LEAST_MISFIT, LEAST_SHARE = 0.1, 0.03
 """What is less is noise of the figures."""
 NEIGHBOURS = 25
+HIGHEST = 2.0
+"""Windows (`Points.window`): a window shows no relief that is higher than it is wide."""
 
 
 def with_roughness(result: Adjustment) -> Adjustment:
     """The result with variances of tie points that hold the relief within their windows; `Precision.roughness`."""
     points, precision = result.adjusted.points, result.precision
-    if precision is None or points.misfit is None or points.relief is None:
+    if precision is None or points.misfit is None or points.relief is None or points.window is None:
         return result
     variance = np.diagonal(precision.object_points, axis1=1, axis2=2)
-    known = np.isfinite(points.misfit) & np.isfinite(points.relief) & np.isfinite(variance).all(axis=1)
+    figures = np.stack([points.misfit, points.relief, points.window], axis=1)
+    known = np.isfinite(figures).all(axis=1) & np.isfinite(variance).all(axis=1)
     known &= (np.asarray(points.role) == Role.TIE) & np.isfinite(points.xyz).all(axis=1)
     direction, towards = _mean_rays(result)
     known &= towards
@@ -47,7 +50,7 @@ def with_roughness(result: Adjustment) -> Adjustment:
     factor = _factor(points.xyz[known], points.misfit[known], points.relief[known], _residual_ratio(result)[known])
     along = np.maximum(np.einsum("pi,pij,pj->p", d, C, d), 0.0)
     roughness = np.zeros((len(points), 3))
-    roughness[known] = np.sqrt(factor * along)[:, None] * d
+    roughness[known] = np.minimum(np.sqrt(factor * along), HIGHEST * points.window[known])[:, None] * d
     wider = precision.object_points + roughness[:, :, None] * roughness[:, None, :]
     return replace(result, precision=replace(precision, object_points=wider, roughness=roughness))
 
