@@ -8,6 +8,7 @@ import pytest
 from raybundle.adjustment.engine import adjust_block
 from raybundle.adjustment.options import AdjustmentOptions
 from raybundle.adjustment.queries import covariance_between, precision_in_datum
+from raybundle.adjustment.roughness import doubled
 from raybundle.io.block.folder import read_block, write_block
 from raybundle.planning.scenes import TargetField, field_scene
 from raybundle.planning.simulate import Survey, simulate
@@ -53,9 +54,14 @@ def test_everything_but_variances_of_tie_points_stays(plain, rough):
     np.testing.assert_array_equal(rough.adjusted.points.xyz, plain.adjusted.points.xyz)
     np.testing.assert_array_equal(rough.precision.images, plain.precision.images)
     assert plain.precision.roughness is None
+    wide, of = doubled(rough.precision)
+    assert wide > 30
+    assert of == 40
+    assert doubled(plain.precision) == (0, 0)
     calm = adjust_block(with_windows(1.0, 1.0), AdjustmentOptions())
     wider = calm.precision.object_point_std / plain.precision.object_point_std
     assert wider.max() < 1.01
+    assert doubled(calm.precision) == (0, 40)
 
 
 def test_relief_is_no_higher_than_its_window():

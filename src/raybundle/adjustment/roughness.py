@@ -21,7 +21,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from raybundle.adjustment.result import Adjustment
+from raybundle.adjustment.result import Adjustment, Precision
 from raybundle.block import Role
 from raybundle.numerics.arrays import Array, Mask
 
@@ -53,6 +53,21 @@ def with_roughness(result: Adjustment) -> Adjustment:
     roughness[known] = np.minimum(np.sqrt(factor * along), HIGHEST * points.window[known])[:, None] * d
     wider = precision.object_points + roughness[:, :, None] * roughness[:, None, :]
     return replace(result, precision=replace(precision, object_points=wider, roughness=roughness))
+
+
+def doubled(precision: Precision | None) -> tuple[int, int]:
+    """Tie points of which relief within the window more than doubles the standard deviation along their rays; of all.
+
+    (0, 0) where no window is known.
+    """
+    if precision is None or precision.roughness is None:
+        return 0, 0
+    r, C = precision.roughness, precision.object_points
+    square = (r**2).sum(axis=1)
+    known = np.isfinite(square) & (square > 0)
+    r, square = r[known], square[known]
+    whole = np.einsum("pi,pij,pj->p", r, C[known], r) / square
+    return int((whole > 4 * (whole - square)).sum()), len(r)
 
 
 def _factor(xyz: Array, misfit: Array, relief: Array, residuals: Array) -> Array:

@@ -6,6 +6,7 @@ import math
 
 import numpy as np
 
+from raybundle.adjustment.roughness import doubled
 from raybundle.numerics.arrays import Array
 from raybundle.report.figures.network import ray_histogram
 from raybundle.report.figures.photographs import CLASSES, radius_figure, radius_profile, seen_points
@@ -45,6 +46,15 @@ def tie_point_section(view: View, sigma_px: float) -> Section:
     else:
         parts.append(
             Paragraph(text="Standard deviations of points are not known (statistics are off, or all are held).")
+        )
+    wide, of = doubled(view.adjustment.precision)
+    if of:
+        parts.append(
+            Paragraph(
+                text="A tie point is the mean of the surface in its matching window. Its standard deviations contain "
+                f"what relief within the window adds; it more than doubles those of {per_cent(wide / of)} of the "
+                "points (column roughness of points.csv)."
+            )
         )
     profile = radius_profile(view)
     if np.isfinite(profile[1]).any():

@@ -12,6 +12,7 @@ from raybundle.adjustment.counts import counts
 from raybundle.adjustment.fields import Noise
 from raybundle.adjustment.network import classed
 from raybundle.adjustment.result import Adjustment, Notice, as_told
+from raybundle.adjustment.roughness import doubled
 from raybundle.adjustment.spread import few_hold
 from raybundle.block import Block
 from raybundle.io.photos.start import NOMINAL_PIXEL_MM
@@ -38,7 +39,7 @@ def summary_lines(adjustment: Adjustment) -> list[str]:
         f"sigma0 {_sigma0(a)} (a priori {a_priori(a.given)}), redundancy {grouped(a.redundancy)}",
         f"datum: {a.datum}",
     ]
-    lines += _precision(a) + noise_lines(a.noise)
+    lines += _precision(a) + noise_lines(a.noise) + _relief(a)
     lines += _check_points(a)
     lines += notice_lines(a.notices)
     return [f" {line}" for line in lines]
@@ -114,6 +115,16 @@ def noise_lines(noise: Noise) -> list[str]:
         parts.append(f"a focus that wanders by {noise.focus_px:.2g} px")
     parts.append(f"errors that neighbouring points share (variance times {noise.phi:.2g})")
     return [f"standard deviations contain {', '.join(parts)}; times those of white noise (medians): {wider}"]
+
+
+def _relief(a: Adjustment) -> list[str]:
+    """For how many tie points relief within the window counts most."""
+    wide, of = doubled(a.precision)
+    if not of:
+        return []
+    return [
+        f"standard deviations of {wide / of:.0%} of the tie points are more than doubled by relief in their windows"
+    ]
 
 
 def _check_points(a: Adjustment) -> list[str]:
