@@ -2,6 +2,7 @@
 
 from dataclasses import replace
 
+import numpy as np
 import pytest
 
 from raybundle import adjust
@@ -123,6 +124,17 @@ def test_distances_hang_on_the_datum_where_the_scale_is_open(case):
         "ratios of distances are free of it, distances are not"
         in sentences["The standard deviations belong to the datum stated."]
     )
+
+
+def test_the_smallest_detectable_error_of_control_stands_on_the_first_page(case):
+    view = view_of(case("rich"))
+    (g,) = [g for g in view.adjustment.groups if g.kind == "control"]
+    worst = int(np.nanargmax(g.mdb))
+    words = dict(not_told(view))["A small σ₀ is no proof of correct coordinates."]
+    size = significant(float(g.mdb[worst]) * view.factor, 2)
+    assert f"{g.component[worst]} of {g.ids[worst]}: of errors of {size} {view.unit}" in words
+    free = dict(not_told(view_of(case("free"))))["A small σ₀ is no proof of correct coordinates."]
+    assert "control" not in free
 
 
 def test_what_the_numbers_do_not_tell_depends_on_the_result(case):

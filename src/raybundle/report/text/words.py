@@ -461,6 +461,24 @@ def datum_of_sigmas(defect: tuple[str, ...]) -> str:
     return f"{DATUM_OF_SIGMAS}; distances and angles are free of it."
 
 
+def _weakest_control(view: View) -> str:
+    """The coordinate of control whose errors hide best, and how large they are; "" where none is tested."""
+    tested = [
+        (float(mdb), component, name)
+        for g in view.adjustment.groups
+        if g.kind == "control"
+        for mdb, component, name in zip(g.mdb, g.component, g.ids, strict=True)
+        if math.isfinite(mdb)
+    ]
+    if not tested:
+        return ""
+    mdb, component, name = max(tested)
+    size = f"{significant(mdb * view.factor, 2)} {view.unit}"
+    return (
+        f" The weakest tested control coordinate is {component} of {name}: of errors of {size} one in five is missed."
+    )
+
+
 def not_told(view: View) -> tuple[tuple[str, str], ...]:
     """What the numbers of this report do not tell."""
     a = view.adjustment
@@ -468,7 +486,11 @@ def not_told(view: View) -> tuple[tuple[str, str], ...]:
     snooped = len(view.rejected) > 0 and a.options.reject == "snooping"
     found = (
         (True, "Precision is not accuracy.", INDEPENDENT_ERRORS if a.noise.kind == "white" else COMMON_ERRORS),
-        (True, "A small σ₀ is no proof of correct coordinates.", HIDDEN_BLUNDERS),
+        (
+            True,
+            "A small σ₀ is no proof of correct coordinates.",
+            " ".join(filter(None, [HIDDEN_BLUNDERS, _weakest_control(view)])),
+        ),
         (not view.compared, "Nothing independent was compared.", NO_COMPARISON),
         (view.free_frame, "The standard deviations belong to the datum stated.", datum_of_sigmas(a.datum_defect)),
         (view.arbitrary_scale, "No length is absolute.", NO_SCALE),
