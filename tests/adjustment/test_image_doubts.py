@@ -8,6 +8,8 @@ import pytest
 from raybundle import adjust
 from raybundle.adjustment.options import AdjustmentOptions
 from raybundle.errors import NotSolvable
+from raybundle.orientation.assembly import approximate_values
+from raybundle.placing.image_doubts import origin_words
 from raybundle.planning.scenes import Ring, TargetField, field_scene, ring_scene
 from raybundle.planning.simulate import Survey, simulate
 
@@ -15,8 +17,8 @@ OPTIONS = AdjustmentOptions(jobs=1)
 SCENES = {"testfield": lambda: field_scene(TargetField(stations=4)), "ring": lambda: ring_scene(Ring())}
 
 
-def simulated(kind="testfield"):
-    return simulate(SCENES[kind](), Survey(seed=6, scale_bars=2)).observed
+def simulated(kind="testfield", **survey):
+    return simulate(SCENES[kind](), Survey(seed=6, scale_bars=2, **survey)).observed
 
 
 def fault(block, options=OPTIONS):
@@ -89,3 +91,55 @@ def test_image_points_in_mm_are_named(origin):
     xy = (o.xy_px - origin * size) * np.array(camera.pixel_mm)
     found = fault(replace(block, observations=replace(o, xy_px=xy)))
     assert "are they in mm?" in (found if isinstance(found, str) else found.message)
+
+
+AXES = {
+    "the origin in the middle of the image": lambda xy, size: xy - size / 2,
+    "the origin in the middle of the image and y counted upward": lambda xy, size: (xy - size / 2) * [1, -1],
+    "y counted upward": lambda xy, size: xy * [1, -1] + size * [0, 1],
+    "x counted to the left": lambda xy, size: xy * [-1, 1] + size * [1, 0],  # the former turned by 180 degrees
+    "x and y exchanged": lambda xy, size: xy[:, ::-1] + 0 * size,
+}
+
+
+def counted_otherwise(block, images, way):
+    o, camera = block.observations, block.cameras[0]
+    other = AXES[way](o.xy_px, np.array([camera.width_px, camera.height_px], float))
+    mine = np.isin(o.image, images)[:, None]
+    return replace(block, observations=replace(o, xy_px=np.where(mine, other, o.xy_px)))
+
+
+@pytest.mark.parametrize("kind", ["testfield", "ring"])
+@pytest.mark.parametrize("way", [w for w in AXES if "middle" in w])
+@pytest.mark.parametrize("images", [[0], [0, 2, 3], [0, 1, 2, 3]])
+def test_images_counted_from_their_middle_are_named_all_of_them(kind, way, images):
+    block = counted_otherwise(simulated(kind), images, way)
+    found = fault(block)
+    words = found if isinstance(found, str) else found.message
+    assert "origin seems to be the middle of the image" in words
+    names = [block.images.ids[k] for k in images]
+    assert f"{len(names)} image{'s' * (len(names) > 1)} ({', '.join(names)})" in words
+
+
+@pytest.mark.parametrize("way", AXES)
+def test_an_image_with_other_axes_that_cannot_be_oriented_names_them(way):
+    named = way if "middle" in way or "exchanged" in way else "y counted upward or x to the left"
+    with pytest.raises(NotSolvable, match=f"of them fit with {named}\\. Correct its image points"):
+        approximate_values(counted_otherwise(simulated(orientation="absent"), [1], way))
+
+
+def test_images_with_points_under_wrong_names_have_the_axes_of_the_others():
+    block = simulated(orientation="absent")
+    o = block.observations
+    mine = np.flatnonzero(o.image == 1)
+    mixed = o.xy_px.copy()
+    mixed[mine] = mixed[np.random.default_rng(1).permutation(mine)]
+    with pytest.raises(NotSolvable) as error:
+        approximate_values(replace(block, observations=replace(o, xy_px=mixed)))
+    assert "no pose that fits" in str(error.value)
+    assert "fit with" not in str(error.value)
+
+
+@pytest.mark.parametrize("kind", ["testfield", "ring"])
+def test_right_images_are_counted_from_their_corner(kind):
+    assert origin_words(simulated(kind)) is None

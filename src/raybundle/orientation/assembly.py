@@ -27,6 +27,7 @@ from raybundle.orientation.camera_constant import with_camera_constants
 from raybundle.orientation.candidates import Pose, resect_all, resect_robust
 from raybundle.orientation.completion import Completed, complete
 from raybundle.orientation.growth import OFTEN, Growth
+from raybundle.orientation.pixel_axes import axes_words
 from raybundle.orientation.rays import rays_of
 from raybundle.orientation.skeleton import skeleton
 from raybundle.orientation.start import favoured, start_from_control, start_from_pair
@@ -199,6 +200,8 @@ def _grow(growth: Growth, failures: _Failures, progress: Progress, total: int) -
             elif share > FEW and refused:
                 share = FEW
             else:
+                for i in refused:
+                    failures.reasons[i] += axes_words(growth, i)
                 return
             refused.clear()
             continue

@@ -30,6 +30,8 @@ TRIED = 3
 FEWEST_RAYS = 2
 FEW = 4
 """Image points, those with the largest residuals: where all fits without these alone, they are blunders"""
+NEGATIVE = 0.2
+"""Share of negative x, and of negative y, of image points from the middle of the image, at the least"""
 SEEN = 0.2
 """Share of the format in mm that image points in mm cover at the least."""
 
@@ -42,6 +44,9 @@ def image_doubt_notices(block: Block, result: Adjustment, solved: Callable[[Bloc
     """
     if (words := unit_words(block)) is not None:
         return [Notice(code="camera_contradicts", message=words)]
+    if (origin := origin_words(block)) is not None:
+        words, names = origin
+        return [Notice(code="image_contradicts", message=words, ids=names[:100])]
     limit = min(POOR_FIT, result.sigma0 / MENDED)
     found: list[tuple[float, Notice]] = []
     own = solved(replace(block, cameras=_with_own_constants(block)))
@@ -97,6 +102,29 @@ def unit_words(block: Block) -> str | None:
                 f"{c.height_px}, as the format does in mm: are they in mm? Give pixels from the upper left corner"
             )
     return None
+
+
+def origin_words(block: Block) -> tuple[str, tuple[str, ...]] | None:
+    """That image points of some images seem to be counted from its middle, and these images; None where none are.
+
+    In pixels from the corner no image point is negative; from the middle about a half of them are.
+    """
+    o, names = block.observations, []
+    size = np.array([(c.width_px, c.height_px) for c in block.cameras])[block.images.camera]
+    scene = np.array([c.is_scene for c in block.cameras], bool)[block.images.camera]
+    for k in np.unique(o.image).tolist():
+        xy = o.xy_px[o.image == k]
+        within = bool((np.abs(xy) <= size[k] / 2).all())
+        if not scene[k] and within and len(xy) >= FEW and bool(((xy < 0).mean(axis=0) >= NEGATIVE).all()):
+            names.append(block.images.ids[k])
+    if not names:
+        return None
+    message = (
+        f"{counted(len(names), 'image')} ({some_of(tuple(names))}) with image points to the left of and above the "
+        "format: their origin seems to be the middle of the image. Give pixels from the upper left corner, x to the "
+        "right and y down"
+    )
+    return message, tuple(names)
 
 
 def _free(camera: Camera) -> bool:

@@ -35,7 +35,7 @@ from raybundle.placing.approximate_scale import start_scale_notices
 from raybundle.placing.bar_doubts import BarDoubt, bar_doubt_notice, doubted_bars
 from raybundle.placing.conflicts import Conflict, conflict_notice, conflict_words, conflicts
 from raybundle.placing.control_doubts import as_ties, doubted_control, notice, words
-from raybundle.placing.image_doubts import image_doubt_notices, unit_words
+from raybundle.placing.image_doubts import image_doubt_notices, origin_words, unit_words
 from raybundle.placing.mirrored_images import mirrored_image_notices
 from raybundle.settings import option
 from raybundle.workflows.noise_in_parts import in_parts, sample_words, without_fields
@@ -137,9 +137,11 @@ def _explained(
 ) -> str:  # fmt: skip
     """The words of an error with what may be behind it; "" where there is nothing to add."""
     why = [_twin_words(twins)] if twins else [n.message for n in identical]
-    unit = None if why or isinstance(error, DatumDefect) else unit_words(block)
-    if unit is not None:
-        return f"{unit}\n  {error}"
+    if not why and not isinstance(error, DatumDefect):
+        if (unit := unit_words(block)) is not None:
+            return f"{unit}\n  {error}"
+        if (origin := origin_words(block)) is not None:
+            return f"{origin[0]}\n  {error}"
     found = [] if why or isinstance(error, DatumDefect) else _conflicts(block, options)
     if found:
         return conflict_words(found, float("nan"))

@@ -1,0 +1,52 @@
+"""Image points of single images that are counted otherwise than the others: y upward, from the centre of the image."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from raybundle.numerics.arrays import Array
+from raybundle.orientation.candidates import resect_robust
+from raybundle.orientation.growth import Growth
+from raybundle.orientation.rays import camera_rays
+
+SHARE, FEWEST = 0.5, 8
+"""Of the known points, and their number, that a mend must bring together: twice those of a pose, and the share from
+which an image is believed"""
+
+
+def axes_words(growth: Growth, image: int) -> str:
+    """With which axes the known points of an image that has no pose fit one, and how many; "" where with none."""
+    rows = growth.by_image[image]
+    rows = rows[growth.known[growth.rays.point[rows]]]
+    if len(rows) < FEWEST:
+        return ""
+    camera = growth.block.cameras[growth.block.images.camera[image]]
+    xyz, measured = growth.block.points.xyz[growth.rays.point[rows]], growth.block.observations.xy_px[rows]
+    fits: dict[str, int] = {}
+    for name, xy in _mended(measured, camera.width_px, camera.height_px).items():
+        if not ((xy >= 0) & (xy <= [camera.width_px, camera.height_px])).all():
+            continue
+        pose = resect_robust(camera_rays(camera, xy), xyz, growth.limit(image))
+        fits[name] = 0 if pose is None else int(pose.inliers.sum())
+    best = max(fits, key=lambda name: fits[name], default="")
+    if not best or fits[best] < max(FEWEST, SHARE * len(rows)):
+        return ""
+    return (
+        f"; {fits[best]} of them fit with {best}. Correct its image points, and look at those of other images: pixels "
+        "count from the upper left corner, x to the right and y down"
+    )
+
+
+def _mended(xy_px: Array, width: int, height: int) -> dict[str, Array]:
+    """Image points (n, 2) [px] as they are if they were counted in each of these ways.
+
+    x to the left is y upward in an image that is turned by 180 degrees, which no image point shows.
+    """
+    x, y = xy_px.T
+    ways = {
+        "y counted upward or x to the left": (x, height - y),
+        "x and y exchanged": (y, x),
+        "the origin in the middle of the image": (x + width / 2, y + height / 2),
+        "the origin in the middle of the image and y counted upward": (x + width / 2, height / 2 - y),
+    }
+    return {name: np.stack(xy, axis=1) for name, xy in ways.items()}
