@@ -16,11 +16,13 @@ from raybundle.adjustment.far_points import diverging, retracted, turned_about
 from raybundle.adjustment.layout import InteriorRow, Used, interior_of, lay_out, taking_part
 from raybundle.adjustment.options import AdjustmentOptions
 from raybundle.block import Block, Camera
+from raybundle.block.rigs import is_mounted
 from raybundle.errors import InputError
 from raybundle.numerics import large
 from raybundle.numerics.arrays import Array, Index, Mask
 from raybundle.numerics.rotation import rotation_from_vector
 from raybundle.observations import ObservationKind, Partials
+from raybundle.platforms.rig import OFFSET
 
 
 @dataclass(slots=True)
@@ -144,10 +146,23 @@ class System:
         points = np.where(self.held, 0.0, points)
         new.xyz += points
         mine = self.far_candidates
-        centre = state.centre[self.first_image[mine]]
+        centre = self.centres(state)[self.first_image[mine]]
         far, ray = retracted(state.xyz[mine] - centre, points[mine], passing=passing)
         new.xyz[mine[far]] = centre[far] + ray
         return new
+
+    def centres(self, state: State) -> Array:
+        """(n, 3) projection centres; that of a camera on a rig by the rig's exterior orientation and its mounting."""
+        found = state.centre
+        for c, camera in enumerate(self.block.cameras):
+            if not is_mounted(camera):
+                continue
+            mine = np.flatnonzero((self.block.images.camera == c) & self.images_used)
+            at = [camera.sensor.symbols.index(s) for s in OFFSET]
+            offset = state.interior[self.interior_of_image[mine]][:, at]
+            found = found.copy() if found is state.centre else found
+            found[mine] += np.einsum("nji,nj->ni", state.rotation[mine], offset)
+        return found
 
     def share(self, state: State) -> None:
         """Bring the parameters that images share to the rows of these images, in place."""
@@ -185,7 +200,7 @@ class System:
         point = self.block.observations.point[self.rows]
         seen, lost = (np.bincount(point, weights, minlength=len(state.xyz)) for weights in (None, behind))
         mine = self.far_candidates
-        centre = state.centre[self.first_image[mine]]
+        centre = self.centres(state)[self.first_image[mine]]
         ray = state.xyz[mine] - centre
         all_behind = (lost[mine] == seen[mine]) & (seen[mine] > 0)
         if not all_behind.any() or all_behind.all():
@@ -198,7 +213,7 @@ class System:
     def beyond(self, state: State) -> Index:
         """Object points whose rays diverge, see `far_points`."""
         mine = self.far_candidates
-        return mine[diverging(state.xyz[mine] - state.centre[self.first_image[mine]])]
+        return mine[diverging(state.xyz[mine] - self.centres(state)[self.first_image[mine]])]
 
 
 def assemble(block: Block, options: AdjustmentOptions, rejected: Mask, free: dict[str, tuple[str, ...]]) -> System:

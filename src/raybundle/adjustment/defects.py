@@ -10,9 +10,11 @@ from raybundle.adjustment.assemble import InteriorRow, State, System
 from raybundle.adjustment.extra import carried_points
 from raybundle.adjustment.normals import Normals
 from raybundle.block import Block, Role
+from raybundle.block.rigs import station_numbers
 from raybundle.errors import DatumDefect, InputError, NoConvergence, RankDefect, TooFewObservations, Undetermined
-from raybundle.numerics.arrays import Array, Mask
+from raybundle.numerics.arrays import Array, Index, Mask
 from raybundle.numerics.counting import counted
+from raybundle.numerics.rows import rows_of_each
 from raybundle.settings import option
 
 SHARE = 1e-13
@@ -112,29 +114,40 @@ def _one_image(block: Block, points: Sequence[str]) -> RankDefect:
 
 
 def check_images(block: Block, rejected: Mask, free: dict[str, tuple[str, ...]]) -> None:
-    """Raise RankDefect for images with fewer image points than their own unknowns need."""
-    counts = np.bincount(block.observations.image[~rejected], minlength=len(block.images))
+    """Raise RankDefect for stations with fewer image points than their own unknowns need.
+
+    Images of a rig have one exterior orientation at each station, which the points of all of them determine.
+    """
+    station = station_numbers(block.images)
+    counts = np.bincount(station[block.observations.image[~rejected]], minlength=len(block.images))
     held = block.images.held if block.images.held is not None else np.zeros(len(block.images), bool)
     bad: list[str] = []
     lost: list[Undetermined] = []
-    for i, image_id in enumerate(block.images.ids):
-        camera = block.cameras[block.images.camera[i]]
-        own = 0 if held[i] else 6
-        if camera.interior == "per_image":
-            own += len(free.get(camera.id, ()))
-        if counts[i] and 2 * counts[i] < own:
-            bad.append(f"{image_id} ({counted(int(counts[i]), 'image point')} for {counted(own, 'unknown')})")
-            lost.append(Undetermined(kind="image", name=image_id))
+    for s, mine in enumerate(rows_of_each(station, int(station.max(initial=-1)) + 1)):
+        own = 0 if held[mine].all() else 6
+        for i in mine.tolist():
+            camera = block.cameras[block.images.camera[i]]
+            own += len(free.get(camera.id, ())) if camera.interior == "per_image" else 0
+        if counts[s] and 2 * counts[s] < own:
+            names = [block.images.ids[i] for i in mine]
+            words = f"{counted(int(counts[s]), 'image point')} for {counted(own, 'unknown')}"
+            bad.append(
+                f"{names[0]} ({words})" if len(names) == 1 else f"{' and '.join(names)} of one station ({words})"
+            )
+            lost += [Undetermined(kind="image", name=n) for n in names]
     if bad:
         raise RankDefect(
-            f"too few image points in image{'s' * (len(bad) > 1)} {name_some(bad)}; an exterior orientation needs "
+            f"too few image points in image{'s' * (len(lost) > 1)} {name_some(bad)}; an exterior orientation needs "
             "at least three. Measure more points there, or leave the images out.",
             undetermined=lost,
         )
 
 
 def components(block: Block, rejected: Mask) -> list[Array]:
-    """Connected parts of the network (arrays of image positions): images joined by common object points."""
+    """Connected parts of the network (arrays of image positions): images joined by common object points or a station.
+
+    Images of a rig join its cameras at every station: each has one exterior orientation, and one mounting a camera.
+    """
     rows = ~rejected
     n, p = len(block.images), len(block.points)
     image, point = block.observations.image[rows], block.observations.point[rows]
@@ -142,8 +155,8 @@ def components(block: Block, rejected: Mask) -> list[Array]:
     used = np.unique(image)
     if _all_near(image[joins], point[joins], used, n, p):
         return [used]
-    pairs = [t.pairs("point") for t in block.tables.values()]
-    a, b = np.concatenate([np.zeros((0, 2), np.int32), *pairs]).T
+    pairs = [n + t.pairs("point") for t in block.tables.values()]
+    a, b = np.concatenate([_of_stations(block, used), *pairs]).T
     if not joins.any() and not len(a):
         return [used[[k]] for k in range(len(used))]
     from scipy.sparse import coo_matrix  # noqa: PLC0415
@@ -151,9 +164,17 @@ def components(block: Block, rejected: Mask) -> list[Array]:
 
     graph = coo_matrix((np.ones(joins.sum(), np.int8), (image[joins], n + point[joins])), shape=(n + p, n + p))
     if len(a):
-        graph = graph + coo_matrix((np.ones(len(a), np.int8), (n + a, n + b)), shape=graph.shape)
+        graph = graph + coo_matrix((np.ones(len(a), np.int8), (a, b)), shape=graph.shape)
     _, label = connected_components(graph, directed=False)
     return [used[label[used] == k] for k in np.unique(label[used])]
+
+
+def _of_stations(block: Block, used: Index) -> Index:
+    """(k, 2) pairs of images that are used and share a station: each with the first of it."""
+    station = station_numbers(block.images)[used]
+    _, first, number = np.unique(station, return_index=True, return_inverse=True)
+    pairs = np.stack([used[first[number.ravel()]], used], axis=1)
+    return pairs[pairs[:, 0] != pairs[:, 1]]
 
 
 def _known(block: Block) -> Mask:
@@ -367,7 +388,7 @@ def parallel_rays(system: System, state: State) -> tuple[Mask, Mask]:
     """(p,) points whose rays are parallel within 0.2 degrees, and those with two rays or more."""
     block = system.block
     image, point = block.observations.image[system.rows], block.observations.point[system.rows]
-    d = state.xyz[point] - state.centre[image]
+    d = state.xyz[point] - system.centres(state)[image]
     d = d / np.maximum(np.linalg.norm(d, axis=1), 1e-300)[:, None]
     count = np.maximum(np.bincount(point, minlength=len(block.points)), 1)
     mean = np.stack([np.bincount(point, d[:, k], minlength=len(block.points)) / count for k in range(3)], axis=1)

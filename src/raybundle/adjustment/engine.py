@@ -14,6 +14,7 @@ import numpy as np
 
 from raybundle.adjustment import defects
 from raybundle.adjustment.assemble import State, System, assemble
+from raybundle.adjustment.behind_cameras import meeting_before_cameras
 from raybundle.adjustment.cell_means import systematic_notices
 from raybundle.adjustment.components import Found, settled_components, variance_components
 from raybundle.adjustment.datum import Datum, analyse, hold_minimal, open_names
@@ -56,8 +57,9 @@ from raybundle.adjustment.under_noise import under_noise
 from raybundle.adjustment.work import Work
 from raybundle.block import Block, Camera, Instrument
 from raybundle.block.rejection import Rejection, RejectionKind, Rejections
+from raybundle.block.rigs import at_stations_of
 from raybundle.errors import DatumDefect, NoConvergence, RankDefect, TooFewObservations
-from raybundle.numerics.arrays import Mask
+from raybundle.numerics.arrays import Array, Mask
 from raybundle.numerics.counting import grouped
 from raybundle.numerics.progress import Progress, silent
 from raybundle.numerics.statistics import family_wise_normal, family_wise_tau, global_test
@@ -165,6 +167,8 @@ def _with_settled_components(
 
 NEARBY = 25
 """Steps from an adjustment to that with other weights; where they do not end, one step of the components has to do."""
+TRIES = 2
+"""Times that a point behind its cameras is intersected anew: where it is lost, and once more without it."""
 UNENDING = 0.05
 """Steps, in standard deviations, that do not end but are so short that the standard deviations can be stated.
 
@@ -186,14 +190,19 @@ def carry_out(
     defects.check_images(block, mask, free)
     work = _estimate(block, options, free, mask, start, progress)
     defects.check_scatter(work.system, work.normals.residuals(work.solution.state)[0])
+    given, tries = mask, np.where(block.points.is_control.any(axis=1), TRIES, 0)
     for _ in range(5):
-        _, flags = work.normals.residuals(work.solution.state)
-        rows = work.system.rows
-        diverging = np.isin(block.observations.point[rows], work.solution.beyond)
-        behind = (flags & 1) > 0
+        behind, diverging = _lost(work)
+        gone = (mask & ~given) | _of_rows(block, work.system.rows[behind | diverging])
+        near, back = _with_points_before(work, gone, given, tries, options)
+        if back.any():
+            reasons = tuple(None if again else r for r, again in zip(reasons, back.tolist(), strict=True))
+            mask = mask & ~back
+            work = _estimate(block, options, free, mask, "approximate", progress, near)
+            behind, diverging = _lost(work)
         if not (behind | diverging).any():
             break
-        new = list(reasons)
+        new, rows = list(reasons), work.system.rows
         for i in rows[diverging]:
             new[i] = Rejection(kind=RejectionKind.RAYS_DIVERGE)
         for i in rows[behind]:
@@ -220,6 +229,48 @@ def carry_out(
         work.found = cofactors(work.normals, work.state, work.datum)
         progress("statistics", 1.0)
     return work, reasons
+
+
+def _lost(work: Work) -> tuple[Mask, Mask]:
+    """(m,) used image observations whose point a solution has behind the camera, and at infinity."""
+    _, flags = work.normals.residuals(work.solution.state)
+    point = work.system.block.observations.point[work.system.rows]
+    return (flags & 1) > 0, np.isin(point, work.solution.beyond)
+
+
+def _of_rows(block: Block, rows: Array) -> Mask:
+    """(m,) these image observations."""
+    found = np.zeros(len(block.observations), bool)
+    found[rows] = True
+    return found
+
+
+def _with_points_before(
+    work: Work, gone: Mask, given: Mask, tries: Array, options: AdjustmentOptions
+) -> tuple[Block, Mask]:
+    """The block with a solution and points that are lost or left it where their rays meet, and their observations (m,).
+
+    gone   (m,) image observations behind their cameras, at infinity, or rejected for that before
+    given  (m,) those that take no part in any case
+    tries  (p,) how often a point was intersected anew; those that are now are counted
+    The rays of a point meet where all residuals are within the critical value of data snooping at the sigma0 there is.
+    """
+    system, solution, o = work.system, work.solution, work.system.block.observations
+    asked = np.zeros(len(tries), bool)
+    asked[o.point[gone]] = True
+    asked &= tries < TRIES
+    tries += asked
+    back = np.zeros(len(o), bool)
+    if not asked.any():
+        return system.block, back
+    redundancy = max(system.observations - system.unknowns, 1)
+    limit = family_wise_normal(options.significance, 2 * len(o)) * max(np.sqrt(2 * solution.cost / redundancy), 1.0)
+    near = adjusted_block(system, solution.state)
+    points, places = meeting_before_cameras(near, np.flatnonzero(asked[o.point] & ~given), float(limit))
+    back[np.isin(o.point, points)] = True
+    xyz = near.points.xyz.copy()
+    xyz[points] = places
+    return replace(near, points=replace(near.points, xyz=xyz)), back & ~given
 
 
 def estimate_only(
@@ -269,8 +320,9 @@ def reject_single_rays(block: Block, reasons: Rejections, mask: Mask) -> tuple[R
 
 def _estimate(
     block: Block, options: AdjustmentOptions, free: dict[str, tuple[str, ...]], mask: Mask, start: Start,
-    progress: Progress,
+    progress: Progress, near: Block | None = None,
 ) -> Work:  # fmt: skip
+    """The solution from the approximate values of the block, or from those of `near`, the same block elsewhere."""
     system = assemble(block, options, mask, free)
     state = system.initial_state()
     datum = analyse(system, state, options)
@@ -284,7 +336,9 @@ def _estimate(
 
     parts = defects.check_components(block, mask, open_of) if datum.defect == 0 or _may_fall_apart(block, mask) else 1
     normals = around()(system, options, free, mask)
-    if options.robust_start:
+    if near is not None:
+        state = replace(system, block=near).initial_state()
+    elif options.robust_start:
         state = solve(normals, state, options, huber=HUBER, tolerance=1e-2, approximate=True, progress=progress).state
     damping = FLOOR if start == "adjusted" else CAUTIOUS
     solution = solve(normals, state, options, damping=damping, progress=progress)
@@ -433,7 +487,7 @@ def _datum_words(datum: Datum, options: AdjustmentOptions) -> str:
 
 
 def adjusted_block(system: System, state: State) -> Block:
-    """The block with adjusted values; points and images that took no part keep theirs."""
+    """The block with adjusted values; points and images that took no part keep theirs, or have their station's."""
     block = system.block
     xyz = np.where(system.points_used[:, None], state.xyz + system.shift, block.points.xyz)
     centre = np.where(system.images_used[:, None], state.centre + system.shift, block.images.centre)
@@ -450,7 +504,9 @@ def adjusted_block(system: System, state: State) -> Block:
         block,
         cameras=tuple(replace(c, values=values_of[c.id]) for c in block.cameras),
         instruments=tuple(replace(i, values=values_of[i.id]) for i in block.instruments),
-        images=replace(block.images, centre=centre, rotation=rotation, interior=per_image),
+        images=at_stations_of(
+            replace(block.images, centre=centre, rotation=rotation, interior=per_image), system.images_used
+        ),
         points=replace(block.points, xyz=xyz),
     )
 

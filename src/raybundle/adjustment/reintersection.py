@@ -15,6 +15,7 @@ from raybundle.adjustment.result import Adjustment
 from raybundle.adjustment.separability import FEWEST
 from raybundle.block import Block
 from raybundle.block.rejection import Rejection, RejectionKind, Rejections
+from raybundle.block.rigs import without_rigs
 from raybundle.numerics.arrays import Array, Index, Mask
 
 WHOLE = {
@@ -53,12 +54,13 @@ def reintersected(result: Adjustment, block: Block, skip: set[int]) -> tuple[Blo
     usable = usable[np.argsort(o.point[usable], kind="stable")]
     ends = np.searchsorted(o.point[usable], points, side="right")
     found: set[int] = set()
+    alone = without_rigs(block)
     xyz = block.points.xyz.copy()
     for p, rows in zip(points.tolist(), np.split(usable, ends[:-1]), strict=True):
-        place, meet = _meeting(result, block, rows)
+        place, meet = _meeting(result, alone, rows)
         if int(meet.sum()) < min(FEWEST, len(rows)) or 2 * int(meet.sum()) <= len(rows):
             out = rows[[reasons[i] is not None for i in rows]]
-            if doubted[p] and int(_meeting(result, block, out)[1].sum()) >= len(rows) - len(out):
+            if doubted[p] and int(_meeting(result, alone, out)[1].sum()) >= len(rows) - len(out):
                 found.add(p)
                 for i in rows.tolist():
                     reasons[i] = reasons[i] or Rejection(kind=RejectionKind.BLUNDER_NOT_LOCATED)
@@ -85,11 +87,11 @@ def _outnumbered(result: Adjustment) -> Mask:
 
 
 def _meeting(result: Adjustment, block: Block, rows: Index) -> tuple[Array, Array]:
-    """The place (3,) where most of these rays of one point meet, and which of them (k,)."""
+    """The place (3,) where most of these rays of one point meet, and which of them (k,); of a block without rigs."""
     o, none = block.observations, (np.full(3, np.nan), np.zeros(len(rows), bool))
     if len(rows) < 2:
         return none
-    centre, direction = block.images.centre[o.image[rows]], _directions(block, rows)
+    centre, direction = block.images.centre[o.image[rows]], directions(block, rows)
     P = np.eye(3) - direction[:, :, None] * direction[:, None, :]
     right = np.einsum("nij,nj->ni", P, centre)
     limit = result.critical_tau * max(result.sigma0, 1.0) * np.sqrt(o.cov_px2[rows, :2])
@@ -122,7 +124,7 @@ def _meeting(result: Adjustment, block: Block, rows: Index) -> tuple[Array, Arra
     return best
 
 
-def _directions(block: Block, rows: Index) -> Array:
+def directions(block: Block, rows: Index) -> Array:
     """Unit rays (k, 3) of image observations in object space."""
     o, found = block.observations, np.zeros((len(rows), 3))
     for k, i in enumerate(rows.tolist()):

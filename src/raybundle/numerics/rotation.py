@@ -99,3 +99,15 @@ def nearest_rotation(matrix: Array) -> Array:
     flip = np.ones((*u.shape[:-2], 3))
     flip[..., 2] = np.linalg.det(u @ vt)
     return (u * flip[..., None, :]) @ vt
+
+
+def rotation_between(u: Array, v: Array) -> Array:
+    """The smallest rotation (3, 3) that brings a unit vector u (3,) onto v (3,)."""
+    axis = np.cross(u, v)
+    if np.linalg.norm(axis) < 1e-9:
+        if u @ v > 0:
+            return np.eye(3)
+        across = np.linalg.svd(u[None])[2][1]
+        return 2 * np.outer(across, across) - np.eye(3)
+    angle = np.arctan2(np.linalg.norm(axis), u @ v)
+    return rotation_from_vector((angle * axis / np.linalg.norm(axis))[None])[0]

@@ -20,14 +20,22 @@ LEAST_COMMON = 4
 """Points by which one part is brought onto another."""
 
 
-def onto_control(growth: Growth, before: Mask) -> bool:
+OPEN = 0.02
+"""Share of the largest singular value of a similarity's equations below which a part of it stays open: given points in
+a line that are 50 times as far apart as they are off it"""
+
+
+def onto_control(growth: Growth, before: Mask) -> Literal["determined", "open", "none"]:
     """Bring the images oriented since `before` and their points onto control or observed centres.
 
     Full control points first (robust similarity); else whatever coordinates are given, XY-only and Z-only,
-    by a search over rotations.  False where nothing is given.
+    by a search over rotations.
+
+    open  what is given leaves a part of the similarity open, as two points the turn about them
+    none  nothing is given
     """
     if not growth.local:
-        return True
+        return "determined"
     block = growth.block
     images = growth.oriented & ~before
     mine = _points_of(growth, images)
@@ -43,7 +51,7 @@ def onto_control(growth: Growth, before: Mask) -> bool:
         which.append(np.isfinite(block.stations.xyz[stations]))
     a, b, w = np.concatenate(source), np.concatenate(target), np.concatenate(which)
     if not w.any():
-        return False
+        return "none"
     full = w.all(axis=1)
     transform = None
     if full.sum() >= 3:
@@ -56,7 +64,28 @@ def onto_control(growth: Growth, before: Mask) -> bool:
     if transform is None:
         transform = partial_similarity(a, np.where(w, b, 0.0), w)
     _apply(growth, images, mine, *transform)
-    return True
+    return "open" if _leave_open(b, w) else "determined"
+
+
+def _leave_open(target: Array, given: Mask) -> bool:
+    """Whether single given coordinates (n, 3) of points leave a part of a similarity open."""
+    about = target - np.array([target[given[:, k], k].mean() if given[:, k].any() else 0.0 for k in range(3)])
+    about = np.where(given, about, 0.0)
+    size = float(np.sqrt(np.mean(about**2))) or 1.0
+    A = _by_similarity(1.0, about / size)[given]
+    values = np.linalg.svd(A, compute_uv=False)
+    return len(values) < 7 or float(values[-1]) < OPEN * float(values[0])
+
+
+def _by_similarity(s: float, turned: Array) -> Array:
+    """Partial derivatives (n, 3, 7) of s turned + t by t, a small rotation and s."""
+    A = np.zeros((len(turned), 3, 7))
+    A[:, :, :3] = np.eye(3)
+    A[:, 1, 3], A[:, 2, 3] = -s * turned[:, 2], s * turned[:, 1]
+    A[:, 0, 4], A[:, 2, 4] = s * turned[:, 2], -s * turned[:, 0]
+    A[:, 0, 5], A[:, 1, 5] = -s * turned[:, 1], s * turned[:, 0]
+    A[:, :, 6] = turned
+    return A
 
 
 def onto_points(growth: Growth, before: Mask, placed: Array) -> Literal["joined", "apart", "contradiction"]:
@@ -94,10 +123,10 @@ def block_control(growth: Growth) -> tuple[Array, Mask]:
     return growth.given_xyz, growth.given_control
 
 
-def onto_scale(growth: Growth, before: Mask) -> None:
-    """Without control: scale from a distance between two points of the part, else the first base is 1."""
+def onto_scale(growth: Growth, before: Mask) -> bool:
+    """Without control: scale from a distance between two points of the part, else the first base is 1 (False)."""
     if not growth.local:
-        return
+        return False
     block = growth.block
     images = growth.oriented & ~before
     mine = _points_of(growth, images)
@@ -111,6 +140,7 @@ def onto_scale(growth: Growth, before: Mask) -> None:
     ]
     if factors:
         _apply(growth, images, mine, float(np.median(factors)), np.eye(3), np.zeros(3))
+    return bool(factors)
 
 
 def _apply(growth: Growth, images: Mask, points: Array, scale: float, R: Array, t: Array) -> None:
@@ -146,13 +176,7 @@ def partial_similarity(source: Array, target: Array, given: Mask) -> tuple[float
     def function(at: tuple[float, Array, Array]) -> tuple[Array, Array]:
         s, R, t = at
         turned = (source - middle) @ R.T
-        A = np.zeros((len(source), 3, 7))
-        A[:, :, :3] = np.eye(3)
-        A[:, 1, 3], A[:, 2, 3] = -s * turned[:, 2], s * turned[:, 1]
-        A[:, 0, 4], A[:, 2, 4] = s * turned[:, 2], -s * turned[:, 0]
-        A[:, 0, 5], A[:, 1, 5] = -s * turned[:, 1], s * turned[:, 0]
-        A[:, :, 6] = turned
-        return (s * turned + t - target)[given], A[given]
+        return (s * turned + t - target)[given], _by_similarity(s, turned)[given]
 
     def moved(at: tuple[float, Array, Array], step: Array) -> tuple[float, Array, Array]:
         s, R, t = at

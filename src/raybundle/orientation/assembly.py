@@ -17,9 +17,10 @@ import numpy as np
 
 from raybundle.adjustment.result import Notice
 from raybundle.block import Block
+from raybundle.block.rigs import has_rigs
 from raybundle.block.select import points_left, with_rows
 from raybundle.errors import NoOrientation
-from raybundle.numerics.arrays import Array, Mask
+from raybundle.numerics.arrays import Array, Index, Mask
 from raybundle.numerics.counting import counted
 from raybundle.numerics.progress import Progress, silent
 from raybundle.orientation.absolute import onto_control, onto_points, onto_scale
@@ -54,6 +55,10 @@ class ApproximateValues:
     """(m,) image observations that do not fit the others of their point by far; still in the block"""
     not_oriented: Mapping[str, str]
     """Images without orientation, and why; their observations are still in the block"""
+    system: Index
+    """(n,) coordinate system in which the orientation of an image stands: 0 that of what was given, others free ones"""
+    scaled: frozenset[int]
+    """Coordinate systems whose scale something fixed"""
 
 
 @dataclass(slots=True)
@@ -85,7 +90,17 @@ def possible_values(block: Block, progress: Progress = silent) -> ApproximateVal
     """Fill the orientations and coordinates that can be filled; like `approximate_values`, but without an error.
 
     Images that could not be oriented, and points that only they see, keep what was given, NaN for the most part.
+    Images of rigs are oriented one by one first (`rigs`).
     """
+    if not has_rigs(block):
+        return image_values(block, progress)
+    from raybundle.orientation.rigs import rig_values  # noqa: PLC0415  (which needs the values of single images)
+
+    return rig_values(block, progress)
+
+
+def image_values(block: Block, progress: Progress = silent) -> ApproximateValues:
+    """`possible_values` of images that stand for themselves."""
     observed = np.bincount(block.observations.image, minlength=len(block.images)) > 0
     missing = observed & ~block.images.oriented
     failures = _Failures()
@@ -102,6 +117,8 @@ def possible_values(block: Block, progress: Progress = silent) -> ApproximateVal
         notices=(*constants, *_notices(block, found)),
         outliers=found.outliers,
         not_oriented={ids[i]: failures.reasons.get(int(i), "not connected") for i in left},
+        system=growth.system,
+        scaled=frozenset(growth.scaled),
     )
 
 
@@ -127,6 +144,7 @@ def _oriented(block: Block, missing: Mask, failures: _Failures, progress: Progre
     growth.given = np.all(np.isfinite(block.points.xyz), axis=1)
     growth.given_xyz, growth.given_control = block.points.xyz.copy(), block.points.is_control
     growth.calibrated, growth.remarks = thin.calibrated, thin.remarks
+    growth.system, growth.scaled = thin.system, thin.scaled
     growth.known = np.zeros(len(xyz), bool)
     growth.known[numbers] = thin.known
     if (missing & ~growth.oriented).any():
@@ -266,10 +284,15 @@ def _resect(growth: Growth, image: int, share: float) -> Pose | None:
 
 def _place(growth: Growth, before: Mask, placed: Array, failures: _Failures) -> None:
     """Bring a part that was assembled in a system of its own onto control, stations, other parts or scale."""
-    if growth.local and not onto_control(growth, before):
+    mine = growth.oriented & ~before
+    control = onto_control(growth, before)
+    if control == "open":
+        growth.system[mine] = growth.system.max() + 1
+    if control == "none":
         fit = onto_points(growth, before, placed)
         if fit == "apart":
-            onto_scale(growth, before)
+            growth.system[mine] = growth.system.max() + 1
+            growth.scaled |= {int(growth.system.max())} if onto_scale(growth, before) else set()
         if fit == "contradiction":
             part = growth.oriented & ~before
             growth.give_up(part)
@@ -278,7 +301,17 @@ def _place(growth: Growth, before: Mask, placed: Array, failures: _Failures) -> 
                     f"oriented with {int(part.sum()) - 1} others, but their points contradict those of the other images"
                 )
         if fit == "joined":
+            growth.system[mine] = _system_of(growth, mine, before)
             growth.end_part()
             growth.known |= np.isfinite(placed).all(axis=1)
             growth.adjust(final=True)
     growth.end_part()
+
+
+def _system_of(growth: Growth, images: Mask, before: Mask) -> int:
+    """The coordinate system of the images oriented before that have most points in common with these."""
+    rays = growth.rays
+    seen = np.zeros(len(growth.known), bool)
+    seen[rays.point[images[rays.image]]] = True
+    rows = before[rays.image] & seen[rays.point]
+    return int(np.bincount(growth.system[rays.image[rows]], minlength=1).argmax())

@@ -12,6 +12,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from raybundle.block import Block, Role
+from raybundle.block.rigs import without_rigs
 from raybundle.numerics import large
 from raybundle.numerics.arrays import Array, Index, Mask
 from raybundle.orientation.rays import angular_residuals, intersect_linear, object_rays, rays_of
@@ -56,7 +57,8 @@ def intersected_where_better(block: Block, roles: Sequence[Role] = (Role.TIE, Ro
     rows = np.flatnonzero(block.images.oriented[o.image] & ours[block.images.camera[o.image]] & given[o.point])
     if not len(rows):
         return nothing
-    found = [_beside_rays(block, some) for some in _by_points(rows, o.point[rows])]
+    alone = without_rigs(block)
+    found = [_beside_rays(alone, some) for some in _by_points(rows, o.point[rows])]
     number, xyz, rays, ratio, before, after = (np.concatenate(parts) for parts in zip(*found, strict=True))
     sound: Mask = (rays > 1) & (ratio > NARROW) & (after < np.pi / 2)
     if not sound.any():

@@ -74,6 +74,10 @@ class Growth:
     """`limit` of images, as long as the interior orientations stay"""
     remarks: dict[int, str] = field(default_factory=dict[int, str])
     """Why an image could not serve at the start"""
+    system: Index = field(default_factory=lambda: np.zeros(0, np.int64))
+    """(n,) coordinate system in which the orientation of an image stands: 0 that of what was given, others free ones"""
+    scaled: set[int] = field(default_factory=lambda: {0})
+    """Coordinate systems whose scale something fixed"""
 
     @classmethod
     def of(cls, block: Block, rays: Rays) -> Growth:
@@ -90,6 +94,7 @@ class Growth:
             given_xyz=block.points.xyz.copy(), given_control=block.points.is_control,
             active=block.images.oriented.copy(),
             bad_rows=np.zeros(m, bool), given_up=np.zeros(n, bool), lost=np.zeros(n, np.int64),
+            system=np.zeros(n, np.int64),
             by_image=by_image, by_point=by_point,
             first_of_point=np.searchsorted(rays.point[by_point], np.arange(len(block.points) + 1)),
             seen=np.array([len(rows) > 0 for rows in by_image], bool), cell=_cells(block),

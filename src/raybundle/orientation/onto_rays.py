@@ -15,7 +15,7 @@ from itertools import combinations
 import numpy as np
 
 from raybundle.numerics.arrays import Array, Index, Mask
-from raybundle.numerics.rotation import cross_matrix, rotation_from_vector
+from raybundle.numerics.rotation import cross_matrix, rotation_between, rotation_from_vector
 from raybundle.numerics.rows import rows_of_each
 from raybundle.orientation.candidates import resect_all
 
@@ -111,7 +111,7 @@ def _by_turning(rays: KnownRays, free: Array) -> Iterator[Array]:
         if min(np.linalg.norm(u), np.linalg.norm(v)) < 1e-12 * max(1.0, float(np.abs(rays.target).max())):
             continue
         u, v = u / np.linalg.norm(u), v / np.linalg.norm(v)
-        onto = _between(u, v)
+        onto = rotation_between(u, v)
         for turn in np.arange(TURNS) * (2 * np.pi / TURNS):
             yield rotation_from_vector((turn * v)[None])[0] @ onto
 
@@ -125,18 +125,6 @@ def _all_over() -> Array:
     half = np.stack([x, y, z], axis=1)
     length = np.linalg.norm(half, axis=1, keepdims=True)
     return rotation_from_vector(2 * np.arctan2(length, w[:, None]) * half / length)
-
-
-def _between(u: Array, v: Array) -> Array:
-    """The smallest rotation that brings a unit vector u onto v."""
-    axis = np.cross(u, v)
-    if np.linalg.norm(axis) < 1e-9:
-        if u @ v > 0:
-            return np.eye(3)
-        across = np.linalg.svd(u[None])[2][1]
-        return 2 * np.outer(across, across) - np.eye(3)
-    angle = np.arctan2(np.linalg.norm(axis), u @ v)
-    return rotation_from_vector((angle * axis / np.linalg.norm(axis))[None])[0]
 
 
 def _placed(rays: KnownRays, R: Array, use: Mask | None = None) -> OntoRays | None:

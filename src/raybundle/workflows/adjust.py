@@ -24,6 +24,7 @@ from raybundle.adjustment.variance_groups import by_groups
 from raybundle.block import Block, Role
 from raybundle.block.points import automatic
 from raybundle.block.rejection import RejectionKind, known_wrong
+from raybundle.block.rigs import with_shared_orientation
 from raybundle.calibration.given import calibration_notices, held_notices
 from raybundle.errors import DatumDefect, InputError, NoConvergence, NoOrientation, NotSolvable, RankDefect
 from raybundle.numerics.arrays import Array, Index, Mask
@@ -278,7 +279,7 @@ def _adjusted(block: Block, options: AdjustmentOptions, progress: Progress) -> A
 
 
 def _adjust(block: Block, options: AdjustmentOptions, progress: Progress) -> Adjustment:
-    block = with_scene_points(block)
+    block = with_shared_orientation(with_scene_points(block))
     observed = np.bincount(block.observations.image, minlength=len(block.images)) > 0
     own = bool(block.images.oriented[observed].any() or _given_ties(block).any())
     afresh = own and _held(block) == 0

@@ -13,9 +13,9 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from raybundle.block import Block, Camera
+from raybundle.block.rigs import is_mounted, without_rigs
 from raybundle.numerics.arrays import Array, Mask
 from raybundle.platforms import Carried, Platform
-from raybundle.platforms.rig import ANGLES, OFFSET, orientation_of
 from raybundle.platforms.station import sensor_from_object
 from raybundle.sensors import SensorModel
 
@@ -30,10 +30,13 @@ class _Unloaded:
 
 def at_one_instant(block: Block) -> tuple[Block, tuple[str, ...]]:
     """The block without platforms, and remarks; the same block where no sensor stands on one."""
+    mounted = [c.id for c in block.cameras if is_mounted(c)]
+    block = without_rigs(block) if mounted else block
     loads = [_unloaded(c.sensor) for c in block.cameras]
+    on_rigs = (f"cameras on a rig stand for themselves, each where it was: {', '.join(mounted)}",) if mounted else ()
     if not any(u.platforms for u in loads):
-        return block, ()
-    centre, rotation, xy = block.images.centre.copy(), block.images.rotation.copy(), block.observations.xy_px.copy()
+        return block, on_rigs
+    xy = block.observations.xy_px.copy()
     interior = {k: dict(v) for k, v in block.images.interior.items()}
     cameras, largest = list(block.cameras), dict[str, float]()
     for k, unloaded in enumerate(loads):
@@ -42,9 +45,6 @@ def at_one_instant(block: Block) -> tuple[Block, tuple[str, ...]]:
             continue
         for i in np.flatnonzero(block.images.camera == k).tolist():
             values = {**camera.values, **interior.get(i, {})}
-            if any(p.name == "mounted" for p in unloaded.platforms) and block.images.oriented[i]:
-                mounting = {s: float(values.get(s, 0.0)) for s in (*OFFSET, *ANGLES)}
-                centre[i], rotation[i] = orientation_of(block.images.centre[i], block.images.rotation[i], mounting)
             moved, rows = _moved(block, i, replace(camera, values=values), unloaded)
             if len(rows):
                 xy[rows] += moved
@@ -57,13 +57,9 @@ def at_one_instant(block: Block) -> tuple[Block, tuple[str, ...]]:
         f"{size:.2g} px to where they would be had all rows been read at one instant; the photographs are as they are"
         for name, size in largest.items()
     ]
-    rigs = [c.id for c, u in zip(block.cameras, loads, strict=True) if any(p.name == "mounted" for p in u.platforms)]
-    remarks += [f"cameras on a rig stand for themselves, each where it was: {', '.join(rigs)}"] if rigs else []
-    images = replace(
-        block.images, centre=centre, rotation=rotation, station=None, interior={k: v for k, v in interior.items() if v}
-    )
+    images = replace(block.images, station=None, interior={k: v for k, v in interior.items() if v})
     observations = replace(block.observations, xy_px=xy)
-    return replace(block, cameras=tuple(cameras), images=images, observations=observations), tuple(remarks)
+    return replace(block, cameras=tuple(cameras), images=images, observations=observations), (*remarks, *on_rigs)
 
 
 def _unloaded(sensor: SensorModel) -> _Unloaded:
