@@ -33,23 +33,26 @@ RIGS = {
     ),
 }
 """Camera constant [mm] and the mountings of the other cameras in the frame of the first"""
-LEAST = 12
-"""Points that a station has in common with others"""
+LEAST = 8
+"""Points that two stations have in common which hang together"""
 
 
 def rig_block(
     kind: str, seed: int, *, stations: int = 12, points: int = 160, sigma_px: float = 0.5, control: int = 6,
     free: tuple[str, ...] = MOUNTING, noise: bool = True,
+    turn: float = np.pi,
 ) -> Block:  # fmt: skip
     """A rig in a room of 6 x 5 x 3 m with points on its walls; image points with errors, all else at true values.
 
-    Drawn again where a station has fewer than `LEAST` points in common with others, which would not determine it.
+    turn  largest heading of a station [rad]
+
+    Drawn again where stations do not hang together by pairs with `LEAST` points in common.
     """
     how = {"stations": stations, "points": points, "sigma_px": sigma_px, "control": control, "free": free}
-    for attempt in range(20):
+    for attempt in range(500):
         rng = np.random.default_rng([7, seed, attempt])
-        block = _drawn(kind, rng, **how)
-        if _fewest_common(block) >= LEAST:
+        block = _drawn(kind, rng, turn=turn, **how)
+        if _hangs_together(block):
             break
     if not noise:
         return block
@@ -62,17 +65,16 @@ def rig_block(
     )
 
 
-def _fewest_common(block: Block) -> int:
-    """Points that the station with the fewest of them has in common with other stations."""
+def _hangs_together(block: Block) -> bool:
+    """Whether every station is reached from the first one over pairs with `LEAST` points in common."""
     o, station = block.observations, block.images.station
-    pairs = np.unique(np.stack([station[o.image], o.point]), axis=1)
-    shared = np.bincount(pairs[1], minlength=len(block.points)) > 1
-    return int(np.bincount(pairs[0][shared[pairs[1]]], minlength=int(station.max()) + 1).min())
+    seen = np.zeros((int(station.max()) + 1, len(block.points)), int)
+    seen[station[o.image], o.point] = 1
+    near = seen @ seen.T >= LEAST
+    return bool((np.linalg.matrix_power(near.astype(float), len(near))[0] > 0).all())
 
 
-def _drawn(
-    kind: str, rng, *, stations: int, points: int, sigma_px: float, control: int, free: tuple[str, ...]
-) -> Block:
+def _drawn(kind: str, rng, *, stations: int, points: int, sigma_px: float, control: int, free, turn: float) -> Block:
     """The block without errors."""
     xyz = rng.uniform(0, 1, (points, 3)) * ROOM
     side = rng.integers(0, 3, points)
@@ -98,7 +100,7 @@ def _drawn(
     cameras = [first, *others]
     n, m = len(cameras), stations
     centre = ROOM * [0.5, 0.5, 0.5] + rng.uniform(-1, 1, (m, 3)) * [1.6, 1.2, 0.5]
-    heading = np.column_stack([rng.normal(0, 0.15, m), rng.normal(0, 0.15, m), rng.uniform(-np.pi, np.pi, m)])
+    heading = np.column_stack([rng.normal(0, 0.15, m), rng.normal(0, 0.15, m), rng.uniform(-turn, turn, m)])
     rotation = UPRIGHT @ rotation_from_vector(heading)
     block = block_of(
         cameras, np.tile(np.arange(n), m), np.repeat(centre, n, axis=0), np.repeat(rotation, n, axis=0), xyz,

@@ -13,8 +13,8 @@ from raybundle.observations.parameter import Calibrated
 from raybundle.platforms import Carried
 from raybundle.platforms.rig import ANGLES, OFFSET, orientation_of
 
-MOUNTING = (*OFFSET, *ANGLES)
-NONE = dict.fromkeys(MOUNTING, 0.0)
+MOUNTING: tuple[str, ...] = (*OFFSET, *ANGLES)
+NONE: dict[str, float] = dict.fromkeys(MOUNTING, 0.0)
 """The mounting of a camera that defines the frame of its rig"""
 
 

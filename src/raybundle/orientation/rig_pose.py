@@ -21,7 +21,9 @@ WITHIN = 3.0
 TRIPLES = 400
 """Triples of rays of a station that are solved: of 30 % right ones one is right with 1 - 2e-5."""
 FEWEST = 4
-"""Rays that a station needs; three leave up to eight poses."""
+"""Rays that a mounting needs, which the other rays of the camera judge as well; three leave up to four."""
+LEAST = 6
+"""Rays that a station needs: three leave up to eight poses, of 400 triples one may fit a fourth by chance."""
 HALF = 0.5
 """Share of the rays that must fit"""
 STEPS = 15
@@ -81,7 +83,7 @@ def resected_station(rays: StationRays) -> tuple[Array, Array] | None:
     import poselib  # noqa: PLC0415
 
     count = len(rays.xyz)
-    if count < FEWEST:
+    if count < LEAST:
         return None
     rng = np.random.default_rng(0)
     triples = list(combinations(range(count), 3)) if count <= 12 else []
@@ -102,7 +104,7 @@ def resected_station(rays: StationRays) -> tuple[Array, Array] | None:
         return None
     R, centre = refined_station(rays, nearest_rotation(best[1]), best[2])
     fits = rays.angles(R, centre) < rays.limit
-    return (R, centre) if fits.sum() >= max(FEWEST, HALF * count) else None
+    return (R, centre) if fits.sum() >= max(LEAST, HALF * count) else None
 
 
 def refined_station(rays: StationRays, rotation: Array, centre: Array) -> tuple[Array, Array]:
@@ -204,7 +206,7 @@ def _turned_alike(commons: Sequence[Common]) -> Array | None:
     turns = list[tuple[Array, Array]]()
     for common in commons:
         R, Q = common.rotation, common.other_rotation
-        pairs = np.array(list(combinations(range(len(R)), 2))).reshape(-1, 2)
+        pairs = np.array(list(combinations(range(len(R)), 2)), int).reshape(-1, 2)
         if len(pairs) > 3 * CANDIDATES:
             pairs = pairs[np.random.default_rng(0).choice(len(pairs), 3 * CANDIDATES, replace=False)]
         i, j = pairs.T
