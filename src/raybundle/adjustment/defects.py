@@ -130,10 +130,8 @@ def check_images(block: Block, rejected: Mask, free: dict[str, tuple[str, ...]])
             own += len(free.get(camera.id, ())) if camera.interior == "per_image" else 0
         if counts[s] and 2 * counts[s] < own:
             names = [block.images.ids[i] for i in mine]
-            words = f"{counted(int(counts[s]), 'image point')} for {counted(own, 'unknown')}"
-            bad.append(
-                f"{names[0]} ({words})" if len(names) == 1 else f"{' and '.join(names)} of one station ({words})"
-            )
+            who = names[0] if len(names) == 1 else f"{' and '.join(names)} of one station"
+            bad.append(f"{who} ({counted(int(counts[s]), 'image point')} for {counted(own, 'unknown')})")
             lost += [Undetermined(kind="image", name=n) for n in names]
     if bad:
         raise RankDefect(

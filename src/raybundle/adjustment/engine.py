@@ -167,6 +167,8 @@ def _with_settled_components(
 
 NEARBY = 25
 """Steps from an adjustment to that with other weights; where they do not end, one step of the components has to do."""
+RETURNS = 2
+"""Times that a point behind its cameras is placed before them: while the block is bent, and once it is not."""
 UNENDING = 0.05
 """Steps, in standard deviations, that do not end but are so short that the standard deviations can be stated.
 
@@ -189,7 +191,7 @@ def carry_out(
     work = _estimate(block, options, free, mask, start, progress)
     defects.check_scatter(work.system, work.normals.residuals(work.solution.state)[0])
     given: Mask = mask
-    returned: Mask = np.asarray(block.points.is_control.any(axis=1))
+    returned = np.where(block.points.is_control.any(axis=1), RETURNS, 0)
     for _ in range(5):
         behind, diverging = _lost(work)
         gone = (mask & ~given) | _of_rows(block, work.system.rows[behind | diverging])
@@ -245,19 +247,19 @@ def _of_rows(block: Block, rows: Array) -> Mask:
 
 
 def _with_points_before(
-    work: Work, gone: Mask, given: Mask, returned: Mask, options: AdjustmentOptions
+    work: Work, gone: Mask, given: Mask, returned: Array, options: AdjustmentOptions
 ) -> tuple[Block, Mask]:
     """The block with a solution and points that are lost or left it where their rays meet, and their observations (m,).
 
     gone      (m,) image observations behind their cameras, at infinity, or rejected for that before
     given     (m,) those that take no part in any case
-    returned  (p,) points that stay as they are; those whose rays meet are among them from now on
+    returned  (p,) how often a point was placed where its rays meet; those that are now are counted
     The rays of a point meet where all residuals are within the critical value of data snooping at the sigma0 there is.
     """
     system, solution, o = work.system, work.solution, work.system.block.observations
     asked = np.zeros(len(returned), bool)
     asked[o.point[gone]] = True
-    asked &= ~returned
+    asked &= returned < RETURNS
     back = np.zeros(len(o), bool)
     if not asked.any():
         return system.block, back
@@ -266,7 +268,7 @@ def _with_points_before(
     near = adjusted_block(system, solution.state)
     points, places = meeting_before_cameras(near, np.flatnonzero(asked[o.point] & ~given), float(limit))
     back[np.isin(o.point, points)] = True
-    returned[points] = True
+    returned[points] += 1
     xyz = near.points.xyz.copy()
     xyz[points] = places
     return replace(near, points=replace(near.points, xyz=xyz)), back & ~given
