@@ -127,8 +127,9 @@ def _meeting(result: Adjustment, block: Block, rows: Index) -> tuple[Array, Arra
 def directions(block: Block, rows: Index) -> Array:
     """Unit rays (k, 3) of image observations in object space."""
     o, found = block.observations, np.zeros((len(rows), 3))
-    for k, i in enumerate(rows.tolist()):
-        camera = block.camera_of(int(o.image[i]))
-        ray = camera.sensor.ray(camera.image_from_pixel(o.xy_px[i][None]).T, camera.parameters)[:, 0]
-        found[k] = block.images.rotation[o.image[i]].T @ ray
+    for i in np.unique(o.image[rows]).tolist():
+        mine = np.flatnonzero(o.image[rows] == i)
+        camera = block.camera_of(i)
+        rays = camera.sensor.ray(camera.image_from_pixel(o.xy_px[rows[mine]]).T, camera.parameters)
+        found[mine] = rays.T @ block.images.rotation[i]
     return found
