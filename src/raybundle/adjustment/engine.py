@@ -190,27 +190,7 @@ def carry_out(
     defects.check_images(block, mask, free)
     work = _estimate(block, options, free, mask, start, progress)
     defects.check_scatter(work.system, work.normals.residuals(work.solution.state)[0])
-    given: Mask = mask
-    returned = np.where(block.points.is_control.any(axis=1), RETURNS, 0)
-    for _ in range(5):
-        behind, diverging = _lost(work)
-        gone = (mask & ~given) | _of_rows(block, work.system.rows[behind | diverging])
-        near, back = _with_points_before(work, gone, given, returned, options)
-        if back.any():
-            reasons = tuple(None if again else r for r, again in zip(reasons, back.tolist(), strict=True))
-            mask = mask & ~back
-            work = _estimate(block, options, free, mask, "approximate", progress, near)
-            behind, diverging = _lost(work)
-        if not (behind | diverging).any():
-            break
-        new, rows = list(reasons), work.system.rows
-        for i in rows[diverging]:
-            new[i] = Rejection(kind=RejectionKind.RAYS_DIVERGE)
-        for i in rows[behind]:
-            new[i] = Rejection(kind=RejectionKind.BEHIND_CAMERA)
-        reasons, mask = reject_single_rays(block, tuple(new), np.array([bool(r) for r in new], bool))
-        defects.check_images(block, mask, free)
-        work = _estimate(block, options, free, mask, start, progress)
+    work, reasons = _without_lost(work, block, options, free, reasons, mask, start, progress)
     weak = not work.solution.step < UNENDING or defects.without_base(work.system, work.solution.state)
     # an iteration that creeps off with all points ends anywhere
     share = defects.NO_BASE if not work.solution.converged and weak else defects.NOWHERE
@@ -229,6 +209,40 @@ def carry_out(
         progress("statistics", 0.0)
         work.found = cofactors(work.normals, work.state, work.datum)
         progress("statistics", 1.0)
+    return work, reasons
+
+
+def _without_lost(
+    work: Work, block: Block, options: AdjustmentOptions, free: dict[str, tuple[str, ...]], reasons: Rejections,
+    mask: Mask, start: Start, progress: Progress,
+) -> tuple[Work, Rejections]:  # fmt: skip
+    """The solution without observations whose point is behind the camera or at infinity, and their rejections.
+
+    Points whose rays meet before the cameras are placed there first, also those that left while the block was bent.
+    """
+    given: Mask = mask
+    returned = np.where(block.points.is_control.any(axis=1), RETURNS, 0)
+    for _ in range(5):
+        behind, diverging = _lost(work)
+        gone = (mask & ~given) | _of_rows(block, work.system.rows[behind | diverging])
+        near, back = _with_points_before(work, gone, given, returned, options)
+        if back.any():
+            reasons = tuple(None if again else r for r, again in zip(reasons, back.tolist(), strict=True))
+            mask = mask & ~back
+            work = _estimate(block, options, free, mask, "approximate", progress, near)
+            behind, diverging = _lost(work)
+        if not (behind | diverging).any():
+            if back.any():  # others may meet now
+                continue
+            break
+        new, rows = list(reasons), work.system.rows
+        for i in rows[diverging]:
+            new[i] = Rejection(kind=RejectionKind.RAYS_DIVERGE)
+        for i in rows[behind]:
+            new[i] = Rejection(kind=RejectionKind.BEHIND_CAMERA)
+        reasons, mask = reject_single_rays(block, tuple(new), np.array([bool(r) for r in new], bool))
+        defects.check_images(block, mask, free)
+        work = _estimate(block, options, free, mask, start, progress)
     return work, reasons
 
 
