@@ -75,7 +75,8 @@ def blocks(draw, elements=None):
     )
     return Block(
         name=draw(name), about=draw(st.text(max_size=20)), source=draw(name), licence=draw(name),
-        length_unit=draw(st.sampled_from(["m", "mm"])), free_scale=draw(st.booleans()), sigma0_apriori=draw(number),
+        length_unit=draw(st.sampled_from(["m", "mm"])), free_scale=draw(st.booleans()),
+        nominal_scale=draw(st.booleans()), sigma0_apriori=draw(number),
         residuals=draw(st.sampled_from(["measured", "corrected"])),
         noise=draw(st.sampled_from(["", "white", "fields"])), datum_over=draw(st.sampled_from(["", "all", "good"])),
         rejected=tuple(draw(st.lists(st.tuples(name, name), max_size=2))), cameras=cameras, instruments=instruments,
