@@ -14,6 +14,9 @@ from raybundle.block import Block
 from raybundle.block.rigs import without_rigs
 from raybundle.numerics.arrays import Array, Index
 
+ROUNDS = 4
+"""Intersections with the distances from the cameras that the one before gave"""
+
 
 def meeting_before_cameras(adjusted: Block, rows: Index, limit: float) -> tuple[Index, Array]:
     """Points (k,) and their places (k, 3) where all of their rays meet before the cameras.
@@ -21,19 +24,25 @@ def meeting_before_cameras(adjusted: Block, rows: Index, limit: float) -> tuple[
     adjusted  the block with a solution
     rows      (m,) all image observations that take part of the points that are asked for
     limit     largest residual of an image coordinate, in standard deviations
+
+    Squares of distances from the rays, in units of the distances from the cameras: of a camera near by, too, the angle
+    counts.
     """
     alone, o = without_rigs(adjusted), adjusted.observations
     rows = rows[np.argsort(o.point[rows], kind="stable")]
     points, index = np.unique(o.point[rows], return_inverse=True)
     centre, direction = alone.images.centre[o.image[rows]], directions(alone, rows)
     P = np.eye(3) - direction[:, :, None] * direction[:, None, :]
-    N, b = np.zeros((len(points), 3, 3)), np.zeros((len(points), 3))
-    np.add.at(N, index, P)
-    np.add.at(b, index, np.einsum("nij,nj->ni", P, centre))
-    values = np.linalg.eigvalsh(N)
-    known = values[:, 0] > np.finfo(float).eps * values[:, 2]
-    xyz = np.full((len(points), 3), np.nan)
-    xyz[known] = np.linalg.solve(N[known], b[known][:, :, None])[:, :, 0]
+    weight, xyz, known = np.ones(len(rows)), np.full((len(points), 3), np.nan), np.zeros(len(points), bool)
+    for _ in range(ROUNDS):
+        N, b = np.zeros((len(points), 3, 3)), np.zeros((len(points), 3))
+        np.add.at(N, index, weight[:, None, None] * P)
+        np.add.at(b, index, weight[:, None] * np.einsum("nij,nj->ni", P, centre))
+        values = np.linalg.eigvalsh(N)
+        known = values[:, 0] > np.finfo(float).eps * values[:, 2]
+        xyz[known] = np.linalg.solve(N[known], b[known][:, :, None])[:, :, 0]
+        square = np.einsum("ni,ni->n", xyz[index] - centre, xyz[index] - centre)
+        weight = np.where(known[index], 1 / np.maximum(square, np.finfo(float).tiny), 1.0)
     ahead = np.einsum("ni,ni->n", xyz[index] - centre, direction) > 0
     with np.errstate(all="ignore"):
         v = np.nan_to_num(residuals_px(alone, rows, xyz[index]), nan=np.inf) / np.sqrt(o.cov_px2[rows, :2])
