@@ -47,7 +47,7 @@ def folder(adjustment, tmp_path):
 
 HEADERS = {
     "images": "image,camera,file,X,Y,Z,omega_deg,phi_deg,kappa_deg,sX,sY,sZ,somega_deg,sphi_deg,skappa_deg",
-    "points": "point,role,X,Y,Z,sX,sY,sZ,rays",
+    "points": "point,role,X,Y,Z,sX,sY,sZ,rays,window,roughness",
     "observations": ("image,point,x_px,y_px,sx_px,sy_px,vx_px,vy_px,rx,ry,wx,wy,tx,ty,mdbx_px,mdby_px,rejected"),
     "control": "point,X,Y,Z,sX,sY,sZ,vX,vY,vZ,rX,rY,rZ,wX,wY,wZ",
     "check": "point,X,Y,Z,dX,dY,dZ,sX,sY,sZ",
