@@ -243,6 +243,14 @@ def _without_lost(
         reasons, mask = reject_single_rays(block, tuple(new), np.array([bool(r) for r in new], bool))
         defects.check_images(block, mask, free)
         work = _estimate(block, options, free, mask, start, progress)
+    # those that were placed in vain while the block was bent
+    returned = np.where(block.points.is_control.any(axis=1), RETURNS, 0)
+    near, back = _with_points_before(work, mask & ~given, given, returned, options)
+    if back.any():
+        last = _estimate(block, options, free, mask & ~back, "approximate", progress, near)
+        if not np.any(_lost(last)):
+            work = last
+            reasons = tuple(None if again else r for r, again in zip(reasons, back.tolist(), strict=True))
     return work, reasons
 
 
