@@ -356,7 +356,7 @@ struct Window {
   double total;
 };
 
-// What the residuals e of a match tell of displacements of its parts: grey^2, displacements in the target.
+// What the residuals e of a match show of displacements of its parts: grey^2, displacements in the target.
 static void judge(const Window& o, int side, const double* e, double square, double contrast, double mean, const double* B,
                   double* found) {
   double b[kParts * kParts][2] = {}, t[3] = {};

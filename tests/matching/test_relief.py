@@ -16,7 +16,7 @@ OPTIONS = WindowOptions(half=5, sigma=3.0, step=0.01, reach=2.5)
 
 
 def pair(displaced, noise=150.0):
-    """Two photographs of one texture, the second displaced along x by what a function of places says [px]."""
+    """Two photographs of one texture, the second displaced along x by a function of places [px]."""
     texture, rng = Texture(3), np.random.default_rng(1)
     x, y = np.meshgrid(np.arange(SIZE) + 0.5, np.arange(SIZE) + 0.5)
     pictures = []

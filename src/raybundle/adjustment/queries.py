@@ -16,6 +16,7 @@ from raybundle.adjustment.extra import Part
 from raybundle.adjustment.noise import spread_in_datum
 from raybundle.adjustment.normals import Normals
 from raybundle.adjustment.precision import angle_form, image_unknowns, interior_unknowns, precision
+from raybundle.adjustment.roughness import widened
 from raybundle.adjustment.transformation import Transformation, transformation
 from raybundle.adjustment.work import Work
 from raybundle.errors import InputError
@@ -193,10 +194,7 @@ def precision_in_datum(result: Adjustment, datum_points: tuple[str, ...]) -> Pre
         points = change.apply_own(work.found.points_minimal)
         found = replace(work.found, transformation=change, points=points)
     changed = precision(work.normals, state, found, _variance(result))
-    if rough is None:
-        return changed
-    wider = changed.object_points + rough[:, :, None] * rough[:, None, :]
-    return replace(changed, object_points=wider, roughness=rough)
+    return changed if rough is None else widened(changed, rough)
 
 
 def _work(result: Adjustment) -> tuple[Work, State]:

@@ -23,6 +23,7 @@ import numpy as np
 
 from raybundle.adjustment.result import Adjustment, Precision
 from raybundle.block import Role
+from raybundle.block.rigs import without_rigs
 from raybundle.numerics.arrays import Array, Mask
 
 FACTOR, BY_MISFIT, BY_RELIEF, BY_RESIDUALS = 1.3, 1.7, 1.35, 0.85
@@ -47,12 +48,18 @@ def with_roughness(result: Adjustment) -> Adjustment:
     if not known.any():
         return result
     d, C = direction[known], precision.object_points[known]
-    factor = _factor(points.xyz[known], points.misfit[known], points.relief[known], _residual_ratio(result)[known])
+    exponents = np.array([BY_MISFIT, BY_RELIEF, BY_RESIDUALS])
+    factor = FACTOR * np.exp(terms(result, known) @ exponents)
     along = np.maximum(np.einsum("pi,pij,pj->p", d, C, d), 0.0)
     roughness = np.zeros((len(points), 3))
     roughness[known] = np.minimum(np.sqrt(factor * along), HIGHEST * points.window[known])[:, None] * d
+    return replace(result, precision=widened(precision, roughness))
+
+
+def widened(precision: Precision, roughness: Array) -> Precision:
+    """The precision with what relief adds to the variances of points: vectors (p, 3) along their mean rays."""
     wider = precision.object_points + roughness[:, :, None] * roughness[:, None, :]
-    return replace(result, precision=replace(precision, object_points=wider, roughness=roughness))
+    return replace(precision, object_points=wider, roughness=roughness)
 
 
 def doubled(precision: Precision | None) -> tuple[int, int]:
@@ -70,17 +77,21 @@ def doubled(precision: Precision | None) -> tuple[int, int]:
     return int((whole > 4 * (whole - square)).sum()), len(r)
 
 
-def _factor(xyz: Array, misfit: Array, relief: Array, residuals: Array) -> Array:
-    """(k,) variances over those without relief."""
+def terms(result: Adjustment, known: Mask) -> Array:
+    """(k, 3) logarithms of M, S and T of the points of a mask (p,) of which misfit and relief are known."""
     from scipy.spatial import KDTree  # noqa: PLC0415
 
+    points = result.adjusted.points
+    assert points.misfit is not None
+    assert points.relief is not None
+    xyz = points.xyz[known]
     near = KDTree(xyz).query(xyz, k=min(NEIGHBOURS, len(xyz)))[1].reshape(len(xyz), -1)
-    terms = (
-        np.log(np.maximum(misfit - 1, LEAST_MISFIT)),
-        np.log(np.maximum(1 - 1 / np.maximum(relief, 1), LEAST_SHARE)),
+    own = (
+        np.log(np.maximum(points.misfit[known] - 1, LEAST_MISFIT)),
+        np.log(np.maximum(1 - 1 / np.maximum(points.relief[known], 1), LEAST_SHARE)),
     )
-    misfit, share = (np.maximum(t, np.median(t[near], axis=1)) for t in terms)
-    return FACTOR * np.exp(BY_MISFIT * misfit + BY_RELIEF * share + BY_RESIDUALS * np.log(residuals))
+    of_places = [np.maximum(t, np.median(t[near], axis=1)) for t in own]
+    return np.stack([*of_places, np.log(_residual_ratio(result)[known])], axis=1)
 
 
 def _residual_ratio(result: Adjustment) -> Array:
@@ -90,14 +101,13 @@ def _residual_ratio(result: Adjustment) -> Array:
     sigma2 = o.cov_px2[rows, :2] * result.variance_factor
     square = (s.residuals_px[rows] ** 2 / sigma2).sum(axis=1)
     redundancy = np.nan_to_num(s.redundancy[rows].sum(axis=1))
-    sums = (np.bincount(o.point[rows], np.nan_to_num(w), count) for w in (square, redundancy))
-    squares, redundancies = sums
+    squares, redundancies = (np.bincount(o.point[rows], np.nan_to_num(w), count) for w in (square, redundancy))
     return (squares + 1) / (redundancies + 1)
 
 
 def _mean_rays(result: Adjustment) -> tuple[Array, Mask]:
     """(p, 3) mean unit direction from each point to its projection centres, and for which points there is one."""
-    block, o = result.adjusted, result.given.observations
+    block, o = without_rigs(result.adjusted), result.given.observations
     rows = np.flatnonzero(result.image_observations.used)
     ray = block.images.centre[o.image[rows]] - block.points.xyz[o.point[rows]]
     ray = ray / np.linalg.norm(ray, axis=1, keepdims=True)

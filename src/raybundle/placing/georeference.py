@@ -171,31 +171,33 @@ def place_notice(frame: LocalFrame, given: Given) -> Notice:
 
 def _drop_wrong_control(state: Placing, free: Array, given: Given, frame: LocalFrame | None) -> None:
     """Take all control out where its columns or axes are misread, or else misread points of it."""
-    state.block, told = control_as_read(state.block, free, given.control, None if frame is None else frame.undulation_m)
-    state.notices += told
-    if told:
+    state.block, found = control_as_read(
+        state.block, free, given.control, None if frame is None else frame.undulation_m
+    )
+    state.notices += found
+    if found:
         return
     mirrored = mirrored_notices(state.block, free)
     state.notices += mirrored
     if mirrored:
         state.block = without_control(state.block)
         return
-    state.block, told = without_misread_control(state.block, free, units=frame is None)
-    state.notices += told
+    state.block, found = without_misread_control(state.block, free, units=frame is None)
+    state.notices += found
 
 
 def _likely_positions(state: Placing, photos: Sequence[Photo], frame: LocalFrame) -> Positions:
     """The positions that photographs state, without those that are misread."""
     positions = positions_of(photos, state.block.images.oriented, frame)
-    positions, told = positions_as_read(state.block, photos, positions)
-    if told:
-        state.notices += told
+    positions, found = positions_as_read(state.block, photos, positions)
+    if found:
+        state.notices += found
         return positions
-    positions, told = without_exchanged_positions(state.block, positions)
-    state.notices += told
-    if not told:
-        positions, told = without_wrong_positions(state.block, positions)
-        state.notices += told
+    positions, found = without_exchanged_positions(state.block, positions)
+    state.notices += found
+    if not found:
+        positions, found = without_wrong_positions(state.block, positions)
+        state.notices += found
     return positions
 
 

@@ -1,4 +1,4 @@
-"""What the residuals of matched windows tell of relief within them: two figures of each tie point.
+"""What the residuals of matched windows show of relief within them: two figures of each tie point.
 
 A window that is plane leaves the noise of its grey values.  Relief displaces parts of it along the parallax, and the
 residuals grow: by how much is the misfit.  So do occlusions, reflections, blur that differs; but these displace parts

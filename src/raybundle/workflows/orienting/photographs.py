@@ -57,13 +57,13 @@ def search(given: Inputs, means: Means) -> Searched:
     frame = None
     notices: tuple[Notice, ...] = ()
     if given.positions is not None:
-        placed, told = with_positions(found.photos, given.positions, given.crs)
+        placed, notes = with_positions(found.photos, given.positions, given.crs)
         fault, exchanged = distant_positions(found.photos, given.positions, given.crs)
         notices = () if fault is None else (fault,)
         if not exchanged:
             frame = frame_of_positions(found.photos, given.positions, given.crs)
             later = () if frame is None else frame.remarks  # stated with the place of the block
-            found = replace(found, photos=placed, remarks=(*found.remarks, *(r for r in told if r not in later)))
+            found = replace(found, photos=placed, remarks=(*found.remarks, *(r for r in notes if r not in later)))
     check_number(
         given.paths, found.photos, len(scenes.scenes), (*_refused(found), *scenes.refused), found.remarks
     )  # fmt: skip

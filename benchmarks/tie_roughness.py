@@ -1,0 +1,96 @@
+"""The constants by which relief within the windows widens tie points, fitted to rendered sets.
+
+    python benchmarks/tie_roughness.py FOLDER=PROJECT [FOLDER=PROJECT ...]
+
+FOLDER is what tools/render.py wrote, PROJECT that of `raybundle orient FOLDER/photos --control FOLDER/control.csv
+--mark-sigma 0.05 --no-library --out PROJECT`.  Those of `raybundle.adjustment.roughness` are of three sets:
+terrain --seed 1 --photographs 12 --width 1600 --quality 93;
+terrain --seed 12 --photographs 9 --width 1600 --gsd 0.004 --quality 80 --camera B;
+terrain --seed 13 --photographs 9 --width 1600 --gsd 0.001 --quality 95 --subsampling 4:4:4 --blur 0.8.
+Student's likelihood of the errors along the normal; a class of n points of a set weighs as the root of n.  Prints JSON.
+"""
+
+import json
+import sys
+from dataclasses import replace
+from pathlib import Path
+
+import numpy as np
+from scipy.optimize import minimize
+
+from raybundle.adjustment.engine import adjust_block
+from raybundle.adjustment.options import AdjustmentOptions
+from raybundle.adjustment.roughness import BY_MISFIT, BY_RELIEF, BY_RESIDUALS, FACTOR, terms
+from raybundle.block import Role
+from raybundle.io.block.folder import read_block
+
+sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "tools"))
+from renderer.classes import NAMES
+from renderer.judging import robust_chi_square
+from renderer.truth import read_surface
+
+HALF_PX = 6.0
+FREEDOM = 3
+FEWEST = 20
+
+
+def points_of(folder, project):
+    """Terms (n, 4), variances without relief, errors along the normal and classes of the tie points of a set."""
+    block = read_block(project / "result/block")
+    plain = replace(block, points=replace(block.points, window=None))  # without it nothing is added
+    result = adjust_block(plain, AdjustmentOptions(noise="fields", datum="control"))
+    p = result.adjusted.points
+    variance = np.diagonal(result.precision.object_points, axis1=1, axis2=2)
+    known = np.isfinite(p.misfit) & np.isfinite(p.relief) & np.isfinite(variance).all(axis=1)
+    known &= np.asarray(p.role) == Role.TIE
+    surface = read_surface(folder)
+    xyz, half = p.xyz[known], HALF_PX * surface.gsd
+    normal = surface.window_planes(xyz, half)[1]
+    square = np.einsum("pi,pij,pj->p", normal, result.precision.object_points[known], normal)
+    there = surface.in_core(xyz)
+    error = np.full(len(xyz), np.nan)
+    error[there] = surface.distances(xyz[there], normal[there])
+    there &= np.isfinite(error)
+    logs = np.column_stack([np.ones(len(xyz)), terms(result, known)])
+    return logs[there], square[there], error[there], surface.classes_at(xyz, half)[there]
+
+
+def weights(classes):
+    """(n,) so that a class counts as the root of its points."""
+    found = np.zeros(len(classes))
+    for k, n in zip(*np.unique(classes, return_counts=True), strict=True):
+        found[classes == k] = n**-0.5 if n > FEWEST else 0.0
+    return found
+
+
+def main():
+    """Fit, and print the constants beside those in use."""
+    given = [tuple(map(Path, a.split("="))) for a in sys.argv[1:]]
+    sets = [points_of(*pair) for pair in given]
+
+    def unlikely(b):
+        total = 0.0
+        for logs, square, error, classes in sets:
+            v = square * (1 + np.exp(np.clip(logs @ b, -40, 30)))
+            each = np.log(v / square) / 2 + (FREEDOM + 1) / 2 * np.log1p(error**2 / v / FREEDOM)
+            total += weights(classes) @ each
+        return total
+
+    used = np.array([np.log(FACTOR), BY_MISFIT, BY_RELIEF, BY_RESIDUALS])
+    fit = minimize(unlikely, used, method="Nelder-Mead", options={"maxiter": 800, "xatol": 0.01, "fatol": 0.01})
+    judged = {}
+    for (folder, _), (logs, square, error, classes) in zip(given, sets, strict=True):
+        judged[folder.name] = {
+            NAMES[k]: [
+                round(robust_chi_square(error[m] / np.sqrt(square[m] * (1 + np.exp(logs[m] @ b)))), 2)
+                for b in (np.array([-40.0, 0, 0, 0]), used, fit.x)
+            ]
+            for k in np.unique(classes)
+            if (m := classes == k).sum() > FEWEST
+        }
+    constants = {"fitted": [float(np.exp(fit.x[0])), *fit.x[1:].tolist()], "used": [FACTOR, *used[1:].tolist()]}
+    print(json.dumps({**constants, "chi_square without, used, fitted": judged}, indent=1))
+
+
+if __name__ == "__main__":
+    main()
