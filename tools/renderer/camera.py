@@ -82,36 +82,39 @@ class Camera:
         return 1 / (1 + r2 * (self.corner_light**-0.5 - 1)) ** 2
 
 
+SENSORS = {
+    "A": (
+        13.2,
+        0.7,
+        InteriorOrientation(
+            c=1.1 * 13.2, x0=0.031, y0=-0.022, K1=-1.1e-4, K2=6.0e-7, K3=-1.5e-9, P1=9e-6, P2=-7e-6, A=1.2e-4, S=-6e-5
+        ),
+    ),
+    "B": (
+        23.5,
+        0.5,
+        InteriorOrientation(
+            c=0.85 * 23.5, x0=-0.07, y0=0.05, K1=2.6e-4, K2=-6.5e-7, K3=8e-10, P1=-6e-6, P2=8e-6, A=-8e-5, S=1.1e-4
+        ),
+    ),
+}
+"""Width of the format [mm], light in the corners and interior orientation of each camera."""
+
+
 def camera(name: str, width_px: int, height_px: int) -> Camera:
     """Camera A (long focal length, little distortion) or B (wide angle, barrel distortion) of a format in pixels."""
-    if name == "A":
-        sensor = 13.2
-        own = InteriorOrientation(
-            c=1.1 * sensor, x0=0.031, y0=-0.022, K1=-1.1e-4, K2=6.0e-7, K3=-1.5e-9, P1=9e-6, P2=-7e-6, A=1.2e-4, S=-6e-5
-        )
-        return Camera(
-            name=name,
-            model="Rendering A",
-            width_px=width_px,
-            height_px=height_px,
-            pixel_mm=sensor / width_px,
-            interior=own,
-        )
-    if name == "B":
-        sensor = 23.5
-        own = InteriorOrientation(
-            c=0.85 * sensor, x0=-0.07, y0=0.05, K1=2.6e-4, K2=-6.5e-7, K3=8e-10, P1=-6e-6, P2=8e-6, A=-8e-5, S=1.1e-4
-        )
-        return Camera(
-            name=name,
-            model="Rendering B",
-            width_px=width_px,
-            height_px=height_px,
-            pixel_mm=sensor / width_px,
-            interior=own,
-            corner_light=0.5,
-        )
-    raise ValueError(f"Unknown camera {name!r}; known are A and B.")
+    if name not in SENSORS:
+        raise ValueError(f"camera {name!r} is not one of {', '.join(SENSORS)}")
+    sensor_mm, corner_light, interior = SENSORS[name]
+    return Camera(
+        name=name,
+        model=f"Rendering {name}",
+        width_px=width_px,
+        height_px=height_px,
+        pixel_mm=sensor_mm / width_px,
+        interior=interior,
+        corner_light=corner_light,
+    )
 
 
 def rotation(omega: float, phi: float, kappa: float) -> Array:
