@@ -36,6 +36,7 @@ def main() -> None:
     parser.add_argument("--read-out", type=float, default=own.read_out, help="movement while a frame is read, pixels")
     parser.add_argument("--date", type=int, default=own.date, help="of a terrain: 2 and later ones have moved parts")
     parser.add_argument("--kinds", default=",".join(TILES), help="of a terrain: tiles, as weak,weak,clutter")
+    parser.add_argument("--bricks", type=float, default=own.bricks, help="of a pattern: by how much bricks differ")
     options = vars(parser.parse_args())
     folder, bayer = options.pop("out"), not options.pop("no_bayer")
     parts = {name: options.pop(name) for name in ("quality", "subsampling", "tables", "full_well")}

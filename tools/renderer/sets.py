@@ -15,6 +15,7 @@ from .facade import facade
 from .network import photographs
 from .sensor import Sensor, write_photograph
 from .terrain import terrain
+from .texture import BRICK_CONTRAST
 from .tiles import TILES
 from .truth_folder import Scene, write_cameras, write_control
 
@@ -37,6 +38,7 @@ class SetSettings:
     read_out     movement while a frame is read [px]: rolling shutter
     date         of a terrain: 1, or a later one at which parts have moved
     kinds        tiles of a terrain
+    bricks       by how much the bricks of a pattern differ: standard deviation of the logarithm of their albedo
     """
 
     scene: str = "terrain"
@@ -50,6 +52,7 @@ class SetSettings:
     read_out: float = 0.0
     date: int = 1
     kinds: tuple[str, ...] = tuple(TILES)
+    bricks: float = BRICK_CONTRAST
     sensor: Sensor = field(default_factory=Sensor)
 
 
@@ -58,7 +61,7 @@ def scene_of(settings: SetSettings) -> Scene:
     extent = settings.width * settings.gsd
     if settings.scene == "facade":
         return facade(settings.seed, extent, settings.gsd)
-    return terrain(settings.seed, extent, settings.gsd, settings.kinds, settings.date)
+    return terrain(settings.seed, extent, settings.gsd, settings.kinds, settings.date, settings.bricks)
 
 
 def render_set(settings: SetSettings, folder: Path) -> None:

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from .classes import NAMES, RIDGE, SMOOTH, STEP
 from .height_field import HeightField
 from .random_fields import coarse_nodes, enlarged, power_law
-from .texture import Patch, Texture, texture
+from .texture import BRICK_CONTRAST, Patch, Texture, texture
 from .tiles import TILES
 
 Array = NDArray[np.float64]
@@ -98,11 +98,19 @@ class Terrain:
         )
 
 
-def terrain(seed: int, width: float, gsd: float, kinds: tuple[str, ...] = tuple(TILES), date: int = 1) -> Terrain:
+def terrain(
+    seed: int,
+    width: float,
+    gsd: float,
+    kinds: tuple[str, ...] = tuple(TILES),
+    date: int = 1,
+    bricks: float = BRICK_CONTRAST,
+) -> Terrain:
     """Smooth relief with a tile of each kind, in an order that is drawn.
 
     width  width of a photograph on the object [m]; the core is a rectangle of 1.0 by 0.8 of it
     date   1 for the first; at later ones parts of the ground have moved (`movement`)
+    bricks  by how much bricks differ (`texture.Patch`)
     """
     rng = np.random.default_rng(seed)
     core = np.array([0.5, 0.4]) * width
@@ -131,7 +139,7 @@ def terrain(seed: int, width: float, gsd: float, kinds: tuple[str, ...] = tuple(
         heights[window] += rise
         codes[window] = np.where(code >= 0, code, codes[window])
         if kind in {"weak", "pattern"}:
-            patches.append(Patch(str(kind), centre, tile_half))
+            patches.append(Patch(str(kind), centre, tile_half, bricks))
     moved = movement(x, y, core, gsd, date, np.random.default_rng([seed, 1])) if date > 1 else None
     if moved is not None:
         heights += moved

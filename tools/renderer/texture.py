@@ -17,7 +17,7 @@ CONTRAST = 0.4
 WEAK_CONTRAST = 0.087
 """The same on weak ground; 6 % of it are left within a matching window of 13 pixels."""
 BRICK_CONTRAST = 0.1
-"""The same of what makes the bricks of a pattern differ."""
+"""The same of what makes the bricks of a pattern differ, unless a set asks for less."""
 MEAN = 0.25
 FULL = 65535
 
@@ -59,11 +59,15 @@ class Texture:
 
 @dataclass(frozen=True, slots=True)
 class Patch:
-    """A rectangle of weak texture or of bricks: centre and half sides in plane coordinates [m]."""
+    """A rectangle of weak texture or of bricks: centre and half sides in plane coordinates [m].
+
+    contrast  standard deviation of the logarithm of albedo by which bricks differ
+    """
 
     kind: str
     centre: tuple[float, float]
     half: tuple[float, float]
+    contrast: float = BRICK_CONTRAST
 
 
 def texture(
@@ -110,7 +114,7 @@ def _draw(log: NDArray[np.float32], patch: Patch, x: Array, y: Array, gsd: float
         part *= 1 - share * (1 - WEAK_CONTRAST / CONTRAST)
         return
     share = np.clip(depth / gsd + 0.5, 0, 1)
-    part *= 1 - share * (1 - BRICK_CONTRAST / CONTRAST)
+    part *= 1 - share * (1 - patch.contrast / CONTRAST)
     part += share * _bricks(u, v, gsd)
 
 
