@@ -116,6 +116,19 @@ def test_given_coordinates_of_the_map_stand_as_they_were_given(flight):
         assert digits[axis].of(columns[axis]).tolist() == given[:, k].tolist()
 
 
+def test_control_that_is_held_sets_no_decimals():
+    """Its differences are rounding, 1e-15 m: what control would be off had it taken no part is shown beside them."""
+    block = flown(check=0).given
+    points = block.points
+    held = replace(points, sigma=np.where((points.role == Role.CONTROL)[:, None], 0.0, points.sigma))
+    result = adjust_block(replace(block, points=held), OPTIONS)
+    assert np.nanmax(abs(delivery_of(result).accuracy.control.difference)) < 1e-9
+    (table,) = (t for t in parts_of(result, "table") if any("control" in row for row in t.rows))
+    shown = [cell for row in table.rows for cell in row[-3:] if cell != "held"]
+    assert shown
+    assert max(len(cell.partition(".")[2]) for cell in shown) <= 6
+
+
 def test_with_fewer_check_points_it_is_produced_to_meet():
     few = flown(check=10)
     wanted = accuracy_class("asprs:50cm")

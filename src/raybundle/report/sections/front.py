@@ -277,7 +277,7 @@ def _accuracy(view: View, d: Delivery) -> list[Part]:
     rows: list[list[str]] = []
     notes: list[str] = []
     most = FEW_ROWS if d.statements else MOST_ROWS
-    fine = max(0, decimals_for(rms(np.vstack([c.difference for _, c, _ in listed])) * factor))
+    fine = _fine(d, [(role, c) for role, c, _ in listed], factor)
     for role, c, file in listed:
         rows += _rows(view, role, c, decimals, fine, factor, most)
         n = int(np.isfinite(c.difference).any(axis=1).sum())
@@ -296,6 +296,15 @@ def _accuracy(view: View, d: Delivery) -> list[Part]:
         Heading(text="Accuracy"),
         Table(columns=shape, rows=rows, note=note),
     ]
+
+
+def _fine(d: Delivery, listed: Sequence[tuple[str, Compared]], factor: float) -> int:
+    """Decimals of the differences: those of control that is held are nothing but rounding."""
+    free = [np.where((c.sigma == 0) & (role == "control"), np.nan, c.difference) for role, c in listed]
+    if d.accuracy.left_out.any and not d.accuracy.check.any:
+        free.append(np.atleast_2d(d.accuracy.left_out.rms))
+    size = rms(np.vstack(free)) * factor
+    return int(np.clip(decimals_for(size), 0, 6)) if np.isfinite(size) else 0
 
 
 def _unknown(listed: Sequence[tuple[str, Compared, str]]) -> list[str]:
