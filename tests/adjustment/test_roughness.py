@@ -35,7 +35,11 @@ def rough():
     return adjust_block(with_windows(6.0, 2.0), AdjustmentOptions())
 
 
-def test_the_variance_by_hand(plain, rough):
+def test_the_variance_by_hand(plain):
+    larger = with_windows(6.0, 2.0)
+    window = larger.points.window.copy()
+    window[7] *= 2.5
+    rough = adjust_block(replace(larger, points=replace(larger.points, window=window)), AdjustmentOptions())
     o, s = BLOCK.observations, plain.image_observations
     k = 7
     mine = o.point == k
@@ -45,7 +49,7 @@ def test_the_variance_by_hand(plain, rough):
     square = (s.residuals_px[mine] ** 2 / o.cov_px2[mine, :2]).sum() / plain.sigma0**2
     T = (square + 1) / (s.redundancy[mine].sum() + 1)
     C = plain.precision.object_points[k]
-    variance = d @ C @ d * 1.3 * (6 - 1) ** 1.7 * (1 - 1 / 2) ** 1.35 * T**0.85
+    variance = d @ C @ d * 1.45 * (6 - 1) ** 1.55 * (1 - 1 / 2) ** 1.3 * T**0.9 * 2.5
     np.testing.assert_allclose(rough.precision.roughness[k], np.sqrt(variance) * d, rtol=1e-9)
     np.testing.assert_allclose(rough.precision.object_points[k], C + variance * np.outer(d, d), rtol=1e-9)
 
