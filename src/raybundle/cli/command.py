@@ -13,6 +13,7 @@ from typing import Any
 import click
 
 from raybundle.cli.outputs import Output
+from raybundle.cli.trade_words import command_of
 from raybundle.errors import InputError
 
 COMMAND_SETTINGS = {"help_option_names": ["-h", "--help"], "max_content_width": 110}
@@ -99,6 +100,9 @@ class Group(click.Group):
         try:
             return super().resolve_command(ctx, args)
         except click.UsageError:
+            line = command_of(args[0]) if ctx.parent is None else None
+            if line is not None:
+                raise click.UsageError(f"No such command '{args[0]}'. Run: {ctx.command_path} {line}", ctx) from None
             likely = self.likely(ctx, args[0])
             if not likely:
                 raise

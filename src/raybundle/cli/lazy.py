@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from importlib import import_module
+from types import MappingProxyType
 
 import click
 
@@ -14,22 +15,26 @@ class LazyGroup(Group):
     """A group whose subcommand NAME is the object `command` of the module NAME in `home`, its dashes as underscores."""
 
     home: str = ""
-    told: Mapping[str, str]
+    summaries: Mapping[str, str]
     """What each does, by name, in the order in which they are used"""
+    sections: Mapping[str, Mapping[str, str]] = MappingProxyType({})
+    """The same by heading; without any, all stand under one"""
 
     def list_commands(self, ctx: click.Context) -> list[str]:
         """Names in the order in which they are used."""
         del ctx
-        return list(self.told)
+        return list(self.summaries)
 
     def get_command(self, ctx: click.Context, cmd_name: str) -> click.Command | None:
         """Load one subcommand."""
         del ctx
         name = cmd_name.replace("-", "_")
-        return import_module(f"{self.home}.{name}").command if cmd_name in self.told else None
+        return import_module(f"{self.home}.{name}").command if cmd_name in self.summaries else None
 
     def format_commands(self, ctx: click.Context, formatter: click.HelpFormatter) -> None:
         """List the subcommands without loading them."""
         del ctx
-        with formatter.section("Commands"):
-            formatter.write_dl(list(self.told.items()))
+        width = max(map(len, self.summaries))
+        for heading, members in (self.sections or {"Commands": self.summaries}).items():
+            with formatter.section(heading):
+                formatter.write_dl([(name.ljust(width), summary) for name, summary in members.items()])

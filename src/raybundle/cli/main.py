@@ -22,42 +22,62 @@ from raybundle.cli.failures import silence, told_failure
 from raybundle.cli.lazy import LazyGroup
 from raybundle.settings import on_the_command_line
 
-COMMANDS = {
-    "orient": "Orient photographs: calibrated cameras, object points, report.",
-    "status": "Show the stages of a project folder.",
-    "photos": "Show what is known about photographs before they are oriented.",
-    "frames": "Take frames from a video: sharp ones, far enough apart.",
-    "targets": "Print coded targets; find and measure them in photographs.",
-    "calibrate": "Calibrate cameras from photographs of coded targets or a board.",
-    "measure": "Measure targets: coordinates, deviations from nominal, length errors.",
-    "adjust": "Adjust a block and write a result folder with its report.",
-    "mark": "Measure points by hand: marks, control, scale bars, undo; adjust them with the block.",
-    "query": "Coordinates, distances, angles, areas, planes of a result, with standard deviations.",
-    "datum": "The points of a result in a coordinate system by some of them.",
-    "compare": "Put two results side by side.",
-    "moved": "What has moved between measurements of the same points.",
-    "merge": "Merge projects of one object into one block over their common points.",
-    "convert": "Convert to and from the formats of other programs.",
-    "spreadsheet": "The tables of a result as one workbook (.xlsx).",
-    "studio": "Look, measure and adjust in the browser.",
-    "record": "The recording sheet of a project: object, place, client, operator, rights.",
-    "sheet": "A drawing sheet true to scale: pictures, points and lines, as PDF.",
-    "rectify": "A picture to scale of a plane object: facade, floor, wall painting.",
-    "surface": "Dense points of what the photographs show, each with its standard deviation.",
-    "heights": "Volumes, sections, contours, terrain and movements from the heights of a surface.",
-    "calibration": "Convert and compare calibrations; keep them in the camera library.",
-    "datasets": "Fetch public sets of photographs, checked file by file.",
-    "film": "Bring image points of scanned film into the camera's frame by its fiducial marks.",
-    "rpc": "Satellite scenes: show, project, correct and make rational polynomials (RPC).",
-    "empirical": "Fit affine, projective and DLT models to an image of an unknown sensor.",
-    "plan": "Know what photographs will determine, before they are taken.",
-    "simulate": "Write a simulated block and its truth.",
-    "demo": "Simulate a calibration field, calibrate it, show truth beside estimate.",
-    "estimate-cost": "Say what orienting and adjusting so many photographs takes: time, memory, disk.",
-    "worker": "Do tasks of runs on other machines: for a scheduler, or a share of them.",
-    "scheduler": "Be the scheduler of a cluster: who hands tasks of runs to workers.",
-    "doctor": "Say what is installed, what is missing and what it would bring.",
+TASKS: dict[str, dict[str, str]] = {
+    "Plan": {
+        "plan": "Design networks and flights; predict their precision.",
+        "simulate": "Write a simulated block and its truth.",
+    },
+    "Photograph and calibrate": {
+        "photos": "List what the photographs state: camera, position, date.",
+        "frames": "Extract sharp frames from a video.",
+        "targets": "Print coded targets; detect and measure them.",
+        "calibrate": "Calibrate cameras from coded targets or a board.",
+        "calibration": "Convert and compare calibrations; keep a camera library.",
+        "film": "Transform scanned film by its fiducial marks.",
+    },
+    "Orient and adjust": {
+        "orient": "Orient photographs: cameras, tie points, report.",
+        "adjust": "Adjust a block; write a result folder and report.",
+        "mark": "Measure points, control and scale bars by hand.",
+        "datum": "Transform a result into the system of given points.",
+        "merge": "Merge projects of one object into one block.",
+        "status": "Show the stages of a project.",
+    },
+    "Measure": {
+        "studio": "View, measure and adjust in the browser.",
+        "measure": "Measure targets: coordinates, deviations, length errors.",
+        "query": "Compute distances, angles, areas and planes with precision.",
+        "compare": "Compare two results.",
+        "moved": "Detect displacements between epochs of the same points.",
+    },
+    "Surface and maps": {
+        "surface": "Compute point cloud, DSM, orthophoto and mesh.",
+        "heights": "Compute DTM, volumes, profiles, contours and differences.",
+        "rectify": "Rectify a plane object to scale: facade, floor, painting.",
+        "sheet": "Draw a sheet to scale as PDF.",
+    },
+    "Exchange": {
+        "convert": "Convert formats of other programs; undistort photographs.",
+        "spreadsheet": "Write the tables of a result as a workbook.",
+        "record": "Edit the recording sheet: object, client, rights.",
+    },
+    "Satellite": {
+        "rpc": "Project, correct, fit and orthorectify by RPC.",
+        "empirical": "Fit affine, projective and DLT models.",
+    },
+    "Large projects": {
+        "estimate-cost": "Estimate time, memory and disk of a project.",
+        "worker": "Run tasks for a scheduler.",
+        "scheduler": "Distribute tasks to workers.",
+    },
+    "Help": {
+        "demo": "Simulate and calibrate a testfield; compare with truth.",
+        "datasets": "Download public photographs, with checksums.",
+        "doctor": "Check the installation.",
+    },
 }
+"""Commands by task, with what each does"""
+COMMANDS = {name: summary for commands in TASKS.values() for name, summary in commands.items()}
 
 
 def _print_version(ctx: click.Context, _: click.Parameter, value: bool) -> None:  # noqa: FBT001  (click's signature)
@@ -85,7 +105,7 @@ def cli() -> None:
 
 
 INTERRUPTED = "interrupted; nothing was written"
-cli.home, cli.told = "raybundle.cli", COMMANDS
+cli.home, cli.summaries, cli.sections = "raybundle.cli", COMMANDS, TASKS
 
 
 def main(argv: Sequence[str] | None = None) -> int:

@@ -26,4 +26,4 @@ def command() -> None:
     """  # noqa: D301
 
 
-command.home, command.told = __name__, SUBCOMMANDS
+command.home, command.summaries = __name__, SUBCOMMANDS
