@@ -47,7 +47,7 @@ def folder(adjustment, tmp_path):
 
 HEADERS = {
     "images": "image,camera,file,X,Y,Z,omega_deg,phi_deg,kappa_deg,sX,sY,sZ,somega_deg,sphi_deg,skappa_deg",
-    "points": "point,role,X,Y,Z,sX,sY,sZ,rays,window,roughness",
+    "points": "point,role,X,Y,Z,sX,sY,sZ,rays,window,roughness,rXY,rXZ,rYZ",
     "observations": ("image,point,x_px,y_px,sx_px,sy_px,vx_px,vy_px,rx,ry,wx,wy,tx,ty,mdbx_px,mdby_px,rejected"),
     "control": "point,X,Y,Z,sX,sY,sZ,vX,vY,vZ,rX,rY,rZ,wX,wY,wZ",
     "check": "point,X,Y,Z,dX,dY,dZ,sX,sY,sZ",
@@ -60,6 +60,21 @@ def test_the_files_and_headers_are_those_of_the_format(folder):
     for name, header in HEADERS.items():
         assert (folder / f"{name}.csv").read_text().split("\n", 1)[0] == header
     assert (folder / "distances.csv").read_text().startswith("from,to,length,sigma,adjusted,v,r,w\n")
+
+
+def test_the_table_of_points_gives_their_covariances(folder, adjustment):
+    """Standard deviations and correlations of a row make the covariance of the adjustment; held coordinates have none."""
+    table = read_result(folder).points.number
+    std = np.stack([table[c] for c in ("sX", "sY", "sZ")], axis=1)
+    r = np.stack([table[c] for c in ("rXY", "rXZ", "rYZ")], axis=1)
+    wanted = adjustment.precision.object_points
+    for k, (i, j) in enumerate([(0, 1), (0, 2), (1, 2)]):
+        held = (std[:, i] == 0) | (std[:, j] == 0)
+        assert (np.isnan(r[:, k]) == held).all()
+        free = ~held
+        np.testing.assert_allclose((std[:, i] * std[:, j] * r[:, k])[free], wanted[free, i, j], rtol=2e-5)
+    assert np.nanmax(abs(r)) > 0.1
+    assert np.isnan(r).any()
 
 
 def test_result_json_holds_what_the_format_promises(folder, adjustment):

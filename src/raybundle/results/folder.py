@@ -66,7 +66,7 @@ class ResultFolder:
     images: Table
     """text image, camera, file; number X ... kappa_deg, sX ... skappa_deg"""
     points: Table
-    """text point, role; number X, Y, Z, sX, sY, sZ, rays"""
+    """text point, role; number X, Y, Z, sX, sY, sZ, rays, window, roughness, rXY, rXZ, rYZ"""
     observations: Table
     """text image, point, rejected; number x_px ... mdby_px"""
     control: Table

@@ -25,7 +25,8 @@ Layout = tuple[tuple[str, ...], tuple[str, ...], tuple[str, ...]]
 
 SIGMA_ANGLES = ("somega_deg", "sphi_deg", "skappa_deg")
 IMAGES = (*XYZ, *ANGLES, *SIGMA_XYZ, *SIGMA_ANGLES)
-LATER = ("window", "roughness")
+CORRELATIONS = ("rXY", "rXZ", "rYZ")
+LATER = ("window", "roughness", *CORRELATIONS)
 """Columns of points.csv that results of earlier versions lack."""
 POINTS = (*XYZ, *SIGMA_XYZ, "rays", *LATER)
 OBSERVATIONS = (
@@ -140,7 +141,19 @@ def _points(a: Adjustment) -> Columns:
         "roughness": _lacking(a)
         if rough is None
         else np.where(np.isfinite(rough).all(axis=1), np.linalg.norm(rough, axis=1), np.nan),
+        **columns_of(CORRELATIONS, _point_correlations(a)),
     }
+
+
+def _point_correlations(a: Adjustment) -> Array:
+    """(p, 3) correlations of X and Y, X and Z, Y and Z; NaN where a coordinate is held."""
+    if a.precision is None:
+        return np.full((len(a.given.points), 3), np.nan)
+    std = a.precision.object_point_std
+    first, second = [0, 0, 1], [1, 2, 2]
+    product = std[:, first] * std[:, second]
+    covariance = a.precision.object_points[:, first, second]
+    return np.divide(covariance, product, out=np.full(product.shape, np.nan), where=product > 0)
 
 
 def _lacking(a: Adjustment) -> Array:
