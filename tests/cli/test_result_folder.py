@@ -63,7 +63,7 @@ def test_the_files_and_headers_are_those_of_the_format(folder):
 
 
 def test_the_table_of_points_gives_their_covariances(folder, adjustment):
-    """Standard deviations and correlations of a row make the covariance of the adjustment; held coordinates have none."""
+    """Standard deviations and correlations of a row make the covariance; held coordinates have none."""
     table = read_result(folder).points.number
     std = np.stack([table[c] for c in ("sX", "sY", "sZ")], axis=1)
     r = np.stack([table[c] for c in ("rXY", "rXZ", "rYZ")], axis=1)
