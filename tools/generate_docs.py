@@ -1,4 +1,4 @@
-"""Write the generated reference pages: command line, sensor models, Python, errors; `--check` only compares.
+"""Write the generated reference pages: command line, sensor models, Python, glossary, errors; `--check` only compares.
 
 python tools/generate_docs.py [--check]
 """
@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import inspect
 import sys
+import tomllib
 from pathlib import Path
 
 import click
@@ -74,6 +75,21 @@ def python() -> str:
     return "\n".join(parts) + "\n"
 
 
+def glossary() -> str:
+    """The table of terms."""
+    terms = tomllib.loads((REFERENCE / "glossary.toml").read_text(encoding="utf-8"))
+    parts = [
+        "# Glossary\n",
+        "Terms of reports, help and these pages. Sources: GUM (JCGM 100:2008), VIM (JCGM 200:2012), ASPRS (Positional "
+        "Accuracy Standards for Digital Geospatial Data, 2024); all others are usage of the textbooks.\n",
+        "| term | German | symbol, unit | definition | source |\n|---|---|---|---|---|",
+    ]
+    for name, t in sorted(terms.items(), key=lambda item: item[0].lower()):
+        sign = ", ".join(filter(None, [t.get("symbol", ""), f"[{t['unit']}]" if "unit" in t else ""]))
+        parts.append(f"| {name} | {t['german']} | {sign} | {t['definition']} | {t['source']} |")
+    return "\n".join(parts) + "\n"
+
+
 def error_tree() -> str:
     """The exception tree."""
     return f"# Errors\n\n```text\n{inspect.getdoc(errors)}\n```\n"
@@ -86,6 +102,7 @@ def main() -> int:
         "sensor-models.md": sensor_pages.overview(),
         **{f"sensors/{name}.md": text for name, text in sensor_pages.pages().items()},
         "python.md": python(),
+        "glossary.md": glossary(),
         "errors.md": error_tree(),
     }
     stale = 0

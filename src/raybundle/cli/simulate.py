@@ -21,7 +21,7 @@ from raybundle.settings import made
 @options_of(SimulateSettings)
 @common_options
 def command(scene: str, out: Path, progress: str, **given: Any) -> None:
-    """Write a simulated block, the truth beside it and the list of its gross errors.
+    """Write a simulated block, the truth beside it and the list of its blunders.
 
     testfield: targets in relief, convergent rolled images; flat: the same in one plane; aerial: three strips;
     ring: stations round a cylinder; single: one photo of control points. A folder with a plan, a result or a block is
@@ -42,6 +42,6 @@ def command(scene: str, out: Path, progress: str, **given: Any) -> None:
     click.echo(
         f" {counted(len(block.images), 'image')}, {counted(len(block.points), 'object point')}, "
         f"{counted(len(block.observations), 'image observation')}, "
-        f"{counted(int(done.gross.sum()), 'gross error')}"
+        f"{counted(int(done.gross.sum()), 'blunder')}"
     )
     click.echo(f" block: {out / 'block'}, truth: {out / 'truth'}")

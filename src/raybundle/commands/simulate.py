@@ -51,7 +51,7 @@ class SimulateSettings:
     orientation: Literal["exact", "approximate", "absent"] = setting(
         "approximate", "Exterior orientation given at the start."
     )
-    gross: float = setting(0.0, "Share of gross errors.", limits=Range(low=0, high=0.5))
+    gross: float = setting(0.0, "Share of blunders.", limits=Range(low=0, high=0.5))
     gross_px: float = setting(20.0, "Their size [px].", limits=Range(low=0, high=1e5))
 
     def survey(self) -> Survey:
