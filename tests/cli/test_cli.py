@@ -265,7 +265,7 @@ def test_simulate_writes_block_truth_and_gross_errors(tmp_path, capsys):
     block, truth = read_block(out / "block"), read_block(out / "truth")
     gross = (out / "gross.csv").read_text().splitlines()
     assert gross[0] == "image,point"
-    assert f"{len(gross) - 1} gross errors" in capsys.readouterr().out
+    assert f"{len(gross) - 1} blunders" in capsys.readouterr().out
     assert block.images.ids == truth.images.ids
     assert abs(truth.points.xyz[:, 2]).max() == 0
     assert run("simulate", "flat", "--out", out) == 2
