@@ -1,0 +1,78 @@
+"""Means, volumes and regions that moved, of height models with drawn errors: options.quantity, options.runs."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+from tests.surface.height_models import made, middles
+
+from ledger.errors import Collected, Errors
+from ledger.sets import LedgerSet, Places
+from raybundle.surfaces.movements import movements
+from raybundle.surfaces.outlines import coverage
+from raybundle.surfaces.resampled import difference
+from raybundle.surfaces.volumes import volume
+
+SHAPE = (64, 96)
+SIGMA = 1e-3
+
+
+def judge(one: LedgerSet, _places: Places) -> list[Errors]:
+    """Errors of one quantity in every run."""
+    collected, rng = Collected(), np.random.default_rng(one.source["seed"])
+    quantity = {"means": _means, "volumes": _volumes, "movements": _movements}[one.options["quantity"]]
+    for run in range(one.options["runs"]):
+        for label, error, sigma, unit in quantity(rng, one.options):
+            collected.add(one.judged[0], error, sigma, [label], run, unit=unit)
+    return collected.errors()
+
+
+def _relief():
+    x, y = middles(SHAPE)
+    far = np.hypot(x - 0.48, y - 0.32)
+    return 0.05 + 0.1 * np.maximum(1 - far / 0.2, 0.0)
+
+
+def _rings(rng: np.random.Generator):
+    """A quadrangle somewhere on the model."""
+    middle = rng.uniform([30, 24], [66, 40])
+    side = rng.uniform(10, 22, (4, 2))
+    corners = middle + side * np.array([[-1, -1], [1, -1], [1, 1], [-1, 1]])
+    return [corners]
+
+
+def _means(rng, options):
+    """Mean height within an outline."""
+    relief = _relief()
+    covered = coverage(_rings(rng), SHAPE)
+    true = volume(made(relief), covered, 0.0)
+    found = volume(made(relief, rng=rng, sigma=SIGMA, common=options["common"], fine=8), covered, 0.0)
+    area = true.plan_area
+    yield "mean height", (found.net.value - true.net.value) / area, found.net.sigma / area, "m"
+
+
+def _volumes(rng, options):
+    """Volume above a level, and above the plane by the outline."""
+    relief, rings = _relief(), _rings(rng)
+    covered = coverage(rings, SHAPE)
+    drawn = made(relief, rng=rng, sigma=SIGMA, common=options["common"], fine=8)
+    for label, base in (("above a level", 0.02), ("above the rim", rings)):
+        true, found = (volume(m, covered, base) for m in (made(relief), drawn))
+        yield label, found.net.value - true.net.value, found.net.sigma, "m3"
+
+
+def _movements(rng, options):
+    """Mean movement of a region that `movements` outlines: against the true mean over the same cells."""
+    x, y = middles(SHAPE)
+    relief = 0.01 * np.sin(20 * x) * np.cos(15 * y)
+    before, after = (made(relief, rng=rng, sigma=4e-4, common=options["common"]) for _ in range(2))
+    moved = np.zeros(SHAPE)
+    r, c = rng.integers(8, 24), rng.integers(8, 50)
+    moved[r : r + 26, c : c + 30] = options["movement"]
+    d = difference(before, after)
+    d = replace(d, heights=replace(d.heights, height=(d.heights.height + moved).astype(np.float32)))
+    for region in movements(d).regions:
+        inside = moved[region.cells]
+        if np.mean(inside != 0) > 0.5:
+            yield "mean movement", region.mean - float(inside.mean()), region.mean_sigma, "m"
