@@ -5,6 +5,7 @@
 #   make test-versions  the tests with every Python from 3.11 that is here, and with the oldest dependencies allowed
 #   make wheel   sdist and wheels as published, each installed into an empty environment and tried, for every Python here
 #   make check   the whole gate: format, lint, types, layers, generated files, docs
+#   make ledger  errors over stated standard deviations, set by set, and docs/ledger.md; LEDGER="--sets NAME,... --redo"
 #   make bench   benchmarks (figures into benchmarks/results), long tests and those that take minutes
 PYTHON ?= python3
 VENV := .venv
@@ -13,7 +14,7 @@ UV := $(shell command -v uv 2>/dev/null)
 export RAYBUNDLE_REQUIRE_NATIVE ?= 1
 SOURCES := $(wildcard cpp/*) CMakeLists.txt pyproject.toml
 
-.PHONY: setup setup-dev demo test test-long test-versions wheel check format lint types layers generated docs bench clean
+.PHONY: setup setup-dev demo test test-long test-versions wheel check format lint types layers generated docs bench ledger clean
 
 setup: $(VENV)/.installed
 
@@ -76,6 +77,7 @@ layers: setup-dev
 generated: setup-dev
 	$(BIN)/python tools/generate_kernels.py --check
 	$(BIN)/python tools/public_api.py --check
+	PYTHONPATH=benchmarks $(BIN)/python -m ledger --page --check
 
 docs: setup-dev
 	$(BIN)/python tools/generate_docs.py --check
@@ -84,6 +86,9 @@ docs: setup-dev
 bench: setup-dev
 	$(BIN)/python -m pytest -n 2 -m "long or bench"
 	$(BIN)/python benchmarks/run.py
+
+ledger: setup-dev
+	PYTHONPATH=benchmarks $(BIN)/python -m ledger $(LEDGER)
 
 clean:
 	rm -rf $(VENV) build demo site

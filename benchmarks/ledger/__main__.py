@@ -15,7 +15,7 @@ import sys
 from concurrent.futures import ProcessPoolExecutor
 from pathlib import Path
 
-from . import RESULTS, ROOT, SETS, results
+from . import RESULTS, ROOT, SETS, peers, results
 from .page import PAGE, page
 from .sets import LedgerSet, Places, read_sets
 
@@ -45,6 +45,8 @@ def main() -> int:
         parser.error(f"no set is called {', '.join(sorted(unknown))}")
     shared = Path(os.environ.get("RAYBUNDLE_DATA", ROOT.parent / "shared" / "data"))
     places = Places(data=(*given.data, *given.folders, shared, given.cache / "data"), cache=given.cache)
+    if not given.folders and not wanted:
+        peers.keep()
     failed = _run_all(_due(own, wanted, RESULTS, redo=given.redo), places, RESULTS, given.jobs)
     if outside:
         there = given.folders[0] / "results"

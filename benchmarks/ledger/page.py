@@ -8,6 +8,7 @@ from typing import Any
 from . import ROOT
 from .alarm import alarm_table
 from .errors import OURS
+from .peers import table as peer_table
 from .sets import MODULES, LedgerSet
 from .statistics import coordinates_needed, pooled
 
@@ -68,7 +69,8 @@ def page(sets: Sequence[LedgerSet], results: Mapping[str, Result]) -> str:
         alarm_table(results),
         "## Rows that hold\n", _table(passed),
         "## Peers on the same observations\n",
-        "Standard deviations of peers by their documented calls, over the same errors.\n",
+        "Standard deviations of peers by their documented calls.\n",
+        peer_table(),
         _table(peers, method=True) if peers else "None has run.\n",
     ]  # fmt: skip
     return "\n".join(parts)

@@ -145,7 +145,7 @@ def ours(views: BoardViews, size: tuple[int, int], o: dict):
     symbols = sensor_models[model].symbols
     camera = Camera(
         id="1", model=model, width_px=size[0], height_px=size[1], pixel_mm=(PIXEL_MM, PIXEL_MM),
-        values=dict.fromkeys(symbols, 0.0), estimate=FREE if model == "brown" else symbols,
+        values=dict.fromkeys(symbols, 0.0), estimate=tuple(o.get("free", FREE if model == "brown" else symbols)),
     )  # fmt: skip
     raster = tuple(o["raster_sigma"]) if "raster_sigma" in o else (0.0, 0.0)
     block, rejected, _ = board_block(views, camera, raster_sigma=None if o.get("free_points") else raster)

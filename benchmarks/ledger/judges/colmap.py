@@ -2,7 +2,8 @@
 
 Both hold the first photograph and the longest coordinate of the second one's base, COLMAP's gauge of two cameras.
 pycolmap's covariances are those of `pycolmap.estimate_ba_covariance`, whose unit is the residual: image points are
-simulated with a standard deviation of one pixel.  Covariances of its points hold everything else, as it documents.
+simulated with a standard deviation of one pixel.  Its rotations are those of the tangent space of a unit quaternion,
+half an angle.  Covariances of its points hold everything else, as it documents.
 """
 
 from __future__ import annotations
@@ -80,7 +81,7 @@ def _peer(collected: Collected, truth: Block, observed: Block, run: int) -> None
         if C is None or len(C) < 6:
             continue
         pose, R = found.images[i + 1].cam_from_world(), FORWARD @ truth.images.rotation[i]
-        turn = vector_from_rotation(pose.rotation.matrix() @ R.T)
+        turn = vector_from_rotation(pose.rotation.matrix() @ R.T) / 2
         e = np.concatenate([turn, pose.translation + R @ truth.images.centre[i]])
         d2 = float(e @ np.linalg.solve(C, e))
         names = ("rx", "ry", "rz", "tx", "ty", "tz")

@@ -34,10 +34,10 @@ def _relief():
     return 0.05 + 0.1 * np.maximum(1 - far / 0.2, 0.0)
 
 
-def _rings(rng: np.random.Generator):
-    """A quadrangle somewhere on the model."""
+def _rings(rng: np.random.Generator, options):
+    """A quadrangle somewhere on the model; options.side: half of its sides [cells]."""
     middle = rng.uniform([30, 24], [66, 40])
-    side = rng.uniform(10, 22, (4, 2))
+    side = rng.uniform(*options.get("side", (10, 22)), (4, 2))
     corners = middle + side * np.array([[-1, -1], [1, -1], [1, 1], [-1, 1]])
     return [corners]
 
@@ -45,18 +45,20 @@ def _rings(rng: np.random.Generator):
 def _means(rng, options):
     """Mean height within an outline."""
     relief = _relief()
-    covered = coverage(_rings(rng), SHAPE)
+    covered = coverage(_rings(rng, options), SHAPE)
     true = volume(made(relief), covered, 0.0)
-    found = volume(made(relief, rng=rng, sigma=SIGMA, common=options["common"], fine=8), covered, 0.0)
+    found = volume(
+        made(relief, rng=rng, sigma=options.get("sigma", SIGMA), common=options["common"], fine=8), covered, 0.0
+    )
     area = true.plan_area
     yield "mean height", (found.net.value - true.net.value) / area, found.net.sigma / area, "m"
 
 
 def _volumes(rng, options):
     """Volume above a level, and above the plane by the outline."""
-    relief, rings = _relief(), _rings(rng)
+    relief, rings = _relief(), _rings(rng, options)
     covered = coverage(rings, SHAPE)
-    drawn = made(relief, rng=rng, sigma=SIGMA, common=options["common"], fine=8)
+    drawn = made(relief, rng=rng, sigma=options.get("sigma", SIGMA), common=options["common"], fine=8)
     for label, base in (("above a level", 0.02), ("above the rim", rings)):
         true, found = (volume(m, covered, base) for m in (made(relief), drawn))
         yield label, found.net.value - true.net.value, found.net.sigma, "m3"

@@ -14,6 +14,7 @@ from tests.truth.bands import whitener
 from ledger.errors import Array, Collected, Errors
 from ledger.judges.projects import oriented, rendered
 from ledger.judges.similarity import station_errors
+from ledger.judges.surfaces import surface_errors
 from ledger.sets import LedgerSet, Places
 from raybundle.adjustment.queries import joint_orientation
 from raybundle.adjustment.result import Adjustment
@@ -35,6 +36,8 @@ def judge(one: LedgerSet, places: Places) -> list[Errors]:
     found = _tie_points(scene, project) if "tie points" in one.judged else []
     if {"orientation", "interior orientation"} & set(one.judged):
         found += _orientation(adjusted_again(project), cameras)
+    if "surface" in one.options:
+        found += surface_errors(one, scene, project, cache)
     return found
 
 

@@ -59,6 +59,8 @@ def _orientation(collected, result: Adjustment, true_frame, truth: Block, draw: 
     error, sigma = np.empty(len(joint.steps)), np.sqrt(np.diagonal(joint.covariance))
     turns = {i: vector_from_rotation(a.images.rotation[i] @ R[i].T) for i in images}
     names, own = list[str](), list[str]()
+    once = np.zeros(len(joint.steps), bool)  # images of one station have the same unknowns
+    once[np.unique(joint.unknowns, return_index=True)[1]] = True
     for k, step in enumerate(joint.steps):
         i = step.images[0]
         if step.axis >= 0:
@@ -71,7 +73,7 @@ def _orientation(collected, result: Adjustment, true_frame, truth: Block, draw: 
         names.append(name)
         own.append(module)
     for module in ("orientation", "interior orientation"):
-        mine = np.array([m == module for m in own], bool)
+        mine = np.array([m == module for m in own], bool) & once
         if module not in modules or not mine.any():
             continue
         z = whitener(joint.covariance[np.ix_(mine, mine)]) @ error[mine]
