@@ -12,7 +12,7 @@ import numpy as np
 import pycolmap
 
 from ledger.errors import Collected, Errors
-from ledger.judges.networks import scene_named
+from ledger.judges.networks import APART, scene_named
 from ledger.judges.truth_of_blocks import collect
 from ledger.sets import LedgerSet, Places
 from raybundle import adjust
@@ -30,7 +30,8 @@ def judge(one: LedgerSet, _places: Places) -> list[Errors]:
     """Errors of both."""
     o, collected = one.options, Collected()
     scene = scene_named({**o["scene"], "values": ZERO, "free": ["c", "x0", "y0", "A"]})
-    for run in range(1, o["runs"] + 1):
+    first = APART * one.source["seed"]
+    for run in range(first, first + o["runs"]):
         made = simulate(scene, Survey(seed=run, image_sigma_px=1.0, orientation="exact", points="exact"))
         result = adjust(made.observed, AdjustmentOptions(jobs=1, noise="white"))
         collect(collected, result, made.truth, run, one.judged)

@@ -14,7 +14,7 @@ import numpy as np
 from tests.metrology.test_congruence import Epochs
 
 from ledger.errors import Collected, Errors
-from ledger.judges.networks import scene_named
+from ledger.judges.networks import APART, scene_named
 from ledger.sets import LedgerSet, Places
 from raybundle import adjust
 from raybundle.adjustment.options import AdjustmentOptions
@@ -59,7 +59,11 @@ def _networks(one: LedgerSet):
         results, named = [], {}
         for epoch, moved in enumerate((np.zeros_like(shift), shift)):
             survey = Survey(
-                seed=2 * run + epoch + 1, image_sigma_px=0.2, scale_bars=4, scale_bar_sigma=2e-5, least_rays=3
+                seed=APART * one.source["seed"] + 2 * run + epoch,
+                image_sigma_px=0.2,
+                scale_bars=4,
+                scale_bar_sigma=2e-5,
+                least_rays=3,
             )
             made = simulate(replace(scene, xyz=scene.xyz + moved), survey)
             results.append(adjust(made.observed, options))

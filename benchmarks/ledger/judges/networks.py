@@ -30,6 +30,8 @@ from raybundle.planning.scenes import (
 from raybundle.planning.simulate import Survey, simulate
 from raybundle.planning.uav_networks import Flight, flight_scene
 
+APART = 10_000
+"""Between the seeds of the first runs of two sets"""
 SCENES = {
     "field": (TargetField, field_scene),
     "ring": (Ring, ring_scene),
@@ -85,7 +87,8 @@ def judge(one: LedgerSet, _places: Places) -> list[Errors]:
     """Errors of all runs."""
     collected = Collected()
     options = AdjustmentOptions(**{"jobs": 1, "noise": "white", **one.options.get("adjust", {})})
-    for seed in range(1, one.options["runs"] + 1):
+    first = APART * one.source["seed"]  # no two sets draw the same errors
+    for seed in range(first, first + one.options["runs"]):
         truth, block = draw(one, seed)
         collect(collected, adjust(block, options), truth, seed, one.judged)
     return collected.errors()

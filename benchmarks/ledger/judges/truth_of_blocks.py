@@ -15,7 +15,7 @@ from raybundle.block import Block
 from raybundle.numerics.rotation import vector_from_rotation
 
 STATION = ("X", "Y", "Z", "rx", "ry", "rz")
-MOST_JOINT = 1200
+MOST_JOINT = 400
 """Coordinates of points up to which their whole covariance is computed"""
 
 
