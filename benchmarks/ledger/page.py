@@ -32,11 +32,13 @@ their stated standard deviations. If these are true, chi-square per coordinate i
 | chi-square | mean of (error / sigma)², with its 95 % interval |
 | robust | (median of abs(error) / sigma / 0.6745)² |
 | > 5 sigma | share of errors beyond five standard deviations |
+| rank | correlation of abs(error) and sigma in rank (Spearman), where all have one unit |
 | failure | robust chi-square outside 0.8 to 1.3 by more than chance, or more than 0.5 % beyond five sigma |
 | chance | the 95 % interval of chi-square holds 1, or the group has no interval and fewer than 30 coordinates |
 | truth | the means by which the true values are known; *none*: two halves are compared |
 
 Errors within one set are correlated: in pooled figures a set has one vote, and intervals are the scatter between sets.
+A chi-square above 1: the stated sigma is too small. Below 1: it is too large.
 Sources, checksums, licences and commands: `benchmarks/ledger/sets/NAME.toml`. One row again:
 `make ledger LEDGER="--sets NAME --redo"`.
 """
