@@ -171,6 +171,8 @@ def opencv(views: BoardViews, size: tuple[int, int], o: dict):
     points, pixels = _by_view(views)
     found = cv2.calibrateCameraExtended(points, pixels, size, K0, None, flags=flags)
     M, std = found[1], found[5].ravel()[:4]
+    if not np.isfinite(std).all():
+        return None
     return np.array([M[0, 0], M[1, 1], M[0, 2], M[1, 2]]), np.diag(std**2)
 
 

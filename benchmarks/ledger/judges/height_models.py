@@ -16,6 +16,8 @@ from raybundle.surfaces.volumes import volume
 
 SHAPE = (64, 96)
 SIGMA = 1e-3
+HALF = 0.5
+"""Share of a region's cells that moved, from which on it is the one that did"""
 
 
 def judge(one: LedgerSet, _places: Places) -> list[Errors]:
@@ -24,7 +26,9 @@ def judge(one: LedgerSet, _places: Places) -> list[Errors]:
     quantity = {"means": _means, "volumes": _volumes, "movements": _movements}[one.options["quantity"]]
     for run in range(one.options["runs"]):
         for label, error, sigma, unit in quantity(rng, one.options):
-            collected.add(one.judged[0], error, sigma, [label], run, unit=unit)
+            moved = label if one.options["quantity"] == "movements" else ""
+            module = "volumes" if unit == "m3" else one.judged[0]
+            collected.add(module, error, sigma, [label], run, unit=unit, label=moved)
     return collected.errors()
 
 
@@ -65,7 +69,7 @@ def _volumes(rng, options):
 
 
 def _movements(rng, options):
-    """Mean movement of a region that `movements` outlines: against the true mean over the same cells."""
+    """Movement of the inner part of a region that `movements` outlines, and the whole volume that moved."""
     x, y = middles(SHAPE)
     relief = 0.01 * np.sin(20 * x) * np.cos(15 * y)
     before, after = (made(relief, rng=rng, sigma=4e-4, common=options["common"]) for _ in range(2))
@@ -75,6 +79,7 @@ def _movements(rng, options):
     d = difference(before, after)
     d = replace(d, heights=replace(d.heights, height=(d.heights.height + moved).astype(np.float32)))
     for region in movements(d).regions:
-        inside = moved[region.cells]
-        if np.mean(inside != 0) > 0.5:
-            yield "mean movement", region.mean - float(inside.mean()), region.mean_sigma, "m"
+        if np.mean(moved[region.cells] != 0) > HALF:
+            yield "amount", region.amount - options["movement"], region.amount_sigma, "m"
+            true = float(moved.sum()) * d.cell**2
+            yield "moved volume", region.volume - true, region.volume_sigma, "m3"
