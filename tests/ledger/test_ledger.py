@@ -176,8 +176,8 @@ def test_sets_of_a_folder_outside_are_read_and_judged_without_a_change(tmp_path)
     outside = tmp_path / "outside"
     outside.mkdir()
     text = (SETS / "ring.toml").read_text().replace('name = "ring"', 'name = "elsewhere"')
-    assert "runs = 60" in text
-    (outside / "elsewhere.toml").write_text(text.replace("runs = 60", "runs = 2"))
+    assert "runs = 40" in text
+    (outside / "elsewhere.toml").write_text(text.replace("runs = 40", "runs = 2"))
     (one,) = read_sets([outside])
     found = results.run(one, Places(data=(outside,), cache=tmp_path / "cache"))
     assert not found["reason"]
