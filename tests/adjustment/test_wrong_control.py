@@ -175,3 +175,14 @@ def test_that_one_of_three_is_wrong_is_said_once(sigma, shift, reject):
     assert "which one cannot be told" in faults[0].message
     assert "one of" in faults[0].message
     assert all(r is None for r in result.image_observations.rejected)
+
+
+@pytest.mark.long
+def test_many_wrong_ones_of_eighty_end_in_a_result():
+    """The choices of 27 of 80 points are more than 2^63."""
+    places = [(x, y) for x in np.linspace(-1, 1, 10) for y in np.linspace(-1, 1, 10)]
+    rng = np.random.default_rng(3)
+    wrong = {int(k): rng.normal(0, 0.15, 3) for k in rng.choice(100, 45, replace=False)}
+    block, names = network(places, wrong=wrong, strips=5)
+    assert len(set(names)) == 80
+    assert any(n.severity == "fault" for n in decide(block, AdjustmentOptions(jobs=1)).notices)

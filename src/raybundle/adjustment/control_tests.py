@@ -6,7 +6,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from itertools import pairwise
-from math import comb
+from math import comb, log
 
 import numpy as np
 from scipy.special import fdtri
@@ -271,7 +271,7 @@ class ControlTests:
             return False
         variance = max(self.result.weighted_square_sum - T, 1e-12 * T) / freedom
         scaled = T / variance - k - k * np.log(T / variance / k) - np.log(k)
-        choices = 2 * np.log(comb(self.count, len(chosen)))
+        choices = 2 * log(comb(self.count, len(chosen)))  # an integer beyond 2^63 is none for NumPy
         return bool(few / variance - of * np.log(k) - choices < scaled)
 
 
