@@ -240,18 +240,40 @@ def _samples(fields: FieldSystem) -> list[Array]:
     return found
 
 
+def field_spread(normals: Normals, state: State, told: Components, variance: float) -> Spread:
+    """What answers questions under known variance components, without the cofactors of all unknowns.
+
+    normals   with the undamped factor in its minimal datum, at `state`
+    variance  sigma0^2
+    """
+    return _without_inverse(field_system(normals, state), told.phi, told.root(variance))
+
+
+def _without_inverse(fields: FieldSystem, phi: float, root: Array) -> Spread:
+    own, own_nodes = _own(fields)
+    none = np.zeros(0)
+    return Spread(
+        fields=fields, phi=phi, basis=_basis(fields, root), own=own, own_nodes=own_nodes,
+        outside=_outside(fields) if phi > 1 else None, inverse=none, points=none,
+    )  # fmt: skip
+
+
+def components_of(normals: Normals, state: State, variance: float) -> Components | None:
+    """Floor and fields by the residuals of a factored block; None where some image points tell nothing."""
+    fields = field_system(normals, state)
+    if not all(np.isfinite(part).all() for part in (fields.scores, fields.H.data, fields.own.data)):
+        return None
+    return components(fields, variance)[0]
+
+
 def spread_of(fields: FieldSystem, found: Cofactors, phi: float, root: Array) -> Spread:
     """The noise spread over the unknowns; `root` (10, 10) of the covariance of an image's coefficients, units of s0^2.
 
     Of more than EXACT images random combinations of all coefficients stand for them: PROBES of them tell a variance to
     a tenth, a standard deviation to a twentieth, and what is stated remains a covariance.
     """
-    own, own_nodes = _own(fields)
-    none = np.zeros(0)
-    spread = Spread(
-        fields=fields, phi=phi, basis=_basis(fields, root), own=own, own_nodes=own_nodes,
-        outside=_outside(fields) if phi > 1 else None, inverse=none, points=none,
-    )  # fmt: skip
+    spread = _without_inverse(fields, phi, root)
+    own, own_nodes = spread.own, spread.own_nodes
     row, column = entries(fields.base)
     inverse, points = phi * found.inverse, phi * found.points_minimal - (phi - 1) * own
     if own_nodes.nnz:

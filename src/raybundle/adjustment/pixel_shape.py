@@ -40,6 +40,8 @@ class ShapeNotice(Notice):
     critical: float
     """Standard deviations beyond the limit up to which it may be chance"""
     shear: bool
+    under_noise: bool = False
+    """Whether `std` is that of the noise which the result states already"""
 
 
 def shape_limit(camera: Camera, symbol: str) -> float:
@@ -126,14 +128,14 @@ def _untold(camera: str, symbol: str, value: float, std: float, limit: float) ->
 def under_its_noise(result: Adjustment) -> Adjustment:
     """The result with what was said of affinity and shear under white noise restated under the noise that it has.
 
-    Decisions are taken under white noise.  Where smooth errors make standard deviations so much larger that a value may
-    be a sensor's after all, it stays held, for a sensor's is known better than these photographs tell; that is a
-    remark.
+    Some decisions are taken under white noise.  Where smooth errors make standard deviations so much larger that a
+    value may be a sensor's after all, it stays held, for a sensor's is known better than these photographs tell; that
+    is a remark.
     """
     wider = result.noise.ratio_interior
     if result.noise.kind != "fields" or not wider > 1.0:
         return result
-    told = tuple(_restated(n, wider) if isinstance(n, ShapeNotice) else n for n in result.notices)
+    told = tuple(_restated(n, wider) if isinstance(n, ShapeNotice) and not n.under_noise else n for n in result.notices)
     return replace(result, notices=told)
 
 
