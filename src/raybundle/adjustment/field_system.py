@@ -45,6 +45,11 @@ class FieldSystem:
     scores: Array
     """(10 f,) right sides of the fields, all unknowns eliminated: F' W v"""
 
+    @property
+    def is_finite(self) -> bool:
+        """False where some image points tell nothing of their object points by themselves."""
+        return all(bool(np.isfinite(part).all()) for part in (self.scores, self.H.data, self.own.data))
+
     def of_nodes(self, chosen: Array) -> Array:
         """J (N, k) of the nodes: influence of these fields (k,) on the unknowns."""
         return self.base.solved(self.H[:, chosen].toarray())

@@ -14,10 +14,10 @@ from functools import partial
 
 import numpy as np
 
-from raybundle.adjustment.field_system import reason_against
+from raybundle.adjustment.field_system import FieldSystem, field_system, reason_against
 from raybundle.adjustment.fields import FEWEST_DIRECTIONS, TERMS, Components
 from raybundle.adjustment.interior import plausible_std
-from raybundle.adjustment.noise import field_spread
+from raybundle.adjustment.noise import components, spread_alone
 from raybundle.adjustment.precision import interior_unknowns
 from raybundle.adjustment.result import Adjustment, InteriorResult, ParameterResult
 from raybundle.adjustment.transformation import Transformation
@@ -43,6 +43,9 @@ class JointInterior:
     """(k, k) covariance by white noise: sigma0^2 times the cofactors of least squares"""
     stated: Array
     """(k, k) covariance under the noise that the result states"""
+    square_sum: float
+    """Weighted square sum of the residuals"""
+    redundancy: int
     residuals: int
     """Degrees of freedom of the variance in `stated`: redundancy, of fields the directions that tell of them"""
     smooth_px: float
@@ -57,13 +60,10 @@ class JointInterior:
     def square(self, names: Sequence[tuple[str, str]], *, white: bool = False) -> float:
         """X' C^-1 x of these parameters: chi-square distributed with as many degrees where they are nil."""
         k = self.at(names)
-        C = (self.white if white else self.stated)[np.ix_(k, k)]
-        s = np.sqrt(np.diagonal(C))
-        x = self.values[k] / s
-        return float(x @ np.linalg.solve(C / np.outer(s, s), x))
+        return _square(self.values[k], (self.white if white else self.stated)[np.ix_(k, k)])
 
     def held(self, at: dict[tuple[str, str], float]) -> JointInterior:
-        """What is left with these parameters held at these values."""
+        """What is left with these parameters held at these values; sigma0 grows with the square sum."""
         k = self.at([*at])
         rest = np.setdiff1d(np.arange(len(self.names)), k)
         gain = np.linalg.solve(self.white[np.ix_(k, k)], self.white[np.ix_(k, rest)]).T
@@ -71,16 +71,29 @@ class JointInterior:
         K[np.arange(len(rest)), rest] = 1.0
         K[:, k] = -gain
         step = self.values[k] - np.array([*at.values()])
+        before = self.square_sum / max(self.redundancy, 1)
+        square_sum, redundancy = (
+            self.square_sum + before * _square(step, self.white[np.ix_(k, k)]),
+            self.redundancy + len(k),
+        )
+        growth = square_sum / redundancy / before if before > 0 and self.redundancy > 0 else 1.0
         return replace(
             self, names=tuple(self.names[i] for i in rest), values=self.values[rest] - gain @ step,
-            white=K @ self.white @ K.T, stated=K @ self.stated @ K.T,
+            white=growth * (K @ self.white @ K.T), stated=growth * (K @ self.stated @ K.T), square_sum=square_sum,
+            redundancy=redundancy,
         )  # fmt: skip
 
 
-def joint_interior(result: Adjustment, cameras: Sequence[str], noise: Components | None) -> JointInterior:
+def _square(x: Array, C: Array) -> float:
+    """The square x' C^-1 x of x (k,), by standard deviations of one: parameters have many units."""
+    s = np.sqrt(np.diagonal(C))
+    return float(x / s @ np.linalg.solve(C / np.outer(s, s), x / s))
+
+
+def joint_interior(result: Adjustment, cameras: Sequence[str], smooth: Smooth | None) -> JointInterior:
     """The free parameters of these cameras, without those that single images have of their own.
 
-    noise  variance components of fields and floor; None: white noise
+    smooth  what the stated covariance contains besides white noise; None: nothing
     Where the normal equations are not at hand in one piece, parameters of different cameras count as uncorrelated.
     """
     work = result.handle.work
@@ -93,12 +106,13 @@ def joint_interior(result: Adjustment, cameras: Sequence[str], noise: Components
     values = np.array([interiors[c].parameters[s].value for c, s in names])
     unknowns = np.concatenate([interior_unknowns(work.system, r) for r in rows]) if rows else np.zeros(0, np.int64)
     scale = result.sigma0**2 if np.isfinite(result.sigma0) and result.sigma0 > 0 else 1.0
-    white, stated = _covariances(work, unknowns.astype(np.int64), noise, scale)
+    white, stated = _covariances(work, unknowns.astype(np.int64), smooth, scale)
     return JointInterior(
-        names=tuple(names), values=values, white=white, stated=stated,
-        residuals=max(result.redundancy if noise is None else noise.directions, 1),
-        smooth_px=0.0 if noise is None else _smooth_px(noise),
-        smooth=noise is not None,
+        names=tuple(names), values=values, white=white, stated=stated, square_sum=result.weighted_square_sum,
+        redundancy=result.redundancy,
+        residuals=max(result.redundancy if smooth is None else smooth.components.directions, 1),
+        smooth_px=0.0 if smooth is None else _smooth_px(smooth.components),
+        smooth=smooth is not None,
     )  # fmt: skip
 
 
@@ -120,32 +134,46 @@ def _apart(result: Adjustment, interiors: dict[str, InteriorResult]) -> JointInt
         values=values,
         white=C,
         stated=C,
+        square_sum=result.weighted_square_sum,
+        redundancy=result.redundancy,
         residuals=max(result.redundancy, 1),
         smooth_px=0.0,
         smooth=False,
     )
 
 
-def may_have_fields(result: Adjustment) -> bool:
-    """Whether smooth errors can be looked for in the residuals of a result."""
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Smooth:
+    """Smooth errors of a factored block, and the variance components that residuals tell of them."""
+
+    fields: FieldSystem
+    components: Components
+
+
+def smooth_errors(result: Adjustment, known: Components | None = None) -> Smooth | None:
+    """Smooth errors that differ from image to image, by the residuals; None where they tell nothing of them.
+
+    known  components that residuals of more free parameters told before
+    """
     work = result.handle.work
-    return (
-        work is not None and work.found is not None and work.normals.one_piece and result.redundancy > 0
-        and not reason_against(work.system)
-    )  # fmt: skip
+    if work is None or work.found is None or not work.normals.one_piece or result.redundancy <= 0:
+        return None
+    if reason_against(work.system):
+        return None
+    fields = field_system(work.normals, work.state)
+    if not fields.is_finite:
+        return None
+    told = known or components(fields, result.sigma0**2)[0]
+    return Smooth(fields=fields, components=told) if told.directions >= FEWEST_DIRECTIONS else None
 
 
-def told(noise: Components | None) -> Components | None:
-    """The components, where there are directions enough to believe them."""
-    return noise if noise is not None and noise.directions >= FEWEST_DIRECTIONS else None
-
-
-def _covariances(work: Work, unknowns: Index, noise: Components | None, variance: float) -> tuple[Array, Array]:
+def _covariances(work: Work, unknowns: Index, smooth: Smooth | None, variance: float) -> tuple[Array, Array]:
     """Covariances (k, k) of unknowns of nodes by white noise and under fields."""
     assert work.found is not None
     solvers: list[Callable[[Array, Array], tuple[Array, Array]]] = [partial(work.normals.solve, work.state)]
-    if noise is not None:
-        solvers.append(field_spread(work.normals, work.state, noise, variance).solve)
+    if smooth is not None:
+        told = smooth.components
+        solvers.append(spread_alone(smooth.fields, told.phi, told.root(variance)).solve)
     n, p, k = int(work.system.offsets[-1]), len(work.state.xyz), len(unknowns)
     found = list[Array]()
     for solve in solvers:
@@ -186,7 +214,11 @@ def with_joint(result: Adjustment, joint: JointInterior, *, white: bool = False)
         }
         return replace(i, parameters=parameters, free=free)
 
-    return replace(result, interior=tuple(of(i) for i in result.interior))
+    return replace(
+        result, interior=tuple(of(i) for i in result.interior), weighted_square_sum=joint.square_sum,
+        redundancy=joint.redundancy,
+        sigma0=float(np.sqrt(joint.square_sum / joint.redundancy)) if joint.redundancy > 0 else result.sigma0,
+    )  # fmt: skip
 
 
 def _held(p: ParameterResult, now: bool) -> ParameterResult:  # noqa: FBT001

@@ -176,7 +176,7 @@ def noise_of(
     if reason:
         return replace(WHITE, reason=reason), found, None
     fields = field_system(normals, state)
-    if not all(np.isfinite(part).all() for part in (fields.scores, fields.H.data, fields.own.data)):
+    if not fields.is_finite:
         return replace(WHITE, reason="some image points tell nothing of their object points by themselves"), found, None
     told, of_images = components(fields, variance)
     noise = Noise(
@@ -240,16 +240,8 @@ def _samples(fields: FieldSystem) -> list[Array]:
     return found
 
 
-def field_spread(normals: Normals, state: State, told: Components, variance: float) -> Spread:
-    """What answers questions under known variance components, without the cofactors of all unknowns.
-
-    normals   with the undamped factor in its minimal datum, at `state`
-    variance  sigma0^2
-    """
-    return _without_inverse(field_system(normals, state), told.phi, told.root(variance))
-
-
-def _without_inverse(fields: FieldSystem, phi: float, root: Array) -> Spread:
+def spread_alone(fields: FieldSystem, phi: float, root: Array) -> Spread:
+    """What answers questions under floor and fields as in `spread_of`, without the cofactors of all unknowns."""
     own, own_nodes = _own(fields)
     none = np.zeros(0)
     return Spread(
@@ -258,21 +250,13 @@ def _without_inverse(fields: FieldSystem, phi: float, root: Array) -> Spread:
     )  # fmt: skip
 
 
-def components_of(normals: Normals, state: State, variance: float) -> Components | None:
-    """Floor and fields by the residuals of a factored block; None where some image points tell nothing."""
-    fields = field_system(normals, state)
-    if not all(np.isfinite(part).all() for part in (fields.scores, fields.H.data, fields.own.data)):
-        return None
-    return components(fields, variance)[0]
-
-
 def spread_of(fields: FieldSystem, found: Cofactors, phi: float, root: Array) -> Spread:
     """The noise spread over the unknowns; `root` (10, 10) of the covariance of an image's coefficients, units of s0^2.
 
     Of more than EXACT images random combinations of all coefficients stand for them: PROBES of them tell a variance to
     a tenth, a standard deviation to a twentieth, and what is stated remains a covariance.
     """
-    spread = _without_inverse(fields, phi, root)
+    spread = spread_alone(fields, phi, root)
     own, own_nodes = spread.own, spread.own_nodes
     row, column = entries(fields.base)
     inverse, points = phi * found.inverse, phi * found.points_minimal - (phi - 1) * own

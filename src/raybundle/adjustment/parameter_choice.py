@@ -19,8 +19,7 @@ import numpy as np
 from raybundle.adjustment.asked_parameters import with_asked
 from raybundle.adjustment.engine import Extent, Start, adjust_block, as_start
 from raybundle.adjustment.fields import Components
-from raybundle.adjustment.joint_interior import JointInterior, joint_interior, may_have_fields, told, with_joint
-from raybundle.adjustment.noise import components_of
+from raybundle.adjustment.joint_interior import JointInterior, joint_interior, smooth_errors, with_joint
 from raybundle.adjustment.options import AdjustmentOptions
 from raybundle.adjustment.pixel_shape import beyond_sensor, shape_limit, untold_shape
 from raybundle.adjustment.result import Adjustment, InteriorResult, Notice, printed_unit
@@ -35,6 +34,9 @@ from raybundle.settings import option
 
 CHOICES = 30
 """Rounds of the choice of parameters, each with an adjustment."""
+LINEAR = 0.1
+"""By how much the square sum, in units of sigma0^2, may differ from what the joint covariance predicts where nothing
+needs to be judged again: a chi-square at the limit of 5 % then changes its probability by a twentieth."""
 DROP_ORDER = ("harmonic", "read-out", "affinity", "decentring", "radial", "principal point", "scale")
 """Which kind of parameter is held first where a block determines too few."""
 
@@ -137,25 +139,25 @@ def choose(
                 # what it took in the fit is no value of it; the others are to be what they are beside the known one
                 block = with_values(block, camera, {symbol: value})
             continue
-        if noise is None and options.noise == "fields" and may_have_fields(result):
-            work = result.handle.work
-            assert work is not None
-            noise = told(components_of(work.normals, work.state, result.sigma0**2))
-        joint = joint_interior(result, automatic, noise)
+        smooth = smooth_errors(result, noise) if options.noise == "fields" else None
+        noise = noise if smooth is None else smooth.components
+        joint = joint_interior(result, automatic, smooth)
         shapes = _shapes(result, joint, automatic, choices) if options.pixel_shape == "sensor" else []
         if shapes:
             for notice, value in shapes:
                 block = _hold_shape(block, choices, notice, value)
             continue
         groups = _insignificant(result, joint, automatic, choices, options)
-        after = None
+        after, some = None, 0
         for some in dict.fromkeys((len(groups), min(len(groups), 1))) if groups else ():
             after = _confirmed(block, options, choices, result, joint, groups[:some], progress)
             if after is not None:
                 break
         if after is None:
             return block
-        block, confirmed = after
+        block, confirmed, linear = after
+        if linear and some == len(groups):  # what was judged beside these groups is as it was judged
+            return block
     free = sum(len(choices.free[c]) for c in automatic)
     choices.notices.append(
         Notice(
@@ -182,7 +184,7 @@ def _undetermined(result: Adjustment, automatic: list[str], choices: Decisions) 
         name = worst[0], worst[1]
         if name not in joint.names:  # of a single image
             break
-        joint = joint.held({name: float(joint.values[joint.names.index(name)])})  # its value may be anywhere
+        joint = joint.held({name: float(joint.values[joint.names.index(name)])})  # no value of it is believed
         shown = with_joint(shown, joint, white=True)
         worst = _least_determinable(shown, automatic, choices)
     return found
@@ -253,8 +255,8 @@ def _insignificant(
 def _confirmed(
     block: Block, options: AdjustmentOptions, choices: Decisions, result: Adjustment, joint: JointInterior,
     groups: list[Group], progress: Progress,
-) -> tuple[Block, Adjustment] | None:  # fmt: skip
-    """The block without these groups and its adjustment; None, and nothing decided, where that does not confirm it.
+) -> tuple[Block, Adjustment, bool] | None:  # fmt: skip
+    """The block without these groups, its adjustment, and whether that is as predicted; None where it is refuted.
 
     The square sum may grow by what the joint covariance predicts.  Beyond that the Bayesian information criterion
     (Schwarz 1978) decides, for what is not linear.
@@ -289,7 +291,7 @@ def _confirmed(
                 ids=(g.camera, *g.symbols),
             )
         )
-    return as_start(zeroed, without.adjusted), without
+    return as_start(zeroed, without.adjusted), without, abs(excess) < LINEAR
 
 
 def _moves(block: Block, camera: Camera) -> bool:
