@@ -151,3 +151,13 @@ def test_a_held_calibration_is_tested_when_a_block_is_adjusted(block, noise):
     assert "which is held: c held 20.8" in notice.message
     # what says it is the test: the same camera, free, is not contradicted
     assert not codes(adjust(replace(block, cameras=(replace(camera, values=values),)), options))
+
+
+def test_a_calibration_that_moves_no_projection_centre_beyond_its_precision_is_no_fault(block):
+    """A principal point that is 2.5 px off under smooth errors of 0.3 px: contradicted, and turns take it up."""
+    smooth = with_fields(block, 0.3)
+    found = {}
+    for off in (0.01, 0.05):
+        (found[off],) = held_notices(adjust(held(smooth, x0=off), AdjustmentOptions(jobs=1, noise="fields")), ["1"])
+    assert {off: n.severity for off, n in found.items()} == {0.01: "caution", 0.05: "fault"}
+    assert found[0.01].values["centres"] < found[0.01].values["centres_limit"] < found[0.05].values["centres"]

@@ -22,6 +22,7 @@ from raybundle.adjustment.severity import NEARLY, Severity
 from raybundle.block import Camera
 from raybundle.block.stored import joint_covariance
 from raybundle.errors import NotSolvable
+from raybundle.numerics.arrays import Array
 from raybundle.numerics.statistics import family_wise_normal, fisher_tail
 
 TOLD = 1e-6
@@ -72,13 +73,16 @@ def _contradicted(result: Adjustment, camera: Camera, interior: InteriorResult) 
 
 
 def held_notices(result: Adjustment, cameras: Sequence[str]) -> tuple[Notice, ...]:
-    """Where the photographs contradict a calibration that was given to be held: a fault.
+    """Where the photographs contradict a calibration that was given to be held.
 
     cameras  whose whole interior orientation was given and is held
     The block is adjusted once more with the interior orientation free.  With d the differences of its u determined
     parameters from those held, and C their covariance from f residuals (of fields: directions), d' C^-1 d / u is
-    distributed as F(u, f) if the calibration is right.  Beyond its limit it is a fault where the difference moves image
-    points by more than their standard deviation.
+    distributed as F(u, f) if the calibration is right.  Beyond its limit it is mentioned where the difference moves
+    image points by more than their standard deviation.
+    It is a fault where the result suffers: where a projection centre of the camera moves, from the block with the
+    calibration held to that with it free, by more than F(3, f) of its covariance in the latter allows, family-wise.
+    Below, the photographs by themselves do not place the camera better than the calibration does.
     What it does not tell: which of them is wrong where photographs determine only several parameters together.
     """
     found = [_contradicted_held(result, c) for c in result.given.cameras if c.id in cameras]
@@ -86,27 +90,42 @@ def held_notices(result: Adjustment, cameras: Sequence[str]) -> tuple[Notice, ..
 
 
 def _contradicted_held(result: Adjustment, camera: Camera) -> Notice | None:
+    fields = result.noise.kind == "fields"
     free = _freed(result, camera, fields=False)
     if free is None or not _beyond_chance(free):
         return None  # smooth errors make it more probable still
-    if result.noise.kind == "fields":
-        free = _freed(result, camera, fields=True)
-        if free is None or not _beyond_chance(free):
-            return None
+    free = _freed(result, camera, fields=fields, whole=True)
+    if free is None or not _beyond_chance(free):
+        return None
     if not free.effect_px > free.sigma_px:
         return None
     _, by = _worded(camera, sorted(free.moved, key=lambda m: -abs(m.w)), len(free.moved))
     limit = float(fdtri(len(free.moved), free.residuals, 1 - LEVEL))
+    farthest = float(free.centres.max(initial=0.0))
+    allowed = float(fdtri(3, free.residuals, 1 - LEVEL / max(len(free.centres), 1)))
+    suffers = farthest > allowed
     message = (
         f"camera {camera.id}: the photographs contradict its calibration, which is held: {by}; F of all "
         f"{len(free.moved)} parameters {free.F:.3g}, limit {limit:.3g} at {100 * LEVEL:g} %. Held, it moves image "
         f"points by up to {free.effect_px:.2g} px from where the calibration that fits has them, with a standard "
-        f"deviation of {free.sigma_px:.2g} px, and standard deviations are those of a camera that this one is not. "
-        "Look whether the calibration belongs to this camera, focus, zoom and format; if so, give its standard "
-        'deviations (sigma, or its covariance), free it (estimate = "auto"), or leave it out'
+        f"deviation of {free.sigma_px:.2g} px"
     )
-    ids = camera.id, *(m.symbol for m in free.moved)
-    return Notice(code="calibration_contradicted", message=message, ids=ids, measured=Severity.FAULT)
+    if suffers:
+        message += (
+            f", and projection centres beyond what photographs alone allow (F {farthest:.3g}, limit {allowed:.3g}). "
+            "Look whether the calibration belongs to this camera, focus, zoom and format; if so, give its standard "
+            'deviations (sigma, or its covariance), free it (estimate = "auto"), or leave it out'
+        )
+    else:
+        message += (
+            f". Projection centres move by no more than their standard deviations without it allow (F {farthest:.3g}, "
+            f"limit {allowed:.3g}): the calibration may be the better of the two. Compare check points or lengths"
+        )
+    return Notice(
+        code="calibration_contradicted", message=message, ids=(camera.id, *(m.symbol for m in free.moved)),
+        measured=Severity.FAULT if suffers else Severity.CAUTION,
+        values={"F": free.F, "limit": limit, "centres": farthest, "centres_limit": allowed},
+    )  # fmt: skip
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -121,14 +140,19 @@ class _Freed:
     """by which the whole difference moves image points within the format, at most"""
     sigma_px: float
     """standard deviation of an image coordinate"""
+    centres: Array
+    """(n,) d' C^-1 d / 3 of the camera's projection centres, C as the block with free parameters states it"""
 
 
 def _beyond_chance(free: _Freed) -> bool:
     return bool(free.moved) and fisher_tail(free.F, len(free.moved), free.residuals) < LEVEL
 
 
-def _freed(result: Adjustment, camera: Camera, *, fields: bool) -> _Freed | None:
-    """The same observations with this camera's interior orientation free; None where they do not determine it."""
+def _freed(result: Adjustment, camera: Camera, *, fields: bool, whole: bool = False) -> _Freed | None:
+    """The same observations with this camera's interior orientation free; None where they do not determine it.
+
+    whole  whether projection centres are compared, too
+    """
     released = replace(camera, estimate="auto")
     symbols = free_parameters(released)
     block = as_start(result.given, result.adjusted)
@@ -142,7 +166,7 @@ def _freed(result: Adjustment, camera: Camera, *, fields: bool) -> _Freed | None
     try:
         free = adjust_block(
             block, options, rejected=result.image_observations.rejected, start="adjusted",
-            extent="report" if fields else "decisions",
+            extent="report" if fields or whole else "decisions",
         )  # fmt: skip
     except NotSolvable:
         return None
@@ -172,7 +196,18 @@ def _freed(result: Adjustment, camera: Camera, *, fields: bool) -> _Freed | None
         residuals=free.noise.directions if free.noise.kind == "fields" else free.redundancy,
         effect_px=float(np.nanmax(np.linalg.norm(shift.sum(axis=2), axis=1))),
         sigma_px=free.sigma0 * float(np.median(np.sqrt(free.given.observations.cov_px2[used, :2]))),
+        centres=_centres(result, free, camera) if whole else np.zeros(0),
     )  # fmt: skip
+
+
+def _centres(result: Adjustment, free: Adjustment, camera: Camera) -> Array:
+    """The squares d' C^-1 d / 3 (n,) of the projection centres of a camera that both adjustments state, in one datum."""
+    assert free.precision is not None
+    of_camera = np.array([c.id == camera.id for c in result.given.cameras])[result.given.images.camera]
+    C = free.precision.images[:, :3, :3]
+    mine = of_camera & np.isfinite(C).all(axis=(1, 2)) & (np.linalg.det(np.nan_to_num(C)) > 0)
+    d = (free.adjusted.images.centre - result.adjusted.images.centre)[mine]
+    return np.einsum("ni,ni->n", d, np.linalg.solve(C[mine], d[:, :, None])[:, :, 0]) / 3
 
 
 def _worded(camera: Camera, moved: list[_Moved], count: int) -> tuple[list[_Moved], str]:
