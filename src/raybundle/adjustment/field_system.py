@@ -14,7 +14,7 @@ from typing import Any
 import numpy as np
 
 from raybundle.adjustment.assemble import InteriorRow, State, System
-from raybundle.adjustment.fields import COLUMNS, WithFields
+from raybundle.adjustment.fields import WithFields
 from raybundle.adjustment.normals import Normals
 from raybundle.adjustment.twin_images import inverse2
 from raybundle.numerics.arrays import Array, Index
@@ -109,14 +109,17 @@ def _carries(system: System, image: int) -> bool:
     return bool(model.one_format and not model.local_width and not scene)
 
 
-def field_system(base: Normals, state: State) -> FieldSystem:
-    """The wide normal equations at the state at which the block's own are factored."""
+def field_system(base: Normals, state: State, kind: type[WithFields] = WithFields) -> FieldSystem:
+    """The wide normal equations at the state at which the block's own are factored.
+
+    kind  what each image has of its own: a smooth field, or an interior orientation
+    """
     system = base.system
     images = np.array([i for i in np.flatnonzero(system.images_used) if _carries(system, int(i))], np.int32)
-    wide_system, unknowns, columns = _widened(system, images)
+    wide_system, unknowns, columns = _widened(system, images, kind)
     wide_state = _widened_state(system, wide_system, state)
     wide = Normals.of(wide_system, base.threads)
-    _evaluate(wide, wide_state, base, state, images)
+    _evaluate(wide, wide_state, base, state, images, kind)
     wide.reduce(wide_state)
     order = sparse_normals(wide, columns)
     wide.values = np.zeros(0)
@@ -130,7 +133,7 @@ def field_system(base: Normals, state: State) -> FieldSystem:
     return found
 
 
-def _widened(system: System, images: Index) -> tuple[System, Array, Array]:
+def _widened(system: System, images: Index, kind: type[WithFields]) -> tuple[System, Array, Array]:
     """The system whose images carry fields, the places of its own unknowns and of the fields' coefficients."""
     interior, of_image = list(system.interior), system.interior_of_image.copy()
     image_node, sizes = system.image_node.copy(), system.sizes.astype(np.int64).tolist()
@@ -139,7 +142,7 @@ def _widened(system: System, images: Index) -> tuple[System, Array, Array]:
     for k, i in enumerate(images.tolist()):
         r = int(of_image[i])
         row = system.interior[r]
-        model = models.setdefault(row.camera, WithFields(system.block.cameras[row.camera]))
+        model = models.setdefault(row.camera, kind(system.block.cameras[row.camera]))
         if image_node[i] < 0:
             image_node[i] = len(sizes)
             sizes.append(0)
@@ -147,7 +150,7 @@ def _widened(system: System, images: Index) -> tuple[System, Array, Array]:
         alone = row.node == node
         start = 6 * int(system.exterior_free[i])
         first[k] = sizes[node]
-        fields = tuple(len(row.model.symbols) + c for c in range(COLUMNS))
+        fields = tuple(len(row.model.symbols) + c for c in range(kind.columns))
         of_image[i] = len(interior)
         interior.append(
             InteriorRow(
@@ -155,11 +158,11 @@ def _widened(system: System, images: Index) -> tuple[System, Array, Array]:
                 start=start, parent=row.parent if alone or row.node < 0 or row.parent >= 0 else r,
             )
         )  # fmt: skip
-        sizes[node] += COLUMNS
+        sizes[node] += kind.columns
     offsets = np.concatenate([[0], np.cumsum(sizes)]).astype(np.int64)
     nodes = np.repeat(np.arange(len(system.sizes)), system.sizes)
     unknowns = offsets[nodes] + np.arange(len(nodes)) - system.offsets[nodes]
-    columns = ((offsets[image_node[images]] + first)[:, None] + np.arange(COLUMNS)).ravel()
+    columns = ((offsets[image_node[images]] + first)[:, None] + np.arange(kind.columns)).ravel()
     stride = max(system.stride, *(len(m.symbols) for m in models.values()))
     wide = replace(
         system, interior=tuple(interior), interior_of_image=of_image, stride=stride, sizes=np.array(sizes, np.int32),
@@ -176,7 +179,9 @@ def _widened_state(system: System, wide: System, state: State) -> State:
     return State(state.rotation, state.centre, interior, state.xyz, state.own)
 
 
-def _evaluate(wide: Normals, wide_state: State, base: Normals, state: State, images: Index) -> None:
+def _evaluate(
+    wide: Normals, wide_state: State, base: Normals, state: State, images: Index, kind: type[WithFields]
+) -> None:
     """Hand the partial derivatives to the native solver, at the adjusted image points that it knows: no iteration.
 
     Where this is not all that there is to say of a row (another form of the residual, other models that are not
@@ -202,7 +207,7 @@ def _evaluate(wide: Normals, wide_state: State, base: Normals, state: State, ima
     camera = block.images.camera[image]
     for c in np.unique(camera[mine]):
         k = np.flatnonzero(mine & (camera == c))
-        model, fields = block.cameras[c].sensor, WithFields(block.cameras[c])
+        model, fields = block.cameras[c].sensor, kind(block.cameras[c])
         n = len(model.symbols)
         x, y = (system.xy_mm[k] + v[k]).T
         values = state.interior[system.interior_of_image[image[k]], :n].T
@@ -213,7 +218,7 @@ def _evaluate(wide: Normals, wide_state: State, base: Normals, state: State, ima
         for axis in (0, 1):
             first = 8 + axis * w
             out[k, first : first + n] = D[axis, 3:].T
-            out[k, first + n : first + n + COLUMNS] = shifts[axis].T
+            out[k, first + n : first + n + kind.columns] = shifts[axis].T
     wide.solver.set_external(out[mine], np.full((int(mine.sum()), w), -1, np.int32), w)
     wide.evaluated = wide_state
 

@@ -99,16 +99,19 @@ class WithFields(SensorModel, registered=False):
     """
 
     name = "fields"
+    columns = COLUMNS
+    """Coefficients of an image"""
     explicit = False  # the field is taken at the adjusted image point: at the measured one it would see its noise
 
     def __init__(self, camera: Camera) -> None:
         """The sensor model of a camera, with its format."""
         self.base = camera.sensor
-        self.parameters = self.base.parameters + tuple(
-            Parameter(f"f{axis}{a}{b}", "px", f"field in {axis}") for a, b in TERMS for axis in "xy"
-        )
+        self.parameters = self.base.parameters + self._coefficients()
         self._pixel = np.array(camera.pixel_mm)
         self._half = max(camera.width_px, camera.height_px) / 2
+
+    def _coefficients(self) -> tuple[Parameter, ...]:
+        return tuple(Parameter(f"f{axis}{a}{b}", "px", f"field in {axis}") for a, b in TERMS for axis in "xy")
 
     @property
     def condition_and_jacobian(self) -> Callable[..., tuple[Array, Array]]:  # pyright: ignore[reportIncompatibleVariableOverride]
@@ -116,7 +119,7 @@ class WithFields(SensorModel, registered=False):
         return self._evaluate
 
     def _evaluate(self, x: Array, y: Array, X: Array, Y: Array, Z: Array, *values: Scalar) -> tuple[Array, Array]:
-        g, J = self.base.condition_and_jacobian(x, y, X, Y, Z, *values[:-COLUMNS])
+        g, J = self.base.condition_and_jacobian(x, y, X, Y, Z, *values[: -self.columns])
         # measured = true + field: the condition holds at the measured point less the field
         return g, np.concatenate([J, -np.einsum("ijn,jkn->ikn", J[:, :2], self.displacements(x, y))], axis=1)
 
@@ -129,7 +132,29 @@ class WithFields(SensorModel, registered=False):
 
     def in_front(self, points: Array, image: Array | None = None, values: Array | None = None) -> Mask:
         """As the camera's own model says."""
-        return self.base.in_front(points, image, None if values is None else values[:-COLUMNS])
+        return self.base.in_front(points, image, None if values is None else values[: -self.columns])
+
+
+OWN = ("c", "x0", "y0", "K1")
+"""What an image may have of its own beside the others of its camera, in pixels: c and K1 at half the longer side."""
+
+
+class WithOwnInterior(WithFields, registered=False):
+    """A camera whose images have a field each, and a camera constant, principal point and radial distortion."""
+
+    name = "own interior orientation"
+    columns = COLUMNS + len(OWN)
+
+    def _coefficients(self) -> tuple[Parameter, ...]:
+        return super()._coefficients() + tuple(Parameter(f"own {s}", "px", f"{s} of one image") for s in OWN)
+
+    def displacements(self, x: Array, y: Array) -> Array:
+        """Displacements (2, 14, n) [mm] by the coefficients [px] of image points [mm]."""
+        X, Y = x / (self._pixel[0] * self._half), y / (self._pixel[1] * self._half)
+        square = X * X + Y * Y
+        one, none = np.ones_like(X), np.zeros_like(X)
+        shapes = np.stack([np.stack([X, one, none, X * square]), np.stack([Y, none, one, Y * square])])
+        return np.concatenate([super().displacements(x, y), self._pixel[:, None, None] * shapes], axis=1)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -146,9 +171,14 @@ class Components:
 
     def root(self, variance: float) -> Array:
         """A square root (10, 10) of the covariance of an image's coefficients, in units of `variance`."""
-        tau, size = np.sqrt(self.tau_square), float(FOCUS @ FOCUS)
-        along = np.sqrt(self.tau_square + self.focus_square * size)
-        return (tau * np.eye(COLUMNS) + (along - tau) * np.outer(FOCUS, FOCUS) / size) / np.sqrt(variance)
+        return root_of_fields(self.tau_square, self.focus_square) / np.sqrt(variance)
+
+
+def root_of_fields(tau_square: float, focus_square: float) -> Array:
+    """A square root (10, 10) [px] of the covariance of an image's coefficients."""
+    tau, size = np.sqrt(tau_square), float(FOCUS @ FOCUS)
+    along = np.sqrt(tau_square + focus_square * size)
+    return tau * np.eye(COLUMNS) + (along - tau) * np.outer(FOCUS, FOCUS) / size
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

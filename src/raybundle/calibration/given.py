@@ -201,7 +201,7 @@ def _freed(result: Adjustment, camera: Camera, *, fields: bool, whole: bool = Fa
 
 
 def _centres(result: Adjustment, free: Adjustment, camera: Camera) -> Array:
-    """The squares d' C^-1 d / 3 (n,) of the projection centres of a camera that both adjustments state, in one datum."""
+    """Squares (n,) d' C^-1 d / 3 of the projection centres of a camera in two adjustments, in one datum."""
     assert free.precision is not None
     of_camera = np.array([c.id == camera.id for c in result.given.cameras])[result.given.images.camera]
     C = free.precision.images[:, :3, :3]
