@@ -26,6 +26,8 @@ DRAWS = 2000
 """Simulated sets of images without groups: of twelve tests at LEVEL, the limit of each is about the second least."""
 LEVEL = 1e-2
 """Probability of groups where there are none, for all parameters of a camera together."""
+TURNS = 3
+"""Directions that are tried one after the other from each parameter."""
 TOGETHER = 4_000_000
 """Numbers that are worked on at once."""
 FARTHEST = 0.03
@@ -42,7 +44,7 @@ class OwnInteriors:
     difference_px: Array
     """(n, 4) c, x0, y0, K1 as displacements, c and K1 at half the longer side of the format"""
     covariance: Array
-    """(4, n, n) of each, by noise and by smooth errors that differ from image to image without groups"""
+    """(4 n, 4 n), by noise and by smooth errors that differ from image to image without groups"""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -51,7 +53,7 @@ class Groups:
 
     images: tuple[Index, ...]
     symbol: str
-    """of `fields.OWN`, by which they differ"""
+    """of `fields.OWN`, by which they differ most clearly"""
     means_px: Array
     """(g,) of its values"""
     scatter_px: float
@@ -93,48 +95,95 @@ def own_interiors(result: Adjustment) -> tuple[OwnInteriors, ...]:
         found.append(
             OwnInteriors(
                 images=system.images[at], difference_px=(Q @ system.scores[mine] / variance).reshape(n, own),
-                covariance=np.stack([V[j::own, j::own] for j in range(own)]),
+                covariance=V,
             )
         )  # fmt: skip
     return tuple(found)
 
 
 def groups_of(own: OwnInteriors) -> Groups | None:
-    """The most distinct groups of a camera's images by one of the parameters; None where they may be chance.
+    """The most distinct groups of a camera's images; None where they may be chance.
 
-    The sum of squares within the best division of the sorted values (Fisher 1958), as a share of all, is held against
-    the same of normally distributed values without groups (Engelman and Hartigan 1969), which are drawn with the
-    covariance that geometry, noise and smooth errors give them.
+    By each parameter: the sum of squares within the best division of the sorted values (Fisher 1958), as a share of
+    all.  By all parameters together: Wilks' ratio of determinants (1932) of the best division into two.  Each is held
+    against the same of normally distributed values without groups (Engelman and Hartigan 1969), which are drawn with
+    the covariance that geometry, noise and smooth errors give them.
     """
-    n = len(own.images)
+    n, k = own.difference_px.shape
     counts = [g for g in range(2, MOST_GROUPS + 1) if g * FEWEST <= n]
-    best: Groups | None = None
-    for k, symbol in enumerate(OWN):
-        values = own.difference_px[:, k]
-        order = np.argsort(values, kind="stable")
-        shares, cuts = _divided(values[order][None], max(counts))
-        chance = _chance(own.covariance[k], max(counts))
-        for g in counts:
-            p = float((1 + np.sum(chance[g - 2] <= shares[g - 2, 0])) / (1 + DRAWS)) * len(OWN) * len(counts)
-            if p > LEVEL or (best is not None and p >= best.probability):
-                continue
-            parts = np.split(order, cuts[g - 2][0])
-            means = np.array([values[i].mean() for i in parts])
-            within = sum(float(((values[i] - m) ** 2).sum()) for i, m in zip(parts, means, strict=True))
-            best = Groups(
-                images=tuple(np.sort(own.images[i]) for i in parts), symbol=symbol, means_px=means,
-                scatter_px=float(np.sqrt(within / max(n - g, 1))), probability=p,
-            )  # fmt: skip
-    return best
-
-
-def _chance(covariance: Array, most: int) -> Array:
-    """Shares (g - 1, DRAWS) of the square sum within the best 2 .. `most` groups of values that have none."""
-    n = len(covariance)
-    values, vectors = np.linalg.eigh(covariance)
+    values, vectors = np.linalg.eigh(own.covariance)
     root = vectors * np.sqrt(np.maximum(values, 0.0))
-    drawn = np.sort(np.random.default_rng(n).normal(size=(DRAWS, n)) @ root.T, axis=1)
-    pieces = np.array_split(drawn, max(1, DRAWS * n * n // TOGETHER))
+    drawn = (np.random.default_rng(n).normal(size=(DRAWS, n * k)) @ root.T).reshape(DRAWS, n, k)
+    tests = k * len(counts) + 1
+    ratio, side = _in_two(own.difference_px[None])
+    p = _probability(_in_two(drawn)[0], float(ratio[0])) * tests
+    parts = [np.flatnonzero(side[0]), np.flatnonzero(~side[0])]
+    clearest = int(np.argmin([_share_within(own.difference_px[:, j], parts) for j in range(k)]))
+    found = [(p, clearest, parts)]
+    for j in range(k):
+        order = np.argsort(own.difference_px[:, j], kind="stable")
+        shares, cuts = _divided(own.difference_px[order, j][None], max(counts))
+        chance = _chance(drawn[:, :, j], max(counts))
+        for g in counts:
+            p = _probability(chance[g - 2], float(shares[g - 2, 0])) * tests
+            found.append((p, j, np.split(order, cuts[g - 2][0])))
+    p, j, parts = min(found, key=lambda f: (f[0], len(f[2])))  # of equal ones the first
+    if p > LEVEL:
+        return None
+    parts.sort(key=lambda i: float(own.difference_px[i, j].mean()))
+    within = _share_within(own.difference_px[:, j], parts) * float(np.var(own.difference_px[:, j]) * n)
+    return Groups(
+        images=tuple(np.sort(own.images[i]) for i in parts), symbol=OWN[j],
+        means_px=np.array([own.difference_px[i, j].mean() for i in parts]),
+        scatter_px=float(np.sqrt(within / max(n - len(parts), 1))), probability=p,
+    )  # fmt: skip
+
+
+def _probability(chance: Array, value: float) -> float:
+    return float((1 + np.sum(chance <= value)) / (1 + len(chance)))
+
+
+def _share_within(values: Array, parts: list[Index]) -> float:
+    within = sum(float(((values[i] - values[i].mean()) ** 2).sum()) for i in parts)
+    return within / max(float(((values - values.mean()) ** 2).sum()), 1e-300)
+
+
+def _in_two(values: Array) -> tuple[Array, Array]:
+    """Wilks' ratio (d,) of the best division of values (d, n, k) into two that is found, and the side (d, n) of each.
+
+    With values whose scatter is the unit matrix, groups of a and b images with means m and m' have the ratio
+    1 - a b / n |m - m'|^2.  From the order along each parameter, then along the difference of the means.
+    """
+    d, n, k = values.shape
+    centred = values - values.mean(axis=1, keepdims=True)
+    scale = np.sqrt(np.maximum(np.einsum("dnk,dnk->dk", centred, centred), 1e-300))
+    unit = centred / scale[:, None]
+    scatter = np.einsum("dnk,dnl->dkl", unit, unit) + 1e-9 * np.eye(k)
+    white = np.linalg.solve(np.linalg.cholesky(scatter), unit.transpose(0, 2, 1)).transpose(0, 2, 1)
+    sizes = np.arange(1, n)
+    allowed = (sizes >= FEWEST) & (n - sizes >= FEWEST)
+    best, side = np.ones(d), np.zeros((d, n), bool)
+    for j in range(k):
+        along = unit[:, :, j]
+        for _ in range(TURNS):
+            order = np.argsort(along, axis=1)
+            sums = np.cumsum(np.take_along_axis(white, order[:, :, None], axis=1), axis=1)[:, :-1]
+            gain = np.einsum("dnk,dnk->dn", sums, sums) * n / (sizes * (n - sizes))  # the whole sum is nil
+            gain = np.where(allowed, gain, -1.0)
+            cut = gain.argmax(axis=1)
+            ratio = 1 - gain[np.arange(d), cut]
+            rank = np.argsort(order, axis=1)
+            now = rank <= cut[:, None]
+            better = ratio < best
+            best, side = np.where(better, ratio, best), np.where(better[:, None], now, side)
+            along = np.einsum("dnk,dk->dn", white, -sums[np.arange(d), cut])
+    return best, side
+
+
+def _chance(drawn: Array, most: int) -> Array:
+    """Shares (g - 1, d) of the square sum within the best 2 .. `most` groups of values (d, n) that have none."""
+    d, n = drawn.shape
+    pieces = np.array_split(np.sort(drawn, axis=1), max(1, d * n * n // TOGETHER))
     return np.concatenate([_divided(v, most)[0] for v in pieces], axis=1)
 
 

@@ -41,7 +41,7 @@ _CODES = {
         "one_ray_control outside_format parts_apart pixel_shape given_twice "
         "points_left_out rays_diverge read_out_unused relative_control repeated_structure residual_structure "
         "choice_unfinished result_unsettled rolling_shutter scale_unchecked scene_datum scene_prior small_angle "
-        "approximate_scale start_behind "
+        "approximate_scale several_cameras start_behind "
         "start_parallel static_background systematic_residuals "
         "target_without_normal two_cameras unstable_camera up_ambiguous up_uncertain weak_photographs"
     ),
