@@ -54,6 +54,7 @@ from raybundle.adjustment.steady import steadied, told_by_network, without_prior
 from raybundle.adjustment.straight import check_turning
 from raybundle.adjustment.transformation import fit_to_given
 from raybundle.adjustment.under_noise import under_noise
+from raybundle.adjustment.unusual_noise import unusual_noise_notices
 from raybundle.adjustment.work import Work
 from raybundle.block import Block, Camera, Instrument
 from raybundle.block.rejection import Rejection, RejectionKind, Rejections
@@ -137,7 +138,8 @@ def _finished(result: Adjustment, extent: Extent, progress: Progress) -> Adjustm
     result = under_noise(result) if result.options.noise == "fields" else result
     result = with_roughness(result)
     progress("statistics", 1.0)
-    return replace(result, notices=(*result.notices, *own_field_notices(result), *systematic_notices(result)))
+    found = (*own_field_notices(result), *systematic_notices(result), *unusual_noise_notices(result))
+    return replace(result, notices=(*result.notices, *found))
 
 
 def _with_settled_components(

@@ -82,6 +82,11 @@ class Noise:
 WHITE = Noise(kind="white")
 
 
+def smooth_px(tau_square: float, focus_square: float) -> float:
+    """Standard deviation [px] of an image coordinate by fields and a wandering focus, over a square format."""
+    return float(np.sqrt(tau_square * sum(1 / (i + j) ** 2 for i, j in TERMS) + focus_square / 3))
+
+
 def field_shapes(x: Array, y: Array) -> Array:
     """Values (terms, n) of the products at coordinates over half the longer side of the format.
 
@@ -168,6 +173,11 @@ class Components:
     """[px^2], at half the longer side of the format"""
     directions: int
     chi_square: float
+
+    @property
+    def smooth_px(self) -> float:
+        """Standard deviation of an image coordinate by smooth errors of single images."""
+        return smooth_px(self.tau_square, self.focus_square)
 
     def root(self, variance: float) -> Array:
         """A square root (10, 10) of the covariance of an image's coefficients, in units of `variance`."""

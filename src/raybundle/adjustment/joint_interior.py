@@ -15,7 +15,7 @@ from functools import partial
 import numpy as np
 
 from raybundle.adjustment.field_system import FieldSystem, field_system, reason_against
-from raybundle.adjustment.fields import FEWEST_DIRECTIONS, TERMS, Components
+from raybundle.adjustment.fields import FEWEST_DIRECTIONS, Components
 from raybundle.adjustment.interior import plausible_std
 from raybundle.adjustment.noise import components, spread_alone
 from raybundle.adjustment.precision import interior_unknowns
@@ -27,8 +27,6 @@ from raybundle.numerics.arrays import Array, Index
 
 TOGETHER = 16
 """Right sides that the kernels solve at once."""
-SMOOTH_SQUARE = sum(1 / (i + j) ** 2 for i, j in TERMS)
-"""Mean square of a field in one coordinate over that of a coefficient: a term of degree d is divided by d."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -111,13 +109,9 @@ def joint_interior(result: Adjustment, cameras: Sequence[str], smooth: Smooth | 
         names=tuple(names), values=values, white=white, stated=stated, square_sum=result.weighted_square_sum,
         redundancy=result.redundancy,
         residuals=max(result.redundancy if smooth is None else smooth.components.directions, 1),
-        smooth_px=0.0 if smooth is None else _smooth_px(smooth.components),
+        smooth_px=0.0 if smooth is None else smooth.components.smooth_px,
         smooth=smooth is not None,
     )  # fmt: skip
-
-
-def _smooth_px(noise: Components) -> float:
-    return float(np.sqrt(SMOOTH_SQUARE * noise.tau_square + noise.focus_square / 3))
 
 
 def _apart(result: Adjustment, interiors: dict[str, InteriorResult]) -> JointInterior:

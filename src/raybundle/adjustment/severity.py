@@ -43,7 +43,7 @@ _CODES = {
         "choice_unfinished result_unsettled rolling_shutter scale_unchecked scene_datum scene_prior small_angle "
         "approximate_scale several_cameras start_behind "
         "start_parallel static_background systematic_residuals "
-        "target_without_normal two_cameras unstable_camera up_ambiguous up_uncertain weak_photographs"
+        "target_without_normal two_cameras unstable_camera unusual_errors up_ambiguous up_uncertain weak_photographs"
     ),
     Severity.REMARK: (
         "attitudes axes_fitted camera camera_joined check_points_open control_unchecked dropped given_rejected gps "

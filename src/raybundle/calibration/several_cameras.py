@@ -24,6 +24,9 @@ from raybundle.settings import option
 
 MOST_CAMERAS = 8
 """Cameras of a block up to which more are looked for."""
+LARGE = 4.0
+"""Mean square of the residuals in the directions of smooth fields, in units of white noise, from which on it is looked
+at: standard deviations of such sums are then twice those of white noise."""
 NAMED = 3
 """Photographs of a group that a notice names."""
 
@@ -52,7 +55,7 @@ class SeveralCameras:
 def several_cameras(result: Adjustment) -> SeveralCameras | None:
     """Cameras whose photographs fall into groups with interior orientations of their own; None where none does.
 
-    result  under noise of kind fields, whose smooth errors are larger than the noise of single image points
+    result  under noise of kind fields
 
     Two tests have to agree: that the images' own values fall into groups more distinctly than values without groups do
     (`own_interiors.groups_of`), and that the groups' interior orientations, adjusted apart, differ significantly by
@@ -60,7 +63,7 @@ def several_cameras(result: Adjustment) -> SeveralCameras | None:
     What it does not tell: whether groups are two cameras, two zooms or two distances of focus; groups below three
     images; cameras of which each took one image.
     """
-    if result.noise.kind != "fields" or not _may_be(result):
+    if result.noise.kind != "fields" or not result.noise.chi_square > LARGE:
         return None
     camera_of: dict[str, tuple[str, str]] = {}
     notices = list[Notice]()
@@ -88,11 +91,6 @@ def several_cameras(result: Adjustment) -> SeveralCameras | None:
 
 def _sigma_px(result: Adjustment) -> float:
     return result.sigma0 * float(np.median(np.sqrt(result.given.observations.cov_px2[:, :2])))
-
-
-def _may_be(result: Adjustment) -> bool:
-    """Whether smooth errors are large enough to be looked at."""
-    return bool(np.hypot(result.noise.tau_px, result.noise.focus_px) > _sigma_px(result))
 
 
 def _apart(
