@@ -231,13 +231,14 @@ def measured(level: Level, grid: PixelGrid, a: Approximate, wanted: Mask | None 
 
     wanted  (rows, columns) which alone are measured; None: all
     """
-    usual = roughness.variogram(
+    rough = roughness.local_roughness(
         np.where(a.found.found, a.found.t, np.nan), noise_of(a.found, a.noise, len(level.sources)), COARSE
     )
+    (row, column), _ = nearest_of(a.grid, grid)
     fine = Fine.empty(grid, len(level.sources))
     for rows, part in _grown(level, grid, a, wanted):
         assert part.response is not None
-        window = usual.strength * roughness.of_window(part.response, usual.power)
+        window = rough.variance((row[rows], column[rows]), part.response)
         fine.take(rows, part, noise_of(part, a.noise, len(level.sources)), window)
     return fine
 

@@ -18,7 +18,7 @@ from itertools import product
 import cv2
 import numpy as np
 
-from raybundle.numerics.arrays import Array
+from raybundle.numerics.arrays import Array, Index
 
 NORMAL = 0.6745
 """Median of the absolute value of a standard normal variable"""
@@ -31,13 +31,20 @@ FEWEST = 3
 """Neighbours that have to be known; else there is no misfit."""
 MOST = 20.0
 """Of the usual misfit, above which neighbours' misfits count no more."""
-BY_MISFIT, BY_MISFIT_AROUND, BY_RESIDUAL = 0.2, 0.2, 0.85
+BY_MISFIT, BY_MISFIT_AROUND, BY_RESIDUAL = 0.4, 0.28, 0.1
 """Exponents by which the variance follows its witnesses: least squares of the logarithm of squared errors of exactly
-known surfaces (benchmarks/surface_truth.py), learned from four maps of which each gave the same within 0.1.  The result
-is a mean of logarithms: of the variance known before, and of those that few neighbours and residuals tell."""
-LEFT = 0.5
-"""Variance of the logarithm of a variance that witnesses leave, by the same least squares: 5.4 of squared errors, of
-which their normal distribution explains pi^2 / 2.  The mean of a variance is exp(LEFT / 2) times its median."""
+known surfaces (benchmarks/surface_roughness.py): the portal and two terrains, which gave the same but for residuals.
+Those follow what the surface does on the portal alone (0.6); where it is rough all over the variogram knows it."""
+LEFT = 0.1
+"""Variance of the logarithm of a variance that witnesses leave on the terrains, by the same least squares, beside the
+pi^2 / 2 of normal errors.  The mean of a variance is exp(LEFT / 2) times its median."""
+AROUND_PX = 60
+"""Side of the surroundings whose second differences tell how rough a place is: some fifty windows, so that their median
+square is known to a fifth."""
+MOST_SIDE, LEVELS = 255, 7
+"""Of a square of a median [pixels of the grid]; steps of a logarithm to base 2, so that medians are those of bytes."""
+SAMPLES, POWERS, WHOLE = 500, 5, 0.1
+"""Windows and powers by which the variance of a window is known, and by how much the response of one may not sum to 1"""
 CHUNK = 50_000
 """Windows at once."""
 ROWS = 64
@@ -68,6 +75,71 @@ def variogram(t: Array, noise: Array, stride: int) -> Variogram:
     power = float(np.clip(np.log(squares[1] / squares[0]) / np.log(lags[1] / lags[0]), LEAST_POWER, MOST_POWER))
     lag = lags[0] * stride
     return Variogram(power=power, strength=squares[0] / (8 * lag**power - 2 * (2 * lag) ** power))
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class LocalRoughness:
+    """Roughness of the places of a map, by the second differences around each: arrays (rows, columns) float32."""
+
+    power: Array
+    square: Array
+    """squares of second differences at the first lag, less those by noise, robust over the surroundings [t^2]"""
+    lag_px: float
+
+    def variance(self, at: tuple[Index, Index], response: Array) -> Array:
+        """(...,) variance by what the surface does within windows of responses (..., side^2).
+
+        at  rows and columns (...) of the map
+
+        Windows of a map are much alike: how their variance depends on the power is taken from some of them.
+        """
+        flat = response.reshape(-1, response.shape[-1])
+        some = flat[np.linspace(0, len(flat) - 1, min(SAMPLES, len(flat))).astype(int)]
+        some = some[np.abs(some.sum(axis=1) - 1) < WHOLE]
+        if not len(some):
+            return np.zeros(response.shape[:-1], np.float32)
+        powers = np.linspace(LEAST_POWER, MOST_POWER, POWERS)
+        of = np.array([np.median(of_window(some, p)) / _per_strength(self.lag_px, p) for p in powers])
+        middle = (LEAST_POWER + MOST_POWER) / 2
+        own = of_window(response, middle) / max(float(np.median(of_window(some, middle))), 1e-30)
+        return (own * self.square[at] * np.interp(self.power[at], powers, of)).astype(np.float32)
+
+
+def local_roughness(t: Array, noise: Array, stride: int) -> LocalRoughness:
+    """Of refined depth parameters (rows, columns), NaN where there is none, whose noise has the variances `noise`.
+
+    Medians over squares of AROUND_PX: an edge crosses few of the second differences there, and does not count.  Where
+    little is known the usual ones of the map count.
+    """
+    lags = [max(1, round(lag / stride)) for lag in LAGS_PX]
+    side = min(2 * round(AROUND_PX / stride / 2) + 1, MOST_SIDE)
+    by_noise = _median_around(noise, side)
+    squares = []
+    for lag in lags:
+        both = [_median_around(d**2, side) for d in second_differences(t, lag)]
+        squares.append(np.maximum(np.sqrt(both[0] * both[1]) / NORMAL**2 - 6 * by_noise, 0.05 * by_noise))
+    with np.errstate(invalid="ignore", divide="ignore"):
+        power = np.log(squares[1] / squares[0]) / np.log(lags[1] / lags[0])
+    power = np.clip(np.nan_to_num(power, nan=1.0), LEAST_POWER, MOST_POWER)
+    return LocalRoughness(
+        power=power.astype(np.float32), square=np.nan_to_num(squares[0]).astype(np.float32), lag_px=lags[0] * stride
+    )
+
+
+def _per_strength(lag_px: float, power: float) -> float:
+    """Mean square of second differences of a surface with c = 1."""
+    return 8 * lag_px**power - 2 * (2 * lag_px) ** power
+
+
+def _median_around(values: Array, side: int) -> Array:
+    """(rows, columns) medians of positive values in squares of so many, to a twentieth; where unknown the usual one."""
+    known = np.isfinite(values) & (values > 0)
+    if not known.any():
+        return np.zeros(values.shape, np.float32)
+    usual = float(np.median(values[known]))
+    level = np.where(known, np.log2(np.where(known, values, usual) / usual), 0)
+    counted = np.clip(np.round(LEVELS * level) + 128, 0, 255).astype(np.uint8)
+    return (usual * np.exp2((cv2.medianBlur(counted, side).astype(np.float32) - 128) / LEVELS)).astype(np.float32)
 
 
 def second_differences(t: Array, lag: int) -> tuple[Array, Array]:

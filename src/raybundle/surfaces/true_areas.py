@@ -4,6 +4,8 @@ The surface lies over the middles of cells, two triangles to a square of four, i
 quarter of a cell has the slopes to its two neighbours on that side.  What lies between cells, and what the means over
 cells flatten, is judged by the same surface of cells twice as wide: edges lose in proportion to the width, curvature in
 proportion to its square (Richardson 1911).  Half of the difference is added, and the other half is left uncertain.
+Relief within the windows of matching, as of grass and rubble, shows in no height: where heights scatter beyond their
+noise, all that it may add is left uncertain.
 """
 
 from __future__ import annotations
@@ -18,6 +20,7 @@ from raybundle.numerics.arrays import Array, Mask
 from raybundle.surfaces.grids import shifted
 from raybundle.surfaces.height_model import REACH, HeightModel
 from raybundle.surfaces.heights import between
+from raybundle.surfaces.relief import WINDOW, half_side, planes
 
 FURTHER = 4
 """Cells beyond an outline whose heights slopes within are made of, at most."""
@@ -39,7 +42,7 @@ class TrueArea:
     by_noise: float
     """standard deviation by errors of the heights"""
     between: float
-    """by what lies between cells, in holes, and by how well noise is known"""
+    """by what lies between cells, within windows and in holes, and by how well noise is known"""
 
     @property
     def sigma(self) -> float:
@@ -87,20 +90,20 @@ def true_area(model: HeightModel, covered: Array) -> TrueArea:
     across = slice(max(int(columns[0]) - FURTHER, 0), int(columns[-1]) + FURTHER + 1)
     least = _least(model)
     gradient = np.zeros(model.shape)
-    sums = np.zeros(7)
+    sums = np.zeros(8)
     deep = max(FURTHER, AT_ONCE // (across.stop - across.start))
     for top in range(int(rows[0]), int(rows[-1]) + 1, deep):
         down = slice(max(top - FURTHER, 0), top + deep + FURTHER)
         w = np.zeros(covered[down].shape)
         w[top - down.start : top - down.start + deep] = covered[top : top + deep]
         sums += _strip(model, (down, across), w[:, across] * model.cell**2, least, gradient)
-    area, lost, rough, square, second, added, doubted = sums.tolist()
+    area, lost, rough, square, second, added, doubted, hidden = sums.tolist()
     moved = model.sum_of(gradient)
     # slopes have their noise twice: a square has twice its mean as variance, its derivative four times that
     by_noise = np.hypot(np.sqrt(moved.local**2 - min(square, moved.local**2 / 2)), moved.orientation)
     return TrueArea(
         value=max(area + lost + rough, float(covered.sum()) * model.cell**2), by_noise=float(by_noise),
-        between=float(np.linalg.norm([lost, rough, second, doubted, VARIANCES * added])),
+        between=float(np.linalg.norm([lost, rough, second, doubted, VARIANCES * added, hidden])),
     )  # fmt: skip
 
 
@@ -128,7 +131,26 @@ def _strip(model: HeightModel, box: tuple[slice, slice], w: Array, least: Array 
         rough = float((w * np.minimum(uneven * (1 + root**2) / root**3 / 2, np.sqrt(uneven))).sum())
     area = float((w * fine.density).sum())
     added = fine.added - coarse.added / 2
-    return np.array([area, lost, rough, fine.square, fine.second, added, fine.doubted])
+    hidden = float((w * _within_windows(model, box, fine.density)).sum())
+    return np.array([area, lost, rough, fine.square, fine.second, added, fine.doubted, hidden])
+
+
+def _within_windows(model: HeightModel, box: tuple[slice, slice], density: Array) -> Array:
+    """(rows, columns) area over that in plan that relief within windows may add to a density, where there is any.
+
+    Relief of the width of a window is what its depth shows nothing of: waves so long have slopes of pi s / rho, where
+    s is how far heights scatter and rho half a window.  A single step adds no more than its height, which is sqrt(12) s
+    at most, once through the square in which heights scatter.
+    """
+    step = np.nan_to_num(model.heights.step[box].astype(float))
+    if not step.any():
+        return np.zeros(step.shape)
+    side = min(half_side(model.length), FURTHER)
+    z = np.where(model.known[box], model.heights.height[box], np.inf).astype(float)
+    scatter = np.sqrt(np.maximum(planes(z, side).scatter, 0.0)) / model.cell
+    seen = np.maximum(density, 1.0)
+    waves = np.hypot(seen, np.pi * scatter / (WINDOW * model.length)) - seen
+    return np.where(step > 0, np.minimum(waves, np.sqrt(12) * scatter / (2 * side + 1)), 0.0)
 
 
 def _of_squares(values: Array) -> Array:

@@ -26,8 +26,8 @@ from raybundle.workflows.surface_region import SurfaceRegion
 from raybundle.workflows.surface_state import SURFACE, SurfaceOptions, SurfaceState
 from raybundle.workflows.surface_tasks import PART, free_of, stored_part
 
-VERSION = 4
-OF_PART = 2
+VERSION = 5
+OF_PART = 3
 """The same of maps of a region"""
 MAP = "depth map"
 """First word of the keys of what is kept"""
