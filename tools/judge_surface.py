@@ -33,6 +33,7 @@ from renderer.judging import robust_chi_square, statistics
 from renderer.truth import Surface, read_surface
 
 from raybundle.surfaces.height_model import HeightModel
+from raybundle.surfaces.resampled import difference
 from raybundle.surfaces.volumes import volume
 from raybundle.workflows.height_files import HeightFile, read_heights
 from raybundle.workflows.heights_read import on_same_grid, opened
@@ -115,7 +116,9 @@ class Ground:
         for k in range(0, len(rows), 2000):
             r, c = rows[k : k + 2000, None, None], columns[k : k + 2000, None, None]
             shape = (len(r), n + 1, n + 1)
-            z = self.at(np.broadcast_to(c + side[None, None, :], shape), np.broadcast_to(r + side[None, :, None], shape))
+            z = self.at(
+                np.broadcast_to(c + side[None, None, :], shape), np.broadcast_to(r + side[None, :, None], shape)
+            )
             step = f.cell / n
             dx = 0.5 * (np.diff(z[:, 1:], axis=2) + np.diff(z[:, :-1], axis=2)) / step
             dy = 0.5 * (np.diff(z[:, :, 1:], axis=1) + np.diff(z[:, :, :-1], axis=1)) / step
@@ -202,7 +205,9 @@ def of_squares(model: HeightModel, truth: Array, codes: NDArray[np.int8], side: 
     return rows_of(np.array(kinds, np.int8), np.array(errors), np.array(sigmas))
 
 
-def outlines(shape: tuple[int, ...], allowed: NDArray[np.bool_], rng: np.random.Generator, smallest: float):
+def outlines(
+    shape: tuple[int, ...], allowed: NDArray[np.bool_], rng: np.random.Generator, smallest: float
+) -> list[tuple[Array, Array]]:
     """Star-shaped rings (n, 2) of columns and rows that are drawn, with the shares of cells that they cover."""
     fine = (np.arange(FINE) + 0.5) / FINE
     found = list[tuple[Array, Array]]()
@@ -234,9 +239,13 @@ def summary(errors: Array, sigmas: Array, values: Array) -> dict[str, Any]:
     """Of volumes and areas, with their relative errors."""
     ratio = errors / sigmas
     return {
-        "n": len(errors), "chi_square": robust_chi_square(ratio), "beyond_3": int((np.abs(ratio) > 3).sum()),
-        "bias_sigma": float(np.median(ratio)), "worst": float(np.abs(ratio).max()) if len(ratio) else 0.0,
-        "error": float(np.median(np.abs(errors))), "sigma": float(np.median(sigmas)),
+        "n": len(errors),
+        "chi_square": robust_chi_square(ratio),
+        "beyond_3": int((np.abs(ratio) > 3).sum()),
+        "bias_sigma": float(np.median(ratio)),
+        "worst": float(np.abs(ratio).max()) if len(ratio) else 0.0,
+        "error": float(np.median(np.abs(errors))),
+        "sigma": float(np.median(sigmas)),
         "of_value": float(np.median(errors / np.where(values == 0, 1, values))),
     }
 
@@ -268,7 +277,7 @@ def of_volumes(ground: Ground, model: HeightModel, truth: Array, codes: NDArray[
 def of_moved(before: Path, after: Path, first: Surface, second: Surface, seed: int) -> dict[str, Any]:
     """Volumes between two surfaces in drawn outlines; regions that are called moved."""
     one, other = opened(before), opened(after)
-    model = on_same_grid(one, other)
+    model = difference(one.model, on_same_grid(one, other))
     _, file = read_heights(before)
     a, b = Ground(first, file), Ground(second, file)
     truth = b.cells() - a.cells()
@@ -330,7 +339,8 @@ def judged(folder: Path, made: Path, seed: int, *, volumes: bool) -> dict[str, A
     h = model.heights
     complete = {
         name: float((model.known & (codes == k)).sum() / (codes == k).sum())
-        for k, name in enumerate(NAMES) if (codes == k).any()
+        for k, name in enumerate(NAMES)
+        if (codes == k).any()
     }
     found: dict[str, Any] = {
         "points": of_points(surface, folder, made / "points.ply"),

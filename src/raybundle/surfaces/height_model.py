@@ -17,7 +17,7 @@ from raybundle.surfaces.cell_factors import factors_of
 from raybundle.surfaces.grids import filtered
 from raybundle.surfaces.heights import BETWEEN_MAPS, Heights, between
 from raybundle.surfaces.nodes import covariances, splat
-from raybundle.surfaces.relief import alike, variance_by_steps
+from raybundle.surfaces.relief import alike, edges, variance_by_steps, variance_of_alike
 
 REACH = 3.0
 """Lengths of correlation up to which cells are taken as correlated: 1 / 8000 is left beyond."""
@@ -60,6 +60,20 @@ class Holes:
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
+class Blocks:
+    """Errors of heights that blocks of compression give to all of a place alike (`lattice`)."""
+
+    sigma: Array
+    """(rows, columns) standard deviations; 0 where there is no height"""
+    reach: float
+    """distance in cells at which they correlate by 1 / e"""
+
+    def variance_of(self, weights: Array) -> float:
+        """Variance of a sum of heights with weights (rows, columns)."""
+        return variance_of_alike(weights * self.sigma, self.reach)
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
 class HeightModel:
     """Heights, their standard deviations, and how they are correlated.
 
@@ -89,6 +103,8 @@ class HeightModel:
     once"""
     levels: Array | None = None
     """(node rows, node columns) from where these count heights; None: they are not of one surface"""
+    blocks: Blocks | None = None
+    """None: photographs had no blocks that count"""
 
     @property
     def shape(self) -> tuple[int, int]:
@@ -105,12 +121,14 @@ class HeightModel:
     def sigma(self) -> Array:
         """(rows, columns) standard deviations of single heights, all parts."""
         s = self.heights.sigma
+        s = s if self.blocks is None else np.hypot(s, self.blocks.sigma)
         return s if self.holes is None else np.hypot(s, self.holes.sigma)
 
     @property
     def local(self) -> Array:
         """(rows, columns) standard deviations of single heights by all but orientation and calibration."""
         s = np.hypot(self.heights.local, self.heights.step)
+        s = s if self.blocks is None else np.hypot(s, self.blocks.sigma)
         return s if self.holes is None else np.hypot(s, self.holes.sigma)
 
     def sum_of(self, weights: Array) -> SumOfHeights:
@@ -143,7 +161,12 @@ class HeightModel:
             if len(r):
                 found += (1 - self.apart) * self._with_neighbours(part[r[0] : r[-1] + 1, c[0] : c[-1] + 1])
         # differences of neighbours may all but cancel: rounding leaves no negative variance
-        found = max(found, 0.0) + variance_by_steps(np.where(there, w * h.step[box].astype(float), 0.0), self.length)
+        found = max(found, 0.0)
+        step = np.where(there, w * h.step[box].astype(float), 0.0)
+        if step.any():
+            found += variance_by_steps(step, self.length, edges(h.height[box]))
+        if self.blocks is not None:
+            found += variance_of_alike(w * self.blocks.sigma[box], self.blocks.reach)
         if self.holes is None:
             return found
         number = self.holes.number[box]
@@ -179,8 +202,16 @@ class HeightModel:
         share = np.where(same, 1.0, self.apart) * between(apart[1], apart[0], self.length)
         found = share * h.point.flat[one].astype(float) * h.point.flat[other]
         found = np.where(one == other, h.local.flat[one].astype(float) ** 2, found)
-        common = sum(share * np.exp(-(apart[0] ** 2 + apart[1] ** 2) / far**2) for share, far in alike(self.length))
-        found += np.where(one == other, 1.0, common) * h.step.flat[one].astype(float) * h.step.flat[other]
+        if h.step.any():
+            near, far = (
+                share * np.exp(-(apart[0] ** 2 + apart[1] ** 2) / distance**2) for share, distance in alike(self.length)
+            )
+            along = edges(h.height)
+            common = near + far * along.flat[one] * along.flat[other]
+            found += np.where(one == other, 1.0, common) * h.step.flat[one].astype(float) * h.step.flat[other]
+        if self.blocks is not None:
+            alike_there = np.exp(-(apart[0] ** 2 + apart[1] ** 2) / self.blocks.reach**2)
+            found += alike_there * self.blocks.sigma.flat[one].astype(float) * self.blocks.sigma.flat[other]
         if self.holes is not None:
             number = self.holes.number
             both = number.flat[one] == number.flat[other]

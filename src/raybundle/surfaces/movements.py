@@ -319,7 +319,13 @@ def _correlated(model: HeightModel, known: Mask, s: Array) -> Array:
     found = own**2 + point * (filtered(point, kernel) - kernel[n] ** 2 * point)
     length = step_length(model.length)
     n = int(np.ceil(3 * length))
-    return found + step * filtered(step, np.exp(-((np.arange(-n, n + 1.0) / length) ** 2)))
+    found = found + step * filtered(step, np.exp(-((np.arange(-n, n + 1.0) / length) ** 2)))
+    if model.blocks is None:
+        return found
+    reach = model.blocks.reach
+    n = int(np.ceil(3 * reach))
+    blocks = np.where(known, model.blocks.sigma / s, 0.0)
+    return found + blocks * filtered(blocks, np.exp(-((np.arange(-n, n + 1.0) / reach) ** 2)))
 
 
 def _of_holes(model: HeightModel, known: Mask, s: Array) -> tuple[Array, Array]:
@@ -333,7 +339,7 @@ def _of_holes(model: HeightModel, known: Mask, s: Array) -> tuple[Array, Array]:
 
 def _regions(model: HeightModel, local: Array, uncertain: Array, hits: Array, peak: Array) -> tuple[Region, ...]:
     """Connected parts that windows found, with outlines where half of the movement is reached."""
-    found = list[Region]()
+    found = list[tuple[Mask, int, float]]()
     taken = np.zeros(model.shape, bool)
     for sign, hit in zip((1.0, -1.0), hits, strict=True):
         number, count = parts_of(hit)
@@ -349,8 +355,9 @@ def _regions(model: HeightModel, local: Array, uncertain: Array, hits: Array, pe
             if not cells.any():
                 continue
             taken |= cells
-            found.append(_region(model, local, uncertain, cells, side, float(np.abs(peak[seed]).max())))
-    return tuple(sorted(found, key=lambda r: -abs(r.volume)))
+            found.append((cells, side, float(np.abs(peak[seed]).max())))
+    regions = [_region(model, local, uncertain, *each, taken & ~each[0]) for each in found]
+    return tuple(sorted(regions, key=lambda r: -abs(r.volume)))
 
 
 def _outlined(model: HeightModel, local: Array, seed: Mask) -> tuple[Mask, int]:
@@ -392,8 +399,10 @@ def _amount(values: Array, sigma: Array) -> float:
     return max(float(values[order][np.searchsorted(w, w[-1] / 2)]), 1e-300)
 
 
-def _region(model: HeightModel, local: Array, uncertain: Array, cells: Mask, side: int, peak: float) -> Region:
-    """What is told of a region."""
+def _region(
+    model: HeightModel, local: Array, uncertain: Array, cells: Mask, side: int, peak: float, others: Mask
+) -> Region:  # fmt: skip
+    """Numbers of a region; `others` are cells of other regions."""
     rim = max(1, side // 2 + 1)
     inner = cv2.erode(cells.astype(np.uint8), np.ones((2 * rim + 1,) * 2, np.uint8), borderValue=0) > 0
     inner = (inner if (inner & model.known).sum() >= FEWEST else cells) & model.known
@@ -418,15 +427,45 @@ def _region(model: HeightModel, local: Array, uncertain: Array, cells: Mask, sid
     mean = volume / (n * area)
     # what an outline that is off has more or less moved by half of the amount
     by_outline = abs(mean - amount / 2) * area_sigma
+    beyond = _cut_off(model, local, uncertain, cells, rim, others)
     return Region(
         cells=cells, area=n * area, area_sigma=float(area_sigma), volume=volume, edge=float(edge), peak=peak,
-        volume_sigma=float(np.hypot(by_height, amount * area_sigma / 2)), amount=amount, amount_sigma=amount_sigma,
+        volume_sigma=float(np.linalg.norm([by_height, amount * area_sigma / 2, beyond])), amount=amount,
+        amount_sigma=amount_sigma,
         mean=mean, mean_sigma=float(np.hypot(by_height, by_outline)) / (n * area),
     )  # fmt: skip
 
 
 FEWEST = 9
 """Cells of an inner part"""
+SKIRT, RINGS = 2.0, 20
+"""Standard deviations by which a ring around a region has moved that belongs to it, and rings that are looked at: one in
+forty that has not moved counts, too"""
+
+
+def _cut_off(model: HeightModel, local: Array, uncertain: Array, cells: Mask, rim: int, others: Mask) -> float:
+    """Volume that moved along with a region beyond its outline, which lies where half of the movement is reached.
+
+    Rings as wide as the rim, as far as each has moved the same way by more than chance; cells beside steps, which are
+    uncertain, have moved as the rest of their ring.
+    """
+    tested, total = _tested(model) & ~others, 0.0
+    sign = float(np.sign(local[cells & _tested(model)].sum()))
+    usual = float(np.median(model.local[tested])) if tested.any() else 0.0
+    inner = cells
+    for _ in range(RINGS):
+        wider = cv2.dilate(inner.astype(np.uint8), np.ones((2 * rim + 1,) * 2, np.uint8)) > 0
+        ring = wider & ~inner & tested
+        if not ring.any():
+            break
+        w = np.where(ring, 1 / np.maximum(model.local.astype(float), usual) ** 2, 0.0)
+        w /= w.sum()
+        mean = sign * float((w * np.nan_to_num(local)).sum())
+        if mean < SKIRT * np.hypot(model.sum_of(w).local, (w * np.sqrt(uncertain)).sum()):
+            break
+        total += mean * int(ring.sum()) * model.cell**2
+        inner = wider
+    return total
 
 
 def _whole(model: HeightModel, free: Mask) -> WholeMovement:

@@ -40,6 +40,8 @@ REACH_CELLS = 32
 """How far holes are looked across."""
 STEEP = 0.9
 """Quantile of differences of neighbours that a slope is taken for where it goes on into a hole."""
+EDGE = 3
+"""Cells from the middle to the side of the square in which an edge is looked for"""
 CHANCE = 1e-3
 """Share of cells without a step whose neighbours scatter by more than is allowed to noise."""
 
@@ -66,23 +68,35 @@ def alike(length: float) -> tuple[tuple[float, float], ...]:
     return (NEAR, near), (FAR, FARTHER * near)
 
 
-def variance_by_steps(s: Array, length: float) -> float:
-    """Variance of a sum of errors by steps, of the products (rows, columns) of weights and standard deviations."""
+def variance_by_steps(s: Array, length: float, along: Array) -> float:
+    """Variance of a sum of errors by steps, of the products (rows, columns) of weights and standard deviations.
+
+    along  (rows, columns) 0 to 1, how far each lies on an edge (`edges`): along edges alone errors are alike far away
+    """
     if not s.any():
         return 0.0
-    found = (1 - NEAR - FAR) * float((s**2).sum())
-    for share, distance in alike(length):
-        # what reaches far is the same of sums over small squares
-        side = max(1, int(distance / FINE))
-        rows, columns = (-(-n // side) * side for n in s.shape)
-        t = np.zeros((rows, columns))
-        t[: s.shape[0], : s.shape[1]] = s
-        t = t.reshape(rows // side, side, columns // side, side).sum(axis=(1, 3))
-        n = int(np.ceil(REACH * distance / side))
-        kernel = np.exp(-((np.arange(-n, n + 1.0) * side / distance) ** 2))
-        around = filtered(t, kernel)
-        found += share * max(float((t * around).sum()), 0.0)
+    found = (1 - NEAR) * float((s**2).sum()) - FAR * float(((s * along) ** 2).sum())
+    (near, far), (near_cells, far_cells) = zip(*alike(length), strict=True)
+    for share, distance, part in ((near, near_cells, s), (far, far_cells, s * along)):
+        found += share * variance_of_alike(part, distance)
     return found
+
+
+def variance_of_alike(s: Array, distance: float) -> float:
+    """Variance of a sum of errors that correlate by exp(-(d / distance)^2), of weights times standard deviations.
+
+    s         (rows, columns)
+    distance  in cells
+    """
+    # what reaches far is the same of sums over small squares
+    side = max(1, int(distance / FINE))
+    rows, columns = (-(-n // side) * side for n in s.shape)
+    t = np.zeros((rows, columns))
+    t[: s.shape[0], : s.shape[1]] = s
+    t = t.reshape(rows // side, side, columns // side, side).sum(axis=(1, 3))
+    n = int(np.ceil(REACH * distance / side))
+    around = filtered(t, np.exp(-((np.arange(-n, n + 1.0) * side / distance) ** 2)))
+    return max(float((t * around).sum()), 0.0)
 
 
 def halo(length: float) -> int:
@@ -113,6 +127,22 @@ def steps_of(height: Array, local: Array, length: float, cell: float) -> Array:
     root = np.sqrt(scatter)
     share = root / (root + HIGH * PIXEL * length * cell) * 4 * min(WINDOW * length, 1.0) ** 2
     return np.where(known & beyond, root * np.sqrt(share), 0.0).astype(np.float32)
+
+
+def edges(height: Array) -> Array:
+    """(rows, columns) 0 to 1: how far what heights leave of their means nearby runs along one line; NaN: none.
+
+    1 of walls and creases, whose errors are alike along them, and of a plane; small where ground is rough on all sides.
+    It is the coherence of the structure tensor (Bigun and Granlund 1987) of three by three cells less their mean.
+    """
+    known = np.isfinite(height)
+    z = np.where(known, height, 0.0).astype(float)
+    there = cv2.blur(known.astype(float), (3, 3))
+    left = np.where(known, z - cv2.blur(z, (3, 3)) / np.maximum(there, 1e-9), 0.0)
+    right, down = (cv2.Sobel(left, cv2.CV_64F, *axis, ksize=3) for axis in ((1, 0), (0, 1)))
+    box = (2 * EDGE + 1,) * 2
+    xx, yy, xy = (cv2.blur(v, box) for v in (right**2, down**2, right * down))
+    return np.where(xx + yy > 0, np.hypot(xx - yy, 2 * xy) / np.maximum(xx + yy, 1e-300), 1.0)
 
 
 def _across_holes(height: Array, known: Array) -> Array:

@@ -8,7 +8,7 @@ import cv2
 import numpy as np
 
 from raybundle.numerics.arrays import Array, Mask
-from raybundle.surfaces.height_model import HeightModel, Holes
+from raybundle.surfaces.height_model import Blocks, HeightModel, Holes
 from raybundle.surfaces.heights import Heights
 from raybundle.surfaces.holes import parts_of
 from raybundle.surfaces.nodes import at_places, variances
@@ -57,8 +57,11 @@ def resampled(model: HeightModel, left: float, top: float, scale: float, like: H
     if model.holes is not None:
         number, sigma = (np.where(known, a[j][:, i], 0) for a in (model.holes.number, model.holes.sigma))
         holes = Holes(number=number, sigma=sigma.astype(np.float32))
+    blocks = model.blocks
+    if blocks is not None:
+        blocks = Blocks(sigma=np.where(known, blocks.sigma[j][:, i], 0).astype(np.float32), reach=blocks.reach / scale)
     return replace(
-        model, heights=heights, moved=at_places(model.moved, row, column).astype(np.float32), block=like.block,
+        model, heights=heights, blocks=blocks, moved=at_places(model.moved, row, column).astype(np.float32), block=like.block,
         cell=like.cell, length=model.length / scale, holes=holes,
         factors=None if model.factors is None else np.where(known[..., None], model.factors[j][:, i], 0),
         levels=None if model.levels is None else at_places(model.levels, row, column),
@@ -114,9 +117,18 @@ def difference(before: HeightModel, after: HeightModel) -> HeightModel:
     return HeightModel(
         heights=heights, moved=moves.moved, factors=moves.factors, block=before.block, cell=before.cell,
         length=max(before.length, after.length), apart=max(before.apart, after.apart),
-        holes=_holes_of(before, after, both),
+        holes=_holes_of(before, after, both), blocks=_blocks_of(before, after, both & ~one),
         errors=before.errors if same else "", adjustment=before.adjustment if same else "",
     )  # fmt: skip
+
+
+def _blocks_of(before: HeightModel, after: HeightModel, both: Mask) -> Blocks | None:
+    """Errors by blocks of compression of either: other photographs have other parallaxes."""
+    there = [m.blocks for m in (before, after) if m.blocks is not None]
+    if not there:
+        return None
+    sigma = np.where(both, np.linalg.norm([b.sigma for b in there], axis=0), 0.0)
+    return Blocks(sigma=sigma.astype(np.float32), reach=max(b.reach for b in there))
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -13,6 +13,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from itertools import product
 
+import cv2
 import numpy as np
 from scipy.signal import convolve2d
 
@@ -20,9 +21,9 @@ from raybundle.numerics.arrays import Array, Mask
 from raybundle.surfaces.grids import shifted
 from raybundle.surfaces.height_model import REACH, HeightModel
 from raybundle.surfaces.heights import between
-from raybundle.surfaces.relief import WINDOW, half_side, planes
+from raybundle.surfaces.relief import WINDOW, edges, half_side, planes
 
-FURTHER = 4
+FURTHER = 6
 """Cells beyond an outline whose heights slopes within are made of, at most."""
 AT_ONCE = 200_000
 """Cells of a strip, which are computed together."""
@@ -139,18 +140,19 @@ def _within_windows(model: HeightModel, box: tuple[slice, slice], density: Array
     """(rows, columns) area over that in plan that relief within windows may add to a density, where there is any.
 
     Relief of the width of a window is what its depth shows nothing of: waves so long have slopes of pi s / rho, where
-    s is how far heights scatter and rho half a window.  A single step adds no more than its height, which is sqrt(12) s
-    at most, once through the square in which heights scatter.
+    s is how far heights scatter and rho half a window.  Steps add no more than their height, which is sqrt(12) s at most,
+    once in each window.  Walls and creases are no such relief: facets have them.
     """
-    step = np.nan_to_num(model.heights.step[box].astype(float))
-    if not step.any():
-        return np.zeros(step.shape)
-    side = min(half_side(model.length), FURTHER)
-    z = np.where(model.known[box], model.heights.height[box], np.inf).astype(float)
-    scatter = np.sqrt(np.maximum(planes(z, side).scatter, 0.0)) / model.cell
+    side = min(half_side(model.length), FURTHER // 2)
+    known = model.known[box]
+    z = np.where(known, model.heights.height[box], np.inf).astype(float)
+    noise = np.where(known, np.nan_to_num(model.heights.local[box].astype(float)), 0.0) ** 2
+    there, beyond = (cv2.blur(v, (2 * side + 1,) * 2) for v in (known.astype(float), planes(z, side).scatter - noise))
+    scatter = np.sqrt(np.maximum(beyond / np.maximum(there, 1e-9), 0.0)) / model.cell
     seen = np.maximum(density, 1.0)
     waves = np.hypot(seen, np.pi * scatter / (WINDOW * model.length)) - seen
-    return np.where(step > 0, np.minimum(waves, np.sqrt(12) * scatter / (2 * side + 1)), 0.0)
+    rough = 1 - edges(np.where(known, z, np.nan))
+    return np.where(known, rough * np.minimum(waves, np.sqrt(12) * scatter / (2 * WINDOW * model.length)), 0.0)
 
 
 def _of_squares(values: Array) -> Array:

@@ -21,7 +21,7 @@ from raybundle.numerics.arrays import Array
 from raybundle.numerics.counting import significant
 from raybundle.numerics.length_units import precision_unit
 from raybundle.surfaces.cell_factors import factors_of
-from raybundle.surfaces.height_model import HeightModel, Holes
+from raybundle.surfaces.height_model import Blocks, HeightModel, Holes
 from raybundle.surfaces.heights import BETWEEN_MAPS, Heights
 from raybundle.surfaces.node_sums import NodeSums
 from raybundle.surfaces.nodes import of_blocks
@@ -137,6 +137,9 @@ class _Whole:
     lengths: list[float] = field(default_factory=list[float])
     cells: list[int] = field(default_factory=list[int])
     sigma: list[Array] = field(default_factory=list[Array])
+    blocks: Array | None = None
+    """(rows, columns) standard deviations by blocks of compression; None: there are none yet"""
+    reaches: list[float] = field(default_factory=list[float])
 
     def add(self, h: Heights, length: float) -> None:
         """A tile."""
@@ -149,6 +152,20 @@ class _Whole:
     def length(self) -> float:
         """Of correlation, in cells."""
         return float(np.average(self.lengths, weights=np.maximum(self.cells, 1)))
+
+    def add_blocks(self, window: Window, shape: tuple[int, int], sigma: Array, reach: float) -> None:
+        """Of a tile."""
+        if not sigma.any():
+            return
+        if self.blocks is None:
+            self.blocks = np.zeros(shape, np.float32)
+        self.blocks[window.y : window.y + window.height, window.x : window.x + window.width] = sigma
+        self.reaches.append(reach)
+
+    @property
+    def reach(self) -> float:
+        """Of errors by blocks, in cells; the furthest of tiles. 0: there are none."""
+        return max(self.reaches, default=0.0)
 
 
 def write_heights(surface: Surface, file: HeightFile, out: Path) -> tuple[str, ...]:
@@ -165,9 +182,10 @@ def write_heights(surface: Surface, file: HeightFile, out: Path) -> tuple[str, .
         if whole.moved is None:
             raise InputError("no point of the surface lies above the area of the heights; choose another")
         nodes, levels = whole.moved.solved(BLOCK_CELLS * file.cell)
+        more = {} if whole.blocks is None else {"blocks": whole.blocks, "blocks_reach": np.array(whole.reach)}
         np.savez_compressed(
             moved, nodes=nodes, levels=levels, block=np.array(BLOCK_CELLS), errors=np.array(measured.together),
-            adjustment=np.array(measured.adjustment),
+            adjustment=np.array(measured.adjustment), **more,
         )  # fmt: skip
         about.write_text(_about(file, (heights, sigmas, moved), whole.length, measured.apart), encoding="utf-8")
     share = sum(whole.cells) / (file.width * file.height)
@@ -204,6 +222,7 @@ def _tile(surface: Surface, file: HeightFile, whole: _Whole, tile: int, window: 
     first = window.y // BLOCK_CELLS, window.x // BLOCK_CELLS
     whole.moved.add(first, part, np.isfinite(h.height), BLOCK_CELLS)
     whole.add(h, float(a["length"]))
+    whole.add_blocks(window, (file.height, file.width), np.asarray(a["blocks"]), float(a["blocks_reach"]))
     bands = [h.sigma, *(getattr(h, name).astype(np.float32) for name in KEPT[1:])]
     return h.height[..., None], np.stack(bands, axis=2)
 
@@ -224,6 +243,8 @@ def write_model(model: HeightModel, file: HeightFile, out: Path) -> None:
         }  # fmt: skip
         if model.levels is not None:
             kept |= {"levels": model.levels}
+        if model.blocks is not None:
+            kept |= {"blocks": model.blocks.sigma.astype(np.float32), "blocks_reach": np.array(model.blocks.reach)}
         if model.holes is not None:
             kept |= {"holes": model.holes.number.astype(np.int32), "holes_sigma": model.holes.sigma.astype(np.float32)}
         np.savez_compressed(moved, allow_pickle=False, **kept)
@@ -250,8 +271,17 @@ def read_heights(folder: str | Path) -> tuple[HeightModel, HeightFile]:
         levels = kept.get("levels")
         block = int(kept["block"])
         holes = Holes(number=kept["holes"], sigma=kept["holes_sigma"]) if "holes" in kept else None
+        blocks = None
+        if "blocks" in kept:
+            blocks = Blocks(sigma=kept["blocks"], reach=float(kept["blocks_reach"]))
         errors, adjustment = (str(kept[name]) if name in kept else "" for name in ("errors", "adjustment"))
-    check_orientation(folder / MOVED, moved, block, height.shape, [] if holes is None else [holes.number, holes.sigma])
+    check_orientation(
+        folder / MOVED,
+        moved,
+        block,
+        height.shape,
+        (([] if holes is None else [holes.number, holes.sigma]) + ([] if blocks is None else [blocks.sigma])),
+    )
     check_belongs(folder / MOVED, tree)
     named: dict[str, Array] = dict(zip(BANDS, bands, strict=True))
     cautions = check_values(folder / HEIGHTS, height, folder / SIGMAS, named, tree)
@@ -266,6 +296,7 @@ def read_heights(folder: str | Path) -> tuple[HeightModel, HeightFile]:
     model = HeightModel(
         heights=heights, moved=moved, factors=factors, levels=levels, block=block, cell=cell, length=length,
         apart=tree.optional("between_maps", BETWEEN_MAPS), holes=holes, errors=errors, adjustment=adjustment,
+        blocks=blocks,
     )  # fmt: skip
     told = {k: v.value for k, v in tree.mapping().items()}
     plane = {k: v for k, v in told.items() if k not in {"left", "top", "pixel", "width_px", "height_px", "block"}}

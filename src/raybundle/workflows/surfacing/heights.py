@@ -9,6 +9,8 @@ import numpy as np
 
 from raybundle.adjustment.result import Adjustment
 from raybundle.io.block.arrays import block_of_arrays
+from raybundle.io.photos.photo import Photo
+from raybundle.io.photos.quantisation import quantisation_tables
 from raybundle.numerics.arrays import Array, Index
 from raybundle.numerics.counting import counted
 from raybundle.pipeline.keys import key_of
@@ -18,6 +20,7 @@ from raybundle.pipeline.tasks import Task
 from raybundle.surfaces.depth_map import DepthMap
 from raybundle.surfaces.filters import Flag
 from raybundle.surfaces.heights import STEEPEST, PointsOfCells, between_maps, on_grid
+from raybundle.surfaces.lattice import quantisation_noise, reach_of_blocks, share_of_blocks
 from raybundle.surfaces.levels import HALF
 from raybundle.surfaces.node_sums import Moments, moments
 from raybundle.surfaces.orientation import CommonRoot, ShiftCovariance
@@ -29,7 +32,7 @@ from raybundle.workflows.height_tiles import BLOCK_CELLS, TILE_CELLS, tile_of_nu
 from raybundle.workflows.surface_state import SURFACE, MeasuredHeights
 from raybundle.workflows.surface_tasks import adjustment_key, all_done, stored_part, stored_together
 
-VERSION, STEPS_VERSION = 5, 2
+VERSION, STEPS_VERSION = 6, 3
 ABOVE, LAYER, TILE = "surface above", "surface layer", "surface heights"
 """First words of the keys of what is kept"""
 SAMPLES = 48
@@ -48,6 +51,7 @@ class Inputs:
     maps: Mapping[int, str]
     shifts: Mapping[int, str]
     grid: HeightGrid
+    photos: Mapping[int, Photo]
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -61,6 +65,12 @@ class AboveTask:
     shifts: str
     together: str
     grid: HeightGrid
+    quantised: float
+    """standard deviation of grey values by quantisation; 0: none"""
+    reach_px: float
+    """of errors by blocks of compression"""
+    drawn: float
+    """share of the sources that they are of"""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -116,9 +126,15 @@ def _above(i: Inputs, means: Means, k: int, together: str) -> Task:
     own = stored_part(block, [k], means.store)
     points = len(means.store.lent(i.clouds[k], ("image",))["image"])
     inputs = (own, i.clouds[k], i.maps[k], i.shifts[k], together)
-    options = AboveTask(block=own, cloud=i.clouds[k], map=i.maps[k], shifts=i.shifts[k], together=together, grid=i.grid)
+    noise = quantisation_noise(quantisation_tables(i.photos[k].path))
+    sources = next(s.sources for s in i.chosen if s.reference == k)
+    drawn, reach = reach_of_blocks(block, k, sources) if noise else (0.0, 0.0)
+    options = AboveTask(
+        block=own, cloud=i.clouds[k], map=i.maps[k], shifts=i.shifts[k], together=together, grid=i.grid,
+        quantised=noise, reach_px=reach, drawn=drawn,
+    )  # fmt: skip
     return Task(
-        key=key_of(ABOVE, VERSION, *inputs, i.grid), function=f"{__name__}:above_of", options=options, inputs=inputs,
+        key=key_of(ABOVE, VERSION, *inputs, i.grid, noise, reach, drawn), function=f"{__name__}:above_of", options=options, inputs=inputs,
         name=block.images.ids[k], cost=points * POINT_S,
     )  # fmt: skip
 
@@ -171,13 +187,16 @@ def above_of(store: Folder, task: AboveTask) -> Product:
     n = normal[at]
     slope = np.stack([-n[:, 0] / n[:, 2], n[:, 1] / n[:, 2]], axis=1) * g.pixel
     across = np.asarray(cloud["across"][at], float) / n[:, 2, None]
+    contrast = store.wanted(task.map, ("contrast",))["contrast"].ravel()[np.asarray(cloud["place"][at])]
+    by_blocks = np.sqrt(task.drawn * share_of_blocks(task.quantised, contrast)) * across[:, 0]
     across[:, 0] *= _alike(store, task, np.asarray(cloud["place"][at]))
-    length = _length(store, task, np.asarray(cloud["size"][at], float))
+    length, cells_of_px = _length(store, task, np.asarray(cloud["size"][at], float))
     blocks, moved = _moved(store, task, cloud, at, block, (column[order], row[order], uvh[at, 2]))
     return {
         "tiles": tiles, "begin": np.append(begin, len(at)), "column": column[order], "row": row[order],
         "height": uvh[at, 2], "slope": slope.astype(np.float32), "local": across[:, 0].astype(np.float32),
-        "orientation": across[:, 1].astype(np.float32), "blocks": blocks, "length": np.array(length),
+        "orientation": across[:, 1].astype(np.float32), "by_blocks": by_blocks.astype(np.float32),
+        "reach": np.array(task.reach_px * cells_of_px), "blocks": blocks, "length": np.array(length),
         "products": moved.products, "sums": moved.sums, "base": moved.base,
     }  # fmt: skip
 
@@ -187,10 +206,11 @@ def _number(column: Array, row: Array, side: int, width: int) -> Index:
     return (row // side).astype(np.int64) * -(-width // side) + (column // side).astype(np.int64)
 
 
-def _length(store: Folder, task: AboveTask, size: Array) -> float:
-    """Distance in cells at which errors of two points correlate by 1 / e."""
+def _length(store: Folder, task: AboveTask, size: Array) -> tuple[float, float]:
+    """Distance in cells at which errors of two points correlate by 1 / e; cells of a pixel of the photograph."""
     px = float(store.wanted(task.map, ("correlation_px",))["correlation_px"][0])
-    return px * float(np.median(size)) * task.grid.unit / task.grid.grid.pixel if len(size) else 1.0
+    cells = float(np.median(size)) * task.grid.unit / task.grid.grid.pixel if len(size) else 1 / px
+    return px * cells, cells
 
 
 def _alike(store: Folder, task: AboveTask, place: Index) -> Array:
@@ -242,18 +262,20 @@ def _moved(
 def tile_of(store: Folder, task: TileTask) -> Product:
     """The task: the heights of a tile, and by how much each reference weighs in its parts."""
     own = tile_of_number(task.grid, task.tile)
-    parts, lengths = list[PointsOfCells](), list[float]()
+    parts, lengths, reaches = list[PointsOfCells](), list[float](), list[float]()
     for image, key in zip(task.images, task.above, strict=True):
         a = store.lent(key)
         k = int(np.searchsorted(a["tiles"], task.tile))
         mine = slice(*a["begin"][k : k + 2].tolist())
         lengths.append(float(a["length"]))
+        reaches.append(float(a["reach"]))
         parts.append(
             PointsOfCells(
                 column=a["column"][mine] - own.x, row=a["row"][mine] - own.y, height=a["height"][mine],
                 slope=np.asarray(a["slope"][mine], float), local=np.asarray(a["local"][mine], float),
                 orientation=np.asarray(a["orientation"][mine], float),
                 image=np.full(mine.stop - mine.start, image, np.int32),
+                blocks=np.asarray(a["by_blocks"][mine], float),
             )
         )  # fmt: skip
     points = PointsOfCells.joined(parts)
@@ -265,8 +287,15 @@ def tile_of(store: Folder, task: TileTask) -> Product:
     row_of = np.searchsorted(np.array(task.images), points.image)
     np.add.at(share, (row_of, block), weights)
     share /= np.maximum(share.sum(axis=0), 1e-300)
+    # all of a cell are drawn alike
+    assert points.blocks is not None
+    inside = np.flatnonzero(weights)
+    number = _number(points.column[inside], points.row[inside], 1, own.width)
+    drawn = np.bincount(number, (weights * points.blocks)[inside], minlength=own.width * own.height)
+    reach = max(reaches, default=0.0)
     return {
-        **found.as_arrays(), "images": np.array(task.images), "share": share.astype(np.float32),
+        **found.as_arrays(), "blocks": drawn.reshape(own.height, own.width).astype(np.float32) * (reach > 0),
+        "blocks_reach": np.array(reach), "images": np.array(task.images), "share": share.astype(np.float32),
         "length": np.array(length),
     }  # fmt: skip
 
@@ -293,7 +322,7 @@ STAGE = SURFACE.register(
         told=lambda s: counted(len(s.heights.tiles), "tile") if s.heights else "",
         inputs=lambda s: Inputs(
             adjustment=s.adjustment, chosen=s.chosen, clouds=s.clouds, maps=s.maps, shifts=s.shifts,
-            grid=s.wanted_grid,
+            grid=s.wanted_grid, photos=s.photos,
         ),
     )
 )  # fmt: skip
