@@ -104,8 +104,8 @@ def of_set(folder: Path, project: Path, maps: int, density: int) -> np.ndarray:
 
 def of_portal(project: Path, maps: int, density: int) -> np.ndarray:
     """Rows of some maps of the demonstration set, its orientation exact; all of one class."""
-    from tests.surface import portal  # noqa: PLC0415
-    from tests.surface.truth import Portal  # noqa: PLC0415
+    from tests.surface import portal
+    from tests.surface.truth import Portal
 
     cache = ROOT / ".pytest_cache/d/surface"
     cache.mkdir(parents=True, exist_ok=True)
@@ -142,7 +142,8 @@ def main() -> None:
     design = np.column_stack([np.ones(len(features)), features])
     fitted, *_ = np.linalg.lstsq(design, target, rcond=None)
     left = float(np.var(target - design @ fitted) - np.pi**2 / 2)
-    print("constant %.2f  exponents %.2f %.2f %.2f" % tuple(fitted), f" variance that is left {left:.2f}")
+    constant, *exponents = fitted
+    print(f"constant {constant:.2f}  exponents " + " ".join(f"{x:.2f}" for x in exponents) + f"  left {left:.2f}")
     by = theory + design @ fitted + left / 2
     print("class            n   stated   theory   fitted")
     for code, name in enumerate(NAMES):

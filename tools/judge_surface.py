@@ -23,14 +23,16 @@ import json
 import subprocess
 import sys
 from pathlib import Path
-from typing import Any
+from typing import Any, cast
 
 import numpy as np
+import rasterio
 from matplotlib.path import Path as Polygon
 from numpy.typing import NDArray
 from renderer.classes import NAMES
 from renderer.judging import robust_chi_square, statistics
 from renderer.truth import Surface, read_surface
+from scipy.ndimage import label
 
 from raybundle.surfaces.height_model import HeightModel
 from raybundle.surfaces.resampled import difference
@@ -102,8 +104,8 @@ class Ground:
         found = np.zeros((f.height, f.width))
         for v in fine:
             for u in fine:
-                c, r = np.meshgrid(np.arange(f.width) + u, np.arange(f.height) + v)
-                found += self.at(c, r)
+                c, r = np.meshgrid(np.arange(f.width) + float(u), np.arange(f.height) + float(v))
+                found += self.at(np.asarray(c, float), np.asarray(r, float))
         return found / FINE**2
 
     def true_area(self, covered: Array) -> float:
@@ -175,7 +177,7 @@ def classes_of(ground: Ground) -> NDArray[np.int8]:
     """(rows, columns) class of each cell, by itself and what a window shows beside it; -1 beyond the core."""
     f, surface = ground.file, ground.surface
     c, r = np.meshgrid(np.arange(f.width) + 0.5, np.arange(f.height) + 0.5)
-    p = ground.places(c, r).reshape(-1, 3)
+    p = ground.places(np.asarray(c, float), np.asarray(r, float)).reshape(-1, 3)
     half = WINDOW_PX * surface.gsd + f.cell / 2
     code = np.full(len(p), -1, np.int8)
     inside = surface.in_core(p)
@@ -293,8 +295,6 @@ def of_moved(before: Path, after: Path, first: Surface, second: Surface, seed: i
     if not out.exists():
         command = [sys.executable, "-m", "raybundle", "heights", "difference", str(before), str(after), "--out"]
         subprocess.run([*command, str(out)], check=True, capture_output=True)
-    import rasterio  # noqa: PLC0415
-
     with rasterio.open(out / "difference.tif") as tif:
         region = np.nan_to_num(tif.read(list(tif.descriptions).index("region") + 1)).astype(int)
     regions = []
@@ -304,9 +304,7 @@ def of_moved(before: Path, after: Path, first: Surface, second: Surface, seed: i
             mine = region == number
             whole = np.abs(truth) > 0.05 * np.abs(truth[mine]).max(initial=0)
             part = np.zeros(mine.shape, bool)
-            from scipy.ndimage import label  # noqa: PLC0415
-
-            names, _ = label(whole)
+            names, _ = cast("tuple[NDArray[np.int32], int]", label(whole))
             for k in set(np.unique(names[mine]).tolist()) - {0}:
                 part |= names == k
             exact = float(truth[part].sum() * model.cell**2)

@@ -199,13 +199,30 @@ def test_correlation_of_the_noise_is_measured(ground, blur):
     assert np.abs(table[0] - expected).max() < 0.12
 
 
-def test_variogram_of_a_random_surface():
-    """Brownian along a row: squares of increments grow with the distance."""
+def test_roughness_of_a_place_is_that_of_its_surroundings():
+    """White relief, four times as high on one side, and a step, which few second differences cross."""
     rng = np.random.default_rng(3)
-    t = 1 + np.cumsum(rng.normal(0, 1e-3, 200_000))[None]
-    found = roughness.variogram(t, np.full(t.shape, 1e-9), 1)
-    assert found.power == pytest.approx(1, abs=0.1)
-    assert found.strength * 8**found.power == pytest.approx(0.5e-6 * 8, rel=0.2)
+    sigma = np.where(np.arange(200) < 100, 1e-3, 4e-3)
+    t = sigma * rng.standard_normal((80, 200))
+    t[:, 150:] += 1.0
+    found = roughness.local_roughness(t, np.full(t.shape, 1e-9), 4)
+    for columns, height in ((slice(20, 80), 1e-3), (slice(120, 180), 4e-3)):
+        assert np.median(found.square[:, columns]) == pytest.approx(6 * height**2, rel=0.15)
+    assert np.median(found.power) < 0.5
+
+
+def test_variance_of_a_place_is_that_of_its_power():
+    rng = np.random.default_rng(4)
+    side = np.arange(-3, 4)
+    response = rng.uniform(0.8, 1.2, (6, 5, 49)) * np.exp(-np.add.outer(side**2, side**2) / 7).ravel()
+    response = response.astype(np.float32)
+    response /= response.sum(axis=-1, keepdims=True)
+    for power in (roughness.LEAST_POWER, 1.0, roughness.MOST_POWER):
+        of_lag = 8 * 8.0**power - 2 * 16.0**power
+        square = np.full((4, 4), 3e-6 * of_lag, np.float32)
+        rough = roughness.LocalRoughness(power=np.full((4, 4), power, np.float32), square=square, lag_px=8)
+        at = np.ones((6, 5), int), np.ones((6, 5), int)
+        assert rough.variance(at, response) == pytest.approx(3e-6 * roughness.of_window(response, power), rel=0.15)
 
 
 def test_variance_of_a_window_is_that_of_draws():

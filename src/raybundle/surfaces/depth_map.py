@@ -83,8 +83,7 @@ class DepthMap:
     roughness: Array
     """variance of t by what the surface does within the window"""
     step: Array
-    """variance of t by steps, of doubtful depths and of those beside a step: how far their neighbours stand apart; 0
-    elsewhere"""
+    """variance of t of doubtful depths by steps: how far their neighbours stand apart; 0 elsewhere"""
     shift: Array
     """(rows, columns, sources, 2) change of t where a source's table says one pixel further [t / px]"""
     views: Index

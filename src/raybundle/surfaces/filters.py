@@ -27,8 +27,6 @@ HOLE_PX, RIM_PX = 9, 2
 reaches, the outer one has no weight."""
 GRAZING = 0.3
 """Cosine between ray and normal below which a window shows hardly anything of the surface."""
-UNIFORM = 12.0
-"""Square of a width over the variance of what lies anywhere within it"""
 ROWS = 64
 """Of a map that are looked at together."""
 
@@ -63,8 +61,7 @@ def tested(
     few        seen by fewer sources than can check it
     rim        known to lie beside other things; None: nothing is known
 
-    A variance by a step is the largest square of what neighbours stand apart, of doubtful depths; of others beside a
-    step, which windows that show both sides put anywhere between them, the twelfth of it; else 0.
+    A variance by a step is the largest square of what neighbours stand apart, of doubtful depths; else 0.
     """
     known = np.isfinite(t)
     own = np.where(known, variance, np.nan)
@@ -81,8 +78,7 @@ def tested(
         (Flag.LONELY, ~sure), (Flag.EDGE, edge),
     ):  # fmt: skip
         flags[known & where] |= np.uint8(flag)
-    doubtful = ~sure | edge
-    return flags, np.where(known & (doubtful | (against > 0)), np.where(doubtful, apart, apart / UNIFORM), 0)
+    return flags, np.where(known & (~sure | edge), apart, 0)
 
 
 def _compared(t: Array, slopes: Array, own: Array, stride: int, distance_px: float) -> tuple[Array, Array, Array]:

@@ -47,8 +47,6 @@ class PointsOfCells:
     """by orientation and calibration"""
     image: Index
     """reference"""
-    blocks: Array | None = None
-    """part of `local` by blocks of compression (`lattice`); None: none"""
 
     def __len__(self) -> int:
         """How many."""
@@ -56,14 +54,12 @@ class PointsOfCells:
 
     def rows(self, which: Index) -> PointsOfCells:
         """Some of them."""
-        values = {f.name: getattr(self, f.name) for f in fields(self)}
-        return PointsOfCells(**{name: v if v is None else v[which] for name, v in values.items()})
+        return PointsOfCells(**{f.name: getattr(self, f.name)[which] for f in fields(self)})
 
     @classmethod
     def joined(cls, parts: Sequence[PointsOfCells]) -> PointsOfCells:
         """All of them."""
-        names = [f.name for f in fields(cls) if all(getattr(p, f.name) is not None for p in parts)]
-        return cls(**{name: np.concatenate([getattr(p, name) for p in parts]) for name in names})
+        return cls(**{f.name: np.concatenate([getattr(p, f.name) for p in parts]) for f in fields(cls)})
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

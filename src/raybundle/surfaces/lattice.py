@@ -9,12 +9,13 @@ by noise that is of this kind grows with the step of quantisation against the te
 from __future__ import annotations
 
 from collections.abc import Sequence
+from typing import cast
 
 import numpy as np
-from scipy.spatial import cKDTree
+from scipy.spatial import KDTree
 
 from raybundle.block import Block
-from raybundle.numerics.arrays import Array
+from raybundle.numerics.arrays import Array, Index
 
 BLOCK_PX = 8.0
 """Side of a block of JPEG"""
@@ -65,13 +66,13 @@ def reach_of_blocks(block: Block, reference: int, sources: Sequence[int]) -> tup
 
 
 def _reach(here: Array, there: Array) -> float:
-    """How far blocks of one photograph lie the same way in another, by places (n, 2) of the same points in both [px]."""
+    """How far [px] blocks of two photographs lie the same way, by places (n, 2) of the same points in both."""
     A = np.column_stack([np.ones(len(here)), here - here.mean(axis=0)])
     solved, *_ = np.linalg.lstsq(A, there, rcond=None)
     J = solved[1:].T
     turned = [np.array([[c, -s], [s, c]]) for c, s in ((1, 0), (0, 1), (-1, 0), (0, -1))]
     whole = min(float(np.linalg.norm(J - R)) for R in turned) / np.sqrt(2)
     left = there - A @ solved
-    distance, near = cKDTree(here).query(here, k=2)
+    distance, near = cast("tuple[Array, Index]", KDTree(here).query(here, k=2))
     apart = np.linalg.norm(left[near[:, 1]] - left, axis=1) / np.maximum(distance[:, 1], 1.0)
     return float(np.sqrt(2) * BLOCK_PX / (2 * np.pi) / max(np.hypot(whole, np.median(apart)), 1e-6))

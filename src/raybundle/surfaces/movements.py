@@ -439,8 +439,8 @@ def _region(
 FEWEST = 9
 """Cells of an inner part"""
 SKIRT, RINGS = 2.0, 20
-"""Standard deviations by which a ring around a region has moved that belongs to it, and rings that are looked at: one in
-forty that has not moved counts, too"""
+"""Standard deviations by which a ring around a region has moved that belongs to it, and rings that are looked at: one
+in forty that has not moved counts, too"""
 
 
 def _cut_off(model: HeightModel, local: Array, uncertain: Array, cells: Mask, rim: int, others: Mask) -> float:

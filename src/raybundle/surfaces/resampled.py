@@ -61,8 +61,8 @@ def resampled(model: HeightModel, left: float, top: float, scale: float, like: H
     if blocks is not None:
         blocks = Blocks(sigma=np.where(known, blocks.sigma[j][:, i], 0).astype(np.float32), reach=blocks.reach / scale)
     return replace(
-        model, heights=heights, blocks=blocks, moved=at_places(model.moved, row, column).astype(np.float32), block=like.block,
-        cell=like.cell, length=model.length / scale, holes=holes,
+        model, heights=heights, blocks=blocks, moved=at_places(model.moved, row, column).astype(np.float32),
+        block=like.block, cell=like.cell, length=model.length / scale, holes=holes,
         factors=None if model.factors is None else np.where(known[..., None], model.factors[j][:, i], 0),
         levels=None if model.levels is None else at_places(model.levels, row, column),
     )  # fmt: skip

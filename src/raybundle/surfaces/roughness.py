@@ -1,13 +1,13 @@
 """What a surface that is no plane within the window does to its depth; local variances by the map itself.
 
 Of a surface between its refined pixels increments grow with a power of the distance: E (t(x + r) - t(x))^2 / 2 = c
-|r|^p (Matheron 1963), of a map with c and p from second differences at lags beyond the window, which tilts do not
-touch.  A depth is the middle of the window seen through the window's response h; its error is the increment of
-weights delta - h, and has the variance -(delta - h)' c |r|^p (delta - h).
+|r|^p (Matheron 1963), of each place of a map with c and p from second differences around it at lags beyond the window,
+which tilts do not touch.  A depth is the middle of the window seen through the window's response h; its error is the
+increment of weights delta - h, and has the variance -(delta - h)' c |r|^p (delta - h).
 
-That is the variance of a usual pixel of the map.  The local one is a factor of it, known from two witnesses: how well
-planes of neighbours agree (`misfit`), and residuals of grey values beyond the map's noise, which say that the plane
-does not fit.
+That is the variance of a usual pixel of the place.  The local one is a factor of it, known from two witnesses: how
+well planes of neighbours agree (`misfit`), and residuals of grey values beyond the map's noise, which tell that the
+plane does not fit.
 """
 
 from __future__ import annotations
@@ -43,38 +43,14 @@ AROUND_PX = 60
 square is known to a fifth."""
 MOST_SIDE, LEVELS = 255, 7
 """Of a square of a median [pixels of the grid]; steps of a logarithm to base 2, so that medians are those of bytes."""
-SAMPLES, POWERS, WHOLE = 500, 5, 0.1
-"""Windows and powers by which the variance of a window is known, and by how much the response of one may not sum to 1"""
+POWERS, WINDOW_SIGMA = 9, 1.9
+"""Powers by which the variance of a window is known, and the standard deviation of its weights [px]"""
 CHUNK = 50_000
 """Windows at once."""
 ROWS = 64
 """Of a map that are looked at together."""
 BRIGHTNESSES = 8
 """Classes of brightness: the noise of a sensor grows with it."""
-
-
-@dataclass(frozen=True, slots=True, kw_only=True)
-class Variogram:
-    """Roughness of a map."""
-
-    power: float
-    strength: float
-    """c, robust over the map [t^2 / px^power]"""
-
-
-def variogram(t: Array, noise: Array, stride: int) -> Variogram:
-    """Of refined depth parameters (rows, columns), NaN where there is none, whose noise has the variances `noise`."""
-    lags = [max(1, round(lag / stride)) for lag in LAGS_PX]
-    d = [np.concatenate([x[np.isfinite(x)] for x in second_differences(t, lag)]) for lag in lags]
-    if not min(len(x) for x in d):
-        return Variogram(power=1.0, strength=0.0)
-    middle = float(np.nanmedian(noise))
-    squares = [max(float(np.median(np.abs(x)) / NORMAL) ** 2 - 6 * middle, 0.05 * middle) for x in d]
-    if not min(squares) > 0:
-        return Variogram(power=1.0, strength=0.0)
-    power = float(np.clip(np.log(squares[1] / squares[0]) / np.log(lags[1] / lags[0]), LEAST_POWER, MOST_POWER))
-    lag = lags[0] * stride
-    return Variogram(power=power, strength=squares[0] / (8 * lag**power - 2 * (2 * lag) ** power))
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -91,18 +67,18 @@ class LocalRoughness:
 
         at  rows and columns (...) of the map
 
-        Windows of a map are much alike: how their variance depends on the power is taken from some of them.
+        How that depends on the power is taken from a Gaussian window, which responses resemble.
         """
-        flat = response.reshape(-1, response.shape[-1])
-        some = flat[np.linspace(0, len(flat) - 1, min(SAMPLES, len(flat))).astype(int)]
-        some = some[np.abs(some.sum(axis=1) - 1) < WHOLE]
-        if not len(some):
-            return np.zeros(response.shape[:-1], np.float32)
+        side = np.arange(round(response.shape[-1] ** 0.5)) - (round(response.shape[-1] ** 0.5) - 1) / 2
+        window = np.exp(-np.add.outer(side**2, side**2) / (2 * WINDOW_SIGMA**2)).ravel()
+        window = (window / window.sum()).astype(np.float32)[None]
         powers = np.linspace(LEAST_POWER, MOST_POWER, POWERS)
-        of = np.array([np.median(of_window(some, p)) / _per_strength(self.lag_px, p) for p in powers])
         middle = (LEAST_POWER + MOST_POWER) / 2
-        own = of_window(response, middle) / max(float(np.median(of_window(some, middle))), 1e-30)
-        return (own * self.square[at] * np.interp(self.power[at], powers, of)).astype(np.float32)
+        of = np.array([of_window(window, p)[0] / _per_strength(self.lag_px, p) for p in powers])
+        of /= of_window(window, middle)[0]
+        return (of_window(response, middle) * self.square[at] * np.interp(self.power[at], powers, of)).astype(
+            np.float32
+        )
 
 
 def local_roughness(t: Array, noise: Array, stride: int) -> LocalRoughness:

@@ -140,8 +140,8 @@ def _within_windows(model: HeightModel, box: tuple[slice, slice], density: Array
     """(rows, columns) area over that in plan that relief within windows may add to a density, where there is any.
 
     Relief of the width of a window is what its depth shows nothing of: waves so long have slopes of pi s / rho, where
-    s is how far heights scatter and rho half a window.  Steps add no more than their height, which is sqrt(12) s at most,
-    once in each window.  Walls and creases are no such relief: facets have them.
+    s is how far heights scatter and rho half a window.  Steps add no more than their height, which is sqrt(12) s at
+    most, once in each window.  Walls and creases are no such relief: facets have them.
     """
     side = min(half_side(model.length), FURTHER // 2)
     known = model.known[box]

@@ -182,11 +182,13 @@ def write_heights(surface: Surface, file: HeightFile, out: Path) -> tuple[str, .
         if whole.moved is None:
             raise InputError("no point of the surface lies above the area of the heights; choose another")
         nodes, levels = whole.moved.solved(BLOCK_CELLS * file.cell)
-        more = {} if whole.blocks is None else {"blocks": whole.blocks, "blocks_reach": np.array(whole.reach)}
-        np.savez_compressed(
-            moved, nodes=nodes, levels=levels, block=np.array(BLOCK_CELLS), errors=np.array(measured.together),
-            adjustment=np.array(measured.adjustment), **more,
-        )  # fmt: skip
+        kept = {
+            "nodes": nodes, "levels": levels, "block": np.array(BLOCK_CELLS), "errors": np.array(measured.together),
+            "adjustment": np.array(measured.adjustment),
+        }  # fmt: skip
+        if whole.blocks is not None:
+            kept |= {"blocks": whole.blocks, "blocks_reach": np.array(whole.reach)}
+        np.savez_compressed(moved, allow_pickle=False, **kept)
         about.write_text(_about(file, (heights, sigmas, moved), whole.length, measured.apart), encoding="utf-8")
     share = sum(whole.cells) / (file.width * file.height)
     sigma = float(np.median(np.concatenate(whole.sigma)))

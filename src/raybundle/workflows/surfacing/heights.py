@@ -134,8 +134,8 @@ def _above(i: Inputs, means: Means, k: int, together: str) -> Task:
         quantised=noise, reach_px=reach, drawn=drawn,
     )  # fmt: skip
     return Task(
-        key=key_of(ABOVE, VERSION, *inputs, i.grid, noise, reach, drawn), function=f"{__name__}:above_of", options=options, inputs=inputs,
-        name=block.images.ids[k], cost=points * POINT_S,
+        key=key_of(ABOVE, VERSION, *inputs, i.grid, noise, reach, drawn), function=f"{__name__}:above_of",
+        options=options, inputs=inputs, name=block.images.ids[k], cost=points * POINT_S,
     )  # fmt: skip
 
 
@@ -262,20 +262,21 @@ def _moved(
 def tile_of(store: Folder, task: TileTask) -> Product:
     """The task: the heights of a tile, and by how much each reference weighs in its parts."""
     own = tile_of_number(task.grid, task.tile)
-    parts, lengths, reaches = list[PointsOfCells](), list[float](), list[float]()
+    parts, by_blocks = list[PointsOfCells](), list[Array]()
+    lengths, reaches = list[float](), list[float]()
     for image, key in zip(task.images, task.above, strict=True):
         a = store.lent(key)
         k = int(np.searchsorted(a["tiles"], task.tile))
         mine = slice(*a["begin"][k : k + 2].tolist())
         lengths.append(float(a["length"]))
         reaches.append(float(a["reach"]))
+        by_blocks.append(np.asarray(a["by_blocks"][mine], float))
         parts.append(
             PointsOfCells(
                 column=a["column"][mine] - own.x, row=a["row"][mine] - own.y, height=a["height"][mine],
                 slope=np.asarray(a["slope"][mine], float), local=np.asarray(a["local"][mine], float),
                 orientation=np.asarray(a["orientation"][mine], float),
                 image=np.full(mine.stop - mine.start, image, np.int32),
-                blocks=np.asarray(a["by_blocks"][mine], float),
             )
         )  # fmt: skip
     points = PointsOfCells.joined(parts)
@@ -288,10 +289,9 @@ def tile_of(store: Folder, task: TileTask) -> Product:
     np.add.at(share, (row_of, block), weights)
     share /= np.maximum(share.sum(axis=0), 1e-300)
     # all of a cell are drawn alike
-    assert points.blocks is not None
     inside = np.flatnonzero(weights)
     number = _number(points.column[inside], points.row[inside], 1, own.width)
-    drawn = np.bincount(number, (weights * points.blocks)[inside], minlength=own.width * own.height)
+    drawn = np.bincount(number, (weights * np.concatenate(by_blocks))[inside], minlength=own.width * own.height)
     reach = max(reaches, default=0.0)
     return {
         **found.as_arrays(), "blocks": drawn.reshape(own.height, own.width).astype(np.float32) * (reach > 0),
