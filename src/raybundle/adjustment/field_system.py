@@ -47,7 +47,7 @@ class FieldSystem:
 
     @property
     def is_finite(self) -> bool:
-        """False where some image points tell nothing of their object points by themselves."""
+        """False where some image points determine nothing of their object points by themselves."""
         return all(bool(np.isfinite(part).all()) for part in (self.scores, self.H.data, self.own.data))
 
     def of_nodes(self, chosen: Array) -> Array:

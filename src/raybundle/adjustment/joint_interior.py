@@ -45,7 +45,7 @@ class JointInterior:
     """Weighted square sum of the residuals"""
     redundancy: int
     residuals: int
-    """Degrees of freedom of the variance in `stated`: redundancy, of fields the directions that tell of them"""
+    """Degrees of freedom of the variance in `stated`: redundancy, or directions in which fields are estimated"""
     smooth_px: float
     """Standard deviation of an image coordinate by smooth errors [px]; 0 under white noise"""
     smooth: bool
@@ -138,16 +138,16 @@ def _apart(result: Adjustment, interiors: dict[str, InteriorResult]) -> JointInt
 
 @dataclass(frozen=True, slots=True, kw_only=True)
 class Smooth:
-    """Smooth errors of a factored block, and the variance components that residuals tell of them."""
+    """Smooth errors of a factored block, and their variance components by the residuals."""
 
     fields: FieldSystem
     components: Components
 
 
 def smooth_errors(result: Adjustment, known: Components | None = None) -> Smooth | None:
-    """Smooth errors that differ from image to image, by the residuals; None where they tell nothing of them.
+    """Smooth errors that differ from image to image, by the residuals; None where they determine none.
 
-    known  components that residuals of more free parameters told before
+    known  components from residuals of more free parameters
     """
     work = result.handle.work
     if work is None or work.found is None or not work.normals.one_piece or result.redundancy <= 0:
@@ -157,8 +157,8 @@ def smooth_errors(result: Adjustment, known: Components | None = None) -> Smooth
     fields = field_system(work.normals, work.state)
     if not fields.is_finite:
         return None
-    told = known or components(fields, result.sigma0**2)[0]
-    return Smooth(fields=fields, components=told) if told.directions >= FEWEST_DIRECTIONS else None
+    estimated = known or components(fields, result.sigma0**2)[0]
+    return Smooth(fields=fields, components=estimated) if estimated.directions >= FEWEST_DIRECTIONS else None
 
 
 def _covariances(work: Work, unknowns: Index, smooth: Smooth | None, variance: float) -> tuple[Array, Array]:
@@ -166,8 +166,8 @@ def _covariances(work: Work, unknowns: Index, smooth: Smooth | None, variance: f
     assert work.found is not None
     solvers: list[Callable[[Array, Array], tuple[Array, Array]]] = [partial(work.normals.solve, work.state)]
     if smooth is not None:
-        told = smooth.components
-        solvers.append(spread_alone(smooth.fields, told.phi, told.root(variance)).solve)
+        parts = smooth.components
+        solvers.append(spread_alone(smooth.fields, parts.phi, parts.root(variance)).solve)
     n, p, k = int(work.system.offsets[-1]), len(work.state.xyz), len(unknowns)
     found = list[Array]()
     for solve in solvers:

@@ -220,7 +220,7 @@ def _insignificant(
     """Groups that are most probably nil, in the order in which they leave, each beside those before it.
 
     A group stays, however uncertain, where it could move image points by more than their standard deviation: that it
-    is not significant then says that the block cannot tell, and without it the others would be biased and their
+    is not significant then means that the block cannot decide, and without it the others would be biased and their
     standard deviations too small.
     """
     sigma = float(np.median(np.sqrt(result.given.observations.cov_px2[:, :2]))) * result.sigma0

@@ -129,14 +129,16 @@ def under_its_noise(result: Adjustment) -> Adjustment:
     """The result with what was said of affinity and shear under white noise restated under the noise that it has.
 
     Some decisions are taken under white noise.  Where smooth errors make standard deviations so much larger that a
-    value may be a sensor's after all, it stays held, for a sensor's is known better than these photographs tell; that
+    value may be a sensor's after all, it stays held, for a sensor's is known better than by these photographs; that
     is a remark.
     """
     wider = result.noise.ratio_interior
     if result.noise.kind != "fields" or not wider > 1.0:
         return result
-    told = tuple(_restated(n, wider) if isinstance(n, ShapeNotice) and not n.under_noise else n for n in result.notices)
-    return replace(result, notices=told)
+    notices = tuple(
+        _restated(n, wider) if isinstance(n, ShapeNotice) and not n.under_noise else n for n in result.notices
+    )
+    return replace(result, notices=notices)
 
 
 def _restated(n: ShapeNotice, wider: float) -> Notice:

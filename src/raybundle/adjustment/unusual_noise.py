@@ -22,7 +22,7 @@ FEWEST = 100
 def unusual_noise_notices(result: Adjustment) -> list[Notice]:
     """One warning where residuals and smooth errors are both beyond what is usual of photographs.
 
-    What it does not tell: which of the reasons it is; errors that are the same in all images.
+    Not decided: which of the reasons it is. Not seen: errors that are the same in all images.
     """
     used = result.image_observations.used
     if result.noise.kind != "fields" or int(used.sum()) < FEWEST:

@@ -60,7 +60,7 @@ def several_cameras(result: Adjustment) -> SeveralCameras | None:
     Two tests have to agree: that the images' own values fall into groups more distinctly than values without groups do
     (`own_interiors.groups_of`), and that the groups' interior orientations, adjusted apart, differ significantly by
     the covariance that this adjustment states, smooth errors within the groups included.
-    What it does not tell: whether groups are two cameras, two zooms or two distances of focus; groups below three
+    Not decided: whether groups are two cameras, two zooms or two distances of focus; groups below three
     images; cameras of which each took one image.
     """
     if result.noise.kind != "fields" or not result.noise.chi_square > LARGE:

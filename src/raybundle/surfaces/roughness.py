@@ -6,7 +6,7 @@ which tilts do not touch.  A depth is the middle of the window seen through the 
 increment of weights delta - h, and has the variance -(delta - h)' c |r|^p (delta - h).
 
 That is the variance of a usual pixel of the place.  The local one is a factor of it, known from two witnesses: how
-well planes of neighbours agree (`misfit`), and residuals of grey values beyond the map's noise, which tell that the
+well planes of neighbours agree (`misfit`), and residuals of grey values beyond the map's noise, which show that the
 plane does not fit.
 """
 
@@ -39,7 +39,7 @@ LEFT = 0.1
 """Variance of the logarithm of a variance that witnesses leave on the terrains, by the same least squares, beside the
 pi^2 / 2 of normal errors.  The mean of a variance is exp(LEFT / 2) times its median."""
 AROUND_PX = 60
-"""Side of the surroundings whose second differences tell how rough a place is: some fifty windows, so that their median
+"""Side of the surroundings whose second differences show how rough a place is: some fifty windows, so that their median
 square is known to a fifth."""
 MOST_SIDE, LEVELS = 255, 7
 """Of a square of a median [pixels of the grid]; steps of a logarithm to base 2, so that medians are those of bytes."""

@@ -8,7 +8,7 @@ from pathlib import Path
 def quantisation_tables(path: Path) -> list[list[int]]:
     """Tables (64 each) of a JPEG, that of luminance first; [] of other files, and where the file is not there.
 
-    What they do not tell: what was lost before, by a camera or program that wrote the picture as another JPEG.
+    Not known: what was lost before, by a camera or program that wrote the picture as another JPEG.
     """
     from PIL import Image, UnidentifiedImageError  # noqa: PLC0415
 

@@ -169,7 +169,7 @@ def _adjusted(i: Inputs, placed: Georeferenced, apart: Sequence[Georeferenced], 
         first = replace(first, block=weighted)
         adjustment = final_adjustment(first, groups, means.jobs, means.progress, i.remarks, noise, weights=weights)
     adjustment = with_relative_precision(with_cause(adjustment, i.photos))
-    told = (
+    notices = (
         *joined_notice(first.joined, adjustment.given),
         *shared.notices,
         *(several.notices if several else ()),
@@ -177,9 +177,9 @@ def _adjusted(i: Inputs, placed: Georeferenced, apart: Sequence[Georeferenced], 
     )
     if kept:  # of what is left in the end: the adjustments leave photographs out
         left = [replace(k, block=p.adjustment.given) for k, p in zip(kept, parts, strict=True)]
-        told = (apart_notice(adjustment.given, left, [component_folder(k) for k in range(len(kept))]), *told)
+        notices = (apart_notice(adjustment.given, left, [component_folder(k) for k in range(len(kept))]), *notices)
     return Adjusted(
-        adjustment=replace(adjustment, notices=(*told, *adjustment.notices)), other_components=tuple(parts),
+        adjustment=replace(adjustment, notices=(*notices, *adjustment.notices)), other_components=tuple(parts),
         groups=groups, placed=placed, lost=(),
     )  # fmt: skip
 
