@@ -1,4 +1,4 @@
-"""Photographs of several cameras that were taken for one get a camera each; those of one camera stay together."""
+"""Photographs of several cameras that were taken for one are named; those of one camera are not."""
 
 import numpy as np
 import pytest
@@ -21,7 +21,11 @@ def test_images_of_two_cameras_are_taken_apart(seed):
     assert len(apart.cameras) == 2
     assert len(pairs) == 2
     (notice,) = found.notices
-    assert (notice.code, notice.severity, notice.ids) == ("several_cameras", Severity.CAUTION, ("1", "1-2"))
+    assert (notice.code, notice.severity, notice.ids) == ("several_cameras", Severity.FAULT, ("1", "1-2"))
+    smaller = min((0, 1), key=lambda k: (of == k).sum())
+    names = [n for n, k in zip(block.images.ids, of, strict=True) if k == smaller]
+    if (of == smaller).sum() < len(of) / 2:
+        assert f'own_camera="{"|".join(names)}"' in notice.message
     after = adjusted(apart)
     c = [i.parameters["c"] for i in sorted(after.interior, key=lambda i: of[apart.images.camera.tolist().index(
         [k.id for k in apart.cameras].index(i.camera))])]  # fmt: skip

@@ -24,6 +24,8 @@ def test_the_named_command_has_these_options(line):
     assert command is not None
     known = {name for p in command.params for name in p.opts}
     assert {w for w in words if w.startswith("--")} <= known
+    needed = {p.opts[0] for p in command.params if isinstance(p, click.Option) and p.required}
+    assert needed <= set(words)
     assert words
 
 
@@ -31,7 +33,8 @@ def test_the_named_command_has_these_options(line):
     ("word", "line"),
     [("orthophoto", "surface RESULT --ortho CELL"), ("DSM", "surface RESULT --dsm CELL"),
      ("point_clouds", "surface RESULT --las"), ("undistort", "convert RESULT --to colmap"),
-     ("georef", "orient PHOTOS --control")],
+     ("georef", "orient PHOTOS --control"),
+     ("dense cloud", "surface RESULT"), ("drone flight planning", "plan mission"), ("align photos", "orient PHOTOS")],
 )  # fmt: skip
 def test_a_word_of_the_trade_is_answered_and_does_nothing(word, line):
     done = CliRunner().invoke(cli, [word, "project"])

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 
 from raybundle.adjustment.assemble import State, System
@@ -84,12 +86,13 @@ def network_figures(system: System, state: State, std: Array | None, parts: int,
     scale = median * unit_mm / np.maximum(c, 1e-300)
     used = rays > 0
     q = q_stations = mean = np.nan
+    share = 1.0
     extent = _extent(state.xyz[used]) if used.any() else np.nan
     free = None if std is None else std[used & (std > 0).any(axis=1)]
     if free is not None and len(free):
         # a held coordinate has no standard deviation: as a zero it would make the mean too small
         typical = _without_few(free)
-        mean = float(np.mean(typical[typical > 0]))
+        mean, share = float(np.mean(typical[typical > 0])), len(typical) / len(free)
         sigma = mean * unit_mm
         cov = block.observations.cov_px2[system.rows]
         sigma_xy = float(np.sqrt(np.mean(cov[:, :2])) * np.mean(np.abs(system.pixel_mm)))
@@ -102,9 +105,23 @@ def network_figures(system: System, state: State, std: Array | None, parts: int,
         rays=rays, stations_per_point=stations, intersection_angle=angle, base_to_depth=ratio, pair_images=pairs,
         pair_points=common, coverage=_coverage(system, image, n), roll=_rolls(system, state), distance=median,
         image_scale=scale, q=float(q), q_stations=float(q_stations), bound=float(np.sqrt(1.5)),
-        relative_precision=float(relative), extent=float(extent), mean_std=float(mean),
+        relative_precision=float(relative), extent=float(extent), mean_std=float(mean), mean_share=share,
         precision_class=precision_class(relative) if relative > 0 else "",
         components=parts,
+    )  # fmt: skip
+
+
+def with_std(network: NetworkFigures, std: Array) -> NetworkFigures:
+    """The figures with the mean of other standard deviations (p, 3) of the object points; q is that of the geometry."""
+    if not np.isfinite(network.relative_precision):
+        return network
+    free = std[(np.nan_to_num(std) > 0).any(axis=1)]
+    typical = _without_few(free)
+    mean = float(np.mean(typical[typical > 0]))
+    relative = network.extent / mean
+    return replace(
+        network, mean_std=mean, mean_share=len(typical) / len(free), relative_precision=relative,
+        precision_class=precision_class(relative),
     )  # fmt: skip
 
 

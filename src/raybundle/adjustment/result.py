@@ -322,6 +322,8 @@ class NetworkFigures:
     """Mean standard deviation of a free coordinate of the object points [length unit]; NaN without statistics.
 
     Where a few far points hold half of the variance: without the 5 % that are least precise."""
+    mean_share: float = 1.0
+    """Share of the points that `mean_std` is of."""
     precision_class: str
     components: int
     """Connected parts of the network."""

@@ -23,6 +23,7 @@ from dataclasses import replace
 
 import numpy as np
 
+from raybundle.adjustment.network import with_std
 from raybundle.adjustment.result import Adjustment, Precision
 from raybundle.block import Role
 from raybundle.block.rigs import without_rigs
@@ -55,7 +56,9 @@ def with_roughness(result: Adjustment) -> Adjustment:
     along = np.maximum(np.einsum("pi,pij,pj->p", d, C, d), 0.0)
     roughness = np.zeros((len(points), 3))
     roughness[known] = np.minimum(np.sqrt(factor * along), HIGHEST * points.window[known])[:, None] * d
-    return replace(result, precision=widened(precision, roughness))
+    wider = widened(precision, roughness)
+    network = None if result.network is None else with_std(result.network, wider.object_point_std)
+    return replace(result, precision=wider, network=network)
 
 
 def widened(precision: Precision, roughness: Array) -> Precision:

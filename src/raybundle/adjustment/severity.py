@@ -26,7 +26,7 @@ _CODES = {
         "control_unit epochs_names epochs_scale images_mirrored group_less_precise groups_contradict image_contradicts "
         "incomplete camera_constant_unknown mark_contradicts no_redundancy "
         "nominal_mirrored nominal_names nominal_scale not_determinable position_left_out positions_axes "
-        "positions_distant positions_exchanged positions_unit redundancy_sum "
+        "positions_distant positions_exchanged positions_unit redundancy_sum several_cameras "
         "snooping_masked snooping_unfinished weak_convergence"
     ),
     Severity.CAUTION: (
@@ -41,7 +41,7 @@ _CODES = {
         "one_ray_control outside_format parts_apart pixel_shape given_twice "
         "points_left_out rays_diverge read_out_unused relative_control repeated_structure residual_structure "
         "choice_unfinished result_unsettled rolling_shutter scale_unchecked scene_datum scene_prior small_angle "
-        "approximate_scale several_cameras start_behind "
+        "approximate_scale start_behind "
         "start_parallel static_background systematic_residuals "
         "target_without_normal two_cameras unstable_camera unusual_errors up_ambiguous up_uncertain weak_photographs"
     ),

@@ -11,6 +11,7 @@ import numpy as np
 
 from raybundle.adjustment.handle import Handle
 from raybundle.adjustment.interior import joint_tests
+from raybundle.adjustment.network import with_std
 from raybundle.adjustment.noise import noise_of
 from raybundle.adjustment.precision import Cofactors, interior_unknowns, node_cofactor, precision
 from raybundle.adjustment.reliability import observation_groups
@@ -18,7 +19,6 @@ from raybundle.adjustment.result import (
     WHITE,
     Adjustment,
     InteriorResult,
-    NetworkFigures,
     Noise,
     ObservationGroup,
     ParameterResult,
@@ -51,7 +51,7 @@ def under_noise(result: Adjustment) -> Adjustment:
         precision=widened,
         interior=tuple(_interior(i, work, widened, result.redundancy) for i in result.interior),
         groups=_groups(result, work, found),
-        network=_network(result.network, white, widened),
+        network=None if result.network is None else with_std(result.network, widened.object_point_std),
         options=replace(result.options, noise="fields"),
         noise=noise,
         handle=Handle(replace(work, under_noise=found, spread=spread)),
@@ -121,15 +121,3 @@ def _groups(result: Adjustment, work: Work, found: Cofactors) -> tuple[Observati
         replace(g, adjusted_std=np.array([std[g.kind, i, c] for i, c in zip(g.ids, g.component, strict=True)]))
         for g in result.groups
     )
-
-
-def _network(network: NetworkFigures | None, white: Precision, widened: Precision) -> NetworkFigures | None:
-    """The relative precision under the noise; q stays that of the geometry."""
-    from raybundle.adjustment.network import precision_class  # noqa: PLC0415
-
-    if network is None or not np.isfinite(network.relative_precision):
-        return network
-    wider = float(np.nanmean(widened.object_point_std) / np.nanmean(white.object_point_std))
-    mean = network.mean_std * wider
-    relative = network.extent / mean
-    return replace(network, relative_precision=relative, mean_std=mean, precision_class=precision_class(relative))

@@ -1,4 +1,6 @@
-"""Photographs of several cameras, or zooms, that were taken for one: found, and given a camera each.
+"""Photographs of several cameras, or zooms, that were taken for one: found, and named.
+
+They are not given a camera each here: tie points were chosen and weighed with the wrong camera, and all is done again.
 
 Which photographs belong together is read from the interior orientations that single images ask for
 (`raybundle.adjustment.own_interiors`); an adjustment with a camera for each group confirms that they differ.
@@ -27,8 +29,6 @@ MOST_CAMERAS = 8
 LARGE = 4.0
 """Mean square of the residuals in the directions of smooth fields, in units of white noise, from which on it is looked
 at: standard deviations of such sums are then twice those of white noise."""
-NAMED = 3
-"""Photographs of a group that a notice names."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -155,17 +155,13 @@ def _notice(
     probability: float, count: int,
 ) -> Notice:  # fmt: skip
     name = after.given.images.ids
-    parts = list[str]()
-    for id_, g in zip(ids, order, strict=True):
-        names = [name[i] for i in groups.images[g].tolist()]
-        more = f" and {len(names) - NAMED} more" if len(names) > NAMED else ""
-        parts.append(f"{id_}: {', '.join(names[:NAMED])}{more}")
+    patterns = " ".join(option("own_camera", "|".join(name[i] for i in groups.images[g].tolist())) for g in order[1:])
     message = (
         f"camera {camera.id}: its {counted(count, 'photograph')} fall into {len(ids)} groups with interior "
         f"orientations of their own ({groups.symbol} differs by {spread:.2g} px, within a group by "
         f"{groups.scatter_px:.2g} px; probability by chance {max(probability, groups.probability):.1g} or less). "
-        f"Each is a camera: {'; '.join(parts)}. Several cameras, zooms or focus settings: state them with "
-        f"{option('own_camera', 'PATTERN')}"
+        f"They are of several cameras, zooms or focus settings, and standard deviations are too small. Orient again "
+        f"with {patterns}"
     )
     values = {"spread_px": spread, "scatter_px": groups.scatter_px, "cameras": len(ids)}
     return Notice(code="several_cameras", message=message, ids=tuple(ids), values=values)

@@ -36,7 +36,7 @@ TASKS: dict[str, dict[str, str]] = {
         "film": "Transform scanned film by its fiducial marks.",
     },
     "Orient and adjust": {
-        "orient": "Orient photographs: cameras, tie points, report.",
+        "orient": "Orient photographs, with control points (GCP) or without.",
         "adjust": "Adjust a block; write a result folder and report.",
         "mark": "Measure points, control and scale bars by hand.",
         "datum": "Transform a result into the system of given points.",
@@ -52,12 +52,12 @@ TASKS: dict[str, dict[str, str]] = {
     },
     "Surface and maps": {
         "surface": "Compute point cloud, DSM, orthophoto and mesh.",
-        "heights": "Compute DTM, volumes, profiles, contours and differences.",
+        "heights": "Compute DTM, cut and fill volumes, profiles, contours, differences.",
         "rectify": "Rectify a plane object to scale: facade, floor, painting.",
         "sheet": "Draw a sheet to scale as PDF.",
     },
     "Exchange": {
-        "convert": "Convert formats of other programs; undistort photographs.",
+        "convert": "Convert to COLMAP, Metashape and others; undistort photographs.",
         "spreadsheet": "Write the tables of a result as a workbook.",
         "record": "Edit the recording sheet: object, client, rights.",
     },

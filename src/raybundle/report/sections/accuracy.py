@@ -58,11 +58,14 @@ def _object_rows(view: View) -> list[Row]:
     over = f"{counted(len(std), 'object point')}, {grouped(int(np.isfinite(std).sum()))} coordinates"
     good = std[np.isfinite(std)]
     noise = noise_of(view)
+    mean, of_which = float(good.mean()), "of a coordinate"
+    if network is not None and math.isfinite(network.relative_precision):
+        few = "" if network.mean_share == 1 else ", without the 5 % of the points that are least precise"
+        mean, of_which = network.mean_std * view.factor, f"of a coordinate{few}; that of 1 : N"
     rows: list[Row] = [
         ("standard deviation, rms", f"{significant(rms(std))} {view.unit}", over, noise,
          "of a coordinate; a few weak points enlarge it"),
-        ("standard deviation, mean", f"{significant(float(good.mean()))} {view.unit}", over, noise,
-         "of a coordinate; that of 1 : N"),
+        ("standard deviation, mean", f"{significant(mean)} {view.unit}", over, noise, of_which),
         ("standard deviation, median", f"{significant(float(np.median(good)))} {view.unit}", over, noise,
          "half of the coordinates are more precise"),
     ]  # fmt: skip

@@ -92,7 +92,8 @@ def _precision(a: Adjustment) -> list[str]:
         )
     if a.network is not None and math.isfinite(a.network.relative_precision):
         n = round(float(f"{a.network.relative_precision:.2g}"))
-        meaning = f"(mean standard deviation {significant(a.network.mean_std * factor)} {unit} / largest extent "
+        most = "" if a.network.mean_share == 1 else " without the 5 % of the points that are least precise"
+        meaning = f"(mean standard deviation{most} {significant(a.network.mean_std * factor)} {unit} / largest extent "
         meaning += f"{significant(a.network.extent)} {length_unit(a)})"
         of_class = f"; {a.network.precision_class}" if classed(a.given) else ""
         lines.append(f"relative precision 1 : {grouped(n)} {meaning}{of_class}")

@@ -121,7 +121,8 @@ def relative_words(view: View) -> str:
     if network is None or not math.isfinite(network.relative_precision):
         return ""
     mean, extent = significant(network.mean_std * view.factor), significant(network.extent)
-    return f"mean standard deviation {mean} {view.unit} of an extent of {extent} {view.length_unit}"
+    most = "" if network.mean_share == 1 else ", without the 5 % of the points that are least precise"
+    return f"mean standard deviation {mean} {view.unit} of an extent of {extent} {view.length_unit}{most}"
 
 
 def _relative(relative: float) -> str:

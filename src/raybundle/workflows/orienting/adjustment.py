@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from typing import Literal
 
@@ -156,10 +156,6 @@ def _adjusted(i: Inputs, placed: Georeferenced, apart: Sequence[Georeferenced], 
         first = replace(first, block=shared.applied(first.block))
         adjustment = final_adjustment(first, groups, means.jobs, means.progress, i.remarks, noise, weights=weights)
     several = several_cameras(adjustment)
-    if several is not None:
-        groups = with_cameras_apart(groups, several.camera_of, i.photos)
-        first = replace(first, block=several.applied(first.block))
-        adjustment = final_adjustment(first, groups, means.jobs, means.progress, i.remarks, noise, weights=weights)
     moving = rolling_shutters(adjustment, first.block, i.photos, i.options.read_out_s)
     if moving.block is not None:
         first = replace(first, block=moving.block)
@@ -182,23 +178,6 @@ def _adjusted(i: Inputs, placed: Georeferenced, apart: Sequence[Georeferenced], 
         adjustment=replace(adjustment, notices=(*notices, *adjustment.notices)), other_components=tuple(parts),
         groups=groups, placed=placed, lost=(),
     )  # fmt: skip
-
-
-def with_cameras_apart(
-    groups: Sequence[CameraGroup], camera_of: Mapping[str, tuple[str, str]], photos: Sequence[Photo]
-) -> tuple[CameraGroup, ...]:
-    """The cameras of the photographs with those taken apart.
-
-    camera_of  by photograph: the camera that it had, and its own
-    """
-    found = list[CameraGroup]()
-    for g in groups:
-        new = {k: camera_of.get(photos[k].name, (g.id, g.id))[1] for k in g.photos}
-        for id_ in dict.fromkeys((g.id, *new.values())):
-            mine = tuple(k for k in g.photos if new[k] == id_)
-            if mine:
-                found.append(replace(g, id=id_, photos=mine))
-    return tuple(found)
 
 
 MOST = 0.5
