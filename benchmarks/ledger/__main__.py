@@ -11,13 +11,15 @@ from __future__ import annotations
 import argparse
 import multiprocessing
 import os
+import shutil
 import sys
 from concurrent.futures import ProcessPoolExecutor
+from dataclasses import replace
 from pathlib import Path
 
 from . import RESULTS, ROOT, SETS, peers, results
 from .page import PAGE, page
-from .sets import LedgerSet, Places, read_sets
+from .sets import BadSet, LedgerSet, Places, read_sets
 
 
 def main() -> int:
@@ -38,7 +40,13 @@ def main() -> int:
     given = parser.parse_args()
     if given.page:
         return _page(check=given.check)
-    own, outside = read_sets([SETS]), read_sets(given.folders) if given.folders else []
+    try:
+        own, outside = read_sets([SETS]), read_sets(given.folders) if given.folders else []
+    except BadSet as error:
+        parser.error(str(error))
+    empty = [str(f) for f in given.folders if not any(f.glob("*.toml"))]
+    if empty:
+        parser.error(f"no set NAME.toml in {', '.join(empty)}")
     wanted = {name for name in given.sets.split(",") if name}
     unknown = wanted - {one.name for one in (*own, *outside)}
     if unknown:
@@ -47,10 +55,12 @@ def main() -> int:
     places = Places(data=(*given.data, *given.folders, shared, given.cache / "data"), cache=given.cache)
     if not given.folders and not wanted:
         peers.keep()
-    failed = _run_all(_due(own, wanted, RESULTS, redo=given.redo), places, RESULTS, given.jobs)
+    failed = _run_all(_due(own, wanted, RESULTS, redo=given.redo), places, RESULTS, given.jobs, redo=given.redo)
     if outside:
         there = given.folders[0] / "results"
-        failed += _run_all(_due(outside, wanted, there, redo=given.redo), places, there, given.jobs)
+        apart = replace(places, cache=given.cache / "outside" / given.folders[0].resolve().name)
+        due = _due(outside, wanted, there, redo=given.redo)
+        failed += _run_all(due, apart, there, given.jobs, redo=given.redo)
         (given.folders[0] / "ledger.md").write_text(page(outside, results.read(there)), encoding="utf-8")
     _page()
     return int(failed > 0)
@@ -62,9 +72,11 @@ def _due(sets: list[LedgerSet], wanted: set[str], folder: Path, *, redo: bool) -
     return [one for one in sets if (not wanted or one.name in wanted) and one.name not in done]
 
 
-def _run_all(sets: list[LedgerSet], places: Places, folder: Path, jobs: int) -> int:
-    """Run sets; the number of those that have no figures."""
+def _run_all(sets: list[LedgerSet], places: Places, folder: Path, jobs: int, *, redo: bool) -> int:
+    """Run sets, again from nothing where `redo`; the number of those that have no figures."""
     failed = 0
+    for one in sets if redo else ():
+        shutil.rmtree(places.cache / one.name, ignore_errors=True)
     with ProcessPoolExecutor(max(jobs, 1), multiprocessing.get_context("spawn"), max_tasks_per_child=1) as pool:
         for found in pool.map(results.run, sets, [places] * len(sets)):
             results.write(found, folder)

@@ -6,6 +6,7 @@ import hashlib
 import tomllib
 from collections.abc import Mapping
 from dataclasses import dataclass
+from numbers import Real
 from pathlib import Path
 from typing import Any
 
@@ -63,6 +64,18 @@ class LedgerSet:
         return self.truth["means"] != "none"
 
 
+TYPES = {
+    "source": dict,
+    "truth": dict,
+    "options": dict,
+    "judged": list,
+    "commands": list,
+    "cpu_s": Real,
+    "split": bool,
+}
+"""Fields of a set that are no text."""
+
+
 def read_set(path: Path) -> LedgerSet:
     """The set of a TOML file.
 
@@ -72,12 +85,17 @@ def read_set(path: Path) -> LedgerSet:
         found = tomllib.loads(path.read_text(encoding="utf-8"))
     except tomllib.TOMLDecodeError as error:
         raise BadSet(f"{path.name}: {error}") from error
+    except UnicodeDecodeError as error:
+        raise BadSet(f"{path.name}: is not UTF-8 ({error})") from error
     missing = TOP - {"options"} - set(found)
     unknown = set(found) - TOP
     if missing or unknown:
         raise BadSet(f"{path.name}: missing {sorted(missing)}, unknown {sorted(unknown)}")
     if found["name"] != path.stem:
         raise BadSet(f"{path.name}: name is {found['name']!r}; it is that of the file")
+    wrong = [k for k, of in TYPES.items() if k in found and not isinstance(found[k], of)]
+    if wrong:
+        raise BadSet(f"{path.name}: {', '.join(f'{k} is no {TYPES[k].__name__}' for k in wrong)}")
     _check(path, found)
     return LedgerSet(
         name=found["name"], title=found["title"], licence=found["licence"], judged=tuple(found["judged"]),

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import shutil
 import subprocess
 import sys
 from pathlib import Path
@@ -34,8 +35,11 @@ def called(*arguments: str) -> None:
 
 
 def rendered(arguments: list[str], folder: Path) -> Path:
-    """The folder of a rendered set, by tools/render.py; what is there is taken."""
-    if not (folder / "truth" / "settings.json").exists():
-        command = [sys.executable, str(ROOT / "tools" / "render.py"), *arguments, "--out", str(folder)]
+    """The folder of a rendered set, by tools/render.py; a whole one that is there is taken."""
+    if not folder.exists():
+        unfinished = folder.with_name(f"{folder.name}.unfinished")
+        shutil.rmtree(unfinished, ignore_errors=True)
+        command = [sys.executable, str(ROOT / "tools" / "render.py"), *arguments, "--out", str(unfinished)]
         subprocess.run(command, check=True, capture_output=True)
+        unfinished.rename(folder)
     return folder
