@@ -45,8 +45,8 @@ of robust chi-square. Sets of one block share points or photographs (prague-s1 t
 
 Errors within one set are correlated: in pooled figures a set has one vote, and intervals are the scatter between sets.
 A chi-square above 1: the stated sigma is too small. Below 1: it is too large.
-Sources, checksums, licences and commands: `benchmarks/ledger/sets/NAME.toml`. One row again:
-`make ledger LEDGER="--sets NAME --redo"`.
+Sources, checksums, licences and commands: `benchmarks/ledger/sets/NAME.toml`; how to run one set again:
+`benchmarks/ledger/README.md`.
 """
 
 ALARM = """All sigmas of a module are made 10 % too small or too large. Chi-square of {needed} independent coordinates

@@ -172,14 +172,17 @@ def choose(
 
 
 def _undetermined(result: Adjustment, automatic: list[str], choices: Decisions) -> list[tuple[str, str, str]]:
-    """Camera, symbol and reason of what is not determinable, each beside those that are held before it."""
+    """Camera, symbol and reason of what is not determinable, each beside those that are held before it.
+
+    One of a camera: what is held at a known value changes sigma0, and with it what else is determinable.
+    """
     found = list[tuple[str, str, str]]()
     worst = _least_determinable(result, automatic, choices)
     if worst is None:
         return found
     joint = joint_interior(result, automatic, None)
     shown = result
-    while worst is not None:
+    while worst is not None and worst[0] not in {camera for camera, *_ in found}:
         found.append(worst)
         name = worst[0], worst[1]
         if name not in joint.names:  # of a single image

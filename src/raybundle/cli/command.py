@@ -100,10 +100,11 @@ class Group(click.Group):
         try:
             return super().resolve_command(ctx, args)
         except click.UsageError:
-            line = command_of(args[0]) if ctx.parent is None else None
+            likely = self.likely(ctx, args[0])
+            exact = any(name.split()[-1] == args[0] for name in likely)
+            line = command_of(args[0]) if ctx.parent is None and not exact else None
             if line is not None:
                 raise click.UsageError(f"No such command '{args[0]}'. Run: {ctx.command_path} {line}", ctx) from None
-            likely = self.likely(ctx, args[0])
             if not likely:
                 raise
             words = " or ".join(f"'{ctx.command_path} {name}'" for name in likely)
