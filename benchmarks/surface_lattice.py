@@ -1,6 +1,6 @@
 """Weak texture under JPEG, photographed by parallel cameras that are not turned: what the lattice of blocks does.
 
-    python benchmarks/surface_lattice.py FOLDER [--seed 311] [--quality 93] [--tables standard] [--png] [--even]
+    python benchmarks/surface_lattice.py FOLDER [--seed 311] [--quality 93] [--tables standard] [--even]
 
 Renders four tiles of weak texture and two of clutter (tools/renderer) as flown in two strips, all photographs alike in
 height and rotation, so that every photograph has its blocks of 8 x 8 pixels at the same angle and scale on the ground;

@@ -1,6 +1,6 @@
 """The constants by which relief within the windows widens tie points, fitted to rendered sets.
 
-    python benchmarks/tie_roughness.py FOLDER=PROJECT [FOLDER=PROJECT ...]
+    python benchmarks/tie_roughness.py FOLDER=PROJECT [FOLDER=PROJECT ...] [--judged FOLDER=PROJECT ...]
 
 FOLDER is what tools/render.py wrote, PROJECT that of `raybundle orient FOLDER/photos --control FOLDER/control.csv
 --mark-sigma 0.05 --no-library --out PROJECT`.  Those of `raybundle.adjustment.roughness` are of three sets:
@@ -8,10 +8,13 @@ terrain --seed 1 --photographs 12 --width 1600 --quality 93;
 terrain --seed 12 --photographs 9 --width 1600 --gsd 0.004 --quality 80 --camera B;
 terrain --seed 13 --photographs 9 --width 1600 --gsd 0.001 --quality 95 --subsampling 4:4:4 --blur 0.8.
 Student's likelihood of the errors along the normal; a class of n points of a set weighs as the root of n.  The factor
-is that of the fit times 1.43: its scale then holds 68 % of the errors as a standard deviation does, not 61 %.  Prints
-JSON.
+is that of the fit times 1.43: its scale then holds 68 % of the errors as a standard deviation does, not 61 %.  Sets
+that are judged alone: terrain --seed 11; terrain --seed 31 --photographs 8 --width 1200 --kinds
+pattern,pattern,pattern,pattern,step,clutter --bricks 0.03; terrain --seed 32 --camera B --photographs 5 --width 1200
+--kinds pattern,pattern,pattern,pattern,pattern,slope --bricks 0.02 --quality 85.  Prints JSON.
 """
 
+import argparse
 import json
 import sys
 from dataclasses import replace
@@ -59,6 +62,12 @@ def points_of(folder, project):
     return logs[there], square[there], error[there], surface.classes_at(xyz, half)[there]
 
 
+def pair(text):
+    """Folder and project of FOLDER=PROJECT."""
+    folder, project = text.split("=")
+    return Path(folder), Path(project)
+
+
 def weights(classes):
     """(n,) so that a class counts as the root of its points."""
     found = np.zeros(len(classes))
@@ -69,8 +78,13 @@ def weights(classes):
 
 def main():
     """Fit, and print the constants beside those in use."""
-    given = [tuple(map(Path, a.split("="))) for a in sys.argv[1:]]
-    sets = [points_of(*pair) for pair in given]
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("fitted", nargs="+", type=pair)
+    parser.add_argument("--judged", nargs="*", type=pair, default=[])
+    options = parser.parse_args()
+    given = [*options.fitted, *options.judged]
+    every = [points_of(*one) for one in given]
+    sets = every[: len(options.fitted)]
 
     def unlikely(b):
         total = 0.0
@@ -84,17 +98,21 @@ def main():
     fit = minimize(unlikely, used, method="Nelder-Mead", options={"maxiter": 2000, "xatol": 0.01, "fatol": 0.01})
     fit.x[0] += 2 * np.log(t.ppf((1 + 0.6827) / 2, FREEDOM))
     judged = {}
-    for (folder, _), (logs, square, error, classes) in zip(given, sets, strict=True):
+    for (folder, _), (logs, square, error, classes) in zip(given, every, strict=True):
+        ratios = [
+            error / np.sqrt(square * (1 + np.exp(logs @ b))) for b in (np.array([-40.0, 0, 0, 0, 0]), used, fit.x)
+        ]
+        parts = {NAMES[k]: classes == k for k in np.unique(classes)} | {"all": np.ones(len(classes), bool)}
         judged[folder.name] = {
-            NAMES[k]: [
-                round(robust_chi_square(error[m] / np.sqrt(square[m] * (1 + np.exp(logs[m] @ b)))), 2)
-                for b in (np.array([-40.0, 0, 0, 0, 0]), used, fit.x)
-            ]
-            for k in np.unique(classes)
-            if (m := classes == k).sum() > FEWEST
+            name: {
+                "chi_square": [round(robust_chi_square(r[m]), 2) for r in ratios],
+                "beyond_5": [round(float(np.mean(np.abs(r[m]) > 5)), 4) for r in ratios],
+            }
+            for name, m in parts.items()
+            if m.sum() > FEWEST
         }
     constants = {"fitted": [float(np.exp(fit.x[0])), *fit.x[1:].tolist()], "used": [FACTOR, *used[1:].tolist()]}
-    print(json.dumps({**constants, "chi_square without, used, fitted": judged}, indent=1))
+    print(json.dumps({**constants, "without, used, fitted": judged}, indent=1))
 
 
 if __name__ == "__main__":

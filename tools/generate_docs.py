@@ -36,8 +36,8 @@ def command_line() -> str:
         assert command is not None
         parts += help_of(command, name, context, "##")
     parts.append(
-        "Exit status: 0 a result is written and its faults are told (`converged` in result.json says "
-        "whether the iteration came to an end), 2 bad input, 3 not solvable as given.\n"
+        "Exit status: 0 a result is written and its faults are printed (`converged` in result.json: whether the"
+        "iteration came to an end), 2 bad input, 3 not solvable as given.\n"
     )
     return "\n".join(parts)
 

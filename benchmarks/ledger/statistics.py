@@ -6,6 +6,7 @@ from collections.abc import Mapping, Sequence
 from typing import Any
 
 import numpy as np
+from renderer.judging import robust_chi_square
 from scipy.special import digamma
 from scipy.stats import chi2, spearmanr, t
 
@@ -14,8 +15,6 @@ from .errors import Array, Errors
 LEVELS = {"68": 0.6826894921370859, "95": 0.95, "99.7": 0.9973002039367398}
 """Probabilities whose intervals are judged: one, 1.96 and three standard deviations"""
 WITHIN = {"68": 1.0, "95": 1.959963984540054, "99.7": 3.0}
-NORMAL_MEDIAN = 0.6744897501960817
-"""Median of the absolute value of a standard normal variable"""
 FEWEST = 5
 """Runs, or sets, from which on their scatter gives an interval"""
 BOUND = 1e-12
@@ -35,7 +34,7 @@ def statistics(errors: Errors) -> dict[str, Any]:
     found: dict[str, Any] = {
         "module": errors.module, "label": errors.label, "method": errors.method, "flagged": errors.flagged,
         "n": len(size), "runs": len(runs), "degrees": degrees,
-        "chi_square": _rounded(np.mean(size**2)), "robust_chi_square": _rounded(robust(size)),
+        "chi_square": _rounded(np.mean(size**2)), "robust_chi_square": _rounded(robust_chi_square(size)),
         "beyond_5": _rounded(np.mean(size > 5)), "sigma_median": float(f"{np.median(errors.sigma):.4g}"),
         "unit": errors.unit,
         "coverage": {name: _rounded(np.mean(size <= w), 5) for name, w in WITHIN.items()},
@@ -51,11 +50,6 @@ def statistics(errors: Errors) -> dict[str, Any]:
     if 1 < len(set(errors.coordinate)) <= 24:
         found["by_coordinate"] = {str(k): _rounded(np.mean(size[names == k] ** 2)) for k in dict.fromkeys(names)}
     return found
-
-
-def robust(size: Array) -> float:
-    """Squared median of |error| / sigma over that of a normal variable: 1 where sigma is true."""
-    return float((np.median(np.abs(size)) / NORMAL_MEDIAN) ** 2)
 
 
 def _by_draw(errors: Errors) -> list[Array]:

@@ -9,7 +9,8 @@ import pytest
 ROOT = Path(__file__).resolve().parents[2]
 sys.path.append(str(ROOT / "benchmarks"))
 
-from ledger.judges.similarity import similarity, station_errors  # noqa: E402
+from ledger.judges.similarity import station_errors  # noqa: E402
+from renderer.judging import similarity  # noqa: E402
 
 import ledger  # noqa: E402, F401  (adds the folders that judges import from)
 from raybundle import adjust  # noqa: E402

@@ -10,10 +10,10 @@ from __future__ import annotations
 
 import numpy as np
 import pycolmap
+from renderer.judging import similarity
 
 from ledger.errors import Collected, Errors
 from ledger.judges.networks import APART, scene_named
-from ledger.judges.similarity import similarity
 from ledger.judges.truth_of_blocks import collect
 from ledger.sets import LedgerSet, Places
 from raybundle import adjust

@@ -3,21 +3,12 @@
 from __future__ import annotations
 
 import numpy as np
+from renderer.judging import similarity
 
 from ledger.errors import Array
 from raybundle.adjustment.queries import joint_orientation
 from raybundle.adjustment.result import Adjustment
 from raybundle.numerics.rotation import cross_matrix, vector_from_rotation
-
-
-def similarity(source: Array, target: Array) -> tuple[float, Array, Array]:
-    """Scale, rotation (3, 3) and shift of target = scale R source + shift, by least squares (Umeyama 1991)."""
-    a, b = source - source.mean(axis=0), target - target.mean(axis=0)
-    U, S, V = np.linalg.svd(b.T @ a)
-    sign = np.array([1, 1, np.sign(np.linalg.det(U @ V))])
-    R = (U * sign) @ V
-    scale = float((S * sign).sum() / (a**2).sum())
-    return scale, R, target.mean(axis=0) - scale * R @ source.mean(axis=0)
 
 
 def station_errors(

@@ -14,7 +14,7 @@ Datum = Literal["auto", "control", "minimal", "inner"]
 NoiseModel = Literal["white", "fields", "auto"]
 NOISE_HELP = (
     "Errors of image coordinates, for standard deviations: white: independent; fields: smooth ones that "
-    "differ from image to image, and a floor, both told by the residuals; auto: fields for five photographs or "
+    "differ from image to image, and a floor, both estimated from the residuals; auto: fields for five photographs or "
     "more that are measured here, white for a block that is given."
 )
 
@@ -62,14 +62,14 @@ class AdjustmentOptions:
     points chose them, so that sigma0 near 1 and a passed global test say nothing; no number hangs on it."""
     variance_groups: bool = setting(
         False, "Groups of observations (image points of each camera, control, distances ...) have variance factors of "
-        "their own, as far as the residuals tell them; what has no redundancy keeps its standard deviation as given.",
+        "their own, as far as residuals determine them; what has no redundancy keeps its standard deviation as given.",
     )  # fmt: skip
     reject: Literal["none", "snooping"] = setting(
         "none", "snooping: image observations with significant blunders are left out, one at a time."
     )
     residuals: Literal["as_block", "measured", "corrected"] = setting(
-        "as_block", "Where residuals are taken: at the measured or at the corrected image point.  [default: as "
-        "block.toml says]", unsaid=True,
+        "as_block", "Where residuals are taken: at the measured or at the corrected image point.  [default: as in"
+        "block.toml]", unsaid=True,
     )  # fmt: skip
     robust_start: bool = setting(False, "Begin with a robust weight function; the end is least squares.")
     statistics: bool = True

@@ -178,18 +178,18 @@ def _undetermined(result: Adjustment, automatic: list[str], choices: Decisions) 
     """
     found = list[tuple[str, str, str]]()
     worst = _least_determinable(result, automatic, choices)
-    if worst is None:
-        return found
-    joint = joint_interior(result, automatic, None)
-    shown = result
-    while worst is not None and worst[0] not in {camera for camera, *_ in found}:
+    joint = joint_interior(result, automatic, None) if worst is not None and len(automatic) > 1 else None
+    rest, shown = automatic, result
+    while worst is not None:
         found.append(worst)
-        name = worst[0], worst[1]
-        if name not in joint.names:  # of a single image
+        camera, symbol, _ = worst
+        rest = [c for c in rest if c != camera]
+        if joint is None or (camera, symbol) not in joint.names:  # of a single image
             break
-        joint = joint.held({name: float(joint.values[joint.names.index(name)])})  # no value of it is believed
+        held = float(joint.values[joint.names.index((camera, symbol))])  # no value of it is believed
+        joint = joint.held({(camera, symbol): held})
         shown = with_joint(shown, joint, white=True)
-        worst = _least_determinable(shown, automatic, choices)
+        worst = _least_determinable(shown, rest, choices)
     return found
 
 

@@ -27,8 +27,8 @@ def command(block: Path, out: Path, progress: str, **given: Any) -> int:
     By default nothing is rejected, and the parameters named in block.toml are estimated, no more and no less.
 
     \b
-    Exit status: 0 a result is written, and its faults are printed (one of them says where the iteration did not
-    come to an end); 2 bad input, named by file, line and column; 3 not solvable as given, the message names what is
+    Exit status: 0 a result is written, and its faults are printed (one of them where the iteration did not come
+    to an end); 2 bad input, named by file, line and column; 3 not solvable as given, the message names what is
     not determined; 4 the accuracy of --accuracy-class is not kept.
 
     \b

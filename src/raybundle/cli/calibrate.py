@@ -34,12 +34,12 @@ MOST_PARAMETERS = 16
 def command(photos: tuple[Path, ...], out: Path, progress: str, **given: Any) -> int:
     """Calibrate cameras from photographs of coded targets or a board: photographs in, a calibration with a verdict out.
 
-    The report says first whether the calibration is good, for what, and which photographs to take next.
+    The report states first whether the calibration is good, for what, and which photographs to take next.
     calibration.toml in RESULT is for `raybundle orient --calibration`. A run that was stopped continues with the same
     command; targets that were measured once are not measured again, whatever else is asked for.
 
     \b
-    Exit status: 0 calibrated (the verdict says how well); 2 bad input; 3 the photographs cannot be oriented.
+    Exit status: 0 calibrated (the verdict states how well); 2 bad input; 3 the photographs cannot be oriented.
 
     \b
     Example:

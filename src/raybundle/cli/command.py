@@ -101,14 +101,17 @@ class Group(click.Group):
             return super().resolve_command(ctx, args)
         except click.UsageError:
             likely = self.likely(ctx, args[0])
+            line = command_of(args[0]) if ctx.parent is None else None
             exact = any(name.split()[-1] == args[0] for name in likely)
-            line = command_of(args[0]) if ctx.parent is None and not exact else None
+            answers = list[str]()
+            if exact or (likely and line is None):
+                words = " or ".join(f"'{ctx.command_path} {name}'" for name in likely)
+                answers.append(f"Did you mean {words}?")
             if line is not None:
-                raise click.UsageError(f"No such command '{args[0]}'. Run: {ctx.command_path} {line}", ctx) from None
-            if not likely:
+                answers.append(f"{'Or run' if answers else 'Run'}: {ctx.command_path} {line}")
+            if not answers:
                 raise
-            words = " or ".join(f"'{ctx.command_path} {name}'" for name in likely)
-            raise click.UsageError(f"No such command '{args[0]}'. Did you mean {words}?", ctx) from None
+            raise click.UsageError(" ".join([f"No such command '{args[0]}'.", *answers]), ctx) from None
 
     def likely(self, ctx: click.Context, word: str) -> list[str]:
         """Commands that may be meant by a word, those of groups within, too."""
@@ -123,7 +126,7 @@ def shared_options(*, files: bool) -> list[click.Option]:
     """New options for a command; `files`: whether it writes a file that somebody may want to replace."""
     quiet = click.Option(
         ["--quiet"], is_flag=True, expose_value=False, callback=_kept(QUIET),
-        help="Say nothing but what is wrong; files and the exit status tell the rest.",
+        help="Print only what is wrong; files and the exit status hold the rest.",
     )  # fmt: skip
     as_json = click.Option(
         ["--json"], is_flag=True, expose_value=False, callback=_kept(JSON),

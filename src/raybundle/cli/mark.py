@@ -227,7 +227,7 @@ def unbar(folder: Path, start: str, end: str, author: str) -> None:
 def line_(folder: Path, line: str, points: tuple[str, ...], kind: str, sigma: float, author: str) -> None:
     """Points on one line, level or plane; without points: take it away.
 
-    Plumb lines and levels tell the vertical.
+    Plumb lines and levels give the vertical.
 
     \b
     Example:
@@ -242,7 +242,7 @@ def line_(folder: Path, line: str, points: tuple[str, ...], kind: str, sigma: fl
 def datum(folder: Path, names: tuple[str, ...], author: str) -> None:
     """The coordinate system by three points, or two and the vertical; without any: as the block has it.
 
-    With two points, levels and plumb lines that are measured tell the vertical, and the axis point lies on X in plan.
+    With two points, levels and plumb lines that are measured give the vertical, and the axis point lies on X in plan.
 
     \b
     Example:
@@ -425,7 +425,7 @@ def adjust_(
 ) -> None:  # fmt: skip
     """Adjust the block with what was measured by hand, and write a result folder.
 
-    Photographs without orientation are oriented from their marks, as far as these allow; what the others lack is said.
+    Photographs without orientation are oriented from their marks, as far as these allow; what others lack is reported.
 
     \b
     Exit status: 0 a result is written; 2 bad input; 3 not solvable as given: what is lacking is named.

@@ -51,7 +51,7 @@ command.add_command(ortho)
 @command.command("info")
 @click.argument("scene", type=FOLDER)
 def info(scene: Path) -> None:
-    """Show what a scene file tells, and how far its RPC is from its rigorous model.
+    """Show what a scene file holds, and how far its RPC is from its rigorous model.
 
     \b
     Example:
@@ -79,7 +79,7 @@ def info(scene: Path) -> None:
 def project(scene: Path, points: Path, **given: Any) -> None:
     """Image points of POINTS (point,lon_deg,lat_deg,h_m), or the other way.
 
-    Every point keeps its row; where the model has no coordinates for it they are empty, and the column note says why.
+    Every point keeps its row; where the model has no coordinates for it they are empty, with the reason in note.
 
     \b
     Example:

@@ -23,8 +23,8 @@ if TYPE_CHECKING:
 def batch(scenes: tuple[Path, ...], progress: str, **given: Any) -> None:
     """Correct many SCENES, files or folders of them, on one file of control.
 
-    The column image of the control says in which image a point was measured: NAME or NAME.tif. A row a scene stands in
-    biases.csv; a scene that cannot be corrected costs that scene, and its row says why.
+    The column image of the control names the image in which a point was measured: NAME or NAME.tif. A row a scene
+    stands in biases.csv; a scene that cannot be corrected costs that scene, and its row has the reason.
 
     \b
     Example:

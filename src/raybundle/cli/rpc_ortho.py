@@ -21,7 +21,7 @@ from raybundle.settings import made, option
 def ortho(scene: Path, progress: str, **given: Any) -> None:
     """Bring SCENE to the map over a raster of heights: orthorectification.
 
-    Heights may stand in any coordinate system, in degrees as well; above a geoid where the raster's system says so
+    Heights may stand in any coordinate system, in degrees as well; above a geoid where the raster's system has one
     (EPSG:32654+5773) or --geoid does.  What hides what is not found out.
 
     \b

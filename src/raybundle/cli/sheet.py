@@ -23,7 +23,7 @@ if TYPE_CHECKING:
 def command(sources: tuple[Path, ...], progress: str, **given: Any) -> None:
     """Draw on a sheet true to scale: pictures to scale, and points and lines that were measured.
 
-    PICTURE comes from `rectify` (NAME.toml beside it tells its plane) or has a world file; RESULT is a result folder
+    PICTURE comes from `rectify` (NAME.toml beside it has its plane) or has a world file; RESULT is a result folder
     or project, whose points and lines are drawn on the picture, or without one on a plane of their own. The PDF has
     frame, grid, scale bar, title block and legend; entries of the title block that are not given come from the
     project's record.

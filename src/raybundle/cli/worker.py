@@ -28,8 +28,8 @@ def command(project: str | None, progress: str, **given: Any) -> int:
     worker does a task makes no difference to the result.
 
     \b
-    Exit status of a share: 0 all of it is done (what could not be is told by the run that wanted it); 2 bad input; 5
-    some of it waits for what other shares make.
+    Exit status of a share: 0 all of it is done (what could not be is reported by the run that wanted it); 2 bad input;
+    5 some of it waits for what other shares make.
 
     \b
     Example:

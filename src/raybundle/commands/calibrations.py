@@ -49,7 +49,7 @@ class CalibrationConvertSettings:
     out: Path = setting(MISSING, "New file; nothing is overwritten.", metavar="FILE")
     model: str | None = setting(None, "Distortion model of FORMAT, as 8 (opencv) or OPENCV (colmap).", metavar="NAME")
     pixel_mm: float | None = setting(
-        None, "Size of a pixel, where INPUT does not tell it.", metavar="MM", limits=POSITIVE
+        None, "Size of a pixel, where INPUT does not state it.", metavar="MM", limits=POSITIVE
     )
     format: tuple[int, int] | None = setting(None, SIZE_HELP, metavar="WIDTH HEIGHT", limits=(PIXEL, PIXEL))
     camera: str | None = setting(None, CAMERA_HELP, metavar="ID")
@@ -76,7 +76,7 @@ class CalibrationAddSettings:
     """file of any format, or a result folder"""
     read_as: str | None = setting(None, FROM_HELP, flag="from", metavar="FORMAT")
     photo: Path | None = setting(None, "A photograph of the set: make, model, serial, lens, focal length, focus.")
-    camera_make: str | None = setting(None, "Instead, or in place of what the photograph says.")
+    camera_make: str | None = setting(None, "Replaces what the photograph states.")
     camera_model: str | None = setting(None, "As {camera_make}.")
     serial: str | None = setting(None, "As {camera_make}.")
     lens: str | None = setting(None, "As {camera_make}.")
@@ -115,7 +115,7 @@ class ZoomSettings:
     """result folders of `calibrate`"""
     out: Path = setting(MISSING, "New folder for camera.toml and zoom.toml.", metavar="FOLDER")
     focal: tuple[float, ...] = setting(
-        (), "EXIF focal length of each camera in its order, where the photographs do not tell it.", metavar="MM",
+        (), "EXIF focal length of each camera in its order, where the photographs do not state it.", metavar="MM",
         limits=POSITIVE,
     )  # fmt: skip
     resolution: float | None = setting(

@@ -56,7 +56,7 @@ class DatumSettings:
     plane: str = setting("", "Point in the XY plane: Z = 0, Y above 0.", metavar="POINT")
     level: tuple[str, ...] = setting(
         (), "Point at the height of the others that are given so, three or more: the surface of water, a floor. They "
-        "tell the XY plane instead of a plane point. Several times, or with commas.", metavar="POINT", joined=True,
+        "give the XY plane instead of a plane point. Several times, or with commas.", metavar="POINT", joined=True,
     )  # fmt: skip
 
 

@@ -50,8 +50,8 @@ class MovedSettings:
         0.05, "Probability that any point is called moved where none did.", limits=Range(low=1e-6, high=0.5)
     )
     axes: Path | None = setting(
-        None, "Nominal coordinates in whose axes the result is told: point,X,Y,Z; fitted by the points that stayed, as "
-        "the first measurement has them.  [default: the axes of the first measurement]", metavar="FILE",
+        None, "Nominal coordinates in whose axes the result is given: point,X,Y,Z; fitted by the points that stayed, "
+        "as the first measurement has them.  [default: the axes of the first measurement]", metavar="FILE",
     )  # fmt: skip
     by: tuple[str, ...] = setting(
         (),

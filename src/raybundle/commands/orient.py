@@ -116,8 +116,9 @@ class OrientSettings:
     )  # fmt: skip
     gps: bool = setting(True, "Leave positions out that the photographs state.", flag="no-gps")
     up: str = setting(
-        "auto", "Which way is up where neither control nor positions tell it: auto, by how the photographs were held; "
-        "terrestrial, aerial, oblique; or two points A,B that {control} measures, B plumb above A.", metavar="WAY",
+        "auto", "Which way is up where neither control nor positions determine it: auto, by how the photographs were "
+        "held; terrestrial, aerial, oblique; or two points A,B that {control} measures, B plumb above A.",
+        metavar="WAY",
     )  # fmt: skip
     features: str = setting(
         "rootsift", "rootsift; for wide baselines, with the extra [learned]: xfeat or disk.", metavar="METHOD"

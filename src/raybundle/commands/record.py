@@ -36,7 +36,7 @@ class RecordSettings:
     materials: str | None = _entry("Materials and techniques.")
     condition: str | None = _entry("Its state.")
     protection: str | None = _entry("Legal status.")
-    description: str | None = _entry("What is to be said beside this.")
+    description: str | None = _entry("What else is to be noted.")
     client: str | None = _entry("Whom the delivery is for.")
     purpose: str | None = _entry("What the recording is made for.")
     operator: str | None = _entry("Who photographed or adjusted.")

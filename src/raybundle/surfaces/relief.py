@@ -42,6 +42,8 @@ STEEP = 0.9
 """Quantile of differences of neighbours that a slope is taken for where it goes on into a hole."""
 EDGE = 3
 """Cells from the middle to the side of the square in which an edge is looked for"""
+AROUND_EDGE = EDGE + 2
+"""Cells around one that its edge depends on"""
 CHANCE = 1e-3
 """Share of cells without a step whose neighbours scatter by more than is allowed to noise."""
 

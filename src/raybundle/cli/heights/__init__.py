@@ -10,7 +10,7 @@ SUBCOMMANDS = {
     "volume": "Volume above and below a base, area in plan and true area.",
     "section": "Profiles along lines, as table, picture or drawing.",
     "contours": "Contour lines, without the wiggles that are noise.",
-    "ground": "The ground told from what stands on it: a terrain model.",
+    "ground": "Separate the ground from what stands on it: a terrain model.",
     "difference": "What has moved between two surfaces by more than chance.",
 }
 

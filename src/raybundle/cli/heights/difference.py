@@ -30,8 +30,8 @@ UNSURE = 2.0
 def command(before: Path, after: Path, **given: Any) -> None:
     """What has moved between two surfaces by more than chance.
 
-    Errors of the two orientations move large parts alike: whether the whole has moved by more than they allow is told
-    apart from what has moved against the rest. For that the chance of any false alarm on the whole surface is 5 %.
+    Errors of the two orientations move large parts alike: whether the whole has moved by more than they allow is
+    separated from what has moved against the rest. For that the chance of any false alarm on the whole surface is 5 %.
     FOLDER gets difference.tif (difference, movement against the rest, both with sigma, significance, region),
     moved.csv, moved.geojson and, where something has moved, moved.gpkg with area, mean movement, movement of the inner
     part (amount) and volume of each region, smallest.csv with the smallest movements that would have been found, and

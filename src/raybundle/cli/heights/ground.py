@@ -21,7 +21,7 @@ SPANNED = 0.2
 @click.argument("source", type=FOLDER, metavar="SURFACE")
 @options_of(HeightsGroundSettings, out=NEW_FOLDER)
 def command(source: Path, **given: Any) -> None:
-    """Tell the ground from what stands on it, and write it as heights of the same kind: a terrain model.
+    """Separate the ground from what stands on it, and write it as heights of the same kind: a terrain model.
 
     The simple morphological filter (Pingel and others 2013): the surface is opened with discs that grow to the width
     of the largest thing; what is cut off by more than the slope and the standard deviations allow stands on the

@@ -24,7 +24,7 @@ def command(source: Path, **given: Any) -> None:
     """Volume above and below a base within an outline, area in plan and true area, with standard deviations.
 
     The base is a height, another surface, or the plane that fits the heights along the outline best, whose errors
-    count, too. Small holes are filled, and their share is told.
+    count, too. Small holes are filled, and their share is reported.
 
     \b
     Example:

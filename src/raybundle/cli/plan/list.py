@@ -23,8 +23,8 @@ def command(kind: str, object: str, progress: str, **given: Any) -> None:  # noq
 
     cipa: the 3x3 ring round a building (box:WIDTH,DEPTH,HEIGHT) and stereo pairs of its facades; calibration: a network
     for this camera and this sheet (sheet:WIDTH,HEIGHT); turntable: views of an object on a table; targets: where coded
-    targets and scale bars go on an object that `plan network` has stations for. OBJECT is told as for `plan
-    network`. FOLDER gets list.pdf, list.csv and what `plan network` writes: the promised precision, and a block.
+    targets and scale bars go on an object that `plan network` has stations for. OBJECT as for `plan network`. FOLDER
+    gets list.pdf, list.csv and what `plan network` writes: the promised precision, and a block.
     `raybundle plan check FOLDER PHOTOS` ticks off what came back.
 
     \b

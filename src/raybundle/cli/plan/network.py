@@ -31,9 +31,9 @@ def command(object: str, progress: str, **given: Any) -> None:  # noqa: A002  (t
     OBJECT is a kind with its size in metres (box:WIDTH,DEPTH,HEIGHT, cylinder:DIAMETER,HEIGHT, facade:WIDTH,HEIGHT or
     facade:OUTLINE.csv, corridor:LENGTH,WIDTH or corridor:AXIS.geojson,WIDTH), a mesh (PLY, OBJ, STL), a raster of
     heights (GeoTIFF), or a folder with a result, whose points are the object. Boxes and facades face -Y. The fewest
-    stations are looked for that promise the wanted standard deviation, and moved to where they serve best; each is
-    said what it is there for. FOLDER gets network.html (the object in colours of its precision), stations.csv,
-    points.csv, plan.json, and a simulated block that `adjust` takes.
+    stations are looked for that promise the wanted standard deviation, and moved to where they serve best; each with
+    its purpose. FOLDER gets network.html (the object in colours of its precision), stations.csv, points.csv, plan.json,
+    and a simulated block that `adjust` takes.
 
     \b
     Example:

@@ -28,9 +28,9 @@ HARDLY = 0.99
 def command(result: Path, progress: str, **given: Any) -> None:
     """Say which photographs to take next of a block in hand: where to stand, and what each would bring.
 
-    RESULT is a result, block or project folder. Stations within reach are compared by the standard deviations that an
-    adjustment with each would state, exactly; the best is added, and the next one looked for. Each is told against
-    the nearest photograph that there is. FOLDER gets network.html (what there is, the proposals in red), next.csv,
+    RESULT is a result, block or project folder. Stations within reach are compared by the standard deviations that
+    an adjustment with each would state, exactly; the best is added, and the next one looked for. Each is described
+    relative to the nearest photograph. FOLDER gets network.html (what there is, the proposals in red), next.csv,
     next.json, and a block with the proposals in it that `adjust` takes. Only for frame cameras.
 
     \b

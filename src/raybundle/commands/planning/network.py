@@ -64,7 +64,7 @@ class NetworkSettings(PlannedCamera):
     focus: float | None = setting(
         None, "Distance to which the lens is focused [m].  [default: so that most is sharp]", limits=METRES
     )
-    measured: MeasuredName = setting("targets", "What is measured; says how precisely where {image_sigma} does not.")
+    measured: MeasuredName = setting("targets", "What is measured: sets the precision unless {image_sigma} is given.")
     object_points: int = setting(
         120, "Points on the object by which the network is judged.", limits=Range(low=8, high=1000)
     )

@@ -27,7 +27,7 @@ CRS_HELP = "Coordinate system of control that names none, with its heights: EPSG
 UNDULATION_HELP = (
     "Height of the geoid above the ellipsoid of WGS 84 or GRS 80 at the control, where its heights count from it."
 )
-IMAGE_POINTS_HELP = "Table image,point,x_px,y_px of points that the control tells on the ground alone."
+IMAGE_POINTS_HELP = "Table image,point,x_px,y_px of points whose coordinates on the ground are in the control."
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -47,7 +47,7 @@ class RpcOrthoSettings:
     )  # fmt: skip
     geoid: str | None = setting(
         None, "Vertical system of {dem} that do not name theirs: EPSG:5773 (EGM96), EPSG:3855 (EGM2008).  "
-        "[default: as the raster says, else heights above the ellipsoid]", metavar="SYSTEM",
+        "[default: as in the raster, else heights above the ellipsoid]", metavar="SYSTEM",
     )  # fmt: skip
     undulation: float | None = setting(
         None,

@@ -12,7 +12,7 @@ from raybundle.report.chapters import section
 from raybundle.report.parts import Heading, Part, Section, Table, table, text, whole
 from raybundle.report.text.metrology_words import MM as LENGTH_MM
 from raybundle.report.text.numbers import counted, grouped, significant
-from raybundle.report.text.words import expected_check_std, free_std
+from raybundle.report.text.words import expected_check_std, free_std, left_out
 from raybundle.report.view import View, rms
 
 WHITE, FIELDS, NO_NOISE = "independent errors", "independent and smooth errors", "none: differences"
@@ -60,7 +60,7 @@ def _object_rows(view: View) -> list[Row]:
     noise = noise_of(view)
     mean, of_which = float(good.mean()), "of a coordinate"
     if network is not None and math.isfinite(network.relative_precision):
-        few = "" if network.mean_share == 1 else ", without the 5 % of the points that are least precise"
+        few = left_out(network)
         mean, of_which = network.mean_std * view.factor, f"of a coordinate{few}; that of 1 : N"
     rows: list[Row] = [
         ("standard deviation, rms", f"{significant(rms(std))} {view.unit}", over, noise,

@@ -18,6 +18,7 @@ from raybundle.block import Block
 from raybundle.io.photos.start import NOMINAL_PIXEL_MM
 from raybundle.numerics.arrays import Array
 from raybundle.numerics.counting import counted, grouped, significant
+from raybundle.report.text.words import left_out
 from raybundle.report.view import length_unit, printed_lengths
 
 SHOWN = 15
@@ -92,9 +93,8 @@ def _precision(a: Adjustment) -> list[str]:
         )
     if a.network is not None and math.isfinite(a.network.relative_precision):
         n = round(float(f"{a.network.relative_precision:.2g}"))
-        most = "" if a.network.mean_share == 1 else " without the 5 % of the points that are least precise"
-        meaning = f"(mean standard deviation{most} {significant(a.network.mean_std * factor)} {unit} / largest extent "
-        meaning += f"{significant(a.network.extent)} {length_unit(a)})"
+        meaning = f"(mean standard deviation {significant(a.network.mean_std * factor)} {unit} / largest extent "
+        meaning += f"{significant(a.network.extent)} {length_unit(a)}{left_out(a.network)})"
         of_class = f"; {a.network.precision_class}" if classed(a.given) else ""
         lines.append(f"relative precision 1 : {grouped(n)} {meaning}{of_class}")
     return lines

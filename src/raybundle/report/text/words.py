@@ -11,7 +11,7 @@ import numpy as np
 from raybundle.adjustment.counts import counts
 from raybundle.adjustment.network import classed
 from raybundle.adjustment.reliability import UNCONTROLLED
-from raybundle.adjustment.result import Adjustment, ObservationGroup
+from raybundle.adjustment.result import Adjustment, NetworkFigures, ObservationGroup
 from raybundle.adjustment.severity import NEARLY, POOR_FIT, Severity
 from raybundle.adjustment.spread import FewHold, few_hold
 from raybundle.numerics.arrays import Array, Mask
@@ -115,14 +115,20 @@ def held_by(few: FewHold) -> str:
     return f"{100 * few.share:.0f} % of the variance is that of {counted(few.points, 'point')}"
 
 
+def left_out(network: NetworkFigures) -> str:
+    """Which points the mean standard deviation leaves out, as the end of a sentence; empty where none."""
+    share = 100 * (1 - network.mean_share)
+    return "" if share == 0 else f", without the {share:.0f} % of the points that are least precise"
+
+
 def relative_words(view: View) -> str:
     """The quotient behind 1 : N in numbers that a reader can divide; empty where there is none."""
     network = view.adjustment.network
     if network is None or not math.isfinite(network.relative_precision):
         return ""
     mean, extent = significant(network.mean_std * view.factor), significant(network.extent)
-    most = "" if network.mean_share == 1 else ", without the 5 % of the points that are least precise"
-    return f"mean standard deviation {mean} {view.unit} of an extent of {extent} {view.length_unit}{most}"
+    few = left_out(network)
+    return f"mean standard deviation {mean} {view.unit} of an extent of {extent} {view.length_unit}{few}"
 
 
 def _relative(relative: float) -> str:
