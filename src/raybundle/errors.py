@@ -11,8 +11,9 @@
         NoOrientation       approximate values could not be found
       TasksWaiting          nothing is wrong: others are to do tasks first; exit status 5
 
-Each message says what is wrong, in which object, the number against its limit, and what to do next.  What a program
-needs to know of a defect stands beside it as data (`undetermined`, `open_names`, `images`): nothing reads words.
+An error has a message: a code and values, of which `raybundle.words` makes the text: what is wrong, in which object,
+the number against its limit, and what to do next.  What else a program needs of a defect stands beside it as data
+(`undetermined`, `open_names`, `images`): nothing reads words.
 
 Exit status of the command line:
 
@@ -31,14 +32,157 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import asdict, dataclass, field
+from enum import StrEnum
 from pathlib import Path
-from typing import Literal
+from typing import TYPE_CHECKING, Any, Literal, cast
 
+from raybundle import words
 from raybundle.readable import without_controls
+
+if TYPE_CHECKING:
+    from raybundle.words import Reader
 
 WHOLE, WORD, PATH = 2000, 200, 1000
 """Characters that a message, a word without blanks in it, and a path may have; what is foreign may be of any length."""
+_CODE = re.compile(r"[a-z][a-z0-9_]*\.[a-z0-9_]+")
+Value = int | float | str | bool | None | Sequence["int | float | str"]
+"""A number, a name, an identifier, one of some words, or a list of these; the unit is in its name: `sigma_px`"""
+
+
+class Severity(StrEnum):
+    """What a message asks of its reader, the gravest first."""
+
+    ERROR = "error"
+    """There is no result."""
+    FAULT = "fault"
+    """The result, or its standard deviations, are wrong in some part until someone decides."""
+    CAUTION = "caution"
+    """The result stands; part of it is weaker, or less, than it might be taken for."""
+    REMARK = "remark"
+    """What was done or chosen."""
+
+
+@dataclass(frozen=True, slots=True)
+class Place:
+    """Where something stands in files."""
+
+    file: str = ""
+    line: int | None = None
+    """From 1"""
+    column: str | None = None
+    rows: bool = False
+    """Whether the file has rows and no lines, as Parquet; `line` is then that of the table written as text"""
+
+    def text(self, reader: Reader | None = None) -> str:
+        """File, line and column; empty where there are none."""
+        reader = reader or words.reader()
+        parts = [_bounded(self.file, PATH, PATH)]
+        if self.line is not None and not self._rows:
+            parts.append(words.headline("place.line", {"line": self.line}, reader))
+        elif self.line is not None and self.line > 1:
+            parts.append(words.headline("place.row", {"row": self.line - 1}, reader))
+        if self.column is not None:
+            parts.append(words.headline("place.column", {"column": _bounded(self.column, WORD)}, reader))
+        return without_controls(", ".join(filter(None, parts)))
+
+    @property
+    def _rows(self) -> bool:
+        return self.rows or self.file.endswith(".parquet")
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Message:
+    """What happened, as data; its words are those of the catalogues in `raybundle.words`."""
+
+    code: str
+    """subject.problem, in snake case: scale.single_bar"""
+    values: Mapping[str, Value] = field(default_factory=dict[str, Value])
+    severity: Severity = Severity.ERROR
+    details: tuple[Message, ...] = ()
+    """One for each object, where there are several."""
+    place: Place | None = None
+    """Of a detail."""
+
+    def headline(self, reader: Reader | None = None) -> str:
+        """What happened, in one line."""
+        return words.headline(self.code, self.values, reader or words.reader())
+
+    def text(self, reader: Reader | None = None) -> str:
+        """What happened, why it matters and what to do; details in lines of their own."""
+        reader = reader or words.reader()
+        place = f"{self.place.text(reader)}: " if self.place else ""
+        lines = [place + words.sentences(self.code, self.values, reader)]
+        for detail in self.details:
+            lines += [f"  {line}" for line in detail.text(reader).splitlines()]
+        return "\n".join(lines)
+
+    def json(self) -> dict[str, Any]:
+        """Code, severity and values, and those of the details, for JSON."""
+        more: dict[str, Any] = {"details": [d.json() for d in self.details]} if self.details else {}
+        if self.place:
+            more["place"] = asdict(self.place)
+        return {"code": self.code, "severity": self.severity.value, "values": plain(self.values), **more}
+
+
+def message(code: str, /, *, details: Iterable[Message] = (), **values: Value) -> Message:
+    """A message of a code and its values by name."""
+    return Message(code=code, values=plain(values), details=tuple(details))
+
+
+def content(code: str | Message, values: Mapping[str, Value]) -> str | Message:
+    """The message of a code and its values; a text as it stands."""
+    if isinstance(code, str) and _CODE.fullmatch(code):
+        return Message(code=code, values=plain(values))
+    return code
+
+
+def plain(value: Any) -> Any:
+    """A value of a message, or several, as JSON has them: numbers of NumPy as those of Python, tuples as lists."""
+    match value:
+        case Mapping():
+            return {str(k): plain(v) for k, v in cast("Mapping[Any, Any]", value).items()}
+        case str() | bool() | int() | None:
+            return value
+        case float():
+            return float(value)
+        case Iterable():
+            return [plain(v) for v in cast("Iterable[Any]", value)]
+        case _:
+            return plain(value.item()) if hasattr(value, "item") else str(value)
+
+
+def message_of(found: Mapping[str, Any]) -> Message:
+    """The message that `Message.json` gave."""
+    return Message(
+        code=str(found["code"]), values=dict(found.get("values") or {}), severity=Severity(found["severity"]),
+        details=tuple(map(message_of, found.get("details") or ())),
+        place=Place(**found["place"]) if found.get("place") else None,
+    )  # fmt: skip
+
+
+class Text(str):
+    """The text of messages for the reader of this process, who may be another in the end: they stay with it."""
+
+    __slots__ = ("messages",)
+    messages: tuple[Message, ...]
+
+    @classmethod
+    def of(cls, *messages: Message) -> Text:
+        """One message after the other."""
+        made = cls(" ".join(m.text() for m in messages))
+        made.messages = messages
+        return made
+
+    def with_text(self, text: str) -> Text:
+        """The same messages with their text in another form."""
+        made = type(self)(text)
+        made.messages = self.messages
+        return made
+
+    def by(self, reader: Reader) -> str:
+        """The same for another reader."""
+        return " ".join(m.text(reader) for m in self.messages)
 
 
 def printable(text: str) -> str:
@@ -60,19 +204,41 @@ class RaybundleError(Exception):
     """Base of all errors raised on purpose; `exit_status` is what the command line returns."""
 
     exit_status = 1
+    message: Message | None = None
+    """None of an error that has only a text."""
+
+    def __init__(self, code: str | Message = "", /, *, details: Iterable[Message] = (), **values: Value) -> None:
+        """With a message, or its code and values by name; or with a text."""
+        if isinstance(code, Message):
+            self.message = code
+        elif _CODE.fullmatch(code):
+            self.message = Message(code=code, values=plain(values), details=tuple(details))
+        super().__init__(code)
+
+    def __str__(self) -> str:
+        return super().__str__() if self.message is None else f"{self.text()} [{self.code}]"
+
+    def text(self, reader: Reader | None = None) -> str:
+        """The whole message for a reader."""
+        return str(self) if self.message is None else self.message.text(reader)
+
+    @property
+    def code(self) -> str:
+        """The code of its message; empty: it has only a text."""
+        return "" if self.message is None else self.message.code
 
     @property
     def headline(self) -> str:
         """The first line of the message, where a table has room for no more, with the next where it ends in a colon."""
+        if self.message is not None:
+            return self.message.headline()
         first, _, rest = str(self).partition("\n")
         return f"{first} {rest.partition(chr(10))[0].strip()}" if first.endswith(":") and rest else first
 
 
 def place_words(file: Path | str | None, line: int) -> str:
     """Where a row stands: its line from 1; in Parquet, which has no lines, its number from 1."""
-    if not str(file).endswith(".parquet"):
-        return f", line {line}"
-    return f", row {line - 1}" if line > 1 else ""
+    return Place(line=line, rows=str(file).endswith(".parquet")).text()
 
 
 class InputError(RaybundleError):
@@ -81,18 +247,46 @@ class InputError(RaybundleError):
     exit_status = 2
 
     def __init__(
-        self, message: str, *, file: Path | str | None = None, line: int | None = None, column: str | None = None
-    ) -> None:
+        self, code: str | Message, /, *, file: Path | str | None = None, line: int | None = None,
+        column: str | None = None, details: Iterable[Message] = (), **values: Value,
+    ) -> None:  # fmt: skip
         self.file = None if file is None else str(file)
         self.line = line
         self.column = column
-        place = "" if file is None else _bounded(str(file), PATH, PATH)
-        if line is not None:
-            place += place_words(file, line)
-        if column is not None:
-            place += f", column {_bounded(column, WORD)}"
-        text = _bounded(message, WHOLE)
+        if isinstance(code, Message) or _CODE.fullmatch(code):
+            super().__init__(code, details=details, **values)
+            return
+        place, text = self.place.text(), _bounded(code, WHOLE)
         super().__init__(without_controls(f"{place}: {text}" if place else text))
+
+    @property
+    def place(self) -> Place:
+        """Where it stands."""
+        return Place(self.file or "", self.line, self.column)
+
+    def text(self, reader: Reader | None = None) -> str:
+        """The whole message for a reader, after its place."""
+        text, place = super().text(reader), self.place.text(reader)
+        return f"{place}: {text}" if self.message is not None and place else text
+
+    @property
+    def headline(self) -> str:
+        """What happened, in one line, after its place."""
+        head, place = super().headline, self.place.text()
+        return f"{place}: {head}" if self.message is not None and place else head
+
+    def at(self, file: Path | str | None = None, line: int | None = None, column: str | None = None) -> InputError:
+        """The same error with a place, of which the parts that it has stay."""
+        other = type(self).__new__(type(self))
+        other.__dict__.update(self.__dict__)
+        other.args = self.args
+        if self.message is None:
+            InputError.__init__(other, str(self), file=file, line=line, column=column)
+            return other
+        other.file = self.file if file is None or self.file is not None else str(file)
+        other.line = line if self.line is None else self.line
+        other.column = column if self.column is None else self.column
+        return other
 
 
 class TasksWaiting(RaybundleError):
@@ -128,16 +322,24 @@ class NotSolvable(RaybundleError):
 
     exit_status = 3
 
-    def __init__(self, message: str, *, undetermined: Sequence[Undetermined] = ()) -> None:
-        super().__init__(message)
+    def __init__(
+        self,
+        code: str | Message,
+        /,
+        *,
+        undetermined: Sequence[Undetermined] = (),
+        details: Iterable[Message] = (),
+        **values: Value,
+    ) -> None:
+        super().__init__(code, details=details, **values)
         self.undetermined: tuple[Undetermined, ...] = tuple(undetermined)
 
     def names(self, kind: str) -> tuple[str, ...]:
         """What is not determined of one kind: the names of images or points, the worst first."""
         return tuple(u.name for u in self.undetermined if u.kind == kind)
 
-    def worded(self, message: str) -> NotSolvable:
-        """The same defect with other words."""
+    def worded(self, message: str | Message) -> NotSolvable:
+        """The same defect with another message."""
         other = type(self)(message)
         other.undetermined = self.undetermined
         return other
@@ -147,9 +349,10 @@ class DatumDefect(NotSolvable):
     """Position, orientation or scale of object space is left open."""
 
     def __init__(
-        self, message: str, *, open_names: Sequence[str] = (), undetermined: Sequence[Undetermined] = ()
-    ) -> None:
-        super().__init__(message, undetermined=undetermined)
+        self, code: str | Message, /, *, open_names: Sequence[str] = (), undetermined: Sequence[Undetermined] = (),
+        details: Iterable[Message] = (), **values: Value,
+    ) -> None:  # fmt: skip
+        super().__init__(code, undetermined=undetermined, details=details, **values)
         self.open_names: tuple[str, ...] = tuple(open_names)
         """"X", "rotation about Z", "scale" ..., where known."""
 
@@ -170,12 +373,9 @@ class NoOrientation(NotSolvable):
     """Approximate values were not found; names the images and why."""
 
     def __init__(
-        self,
-        message: str,
-        *,
-        images: Mapping[str, str] | None = None,
-        undetermined: Sequence[Undetermined] = (),
-    ) -> None:
-        super().__init__(message, undetermined=undetermined)
+        self, code: str | Message, /, *, images: Mapping[str, str] | None = None,
+        undetermined: Sequence[Undetermined] = (), details: Iterable[Message] = (), **values: Value,
+    ) -> None:  # fmt: skip
+        super().__init__(code, undetermined=undetermined, details=details, **values)
         self.images: Mapping[str, str] = dict(images or {})
         """Images that could not be oriented, with the reason; the others could be."""

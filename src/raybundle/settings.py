@@ -9,16 +9,18 @@ import dataclasses
 import json
 import math
 import re
-from collections.abc import Generator, Iterator, Mapping, Sequence
-from contextlib import contextmanager
+from collections.abc import Iterator, Mapping, Sequence
+from contextlib import AbstractContextManager
 from dataclasses import MISSING, dataclass, field
 from functools import cache
 from os import PathLike
 from pathlib import Path, PurePath
-from shlex import quote
 from typing import Any, Literal, TypeVar, cast, get_args, get_origin, get_type_hints
 
+from raybundle import words
 from raybundle.errors import InputError
+from raybundle.words import Reader
+from raybundle.words.options import option_words
 
 T = TypeVar("T")
 
@@ -43,8 +45,6 @@ class Range:
         return ""
 
 
-DIGITS = 12
-"""Of numbers in messages: micrometres in coordinates of a grid, short of the digits of rounding"""
 ANY, POSITIVE, NOT_NEGATIVE = Range(), Range(low=0, above=True), Range(low=0)
 PIXELS = Range(low=0, high=1e5, above=True)
 """A standard deviation of image points [px]: no format is wider."""
@@ -53,35 +53,19 @@ METRES = Range(low=0, high=1e6, above=True)
 Part = Range | Literal["text"]
 
 
-@dataclass(slots=True)
-class _Face:
-    """Where messages are read: words that are kept in a project are those of the run that made them."""
-
-    flags: bool = False
-
-
-_face = _Face()
-
-
 def with_flags() -> bool:
     """Whether messages are read on the command line, where a setting is a flag."""
-    return _face.flags
+    return words.reader().flags
 
 
 def read_with_flags(flags: bool) -> None:  # noqa: FBT001  (what a process begins with)
-    """Say for all threads of this process where its messages are read."""
-    _face.flags = flags
+    """Set for all threads of this process where its messages are read."""
+    words.read_by(Reader(flags=flags))
 
 
-@contextmanager
-def on_the_command_line() -> Generator[None]:
+def on_the_command_line() -> AbstractContextManager[None]:
     """Messages made meanwhile name settings by their flags."""
-    before = _face.flags
-    _face.flags = True
-    try:
-        yield
-    finally:
-        _face.flags = before
+    return words.reading(Reader(flags=True))
 
 
 def option(name: str, *values: object, flag: str = "") -> str:
@@ -90,21 +74,7 @@ def option(name: str, *values: object, flag: str = "") -> str:
     values  what to give it; words in capitals stand for values of the reader's own, True and False for a flag alone
     flag    its name on the command line, where that is not the field's: option("gps", False, flag="no-gps")
     """
-    if _face.flags:
-        words = [f"--{flag or name.replace('_', '-')}", *(quote(_plain(v)) for v in values if not isinstance(v, bool))]
-        return " ".join(words)
-    parts = [json.dumps(v, ensure_ascii=False) if _is_text(v) else _plain(v) for v in values]
-    return f"{name}={parts[0] if len(parts) == 1 else '(' + ', '.join(parts) + ')' if parts else ''}"
-
-
-def _plain(value: object) -> str:
-    """A value with all its digits, without those of rounding."""
-    return f"{value:.{DIGITS}g}" if isinstance(value, float) else str(value)
-
-
-def _is_text(value: object) -> bool:
-    """Whether it is a text that is meant as it stands, and no value of the reader's own."""
-    return isinstance(value, str) and re.fullmatch("[A-Z]+", value) is None
+    return option_words(name, *values, flag=flag, flags=with_flags())
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -59,7 +59,7 @@ def test_an_outline_is_filled_whatever_its_direction():
         s = object_kinds["facade"].surface((), outline)
         assert s.wanted_area == pytest.approx(33)
         assert np.allclose(s.normals, [0, -1, 0])
-    with pytest.raises(InputError, match="crosses itself"):
+    with pytest.raises(InputError, match=r"outline\.crosses_itself"):
         object_kinds["facade"].surface((), np.array([[0, 0], [4, 4], [4, 0], [0, 4.0]]))
 
 
@@ -102,9 +102,9 @@ def test_distances_are_those_of_trimesh():
 
 def test_surfaces_that_are_none_are_refused():
     flat = np.array([[0, 0, 0], [1, 0, 0], [2, 0, 0.0]])
-    with pytest.raises(InputError, match="no area"):
+    with pytest.raises(InputError, match=r"mesh\.no_area"):
         Surface(name="x", vertices=flat, triangles=np.array([[0, 1, 2]]))
-    with pytest.raises(InputError, match="vertex 7 of 3"):
+    with pytest.raises(InputError, match=r"7.*3.*mesh\.unknown_vertex"):
         Surface(name="x", vertices=flat, triangles=np.array([[0, 1, 6]]))
-    with pytest.raises(InputError, match="vertex 2 has"):
+    with pytest.raises(InputError, match=r"2.*mesh\.vertex_not_finite"):
         Surface(name="x", vertices=np.array([[0, 0, 0], [np.nan, 0, 0], [0, 1, 0]]), triangles=np.array([[0, 1, 2]]))

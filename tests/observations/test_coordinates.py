@@ -186,7 +186,7 @@ def test_it_stands_in_folders(tmp_path):
 @pytest.mark.parametrize(
     ("change", "words"),
     [
-        (lambda t: replace(t, covariance=np.abs(t.covariance) + 1.0), "not positive definite"),
+        (lambda t: replace(t, covariance=np.abs(t.covariance) + 1.0), r"network\.covariance_not_positive"),
         (lambda t: replace(t, covariance=-t.covariance), "variance is not positive"),
         (lambda t: t.rows(np.arange(len(t)) > 0), "no row with the coordinates of one of the two"),
         (lambda t: t.append(t), "stand in an earlier row"),
@@ -207,5 +207,5 @@ def test_a_point_is_not_known_twice():
     given, s, role = points.xyz.copy(), points.sigma.copy(), np.asarray(points.role).copy()
     given[KNOWN[0]], s[KNOWN[0]], role[KNOWN[0]] = xyz[0], 1e-3, 1
     block = replace(block, points=replace(points, xyz=given, sigma=s, role=role))
-    with pytest.raises(InputError, match="and as control"):
+    with pytest.raises(InputError, match=r"network\.point_given_twice"):
         adjust(block.having(table(xyz, covariance())), ONE)

@@ -126,7 +126,7 @@ def test_it_stands_in_folders(plain, tmp_path):
 def test_a_parameter_that_images_share_is_refused(plain):
     _, block, _ = wandering(9)
     block = told(block, 0.01)
-    with pytest.raises(InputError, match="no free parameter of its images"):
+    with pytest.raises(InputError, match=r"deviation\.parameter_not_free"):
         adjust(replace(block, cameras=(replace(block.cameras[0], per_image=()),)), ONE)
     twice = block.tables["deviations"].append(block.tables["deviations"])
     assert twice.wrong()[0].rows.any()

@@ -257,5 +257,5 @@ def test_a_set_up_above_its_target_has_no_direction():
     t = block.tables["directions"]
     xyz = block.points.xyz.copy()
     xyz[t.station[0], :2] = xyz[t.target[0], :2]
-    with pytest.raises(InputError, match="above each other"):
+    with pytest.raises(InputError, match=r"total_station\.vertical_sight"):
         adjust(replace(block, points=replace(block.points, xyz=xyz)), ONE)

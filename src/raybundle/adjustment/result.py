@@ -7,17 +7,18 @@ tables of the block.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from typing import TYPE_CHECKING
 
 from raybundle.adjustment.fields import WHITE, Noise
 from raybundle.adjustment.handle import EMPTY, Handle
 from raybundle.adjustment.options import AdjustmentOptions
-from raybundle.adjustment.severity import SEVERITY, Severity
+from raybundle.adjustment.severity import Severity, severity_of
 from raybundle.adjustment.shown import html_of, line_of
 from raybundle.block import Block
 from raybundle.block.rejection import Rejections
+from raybundle.errors import Message, Text, Value, plain
 from raybundle.numerics.arrays import Array, Index, Mask
 
 if TYPE_CHECKING:
@@ -29,21 +30,41 @@ class Notice:
     """Something the user should know: a warning of result.json, a line of the report."""
 
     code: str
-    """Stable, snake case: "not_determinable", "control_suspect", "one_ray_control" ..."""
-    message: str
-    """What, which object, the number against its limit, and what to do."""
+    """Stable, snake case: "not_determinable", "control_suspect.held" ..."""
+    message: str = ""
+    """Its text, where no catalogue has the code."""
     ids: tuple[str, ...] = ()
+    """Objects; `ids` among the values of the text."""
     reason: str = ""
     """Of one object: why, in words that stand after its name in a list."""
     measured: Severity | None = None
     """How grave it is, where that hangs on the numbers; None: as grave as its code."""
-    values: Mapping[str, float | int | str] = field(default_factory=dict[str, "float | int | str"])
-    """The numbers and names of the message, by name; empty: not stated as data yet."""
+    values: Mapping[str, Value] = field(default_factory=dict[str, Value])
+    """The numbers and names of the text, by name, with their unit in it."""
+    also: tuple[str, ...] = ()
+    """Other objects of which the same holds."""
+    details: tuple[Message, ...] = ()
 
     @property
     def severity(self) -> Severity:
         """fault, caution or remark."""
-        return self.measured or SEVERITY.get(self.code, Severity.CAUTION)
+        return self.measured or severity_of(self.code)
+
+    @property
+    def data(self) -> Message:
+        """The message as data."""
+        values: dict[str, Value] = {**({"ids": self.ids} if self.ids else {}), **self.values}
+        return Message(code=self.code, values=plain(values), severity=self.severity, details=self.details)
+
+    @property
+    def text(self) -> str:
+        """What, which object, the number against its limit, and what to do: in English, and in any language as data."""
+        if self.message:
+            return self.message
+        more = (
+            Message(code="notice.also", values={"n": len(self.also), "names": list(self.also)}) if self.also else None
+        )
+        return Text.of(self.data, *(() if more is None else (more,)))
 
 
 def gravest_first(notices: Iterable[Notice]) -> list[Notice]:
@@ -69,20 +90,22 @@ def as_told(notices: Iterable[Notice], many: int = MANY) -> list[Notice]:
     told: list[Notice] = []
     for group in kinds.values():
         if len(group) <= many or not all(n.ids for n in group):
-            told += list({n.message: n for n in group}.values())
+            told += list({n.text: n for n in group}.values())
             continue
         # a parameter stands behind its camera
         names = [": ".join(n.ids) if len(n.ids) == 2 else n.ids[0] for n in group[1:]]
-        named = f"{', '.join(names[:NAMED])}{', ...' if len(names) > NAMED else ''}"
         ids = tuple(dict.fromkeys(i for n in group for i in n.ids))
-        told.append(
-            replace(
-                group[0],
-                message=f"{group[0].message.removesuffix('.')}. The same of {len(names)} more: {named}",
-                ids=ids,
-            )
-        )
+        told.append(_with_others(group[0], names, ids))
     return told
+
+
+def _with_others(notice: Notice, names: Sequence[str], ids: tuple[str, ...]) -> Notice:
+    """A notice that stands for others of its kind, too."""
+    if not notice.message:
+        return replace(notice, values={"ids": notice.ids, **notice.values}, also=tuple(names), ids=ids)
+    named = f"{', '.join(names[:NAMED])}{', ...' if len(names) > NAMED else ''}"
+    message = f"{notice.message.removesuffix('.')}. The same of {len(names)} more: {named}"
+    return replace(notice, message=message, ids=ids)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

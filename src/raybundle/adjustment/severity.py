@@ -3,21 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from enum import StrEnum
 
+from raybundle.errors import Severity
 from raybundle.observations import OfKinds, observation_kinds
-
-
-class Severity(StrEnum):
-    """What a notice asks of its reader, the gravest first."""
-
-    FAULT = "fault"
-    """The result, or its standard deviations, are wrong in some part until someone decides."""
-    CAUTION = "caution"
-    """The result stands; part of it is weaker, or less, than it might be taken for."""
-    REMARK = "remark"
-    """What was done or chosen."""
-
 
 _CODES = {
     Severity.FAULT: (
@@ -59,6 +47,12 @@ SEVERITY: Mapping[str, Severity] = OfKinds(
     lambda: {**_CODE, **{f"{kind}_suspect": Severity.FAULT for kind in observation_kinds}}
 )
 """Severity of each code; `Notice.severity` may state another where it hangs on the numbers."""
+
+
+def severity_of(code: str) -> Severity:
+    """The severity of a code, or of its subject: that of `behind_camera` for `behind_camera.matches`."""
+    return SEVERITY.get(code) or SEVERITY.get(code.partition(".")[0], Severity.CAUTION)
+
 
 POOR_FIT = 3.0
 """sigma0 beyond which the a-priori standard deviations alone do not explain the residuals: a fault.

@@ -50,7 +50,7 @@ def html_of(a: Adjustment) -> str:
     table = f"<table><tr>{titles}</tr>{rows}</table>" if rows else ""
     told = as_told(a.notices)
     notices = "".join(
-        f'<li><b style="color:{COLOURS[n.severity]}">{n.severity.value}</b>: {escape(n.message)}</li>'
+        f'<li><b style="color:{COLOURS[n.severity]}">{n.severity.value}</b>: {escape(n.text)}</li>'
         for n in told[:NOTICES]
     )
     more = f"<li>and {counted(len(told) - NOTICES, 'more notice')}</li>" if len(told) > NOTICES else ""

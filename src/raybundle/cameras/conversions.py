@@ -85,9 +85,7 @@ def camera_rays(camera: Camera, pixels: Array) -> Array:
     raises  InputError for a model whose rays do not pass through one point of the sensor frame
     """
     if camera.model == "panorama":
-        raise InputError(
-            f"camera {camera.id}: a rotating panorama has no counterpart in this format; export the frame images alone"
-        )
+        raise InputError("camera.panorama_not_supported", camera=camera.id)
     image = camera.image_from_pixel(pixels.T).T
     return sensor_models[camera.model].ray(image, parameter_vector(camera))
 
@@ -201,7 +199,7 @@ def _first_guess(camera: Camera, projection: Literal["central", "equidistant"]) 
     width, height = camera.pixel_mm
     c, x0, y0, A = (float(camera.values.get(s, 0.0)) for s in ("c", "x0", "y0", "A"))
     if not (c > 0 and abs(A) < LARGEST_AFFINITY):
-        raise InputError(f"camera {camera.id}: c = {c:g} mm and A = {A:g} are no lens; c is positive, A a small number")
+        raise InputError("camera.no_lens", camera=camera.id, c_mm=c, A=A)
     return ForwardCamera(
         width_px=camera.width_px,
         height_px=camera.height_px,
@@ -226,10 +224,7 @@ def _known(rays: Array, name: str) -> Mask:
     """(n,) where the rays (3, n) of a grid exist; raises InputError where it is less than half of the format."""
     known: Mask = np.asarray(np.isfinite(rays).all(axis=0))
     if (covered := float(known.mean())) < LEAST_INVERTIBLE:
-        raise InputError(
-            f"{name}: its distortion has an inverse over only {covered:.0%} of the format, at least "
-            f"{LEAST_INVERTIBLE:.0%} is needed; calibrate it again with fewer coefficients"
-        )
+        raise InputError("camera.distortion_not_invertible", name=name, covered=covered, least=LEAST_INVERTIBLE)
     return known
 
 
@@ -253,10 +248,7 @@ def forward_fit(
     pixels, fine = pixels[:, seen], fine[:, seen_fine]
     ideal, ideal_fine = ideal_points(rays[:, seen], projection), ideal_points(rays_fine[:, seen_fine], projection)
     if not (np.isfinite(ideal).all() and np.abs(ideal).max() < 50):
-        raise InputError(
-            f"{_named(camera)} sees 89 degrees or more off its axis, which a central projection cannot show; "
-            "give its model as fisheye, or leave its images out"
-        )
+        raise InputError("camera.wider_than_projection", name=_named(camera))
     guess = _first_guess(camera, projection) if isinstance(camera, Camera) else camera
     start = np.where(np.isin(TERMS, ("fx", "fy", "cx", "cy")), guess.vector, 0.0)
     if centred:

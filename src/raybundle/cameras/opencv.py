@@ -98,8 +98,11 @@ def opencv_camera(
     forward = fit.camera
     if fit.deviation_px > LIMIT_PX:
         raise InputError(
-            f"camera {camera.id}: OpenCV's model of {len(terms) - 4} coefficients is {fit.deviation_px:.2g} px from it "
-            f"at most, {LIMIT_PX:g} px are allowed; take more coefficients, or calibrate with the model rational"
+            "camera.opencv_deviation",
+            camera=camera.id,
+            n=len(terms) - 4,
+            deviation_px=fit.deviation_px,
+            limit_px=LIMIT_PX,
         )
     order = FISHEYE[4:] if forward.projection == "equidistant" else ORDER[: len(terms) - 4]
     names = FISHEYE if forward.projection == "equidistant" else ("fx", "fy", "cx", "cy", *NAMES[: len(order)])
@@ -116,10 +119,8 @@ def _fitted(camera: Camera, coefficients: int | None) -> tuple[ForwardFit, tuple
     """The forward camera, and the terms fx, fy, cx, cy and coefficients that it has."""
     exact, wide = exact_forward(camera), camera.sensor.all_round
     if coefficients is not None and coefficients not in ((4,) if wide else COUNTS):
-        known = "4" if wide else ", ".join(map(str, COUNTS))
-        raise InputError(
-            f"OpenCV has no {'fisheye' if wide else 'camera'} of {coefficients} coefficients; it has {known}"
-        )
+        known = [4] if wide else [*COUNTS]
+        raise InputError("camera.opencv_coefficients", fisheye=wide, n=coefficients, known=known)
     if wide:
         terms = FISHEYE
         return (_as_it_is(exact) if exact is not None else forward_fit(camera, terms, projection="equidistant")), terms

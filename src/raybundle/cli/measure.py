@@ -90,13 +90,13 @@ def lines(done: Measured) -> list[str]:
     ]
     grave = [n for n in as_told(a.notices) if n.severity in {Severity.FAULT, Severity.CAUTION}]
     first = [n for n in grave if n.code in UNFIT]
-    text = [*(f"{n.severity.value}: {n.message}" for n in first), *text]
+    text = [*(f"{n.severity.value}: {n.text}" for n in first), *text]
     grave = [n for n in grave if n.code not in UNFIT]
     if done.fit is not None:
         text += _fit_lines(done.fit)
     if done.lengths is not None:
         text += _length_lines(done.lengths)
-    text += [f"{n.severity.value}: {n.message}" for n in grave[:SHOWN]]
+    text += [f"{n.severity.value}: {n.text}" for n in grave[:SHOWN]]
     return text + ["more stands in the report, and in result.json"] * (len(grave) > SHOWN)
 
 

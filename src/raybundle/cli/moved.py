@@ -72,7 +72,7 @@ def words_of(done: Congruence) -> list[str]:
     told = f"{n} common points of {' and '.join(done.epochs)}: {moved or 'none'} moved"
     (F0, p0), (F1, p1) = done.before, done.after
     lines = [
-        *(f"{n.severity.value}: {n.message}" for n in done.told if n.severity is not Severity.REMARK),
+        *(f"{n.severity.value}: {n.text}" for n in done.told if n.severity is not Severity.REMARK),
         f"{told}, at {100 * done.significance:g} % for any false alarm",
         f"as if none had moved F {F0:.2f} ({p_words(p0)}); those that stayed F {F1:.2f} ({p_words(p1)})",
     ]
@@ -110,4 +110,4 @@ def words_of(done: Congruence) -> list[str]:
             "caution: epochs may differ in scale, so that a growth of all is none: lengths are those of the first (to "
             f"it {ppm}). Control is free in this test; a scale bar in each epoch keeps its scale"
         )
-    return lines + [n.message for n in done.told if n.severity is Severity.REMARK]
+    return lines + [n.text for n in done.told if n.severity is Severity.REMARK]

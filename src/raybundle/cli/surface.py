@@ -143,7 +143,7 @@ def _adjustment(done: MeasuredSurface) -> list[str]:
     faults = [n for n in told if n.severity is Severity.FAULT]
     cautions = [n for n in told if n.severity is Severity.CAUTION]
     lines = [f"the adjustment behind it: {done.pages.verdict}"]
-    lines += [f"{n.severity.value}: {n.message}" for n in (*faults, *cautions[:MOST_CAUTIONS])]
+    lines += [f"{n.severity.value}: {n.text}" for n in (*faults, *cautions[:MOST_CAUTIONS])]
     if len(cautions) > MOST_CAUTIONS:
         lines.append(f"and {counted(len(cautions) - MOST_CAUTIONS, 'more caution')}, see {done.pages.files[0].name}")
     return lines

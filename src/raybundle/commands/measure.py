@@ -166,7 +166,7 @@ def run_measure(s: MeasureSettings, progress: Progress = silent) -> Measured:
     result = of_a_tool(result, tested)
     done = Measured(
         adjustment=replace(result, notices=(*unfit, *result.notices, *own[len(unfit) :])), points=points, fit=fit,
-        lengths=tested, remarks=tuple(n.message for n in own), given=source.given,
+        lengths=tested, remarks=tuple(n.text for n in own), given=source.given,
         left_out=source.left_out,
     )  # fmt: skip
     _write(s, done, source, progress)

@@ -194,7 +194,7 @@ def _faults(epoch: Adjustment | str | Path) -> tuple[str, ...]:
         from raybundle.results.state import faults_of  # noqa: PLC0415
 
         return faults_of(Path(epoch))
-    return tuple(n.message for n in epoch.notices if n.severity is Severity.FAULT)
+    return tuple(n.text for n in epoch.notices if n.severity is Severity.FAULT)
 
 
 def _digits(columns: Mapping[str, Any]) -> dict[str, Digits]:
@@ -243,7 +243,7 @@ def _write(
             "scale": fit.misfit.factor, "did_not_fit": [fit.asked[k] for k in fit.misfit.wrong],
         },
         "may_have_moved_instead": [{"point": a.point, "other": a.other, "F": a.F, "p": a.p} for a in done.alternatives],
-        "warnings": [{"code": n.code, "severity": n.severity.value, "message": n.message} for n in done.told],
+        "warnings": [{"code": n.code, "severity": n.severity.value, "message": n.text} for n in done.told],
         "record": record_of(s).as_mapping(),
         "not_to_be_used_yet": {name: list(messages) for name, messages in faults.items()},
         "all_points": {"F": done.before[0], "p": done.before[1]},

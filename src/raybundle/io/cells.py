@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import Literal, NoReturn
 
 import numpy as np
 
-from raybundle.errors import InputError, place_words
+from raybundle.errors import InputError, Message, Place, message, place_words
 from raybundle.io.reading import words
 from raybundle.io.reading.dialects import with_points, without_groups
 from raybundle.io.reading.words import quoted
@@ -48,20 +48,32 @@ class Problem:
 
     line: int
     column: str | None
-    message: str
+    message: str | Message
+
+    def text(self, path: Path) -> str:
+        """The error with its place after the first one of a file."""
+        place = Place(line=self.line, column=self.column, rows=path.suffix == ".parquet").text()
+        return f"also {place}: {self.message if isinstance(self.message, str) else self.message.text()}"
 
 
 def fail(path: Path, problems: Sequence[Problem]) -> NoReturn:
     """Raise the InputError of the first problem, which also lists the next few."""
     ordered = sorted(problems, key=lambda p: p.line)
     first, others = ordered[0], ordered[1:SHOWN]
-    message = first.message
-    for p in others:
-        place = place_words(path, p.line).removeprefix(", ")
-        message += f"\n  also {place}{f', column {p.column}' if p.column else ''}: {p.message}"
-    if len(ordered) > SHOWN:
-        message += "\n  and more; the rest of the file was not looked at"
-    raise InputError(message, file=path, line=first.line, column=first.column)
+    more = len(ordered) > SHOWN
+    if isinstance(first.message, Message):
+        rows = path.suffix == ".parquet"
+        details = [
+            replace(p.message, place=Place(line=p.line, column=p.column, rows=rows))
+            for p in others
+            if isinstance(p.message, Message)
+        ]
+        found = replace(first.message, details=(*details, *([message("table.more_errors")] if more else ())))
+        raise InputError(found, file=path, line=first.line, column=first.column)
+    lines = [first.message, *(f"  {p.text(path)}" for p in others)]
+    if more:
+        lines.append("  and more; the rest of the file was not looked at")
+    raise InputError("\n".join(lines), file=path, line=first.line, column=first.column)
 
 
 def converted(
@@ -118,9 +130,9 @@ def texts_good(column: Column, different: Sequence[str], rows: int) -> bool:
 def _bad_numbers(column: Column, cells: Iterable[str], first_line: int, decimal: str) -> Iterator[Problem]:
     found = 0
     for k, cell in enumerate(cells):
-        message = _why_not_a_number(column, cell, decimal)
-        if message:
-            yield Problem(first_line + k, column.name, message)
+        why = _why_not_a_number(column, cell, decimal)
+        if why:
+            yield Problem(first_line + k, column.name, why)
             found += 1
             if found > SHOWN:
                 return
@@ -170,7 +182,7 @@ def _new_ids(
                 Problem(line, column.name, f"{quoted(cell)} is no id: it is empty or has blanks at its ends")
             )
         elif cell in seen:
-            earlier = place_words(path, seen[cell] + 2).removeprefix(", ")
+            earlier = place_words(path, seen[cell] + 2)
             problems.append(Problem(line, column.name, f"id {quoted(cell)} stands already in {earlier}"))
         else:
             seen[cell] = line - 2

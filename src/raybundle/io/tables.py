@@ -411,7 +411,7 @@ def _fail_again(path: Path, order: Index, again: Index, names: tuple[str, ...], 
     problems: list[Problem] = []
     for k in sorted(again, key=lambda k: int(order[k + 1]))[: SHOWN + 1]:
         line, earlier = (first_row + int(order[j]) + 2 for j in (k + 1, k))
-        place = place_words(path, earlier).removeprefix(", ")
+        place = place_words(path, earlier)
         message = f"this {' and '.join(names)} stand already in {place}; delete one of the two"
         problems.append(Problem(line, names[-1], message))
     fail(path, problems)

@@ -188,7 +188,7 @@ def of_a_tool(result: Adjustment, test: LengthTest | None) -> Adjustment:
     for n in result.notices:
         if n.code == "correlation":
             message = (
-                f"{n.message.rstrip()} Standard deviations of the points contain that; it concerns who takes the "
+                f"{n.text.rstrip()} Standard deviations of the points contain that; it concerns who takes the "
                 "calibration for other photographs"
             )
             found.append(replace(n, message=message, measured=Severity.REMARK))

@@ -5,10 +5,9 @@ from __future__ import annotations
 import math
 from collections.abc import Sequence
 
+from raybundle.words.numbers import grouped, significant
 
-def grouped(number: int) -> str:
-    """A whole number in groups of three digits: 18 803."""
-    return f"{number:,}".replace(",", " ")
+__all__ = ["counted", "counted_are", "decimals_for", "grouped", "significant", "some_of"]
 
 
 def counted(number: int, noun: str) -> str:
@@ -24,14 +23,6 @@ def counted_are(number: int, noun: str) -> str:
 def some_of(names: Sequence[str], most: int = 10) -> str:
     """The first of them: "1, 2, 3 ..."."""
     return f"{', '.join(names[:most])}{' ...' * (len(names) > most)}"
-
-
-def significant(value: float, digits: int = 3) -> str:
-    """A number with so many significant digits, without an exponent where it can be read without."""
-    if not 1e-4 <= abs(value) < 1e6:
-        return f"{value:.{digits - 1}e}"
-    text = f"{value:#.{digits}g}"
-    return f"{float(text):.0f}" if "e" in text else text.rstrip(".")
 
 
 def decimals_for(sigma: float, most: int | None = None) -> int:

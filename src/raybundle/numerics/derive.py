@@ -20,9 +20,7 @@ try:
     from sympy.printing.cxx import CXX17CodePrinter
     from sympy.printing.numpy import NumPyPrinter
 except ModuleNotFoundError as error:
-    raise InputError(
-        "a sensor model of your own needs SymPy to be derived; install it with: pip install 'raybundle[models]'"
-    ) from error
+    raise InputError("package.sympy_missing") from error
 
 POINT = ("x", "y", "X", "Y", "Z")
 

@@ -29,7 +29,7 @@ class Ellipsoid:
     def __post_init__(self) -> None:
         """Refuse what is no body."""
         if not (0 < self.b <= self.a < float("inf")):
-            raise InputError(f"an ellipsoid needs semi-axes a >= b > 0 in metres, not a = {self.a:g}, b = {self.b:g}")
+            raise InputError("ellipsoid.semi_axes", a=self.a, b=self.b)
 
     @property
     def e2(self) -> float:

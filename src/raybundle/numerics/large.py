@@ -87,7 +87,8 @@ def _file(folder: Path, size: int) -> mmap.mmap:
             return mmap.mmap(file.fileno(), size)
     except OSError as error:
         raise InputError(
-            f"no room for an array of {size / 1e6:.0f} MB ({error.strerror or error}); free space, or allow more "
-            "memory",
+            "memory.no_room",
+            size_mb=size / 1e6,
+            detail=error.strerror or str(error),
             file=folder,
         ) from None

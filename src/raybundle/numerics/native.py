@@ -22,7 +22,7 @@ def module() -> ModuleType | None:
 
     chosen = os.environ.get("RAYBUNDLE_NATIVE", "")
     if chosen not in CHOICES:
-        raise InputError(f"RAYBUNDLE_NATIVE={chosen} is none of {', '.join(filter(None, CHOICES))}; unset it")
+        raise InputError("environment.native_unknown", chosen=chosen, known=[c for c in CHOICES if c])
     if chosen == "0":
         return None
     try:

@@ -31,7 +31,7 @@ class SimilarityTransform:
         for name, shape in (("rotation", (3, 3)), ("translation", (3,))):
             value = np.asarray(getattr(self, name), float)
             if value.shape != shape or not np.isfinite(value).all():
-                raise InputError(f"{name} of shape {value.shape}: it has {' x '.join(map(str, shape))} finite numbers")
+                raise InputError("transform.wrong_shape", name=name, shape=value.shape, needed=shape)
             object.__setattr__(self, name, value)
 
     @property
@@ -115,14 +115,14 @@ def similarity(source: Array, target: Array, weights: Array | None = None, *, sc
     source, target = np.asarray(source, float), np.asarray(target, float)
     n = len(source)
     if n < 3 or source.shape != target.shape:
-        raise InputError(f"a similarity needs three or more points in both systems; {n} are given")
+        raise InputError("similarity.too_few_points", n=n)
     w = np.ones(n) if weights is None else np.asarray(weights, float)
     total = w.sum()
     cs, ct = w @ source / total, w @ target / total
     a, b = source - cs, target - ct
     u, d, vt = np.linalg.svd((b * w[:, None]).T @ a)
     if d[1] <= 1e-12 * max(d[0], 1e-300):
-        raise InputError("a similarity needs points that are not in one line")
+        raise InputError("similarity.points_in_line")
     sign = np.array([1.0, 1.0, np.sign(np.linalg.det(u @ vt))])
     R = (u * sign) @ vt
     spread = float(w @ np.sum(a * a, axis=1))

@@ -44,12 +44,12 @@ class HeightGrid:
     def __post_init__(self) -> None:
         """Refuse what is no grid."""
         if self.heights.ndim != 2 or min(self.heights.shape) < 2:
-            raise InputError(f"a grid of heights needs two rows and two columns or more, not {self.heights.shape}")
+            raise InputError("height_grid.too_small", rows=self.heights.shape[0], columns=self.heights.shape[-1])
         area = self.column[0] * self.row[1] - self.column[1] * self.row[0]
         if not np.isfinite(area) or area == 0:
-            raise InputError(f"cells of a grid of heights have no area: steps {self.column} and {self.row} m")
+            raise InputError("height_grid.no_cell_area", across=self.column, down=self.row)
         if not np.isfinite(self.heights).any():
-            raise InputError("the grid of heights holds no height at all: every cell is a hole")
+            raise InputError("height_grid.empty")
 
     @property
     def cell_m(self) -> float:
@@ -147,7 +147,7 @@ def surface_of_heights(grid: HeightGrid, name: str = "ground") -> Surface:
     triangles = grid_triangles(*h.shape)
     triangles = triangles[np.isfinite(vertices[triangles, 2]).all(axis=1)]
     if not len(triangles):
-        raise InputError(f"{name}: no four neighbouring cells have heights")
+        raise InputError("height_grid.no_four_cells", name=name)
     if grid.column[0] * grid.row[1] - grid.column[1] * grid.row[0] < 0:
         triangles = triangles[:, ::-1]
     used, triangles = np.unique(triangles, return_inverse=True)

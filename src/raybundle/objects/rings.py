@@ -19,14 +19,11 @@ def ring_of(line: Array, what: str) -> Array:
     crossing = crossing_sides(line)
     if crossing:
         a, b = crossing
-        raise InputError(
-            f"{what} crosses itself: the sides from points {a + 1} and {b + 1}; give its corners in the order in which "
-            "one walks round it"
-        )
+        raise InputError("outline.crosses_itself", name=what, first=a + 1, second=b + 1)
     x, y = line.T
     area = float(np.sum(x * np.roll(y, -1) - np.roll(x, -1) * y)) / 2
     if len(line) < 3 or abs(area) < 1e-9 * float(np.ptp(line, axis=0).max()) ** 2:
-        raise InputError(f"{what} encloses no area")
+        raise InputError("outline.no_area", name=what)
     return line if area > 0 else line[::-1]
 
 

@@ -33,16 +33,16 @@ class Surface:
         """Raise InputError where numbers are not finite, triangles name no vertices or nothing has an extent."""
         v, t = np.asarray(self.vertices), np.asarray(self.triangles)
         if v.ndim != 2 or v.shape[1:] != (3,) or t.ndim != 2 or t.shape[1:] != (3,) or not len(t):
-            raise InputError(f"surface {self.name}: has no triangles")
+            raise InputError("mesh.no_triangles", name=self.name)
         if not np.isfinite(v).all():
             bad = int(np.flatnonzero(~np.isfinite(v).all(axis=1))[0])
-            raise InputError(f"surface {self.name}: vertex {bad + 1} has a coordinate that is no finite number")
+            raise InputError("mesh.vertex_not_finite", name=self.name, vertex=bad + 1)
         if t.min() < 0 or t.max() >= len(v):
-            raise InputError(f"surface {self.name}: a triangle names vertex {int(t.max()) + 1} of {len(v)}")
+            raise InputError("mesh.unknown_vertex", name=self.name, vertex=int(t.max()) + 1, n=len(v))
         if not self.areas.sum() > 0:
-            raise InputError(f"surface {self.name}: its triangles have no area")
+            raise InputError("mesh.no_area", name=self.name)
         if self.wanted is not None and not self.areas[self.wanted].sum() > 0:
-            raise InputError(f"surface {self.name}: nothing of it is to be measured")
+            raise InputError("mesh.nothing_to_measure", name=self.name)
 
     @property
     def crosses(self) -> Array:

@@ -44,7 +44,7 @@ def surface_of_points(xyz: Array, towards: Array, name: str = "result") -> Surfa
     good = np.isfinite(xyz).all(axis=1) & (np.linalg.norm(towards, axis=1) > 0)
     xyz, towards = xyz[good], towards[good]
     if len(xyz) < FEWEST:
-        raise InputError(f"{name}: {len(xyz)} points have rays; a surface needs {FEWEST}")
+        raise InputError("surface_points.too_few", name=name, n=len(xyz), least=FEWEST)
     near = min(NEIGHBOURS, max(LEAST_NEIGHBOURS, len(xyz) // OF_ALL))
     distance, rows = (np.asarray(a) for a in KDTree(xyz).query(xyz, near))
     step = np.median(distance[:, 1 : min(near, 5)], axis=1)

@@ -104,8 +104,12 @@ class _Alignment(ObservationKind, registered=False):
             xyz = scope.xyz[table.point[used & (figure == name)]] - scope.shift
             if len(np.unique(xyz, axis=0)) < self.least:
                 raise InputError(
-                    f"{self.called} {name}: {len(np.unique(xyz, axis=0))} points at different places; it needs "
-                    f"{self.least}. Add points that are measured, or delete its rows in {table.name}.csv"
+                    "alignment.too_few_points",
+                    kind=self.called,
+                    name=name,
+                    n=len(np.unique(xyz, axis=0)),
+                    least=self.least,
+                    table=table.name,
                 )
             found.append(self._fitted(xyz, name))
         return np.array(found)
@@ -174,9 +178,7 @@ class PointsOnPlane(_Alignment):
     def _fitted(self, xyz: Array, name: str) -> Array:
         middle, s, V = _principal(xyz)
         if s[1] < FLAT * s[0]:
-            raise InputError(
-                f"plane {name}: its points lie on a straight line, which many planes hold; add one beside it"
-            )
+            raise InputError("plane.points_in_line", name=name)
         return np.concatenate([V[2], V[0], middle])
 
     def _axes(self, values: Array) -> Array:

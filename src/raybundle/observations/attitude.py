@@ -112,8 +112,9 @@ class Attitude(ObservationKind):
     def check(self, table: Attitudes, scope: Scope) -> None:
         for k in np.flatnonzero(np.cos(table.angles[:, 1]) < STEEP)[:1]:
             raise InputError(
-                f"attitude of image {scope.image_ids[table.image[k]]}: phi {np.degrees(table.angles[k, 1]):.2f} "
-                "deg is within 0.6 deg of a right angle, where omega and kappa turn about the same axis; leave it out"
+                "attitude.phi_right_angle",
+                image=scope.image_ids[table.image[k]],
+                phi_deg=np.degrees(table.angles[k, 1]),
             )
 
     def instruments(self, table: Attitudes, scope: Scope) -> set[int]:

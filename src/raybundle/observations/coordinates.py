@@ -106,10 +106,7 @@ class ObservedCoordinates(ObservationKind):
             least = float(np.linalg.eigvalsh(correlation)[0])
             if not least > SMALLEST:
                 raise InputError(
-                    f"coordinates.csv, network {network}: the covariance matrix of its {len(rows)} points that take "
-                    f"part is not positive definite (least eigenvalue of the correlations {least:.1e}, limit "
-                    f"{SMALLEST:g}). That of a network without a datum is singular: give it with the coordinates of "
-                    "one point or with those of its datum observed; or figures were rounded away: give ten digits"
+                    "network.covariance_not_positive", network=network, n=len(rows), least=least, limit=SMALLEST
                 )
 
     def points(self, table: Coordinates, scope: Scope) -> Index:
@@ -123,8 +120,7 @@ class ObservedCoordinates(ObservationKind):
             twice = rows[scope.coordinates[table.point[rows]].any(axis=1)]
             if len(twice):
                 raise InputError(
-                    f"point {scope.point_ids[table.point[twice[0]]]} stands in coordinates.csv (network {network}) and "
-                    "as control with standard deviations in points.csv; take it out of one of them"
+                    "network.point_given_twice", point=scope.point_ids[table.point[twice[0]]], network=network
                 )
             if not len(rows):
                 continue

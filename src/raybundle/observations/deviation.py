@@ -58,10 +58,7 @@ class Deviation(ObservationKind):
             image, parameter = int(table.image[k]), table.parameter[k]
             interior = own.get(image)
             if interior is None or parameter not in {interior.symbols[p] for p in interior.free}:
-                raise InputError(
-                    f"deviations.csv, image {scope.image_ids[image]}: {parameter} is no free parameter of its "
-                    'images; name it in per_image and estimate of the camera, or set interior = "per_image"'
-                )
+                raise InputError("deviation.parameter_not_free", image=scope.image_ids[image], parameter=parameter)
 
     def own(self, table: Deviations, scope: Scope) -> tuple[str, ...]:
         return tuple(dict.fromkeys(self._means(table, scope)[1]))

@@ -51,7 +51,7 @@ class Distance(ObservationKind):
     def rows(self, table: Distances, scope: Scope) -> Rows:
         used = np.flatnonzero(scope.points[table.start] & scope.points[table.end])
         for d in used[~(table.sigma[used] > 0)][:1]:
-            raise InputError(f"distance {d + 1}: sigma {table.sigma[d]:g} must be positive")
+            raise InputError("distance.sigma_not_positive", row=d + 1, sigma=float(table.sigma[d]))
         return Rows.of(used, np.zeros(len(used)), table.length[used], table.sigma[used])
 
     def observed(self, table: Distances, rows: Rows, scope: Scope, values: Values) -> Observed:

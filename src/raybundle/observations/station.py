@@ -107,10 +107,7 @@ class Station(ObservationKind):
         unknown &= np.array([a in late for a in table.antenna.tolist()], bool)
         if unknown.any():
             names = [scope.image_ids[table.image[k]] for k in np.flatnonzero(unknown)]
-            raise InputError(
-                f"a time offset dt needs the velocity of each image; it is not known for {', '.join(names[:5])}. Give "
-                "velocities, or times with a neighbour before or after on the same flight line, or hold dt at 0"
-            )
+            raise InputError("station.velocity_unknown", images=names)
 
     def instruments(self, table: Stations, scope: Scope) -> set[int]:
         return (

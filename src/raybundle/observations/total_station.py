@@ -210,8 +210,10 @@ class Direction(_Sight):
             if not np.hypot(*d) > 0:
                 ids = scope.point_ids
                 raise InputError(
-                    f"directions.csv, set {table.set[k]}: {ids[table.station[k]]} and {ids[table.target[k]]} stand "
-                    "above each other in points.csv, where a horizontal direction is undefined"
+                    "total_station.vertical_sight",
+                    set=table.set[k],
+                    station=ids[table.station[k]],
+                    target=ids[table.target[k]],
                 )
 
     def own(self, table: Directions, scope: Scope) -> tuple[str, ...]:

@@ -145,7 +145,7 @@ def _result(done: Congruence, about: MovedFacts, language: Language) -> Section:
     axes = about.axes or f"the axes of {done.epochs[0]}"
     faults = [(name, m) for name, messages in about.faults.items() for m in list(messages)[:MOST_FAULTS]]
     stated = [
-        *((n.severity.value, n.message) for n in done.told),
+        *((n.severity.value, n.text) for n in done.told),
         *(("fault", Said(f"{name}: {language.text(m)}")) for name, m in faults), ("Client", about.record.client),
         ("Operator", about.record.operator), ("Measurements", " – ".join(done.epochs)), ("Axes", axes),
     ]  # fmt: skip

@@ -71,9 +71,10 @@ def result_json(adjustment: Adjustment) -> dict[str, Any]:
             {
                 "code": n.code,
                 "severity": n.severity.value,
-                "message": n.message,
+                "message": n.text,
                 "ids": list(n.ids),
                 **({"values": told(dict(n.values))} if n.values else {}),
+                **({"details": [told(d.json()) for d in n.details]} if n.details else {}),
             }
             for n in gravest_first(a.notices)
         ],

@@ -7,8 +7,9 @@ from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
+from raybundle import words
 from raybundle.adjustment.result import Adjustment, Notice
-from raybundle.errors import InputError
+from raybundle.errors import InputError, message_of
 from raybundle.io.reading.trees import read_json
 from raybundle.results.state import lost, notices_in, severity_of
 
@@ -37,7 +38,11 @@ def _told(folder: Path) -> Mapping[str, Any] | None:
 
 
 def _notice(told: Mapping[str, Any]) -> Notice:
+    """A notice of result.json; with its text where this version lacks the code, or an older one wrote no values."""
+    code, values = str(told.get("code", "")), told.get("values") or {}
+    ids = tuple(str(i) for i in told.get("ids") or ())
+    known = code in words.codes() and {*words.examples(code)} <= {*values, *(["ids"] if ids else [])}
     return Notice(
-        code=str(told.get("code", "")), message=str(told.get("message", "")), measured=severity_of(told),
-        ids=tuple(str(i) for i in told.get("ids") or ()), values=told.get("values") or {},
+        code=code, message="" if known else str(told.get("message", "")), measured=severity_of(told), ids=ids,
+        values=values, details=tuple(map(message_of, told.get("details") or ())),
     )  # fmt: skip

@@ -50,7 +50,7 @@ def overview(desk: Desk) -> dict[str, Any]:
         "masks_given": "" if (given := masks_given(desk.source)) is None else str(given),
         "fiducials": [] if desk.scans is None else list(desk.scans.calibrated.names),
         "report": (measured_result(desk.source) / "report.html").is_file(),
-        "notices": [] if a is None else [{"code": n.code, "message": n.message} for n in a.notices],
+        "notices": [] if a is None else [{"code": n.code, "message": n.text} for n in a.notices],
     }  # fmt: skip
 
 

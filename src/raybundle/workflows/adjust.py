@@ -137,7 +137,7 @@ def _explained(
     identical: Sequence[Notice],
 ) -> str:  # fmt: skip
     """The words of an error with what may be behind it; "" where there is nothing to add."""
-    why = [_twin_words(twins)] if twins else [n.message for n in identical]
+    why = [_twin_words(twins)] if twins else [n.text for n in identical]
     if not why and not isinstance(error, DatumDefect):
         if (unit := unit_words(block)) is not None:
             return f"{unit}\n  {error}"

@@ -103,7 +103,7 @@ def place_components(
     apart = [replace(p, block=without_idle(p.block)) for p in apart]
     if len(joined) == 1:
         return replace(first, block=without_idle(first.block)), tuple(apart)
-    notices = {n.message: n for p in joined for n in p.notices}
+    notices = {n.text: n for p in joined for n in p.notices}
     block = without_idle(merged([p.block for p in joined]))
     marked = np.asarray(block.points.role) != Role.TIE
     names = {n for p in joined for n, m in zip(p.block.points.ids, p.marked, strict=True) if m}

@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+import json
 from collections.abc import Mapping, Sequence
 
 import numpy as np
 
 from raybundle.adjustment.result import Notice
 from raybundle.adjustment.severity import Severity
+from raybundle.errors import message_of, plain
 from raybundle.io.block.arrays import arrays_of_block, block_of_arrays, names_of_text, text_of_names
 from raybundle.numerics.arrays import Array
 from raybundle.ties.block import TieBlock
@@ -32,17 +34,27 @@ def reasons_of_array(kept: Array) -> Reasons:
 
 
 def notices_as_array(notices: Sequence[Notice]) -> Array:
-    """Code, message, severity and ids (n, 4)."""
-    rows = [(n.code, n.message, str(n.severity.value), text_of_names(n.ids)) for n in notices]
-    return np.array(rows, dtype=np.str_).reshape(-1, 4)
+    """Code, text, severity, ids, values and details as JSON (n, 6)."""
+    rows = [
+        (n.code, n.message, str(n.severity.value), text_of_names(n.ids), json.dumps(plain(n.values)),
+         json.dumps([plain(d.json()) for d in n.details]))
+        for n in notices
+    ]  # fmt: skip
+    return np.array(rows, dtype=np.str_).reshape(-1, 6)
 
 
 def notices_of_array(kept: Array) -> tuple[Notice, ...]:
     """The same again."""
-    return tuple(
-        Notice(code=code, message=message, measured=Severity(severity), ids=names_of_text(ids))
-        for code, message, severity, ids in kept.tolist()
-    )
+    return tuple(_notice(*row) for row in kept.tolist())
+
+
+def _notice(
+    code: str, message: str, severity: str, ids: str, values: str = "{}", details: str = "[]"
+) -> Notice:  # fmt: skip
+    return Notice(
+        code=code, message=message, measured=Severity(severity), ids=names_of_text(ids), values=json.loads(values),
+        details=tuple(map(message_of, json.loads(details))),
+    )  # fmt: skip
 
 
 def packed(parts: Mapping[str, Mapping[str, Array]]) -> dict[str, Array]:

@@ -189,7 +189,7 @@ def _nothing(state: SurfaceState, store: Folder, others: str) -> str:
 
 
 def _remarks(masks: Masks | None) -> tuple[str, ...]:
-    return () if masks is None else tuple(n.message for n in mask_notices(masks, OF_DEPTHS))
+    return () if masks is None else tuple(n.text for n in mask_notices(masks, OF_DEPTHS))
 
 
 def _beyond(state: SurfaceState, memory: float) -> tuple[str, ...]:

@@ -15,7 +15,7 @@ import numpy as np
 from raybundle.block import Block, Camera, Instrument
 from raybundle.block.block import LengthUnit, Relation, Residuals
 from raybundle.block.stored import without_relations_of_calibration
-from raybundle.errors import InputError, UnknownSensorModel
+from raybundle.errors import InputError, Message, UnknownSensorModel, Value, content
 from raybundle.io.block.scenes import MODELS as SCENE_MODELS
 from raybundle.io.block.scenes import frame_lines, read_frame, read_scene_camera, scene_lines
 from raybundle.io.digits import exact
@@ -62,11 +62,11 @@ class Section:
     at: tuple[str, ...]
     values: Mapping[str, Any]
 
-    def fail(self, key: str, message: str) -> NoReturn:
+    def fail(self, key: str, code: str | Message, /, **values: Value) -> NoReturn:
         """Raise at the line of a key, or of the section."""
         place = (*self.at, key)
         line = self.lines.get(place, self.lines.get(self.at))
-        raise InputError(message, file=self.file, line=line, column=".".join(place))
+        raise InputError(content(code, values), file=self.file, line=line, column=".".join(place))
 
     def allow(self, keys: Sequence[str]) -> None:
         """Raise where another key stands."""

@@ -20,7 +20,7 @@ import numpy as np
 
 from raybundle.block import ROLES, Camera, Images, Role
 from raybundle.block.block import Distances, Stations
-from raybundle.errors import InputError
+from raybundle.errors import InputError, Message, Value, content
 from raybundle.io.block.toml import read_cameras
 from raybundle.io.calibrations.ours import cameras_text
 from raybundle.io.digits import EVERY
@@ -52,9 +52,9 @@ class Line:
         """The first word."""
         return self.words[0]
 
-    def fail(self, message: str, column: str | None = None) -> NoReturn:
+    def fail(self, code: str | Message, /, column: str | None = None, **values: Value) -> NoReturn:
         """Raise at this line."""
-        raise InputError(message, file=self.file, line=self.number, column=column)
+        raise InputError(content(code, values), file=self.file, line=self.number, column=column)
 
     def values(self, first: int, columns: Sequence[str]) -> list[float]:
         """The finite numbers from word `first` on, which stand for these columns."""

@@ -13,7 +13,7 @@ from typing import Any, NoReturn, cast
 
 import numpy as np
 
-from raybundle.errors import InputError
+from raybundle.errors import InputError, Message, Value, content
 from raybundle.io.reading.files import TEXT_BYTES, read_text
 from raybundle.io.reading.ledger import enter_tree
 from raybundle.io.reading.words import NOT_FINITE, finite, no_number, quoted, whole_of
@@ -64,9 +64,9 @@ class Json:
     at: str = ""
     asked: Asked = field(default_factory=Asked, repr=False, compare=False)
 
-    def fail(self, message: str) -> NoReturn:
+    def fail(self, code: str | Message, /, **values: Value) -> NoReturn:
         """Raise at this place."""
-        raise InputError(message, file=self.file, column=self.at or None)
+        raise InputError(content(code, values), file=self.file, column=self.at or None)
 
     def _below(self, key: str | int, value: object, asked: Asked) -> Json:
         return Json(self.file, value, f"{self.at}.{_step(key)}" if self.at else _step(key), asked)

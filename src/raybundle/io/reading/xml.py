@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import NoReturn
 from xml.parsers import expat
 
-from raybundle.errors import InputError
+from raybundle.errors import InputError, Message, Value, content
 from raybundle.io.reading.files import read_bytes
 from raybundle.io.reading.ledger import enter_tree
 from raybundle.io.reading.trees import DEEPEST
@@ -48,9 +48,9 @@ class Element:
     asked: bool = False
     """Whether a reader asked for it."""
 
-    def fail(self, message: str) -> NoReturn:
+    def fail(self, code: str | Message, /, **values: Value) -> NoReturn:
         """Raise at this element."""
-        raise InputError(message, file=self.file, line=self.line, column=self.name)
+        raise InputError(content(code, values), file=self.file, line=self.line, column=self.name)
 
     def all(self, name: str) -> Iterator[Element]:
         """Children of this name."""

@@ -19,7 +19,7 @@ from typing import NoReturn
 
 import numpy as np
 
-from raybundle.errors import InputError
+from raybundle.errors import InputError, Value, content
 from raybundle.io.reading.files import read_text
 from raybundle.io.reading.words import number_of, quoted
 from raybundle.io.trajectories.base import WEEK_S, WGS84_HEIGHT, Trajectory, TrajectoryFormat, register
@@ -86,8 +86,8 @@ def read(path: Path) -> Trajectory:
 def _line(path: Path, line: int, text: str) -> tuple[str, list[float], str]:
     """Number; time, offset east, north, up [m], longitude, latitude, height, sigma east, north, up; state."""
 
-    def fail(message: str, column: str) -> NoReturn:
-        raise InputError(message, file=path, line=line, column=column)
+    def fail(code: str, /, column: str, **values: Value) -> NoReturn:
+        raise InputError(content(code, values), file=path, line=line, column=column)
 
     def value_of(word: str, column: str) -> float:
         value = number_of(word)

@@ -44,12 +44,14 @@ class ObjectKind(ABC):
         """
         wanted = self.numbers if line is None else self.numbers[self.line_for :]
         if line is not None and not self.line:
-            raise InputError(f"{self.name}: takes no line of points, but {self.words}")
+            raise InputError("object.takes_no_line", name=self.name, needs=self.words)
         if len(numbers) != len(wanted):
-            raise InputError(f"{self.name}: {len(numbers)} numbers are given; it takes {self.words}")
+            raise InputError("object.number_count", name=self.name, n=len(numbers), needs=self.words)
         for word, value in zip(wanted, numbers, strict=True):
             if not (np.isfinite(value) and 0 < value <= LARGEST):
-                raise InputError(f"{self.name}: its {word} {value:g} m must be above 0 and at most {LARGEST:g} m")
+                raise InputError(
+                    "object.dimension_out_of_range", name=self.name, dimension=word, value_m=value, largest_m=LARGEST
+                )
         if line is not None:
             _check_line(self.name, line)
         return self.made(tuple(float(n) for n in numbers), line)
@@ -70,17 +72,17 @@ class ObjectKind(ABC):
 
 def _check_line(name: str, line: Array) -> None:
     if line.ndim != 2 or line.shape[1] != 2 or len(line) < 2:
-        raise InputError(f"{name}: a line needs at least two points of two coordinates")
+        raise InputError("object_line.too_few_points", name=name)
     if not np.isfinite(line).all():
         bad = int(np.flatnonzero(~np.isfinite(line).all(axis=1))[0])
-        raise InputError(f"{name}: point {bad + 1} of its line has a coordinate that is no finite number")
+        raise InputError("object_line.not_finite", name=name, point=bad + 1)
     step = np.linalg.norm(np.diff(line, axis=0), axis=1)
     if not step.min() > 0:
         bad = int(step.argmin())
-        raise InputError(f"{name}: points {bad + 1} and {bad + 2} of its line are the same")
+        raise InputError("object_line.identical_points", name=name, first=bad + 1, second=bad + 2)
     size = float(np.ptp(line, axis=0).max())
     if size > LARGEST:
-        raise InputError(f"{name}: its line is {size:g} m long; at most {LARGEST:g} m")
+        raise InputError("object_line.too_long", name=name, length_m=size, largest_m=LARGEST)
 
 
 def grid_triangles(rows: int, columns: int) -> Index:

@@ -10,8 +10,11 @@ from datetime import datetime
 from functools import cache
 from typing import Any
 
+from raybundle.errors import Text
 from raybundle.report.languages import ENGLISH, Said, catalogue, checked_language
 from raybundle.report.languages.patterns import PLACE, WORD, Template
+from raybundle.report.text.numbers import unbroken
+from raybundle.words import Reader, reader
 
 NUMBER = re.compile(r"(?<![\w.])(\d[\d\u202f]*)\.(\d+)(?=[eE][-+]\d|°|[^\w.]|\.(?!\d)|$)")
 VALUE = r"[\u2212-]?\d[\d\u202f ]*(?:[.,]\d+)?(?: × 10[⁻⁰¹²³⁴⁵⁶⁷⁸⁹]+)?"
@@ -64,6 +67,8 @@ class Language:
         """A text as the reader reads it."""
         if self._book is None or not english or isinstance(english, Said):
             return english
+        if isinstance(english, Text):
+            return Said(unbroken(english.by(Reader(self.code, flags=reader().flags))))
         if english in self._book.exact:
             return Said(self._book.exact[english])
         return Said(self._sound(english.replace(BOUND, "± ")).replace("± ", BOUND))

@@ -46,7 +46,7 @@ def result_section(view: View, verdict: Verdict) -> Section:
 
 def warnings_table(notices: Sequence[Notice]) -> Table:
     """Notices in full, one a row."""
-    rows = [[n.severity.value for n in notices], [unbroken(n.message) for n in notices]]
+    rows = [[n.severity.value for n in notices], [unbroken(n.text) for n in notices]]
     marked = [k for k, n in enumerate(notices) if n.severity is Severity.FAULT]
     columns = (text(""), text("what, how much, and what to do"))
     note = (

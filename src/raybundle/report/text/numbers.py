@@ -6,6 +6,7 @@ import math
 import re
 from collections.abc import Iterable
 
+from raybundle.errors import Text
 from raybundle.numerics.arrays import Array
 from raybundle.numerics.counting import decimals_for
 
@@ -27,6 +28,8 @@ def unbroken(words: str) -> str:
 
     No break between groups of digits, and after the sign of a sigma.
     """
+    if isinstance(words, Text):
+        return words.with_text(unbroken(str(words)))
     words = re.sub(r"(?<=\d) (?=\d{3}(?!\d))", NARROW, words).replace("± ", "±\u00a0")
     words = re.sub(r"(?<=\d)%", " %", words)
     return re.sub(r"(?<![\w.])(\d+(?:\.\d+)?)e([-+]\d+)(?!\w)", lambda m: f"{m[1]} × {power(int(m[2]))}", words)

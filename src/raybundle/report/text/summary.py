@@ -49,7 +49,7 @@ def summary_lines(adjustment: Adjustment) -> list[str]:
 def notice_lines(notices: Sequence[Notice]) -> list[str]:
     """Notices with their severity, the gravest first; how many are not shown."""
     told = as_told(notices)
-    lines = [f"{n.severity.value}: {n.message}" for n in told[:SHOWN]]
+    lines = [f"{n.severity.value}: {n.text}" for n in told[:SHOWN]]
     if len(told) > SHOWN:
         lines.append(f"and {counted(len(told) - SHOWN, 'more notice')}, see result.json")
     return lines

@@ -250,8 +250,8 @@ def finish(state: Placing, photographs: Georeferenced | None, placed: Placed, mo
     block = joined(state.block, None if photographs is None else photographs.block)
     both = Placing(with_scene_points(_guessed(block)), [*more, *state.notices])
     if photographs is not None:
-        known = {n.message for n in both.notices}
-        both.notices += [n for n in photographs.notices if n.message not in known]
+        known = {n.text for n in both.notices}
+        both.notices += [n for n in photographs.notices if n.text not in known]
     drop_single_marks(both)
     drop_unseen_checks(both)
     block, own = both.block, set[str]()

@@ -1,0 +1,12 @@
+height_grid-too_small = Das Höhenraster hat { $rows } Zeilen und { $columns } Spalten.
+    .do = Ein Raster mit mindestens zwei Zeilen und zwei Spalten angeben.
+
+height_grid-no_cell_area = Die Zellen des Höhenrasters haben keine Fläche: Schritte { $across } und { $down } m.
+    .do = Die Zellgröße in der Georeferenzierung des Rasters berichtigen.
+
+height_grid-empty = Das Höhenraster enthält keine Höhe: Alle Zellen sind leer.
+    .do = Ein Raster mit Höhen angeben.
+
+height_grid-no_four_cells = Höhenraster { $name }: Keine vier benachbarten Zellen haben Höhen.
+    .why = Es lässt sich keine Fläche interpolieren.
+    .do = Ein Raster mit weniger leeren Zellen angeben.

@@ -1,0 +1,4 @@
+notice-also = Dasselbe gilt für { $n } { $n ->
+    [one] weiteren
+   *[other] weitere
+ }: { LIST($names, most: 10) }.

@@ -1,0 +1,2 @@
+package-sympy_missing = Ein eigenes Sensormodell herzuleiten braucht das Paket SymPy.
+    .do = Ausführen: pip install 'raybundle[models]'

@@ -1,0 +1,5 @@
+place-line = Zeile { $line }
+
+place-row = Datenzeile { $row }
+
+place-column = Spalte { $column }

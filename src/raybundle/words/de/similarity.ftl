@@ -1,0 +1,5 @@
+similarity-too_few_points = Eine Ähnlichkeitstransformation braucht drei gemeinsame Punkte; gegeben: { $n }.
+
+similarity-points_in_line = Die gemeinsamen Punkte der Ähnlichkeitstransformation liegen auf einer Geraden.
+    .why = Die Drehung um diese Gerade ist nicht bestimmt.
+    .do = Einen Punkt neben der Geraden ergänzen.

@@ -1,0 +1,3 @@
+total_station-vertical_sight = Satz { $set } in directions.csv: { $station } und { $target } haben in points.csv dieselbe Lage.
+    .why = Eine Horizontalrichtung zwischen ihnen ist nicht definiert.
+    .do = Ihre Koordinaten berichtigen oder die Richtung löschen.

@@ -1,0 +1,17 @@
+# $rows = 1
+# $columns = 40
+height_grid-too_small = The height grid has { $rows } rows and { $columns } columns.
+    .do = Give a grid of at least two rows and two columns.
+
+# $across = [0.0, 0.0]
+# $down = [0.0, -0.5]
+height_grid-no_cell_area = The cells of the height grid have no area: steps { $across } and { $down } m.
+    .do = Correct the cell size in the georeferencing of the grid.
+
+height_grid-empty = The height grid contains no height: every cell is void.
+    .do = Give a grid with heights.
+
+# $name = "dtm.tif"
+height_grid-no_four_cells = Height grid { $name }: no four neighbouring cells have heights.
+    .why = No surface can be interpolated.
+    .do = Give a grid with fewer void cells.

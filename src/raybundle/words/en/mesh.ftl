@@ -1,0 +1,19 @@
+# $name = "part.stl"
+mesh-no_triangles = Mesh { $name } has no triangles.
+
+# $name = "part.stl"
+# $vertex = 12
+mesh-vertex_not_finite = Mesh { $name }: vertex { $vertex } has a coordinate that is not a finite number.
+
+# $name = "part.stl"
+# $vertex = 120
+# $n = 80
+mesh-unknown_vertex = Mesh { $name }: a triangle refers to vertex { $vertex }, but there are { $n } vertices.
+
+# $name = "part.stl"
+mesh-no_area = Mesh { $name }: its triangles have no area.
+    .do = Check the unit and the vertices of the mesh.
+
+# $name = "part.stl"
+mesh-nothing_to_measure = Mesh { $name }: every triangle is excluded from measurement.
+    .do = Select at least one part that is to be measured.

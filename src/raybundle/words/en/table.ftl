@@ -1,0 +1,1 @@
+table-more_errors = There are more errors; the rest of the file was not read.

@@ -1,0 +1,1 @@
+alignment-too_few_points = { $kind } { $name } : { $n } points distincts ; il en faut { $least }.

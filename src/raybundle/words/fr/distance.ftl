@@ -1,0 +1,1 @@
+distance-sigma_not_positive = Distance { $row } : son écart-type est { $sigma }.

@@ -1,0 +1,1 @@
+environment-native_unknown = RAYBUNDLE_NATIVE = { $chosen } est inconnu.

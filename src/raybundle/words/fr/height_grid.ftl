@@ -1,0 +1,7 @@
+height_grid-too_small = La grille d'altitudes a { $rows } lignes et { $columns } colonnes.
+
+height_grid-no_cell_area = Les cellules de la grille d'altitudes sont sans surface : pas { $across } et { $down } m.
+
+height_grid-empty = La grille d'altitudes ne contient aucune altitude.
+
+height_grid-no_four_cells = Grille d'altitudes { $name } : il n'y a pas quatre cellules voisines avec altitude.

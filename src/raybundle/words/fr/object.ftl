@@ -1,0 +1,5 @@
+object-takes_no_line = L'objet { $name } n'accepte pas de ligne de points.
+
+object-number_count = Objet { $name } : { $n } nombres sont donnés.
+
+object-dimension_out_of_range = Objet { $name } : { $dimension } vaut { $value_m } m.

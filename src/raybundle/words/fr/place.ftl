@@ -1,0 +1,5 @@
+place-line = ligne { $line }
+
+place-row = rangée { $row }
+
+place-column = colonne { $column }

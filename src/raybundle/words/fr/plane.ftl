@@ -1,0 +1,1 @@
+plane-points_in_line = Plan { $name } : ses points sont alignés.

@@ -1,0 +1,1 @@
+surface_points-too_few = { $name } : { $n } points ont des rayons ; une surface en demande { $least }.

@@ -1,0 +1,1 @@
+total_station-vertical_sight = Série { $set } de directions.csv : { $station } et { $target } ont la même position en plan dans points.csv.

@@ -1,0 +1,1 @@
+transform-wrong_shape = Tableau { $name } d'une transformation : forme ({ $shape }), ou valeurs non finies.

@@ -1,0 +1,37 @@
+"""Numbers as messages write them."""
+
+from __future__ import annotations
+
+import math
+
+
+def grouped(number: int) -> str:
+    """A whole number in groups of three digits: 18 803."""
+    return f"{number:,}".replace(",", " ")
+
+
+def significant(value: float, digits: int = 3) -> str:
+    """A number with so many significant digits, without an exponent where it can be read without."""
+    if not 1e-4 <= abs(value) < 1e6:
+        return f"{value:.{digits - 1}e}"
+    text = f"{value:#.{digits}g}"
+    return f"{float(text):.0f}" if "e" in text else text.rstrip(".")
+
+
+def short(value: float, digits: int = 3) -> str:
+    """The same without zeros at the end, and with every digit before the decimal point.
+
+    value   any number; one that is not finite is written as a word
+    digits  significant digits
+    """
+    if not math.isfinite(value):
+        return "infinite" if math.isinf(value) else "none"
+    if value == 0:
+        return "0"
+    if 10**digits <= abs(value) < 1e15:
+        return grouped(round(value))
+    text = significant(value, digits)
+    number, e, exponent = text.partition("e")
+    if "." in number:
+        number = number.rstrip("0").rstrip(".")
+    return f"{number}{e}{exponent}"

@@ -1,0 +1,198 @@
+"""Messages: every code has words in every language, every place that makes one gives what they need."""
+
+import ast
+import json
+import re
+from functools import cache
+from pathlib import Path
+
+import pytest
+
+import raybundle
+from raybundle import words
+from raybundle.errors import InputError, Message, NoOrientation, Severity, Text, message_of
+from raybundle.words.catalogue import entries, entry_of
+from raybundle.words.render import Reader
+
+SOURCE = Path(raybundle.__file__).parent
+LONGEST = 100
+"""Characters of a headline"""
+KIN = frozenset(
+    """
+    InputError NotSolvable DatumDefect RankDefect TooFewObservations NoConvergence NoOrientation TasksWaiting Notice
+    worded Message
+    """.split()  # noqa: SIM905  (read like a text)
+)
+RESERVED = frozenset(
+    "file line column details undetermined open_names code ids reason measured severity also".split()  # noqa: SIM905
+)
+TEXTS = 1500
+"""Calls that make a message of a text, as long as they are moved to catalogues: may only shrink"""
+
+
+@cache
+def calls():
+    """All calls that make a message: file, call, its code where that is a literal."""
+    found = []
+    for path in sorted(SOURCE.rglob("*.py")):
+        for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
+            if isinstance(node, ast.Call):
+                name = getattr(node.func, "id", getattr(node.func, "attr", ""))
+                if name in KIN:
+                    found.append((path.relative_to(SOURCE).as_posix(), name, node))
+    return found
+
+
+def coded(name, node):
+    """The code of a call and the names of its values; None where it has a text."""
+    first = node.args[0] if node.args else None
+    keywords = {k.arg: k.value for k in node.keywords if k.arg}
+    if name in {"Notice", "Message"}:
+        code = keywords.get("code")
+        if not isinstance(code, ast.Constant) or ("message" in keywords):
+            return None
+        values = keywords.get("values")
+        keys = [k.value for k in values.keys if isinstance(k, ast.Constant)] if isinstance(values, ast.Dict) else None
+        if values is not None and keys is None:
+            return code.value, None
+        return code.value, {*(keys or ()), *(["ids"] if "ids" in keywords else [])}
+    if isinstance(first, ast.Constant) and re.fullmatch(r"[a-z]\w*\.\w+", str(first.value)):
+        if any(k.arg is None for k in node.keywords):
+            return first.value, None
+        return first.value, set(keywords) - RESERVED - ({"images"} if name == "NoOrientation" else set())
+    return None
+
+
+def text_calls():
+    """Calls that make a message of a text."""
+    for file, name, node in calls():
+        if name in {"Notice", "Message"}:
+            if any(k.arg == "message" for k in node.keywords):
+                yield f"{file}:{node.lineno}"
+        elif node.args and coded(name, node) is None:
+            first = node.args[0]
+            if isinstance(first, ast.JoinedStr | ast.BinOp) or (
+                isinstance(first, ast.Constant) and isinstance(first.value, str)
+            ):
+                yield f"{file}:{node.lineno}"
+
+
+def test_fewer_places_make_sentences():
+    left = list(text_calls())
+    assert len(left) <= TEXTS, f"{len(left)} calls make a message of a text; give a code, and words in raybundle/words"
+    assert len(left) > TEXTS - 50, f"{len(left)} are left: lower TEXTS to this"
+
+
+def test_every_code_in_the_source_has_words_and_is_given_what_they_need():
+    wrong = []
+    for file, name, node in calls():
+        found = coded(name, node)
+        if found is None:
+            continue
+        code, given = found
+        if code not in words.codes():
+            wrong.append(f"{file}:{node.lineno}: {code} is in no catalogue")
+        elif given is not None and not set(words.examples(code)) <= given:
+            lacking = sorted(set(words.examples(code)) - given)
+            wrong.append(f"{file}:{node.lineno}: {code} lacks {', '.join(lacking)}")
+    assert not wrong, "\n".join(wrong)
+
+
+def test_every_code_is_used():
+    source = "\n".join(p.read_text(encoding="utf-8") for p in sorted(SOURCE.rglob("*.py")))
+    unused = [c for c in words.codes() if f'"{c}"' not in source]
+    assert not unused, f"no place makes these messages: {', '.join(unused)}"
+
+
+@pytest.mark.parametrize("language", words.languages())
+def test_every_entry_is_complete(language):
+    from raybundle.words.values import Bundle
+
+    wrong, english = [], entries(words.ENGLISH)
+    for name, entry in entries(language).items():
+        if name not in english:
+            wrong.append(f"{entry.file}: {name} is not in English")
+            continue
+        if name.startswith("-"):
+            continue
+        for flags in (False, True):
+            bundle = bundle_of(language, entry, flags=flags)
+            assert isinstance(bundle, Bundle)
+            message = bundle.get_message(name)
+            parts = {"": message.value, **message.attributes}
+            values = english[name].examples
+            for part, pattern in parts.items():
+                text, errors = bundle.written(pattern, values)
+                if errors:
+                    wrong.append(f"{entry.file}: {name}{part and '.' + part}: {errors[0]}")
+                if "{" in text or "$" in text:
+                    wrong.append(f"{entry.file}: {name}: {text}")
+                if not part and language == words.ENGLISH and len(text) > LONGEST:
+                    wrong.append(f"{entry.file}: {name}: headline of {len(text)} characters: {text}")
+            if set(parts) - {"", "why", "do"}:
+                wrong.append(f"{entry.file}: {name}: attributes {sorted(parts)}")
+    assert not wrong, "\n".join(wrong)
+
+
+def bundle_of(language, entry, *, flags):
+    from raybundle.words.render import _with
+
+    return _with(language, entry, flags=flags)
+
+
+@pytest.mark.parametrize("language", [x for x in words.languages() if x != words.ENGLISH])
+def test_every_message_has_a_headline_in_every_language(language):
+    lacking = [c for c in words.codes() if entry_of(c) not in entries(language)]
+    assert not lacking, f"{language}: {', '.join(lacking)}"
+
+
+def test_no_value_is_a_sentence():
+    wrong = []
+    for code in words.codes():
+        entry = entries(words.ENGLISH)[entry_of(code)]
+        if re.search(r"=\s*\{\s*\$\w+\s*\}\s*\.?$", entry.text.splitlines()[0]):
+            wrong.append(f"{code}: the headline is a value alone")
+        for name, value in entry.examples.items():
+            if isinstance(value, str) and name != "detail" and len(value.split()) > 4:
+                wrong.append(f"{code}: ${name} = {value!r}")
+    assert not wrong, "\n".join(wrong)
+
+
+def test_values_choose_words():
+    text = words.headline("similarity.too_few_points", {"n": 1})
+    assert text == "A similarity transformation needs three common points; 1 is given."
+
+
+def test_numbers_follow_the_language():
+    values = {"chosen": "x", "known": [1.5, 2.25]}
+    assert "1,5; 2,25" in words.action("environment.native_unknown", values, Reader("de"))
+    assert "1.5, 2.25" in words.action("environment.native_unknown", values)
+
+
+def test_an_error_carries_its_message():
+    error = InputError("outline.no_area", name="area 2", file="plan.csv", line=3)
+    assert error.code == "outline.no_area"
+    assert error.message == Message(code="outline.no_area", values={"name": "area 2"})
+    assert str(error).startswith("plan.csv, line 3: area 2 encloses no area. ")
+    assert str(error).endswith("[outline.no_area]")
+    assert "umschließt keine Fläche" in error.text(Reader("de"))
+    assert error.at("other.csv").file == "plan.csv"
+    assert InputError("outline.no_area", name="a").at("other.csv", line=2).place == "other.csv, line 2"
+
+
+def test_a_message_is_data():
+    detail = Message(code="mesh.no_area", values={"name": "a"})
+    message = Message(code="mesh.no_triangles", values={"name": "b"}, severity=Severity.FAULT, details=(detail,))
+    assert message_of(json.loads(json.dumps(message.json()))) == message
+    assert message.text().count("\n") == 1
+
+
+def test_a_text_is_read_in_another_language():
+    text = Text.of(Message(code="outline.no_area", values={"name": "area 2"}))
+    assert text.startswith("area 2 encloses no area")
+    assert text.by(Reader("de")).startswith("area 2 umschließt keine Fläche")
+
+
+def test_an_error_of_several_objects_lists_them():
+    details = [Message(code="mesh.no_area", values={"name": n}) for n in "ab"]
+    assert str(NoOrientation("similarity.points_in_line", details=details)).count("\n  Mesh") == 2
