@@ -222,6 +222,10 @@ class RaybundleError(Exception):
         """The whole message for a reader."""
         return str(self) if self.message is None else self.message.text(reader)
 
+    def json(self) -> dict[str, Any]:
+        """Its message as data; {} where it has only a text."""
+        return {} if self.message is None else self.message.json()
+
     @property
     def code(self) -> str:
         """The code of its message; empty: it has only a text."""
@@ -274,6 +278,11 @@ class InputError(RaybundleError):
         """What happened, in one line, after its place."""
         head, place = super().headline, self.place.text()
         return f"{place}: {head}" if self.message is not None and place else head
+
+    def json(self) -> dict[str, Any]:
+        """Its message and place as data."""
+        place = {k: v for k, v in asdict(self.place).items() if v and k != "rows"}
+        return {**super().json(), **({"place": place} if place else {})}
 
     def at(self, file: Path | str | None = None, line: int | None = None, column: str | None = None) -> InputError:
         """The same error with a place, of which the parts that it has stay."""

@@ -168,7 +168,7 @@ def test_a_clock_and_a_shift_are_one_at_one_speed():
 def test_a_clock_needs_velocities():
     block = flight(clock=("dt",))
     s = block.stations
-    with pytest.raises(InputError, match="dt needs the velocity of each image"):
+    with pytest.raises(InputError, match=r"station\.velocity_unknown"):
         adjust_block(block.having(replace(s, velocity=None, time=np.zeros(12))))
     apart = replace(s, velocity=None, time=np.arange(12.0) + np.repeat([0.0, 100.0, 200.0], 4))
     v = apart.velocities
@@ -180,7 +180,7 @@ def test_attitudes_near_a_right_angle_are_refused():
     block = flight()
     angles = block.attitudes.angles.copy()
     angles[3, 1] = np.radians(89.8)
-    with pytest.raises(InputError, match=r"phi 89\.80 deg is within 0\.6 deg"):
+    with pytest.raises(InputError, match=r"89\.80.*0\.6.*attitude\.phi_right_angle"):
         adjust_block(block.having(replace(block.attitudes, angles=angles)))
 
 

@@ -119,12 +119,12 @@ def test_what_was_held_has_no_variance():
 
 
 def test_what_cannot_be_is_said():
-    with pytest.raises(InputError, match="OpenCV has no camera of 6 coefficients; it has 4, 5, 8, 12, 14"):
+    with pytest.raises(InputError, match=r"OpenCV.*6.*4.*5.*camera\.opencv_coefficients"):
         opencv_camera(camera("rational"), coefficients=6)
-    with pytest.raises(InputError, match="OpenCV has no fisheye of 8"):
+    with pytest.raises(InputError, match=r"OpenCV.*8.*camera\.opencv_coefficients"):
         opencv_camera(camera("kannala_brandt"), coefficients=8)
     strong = replace(camera("brown"), values={**camera("brown").values, "K1": 2e-3, "K2": 4e-6})
-    with pytest.raises(InputError, match=r"OpenCV's model of 4 coefficients is .* px from it at most, 0.1 px"):
+    with pytest.raises(InputError, match=r"OpenCV.*4.*0\.1.*camera\.opencv_deviation"):
         opencv_camera(strong, coefficients=4)
     result = adjust(field("rational", 1, ("c",)), OPTIONS)
     with pytest.raises(InputError, match="no camera 'x'; there are"):

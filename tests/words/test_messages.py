@@ -11,7 +11,7 @@ import pytest
 import raybundle
 from raybundle import words
 from raybundle.errors import InputError, Message, NoOrientation, Severity, Text, message_of
-from raybundle.words.catalogue import entries, entry_of
+from raybundle.words.catalogue import code_of, entries, entry_of
 from raybundle.words.render import Reader
 
 SOURCE = Path(raybundle.__file__).parent
@@ -120,7 +120,7 @@ def test_every_entry_is_complete(language):
             assert isinstance(bundle, Bundle)
             message = bundle.get_message(name)
             parts = {"": message.value, **message.attributes}
-            values = english[name].examples
+            values = words.examples(code_of(name))
             for part, pattern in parts.items():
                 text, errors = bundle.written(pattern, values)
                 if errors:
@@ -152,7 +152,7 @@ def test_no_value_is_a_sentence():
         entry = entries(words.ENGLISH)[entry_of(code)]
         if re.search(r"=\s*\{\s*\$\w+\s*\}\s*\.?$", entry.text.splitlines()[0]):
             wrong.append(f"{code}: the headline is a value alone")
-        for name, value in entry.examples.items():
+        for name, value in words.examples(code).items():
             if isinstance(value, str) and name != "detail" and len(value.split()) > 4:
                 wrong.append(f"{code}: ${name} = {value!r}")
     assert not wrong, "\n".join(wrong)
@@ -177,7 +177,7 @@ def test_an_error_carries_its_message():
     assert str(error).endswith("[outline.no_area]")
     assert "umschließt keine Fläche" in error.text(Reader("de"))
     assert error.at("other.csv").file == "plan.csv"
-    assert InputError("outline.no_area", name="a").at("other.csv", line=2).place == "other.csv, line 2"
+    assert InputError("outline.no_area", name="a").at("other.csv", line=2).place.text() == "other.csv, line 2"
 
 
 def test_a_message_is_data():

@@ -8,13 +8,14 @@ import sys
 import traceback
 from typing import TextIO
 
+from raybundle import words
 from raybundle.errors import RaybundleError, printable
 
 
 def told_failure(error: Exception) -> tuple[str, int]:
     """What is said of an error, and the exit status."""
     if isinstance(error, RaybundleError):
-        return f"{type(error).__name__}: {error}", error.exit_status
+        return _lines(error), error.exit_status
     if isinstance(error, MemoryError) or _lacks_memory(error):
         return "MemoryError: there is not enough memory; give fewer or smaller inputs, or fewer --jobs", 2
     if isinstance(error, OSError) and error.filename is None and (_in_output(error) or _is_closed(sys.stdout)):
@@ -28,6 +29,17 @@ def told_failure(error: Exception) -> tuple[str, int]:
         return f"{type(error).__name__}: {names or 'a file'} cannot be used: {error.strerror or error}", 2
     first = printable(str(error).partition("\n")[0])[:1000]
     return f"internal error {type(error).__name__}: {first}; please report; --traceback shows it", 1
+
+
+def _lines(error: RaybundleError) -> str:
+    """The place and what happened, with the code; why it matters and what to do in lines of their own."""
+    found = error.message
+    if found is None:
+        return f"{type(error).__name__}: {error}"
+    reader = words.reader()
+    more = (words.why(found.code, found.values, reader), words.action(found.code, found.values, reader))
+    details = (line for d in found.details for line in d.text(reader).splitlines())
+    return "\n".join([f"error: {error.headline} [{found.code}]", *(f"  {m}" for m in (*more, *details) if m)])
 
 
 def _lacks_memory(error: Exception) -> bool:

@@ -12,14 +12,15 @@ import json
 import os
 import sys
 import traceback
-from collections.abc import Sequence
-from typing import TextIO
+from collections.abc import Mapping, Sequence
+from typing import Any, TextIO
 
 import click
 
 from raybundle.cli.command import command_words
 from raybundle.cli.failures import silence, told_failure
 from raybundle.cli.lazy import LazyGroup
+from raybundle.errors import RaybundleError
 from raybundle.settings import on_the_command_line
 
 TASKS: dict[str, dict[str, str]] = {
@@ -74,6 +75,7 @@ TASKS: dict[str, dict[str, str]] = {
         "demo": "Simulate and calibrate a testfield; compare with truth.",
         "datasets": "Download public photographs, with checksums.",
         "doctor": "Check the installation.",
+        "explain": "Explain a message by its code.",
     },
 }
 """Commands by task, with what each does"""
@@ -147,7 +149,8 @@ def _failed(arguments: Sequence[str], error: Exception) -> int:
             traceback.print_exception(error)
     text, status = told_failure(error)
     _say(text)
-    _as_json(arguments, text, status)
+    data = error.json() if isinstance(error, RaybundleError) else {}
+    _as_json(arguments, text, status, data)
     return status
 
 
@@ -157,11 +160,11 @@ def _printable(stream: TextIO) -> None:
         stream.reconfigure(errors="replace")
 
 
-def _as_json(arguments: Sequence[str], text: str, status: int) -> None:
-    """An error as an object on stdout, where JSON was asked for."""
+def _as_json(arguments: Sequence[str], text: str, status: int, data: Mapping[str, Any] | None = None) -> None:
+    """An error as an object on stdout, with `--json`: its text, and its code, values and place as data."""
     if "--json" in arguments:
         words = " ".join(command_words(cli, arguments))
-        told = json.dumps({"command": words, "exit_status": status, "error": text}, ensure_ascii=False)
+        told = json.dumps({"command": words, "exit_status": status, "error": text, **(data or {})}, ensure_ascii=False)
         with contextlib.suppress(OSError, ValueError):
             click.echo(told)
 

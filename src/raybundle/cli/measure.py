@@ -76,6 +76,7 @@ def lines(done: Measured) -> list[str]:
 
     from raybundle.adjustment.result import as_told  # noqa: PLC0415  (what computes is loaded after the help)
     from raybundle.adjustment.severity import Severity  # noqa: PLC0415
+    from raybundle.report.text.summary import line_of  # noqa: PLC0415
 
     a, s = done.adjustment, 1000 * done.points.sigma
     images = len(np.unique(a.given.observations.image))
@@ -90,13 +91,13 @@ def lines(done: Measured) -> list[str]:
     ]
     grave = [n for n in as_told(a.notices) if n.severity in {Severity.FAULT, Severity.CAUTION}]
     first = [n for n in grave if n.code in UNFIT]
-    text = [*(f"{n.severity.value}: {n.text}" for n in first), *text]
+    text = [*map(line_of, first), *text]
     grave = [n for n in grave if n.code not in UNFIT]
     if done.fit is not None:
         text += _fit_lines(done.fit)
     if done.lengths is not None:
         text += _length_lines(done.lengths)
-    text += [f"{n.severity.value}: {n.text}" for n in grave[:SHOWN]]
+    text += map(line_of, grave[:SHOWN])
     return text + ["more stands in the report, and in result.json"] * (len(grave) > SHOWN)
 
 

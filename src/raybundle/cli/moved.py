@@ -66,13 +66,14 @@ def words_of(done: Congruence) -> list[str]:
 
     from raybundle.adjustment.severity import Severity  # noqa: PLC0415
     from raybundle.metrology.notices import p_words  # noqa: PLC0415
+    from raybundle.report.text.summary import line_of  # noqa: PLC0415
 
     n, moved = len(done.ids), int(done.moved.sum())
     least = 1000 * np.quantile(done.detectable[np.isfinite(done.detectable)], [0.5, 1.0])
     told = f"{n} common points of {' and '.join(done.epochs)}: {moved or 'none'} moved"
     (F0, p0), (F1, p1) = done.before, done.after
     lines = [
-        *(f"{n.severity.value}: {n.text}" for n in done.told if n.severity is not Severity.REMARK),
+        *(line_of(n) for n in done.told if n.severity is not Severity.REMARK),
         f"{told}, at {100 * done.significance:g} % for any false alarm",
         f"as if none had moved F {F0:.2f} ({p_words(p0)}); those that stayed F {F1:.2f} ({p_words(p1)})",
     ]

@@ -138,12 +138,13 @@ def _without_part(done: MeasuredSurface) -> list[str]:
 def _adjustment(done: MeasuredSurface) -> list[str]:
     """What is to be said of what the points rest on: its verdict, every fault, and the gravest cautions."""
     from raybundle.adjustment.severity import Severity  # noqa: PLC0415  (what computes is loaded after the help)
+    from raybundle.report.text.summary import line_of  # noqa: PLC0415
 
     told = done.pages.warnings
     faults = [n for n in told if n.severity is Severity.FAULT]
     cautions = [n for n in told if n.severity is Severity.CAUTION]
     lines = [f"the adjustment behind it: {done.pages.verdict}"]
-    lines += [f"{n.severity.value}: {n.text}" for n in (*faults, *cautions[:MOST_CAUTIONS])]
+    lines += map(line_of, (*faults, *cautions[:MOST_CAUTIONS]))
     if len(cautions) > MOST_CAUTIONS:
         lines.append(f"and {counted(len(cautions) - MOST_CAUTIONS, 'more caution')}, see {done.pages.files[0].name}")
     return lines

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 import re
 from collections.abc import Mapping
 from dataclasses import dataclass
@@ -23,8 +22,8 @@ class Entry:
     name: str
     """of a term with its dash"""
     text: str
-    examples: Mapping[str, Any]
-    """values of the comments before it, by name"""
+    examples: Mapping[str, str]
+    """values of the comments before it, by name, as JSON"""
     file: str
     line: int
     """of the file, from 1"""
@@ -52,13 +51,13 @@ def entries(language: str) -> Mapping[str, Entry]:
 def _cut(text: str, file: str) -> list[Entry]:
     """The entries of a file."""
     found: list[Entry] = []
-    begin, lines, examples, waiting = 0, list[str](), dict[str, Any](), dict[str, Any]()
+    begin, lines, examples, waiting = 0, list[str](), dict[str, str](), dict[str, str]()
     name = ""
     for number, line in enumerate([*text.splitlines(), "end ="], 1):
         example = _EXAMPLE.fullmatch(line)
         start = _BEGIN.match(line)
         if example:
-            waiting[example[1]] = json.loads(example[2])
+            waiting[example[1]] = example[2]
         elif start:
             if name:
                 found.append(Entry(name, "\n".join(lines).rstrip() + "\n", examples, file, begin))
@@ -87,4 +86,6 @@ def codes() -> tuple[str, ...]:
 
 def examples(code: str) -> dict[str, Any]:
     """Values of a code by name, as an example."""
-    return dict(entries(ENGLISH)[entry_of(code)].examples)
+    import msgspec  # noqa: PLC0415  (few readers need an example)
+
+    return {name: msgspec.json.decode(text) for name, text in entries(ENGLISH)[entry_of(code)].examples.items()}

@@ -11,6 +11,7 @@ from raybundle.adjustment.result import Notice
 from raybundle.adjustment.severity import Severity
 from raybundle.errors import message_of, plain
 from raybundle.io.block.arrays import arrays_of_block, block_of_arrays, names_of_text, text_of_names
+from raybundle.io.reading.trees import own_json_of
 from raybundle.numerics.arrays import Array
 from raybundle.ties.block import TieBlock
 
@@ -52,8 +53,8 @@ def _notice(
     code: str, message: str, severity: str, ids: str, values: str = "{}", details: str = "[]"
 ) -> Notice:  # fmt: skip
     return Notice(
-        code=code, message=message, measured=Severity(severity), ids=names_of_text(ids), values=json.loads(values),
-        details=tuple(map(message_of, json.loads(details))),
+        code=code, message=message, measured=Severity(severity), ids=names_of_text(ids), values=own_json_of(values),
+        details=tuple(map(message_of, own_json_of(details))),
     )  # fmt: skip
 
 

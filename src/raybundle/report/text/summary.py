@@ -49,10 +49,16 @@ def summary_lines(adjustment: Adjustment) -> list[str]:
 def notice_lines(notices: Sequence[Notice]) -> list[str]:
     """Notices with their severity, the gravest first; how many are not shown."""
     told = as_told(notices)
-    lines = [f"{n.severity.value}: {n.text}" for n in told[:SHOWN]]
+    lines = [line_of(n) for n in told[:SHOWN]]
     if len(told) > SHOWN:
         lines.append(f"and {counted(len(told) - SHOWN, 'more notice')}, see result.json")
     return lines
+
+
+def line_of(notice: Notice) -> str:
+    """A notice with its severity, and with its code where that can be looked up."""
+    code = "" if notice.message else f" [{notice.code}]"
+    return f"{notice.severity.value}: {notice.text}{code}"
 
 
 def _sigma0(a: Adjustment) -> str:
