@@ -45,7 +45,7 @@ if TYPE_CHECKING:
 
 WHOLE, WORD, PATH = 2000, 200, 1000
 """Characters that a message, a word without blanks in it, and a path may have; what is foreign may be of any length."""
-_CODE = re.compile(r"[a-z][a-z0-9_]*\.[a-z0-9_]+")
+_CODE = re.compile(r"[a-z][a-z0-9]*[._][a-z0-9_.]+")
 Value = int | float | str | bool | None | Sequence["int | float | str"]
 """A number, a name, an identifier, one of some words, or a list of these; the unit is in its name: `sigma_px`"""
 

@@ -260,7 +260,7 @@ def _adjusted(s: MeasureSettings, block: Block, progress: Progress) -> tuple[Adj
     )  # fmt: skip
     alone = replace(options, datum="inner", variance_groups=False)
     given, twice = without_doubles(
-        [KnownLength(start=a, end=b, length=d, sigma=e) for a, b, d, e in s.scale_bar], "scale bar"
+        [KnownLength(start=a, end=b, length=d, sigma=e) for a, b, d, e in s.scale_bar], "scale_bar"
     )
     block = scaled(block, [(k.start, k.end, k.length, k.sigma) for k in given])
     block, bars = with_bars_compared(block, lambda free: decide(free, alone, progress))

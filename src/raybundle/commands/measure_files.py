@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, Literal
 
 from raybundle.errors import InputError
 from raybundle.numerics.length_units import is_other_unit
@@ -45,7 +45,9 @@ def known_lengths(path: Path, unit: float) -> list[KnownLength]:
     return found
 
 
-def without_doubles(known: Sequence[KnownLength], what: str) -> tuple[list[KnownLength], tuple[Notice, ...]]:
+def without_doubles(
+    known: Sequence[KnownLength], kind: Literal["length", "scale_bar"]
+) -> tuple[list[KnownLength], tuple[Notice, ...]]:
     """Lengths of which each counts once, though one was given twice, its ends exchanged or not; and what is told."""
     from raybundle.metrology.notices import given_twice  # noqa: PLC0415
 
@@ -58,7 +60,7 @@ def without_doubles(known: Sequence[KnownLength], what: str) -> tuple[list[Known
         found.setdefault(key, k)
     if not twice:
         return list(known), ()
-    return list(found.values()), given_twice(what, twice)
+    return list(found.values()), given_twice(kind, twice)
 
 
 def check_lengths(points: PointSet, known: Sequence[KnownLength], path: Path | None) -> None:

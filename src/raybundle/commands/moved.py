@@ -12,7 +12,7 @@ from raybundle.commands.measure_files import check_unit, fitted_to, nominal_poin
 from raybundle.commands.measure_scale import bar_names
 from raybundle.commands.pages import LANGUAGE_HELP, PDF_HELP, check_pages
 from raybundle.commands.record_settings import CLIENT, OPERATOR, TITLE, record_of
-from raybundle.errors import InputError
+from raybundle.errors import InputError, Message
 from raybundle.numerics.natural import natural_order
 from raybundle.numerics.progress import Progress, silent
 from raybundle.settings import Range, made, option, setting
@@ -167,15 +167,15 @@ def _check_there(points: Sequence[str], sets: Sequence[PointSet]) -> None:
 
 def _check_axes(fit: BestFit, path: Path) -> None:
     """Raise InputError where the axes of a file are no axes of the measurement: mirrored, of another scale."""
-    from raybundle.metrology.misfit_words import factor_words, mirrored_words, scattered_words  # noqa: PLC0415
+    from raybundle.metrology.misfit_words import fit_values  # noqa: PLC0415
 
     m = fit.misfit
     if m.scattered:
-        raise InputError(scattered_words(m, "measured and nominal points"), file=path)
+        raise InputError(Message(code="nominal_names", values=fit_values(m)), file=path)
     if m.mirrored:
-        raise InputError(f"{mirrored_words(m, 'nominal coordinates')}: mend the file", file=path)
+        raise InputError(Message(code="nominal_mirrored", values=fit_values(m)), file=path)
     if m.scaled and abs(m.factor - 1) > OTHER_SCALE:
-        raise InputError(factor_words(m, "nominal and measured points"), file=path)
+        raise InputError(Message(code="nominal_scale", values=fit_values(m)), file=path)
 
 
 def faults_in(epochs: Sequence[Path]) -> dict[str, tuple[str, ...]]:

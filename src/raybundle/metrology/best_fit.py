@@ -18,7 +18,6 @@ from raybundle.metrology.dots import Dots
 from raybundle.metrology.misfit import Misfit, in_one_line, misfit
 from raybundle.metrology.point_set import PointSet, datum_directions
 from raybundle.numerics.arrays import Array, Mask
-from raybundle.numerics.counting import counted, some_of
 from raybundle.numerics.statistics import joint_test
 from raybundle.numerics.transform import SimilarityTransform, similarity
 
@@ -192,26 +191,18 @@ def _in_both(
     missing = tuple(i for i in nominal.ids if i not in set(measured.ids))
     strange = [i for i in by if i not in names]
     if strange:
-        raise InputError(
-            f"points of the fit are not among both the measured and the nominal: {', '.join(strange[:10])}"
-        )
+        raise InputError("fit.unknown_points", names=strange)
     if by and len(set(by)) < LEAST:
-        raise InputError(f"{counted(len(set(by)), 'point')} of the fit named ({some_of(by, 5)}); axes need {LEAST}")
+        raise InputError("fit.too_few_selected", n=len(set(by)), names=by, least=LEAST)
     if len(names) < LEAST:
-        raise InputError(
-            f"{len(names)} of {len(nominal.ids)} nominal points are measured under the same name; a fit needs "
-            f"{LEAST} (missing: {some_of(missing, 5) or 'none'})"
-        )
+        raise InputError("fit.too_few_common", n=len(names), nominal=len(nominal.ids), least=LEAST, missing=missing)
     return names, missing, np.isin(names, list(by)) if by else np.ones(len(names), bool)
 
 
 def _check_places(measured: Array, nominal: Array, names: Sequence[str]) -> None:
     for what, xyz in (("measured", measured), ("nominal", nominal)):
         if in_one_line(xyz):
-            raise InputError(
-                f"the {counted(len(xyz), 'point')} by which axes are fitted ({some_of(names, 5)}) lie in one line, or "
-                f"are one point, as they are {what}: axes need three points or more that are not in one line"
-            )
+            raise InputError("fit.points_in_line", n=len(xyz), names=names, kind=what)
 
 
 def _deviations(here: PointSet, target: Array, own: Array, fitted: Mask, G: Array, gain: Array) -> tuple[Array, Array]:
@@ -268,7 +259,5 @@ def _gain(here: PointSet, own: Array, G: Array, rows: Mask, weighting: Weighting
     try:
         half = np.linalg.inv(np.linalg.cholesky(Q))
     except np.linalg.LinAlgError:
-        raise InputError(
-            "the joint covariance of the fitted points is singular: some are held without error; fit by equal weights"
-        ) from None
+        raise InputError("fit.covariance_singular") from None
     return np.linalg.pinv(half @ Gf) @ half

@@ -133,8 +133,7 @@ def congruence(
     free_scale = any(e.free_scale for e in epochs) if scale is None else scale
     known = np.isin(ids, list(datum))
     if datum and known.sum() < len(datum):
-        missing = ", ".join(sorted(set(datum) - set(ids))[:10])
-        raise InputError(f"points of the datum are not common to all epochs: {missing}")
+        raise InputError("epochs.datum_points_missing", names=sorted(set(datum) - set(ids)))
     stayed = known if datum else _alike(first, sets[1:], scale=free_scale)
     model = _model(first, sets[1:], stayed, scale=free_scale)
     alpha = significance / n
@@ -160,13 +159,10 @@ def congruence(
 def common_ids(epochs: Sequence[PointSet]) -> tuple[str, ...]:
     """Names of points that all epochs have, in the order of the first; raises InputError for fewer than four."""
     if len(epochs) < 2:
-        raise InputError("epochs: two or more measurements are compared")
+        raise InputError("epochs.only_one")
     both = set(epochs[0].ids).intersection(*(e.ids for e in epochs[1:]))
     if len(both) < LEAST:
-        raise InputError(
-            f"{' and '.join(e.name for e in epochs[:3])} have {len(both)} points in common, by their names; {LEAST} "
-            "are needed, three for the datum and one that is tested: name the points alike"
-        )
+        raise InputError("epochs.too_few_common", epochs=[e.name for e in epochs], n=len(both), least=LEAST)
     return tuple(i for i in epochs[0].ids if i in both)
 
 
@@ -193,7 +189,7 @@ def _alike(first: PointSet, later: Sequence[PointSet], *, scale: bool) -> Mask:
         size = np.sqrt(np.linalg.eigvalsh(first.own + e.own)[:, -1])
         tolerance = AGREE * float(np.median(size[size > 0])) if (size > 0).any() else 0.0
         if tolerance == 0:
-            raise InputError(f"{first.name} and {e.name} state no standard deviations: there is nothing to test")
+            raise InputError("epochs.no_sigmas", first=first.name, second=e.name)
         alike &= robust_similarity(e.xyz, first.xyz, tolerance, scale=None if scale else 1.0)[1]
     return alike if alike.sum() >= LEAST - 1 else np.ones(len(first.ids), bool)
 
@@ -250,10 +246,7 @@ class _Model:
         try:
             half = np.linalg.inv(np.linalg.cholesky(Q + fill * B @ B.T))
         except np.linalg.LinAlgError:
-            raise InputError(
-                "the joint covariance of the epochs is singular beyond the datum: points that are held without error "
-                "cannot be tested; adjust the epochs as free networks"
-            ) from None
+            raise InputError("epochs.covariance_singular") from None
         HB, R = np.linalg.qr(half @ B)
         weights = half.T @ (half - HB @ (HB.T @ half))
         return _Stayed(rows=rows, inverse=half.T @ half, by_datum=np.linalg.solve(R, HB.T @ half), R=R, fill=fill,

@@ -48,7 +48,7 @@ def between(first: PointSet, other: PointSet, points: Sequence[str], *, placed: 
     Both have a scale of their own.  What it does not tell: which of both is wrong.
     """
     if len(points) < FEWEST:
-        raise InputError(f"{first.name} and {other.name} are compared by {FEWEST} or more points, not {len(points)}")
+        raise InputError("frames.too_few_points", first=first.name, second=other.name, n=len(points), least=FEWEST)
     a, b = first.named(points), other.named(points)
     by = None if placed else similarity(b.xyz, a.xyz)
     here, known = (b, 1.0) if by is None else (b.moved(by), by.scale)
@@ -60,10 +60,7 @@ def between(first: PointSet, other: PointSet, points: Sequence[str], *, placed: 
     try:
         half = np.linalg.inv(np.linalg.cholesky(Q))
     except np.linalg.LinAlgError:
-        raise InputError(
-            f"the joint covariance of {first.name} and {other.name} is singular: points that are held without error "
-            "cannot be compared"
-        ) from None
+        raise InputError("frames.covariance_singular", first=first.name, second=other.name) from None
     N = half @ B
     C = np.linalg.inv(N.T @ N)
     t = C @ N.T @ half @ (here.xyz - a.xyz).ravel()

@@ -153,22 +153,20 @@ def length_test(
     contradict each other.
     """
     if not known:
-        raise InputError("a length test needs a known length")
+        raise InputError("length_test.no_length")
     if measured.free_scale:
-        raise InputError(
-            f"{measured.name}: nothing measured the scale, so that lengths are in no unit; give a scale bar"
-        )
+        raise InputError("length_test.no_scale", name=measured.name)
     place = {name: k for k, name in enumerate(measured.ids)}
     missing = sorted({i for k in known for i in (k.start, k.end) if i not in place})
     if missing:
-        raise InputError(f"{measured.name} has no point {', '.join(missing[:10])}")
+        raise InputError("measurement.unknown_points", name=measured.name, points=missing)
     a, b = (np.array([place[getattr(k, end)] for k in known]) for end in ("start", "end"))
     way = measured.xyz[b] - measured.xyz[a]
     length = np.linalg.norm(way, axis=1)
     wanted, wanted_sigma = np.array([k.length for k in known]), np.array([k.sigma for k in known])
     if not ((length > 0) & (wanted > 0)).all() or not (wanted_sigma >= 0).all():
         k = known[int(np.argmin((length > 0) & (wanted > 0) & (wanted_sigma >= 0)))]
-        raise InputError(f"length {k.start} to {k.end}: {k.length:g} m with a standard deviation of {k.sigma:g} m")
+        raise InputError("length_test.invalid_length", start=k.start, end=k.end, length_m=k.length, sigma_m=k.sigma)
     J = np.zeros((len(known), 3 * len(measured.ids)))
     for j in range(len(known)):
         J[j, 3 * b[j] : 3 * b[j] + 3] += way[j] / length[j]
@@ -178,7 +176,7 @@ def length_test(
     error, sigma = length - wanted, np.sqrt(np.diagonal(D))
     if not (sigma > 0).all():
         k = known[int(np.argmin(sigma))]
-        raise InputError(f"length {k.start} to {k.end} has no error: both ends are held; it is no test")
+        raise InputError("length_test.no_error", start=k.start, end=k.end)
     A, K = allowed or (float("nan"), float("nan"))
     served = np.array([frozenset((k.start, k.end)) in bars for k in known], bool)
     some = ~served if not served.all() else np.ones(len(known), bool)

@@ -33,11 +33,11 @@ class PointSet:
         n = len(self.ids)
         if self.xyz.shape != (n, 3) or self.covariance.shape != (3 * n, 3 * n):
             raise InputError(
-                f"{self.name}: {n} points, coordinates {self.xyz.shape}, covariance {self.covariance.shape}"
+                "measurement.shapes", name=self.name, n=n, xyz=self.xyz.shape, covariance=self.covariance.shape
             )
         if len(set(self.ids)) != n:
             twice = next(i for i in self.ids if self.ids.count(i) > 1)
-            raise InputError(f"{self.name}: point {twice} is there twice")
+            raise InputError("measurement.point_twice", name=self.name, point=twice)
 
     def rows(self, at: Sequence[int] | Index) -> PointSet:
         """Some of the points."""
@@ -52,7 +52,7 @@ class PointSet:
         place = {name: k for k, name in enumerate(self.ids)}
         missing = [i for i in ids if i not in place]
         if missing:
-            raise InputError(f"{self.name} has no point {', '.join(missing[:10])}")
+            raise InputError("measurement.unknown_points", name=self.name, points=missing)
         return self.rows([place[i] for i in ids])
 
     def moved(self, by: SimilarityTransform) -> PointSet:

@@ -1,0 +1,12 @@
+control_left_out = { $n } { $n ->
+        [one] Passpunkt
+       *[other] Passpunkte
+     } aus { $name } { $n ->
+        [one] widerspricht
+       *[other] widersprechen
+     } den übrigen und { $n ->
+        [one] ist
+       *[other] sind
+     } ausgeschlossen: { $ids }.
+    .why = Die übrigen stimmen auf { NUM($rms_mm, digits: 2) } mm (rms) überein; ausgeschlossene Punkte werden mit dem Ergebnis verglichen.
+    .do = Ihre Koordinaten und Namen prüfen.

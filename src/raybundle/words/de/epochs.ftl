@@ -1,0 +1,36 @@
+epochs-datum_points_missing = Datumspunkte sind nicht in allen Epochen gemessen: { $names }.
+    .do = Datumspunkte wählen, die alle Epochen haben.
+
+epochs-only_one = Ein Kongruenztest braucht mindestens zwei Epochen.
+    .do = Zwei oder mehr Messungen angeben.
+
+epochs-too_few_common = { $epochs }: { $n } Punkte haben gemeinsame Namen; nötig sind { $least }.
+    .why = Drei Punkte bestimmen das Datum, ein weiterer lässt sich prüfen.
+    .do = In allen Epochen dieselben Punktnamen verwenden.
+
+epochs-no_sigmas = { $first } und { $second } haben keine Standardabweichungen.
+    .why = Ohne sie lässt sich keine Verschiebung prüfen.
+    .do = Ergebnisse mit Kovarianzen angeben.
+
+epochs-covariance_singular = Die gemeinsame Kovarianzmatrix der Epochen ist über das Datum hinaus singulär.
+    .why = Fehlerfrei gehaltene Punkte lassen sich nicht prüfen.
+    .do = Die Epochen als freie Netze ausgleichen.
+
+epochs-mirrored = Die Punkte von { $first } und { $second } sind Spiegelbilder: Gespiegelt passen sie auf { NUM($rms_mm, digits: 2) } mm (rms).
+    .do = Die Achsen beider Epochen prüfen und ob Bilder gespiegelt wurden.
+
+epochs-scattered = Die Punkte von { $first } und { $second } passen nicht: Nur { $agree } von { $n } stimmen überein.
+    .why = Die Namen gehören zu anderen Objekten oder sind vertauscht.
+    .do = Die Punktnamen beider Epochen prüfen.
+
+epochs-other_unit = Strecken in { $first } sind { NUM($factor, digits: 6) }-mal so lang wie in { $second }.
+    .why = Die Längeneinheit einer Epoche ist falsch (vermutlich { $units }).
+    .do = Die Längeneinheit oder die Maßstabsstrecke berichtigen.
+
+epochs-points_in_line = Die { $n } gemeinsamen Punkte liegen in { $epoch } auf einer Geraden oder sind ein Punkt.
+    .why = Ein Datum braucht drei Punkte, die nicht auf einer Geraden liegen ({ $names }).
+    .do = Gemeinsame Punkte neben dieser Geraden messen.
+
+epochs-same_observations = { $first } und { $second } sind dieselbe Messung (Differenzen { NUM($apart_mm, digits: 2) } mm, Sigma { NUM($sigma_mm, digits: 2) } mm).
+    .why = Eine Messung, mit sich selbst verglichen, zeigt keine Verschiebung.
+    .do = Das Ergebnis einer anderen Epoche angeben.

@@ -1,0 +1,19 @@
+fit-unknown_points = Für die Einpassung gewählte Punkte sind nicht zugleich gemessen und Sollpunkte: { $names }.
+    .do = Die Namen berichtigen oder diese Punkte weglassen.
+
+fit-too_few_selected = Nur { $n } Punkte sind für die Einpassung gewählt ({ $names }).
+    .do = Mindestens { $least } Punkte wählen.
+
+fit-too_few_common = { $n } von { $nominal } Sollpunkten sind unter demselben Namen gemessen; nötig sind { $least }.
+    .do = In beiden dieselben Namen verwenden; nicht gemessen: { $missing }.
+
+fit-points_in_line = Die { $n } { $kind ->
+        [nominal] Sollpunkte
+       *[measured] gemessenen Punkte
+     } der Einpassung liegen auf einer Geraden oder sind ein Punkt.
+    .why = Die Drehung um diese Gerade ist nicht bestimmt ({ $names }).
+    .do = Drei Punkte wählen, die nicht auf einer Geraden liegen.
+
+fit-covariance_singular = Die gemeinsame Kovarianzmatrix der eingepassten Punkte ist singulär.
+    .why = Einige dieser Punkte sind fehlerfrei gehalten.
+    .do = Mit gleichen Gewichten einpassen.

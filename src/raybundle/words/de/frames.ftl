@@ -1,0 +1,4 @@
+frames-too_few_points = { $first } und { $second }: { $n } gemeinsame Punkte; ein Vergleich braucht { $least }.
+
+frames-covariance_singular = { $first } und { $second }: Die gemeinsame Kovarianzmatrix ist singulär.
+    .why = Fehlerfrei gehaltene Punkte lassen sich nicht vergleichen.

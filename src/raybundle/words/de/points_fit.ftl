@@ -1,0 +1,5 @@
+points_fit-apart = { $point }: { $apart_mm } mm Abstand.
+
+points_fit-names_exchanged = Mit vertauschten Namen { $first } und { $second } passen beide.
+
+points_fit-instead = Statt dessen { $names } auszuschließen erklärt die Unterschiede ebenso gut.

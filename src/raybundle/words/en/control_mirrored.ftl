@@ -1,0 +1,15 @@
+# $name = "control.csv"
+# $n = 12
+# $agree = 5
+# $rms_mm = 0.31
+# $rms_same_scale_mm = 2.4
+# $factor = 1.0012
+# $factor_sigma = 2e-05
+# $scale_ppm = 1200.0
+# $sigma_ppm = 20.0
+# $near_1 = true
+# $units = ""
+# $ids = ["A", "B"]
+control_mirrored = The control coordinates of { $name } are mirrored: mirrored they fit to { NUM($rms_mm, digits: 2) } mm rms.
+    .why = No control point takes part.
+    .do = Correct the axes in the file: two are exchanged, or one has the opposite sign.

@@ -1,0 +1,10 @@
+# $first = "a"
+# $second = "b"
+# $n = 2
+# $least = 3
+frames-too_few_points = { $first } and { $second }: { $n } common points; a comparison needs { $least }.
+
+# $first = "a"
+# $second = "b"
+frames-covariance_singular = { $first } and { $second }: the joint covariance matrix is singular.
+    .why = Points that are held without error cannot be compared.

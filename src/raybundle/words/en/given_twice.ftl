@@ -1,0 +1,7 @@
+# $kind = "scale_bar"
+# $n = 1
+# $ids = ["A1 - A2"]
+given_twice = { $kind ->
+        [scale_bar] Scale bars
+       *[length] Lengths
+     } given twice and counted once: { LIST($ids, most: 10) }.

@@ -1,0 +1,13 @@
+# $n = 12
+# $agree = 5
+# $rms_mm = 0.31
+# $rms_same_scale_mm = 2.4
+# $factor = 1.0012
+# $factor_sigma = 2e-05
+# $scale_ppm = 1200.0
+# $sigma_ppm = 20.0
+# $near_1 = true
+# $units = ""
+nominal_mirrored = The nominal coordinates are mirrored: mirrored they fit to { NUM($rms_mm, digits: 2) } mm rms.
+    .why = Two axes are exchanged, or one axis has the opposite sign.
+    .do = Correct the axes in the file of nominal coordinates.

@@ -1,0 +1,13 @@
+# $n = 12
+# $agree = 5
+# $rms_mm = 0.31
+# $rms_same_scale_mm = 2.4
+# $factor = 1.0012
+# $factor_sigma = 2e-05
+# $scale_ppm = 1200.0
+# $sigma_ppm = 20.0
+# $near_1 = true
+# $units = ""
+nominal_names = Nominal and measured points do not fit: only { $agree } of { $n } agree, to { NUM($rms_mm, digits: 2) } mm rms.
+    .why = The names belong to another object, or are exchanged.
+    .do = Check the point names of both files.

@@ -1,0 +1,1 @@
+correlation-contained = Les écarts-types des points contiennent cette corrélation.

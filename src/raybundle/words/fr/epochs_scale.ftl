@@ -1,0 +1,4 @@
+epochs_scale = Les époques { $first } et { $second } diffèrent en échelle de { $near_1 ->
+        [yes] { NUM($scale_ppm, digits: 4) } ppm
+       *[no] un facteur de { NUM($factor, digits: 6) }
+     }.

@@ -1,0 +1,4 @@
+given_twice = { $kind ->
+        [scale_bar] Règles
+       *[length] Longueurs
+     } données deux fois et comptées une fois : { LIST($ids, most: 10) }.

@@ -1,0 +1,7 @@
+length_test-no_length = Un contrôle de longueurs demande au moins une longueur connue.
+
+length_test-no_scale = { $name } : aucune observation ne fixe l'échelle ; les longueurs sont sans unité.
+
+length_test-invalid_length = Longueur { $start } - { $end } : { $length_m } m avec écart-type { $sigma_m } m n'est pas valable.
+
+length_test-no_error = La longueur { $start } - { $end } est sans erreur : ses deux extrémités sont fixées.

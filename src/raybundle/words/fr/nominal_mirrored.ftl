@@ -1,0 +1,1 @@
+nominal_mirrored = Les coordonnées nominales sont inversées (image miroir).

@@ -1,0 +1,1 @@
+nominal_wrong = { $wrong } point(s) s'écartent du nominal bien plus que les autres : { $ids }.

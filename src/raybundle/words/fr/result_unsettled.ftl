@@ -1,0 +1,1 @@
+result_unsettled = Le résultat utilisé { $name } a { $n } défaut(s).
