@@ -34,7 +34,7 @@ from renderer.judging import robust_chi_square, statistics
 from renderer.truth import Surface, read_surface
 from scipy.ndimage import label
 
-from raybundle.surfaces.height_model import HeightModel
+from raybundle.surfaces.height_model import HeightModel, SumOfHeights
 from raybundle.surfaces.resampled import difference
 from raybundle.surfaces.volumes import volume
 from raybundle.workflows.height_files import HeightFile, read_heights
@@ -186,8 +186,14 @@ def classes_of(ground: Ground) -> NDArray[np.int8]:
 
 
 def of_squares(model: HeightModel, truth: Array, codes: NDArray[np.int8], side: int) -> list[dict[str, Any]]:
-    """Means of squares by class of place."""
-    kinds, errors, sigmas = list[int](), list[float](), list[float]()
+    """Means of squares by class of place, each by its own standard deviation, and all of a class by their covariance.
+
+    Orientation moves all squares of a set by a shift and two tilts: what they have in common is three draws, however
+    many squares there are.  By the covariance of squares that do not overlap these count as three, and the rest is
+    judged beside them.
+    """
+    kinds, errors, sums = list[int](), list[float](), list[SumOfHeights]()
+    boxes = list[tuple[int, int]]()
     known = model.known & (codes >= 0)
     for top in range(0, codes.shape[0] - side + 1, max(side // 2, 1)):
         for left in range(0, codes.shape[1] - side + 1, max(side // 2, 1)):
@@ -203,8 +209,20 @@ def of_squares(model: HeightModel, truth: Array, codes: NDArray[np.int8], side: 
             found = model.sum_of(w)
             kinds.append(int(count.argmax()))
             errors.append(found.value - float((w * truth).sum()))
-            sigmas.append(found.sigma)
-    return rows_of(np.array(kinds, np.int8), np.array(errors), np.array(sigmas))
+            sums.append(found)
+            boxes.append((top, left))
+    rows = rows_of(np.array(kinds, np.int8), np.array(errors), np.array([x.sigma for x in sums]))
+    for row in rows:
+        mine = list[int]()
+        for k, kind in enumerate(kinds):
+            apart = all(max(abs(a - b) for a, b in zip(boxes[k], boxes[m], strict=True)) >= side for m in mine)
+            if apart and row["class"] in {NAMES[kind], "all"}:
+                mine.append(k)
+        moved = np.array([sums[k].moved for k in mine])
+        C = moved @ moved.T + np.diag([sums[k].local ** 2 for k in mine])
+        free = np.linalg.solve(np.linalg.cholesky(C), np.array(errors)[mine])
+        row |= {"apart": len(mine), "joint": robust_chi_square(free), "joint_mean": float(np.mean(free**2))}
+    return rows
 
 
 def outlines(
@@ -322,6 +340,7 @@ def printed(title: str, rows: list[dict[str, Any]]) -> None:
             f"{100 * r['beyond_5_sigma']:>9.2f} %{r['sigma_mm']:>10.3f}{r['error_mm']:>10.3f}{r['bias_mm']:>10.3f}"
             f"{r['spearman']:>10.2f}"
             + (f"{r['noise_mm']:>10.3f} noise{r['roughness_mm']:>10.3f} roughness" if "noise_mm" in r else "")
+            + (f"   jointly {r['joint']:.2f}, mean {r['joint_mean']:.2f}, of {r['apart']}" if "joint" in r else "")
         )
 
 

@@ -191,6 +191,28 @@ def test_steps_along_an_edge_do_not_average_out_as_noise_does():
     assert 0.01**2 > both[1] > both[2] > 0
 
 
+def test_steps_of_clutter_average_out_as_noise_does():
+    """They go up and down on all sides: no more than 1 % of the variance is common to cells a window apart."""
+    height = np.random.default_rng(9).normal(0, 0.02, SHAPE)
+    quiet, rough = made(height), made(height, step=0.01)
+    w = np.full(SHAPE, 1 / 96 / 64)
+    by_steps = rough.sum_of(w).local ** 2 - quiet.sum_of(w).local ** 2
+    assert by_steps == pytest.approx(0.01**2 / (96 * 64), rel=0.6)
+    one = np.arange(SHAPE[0] * SHAPE[1] - 4)
+    apart = rough.covariance(one, one + 4) - quiet.covariance(one, one + 4)
+    assert 0 <= apart.mean() < 0.01 * 0.01**2
+
+
+def test_noise_of_heights_is_no_step():
+    rng = np.random.default_rng(10)
+    relief, noise = rng.normal(0, 0.03, SHAPE), 0.02
+    alone = steps_of(relief, np.full(SHAPE, 1e-6), 4.0, 0.01)
+    seen = steps_of(relief + rng.normal(0, noise, SHAPE), np.full(SHAPE, noise), 4.0, 0.01)
+    there = seen > 0
+    assert there.mean() > 0.9
+    assert np.mean(seen[there] ** 2) == pytest.approx(np.mean(alone[there] ** 2), rel=0.05)
+
+
 @pytest.mark.parametrize("power", [0.6, 1.2])
 def test_holes_are_filled_within_what_is_stated(power):
     """Of surfaces whose increments grow with a power of the distance."""

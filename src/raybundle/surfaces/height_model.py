@@ -17,7 +17,7 @@ from raybundle.surfaces.cell_factors import factors_of
 from raybundle.surfaces.grids import filtered
 from raybundle.surfaces.heights import BETWEEN_MAPS, Heights, between
 from raybundle.surfaces.nodes import covariances, splat
-from raybundle.surfaces.relief import AROUND_EDGE, alike, edges, variance_by_steps, variance_of_alike
+from raybundle.surfaces.relief import AROUND_EDGE, alike, along_edges, variance_by_steps, variance_of_alike
 
 REACH = 3.0
 """Lengths of correlation up to which cells are taken as correlated: 1 / 8000 is left beyond."""
@@ -164,7 +164,7 @@ class HeightModel:
         found = max(found, 0.0)
         step = np.where(there, w * h.step[box].astype(float), 0.0)
         if step.any():
-            found += variance_by_steps(step, self.length, edges(h.height[box]))
+            found += variance_by_steps(step, self.length, along_edges(h.height[box]))
         if self.blocks is not None:
             found += variance_of_alike(w * self.blocks.sigma[box], self.blocks.reach)
         if self.holes is None:
@@ -208,8 +208,8 @@ class HeightModel:
             )
             top, left = (max(int(min(a.min(), b.min())) - AROUND_EDGE, 0) for a, b in ((r, r2), (c, c2)))
             down, right = (int(max(a.max(), b.max())) + AROUND_EDGE + 1 for a, b in ((r, r2), (c, c2)))
-            along = edges(h.height[top:down, left:right])
-            common = near + far * along[r - top, c - left] * along[r2 - top, c2 - left]
+            along = along_edges(h.height[top:down, left:right])
+            common = (near + far) * along[r - top, c - left] * along[r2 - top, c2 - left]
             found += np.where(one == other, 1.0, common) * h.step.flat[one].astype(float) * h.step.flat[other]
         if self.blocks is not None:
             alike_there = np.exp(-(apart[0] ** 2 + apart[1] ** 2) / self.blocks.reach**2)

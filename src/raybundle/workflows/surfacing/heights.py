@@ -32,7 +32,7 @@ from raybundle.workflows.height_tiles import BLOCK_CELLS, TILE_CELLS, tile_of_nu
 from raybundle.workflows.surface_state import SURFACE, MeasuredHeights
 from raybundle.workflows.surface_tasks import adjustment_key, all_done, stored_part, stored_together
 
-VERSION, STEPS_VERSION = 6, 3
+VERSION, STEPS_VERSION = 6, 4
 ABOVE, LAYER, TILE = "surface above", "surface layer", "surface heights"
 """First words of the keys of what is kept"""
 SAMPLES = 48
