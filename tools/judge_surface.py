@@ -4,7 +4,7 @@ FOLDER is what tools/render.py wrote, SURFACE what
 raybundle surface PROJECT --out SURFACE --horizontal --dsm CELL
 wrote for a project that was oriented with control of the folder. Nothing is fitted to the truth.
 
-points   errors along the normal of the true surface, of points.ply
+points   of points.ply, errors along their rays, and along normals of planes through the true surface in their windows
 cells    errors of single heights, against the mean of the true surface over the cell
 means    of squares of 100 pixels (20 cm at 2 mm), every half of a side; a square is of the class of 90 % of its cells
 volumes  200 outlines that are drawn, above a level base, and above the plane of their rims; their true areas
@@ -143,28 +143,37 @@ def rows_of(classes: NDArray[np.int8], error: Array, sigma: Array) -> list[dict[
     return found
 
 
-def of_points(surface: Surface, folder: Path, path: Path) -> list[dict[str, Any]]:
-    """Points of the cloud by class of place; their standard deviations are those along rays, seen along the normal."""
+def of_points(surface: Surface, folder: Path, path: Path, *, along: str = "ray") -> list[dict[str, Any]]:
+    """Points of the cloud by class of place.
+
+    along  "ray": errors along the ray of a point, as its noise and roughness are stated; "normal": along the normal of
+           the plane of best fit in its window. Where the surface is even both are the same. Across a step or a crease
+           that plane is no surface: its normal leans away from the ray, and with the angle between both errors grow by
+           1 / cos while standard deviations shrink by cos, also those of points that lie well.
+    """
     v, names = read_ply(path)
     xyz = np.stack([v[n] for n in ("x", "y", "z")], axis=1)
     inside = np.flatnonzero(surface.in_core(xyz))
     some = np.sort(np.random.default_rng(SEED).choice(inside, min(POINTS, len(inside)), replace=False))
     xyz = xyz[some]
     half = WINDOW_PX * surface.gsd
-    normals = surface.normals(xyz, half)
-    error = surface.window_distances(xyz, normals, half)
-    near = np.abs(error) < NEAR_PX * surface.gsd
-    exact = surface.distances(xyz[near], normals[near])
-    error[near] = np.where(np.isfinite(exact), exact, error[near])
     cameras = {row["name"]: row["centre_m"] for row in json.loads((folder / "truth" / "cameras.json").read_text())}
     centre = np.array([cameras[name] for name in names])[v["image"][some].astype(int)]
     ray = (centre - xyz) / np.linalg.norm(centre - xyz, axis=1, keepdims=True)
+    lines = ray if along == "ray" else surface.normals(xyz, half)
+    error = surface.window_distances(xyz, lines, half)
+    near = np.abs(error) < NEAR_PX * surface.gsd
+    exact = surface.distances(xyz[near], lines[near])
+    error[near] = np.where(np.isfinite(exact), exact, error[near])
     noise, rough = (v[f"sigma_{n}"][some] ** 2 for n in ("noise", "roughness"))
     # parts along the ray have no axes: what is left of the axes' variances is that of orientation
     whole = np.stack([v[f"sigma_{n}"][some] for n in "xyz"], axis=1) ** 2
     other = np.maximum(whole - (noise + rough)[:, None] * ray**2, 0)
-    seen = (ray * normals).sum(axis=1) ** 2
-    sigma = np.sqrt((noise + rough) * seen + (other * normals**2).sum(axis=1))
+    if along == "ray":
+        # orientation moves the ray as well: a surface that is nearly level feels what it does to heights
+        sigma = np.sqrt(noise + rough + other[:, 2] / ray[:, 2] ** 2)
+    else:
+        sigma = np.sqrt((noise + rough) * (ray * lines).sum(axis=1) ** 2 + (other * lines**2).sum(axis=1))
     codes = surface.classes_at(xyz, half)
     rows = rows_of(codes, error, sigma)
     for row in rows:
@@ -218,9 +227,9 @@ def of_squares(model: HeightModel, truth: Array, codes: NDArray[np.int8], side: 
             apart = all(max(abs(a - b) for a, b in zip(boxes[k], boxes[m], strict=True)) >= side for m in mine)
             if apart and row["class"] in {NAMES[kind], "all"}:
                 mine.append(k)
-        moved = np.array([sums[k].moved for k in mine])
+        moved = np.array([sums[k].moved for k in mine], float)
         C = moved @ moved.T + np.diag([sums[k].local ** 2 for k in mine])
-        free = np.linalg.solve(np.linalg.cholesky(C), np.array(errors)[mine])
+        free = np.asarray(np.linalg.solve(np.linalg.cholesky(C), np.array(errors)[mine]), float)
         row |= {"apart": len(mine), "joint": robust_chi_square(free), "joint_mean": float(np.mean(free**2))}
     return rows
 
@@ -361,6 +370,7 @@ def judged(folder: Path, made: Path, seed: int, *, volumes: bool) -> dict[str, A
     }
     found: dict[str, Any] = {
         "points": of_points(surface, folder, made / "points.ply"),
+        "points along normals": of_points(surface, folder, made / "points.ply", along="normal"),
         "cells": rows_of(codes[codes >= 0], (h.height - truth)[codes >= 0], np.asarray(model.sigma, float)[codes >= 0]),
         "means": of_squares(model, truth, codes, round(SQUARE_PX * surface.gsd / file.cell)),
         "complete": complete,
@@ -381,7 +391,7 @@ def main() -> None:
     parser.add_argument("--json", type=Path)
     o = parser.parse_args()
     found = judged(o.folder, o.surface, o.seed, volumes=not o.no_volumes)
-    for kind in ("points", "cells", "means"):
+    for kind in ("points", "points along normals", "cells", "means"):
         printed(kind, found[kind])
     print("complete  " + "  ".join(f"{k} {100 * v:.1f} %" for k, v in found["complete"].items()))
     if o.later:
