@@ -251,25 +251,47 @@ def test_surfaces_of_second_degree_have_no_misfit(stride):
     assert np.isnan(roughness.of_neighbours(found)[~(np.isfinite(found).sum(axis=0) >= 3)]).all()
 
 
-def test_local_variances_follow_misfits_and_residuals():
+def test_local_variances_follow_neighbours_and_residuals():
     rng = np.random.default_rng(6)
     shape = 60, 80
     variance, brightness = np.full(shape, 4e-6), np.full(shape, 100.0)
-    misfit, residual = 4e-6 * rng.chisquare(8, shape) / 8, 9 * rng.chisquare(60, shape) / 60
-    usual = roughness.local_factor(variance, misfit, residual, brightness, 4)
+    drawn = [4e-6 * rng.chisquare(8, shape) / 8 for _ in range(3)]
+    shown = roughness.Witnesses(misfit=drawn[0], near=drawn[1], bend=drawn[2])
+    residual = 9 * rng.chisquare(60, shape) / 60
+    usual = roughness.local_factor(variance, shown, residual, brightness)
     assert np.median(usual) == pytest.approx(np.exp(roughness.LEFT / 2), rel=0.1)
-    residual[20:30] *= 4
-    rough = roughness.local_factor(variance, misfit, residual, brightness, 4)
-    assert np.median((rough / usual)[20:30]) == pytest.approx(4**roughness.BY_RESIDUAL, rel=0.1)
-    misfit[40:50] *= 10
-    apart = roughness.local_factor(variance, misfit, residual, brightness, 4)
-    exponent = roughness.BY_MISFIT + roughness.BY_MISFIT_AROUND
-    assert np.median((apart / rough)[42:48]) == pytest.approx(10**exponent, rel=0.2)
+    # below BEYOND times the usual variance residuals show nothing
+    for times, expected in ((1.5, 1.0), (8.0, (8.0 / roughness.BEYOND) ** roughness.BY_RESIDUAL)):
+        rough = roughness.local_factor(
+            variance, shown, np.where(np.arange(60)[:, None] == 20, times, 1) * residual, brightness
+        )
+        assert np.median((rough / usual)[20]) == pytest.approx(expected, rel=0.05)
+    for name, exponent in (("misfit", roughness.BY_MISFIT), ("near", roughness.BY_NEAR), ("bend", roughness.BY_BEND)):
+        values = getattr(shown, name).copy()
+        values[40:50] *= 10
+        apart = roughness.local_factor(variance, replace(shown, **{name: values}), residual, brightness)
+        assert np.median((apart / usual)[42:48]) == pytest.approx(10**exponent, rel=0.1)
     # a sensor whose noise grows with the brightness tells nothing of the surface
     brightness[:, 40:] = 200
     residual = np.where(brightness > 150, 36.0, 9.0) * rng.chisquare(60, shape) / 60
-    both = roughness.local_factor(variance, np.full(shape, 4e-6), residual, brightness, 4)
+    both = roughness.local_factor(variance, shown, residual, brightness)
     assert np.median(both[:, 40:]) == pytest.approx(np.median(both[:, :40]), rel=0.1)
+
+
+@pytest.mark.parametrize("stride", [1, 2])
+def test_neighbours_show_creases_and_waves_within_windows(stride):
+    """Slopes differ across a crease; what waves within windows stands out among near neighbours."""
+    x = np.arange(120.0) * stride
+    crease = 40.0 * stride
+    wave = np.where(x > 60 * stride, 1e-3 * np.cos(np.pi * x / 4), 0.0)
+    t = np.tile(1e-2 * np.abs(x - crease) + wave, (40, 1)).astype(np.float32)
+    slope = np.tile(1e-2 * np.clip((x - crease) / 4, -1, 1), (40, 1)).astype(np.float32)
+    shown = roughness.witnesses(t, np.stack([slope, np.zeros_like(slope)]), stride)
+    even, bent, rough = 20, 40, 100
+    assert np.median(shown.bend[10:30, bent]) == pytest.approx((roughness.APART_PX * 1e-2) ** 2, rel=1e-3)
+    assert np.median(shown.bend[10:30, even]) == 0
+    assert np.median(shown.near[10:30, rough]) > 1e-7
+    assert np.median(shown.near[10:30, even]) < 1e-12
 
 
 def test_planes_keep_to_what_they_stand_on():

@@ -347,10 +347,10 @@ def _map(
     rim  (rows, columns) pixels whose windows show other things, too; None: none is known
     """
     t, slopes, known = fine.t, fine.slopes, np.isfinite(fine.t)
-    misfit = roughness.misfit(t, slopes, grid.stride)
-    factor = roughness.local_factor(fine.theory, misfit, fine.residual, grid.of(level.reference), grid.stride)
+    shown = roughness.witnesses(t, slopes, grid.stride)
+    factor = roughness.local_factor(fine.theory, shown, fine.residual, grid.of(level.reference))
     variance = fine.theory * factor
-    del misfit, factor
+    del shown, factor
     place, scale = level.in_photograph(grid), np.float32(level.scale)
     incidence = incidences(level.rays, place, t, smoothed(slopes, known, grid.stride) / scale)
     several = len(level.sources) > 1

@@ -5,9 +5,9 @@ Of a surface between its refined pixels increments grow with a power of the dist
 which tilts do not touch.  A depth is the middle of the window seen through the window's response h; its error is the
 increment of weights delta - h, and has the variance -(delta - h)' c |r|^p (delta - h).
 
-That is the variance of a usual pixel of the place.  The local one is a factor of it, known from two witnesses: how
-well planes of neighbours agree (`misfit`), and residuals of grey values beyond the map's noise, which show that the
-plane does not fit.
+That is the variance of a usual pixel of the place.  The local one is a factor of it, known from witnesses: how well
+planes of neighbours agree, how much their slopes differ, and residuals of grey values far beyond the map's noise, which
+show that the plane does not fit.
 """
 
 from __future__ import annotations
@@ -29,15 +29,18 @@ APART_PX = 4
 """To neighbours whose windows have little in common: weights of 1.9 px overlap by a third."""
 FEWEST = 3
 """Neighbours that have to be known; else there is no misfit."""
-MOST = 20.0
-"""Of the usual misfit, above which neighbours' misfits count no more."""
-BY_MISFIT, BY_MISFIT_AROUND, BY_RESIDUAL = 0.4, 0.28, 0.1
-"""Exponents by which the variance follows its witnesses: least squares of the logarithm of squared errors of exactly
-known surfaces (benchmarks/surface_roughness.py): the portal and two terrains, which gave the same but for residuals.
-Those follow what the surface does on the portal alone (0.6); where it is rough all over the variogram knows it."""
+NEAR_PX = 2
+"""To neighbours whose windows are nearly the same: their noise is alike, and what they differ by is the surface."""
+BY_MISFIT, BY_NEAR, BY_BEND = 0.3, 0.22, 0.15
+"""Exponents by which the variance follows its witnesses: least squares of the logarithm of squared errors along rays
+of exactly known surfaces (benchmarks/surface_roughness.py): a terrain and the portal gave 0.33 and 0.24, 0.21 and 0.24,
+0.13 and 0.28.  Misfits of surroundings add nothing to them."""
+BY_RESIDUAL, BEYOND = 0.4, 2.0
+"""The same of residuals as far as they are beyond so many usual variances; below they show nothing of the surface.
+Of the terrain; on the portal the variance follows them twice as fast (1.15)."""
 LEFT = 0.1
-"""Variance of the logarithm of a variance that witnesses leave on the terrains, by the same least squares, beside the
-pi^2 / 2 of normal errors.  The mean of a variance is exp(LEFT / 2) times its median."""
+"""Variance of the logarithm of a variance that witnesses leave (0 on the terrain, 0.3 on the portal), by the same least
+squares, beside the pi^2 / 2 of normal errors.  The mean of a variance is exp(LEFT / 2) times its median."""
 AROUND_PX = 60
 """Side of the surroundings whose second differences show how rough a place is: some fifty windows, so that their median
 square is known to a fifth."""
@@ -166,12 +169,35 @@ def strips(rows: int, at_once: int, stride: int) -> list[tuple[int, int, int, in
     return [(max(0, k - far), k, min(k + at_once, rows), min(k + at_once + far, rows)) for k in range(0, rows, at_once)]
 
 
-def misfit(t: Array, slopes: Array, stride: int) -> Array:
-    """(rows, columns) float32 median of the squared misfits of each pixel, by strips."""
-    found = np.empty(t.shape, np.float32)
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Witnesses:
+    """What neighbours of each pixel of a map show of its variance: arrays (rows, columns) float32, squares of t."""
+
+    misfit: Array
+    """median of the squared misfits of eight neighbours"""
+    near: Array
+    """of near ones; where the grid has none of those so near as NEAR_PX, of its nearest"""
+    bend: Array
+    """median square of what slopes of eight neighbours differ by, over APART_PX: a plane fits no crease"""
+
+
+def witnesses(t: Array, slopes: Array, stride: int) -> Witnesses:
+    """Of a map and its slopes, by strips."""
+    found = Witnesses(**{name: np.empty(t.shape, np.float32) for name in ("misfit", "near", "bend")})
     for first, begin, end, last in strips(len(t), ROWS, stride):
-        apart = misfits(t[first:last], slopes[:, first:last], stride)[:, begin - first : end - first]
-        found[begin:end] = of_neighbours(apart)
+        own, part = slice(begin - first, end - first), slice(first, last)
+        for into, distance in ((found.misfit, APART_PX), (found.near, NEAR_PX)):
+            into[begin:end] = of_neighbours(misfits(t[part], slopes[:, part], stride, distance)[:, own])
+        found.bend[begin:end] = of_neighbours(_bends(slopes[:, part], stride)[:, own])
+    return found
+
+
+def _bends(slopes: Array, stride: int) -> Array:
+    """(8, rows, columns) lengths of the differences of slopes to eight neighbours, over APART_PX; NaN: unknown."""
+    around = neighbours(stride)
+    found = np.empty((len(around), *slopes.shape[1:]), np.float32)
+    for k, (v, u) in enumerate(around):
+        found[k] = APART_PX * np.hypot(*(at_neighbour(s, v, u) - s for s in slopes))
     return found
 
 
@@ -194,40 +220,25 @@ def of_neighbours(found: Array) -> Array:
     return np.where(known >= FEWEST, (middle[0] + middle[1]) / 2, np.nan)
 
 
-def local_factor(variance: Array, misfit: Array, residual: Array, brightness: Array, stride: int) -> Array:
+def local_factor(variance: Array, shown: Witnesses, residual: Array, brightness: Array) -> Array:
     """(rows, columns) by what the variance of a pixel differs from the one that theory gives; the mean, not the median.
 
     variance    by noise and the map's roughness; NaN where a pixel has no depth
-    misfit      squared, by `of_neighbours`
+    shown       by its neighbours
     residual    variance of grey values, by the residuals
     brightness  of the reference
     """
     known = np.isfinite(variance)
-    around = _around(misfit, known, stride)
     logarithm = np.zeros(variance.shape, np.float32)
     with np.errstate(invalid="ignore", divide="ignore"):
-        for values, exponent in ((misfit, BY_MISFIT), (around, BY_MISFIT_AROUND)):
+        for values, exponent in ((shown.misfit, BY_MISFIT), (shown.near, BY_NEAR), (shown.bend, BY_BEND)):
             ratio = np.log(values / variance)
             there = np.isfinite(ratio) & known
             usual = np.median(ratio[there]) if there.any() else 0.0
             logarithm += np.where(there, exponent * (ratio - usual), 0)
-        ratio = np.log(residual / _usual(residual, brightness, known))
-    logarithm += np.where(np.isfinite(ratio) & known, BY_RESIDUAL * ratio, 0)
+        ratio = np.log(residual / (BEYOND * _usual(residual, brightness, known)))
+    logarithm += np.where(np.isfinite(ratio) & known, BY_RESIDUAL * np.maximum(ratio, 0), 0)
     return np.where(known, np.exp(logarithm + np.float32(LEFT / 2)), np.nan)
-
-
-def _around(misfit: Array, known: Array, stride: int) -> Array:
-    """Mean of the misfits of a pixel and its neighbours."""
-    there = np.isfinite(misfit) & known
-    if not there.any():
-        return misfit
-    values = np.minimum(np.where(there, misfit, 0), MOST * np.median(misfit[there]))
-    size = 2 * round((3 * APART_PX / stride - 1) / 2) + 1
-    total, n = (
-        cv2.boxFilter(x.astype(np.float32), -1, (size, size), normalize=False, borderType=cv2.BORDER_CONSTANT)
-        for x in (values, there)
-    )
-    return np.where(n > 0, total / np.maximum(n, 1), np.nan)
 
 
 def _usual(residual: Array, brightness: Array, known: Array) -> Array:

@@ -26,7 +26,7 @@ from raybundle.workflows.surface_region import SurfaceRegion
 from raybundle.workflows.surface_state import SURFACE, SurfaceOptions, SurfaceState
 from raybundle.workflows.surface_tasks import PART, free_of, stored_part
 
-VERSION = 6
+VERSION = 7
 OF_PART = 3
 """The same of maps of a region"""
 MAP = "depth map"
