@@ -3,9 +3,9 @@
     python benchmarks/surface_roughness.py FOLDER PROJECT [FOLDER PROJECT ...] [--maps 2] [--density 2]
 
 FOLDER is of tools/render.py, PROJECT of `raybundle orient` with its control. Of some maps of each: errors of depths
-along the normal of the true surface, as depth parameters; by least squares of the logarithm of their squares the
-exponents by which variances follow misfits and residuals, and robust chi-squares by class of place, with the constants
-that stand in the module and with those that are fitted.
+along rays, as depth parameters; by least squares of the logarithm of their squares the exponents by which variances
+follow their witnesses, of each set and of all, each set with the same weight; by class of place robust chi-squares and
+shares beyond five sigma, with the constants that stand in the module and with those that are fitted.
 """
 
 from __future__ import annotations
@@ -38,6 +38,7 @@ NEAR_PX = 25.0
 """Distance up to which the surface is looked for [px]"""
 EACH = 40_000
 """Depths of a map that are taken"""
+WITNESSES = ("misfit", "near", "bend")
 
 
 def watched_map(block, chosen, greys, density: int):
@@ -45,13 +46,13 @@ def watched_map(block, chosen, greys, density: int):
     kept = {}
     local_factor = roughness.local_factor
 
-    def watched(variance, misfit, residual, brightness, stride):
+    def watched(variance, shown, residual, brightness):
         if not kept:
             known = np.isfinite(variance)
-            around = roughness._around(misfit, known, stride)  # noqa: SLF001
             usual = roughness._usual(residual, brightness, known)  # noqa: SLF001
-            kept.update(theory=variance.copy(), misfit=misfit.copy(), around=around.copy(), ratio=residual / usual)
-        return local_factor(variance, misfit, residual, brightness, stride)
+            kept.update(theory=variance.copy(), misfit=shown.misfit, near=shown.near, bend=shown.bend)
+            kept["residual"] = np.maximum(residual / (roughness.BEYOND * usual), 1)
+        return local_factor(variance, shown, residual, brightness)
 
     roughness.local_factor = watched
     try:
@@ -67,13 +68,19 @@ def some_of(m, kept) -> np.ndarray:
 
 
 def rows_of(m, kept, at, error, classes) -> np.ndarray:
-    """(n, 8) logarithms of squared errors, theory, noise, misfit, misfit around, residual ratio; class, variance."""
-    logs = [kept["theory"].ravel()[at], np.minimum(m.noise.ravel()[at], kept["theory"].ravel()[at])]
-    logs += [kept[k].ravel()[at] for k in ("misfit", "around", "ratio")]
+    """(n, 8) logarithms of squared errors, theory, misfit, near misfit, bend, residual; class, variance.
+
+    Witnesses of neighbours are relative to theory, and to their median in the map.
+    """
+    known = np.isfinite(kept["theory"])
     with np.errstate(divide="ignore", invalid="ignore"):
-        rows = np.log(np.stack([error**2, *logs]))
-        rows = np.vstack([rows, classes, np.log((m.noise + m.roughness).ravel()[at])]).T
-    return rows[np.isfinite(rows).all(axis=1)]
+        rows = [np.log(error**2), np.log(kept["theory"].ravel()[at])]
+        for name in WITNESSES:
+            ratio = np.log(kept[name] / kept["theory"])
+            rows.append((ratio - np.median(ratio[known & np.isfinite(ratio)])).ravel()[at])
+        rows += [np.log(kept["residual"].ravel()[at]), classes, np.log((m.noise + m.roughness).ravel()[at])]
+        found = np.vstack(rows).T
+    return found[np.isfinite(found).all(axis=1)]
 
 
 def of_set(folder: Path, project: Path, maps: int, density: int) -> np.ndarray:
@@ -94,10 +101,10 @@ def of_set(folder: Path, project: Path, maps: int, density: int) -> np.ndarray:
         half = HALF_PX * surface.gsd
         good = surface.in_core(xyz)
         at, xyz, by_t = at[good], xyz[good], by_t[good]
-        normal = surface.normals(xyz, half)
-        near = np.abs(surface.window_distances(xyz, normal, half)) < NEAR_PX * surface.gsd
-        at, xyz, by_t, normal = at[near], xyz[near], by_t[near], normal[near]
-        error = surface.distances(xyz, normal) / np.abs((by_t * normal).sum(axis=1))
+        ray = by_t / np.linalg.norm(by_t, axis=1, keepdims=True)
+        near = np.abs(surface.window_distances(xyz, ray, half)) < NEAR_PX * surface.gsd
+        at, xyz, by_t, ray = at[near], xyz[near], by_t[near], ray[near]
+        error = surface.distances(xyz, ray) / np.linalg.norm(by_t, axis=1)
         found.append(rows_of(m, kept, at, error, surface.classes_at(xyz, half)))
     return np.concatenate(found)
 
@@ -135,22 +142,34 @@ def main() -> None:
     every += [of_portal(o.portal, o.maps, o.density)] if o.portal else []
     if o.save:
         np.savez(o.save, *every)
+    for rows in every:
+        fitted_to([rows])
+    fitted, left = fitted_to(every)
     rows = np.concatenate(every)
-    square, theory, _, misfit, around, ratio, kind, stated = rows.T
-    features = np.stack([x - np.median(x) for x in (misfit - theory, around - theory)] + [ratio], axis=1)
-    target = square - theory - LOG_OF_NORMAL
-    design = np.column_stack([np.ones(len(features)), features])
-    fitted, *_ = np.linalg.lstsq(design, target, rcond=None)
-    left = float(np.var(target - design @ fitted) - np.pi**2 / 2)
-    constant, *exponents = fitted
-    print(f"constant {constant:.2f}  exponents " + " ".join(f"{x:.2f}" for x in exponents) + f"  left {left:.2f}")
-    by = theory + design @ fitted + left / 2
-    print("class            n   stated   theory   fitted")
+    square, theory, kind, stated = rows[:, 0], rows[:, 1], rows[:, 6], rows[:, 7]
+    by = theory + rows[:, 2:6] @ fitted[1:] + left / 2
+    print("class            n   stated    > 5 sigma   theory   fitted    > 5 sigma")
     for code, name in enumerate(NAMES):
         mine = kind == code
         if mine.sum() >= 100:
-            chi = [robust_chi_square(np.exp((square[mine] - v[mine]) / 2)) for v in (stated, theory, by)]
-            print(f"{name:<12}{mine.sum():>7}" + "".join(f"{c:>9.2f}" for c in chi))
+            x = [np.exp((square[mine] - v[mine]) / 2) for v in (stated, theory, by)]
+            chi, beyond = ([f(v) for v in x] for f in (robust_chi_square, lambda v: 100 * np.mean(v > 5)))
+            print(
+                f"{name:<12}{mine.sum():>7}{chi[0]:>9.2f}{beyond[0]:>11.2f} %{chi[1]:>9.2f}{chi[2]:>9.2f}"
+                f"{beyond[2]:>11.2f} %"
+            )
+
+
+def fitted_to(every: list[np.ndarray]) -> tuple[np.ndarray, float]:
+    """Constant and exponents (5,) of sets of rows, and the variance that they leave; printed."""
+    rows, root = np.concatenate(every), np.concatenate([np.full(len(r), len(r) ** -0.5) for r in every])
+    target = rows[:, 0] - rows[:, 1] - LOG_OF_NORMAL
+    design = np.column_stack([np.ones(len(rows)), rows[:, 2:6]])
+    fitted, *_ = np.linalg.lstsq(design * root[:, None], target * root, rcond=None)
+    left = float(np.average((target - design @ fitted) ** 2, weights=root**2) - np.pi**2 / 2)
+    named = zip(("constant", *WITNESSES, "residual"), fitted, strict=True)
+    print("  ".join(f"{name} {value:.2f}" for name, value in named) + f"  left {left:.2f}")
+    return fitted, left
 
 
 if __name__ == "__main__":
