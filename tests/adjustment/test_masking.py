@@ -6,12 +6,15 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
+import raybundle.adjustment.decide as decide_module
 from raybundle import adjust
 from raybundle.adjustment.masking import MASKED, ratio_of
 from raybundle.adjustment.options import AdjustmentOptions
+from raybundle.adjustment.snooping import tau_values
 from raybundle.planning.scenes import AerialStrips, Ring, TargetField, aerial_scene, field_scene, ring_scene
 from raybundle.planning.simulate import Survey, simulate
 from raybundle.results.contents import result_json
+from tests.truth.real_noise import with_smooth_errors
 
 SNOOPING = AdjustmentOptions(jobs=1, reject="snooping")
 SCENES = {"testfield": field_scene(TargetField()), "ring": ring_scene(Ring()), "aerial": aerial_scene(AerialStrips())}
@@ -38,6 +41,33 @@ def test_gross_errors_that_mask_one_another_are_found(scene, share, size_px):
     assert (~done.gross & ~used).sum() <= 0.1 * (~done.gross).sum()
     assert result.sigma0 < 1.1
     assert "snooping_masked" not in codes(result)
+
+
+def test_single_suspects_leave_and_return_without_new_statistics(monkeypatch):
+    """What becomes suspect without a few follows from the redundancy numbers that are known; the end is the same."""
+    block = with_smooth_errors(simulated("testfield", seed=5).observed, np.random.default_rng(5), 2, 0.6)
+    extents = []
+    plain = decide_module.quiet
+    monkeypatch.setattr(decide_module, "quiet", lambda *a, **k: (extents.append(k["extent"]), plain(*a, **k))[1])
+    used = adjust(block, SNOOPING).image_observations.used
+    assert (~used).any()
+    few = extents.count("tests")
+    assert few < len(extents)
+    extents.clear()
+    monkeypatch.setattr(decide_module, "_nearby", lambda *_: None)
+    assert (adjust(block, SNOOPING).image_observations.used == used).all()
+    assert few < extents.count("tests")
+
+
+def test_tau_values_without_statistics_are_those_with_them():
+    """Also of image coordinates that are correlated."""
+    done = simulated("ring", seed=3)
+    o = done.observed.observations
+    cov = np.abs(o.cov_px2) * np.array([1.0, 0.5, 0.0]) + np.array([0.0, 0.0, 0.3]) * o.cov_px2[:, :1]
+    result = adjust(replace(done.observed, observations=replace(o, cov_px2=cov)), AdjustmentOptions(jobs=1))
+    own = np.nan_to_num(np.abs(result.image_observations.t).max(axis=1))
+    assert own.max() > 2
+    assert tau_values(result, result) == pytest.approx(own, rel=1e-9)
 
 
 def test_without_a_robust_estimate_none_of_them_is_found(monkeypatch):

@@ -222,6 +222,32 @@ def test_covariances_equal_the_dense_formula(name):
             np.testing.assert_allclose(told.interior_exterior[key][k], cross / size, atol=1e-8)
 
 
+@pytest.mark.parametrize("name", ["bars", "weighted control", "each its own", "rolling"])
+def test_points_of_many_and_of_few_rays_have_the_same_influences(name, monkeypatch):
+    spread = adjusted(name).handle.work.spread
+    row, column = noise.entries(spread.fields.base)
+    found, calls = [], []
+    plain = Normals.statistics
+    monkeypatch.setattr(Normals, "statistics", lambda *a, **k: (calls.append(1), plain(*a, **k))[1])
+    for pair in (0.0, np.inf):
+        monkeypatch.setattr(noise, "PAIR", pair)
+        found.append(noise._influences(spread.fields, spread.basis, row, column))
+    assert len(calls) == 1
+    taken = spread.fields.base.system.point_node < 0
+    (nodes, points), (other_nodes, other_points) = found
+    np.testing.assert_allclose(nodes, other_nodes, rtol=1e-7, atol=1e-9 * nodes.max())
+    np.testing.assert_allclose(points[taken], other_points[taken], rtol=1e-7, atol=1e-9 * points[taken].max())
+
+
+@pytest.mark.parametrize("name", ["free", "bars", "weighted control", "held control", "stations", "two cameras"])
+def test_the_nodes_alone_are_answered_as_with_points(name):
+    spread = adjusted(name).handle.work.spread
+    assert spread.phi > 1
+    nodes = np.random.default_rng(1).normal(size=(len(spread.fields.unknowns), 5))
+    whole = spread.solve(nodes, np.zeros((*spread.fields.state.xyz.shape, 5)))[0]
+    np.testing.assert_allclose(spread.among_nodes(nodes), whole, rtol=1e-9, atol=1e-9 * np.abs(whole).max())
+
+
 @pytest.mark.parametrize("name", CASES)
 def test_every_question_is_answered_by_the_same_covariance(name):
     result = adjusted(name)

@@ -21,7 +21,16 @@ from raybundle.adjustment.pixel_shape import under_its_noise
 from raybundle.adjustment.reintersection import reintersected
 from raybundle.adjustment.rejected_groups import rejected_group_notices
 from raybundle.adjustment.result import Adjustment, Notice
-from raybundle.adjustment.snooping import apart, bent_by_distances, innocent, is_blunder, with_rejected, without_reasons
+from raybundle.adjustment.snooping import (
+    apart,
+    bent_by_distances,
+    innocent,
+    is_blunder,
+    is_spread,
+    tau_values,
+    with_rejected,
+    without_reasons,
+)
 from raybundle.adjustment.wrong_control import (
     WrongControl,
     judged,
@@ -39,6 +48,9 @@ from raybundle.numerics.progress import Progress, silent
 ROUNDS = 40
 OF_THE_END = {"control_not_located", "snooping_masked", "image_contradicts", "control_contradicts", "names_exchanged"}
 """Codes of notices on what snooping leaves: those of an earlier run are replaced"""
+NEARBY = 0.3
+"""Steps, in standard deviations of the unknowns, that end an adjustment without a few observations: within one standard
+deviation it is linear, or standard deviations mean nothing."""
 MASKING_ROUNDS = (10, 20, 30)
 """Rounds of data snooping at which masked gross errors are looked for, beside where no suspect is left."""
 
@@ -178,12 +190,66 @@ def _snoop(
                 return block
             returned.update(back)
             choices.reasons = without_reasons(choices.reasons, back)
+            block = _returning(block, options, choices, result, returned, progress)
             continue
         choices.reasons = with_rejected(result, choices.reasons, np.array(chosen), size)
+        if wrong is None and not guarded.any() and is_spread(result, chosen, suspects):
+            block = _leaving(block, options, choices, result, chosen, progress)
     choices.notices.append(
         Notice(code="snooping_unfinished", message=f"data snooping stopped after {ROUNDS} rounds; suspects are left")
     )
     return block
+
+
+def _leaving(
+    block: Block, options: AdjustmentOptions, choices: Decisions, result: Adjustment, chosen: list[int],
+    progress: Progress,
+) -> Block:  # fmt: skip
+    """Reject what becomes suspect without a few observations, by their redundancy numbers in `result`.
+
+    The next round tests with its own.  It also decides of points that have lost a ray since `result`.
+    """
+    point = block.observations.point
+    without = set(point[chosen].tolist())
+    for _ in range(ROUNDS):
+        now = _nearby(block, options, choices, progress)
+        if now is None:
+            return block
+        block, choices.reasons = as_start(block, now.adjusted), now.image_observations.rejected
+        size = tau_values(result, now)
+        suspects = np.flatnonzero(size > now.critical_tau)
+        chosen = apart(block, size, suspects)
+        if len(chosen) < len(suspects) or not without.isdisjoint(point[chosen].tolist()) or not chosen:
+            return block
+        without.update(point[chosen].tolist())
+        choices.reasons = with_rejected(result, choices.reasons, np.array(chosen), size)
+    return block
+
+
+def _returning(
+    block: Block, options: AdjustmentOptions, choices: Decisions, result: Adjustment, returned: set[int],
+    progress: Progress,
+) -> Block:  # fmt: skip
+    """Let return what is no blunder any more with those that have returned, until a test value is too large."""
+    for _ in range(ROUNDS):
+        now = _nearby(block, options, choices, progress)
+        if now is None:
+            return block
+        block, choices.reasons = as_start(block, now.adjusted), now.image_observations.rejected
+        back = [i for i in innocent(now) if i not in returned]
+        if not back or (tau_values(result, now) > now.critical_tau).any():
+            return block
+        returned.update(back)
+        choices.reasons = without_reasons(choices.reasons, back)
+    return block
+
+
+def _nearby(block: Block, options: AdjustmentOptions, choices: Decisions, progress: Progress) -> Adjustment | None:
+    """An adjustment without a few observations of the last one, or with them; None where there is none."""
+    try:
+        return quiet(block, options, choices, progress, extent="residuals", tolerance=NEARBY)
+    except NotSolvable:
+        return None
 
 
 def _may_be_torn(error: NotSolvable) -> bool:

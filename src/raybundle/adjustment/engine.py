@@ -65,7 +65,7 @@ from raybundle.numerics.counting import grouped
 from raybundle.numerics.progress import Progress, silent
 from raybundle.numerics.statistics import family_wise_normal, family_wise_tau, global_test
 
-Extent = Literal["report", "decisions", "tests"]
+Extent = Literal["report", "decisions", "tests", "residuals"]
 Start = Literal["approximate", "adjusted"]
 
 
@@ -95,6 +95,7 @@ def adjust_block(
     notices   what earlier steps have to say; passed on
     extent    decisions: of the statistics only redundancy numbers, tests and the interior orientations' covariances;
               tests: without these and what is said of the interior orientations, too
+              residuals: without any statistics, and without a test of the rank
     start     adjusted: the values come from an adjustment of nearly the same; the first step is not damped
     raises    InputError, DatumDefect, RankDefect, NoConvergence
 
@@ -109,7 +110,8 @@ def adjust_block(
     free = free if free is not None else {c.id: free_parameters(c) for c in block.parametrised}
     reasons = rejected or (None,) * len(block.observations)
     try:
-        work, found = carry_out(block, options, free, reasons, progress, start=start)
+        rank = extent != "residuals"
+        work, found = carry_out(block, options, free, reasons, progress, start=start, rank=rank)
         result = result_of(work, block, options, found, notices, time.perf_counter() - began, progress, extent)
         return _finished(_with_settled_components(result, block, options, free, found), extent, progress)
     except TooFewObservations:
@@ -181,9 +183,12 @@ says more than an error would.
 
 def carry_out(
     block: Block, options: AdjustmentOptions, free: dict[str, tuple[str, ...]], reasons: Rejections,
-    progress: Progress = silent, *, start: Start = "approximate",
+    progress: Progress = silent, *, start: Start = "approximate", rank: bool = True,
 ) -> tuple[Work, Rejections]:  # fmt: skip
-    """Estimate and cofactors; observations whose point ends behind the camera or at infinity leave, then once more."""
+    """Estimate and cofactors; observations whose point ends behind the camera or at infinity leave, then once more.
+
+    rank  whether it is tested that the observations determine everything; only without statistics may it not be
+    """
     mask = np.array([bool(r) for r in reasons], bool)
     defects.check_observed(block, mask)
     defects.check_cameras(block, free)
@@ -206,7 +211,8 @@ def carry_out(
         work.datum = settled
     # residuals do not change within the open datum: moved first, the block is factored once, where it will stand
     work.state = fit_to_given(work.system, work.solution.state, work.system.initial_state(), work.datum)
-    _factor(work.normals, work.state, work.datum)
+    if rank or options.statistics:
+        _factor(work.normals, work.state, work.datum)
     if options.statistics:
         progress("statistics", 0.0)
         work.found = cofactors(work.normals, work.state, work.datum)
@@ -415,7 +421,9 @@ def result_of(
     progress("statistics", 1.0)
     observations = image_statistics(system, whitened, found, sigma0, reasons)
     groups = observation_groups(normals, state, found, sigma0, variance)
-    interior = () if extent == "tests" else interior_results(normals, state, covariances, variance, redundancy)
+    interior = (
+        () if extent in {"tests", "residuals"} else interior_results(normals, state, covariances, variance, redundancy)
+    )
     if added:
         interior = tuple(told_by_network(i, added, variance) for i in interior)
     tests = 2 * len(system.rows) + sum(int((g.sigma > 0).sum()) for g in groups)
@@ -460,7 +468,7 @@ def result_of(
 
 def _covariances(work: Work, variance: float, extent: Extent) -> Precision | None:
     """What the inverse says, times the variance factor, as far as it is asked for."""
-    if work.found is None or extent == "tests":
+    if work.found is None or extent in {"tests", "residuals"}:
         return None
     take = precision if extent == "report" else interior_precision
     return take(work.normals, work.state, work.found, variance)

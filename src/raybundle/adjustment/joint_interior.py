@@ -10,7 +10,6 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
-from functools import partial
 
 import numpy as np
 
@@ -164,11 +163,11 @@ def smooth_errors(result: Adjustment, known: Components | None = None) -> Smooth
 def _covariances(work: Work, unknowns: Index, smooth: Smooth | None, variance: float) -> tuple[Array, Array]:
     """Covariances (k, k) of unknowns of nodes by white noise and under fields."""
     assert work.found is not None
-    solvers: list[Callable[[Array, Array], tuple[Array, Array]]] = [partial(work.normals.solve, work.state)]
+    solvers: list[Callable[[Array], Array]] = [work.normals.solved_nodes]
     if smooth is not None:
         parts = smooth.components
-        solvers.append(spread_alone(smooth.fields, parts.phi, parts.root(variance)).solve)
-    n, p, k = int(work.system.offsets[-1]), len(work.state.xyz), len(unknowns)
+        solvers.append(spread_alone(smooth.fields, parts.phi, parts.root(variance)).among_nodes)
+    n, k = int(work.system.offsets[-1]), len(unknowns)
     found = list[Array]()
     for solve in solvers:
         C = np.zeros((k, k))
@@ -176,7 +175,7 @@ def _covariances(work: Work, unknowns: Index, smooth: Smooth | None, variance: f
             some = np.arange(first, min(first + TOGETHER, k))
             nodes = np.zeros((n, len(some)))
             nodes[unknowns[some], np.arange(len(some))] = 1.0
-            C[:, some] = solve(nodes, np.zeros((p, 3, len(some))))[0][unknowns]
+            C[:, some] = solve(nodes)[unknowns]
         found.append(variance * _in_datum((C + C.T) / 2, work.found.transformation, unknowns))
     return found[0], found[-1]
 

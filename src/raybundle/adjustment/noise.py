@@ -52,6 +52,9 @@ EXACT = 300
 """Images up to which the influence of every coefficient is formed."""
 PROBES = 256
 """Random combinations that stand for the coefficients beyond."""
+PAIR = 30
+"""Processor time of two rays of a point in the wide normal matrix, over that of a ray and a column of influences:
+measured with points of 81 rays."""
 SINGULAR = 1e-12
 """Eigenvalue, of a normal matrix with a unit diagonal, below which its direction is not determined."""
 ENTRIES = 5_000
@@ -120,6 +123,26 @@ class Spread:
             return n + moved_n, p + moved_p
         floor_n, floor_p = self.floor(nodes, points, n, p)
         return n + (self.phi - 1) * floor_n + moved_n, p + (self.phi - 1) * floor_p + moved_p
+
+    def among_nodes(self, nodes: Array) -> Array:
+        """The nodes' part (N, k) of `solve` for right sides of nodes (N, k) alone, any k."""
+        base = self.fields.base
+        outside = self.outside
+        if self.phi != 1 and outside is not None and len(outside.point):
+            none = np.zeros((*self.fields.state.xyz.shape, nodes.shape[1]))
+            return self.solve(nodes, none)[0]
+        n = base.solved_nodes(nodes)
+        found = n
+        if self.basis.shape[1]:
+            found = n + base.solved(self.fields.H @ (self.basis @ (self.basis.T @ (self.fields.H.T @ n))))
+        if self.phi == 1:
+            return found
+        if outside is None:
+            return found + (self.phi - 1) * (n - self.own_nodes @ nodes)
+        seen = outside.nodes.T @ n
+        own = self.own_nodes @ (nodes - outside.nodes @ seen)
+        taken = base.solved_nodes(outside.nodes @ (seen - outside.nodes.T @ own))
+        return found + (self.phi - 1) * (n - own - taken)
 
     def floor(self, nodes: Array, points: Array, n: Array, p: Array) -> tuple[Array, Array]:
         """Q_c S Q_c' applied to right sides, of which Q makes n and p."""
@@ -390,16 +413,19 @@ def _influences(fields: FieldSystem, basis: Any, row: Array, column: Array) -> t
     """J J' of the nodes at the entries of the normal matrix, and of the points (p, 3, 3); J by the basis (10 f, r)."""
     N, f = len(fields.unknowns), len(fields.columns)
     J = fields.base.solved((fields.H @ basis).toarray())
+    nodes = None
     if f > COLUMNS * EXACT:
         nodes = np.concatenate([
             np.einsum("ek,ek->e", J[row[k : k + ENTRIES]], J[column[k : k + ENTRIES]])
             for k in range(0, len(row), ENTRIES)
         ])  # fmt: skip
+    rays = np.bincount(fields.base.system.block.observations.point[fields.base.system.rows]).astype(float)
+    if nodes is not None or PAIR * (rays @ rays) > rays.sum() * basis.shape[1]:
         points = np.zeros((len(fields.state.xyz), 3, 3))
         for k in range(0, basis.shape[1], 16):
             moved = fields.points_of(J[:, k : k + 16], basis[:, k : k + 16].toarray())
             points += moved @ np.swapaxes(moved, 1, 2)
-        return nodes, points
+        return (J @ J.T)[row, column] if nodes is None else nodes, points
     wide_row, wide_column = entries(fields.wide)
     back = np.full(N + f, -1)
     back[fields.unknowns] = np.arange(N)

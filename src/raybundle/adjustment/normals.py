@@ -385,7 +385,11 @@ class Normals:
         """The nodes' part (N, k) of N^-1 applied to right sides for nodes (N, k) and points (p, 3, k)."""
         columns = nodes.shape[1]
         condensed = self.solver.condense(*self.arguments(state), self.threads, self._free_rows(points), columns)
-        right = nodes + condensed
+        return self.solved_nodes(nodes + condensed)
+
+    def solved_nodes(self, nodes: Array) -> Array:
+        """The nodes' part (N, k) of N^-1 applied to right sides for nodes (N, k) alone."""
+        right = np.array(nodes)
         right[self._held_unknowns()] = 0.0  # what is held has no variance
         return self.solved(right)
 

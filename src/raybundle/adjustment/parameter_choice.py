@@ -70,11 +70,14 @@ class Adjusting(Protocol):
 
 def quiet(
     block: Block, options: AdjustmentOptions, choices: Decisions, progress: Progress, *, extent: Extent = "decisions",
-    start: Start = "adjusted",
+    start: Start = "adjusted", tolerance: float = 1e-4,
 ) -> Adjustment:  # fmt: skip
     """An adjustment on the way to a decision."""
     brief = replace(
-        options, statistics=True, robust_start=start == "approximate", tolerance=max(options.tolerance, 1e-4)
+        options,
+        statistics=extent != "residuals",
+        robust_start=start == "approximate",
+        tolerance=max(options.tolerance, tolerance),
     )
     return choices.adjusting(
         block, brief, progress, free=choices.free, rejected=choices.reasons, extent=extent, start=start
@@ -105,8 +108,8 @@ def choose(
 ) -> Block:
     """Backward elimination from all parameters of all cameras at once, guarded by determinability.
 
-    Each round first holds what is not determinable, then affinities and shears of no sensor, then groups that are not
-    significant; the next adjustment confirms it.
+    Each round first holds what is not determinable, then affinities and shears of no sensor, and beside these groups
+    that are not significant; the next adjustment confirms it.
     """
     for camera in block.cameras:
         if camera.id in automatic:
@@ -116,14 +119,12 @@ def choose(
             every = tuple(p.symbol for p in model.parameters if p.kind not in out or p.symbol in named)
             choices.free[camera.id] = with_asked(camera, every, options)
     result: Adjustment | None = None
-    confirmed: Adjustment | None = None
     noise: Components | None = None
     for _ in range(CHOICES):
         try:
             first = result is None and options.reject == "none"
             start: Start = "approximate" if first else "adjusted"
-            result = confirmed or quiet(block, options, choices, progress, start=start)
-            confirmed = None
+            result = quiet(block, options, choices, progress, start=start)
         except (RankDefect, NoConvergence) as error:
             held = hold_next(block, choices, automatic, error)
             if held is None:
@@ -142,21 +143,25 @@ def choose(
         smooth = smooth_errors(result, noise) if options.noise == "fields" else None
         noise = noise if smooth is None else smooth.components
         joint = joint_interior(result, automatic, smooth)
-        shapes = _shapes(result, joint, automatic, choices) if options.pixel_shape == "sensor" else []
-        if shapes:
-            for notice, value in shapes:
-                block = _hold_shape(block, choices, notice, value)
+        shapes, joint = _shapes(result, joint, automatic, choices) if options.pixel_shape == "sensor" else ([], joint)
+        for notice, value in shapes:
+            block = _hold_shape(block, choices, notice, value)
+        if shapes and _least_determinable(with_joint(result, joint, white=True), automatic, choices) is not None:
             continue
         groups = _insignificant(result, joint, automatic, choices, options)
+        if not shapes and not groups:
+            return block
         after, some = None, 0
-        for some in dict.fromkeys((len(groups), min(len(groups), 1))) if groups else ():
+        for some in dict.fromkeys((len(groups), 0 if shapes else min(len(groups), 1))):
             after = _confirmed(block, options, choices, result, joint, groups[:some], progress)
             if after is not None:
                 break
         if after is None:
+            if shapes:
+                continue
             return block
-        block, confirmed, linear = after
-        if linear and some == len(groups):  # what was judged beside these groups is as it was judged
+        block, linear = after
+        if linear and some == len(groups):  # what was judged beside these is as it was judged
             return block
     free = sum(len(choices.free[c]) for c in automatic)
     choices.notices.append(
@@ -167,8 +172,7 @@ def choose(
             ids=tuple(automatic), values={"steps": CHOICES, "free": free, "cameras": len(automatic)},
         )
     )  # fmt: skip
-    assert result is not None
-    return as_start(block, result.adjusted)
+    return block
 
 
 def _undetermined(result: Adjustment, automatic: list[str], choices: Decisions) -> list[tuple[str, str, str]]:
@@ -195,8 +199,8 @@ def _undetermined(result: Adjustment, automatic: list[str], choices: Decisions) 
 
 def _shapes(
     result: Adjustment, joint: JointInterior, automatic: list[str], choices: Decisions
-) -> list[tuple[Notice, float]]:
-    """Notices of affinities and shears that are held, and where, each beside those that are held before it."""
+) -> tuple[list[tuple[Notice, float]], JointInterior]:
+    """Notices of affinities and shears that are held, and where, each beside those before it; what is left free."""
     found = list[tuple[Notice, float]]()
     while True:
         shown = with_joint(result, joint)
@@ -206,7 +210,7 @@ def _shapes(
         else:
             notice = untold_shape(shown, automatic)
             if notice is None or notice.ids in choices.kept_free:
-                return found
+                return found, joint
             choices.not_significant.append((notice.ids[0], notice.ids[1]))
             camera = next(c for c in result.given.cameras if c.id == notice.ids[0])
             limit = shape_limit(camera, notice.ids[1])
@@ -258,9 +262,10 @@ def _insignificant(
 def _confirmed(
     block: Block, options: AdjustmentOptions, choices: Decisions, result: Adjustment, joint: JointInterior,
     groups: list[Group], progress: Progress,
-) -> tuple[Block, Adjustment, bool] | None:  # fmt: skip
-    """The block without these groups, its adjustment, and whether that is as predicted; None where it is refuted.
+) -> tuple[Block, bool] | None:  # fmt: skip
+    """The block without these groups, adjusted, and whether it is as predicted; None where it is refuted.
 
+    joint  what is predicted without the parameters that are held already
     The square sum may grow by what the joint covariance predicts.  Beyond that the Bayesian information criterion
     (Schwarz 1978) decides, for what is not linear.
     """
@@ -270,16 +275,16 @@ def _confirmed(
         choices.free[g.camera] = tuple(s for s in choices.free[g.camera] if s not in g.symbols)
         zeroed = with_values(zeroed, g.camera, dict.fromkeys(g.symbols, 0.0))
     try:
-        without = quiet(zeroed, options, choices, progress)
+        without = quiet(zeroed, options, choices, progress, extent="residuals")
     except NotSolvable:
         choices.free = before
         return None
     names = [n for g in groups for n in g.names]
-    variance = max(result.weighted_square_sum, 1e-300) / max(result.redundancy, 1)
-    grown = (without.weighted_square_sum - result.weighted_square_sum) / variance
-    excess = grown - joint.square(names, white=True)
+    variance = max(joint.square_sum, 1e-300) / max(joint.redundancy, 1)
+    grown = (without.weighted_square_sum - joint.square_sum) / variance
+    excess = grown - (joint.square(names, white=True) if names else 0.0)
     penalty = np.log(max(result.observations, 2))
-    if joint.square(names) + excess > len(names) * penalty:  # BIC prefers to keep them
+    if names and joint.square(names) + excess > len(names) * penalty:  # BIC prefers to keep them
         choices.free = before
         return None
     for g in groups:
@@ -294,7 +299,7 @@ def _confirmed(
                 ids=(g.camera, *g.symbols),
             )
         )
-    return as_start(zeroed, without.adjusted), without, abs(excess) < LINEAR
+    return as_start(zeroed, without.adjusted), abs(excess) < LINEAR
 
 
 def _moves(block: Block, camera: Camera) -> bool:

@@ -11,6 +11,7 @@ from raybundle.adjustment.separability import unlocatable
 from raybundle.block import Block
 from raybundle.block.rejection import Rejection, RejectionKind, Rejections
 from raybundle.numerics.arrays import Array, Mask
+from raybundle.numerics.statistics import DELTA0
 
 
 def bent_by_distances(result: Adjustment, suspects: Array, size: Array) -> Mask:
@@ -73,6 +74,25 @@ def apart(block: Block, size: Array, suspects: Array) -> list[int]:
         images[image] = images.get(image, 0) + 1
         chosen.append(int(i))
     return chosen
+
+
+def is_spread(result: Adjustment, chosen: Sequence[int], suspects: Array) -> bool:
+    """Whether suspects are single ones: all leave in one round, and nothing outside the images is suspect."""
+    largest = max((float(np.nanmax(np.abs(g.t), initial=0.0)) for g in result.groups), default=0.0)
+    return len(chosen) == len(suspects) and largest <= result.critical_tau
+
+
+def tau_values(result: Adjustment, now: Adjustment) -> Array:
+    """(m,) larger test value of an image observation by residuals of `now`, without statistics; 0: took no part.
+
+    result  nearly the same with statistics: without a few observations a redundancy number is at most smaller, so that
+            no test value here is too large
+    """
+    v, C = now.image_observations.residuals_px, result.given.observations.cov_px2
+    determinant = C[:, 0] * C[:, 1] - C[:, 2] ** 2
+    weighted = np.stack([C[:, 1] * v[:, 0] - C[:, 2] * v[:, 1], C[:, 0] * v[:, 1] - C[:, 2] * v[:, 0]], axis=1)
+    t = weighted / determinant[:, None] * result.image_observations.mdb_px / (DELTA0 * now.sigma0)
+    return np.nan_to_num(np.abs(t).max(axis=1))
 
 
 def is_blunder(reason: Rejection | None) -> bool:
