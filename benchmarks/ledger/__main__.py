@@ -13,9 +13,12 @@ import multiprocessing
 import os
 import shutil
 import sys
-from concurrent.futures import ProcessPoolExecutor
+import time
+from concurrent.futures import ProcessPoolExecutor, ThreadPoolExecutor
+from concurrent.futures.process import BrokenProcessPool
 from dataclasses import replace
 from pathlib import Path
+from typing import Any
 
 from . import RESULTS, ROOT, SETS, peers, results
 from .page import PAGE, page
@@ -77,8 +80,8 @@ def _run_all(sets: list[LedgerSet], places: Places, folder: Path, jobs: int, *, 
     failed = 0
     for one in sets if redo else ():
         shutil.rmtree(places.cache / one.name, ignore_errors=True)
-    with ProcessPoolExecutor(max(jobs, 1), multiprocessing.get_context("spawn"), max_tasks_per_child=1) as pool:
-        for found in pool.map(results.run, sets, [places] * len(sets)):
+    with ThreadPoolExecutor(max(jobs, 1)) as pool:
+        for found in pool.map(_by_itself, sets, [places] * len(sets)):
             results.write(found, folder)
             failed += bool(found["reason"])
             figures = found["reason"] or ", ".join(
@@ -88,6 +91,16 @@ def _run_all(sets: list[LedgerSet], places: Places, folder: Path, jobs: int, *, 
             )
             print(f"{found['name']}: {found['cpu_s']} s; {figures}", file=sys.stderr, flush=True)
     return failed
+
+
+def _by_itself(one: LedgerSet, places: Places) -> dict[str, Any]:
+    """The figures of a set by a process of its own: one that is killed ends no other set."""
+    began = time.perf_counter()
+    with ProcessPoolExecutor(1, multiprocessing.get_context("spawn")) as pool:
+        try:
+            return pool.submit(results.run, one, places).result()
+        except BrokenProcessPool:
+            return results.killed(one, time.perf_counter() - began)
 
 
 def _page(*, check: bool = False) -> int:

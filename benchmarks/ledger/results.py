@@ -35,10 +35,19 @@ def run(one: LedgerSet, places: Places) -> dict[str, Any]:
     except Exception as error:  # noqa: BLE001  (one set does not stop the others: its row shows the reason)
         traceback.print_exc()
         reason = f"{type(error).__name__}: {error}"
+    return _row(one, groups, reason, _cpu() - began, time.perf_counter() - wall)
+
+
+def killed(one: LedgerSet, wall_s: float) -> dict[str, Any]:
+    """The row of a set whose process was ended from outside."""
+    return _row(one, [], "its process was killed; the system may have run out of memory", 0.0, wall_s)
+
+
+def _row(one: LedgerSet, groups: list[dict[str, Any]], reason: str, cpu_s: float, wall_s: float) -> dict[str, Any]:
     return {
         "name": one.name, "title": one.title, "means": one.truth["means"], "judged": list(one.judged),
-        "split": one.split, "reason": reason, "groups": groups, "cpu_s": round(_cpu() - began, 1),
-        "wall_s": round(time.perf_counter() - wall, 1), "software": software(),
+        "split": one.split, "reason": reason, "groups": groups, "cpu_s": round(cpu_s, 1),
+        "wall_s": round(wall_s, 1), "software": software(),
     }  # fmt: skip
 
 

@@ -7,6 +7,8 @@ import pytest
 
 from raybundle import adjust
 from raybundle.adjustment.options import AdjustmentOptions
+from raybundle.adjustment.severity import Severity
+from raybundle.block.points import automatic_name
 from raybundle.planning.scenes import AerialStrips, Ring, TargetField, aerial_scene, field_scene, ring_scene
 from raybundle.planning.simulate import Survey, simulate
 
@@ -41,6 +43,22 @@ def test_exchanged_names_cost_these_image_points_alone(kind, pairs, images):
     assert notice.values["pairs"] == pairs * images
     assert set(notice.ids) == {block.points.ids[k] for k in block.observations.point[bad]}
     assert "blunder_not_located" not in {n.code for n in result.notices}
+
+
+@pytest.mark.parametrize("named", [0, 1])
+def test_tie_points_that_nobody_named_are_mismatches(named):
+    """Nobody has exchanged their names, not even with that of a point that has one."""
+    scene, survey = SCENES["testfield"]()
+    block, bad = exchanged(simulate(scene, survey).observed, np.random.default_rng(0), 1, 1)
+    ids = list(block.points.ids)
+    for k in block.observations.point[bad][named:].tolist():
+        ids[k] = automatic_name(k)
+    result = adjust(replace(block, points=replace(block.points, ids=tuple(ids))), SNOOPING)
+    (notice,) = [n for n in result.notices if n.code in {"names_exchanged", "ties_mismatched"}]
+    assert notice.code == "ties_mismatched"
+    assert notice.severity is Severity.REMARK
+    assert set(notice.ids) == {ids[k] for k in block.observations.point[bad]}
+    assert "xchange" not in notice.message
 
 
 @pytest.mark.parametrize("seed", range(6))

@@ -51,6 +51,19 @@ def test_what_no_sensor_has_is_held_and_said(symbol, value):
     assert symbol not in result.interior[0].free
 
 
+def test_what_these_photographs_know_worse_than_a_sensor_is_stated_once():
+    """It is held for what sensors have, whether it is significant or not."""
+    block = simulate(ring_scene(Ring()), Survey(seed=2, points="exact", orientation="exact", interior="exact")).observed
+    free = replace(block, cameras=tuple(replace(c, estimate="auto") for c in block.cameras))
+    result = decide(free, AdjustmentOptions(jobs=1, noise="white", pixel_shape="sensor"))
+    held = [n.ids for n in result.notices if n.code == "shape_held"]
+    assert held
+    for camera, symbol in held:
+        (interior,) = [i for i in result.interior if i.camera == camera]
+        assert interior.parameters[symbol].status == "held"
+        assert f"{symbol} (camera {camera})" not in result.not_significant
+
+
 def test_where_it_is_nonsense_nothing_is_told_of_the_camera():
     result = decided({"A": -0.03, "S": 0.02})
     assert {n.severity for n in told(result)} == {Severity.FAULT}
@@ -71,7 +84,7 @@ def test_a_scan_keeps_its_freedom(estimate, options):
     assert abs(p.value - 1e-3) < 4 * p.std
 
 
-@pytest.mark.parametrize(("ratio", "code"), [(1.0, "pixel_shape"), (3.0, "pixel_shape"), (60.0, "not_significant")])
+@pytest.mark.parametrize(("ratio", "code"), [(1.0, "pixel_shape"), (3.0, "pixel_shape"), (60.0, "shape_held")])
 def test_what_is_said_rests_on_the_noise_that_the_result_has(ratio, code):
     result = decided({"S": 1e-3})
     (white,) = told(result)

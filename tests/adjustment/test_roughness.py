@@ -9,6 +9,8 @@ from raybundle.adjustment.engine import adjust_block
 from raybundle.adjustment.options import AdjustmentOptions
 from raybundle.adjustment.queries import covariance_between, precision_in_datum
 from raybundle.adjustment.roughness import doubled
+from raybundle.adjustment.severity import Severity
+from raybundle.errors import InputError
 from raybundle.io.block.folder import read_block, write_block
 from raybundle.planning.scenes import TargetField, field_scene
 from raybundle.planning.simulate import Survey, simulate
@@ -75,6 +77,19 @@ def test_relief_is_no_higher_than_its_window():
     assert np.linalg.norm(result.precision.roughness, axis=1).max() == pytest.approx(2e-6)
 
 
+def test_figures_of_windows_that_are_there_in_part_are_a_caution():
+    whole = with_windows(6.0, 2.0)
+    for missing in ("misfit", "relief", "window"):
+        points = replace(whole.points, **{missing: None})
+        notices = adjust_block(replace(whole, points=points), AdjustmentOptions()).notices
+        (notice,) = [n for n in notices if n.code == "relief_unknown"]
+        assert notice.severity is Severity.CAUTION
+        assert notice.ids == (missing,)
+    for block in (whole, BLOCK):
+        codes = {n.code for n in adjust_block(block, AdjustmentOptions()).notices}
+        assert "relief_unknown" not in codes
+
+
 def test_questions_hold_it(rough):
     names = rough.given.points.ids
     C = covariance_between(rough, f"point:{names[3]}", f"point:{names[3]}")
@@ -98,3 +113,15 @@ def test_a_block_folder_keeps_the_figures_and_may_lack_them(tmp_path):
     assert read_block(tmp_path / "plain").points.misfit is None
     head = (tmp_path / "plain" / "points.csv").read_text().splitlines()[0]
     assert head == "point,role,X,Y,Z,sX,sY,sZ"
+
+
+def test_a_window_that_is_larger_than_the_object_is_refused(tmp_path):
+    block = with_windows(3.5, 1.25)
+    window = block.points.window.copy()
+    window[4] = 1e9
+    write_block(replace(block, points=replace(block.points, window=window)), tmp_path / "rough")
+    with pytest.raises(InputError) as found:
+        read_block(tmp_path / "rough")
+    extent = np.linalg.norm(np.ptp(block.points.xyz, axis=0))
+    for words in ("points.csv", "line 6", "column window", "1e+09", f"{extent:.6g}"):
+        assert words in str(found.value)

@@ -12,6 +12,7 @@ from raybundle.block import Distances
 from raybundle.errors import InputError
 from raybundle.planning.scenes import AerialStrips, TargetField, aerial_scene, field_scene
 from raybundle.planning.simulate import Survey, simulate
+from tests.truth.real_noise import with_smooth_errors
 
 GROUPS = AdjustmentOptions(variance_groups=True, jobs=1)
 
@@ -166,3 +167,19 @@ def test_the_chances_of_the_docs():
     for factor in (2, 5):
         row = " | ".join(f"{100 * chance_to_see(factor, r):.0f} %" for r in (1, 2, 4, 10))
         assert f"| a factor of {factor} | {row} |" in page
+
+
+@pytest.mark.parametrize(("control", "stated"), [(1.0, True), (1.5, False)])
+def test_control_that_fits_better_than_sigma0_states_is_a_remark(control, stated):
+    """Smooth errors raise sigma0, and with it what hangs on control; control that is as bad as sigma0 states is not."""
+    block = with_smooth_errors(survey(control=60), np.random.default_rng(3), 2, 0.6)
+    block = restated(block, control=1 / control)
+    result = adjust(block, AdjustmentOptions(jobs=1, noise="fields"))
+    assert result.noise.kind == "fields"
+    found = [n for n in result.notices if n.code == "control_precise"]
+    assert bool(found) == stated
+    if stated:
+        assert found[0].severity == "remark"
+        assert found[0].values["wider"] == pytest.approx(result.sigma0, rel=0.2)
+        grouped = adjust(block, AdjustmentOptions(jobs=1, noise="fields", variance_groups=True))
+        assert "control_precise" not in {n.code for n in grouped.notices}

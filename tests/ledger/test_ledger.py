@@ -1,8 +1,11 @@
 """The ledger: its sets, its statistics, and whether they notice standard deviations that are 10 % wrong."""
 
 import json
+import os
+import signal
 import sys
 from dataclasses import replace
+from importlib import import_module
 from pathlib import Path
 
 import numpy as np
@@ -194,6 +197,26 @@ def test_what_could_not_run_is_a_row_with_its_reason(tmp_path):
     assert "none of the data folders" in page([one], {one.name: found})
     broken = replace(one, judge="network")  # its options are not those of this judge
     assert results.run(broken, Places(data=(), cache=tmp_path))["reason"].startswith("KeyError")
+
+
+def test_a_killed_worker_is_a_row_and_the_others_go_on(tmp_path, monkeypatch, capfd):
+    run_all, killed = import_module("ledger.__main__")._run_all, "killed"
+    sets = [replace(OWN[0], name=name) for name in (killed, "other")]
+    monkeypatch.setattr(results, "run", _killed_or_not)
+    assert run_all(sets, Places(data=(), cache=tmp_path), tmp_path / "results", 1, redo=False) == 1
+    kept = results.read(tmp_path / "results")
+    assert "killed" in kept[killed]["reason"]
+    assert not kept["other"]["reason"]
+    shown = capfd.readouterr().err
+    assert len(shown.splitlines()) == 2
+    assert "Traceback" not in shown
+
+
+def _killed_or_not(one, places):
+    del places
+    if one.name == "killed":
+        os.kill(os.getpid(), signal.SIGKILL)
+    return {**results.killed(one, 0.0), "reason": ""}
 
 
 def test_failures_stand_first_and_nothing_is_left_out():

@@ -108,11 +108,11 @@ CODES = frozenset(
     calibrate close csr decisions
     descriptors end facts fields figures first fisheye folded fonts ft general gnss gps heading heic
     horizontal html ignore
-    inner ins jpeg known language last length lens levelled little middle minimal mwMW@%‰—…∞√≥≤ named names nan natural
-    notes factoring
-    numpy order orient paragraph png pointer pushbroom rad rational raw rawpy raybundle rb recognised report scipy
-    second sha256 shift snooping specialist spherical start statements stay sx sy sz table templates tiff
-    trouble upright values vertical vx vy vz webp white wx wy wz xy
+    inner ins jpeg known language last length lens levelled little middle minimal misfit mwMW@%‰—…∞√≥≤ named names
+    nan natural notes factoring
+    numpy order orient paragraph png pointer pushbroom rad rational raw rawpy raybundle rb recognised relief report
+    scipy second sha256 shift snooping specialist spherical start statements stay sx sy sz table templates tiff
+    trouble upright values vertical vx vy vz webp white window wx wy wz xy
     """.split()  # noqa: SIM905  (read like a text)
 )
 """Names within the program and its formats, which no reader sees"""

@@ -71,6 +71,9 @@ def test_the_global_test_is_put_in_words(case):
         fit = told(replace(a, global_test=(lower, 2 * upper, upper), sigma0=sigma0))[2]["Fit"]
         assert ("blunders are left" in fit) == doubts
         assert ("harms nothing" in fit) != doubts
+    wide = Notice(code="systematic_residuals", message="standard deviations are too small")
+    fit = told(replace(a, global_test=(lower, 2 * upper, upper), sigma0=1.05, notices=(*a.notices, wide)))[2]["Fit"]
+    assert "harms nothing" not in fit  # the caution stands beside it
     assert "larger than stated" in told(replace(a, global_test=(lower, 2 * upper, upper)))[2]["Fit"]
     assert "more precise than stated" in told(replace(a, global_test=(lower, lower / 2, upper)))[2]["Fit"]
     assert "as large as" in told(replace(a, global_test=(lower, value, upper)))[2]["Fit"]

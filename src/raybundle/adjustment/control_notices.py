@@ -4,9 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
+from raybundle.adjustment.components import LEAST, NAMES
 from raybundle.adjustment.control_tests import Contradiction, WrongPoint
 from raybundle.adjustment.result import Adjustment, Notice
 from raybundle.numerics.counting import counted, counted_are
+from raybundle.settings import option
 
 SHOWN = 10
 
@@ -28,6 +30,25 @@ def control_notices(result: Adjustment, found: Contradiction) -> list[Notice]:
     if found.unexplained:
         notices.append(_unexplained(found.unexplained))
     return notices
+
+
+def precise_control_notices(result: Adjustment) -> list[Notice]:
+    """A remark where control fits significantly better than sigma0, which smooth errors of photographs raise, states.
+
+    Covariances carry one sigma0 for all observations: what hangs on control is then stated too wide.
+    """
+    if result.noise.kind != "fields" or result.options.variance_groups:
+        return []
+    own = [c for c in result.variance_components if c.kind == NAMES["control"] and c.significant]
+    if not own or own[0].redundancy < LEAST or not own[0].ratio < result.sigma0:
+        return []
+    wider = result.sigma0 / own[0].ratio
+    message = (
+        f"residuals of control are {own[0].ratio:.2g} times as large as stated, those of all observations "
+        f"{result.sigma0:.2g} times: what hangs on control has standard deviations up to {wider:.2g} times too large. "
+        f"Give control a variance factor of its own ({option('variance_groups')})"
+    )
+    return [Notice(code="control_precise", message=message, values={"ratio": own[0].ratio, "wider": wider})]
 
 
 def not_located(group: Sequence[str], how: str) -> Notice:

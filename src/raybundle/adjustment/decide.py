@@ -46,7 +46,14 @@ from raybundle.errors import DatumDefect, NoConvergence, NotSolvable, RankDefect
 from raybundle.numerics.progress import Progress, silent
 
 ROUNDS = 40
-OF_THE_END = {"control_not_located", "snooping_masked", "image_contradicts", "control_contradicts", "names_exchanged"}
+OF_THE_END = {
+    "control_not_located",
+    "snooping_masked",
+    "image_contradicts",
+    "control_contradicts",
+    "names_exchanged",
+    "ties_mismatched",
+}
 """Codes of notices on what snooping leaves: those of an earlier run are replaced"""
 NEARBY = 0.3
 """Steps, in standard deviations of the unknowns, that end an adjustment without a few observations: within one standard

@@ -17,6 +17,7 @@ from raybundle.adjustment.assemble import State, System, assemble
 from raybundle.adjustment.behind_cameras import meeting_before_cameras
 from raybundle.adjustment.cell_means import systematic_notices
 from raybundle.adjustment.components import Found, settled_components, variance_components
+from raybundle.adjustment.control_notices import precise_control_notices
 from raybundle.adjustment.datum import Datum, analyse, hold_minimal, open_names
 from raybundle.adjustment.factoring import around
 from raybundle.adjustment.handle import EMPTY, Handle
@@ -48,7 +49,7 @@ from raybundle.adjustment.result import (
     Precision,
     variance_factor,
 )
-from raybundle.adjustment.roughness import with_roughness
+from raybundle.adjustment.roughness import relief_notices, with_roughness
 from raybundle.adjustment.solve import CAUTIOUS, FLOOR, HUBER, solve
 from raybundle.adjustment.steady import steadied, told_by_network, without_priors
 from raybundle.adjustment.straight import check_turning
@@ -140,7 +141,10 @@ def _finished(result: Adjustment, extent: Extent, progress: Progress) -> Adjustm
     result = under_noise(result) if result.options.noise == "fields" else result
     result = with_roughness(result)
     progress("statistics", 1.0)
-    found = (*own_field_notices(result), *systematic_notices(result), *unusual_noise_notices(result))
+    found = (
+        *own_field_notices(result), *systematic_notices(result), *unusual_noise_notices(result),
+        *relief_notices(result), *precise_control_notices(result),
+    )  # fmt: skip
     return replace(result, notices=(*result.notices, *found))
 
 

@@ -2,10 +2,13 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 import numpy as np
 
 from raybundle.adjustment.predict import predicted_px
 from raybundle.adjustment.result import Adjustment, Notice
+from raybundle.block.points import automatic
 from raybundle.block.rejection import RejectionKind
 from raybundle.numerics.arrays import Index
 from raybundle.numerics.counting import counted
@@ -15,21 +18,41 @@ BLUNDERS = {RejectionKind.BLUNDER, RejectionKind.BLUNDER_NOT_LOCATED, RejectionK
 
 
 def exchanged_notices(result: Adjustment) -> list[Notice]:
-    """A remark on the image points that are rejected under their own names and fit under those of each other."""
+    """Remarks on the image points that are rejected under their own names and fit under those of each other.
+
+    People exchange names; of tie points that were found without a name it is a mismatch.
+    """
     o, ids = result.given.observations, result.given.points.ids
     out = np.array([r is not None and r.kind in BLUNDERS for r in result.image_observations.rejected], bool)
     rows = np.flatnonzero(out)
     rows = rows[np.argsort(o.image[rows], kind="stable")]
     parts = np.split(rows, np.flatnonzero(np.diff(o.image[rows])) + 1) if len(rows) else []
     found = [(int(o.image[part[0]]), pair) for part in parts for pair in _pairs(result, int(o.image[part[0]]), part)]
-    if not found:
-        return []
-    images = result.given.images.ids
+    unnamed = automatic(ids)
+    named = [(i, pair) for i, pair in found if not unnamed[list(pair)].any()]
+    matched = [(i, pair) for i, pair in found if unnamed[list(pair)].any()]
+    notices = list[Notice]()
+    if named:
+        message = (
+            f"rejected image points fit under each other's names: {_shown(result, named)}. Exchange the names in these "
+            "images"
+        )
+        notices.append(_notice(result, "names_exchanged", message, named))
+    if matched:
+        message = f"rejected tie points were matched with one another: {_shown(result, matched)}. They take no part"
+        notices.append(_notice(result, "ties_mismatched", message, matched))
+    return notices
+
+
+def _shown(result: Adjustment, found: Sequence[tuple[int, tuple[int, int]]]) -> str:
+    ids, images = result.given.points.ids, result.given.images.ids
     each = "; ".join(f"{ids[a]} and {ids[b]} in image {images[i]}" for i, (a, b) in found[:SHOWN])
-    more = f"; and {counted(len(found) - SHOWN, 'more pair')}" if len(found) > SHOWN else ""
-    message = f"rejected image points fit under each other's names: {each}{more}. Exchange the names in these images"
-    names = tuple(dict.fromkeys(ids[k] for _, pair in found for k in pair))
-    return [Notice(code="names_exchanged", message=message, ids=names[:100], values={"pairs": len(found)})]
+    return each + (f"; and {counted(len(found) - SHOWN, 'more pair')}" if len(found) > SHOWN else "")
+
+
+def _notice(result: Adjustment, code: str, message: str, found: Sequence[tuple[int, tuple[int, int]]]) -> Notice:
+    names = tuple(dict.fromkeys(result.given.points.ids[k] for _, pair in found for k in pair))
+    return Notice(code=code, message=message, ids=names[:100], values={"pairs": len(found)})
 
 
 def _pairs(result: Adjustment, image: int, row: Index) -> list[tuple[int, int]]:

@@ -122,7 +122,7 @@ def _sum(squares: float) -> str:
 def _meaning(result: Adjustment, *, more: bool) -> str:
     """What a sigma0 other than 1 says of the observations."""
     if more and result.sigma0 < NEARLY:
-        return f"less than {100 * (NEARLY - 1):.0f} %, which so many observations tell and which harms nothing"
+        return f"less than {100 * (NEARLY - 1):.0f} %, which so many observations show"
     if more:
         return "the observations are less precise than stated, or the model does not fit or blunders are left"
     if result.options.weights == "residuals":

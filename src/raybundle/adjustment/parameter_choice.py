@@ -211,7 +211,6 @@ def _shapes(
             notice = untold_shape(shown, automatic)
             if notice is None or notice.ids in choices.kept_free:
                 return found, joint
-            choices.not_significant.append((notice.ids[0], notice.ids[1]))
             camera = next(c for c in result.given.cameras if c.id == notice.ids[0])
             limit = shape_limit(camera, notice.ids[1])
         name = notice.ids[0], notice.ids[1]

@@ -119,7 +119,7 @@ def _estimated(result: Adjustment, cameras: Sequence[str]) -> Iterator[tuple[Cam
 
 def _untold(camera: str, symbol: str, value: float, std: float, limit: float) -> Notice:
     return Notice(
-        code="not_significant", ids=(camera, symbol),
+        code="shape_held", ids=(camera, symbol),
         message=f"camera {camera}: {symbol} left out: these photographs know it to {std:.0e} only ({value:.1e} would "
         f"fit best), and sensors have less than {limit:.0e}",
     )  # fmt: skip

@@ -24,7 +24,7 @@ from dataclasses import replace
 import numpy as np
 
 from raybundle.adjustment.network import with_std
-from raybundle.adjustment.result import Adjustment, Precision
+from raybundle.adjustment.result import Adjustment, Notice, Precision
 from raybundle.block import Role
 from raybundle.block.rigs import without_rigs
 from raybundle.numerics.arrays import Array, Mask
@@ -33,6 +33,8 @@ FACTOR, BY_MISFIT, BY_RELIEF, BY_RESIDUALS, BY_WINDOW = 1.45, 1.55, 1.3, 0.9, 1.
 LEAST_MISFIT, LEAST_SHARE = 0.1, 0.03
 """What is less is noise of the figures."""
 NEIGHBOURS = 25
+FIGURES = ("window", "misfit", "relief")
+"""Columns of object points that relief is taken from, all or none."""
 HIGHEST = 2.0
 """Windows (`Points.window`): a window shows no relief that is higher than it is wide."""
 
@@ -59,6 +61,19 @@ def with_roughness(result: Adjustment) -> Adjustment:
     wider = widened(precision, roughness)
     network = None if result.network is None else with_std(result.network, wider.object_point_std)
     return replace(result, precision=wider, network=network)
+
+
+def relief_notices(result: Adjustment) -> list[Notice]:
+    """A caution where some figures of the windows of tie points are there and others are not: none then counts."""
+    figures = {n: getattr(result.adjusted.points, n) for n in FIGURES}
+    missing = [n for n, values in figures.items() if values is None]
+    if result.precision is None or not missing or len(missing) == len(figures):
+        return []
+    message = (
+        f"tie points without {' and '.join(missing)}: their standard deviations do not contain the relief within the "
+        "windows of matching. Take points.csv with all of its columns, or orient the photographs again"
+    )
+    return [Notice(code="relief_unknown", message=message, ids=tuple(missing))]
 
 
 def widened(precision: Precision, roughness: Array) -> Precision:

@@ -29,7 +29,7 @@ _CODES = {
         "one_ray_control outside_format parts_apart pixel_shape given_twice "
         "points_left_out rays_diverge read_out_unused relative_control repeated_structure residual_structure "
         "choice_unfinished result_unsettled rolling_shutter scale_unchecked scene_datum scene_prior small_angle "
-        "approximate_scale start_behind "
+        "approximate_scale relief_unknown start_behind "
         "start_parallel static_background systematic_residuals "
         "target_without_normal two_cameras unstable_camera unusual_errors up_ambiguous up_uncertain weak_photographs"
     ),
@@ -38,7 +38,8 @@ _CODES = {
         "in_parts masks memory_exceeded model not_significant parallel_rays parts_joined photographs place "
         "positions_assumed read_out reduced_features rejected relative_positions "
         "scale_checked scene_joins stored_turned target_eccentricity "
-        "names_exchanged snooping_robust target_radius up_by_edges up_without_edges variance_groups"
+        "control_precise names_exchanged shape_held ties_mismatched "
+        "snooping_robust target_radius up_by_edges up_without_edges variance_groups"
     ),
 }
 

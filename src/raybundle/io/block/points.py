@@ -61,6 +61,17 @@ def read_points(path: Path) -> Points:
         "X",
         lambda k: f"check point {quoted(ids[k])} has no coordinate; give one or make its role tie",
     )
+    window = table.number.get("window")
+    if window is not None and given.all(axis=1).sum() > 1:
+        extent = float(np.linalg.norm(np.ptp(xyz[given.all(axis=1)], axis=0)))
+        problems += problems_of(
+            window > extent,
+            "window",
+            lambda k: (
+                f"window {window[k]:.6g} of point {quoted(ids[k])} is larger than the extent of all points, "
+                f"{extent:.6g}; give the width of the window of matching on the object"
+            ),
+        )
     require(path, problems)
     return Points(ids=ids, role=role, xyz=xyz, sigma=sigma, **{n: table.number.get(n) for n in WINDOW})
 

@@ -339,11 +339,12 @@ def _fit(view: View) -> str:
             "here carry the smaller value."
         )
     if a.sigma0 < NEARLY:
-        return (
+        text = (
             f"{sigma0}: the residuals are larger than stated (global test at 5 %), by less than "
-            f"{100 * (NEARLY - 1):.0f} %, which so many observations tell and which harms nothing. All standard "
-            "deviations here carry the larger value."
+            f"{100 * (NEARLY - 1):.0f} %, which so many observations show. All standard deviations here carry the "
+            "larger value."
         )
+        return text + (" That harms nothing." if all(n.severity is Severity.REMARK for n in a.notices) else "")
     return (
         f"{sigma0}: the residuals are larger than stated (global test at 5 %). Either the observations are less "
         "precise than assumed, or the model lacks something, or blunders are left. All standard deviations here "
