@@ -11,6 +11,7 @@ from raybundle.adjustment.severity import Severity
 from raybundle.calibration.quality import calibration_qualities
 from raybundle.planning.scenes import Ring, TargetField, brown_camera, field_scene, ring_scene
 from raybundle.planning.simulate import Survey, simulate
+from tests.adjustment.test_joint_interior import chosen, simulated
 
 EVERY = ("c", "x0", "y0", "K1", "K2", "K3", "P1", "P2", "A", "S")
 
@@ -53,9 +54,7 @@ def test_what_no_sensor_has_is_held_and_said(symbol, value):
 
 def test_what_these_photographs_know_worse_than_a_sensor_is_stated_once():
     """It is held for what sensors have, whether it is significant or not."""
-    block = simulate(ring_scene(Ring()), Survey(seed=2, points="exact", orientation="exact", interior="exact")).observed
-    free = replace(block, cameras=tuple(replace(c, estimate="auto") for c in block.cameras))
-    result = decide(free, AdjustmentOptions(jobs=1, noise="white", pixel_shape="sensor"))
+    result = chosen(simulated(3, cameras=2), "fields", "sensor")
     held = [n.ids for n in result.notices if n.code == "shape_held"]
     assert held
     for camera, symbol in held:

@@ -4,10 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from raybundle.adjustment.components import LEAST, NAMES
+from raybundle.adjustment.components import LEAST, LEVEL, NAMES
 from raybundle.adjustment.control_tests import Contradiction, WrongPoint
 from raybundle.adjustment.result import Adjustment, Notice
 from raybundle.numerics.counting import counted, counted_are
+from raybundle.numerics.statistics import chi_square_tails
 from raybundle.settings import option
 
 SHOWN = 10
@@ -39,10 +40,12 @@ def precise_control_notices(result: Adjustment) -> list[Notice]:
     """
     if result.noise.kind != "fields" or result.options.variance_groups:
         return []
-    own = [c for c in result.variance_components if c.kind == NAMES["control"] and c.significant]
-    if not own or own[0].redundancy < LEAST or not own[0].ratio < result.sigma0:
+    own = [c for c in result.variance_components if c.kind == NAMES["control"] and c.redundancy >= LEAST]
+    if not own:
         return []
-    wider = result.sigma0 / own[0].ratio
+    wider, redundancy = result.sigma0 / own[0].ratio, own[0].redundancy
+    if not (wider > 1 and chi_square_tails(redundancy / wider**2, redundancy)[0] < LEVEL):
+        return []
     message = (
         f"residuals of control are {own[0].ratio:.2g} times as large as stated, those of all observations "
         f"{result.sigma0:.2g} times: what hangs on control has standard deviations up to {wider:.2g} times too large. "
