@@ -69,7 +69,7 @@ def read_points(path: Path) -> Points:
             "window",
             lambda k: (
                 f"window {window[k]:.6g} of point {quoted(ids[k])} is larger than the extent of all points, "
-                f"{extent:.6g}; give the width of the window of matching on the object"
+                f"{extent:.6g}; give it in the unit of the coordinates"
             ),
         )
     require(path, problems)
