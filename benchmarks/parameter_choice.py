@@ -6,7 +6,8 @@ Simulated blocks with smooth errors of 0.3 px that differ from image to image.  
 second one P1 = P2 = 0.  field: targets, 16 images; flight: strips and cross lines; ten: ten cameras in 50 images;
 mixed: twelve images of two cameras named as one (differences of 1 % of c, 20 px of the principal point, 5 px of K1 at
 half the longer side, as standard deviations), or of one camera; large: ten cameras and 180 000 image points, processor
-time, without and with smooth errors.  Prints JSON.
+time, without and with smooth errors; wandering: control, and a principal point that differs from image to image by 4 px
+or not at all, in adjustments of a free and of a held camera.  Prints JSON.
 """
 
 import argparse
@@ -26,8 +27,18 @@ from tests.truth.real_noise import per_parameter, with_smooth_errors  # noqa: E4
 
 from raybundle.adjustment.decide import decide  # noqa: E402
 from raybundle.adjustment.options import AdjustmentOptions  # noqa: E402
+from raybundle.adjustment.own_interiors import own_interiors  # noqa: E402
 from raybundle.calibration.several_cameras import several_cameras  # noqa: E402
-from raybundle.planning.scenes import TargetField, brown_camera, field_scene  # noqa: E402
+from raybundle.numerics.statistics import chi_square_tails  # noqa: E402
+from raybundle.planning.scenes import (  # noqa: E402
+    AerialStrips,
+    Ring,
+    TargetField,
+    aerial_scene,
+    brown_camera,
+    field_scene,
+    ring_scene,
+)  # fmt: skip
 from raybundle.planning.simulate import Survey, simulate  # noqa: E402
 from raybundle.planning.uav_networks import Flight, flight_scene, uav_camera  # noqa: E402
 
@@ -107,6 +118,51 @@ def several(draws: int, size: float, focus: float = 0.0) -> dict:
     return {"draws": draws, "named": named, "exact": exact}
 
 
+def wandering(draws: int, wander_px: float) -> dict:
+    """A principal point of each image's own: how true centres are stated, and whether residuals can show it.
+
+    centres: root of chi-square per coordinate; own_px: median standard deviation of an image's own principal point;
+    shown: share of draws in which all images' own principal points differ from nil (chi-square, 1 %).
+    """
+    found = {}
+    for name, scene, sigma in (
+        ("field", field_scene(TargetField(camera=brown_camera(), stations=12, frontal=4)), 1e-4),
+        ("ring", ring_scene(Ring(camera=brown_camera(), points=250)), 1e-4),
+        ("flight", aerial_scene(AerialStrips(strips=3, images_per_strip=6)), 0.02),
+        ("flight, camera held", aerial_scene(AerialStrips(strips=3, images_per_strip=6)), 0.02),
+    ):
+        squares, own_px, shown = [], [], 0
+        for seed in range(draws):
+            survey = Survey(
+                seed=seed, image_sigma_px=0.2, points="exact", orientation="exact", interior="exact", control=10,
+                control_sigma=(sigma,) * 3,
+            )  # fmt: skip
+            done, rng = simulate(scene, survey), np.random.default_rng(seed + 77)
+            block = with_smooth_errors(done.observed, rng, 2, SMOOTH_PX)
+            o = block.observations
+            shift = wander_px * rng.normal(size=(len(block.images), 2))
+            block = replace(block, observations=replace(o, xy_px=o.xy_px + shift[o.image]))
+            estimate = () if name.endswith("held") else "auto"
+            block = replace(block, cameras=tuple(replace(c, estimate=estimate) for c in block.cameras))
+            result = decide(block, AdjustmentOptions(jobs=1, noise="fields", tolerance=1e-4))
+            error = result.adjusted.images.centre - done.truth.images.centre
+            C = result.precision.images[:, :3, :3]
+            squares.append(np.einsum("ni,ni->", error, np.linalg.solve(C, error[:, :, None])[:, :, 0]) / error.size)
+            (own,) = own_interiors(result)
+            at = (4 * np.arange(len(own.images))[:, None] + [1, 2]).ravel()
+            difference, V = own.difference_px.ravel()[at], own.covariance[np.ix_(at, at)]
+            own_px.append(float(np.median(np.sqrt(np.diagonal(V)))))
+            values, vectors = np.linalg.eigh(V)
+            told = values > 1e-6 * values[-1]
+            square = float((((vectors.T @ difference) ** 2)[told] / values[told]).sum())
+            shown += chi_square_tails(square, int(told.sum()))[1] < 0.01
+        found[name] = {
+            "draws": draws, "centres": float(np.sqrt(np.mean(squares))), "own_px": float(np.median(own_px)),
+            "shown": shown / draws,
+        }  # fmt: skip
+    return found
+
+
 def large() -> dict:
     """Processor time of ten cameras and 180 000 image points."""
     found = {}
@@ -137,6 +193,8 @@ def main() -> None:
         "two cameras": lambda: several(given.draws, 1.0),
         "two cameras, differences twice as large": lambda: several(given.few, 2.0),
         "large": large,
+        "principal point steady": lambda: wandering(given.few, 0.0),
+        "principal point wanders by 4 px": lambda: wandering(given.few, 4.0),
     }
     found = {}
     for name, run in cases.items():
