@@ -37,10 +37,12 @@ def exchanged_notices(result: Adjustment) -> list[Notice]:
             f"rejected image points fit under each other's names: {_shown(result, named)}. Exchange the names in these "
             "images"
         )
-        notices.append(_notice(result, "names_exchanged", message, named))
+        values = {"pairs": len(named)}
+        notices.append(Notice(code="names_exchanged", message=message, ids=_names(result, named), values=values))
     if matched:
         message = f"rejected tie points were matched with one another: {_shown(result, matched)}. They take no part"
-        notices.append(_notice(result, "ties_mismatched", message, matched))
+        values = {"pairs": len(matched)}
+        notices.append(Notice(code="ties_mismatched", message=message, ids=_names(result, matched), values=values))
     return notices
 
 
@@ -50,9 +52,8 @@ def _shown(result: Adjustment, found: Sequence[tuple[int, tuple[int, int]]]) -> 
     return each + (f"; and {counted(len(found) - SHOWN, 'more pair')}" if len(found) > SHOWN else "")
 
 
-def _notice(result: Adjustment, code: str, message: str, found: Sequence[tuple[int, tuple[int, int]]]) -> Notice:
-    names = tuple(dict.fromkeys(result.given.points.ids[k] for _, pair in found for k in pair))
-    return Notice(code=code, message=message, ids=names[:100], values={"pairs": len(found)})
+def _names(result: Adjustment, found: Sequence[tuple[int, tuple[int, int]]]) -> tuple[str, ...]:
+    return tuple(dict.fromkeys(result.given.points.ids[k] for _, pair in found for k in pair))[:100]
 
 
 def _pairs(result: Adjustment, image: int, row: Index) -> list[tuple[int, int]]:
