@@ -115,10 +115,10 @@ def test_three_points_leave_nothing_to_test_along_their_plane():
 def test_what_cannot_be_fitted_is_told():
     part = Part(6)
     measured, nominal = part.draw(np.random.default_rng(5)), nominal_of(part.xyz)
-    with pytest.raises(InputError, match=r"2 of 2 nominal points .* a fit needs 3"):
+    with pytest.raises(InputError, match=r"2.*3.*fit\.too_few_common"):
         best_fit(measured, nominal_of(part.xyz[:2]))
-    with pytest.raises(InputError, match="not among both the measured and the nominal: Q1"):
+    with pytest.raises(InputError, match=r"Q1.*fit\.unknown_points"):
         best_fit(measured, nominal, by=("P1", "P2", "Q1"))
     line = nominal_of(np.outer(np.arange(6.0), [1, 2, 3]))
-    with pytest.raises(InputError, match="not in one line"):
+    with pytest.raises(InputError, match=r"fit\.points_in_line"):
         best_fit(replace(measured, xyz=line.xyz), line)

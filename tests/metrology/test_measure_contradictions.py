@@ -50,7 +50,8 @@ def test_mirrored_nominal_coordinates_are_told_first(field, tmp_path, capsys):
     words = ["measure", str(folder), "--scale-bar", a, b, repr(length), repr(sigma), "--nominal", str(file)]
     assert main([*words, "--unit", "0.001", "--no-report", "--progress", "none", "--out", str(tmp_path / "m")]) == 0
     first = capsys.readouterr().out.splitlines()[0]
-    assert first.startswith(" fault: nominal coordinates are those of a mirror image")
+    assert "[nominal_mirrored]" in first
+    assert first.startswith(" fault: ")
 
 
 def test_a_wrong_bar_is_one_factor_of_all_deviations(field, tmp_path):
@@ -60,7 +61,7 @@ def test_a_wrong_bar_is_one_factor_of_all_deviations(field, tmp_path):
     done = rb.measure(folder, tmp_path / "m", scale_bar=[wrong], nominal=file, unit=0.001, report=False)
     told = codes(done)["nominal_scale"]
     assert told.severity == "fault"
-    assert "a factor of 0.588" in told.message
+    assert told.values["factor"] == pytest.approx(0.588, abs=1e-3)
 
 
 def test_one_wrong_nominal_value_bends_no_deviation(field, tmp_path):
@@ -69,10 +70,12 @@ def test_one_wrong_nominal_value_bends_no_deviation(field, tmp_path):
     done = measured(field, tmp_path / "m", nominal=file)
     assert [i for i, v in zip(done.fit.ids, done.fit.significant, strict=True) if v] == ["5"]
     assert [i for i, f in zip(done.fit.ids, done.fit.fitted, strict=True) if not f] == ["5"]
-    assert "5 by 50.0 mm" in codes(done)["nominal_wrong"].message
+    (apart,) = codes(done)["nominal_wrong"].details
+    assert apart.values == {"point": "5", "apart_mm": pytest.approx(50.0, abs=0.5)}
+    assert codes(done)["nominal_wrong"].values["excluded"]
     named = measured(field, tmp_path / "n", nominal=file, by=("1", "2", "5", "9", "20", "33"))
     assert named.fit.fitted.sum() == 6  # who names them has them
-    assert "as it is named" in codes(named)["nominal_wrong"].message
+    assert not codes(named)["nominal_wrong"].values["excluded"]
 
 
 def test_names_that_were_exchanged_are_told(field, tmp_path):
@@ -80,22 +83,23 @@ def test_names_that_were_exchanged_are_told(field, tmp_path):
     done = measured(
         field, tmp_path / "m", nominal=table(tmp_path / "n.csv", {**truth, "1": truth["2"], "2": truth["1"]})
     )
-    assert "With the names exchanged they fit: 1 and 2" in codes(done)["nominal_wrong"].message
+    (pair,) = [d for d in codes(done)["nominal_wrong"].details if d.code == "points_fit.names_exchanged"]
+    assert pair.values == {"first": "1", "second": "2"}
 
 
 FIVE = ("1", "10", "61", "101", "140")
 
 
-@pytest.mark.parametrize(("turn", "code", "said"), [
-    ((-1, 1, 1), "control_mirrored", "those of a mirror image"),
-    ((1.01, 1.01, 1.01), "control_contradicts", "differ in scale by"),
+@pytest.mark.parametrize(("turn", "code", "variant"), [
+    ((-1, 1, 1), "control_mirrored", ""),
+    ((1.01, 1.01, 1.01), "control_contradicts", "scale"),
 ])  # fmt: skip
-def test_control_that_contradicts_all_is_a_fault_and_bends_nothing(field, tmp_path, turn, code, said):
+def test_control_that_contradicts_all_is_a_fault_and_bends_nothing(field, tmp_path, turn, code, variant):
     _, truth = field
     done = measured(field, tmp_path / "m", control=table(tmp_path / "c.csv", truth, FIVE, turn))
     told = codes(done)[code]
     assert told.severity == "fault"
-    assert said in told.message
+    assert told.variant == variant
     assert set(done.points.ids) == set(truth)
     assert not {"control_not_observed", "distance_lost"} & set(codes(done))
     length = np.linalg.norm(np.diff(done.points.named(["1", "20"]).xyz, axis=0))
@@ -109,8 +113,8 @@ def test_one_wrong_control_point_of_five_is_named_and_compared(field, tmp_path):
     told = codes(done)["control_left_out"]
     assert told.severity == "fault"
     assert told.ids == ("61",)
-    assert "61 by 20.0 mm" in told.message
-    assert not any("fit the network to" in r for r in done.remarks)  # the others are as good as ever
+    assert told.details[0].values == {"point": "61", "apart_mm": pytest.approx(20.0, abs=0.5)}
+    assert not any(n.variant == "no_sigma" for n in done.adjustment.notices)  # the others are as good as ever
     off = done.points.xyz - np.array([truth[n] for n in done.points.ids])
     assert np.sqrt((off**2).mean()) < 1e-4
 
@@ -120,7 +124,7 @@ def test_control_in_a_line_or_another_unit_is_told_with_its_file(field, tmp_path
     file = table(tmp_path / "c.csv", {n: np.array([k, 2.0 * k, 3.0 * k]) for k, n in enumerate(FIVE)})
     with pytest.raises(InputError, match=r"c\.csv: the 5 control points .* lie in one line"):
         measured(field, tmp_path / "m", control=file)
-    with pytest.raises(InputError, match=r"1000 times as large as the control \(metres for millimetres\)"):
+    with pytest.raises(InputError, match=r"1000 times as large as the control \(m for mm\)"):
         measured(field, tmp_path / "m", control=table(tmp_path / "d.csv", truth, FIVE, (1e-3, 1e-3, 1e-3)))
 
 
@@ -162,7 +166,7 @@ def test_a_bar_or_a_length_given_twice_counts_once(field, tmp_path):
 def test_what_is_wrong_with_a_length_is_told_with_its_place(field, tmp_path):
     _, truth = field
     file = lengths(tmp_path / "l.csv", truth, ("2", "7", 1e-3, ""), ("3", "9", 1e-3, ""))
-    with pytest.raises(InputError, match=r"l\.csv: known lengths are 0\.001 times .* \(metres for millimetres\)"):
+    with pytest.raises(InputError, match=r"l\.csv: known lengths are 0\.001 times .* \(m for mm\)"):
         measured(field, tmp_path / "m", lengths=file)
     file.write_text("from,to,length\n2,7,1\n2,zz,1\n")
     with pytest.raises(InputError, match=r"l\.csv, line 3: no point zz was measured"):

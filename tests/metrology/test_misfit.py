@@ -45,7 +45,7 @@ def test_a_common_factor_is_told_where_the_scale_was_known_better():
     free = misfit(source, 1.7 * target, scale_sigma=None)  # nobody said that it is 1
     assert free.sound
     assert free.factor == pytest.approx(1.7, rel=1e-4)
-    assert unit_of(25.41) == "millimetres for inches"
+    assert unit_of(25.41) == "mm for in"
     assert unit_of(1.7) == ""
 
 

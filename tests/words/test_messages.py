@@ -159,6 +159,11 @@ def test_no_value_is_a_sentence():
     assert not wrong, "\n".join(wrong)
 
 
+def test_settings_are_named_by_a_function():
+    wrong = [f"{e.file}, line {e.line}" for x in words.languages() for e in entries(x).values() if " --" in e.text]
+    assert not wrong, f'write {{ OPTION("name") }} in the place of a flag: {"; ".join(wrong)}'
+
+
 def test_values_choose_words():
     text = words.headline("similarity.too_few_points", {"n": 1})
     assert text == "A similarity transformation needs three common points; 1 is given."

@@ -30,7 +30,7 @@ class Notice:
     """Something the user should know: a warning of result.json, a line of the report."""
 
     code: str
-    """Stable, snake case: "not_determinable", "control_suspect.held" ..."""
+    """Stable, snake case: "not_determinable", "behind_camera" ...; with what is behind a dot as its variant"""
     message: str = ""
     """Its text, where no catalogue has the code."""
     ids: tuple[str, ...] = ()
@@ -44,6 +44,15 @@ class Notice:
     also: tuple[str, ...] = ()
     """Other objects of which the same holds."""
     details: tuple[Message, ...] = ()
+    variant: str = ""
+    """Which of several messages of this code: "turned" of "behind_camera.turned"."""
+
+    def __post_init__(self) -> None:
+        """Take the variant off the code."""
+        code, dot, variant = self.code.partition(".")
+        if dot:
+            object.__setattr__(self, "code", code)
+            object.__setattr__(self, "variant", variant)
 
     @property
     def severity(self) -> Severity:
@@ -54,7 +63,8 @@ class Notice:
     def data(self) -> Message:
         """The message as data."""
         values: dict[str, Value] = {**({"ids": self.ids} if self.ids else {}), **self.values}
-        return Message(code=self.code, values=plain(values), severity=self.severity, details=self.details)
+        code = f"{self.code}.{self.variant}" if self.variant else self.code
+        return Message(code=code, values=plain(values), severity=self.severity, details=self.details)
 
     @property
     def text(self) -> str:

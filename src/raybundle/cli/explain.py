@@ -24,9 +24,8 @@ def command(code: str, language: str, as_json: bool) -> None:  # noqa: FBT001  (
     """Explain a message by the code in its square brackets, or all messages of a subject.
 
     \b
-    Examples:
-      raybundle explain scale.single_bar
-      raybundle explain table
+    Example:
+      raybundle explain outline.no_area
     """  # noqa: D301
     code = code.strip("[]")
     found = [c for c in words.codes() if c == code] or [c for c in words.codes() if c.startswith(f"{code}.")]

@@ -18,13 +18,13 @@ from raybundle.metrology.lengths import LengthTest
 MM = 1000.0
 FEW = 5
 """Lengths or bars that a notice lists with their figures"""
-LEAST_P = 1e-16
-"""Probabilities below are those of no distribution of real errors: they are told as a bound"""
 
 
 def p_words(p: float) -> str:
     """A probability behind its letter: "p 0.35", "p < 1e-16"."""
-    return f"p {p:.2g}" if p >= LEAST_P else f"p < {LEAST_P:g}"
+    from raybundle.words.values import probability  # noqa: PLC0415  (Fluent is loaded with it)
+
+    return probability(p)
 
 
 def bar_notices(test: BarTest | None) -> tuple[Notice, ...]:
@@ -33,7 +33,7 @@ def bar_notices(test: BarTest | None) -> tuple[Notice, ...]:
         return ()
     at = test.order if test.wrong is None else [test.wrong]
     values: dict[str, Value] = {
-        "names": [test.bars[k].name for k in at], "p": max(test.whole[1], LEAST_P),
+        "names": [test.bars[k].name for k in at], "p": test.whole[1],
         "uncertain": float(np.max(test.sigma / [b.length for b in test.bars])),
         "sigma_mm": MM * float(test.sigma.max()),
     }  # fmt: skip
@@ -64,7 +64,7 @@ def length_notices(test: LengthTest | None) -> tuple[Notice, ...]:
     beyond = beyond[np.argsort(-np.abs(test.error[beyond]), kind="stable")].tolist()
     off, sigma = test.scale
     values: dict[str, Value] = {
-        "n": test.independent, "factor": test.factor, "F": F, "p": max(p, LEAST_P), "scale_ppm": 1e6 * off,
+        "n": test.independent, "factor": test.factor, "F": F, "p": p, "scale_ppm": 1e6 * off,
         "sigma_ppm": 1e6 * sigma, "beyond": len(beyond),
     }  # fmt: skip
     code = "lengths_contradict"

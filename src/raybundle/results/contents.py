@@ -70,6 +70,7 @@ def result_json(adjustment: Adjustment) -> dict[str, Any]:
         "warnings": [
             {
                 "code": n.code,
+                **({"variant": n.variant} if n.variant else {}),
                 "severity": n.severity.value,
                 "message": n.text,
                 "ids": list(n.ids),

@@ -6,8 +6,10 @@ from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
 
+from raybundle import words
+from raybundle.adjustment.result import Notice
 from raybundle.adjustment.severity import SEVERITY, Severity
-from raybundle.errors import InputError
+from raybundle.errors import InputError, message_of
 from raybundle.io.reading.trees import read_json
 from raybundle.numerics.counting import counted
 
@@ -17,9 +19,9 @@ RELATIVE = "its heights are relative and tilted: those of the control were not m
 """What does not forbid the use of a result."""
 
 
-def state_line(words: str) -> str:
+def state_line(found: str) -> str:
     """What `state_words` gave as a line of a command's output."""
-    return f"{'caution' if words.lower().rstrip('.') == RELATIVE else 'fault'}: {words}"
+    return f"{'caution' if found.lower().rstrip('.') == RELATIVE else 'fault'}: {found}"
 
 
 def state_words(result: Mapping[str, Any]) -> str:
@@ -48,7 +50,7 @@ def faults_of(folder: Path) -> tuple[str, ...]:
         told = read_json(folder / "result.json").value
     except InputError:
         return ()
-    return tuple(str(n.get("message", "")) for n in _faults(told)) if isinstance(told, dict) else ()
+    return tuple(notice_of(n).text for n in _faults(told)) if isinstance(told, dict) else ()
 
 
 def lost(result: Mapping[str, Any]) -> bool:
@@ -75,3 +77,14 @@ def severity_of(notice: Mapping[str, Any]) -> Severity:
     """How grave it is; results of versions that did not write how grave a notice is tell its code."""
     told = notice.get("severity", SEVERITY.get(str(notice.get("code", "")), Severity.REMARK))
     return Severity(told) if told in [s.value for s in Severity] else Severity.REMARK
+
+
+def notice_of(told: Mapping[str, Any]) -> Notice:
+    """A notice of result.json; with its text where this version lacks the code, or an older one wrote no values."""
+    code, values = ".".join(filter(None, (told.get("code"), told.get("variant")))), told.get("values") or {}
+    ids = tuple(str(i) for i in told.get("ids") or ())
+    known = code in words.codes() and {*words.examples(code)} <= {*values, *(["ids"] if ids else [])}
+    return Notice(
+        code=code, message="" if known else str(told.get("message", "")), measured=severity_of(told), ids=ids,
+        values=values, details=tuple(map(message_of, told.get("details") or ())),
+    )  # fmt: skip

@@ -27,7 +27,7 @@ class Reader:
 
     language: str = ENGLISH
     flags: bool = False
-    """whether a setting is a flag of the command line, --crs; or an argument in Python, crs="""
+    """whether a setting is a flag of the command line, or an argument in Python"""
 
 
 PYTHON = Reader()

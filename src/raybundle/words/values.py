@@ -3,8 +3,9 @@
     { $n }                       a whole number in groups of three digits; a real one with three significant digits
     { NUM($x, digits: 5) }       with so many significant digits; decimals: so many decimals
     { PERCENT($share) }          a share in per cent, without the sign
+    { P($p) }                    a probability behind its letter: p 0.35
     { LIST($names, most: 3) }    the first of a list, and how many more there are; { $names } shows five
-    { OPTION("crs", "EPSG") }    a setting: --crs EPSG on the command line, crs=EPSG in Python
+    { OPTION("crs", "EPSG") }    a setting: a flag with its value on the command line, crs=EPSG in Python
 
 A truth value is the word yes or no, by which an entry chooses its words.
 """
@@ -22,6 +23,8 @@ from fluent.runtime.types import FluentType
 from raybundle.words.numbers import grouped, short
 from raybundle.words.options import option_words
 
+LEAST_P = 1e-16
+"""Probabilities below are those of no distribution of real errors: they are written as a bound"""
 NAME = 120
 """Characters of a name that a message shows"""
 MOST = 5
@@ -116,6 +119,11 @@ def percent(v: float, digits: int = 2) -> FluentType:
     return number(100 * float(v), digits)
 
 
+def probability(v: float) -> str:
+    """P."""
+    return f"p {short(float(v), 2)}" if v >= LEAST_P else f"p < {LEAST_P:g}"
+
+
 def names(v: Names, most: int = MOST) -> FluentType:
     """LIST."""
     return Names(v.items, int(most))
@@ -127,7 +135,7 @@ def functions(*, flags: bool) -> dict[str, Callable[..., Any]]:
     def setting(name: str, *values: Any, flag: str = "") -> str:
         return option_words(name, *map(_typed, values), flag=flag, flags=flags)
 
-    return {"NUM": number, "PERCENT": percent, "LIST": names, "OPTION": setting}
+    return {"NUM": number, "PERCENT": percent, "LIST": names, "P": probability, "OPTION": setting}
 
 
 def _typed(v: Any) -> object:

@@ -10,8 +10,7 @@ import numpy as np
 from raybundle.adjustment.result import Notice
 from raybundle.adjustment.severity import Severity
 from raybundle.errors import message_of, plain
-from raybundle.io.block.arrays import arrays_of_block, block_of_arrays, names_of_text, text_of_names
-from raybundle.io.reading.trees import own_json_of
+from raybundle.io.block.arrays import arrays_of_block, block_of_arrays, names_of_text, text_of_names, value_of_text
 from raybundle.numerics.arrays import Array
 from raybundle.ties.block import TieBlock
 
@@ -37,7 +36,7 @@ def reasons_of_array(kept: Array) -> Reasons:
 def notices_as_array(notices: Sequence[Notice]) -> Array:
     """Code, text, severity, ids, values and details as JSON (n, 6)."""
     rows = [
-        (n.code, n.message, str(n.severity.value), text_of_names(n.ids), json.dumps(plain(n.values)),
+        (n.data.code, n.message, str(n.severity.value), text_of_names(n.ids), json.dumps(plain(n.values)),
          json.dumps([plain(d.json()) for d in n.details]))
         for n in notices
     ]  # fmt: skip
@@ -53,8 +52,8 @@ def _notice(
     code: str, message: str, severity: str, ids: str, values: str = "{}", details: str = "[]"
 ) -> Notice:  # fmt: skip
     return Notice(
-        code=code, message=message, measured=Severity(severity), ids=names_of_text(ids), values=own_json_of(values),
-        details=tuple(map(message_of, own_json_of(details))),
+        code=code, message=message, measured=Severity(severity), ids=names_of_text(ids), values=value_of_text(values),
+        details=tuple(map(message_of, value_of_text(details))),
     )  # fmt: skip
 
 

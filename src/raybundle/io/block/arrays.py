@@ -97,7 +97,12 @@ def text_of_names(names: Sequence[str]) -> str:
 
 def names_of_text(text: str) -> tuple[str, ...]:
     """The names that `text_of_names` was given."""
-    return tuple(own_json_of(text))
+    return tuple(value_of_text(text))
+
+
+def value_of_text(text: str) -> Any:
+    """A value that JSON can hold, of the text in which it is kept."""
+    return own_json_of(text)
 
 
 def _part(kind: type[Records], name: str, a: Mapping[str, Array]) -> Records | None:

@@ -94,7 +94,7 @@ class Language:
 
     def left(self, english: str) -> float:
         """Letters of a text that stay English."""
-        if self._book is None or isinstance(english, Said) or english in self._book.exact:
+        if self._book is None or isinstance(english, Said | Text) or english in self._book.exact:
             return 0.0
         return self._said(english.replace(BOUND, "± "))[1]
 

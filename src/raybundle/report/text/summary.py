@@ -57,7 +57,7 @@ def notice_lines(notices: Sequence[Notice]) -> list[str]:
 
 def line_of(notice: Notice) -> str:
     """A notice with its severity, and with its code where that can be looked up."""
-    code = "" if notice.message else f" [{notice.code}]"
+    code = "" if notice.message else f" [{notice.data.code}]"
     return f"{notice.severity.value}: {notice.text}{code}"
 
 

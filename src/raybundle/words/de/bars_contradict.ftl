@@ -1,12 +1,12 @@
-bars_contradict = Maßstabsstrecken widersprechen einander (p { NUM($p, digits: 2) }): { $names }.
+bars_contradict = Maßstabsstrecken widersprechen einander ({ P($p) }): { $names }.
     .why = Bis zur Klärung sind Längen um { PERCENT($uncertain) } % unsicher; die Strecken nehmen mit Sigma bis { NUM($sigma_mm, digits: 2) } mm teil.
     .do = Zertifikate, Einheiten und Endpunkte dieser Strecken prüfen oder eine Strecke ergänzen.
 
-bars_contradict-exchanged = Maßstabsstrecken widersprechen einander (p { NUM($p, digits: 2) }); mit vertauschten Längen von { $first } und { $second } stimmen sie.
+bars_contradict-exchanged = Maßstabsstrecken widersprechen einander ({ P($p) }); mit vertauschten Längen von { $first } und { $second } stimmen sie.
     .why = Bis zur Klärung sind Längen um { PERCENT($uncertain) } % unsicher.
     .do = Prüfen, ob die Zertifikate von { $first } und { $second } vertauscht sind.
 
-bars_contradict-one = Maßstabsstrecke { $names } widerspricht den übrigen (p { NUM($p, digits: 2) }), die übereinstimmen.
+bars_contradict-one = Maßstabsstrecke { $names } widerspricht den übrigen ({ P($p) }), die übereinstimmen.
     .why = Sie nimmt mit Sigma { NUM($sigma_mm, digits: 2) } mm teil und verformt das Ergebnis nicht.
     .do = Zertifikat, Einheit und Endpunkte dieser Strecke prüfen.
 

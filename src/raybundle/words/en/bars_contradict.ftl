@@ -3,7 +3,7 @@
 # $uncertain = 0.004
 # $sigma_mm = 1.8
 # $ids = ["B1", "B2"]
-bars_contradict = Scale bars contradict each other (p { NUM($p, digits: 2) }): { $names }.
+bars_contradict = Scale bars contradict each other ({ P($p) }): { $names }.
     .why = Lengths are uncertain by { PERCENT($uncertain) } % until this is settled; the bars take part with sigma up to { NUM($sigma_mm, digits: 2) } mm.
     .do = Check certificates, units and end points of these bars, or add a bar.
 
@@ -14,7 +14,7 @@ bars_contradict = Scale bars contradict each other (p { NUM($p, digits: 2) }): {
 # $ids = ["B1", "B2"]
 # $first = "B1"
 # $second = "B2"
-bars_contradict-exchanged = Scale bars contradict each other (p { NUM($p, digits: 2) }); with the lengths of { $first } and { $second } exchanged they agree.
+bars_contradict-exchanged = Scale bars contradict each other ({ P($p) }); with the lengths of { $first } and { $second } exchanged they agree.
     .why = Lengths are uncertain by { PERCENT($uncertain) } % until this is settled.
     .do = Check whether the certificates of { $first } and { $second } were exchanged.
 
@@ -23,7 +23,7 @@ bars_contradict-exchanged = Scale bars contradict each other (p { NUM($p, digits
 # $uncertain = 0.004
 # $sigma_mm = 1.8
 # $ids = ["B1"]
-bars_contradict-one = Scale bar { $names } contradicts the other bars (p { NUM($p, digits: 2) }), which agree.
+bars_contradict-one = Scale bar { $names } contradicts the other bars ({ P($p) }), which agree.
     .why = It takes part with sigma { NUM($sigma_mm, digits: 2) } mm, so it does not distort the result.
     .do = Check its certificate, unit and end points.
 

@@ -9,7 +9,7 @@
 lengths_contradict = Errors of { $n } check { $n ->
         [one] length
        *[other] lengths
-     } are { NUM($factor, digits: 2) } times as large as stated (F { $F }, p { NUM($p, digits: 2) }).
+     } are { NUM($factor, digits: 2) } times as large as stated (F { $F }, { P($p) }).
     .why = Standard deviations of points and deviations are too small by about this factor, or certificates are wrong.
     .do = Check the certificates of the check lengths and of the scale bars.
 
@@ -24,7 +24,7 @@ lengths_contradict = Errors of { $n } check { $n ->
 lengths_contradict-scale = Errors of { $n } check { $n ->
         [one] length
        *[other] lengths
-     } are { NUM($factor, digits: 2) } times as large as stated (F { $F }, p { NUM($p, digits: 2) }).
+     } are { NUM($factor, digits: 2) } times as large as stated (F { $F }, { P($p) }).
     .why = Standard deviations of points and deviations are too small by about this factor, or certificates are wrong.
     .do = Check the scale bars: measured lengths differ by { NUM($scale_ppm, digits: 2) } ± { NUM($sigma_ppm, digits: 2) } ppm.
 
@@ -40,7 +40,7 @@ lengths_contradict-scale = Errors of { $n } check { $n ->
 lengths_contradict-one = Errors of { $n } check { $n ->
         [one] length
        *[other] lengths
-     } are { NUM($factor, digits: 2) } times as large as stated (F { $F }, p { NUM($p, digits: 2) }).
+     } are { NUM($factor, digits: 2) } times as large as stated (F { $F }, { P($p) }).
     .why = Without { $length } the others agree.
     .do = Check the certificate and the end points of { $length }.
 
@@ -56,7 +56,7 @@ lengths_contradict-one = Errors of { $n } check { $n ->
 lengths_contradict-single = Errors of { $n } check { $n ->
         [one] length
        *[other] lengths
-     } are { NUM($factor, digits: 2) } times as large as stated (F { $F }, p { NUM($p, digits: 2) }).
+     } are { NUM($factor, digits: 2) } times as large as stated (F { $F }, { P($p) }).
     .do = Check the certificate and the end points of { $length }, and the scale bars.
 
 # $start = "A1"
