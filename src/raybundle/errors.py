@@ -240,11 +240,6 @@ class RaybundleError(Exception):
         return f"{first} {rest.partition(chr(10))[0].strip()}" if first.endswith(":") and rest else first
 
 
-def place_words(file: Path | str | None, line: int) -> str:
-    """Where a row stands: its line from 1; in Parquet, which has no lines, its number from 1."""
-    return Place(line=line, rows=str(file).endswith(".parquet")).text()
-
-
 class InputError(RaybundleError):
     """Bad input, with the place where it stands."""
 

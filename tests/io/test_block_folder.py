@@ -231,7 +231,7 @@ def test_columns_may_stand_in_any_order_and_cells_be_quoted(small):
 
 def test_an_existing_folder_is_not_overwritten(small):
     before = {f.name: f.read_bytes() for f in small.iterdir()}
-    with pytest.raises(InputError, match="not overwritten"):
+    with pytest.raises(InputError, match=r"folder\.exists"):
         write_block(read_block(small), small)
     assert before == {f.name: f.read_bytes() for f in small.iterdir()}
 
@@ -240,7 +240,7 @@ def test_a_failed_write_leaves_nothing(small, tmp_path, monkeypatch):
     block = read_block(small)
     monkeypatch.setattr("raybundle.io.block.folder.write_observations", broken_write)
     target = tmp_path / "new" / "block"
-    with pytest.raises(InputError, match="No space left"):
+    with pytest.raises(InputError, match=r"file\.not_writable"):
         write_block(block, target)
     assert list(target.parent.iterdir()) == []
 
@@ -251,44 +251,44 @@ def broken_write(*_):
 
 CASES = {
     # name: (file, old, new, line, column, words)
-    "unknown column": ("observations.csv", "sxy_px2", "sxy", 1, "sxy", "unknown column 'sxy'"),
-    "missing column": ("images.csv", ",phi_deg", "", 1, "phi_deg", "'phi_deg' is missing"),
-    "column twice": ("points.csv", "sX,sY,sZ", "sX,sX,sZ", 1, "sX", "stands twice"),
-    "text in a number": ("observations.csv", "2500.5", "25oo.5", 3, "x_px", "'25oo.5' is not a number"),
-    "underscore in a number": ("observations.csv", "2500.5", "2_500", 3, "x_px", "'2_500' is not a number"),
-    "foreign digits": ("observations.csv", "2500.5", "٢٥", 3, "x_px", "is not a number"),
-    "decimal comma": ("observations.csv", "2500.5", "2500,5", 3, None, "decimal sign is a point"),
-    "semicolons": ("stations.csv", "a,0,0,,", "a;0;0;;", 2, None, "not by semicolons"),
-    "NaN": ("observations.csv", "2500.5", "nan", 3, "x_px", "'nan' is not a finite number"),
-    "infinity": ("points.csv", "p1,control,1", "p1,control,inf", 2, "X", "'inf' is not a finite number"),
-    "too large": ("points.csv", "p1,control,1", "p1,control,1e999", 2, "X", "greater in size than 1e+18"),
-    "empty measurement": ("observations.csv", "2500.5", "", 3, "x_px", "the cell is empty"),
-    "negative sigma": ("points.csv", "0,0.01,", "0,-0.01,", 2, "sY", "'-0.01' is negative"),
-    "sigma 0 of an image point": ("observations.csv", "0.1,0.2", "0.1,0", 3, "sy_px", "must be greater than 0"),
+    "unknown column": ("observations.csv", "sxy_px2", "sxy", 1, "sxy", r"table\.unknown_column"),
+    "missing column": ("images.csv", ",phi_deg", "", 1, "phi_deg", r"phi_deg.*table\.columns_missing"),
+    "column twice": ("points.csv", "sX,sY,sZ", "sX,sX,sZ", 1, "sX", r"table\.column_twice"),
+    "text in a number": ("observations.csv", "2500.5", "25oo.5", 3, "x_px", r"cell\.not_a_number"),
+    "underscore in a number": ("observations.csv", "2500.5", "2_500", 3, "x_px", r"cell\.not_a_number"),
+    "foreign digits": ("observations.csv", "2500.5", "٢٥", 3, "x_px", r"cell\.not_a_number"),
+    "decimal comma": ("observations.csv", "2500.5", "2500,5", 3, None, r"table\.cell_count"),
+    "semicolons": ("stations.csv", "a,0,0,,", "a;0;0;;", 2, None, r"table\.cell_count"),
+    "NaN": ("observations.csv", "2500.5", "nan", 3, "x_px", r"value\.not_finite"),
+    "infinity": ("points.csv", "p1,control,1", "p1,control,inf", 2, "X", r"value\.not_finite"),
+    "too large": ("points.csv", "p1,control,1", "p1,control,1e999", 2, "X", r"18.*value\.too_large"),
+    "empty measurement": ("observations.csv", "2500.5", "", 3, "x_px", r"cell\.empty"),
+    "negative sigma": ("points.csv", "0,0.01,", "0,-0.01,", 2, "sY", r"-0\.01.*cell\.negative_sigma"),
+    "sigma 0 of an image point": ("observations.csv", "0.1,0.2", "0.1,0", 3, "sy_px", r"0.*cell\.not_positive"),
     "impossible covariance": ("observations.csv", ",0.01\n", ",0.02\n", 3, "sxy_px2", "covariance"),
-    "negative distance": ("distances.csv", "1.5", "-1.5", 2, "length", "greater than 0"),
+    "negative distance": ("distances.csv", "1.5", "-1.5", 2, "length", r"0.*cell\.not_positive"),
     "distance to itself": ("distances.csv", "p1,p2", "p1,p1", 2, "to", "two different points"),
-    "distance to nothing": ("distances.csv", "p1,p2", "p1,p9", 2, "to", "'p9' stands nowhere"),
-    "unknown camera": ("images.csv", "b,1", "b,2", 3, "camera", "'2' stands nowhere in the cameras of block.toml"),
-    "unknown image": ("observations.csv", "b,p1", "c,p1", 4, "image", "'c' stands nowhere in images.csv"),
-    "unknown station": ("stations.csv", "a,0", "c,0", 2, "image", "'c' stands nowhere in images.csv"),
-    "image twice": ("images.csv", "b,1", "a,1", 3, "image", "'a' stands already in line 2"),
-    "point twice": ("points.csv", "p3,", "p1,", 4, "point", "'p1' stands already in line 2"),
-    "observation twice": ("observations.csv", "a,p2", "a,p1", 3, "point", "already in line 2"),
-    "empty id": ("points.csv", "p3,", ",", 4, "point", "is no id"),
-    "id with blanks": ("observations.csv", "b,new", "b, new", 5, "point", "blanks at its ends"),
-    "control character": ("points.csv", "p3,", "p\t3,", 4, "point", "cannot be printed"),
+    "distance to nothing": ("distances.csv", "p1,p2", "p1,p9", 2, "to", r"p9.*cell\.unknown_id"),
+    "unknown camera": ("images.csv", "b,1", "b,2", 3, "camera", r"2.*block\.toml.*cell\.unknown_id"),
+    "unknown image": ("observations.csv", "b,p1", "c,p1", 4, "image", r"images\.csv.*cell\.unknown_id"),
+    "unknown station": ("stations.csv", "a,0", "c,0", 2, "image", r"images\.csv.*cell\.unknown_id"),
+    "image twice": ("images.csv", "b,1", "a,1", 3, "image", r"2.*cell\.id_twice"),
+    "point twice": ("points.csv", "p3,", "p1,", 4, "point", r"p1.*2.*cell\.id_twice"),
+    "observation twice": ("observations.csv", "a,p2", "a,p1", 3, "point", r"2.*table\.pair_twice"),
+    "empty id": ("points.csv", "p3,", ",", 4, "point", r"cell\.no_id"),
+    "id with blanks": ("observations.csv", "b,new", "b, new", 5, "point", r"cell\.no_id"),
+    "control character": ("points.csv", "p3,", "p\t3,", 4, "point", r"cell\.unprintable"),
     "unknown role": ("points.csv", "tie", "tied", 4, "role", "'tied' is not one of"),
     "sigma without coordinate": ("points.csv", "p1,control,1,2,3,0", "p1,control,,2,3,0", 2, "sX", "no X"),
     "tie with sigma": ("points.csv", "p3,tie,,,,,,", "p3,tie,1,,,1,,", 4, "sX", "make its role control"),
     "control without sigma": ("points.csv", "3,0,0.01,", "3,,,", 2, "sX", "no coordinate with a sigma"),
     "check without coordinate": ("points.csv", "p2,check,1,2,3", "p2,check,,,", 3, "X", "has no coordinate"),
     "one angle": ("images.csv", "b,1,,,,,,,", "b,1,,,,,1,,", 3, "omega_deg", "1 of 3 angles"),
-    "too few cells": ("points.csv", "p3,tie,,,,,,", "p3,tie", 4, None, "2 cells, the header has 8"),
-    "empty line": ("points.csv", "p2,", "\np2,", 3, None, "empty line"),
-    "empty line first": ("points.csv", "p1,", "\np1,", 2, None, "empty line"),
-    "open quote": ("points.csv", "p2,check", '"p2,check', 3, None, "quote"),
-    "not TOML": ("block.toml", 'name = "small"', "name = small", 1, None, "this is not TOML"),
+    "too few cells": ("points.csv", "p3,tie,,,,,,", "p3,tie", 4, None, r"2.*8.*table\.cell_count"),
+    "empty line": ("points.csv", "p2,", "\np2,", 3, None, r"table\.empty_line"),
+    "empty line first": ("points.csv", "p1,", "\np1,", 2, None, r"table\.empty_line"),
+    "open quote": ("points.csv", "p2,check", '"p2,check', 3, None, r"table\.row_unreadable"),
+    "not TOML": ("block.toml", 'name = "small"', "name = small", 1, None, r"toml\.invalid"),
     "unknown key": ("block.toml", "length_unit", "lenght_unit", 2, "lenght_unit", "unknown key"),
     "unknown camera key": ("block.toml", "K1 = 1e-5", "K9 = 1e-5", 10, "cameras.1.K9", "unknown key 'K9'"),
     "wrong type": ("block.toml", '"small"', "3", 1, "name", "3 is not a text"),
@@ -299,7 +299,14 @@ CASES = {
     "no width": ("block.toml", "width_px = 4000", "width_px = 0", 6, "cameras.1.width_px", "greater than 0"),
     "broken width": ("block.toml", "4000", "4000.5", 6, "cameras.1.width_px", "not a whole number"),
     "pixel": ("block.toml", "[0.005, 0.005]", "0.005", 8, "cameras.1.pixel_mm", "width and the height"),
-    "pixel sign": ("block.toml", "[0.005, 0.005]", "[0.005, -0.005]", 8, "cameras.1.pixel_mm", "greater than 0"),
+    "pixel sign": (
+        "block.toml",
+        "[0.005, 0.005]",
+        "[0.005, -0.005]",
+        8,
+        "cameras.1.pixel_mm",
+        "greater than 0",
+    ),
     "unknown parameter": ("block.toml", '"K1"]', '"K7"]', 11, "cameras.1.estimate", "'K7' is no parameter of brown"),
     "parameter twice": ("block.toml", '"K1"]', '"c"]', 11, "cameras.1.estimate", "stands twice"),
     "estimate all": ("block.toml", '["c", "K1"]', '"all"', 11, "cameras.1.estimate", "'all' is neither"),
@@ -323,13 +330,12 @@ def test_what_is_wrong_is_named(small, case):
     text = (small / file).read_text(encoding="utf-8")
     assert old in text
     (small / file).write_text(text.replace(old, new, 1), encoding="utf-8")
-    with pytest.raises(InputError) as caught:
+    with pytest.raises(InputError, match=words) as caught:
         read_block(small)
     error = caught.value
     assert error.file is not None
     assert Path(error.file).name == file
     assert (error.line, error.column) == (line, column)
-    assert words in str(error)
     assert error.exit_status == 2
 
 
@@ -338,7 +344,7 @@ def test_what_is_wrong_is_named(small, case):
 def test_an_empty_table_is_an_error(small, file, keep):
     text = (small / file).read_text()
     (small / file).write_text("".join(text.splitlines(keepends=True)[:keep]))
-    with pytest.raises(InputError, match="empty" if keep == 0 else "no rows") as caught:
+    with pytest.raises(InputError, match=r"table\.empty" if keep == 0 else r"table\.too_few_rows") as caught:
         read_block(small)
     assert caught.value.file == str(small / file)
 
@@ -352,11 +358,11 @@ def test_a_missing_file_is_an_error(small, file):
 
 def test_wrong_encoding_names_the_line(small):
     (small / "points.csv").write_bytes(POINTS.replace("p3", "Prüf").encode("latin-1"))
-    with pytest.raises(InputError, match="0xfc is not UTF-8") as caught:
+    with pytest.raises(InputError, match=r"file\.not_utf8") as caught:
         read_block(small)
     assert caught.value.line == 4
     (small / "block.toml").write_bytes(TOML.replace("small", "Prüf").encode("latin-1"))
-    with pytest.raises(InputError, match="0xfc is not UTF-8") as caught:
+    with pytest.raises(InputError, match=r"file\.not_utf8") as caught:
         read_block(small)
     assert caught.value.line == 1
 
@@ -395,8 +401,8 @@ def test_several_errors_are_listed_together_in_order(small):
     with pytest.raises(InputError) as caught:
         read_block(small)
     message = str(caught.value)
-    assert message.index("line 2, column x_px") < message.index("also line 3, column sy_px")
-    assert message.index("also line 3, column sy_px") < message.index("also line 4, column x_px")
+    assert message.index("line 2, column x_px") < message.index("line 3, column sy_px")
+    assert message.index("line 3, column sy_px") < message.index("line 4, column x_px")
 
 
 INTERIOR = "image,parameter,value\na,c_mm,24.1\na,K1,2e-5\n"
@@ -420,7 +426,7 @@ def test_interior_orientation_per_image(small):
         (INTERIOR.replace("K1", "K9"), "parameter", "'K9' is no key of brown"),
         (INTERIOR.replace("K1", "c_mm"), "parameter", "already"),
         (INTERIOR.replace("24.1", "24.1\nb,c_mm,-1"), "value", "greater than 0"),
-        (INTERIOR.replace("a,K1", "z,K1"), "image", "'z' stands nowhere"),
+        (INTERIOR.replace("a,K1", "z,K1"), "image", r"cell\.unknown_id"),
     ],
 )
 def test_bad_interior_tables(small, text, column, words):
@@ -561,5 +567,5 @@ def test_damaged_files_are_read_or_refused_and_never_crash(tmp_path):
 def test_a_table_without_rows_is_to_be_deleted_only_where_a_block_can_do_without(small, table, words):
     file = small / table
     file.write_text(SMALL[table].split("\n", 1)[0] + "\n", encoding="utf-8")
-    with pytest.raises(InputError, match=f"no rows; fill it, or .*{words}"):
+    with pytest.raises(InputError, match=r"table\.too_few_rows"):
         read_block(small)

@@ -368,22 +368,31 @@ BAD = {
         "6 distortion",
     ),
     "m.yaml": ("image_width: 640\nimage_height: 480\nK: [500,0,320,0,500,240,0,0]\n", "8 elements"),
-    "f.yaml": ("image_width: 640\nimage_height: 480\nK: [nan,0,320,0,500,240,0,0,1]\n", "finite"),
+    "f.yaml": ("image_width: 640\nimage_height: 480\nK: [nan,0,320,0,500,240,0,0,1]\n", r"value\.not_finite"),
     "k.yaml": ("cam0:\n  camera_model: omni\n  distortion_model: radtan\n", "omni"),
-    "k2.yaml": ("cam0:\n  camera_model: pinhole\n  distortion_model: radtan\n  intrinsics: [1,2,3]\n", "3 elements"),
+    "k2.yaml": (
+        "cam0:\n  camera_model: pinhole\n  distortion_model: radtan\n  intrinsics: [1,2,3]\n",
+        r"3.*value\.count",
+    ),
     "c.txt": ("1 OPENCV 640 480 500 500 320 240 0.1\n", "5 parameters"),
     "c2.txt": ("1 RAD_TAN 640 480 500 500 320 240 0.1\n1 PINHOLE 640 480 1 1 1 1\n", "RAD_TAN"),
-    "m.xml": ("<calibration><projection>frame</projection><width>640</width><height>480</height></calibration>", "f"),
-    "m2.xml": ("<calibration><projection>frame</projection><width>640", "XML"),
-    "a.cameramodel": ("{ 'lensmodel': 'LENSMODEL_OPENCV8', 'intrinsics': [1,2,3", "complete"),
+    "m.xml": (
+        "<calibration><projection>frame</projection><width>640</width><height>480</height></calibration>",
+        r"xml\.element_missing",
+    ),
+    "m2.xml": ("<calibration><projection>frame</projection><width>640", r"xml\.invalid"),
+    "a.cameramodel": ("{ 'lensmodel': 'LENSMODEL_OPENCV8', 'intrinsics': [1,2,3", r"file\.not_understood"),
     "b.cameramodel": (
         "{ 'lensmodel': 'LENSMODEL_OPENCV8', 'intrinsics': [1,2,3,4], 'imagersize': [4,4] }",
-        "4 elements",
+        r"4.*value\.count",
     ),
     "d.cameramodel": ("{ 'lensmodel': 'LENSMODEL_CAHVOR', 'intrinsics': [], 'imagersize': [4,4] }", "CAHVOR"),
     "au.txt": ("  H 4000 0.005\n  XP 0.1\n  C 28\n", "YP"),
     "pm.txt": ("Fw\n Value: 24 mm\nFh\n Value: 16 mm\n", "Focal Length"),
-    "mi.xml": ("<ExportAPERO><CalibrationInternConique></CalibrationInternConique></ExportAPERO>", "KnownConv"),
+    "mi.xml": (
+        "<ExportAPERO><CalibrationInternConique></CalibrationInternConique></ExportAPERO>",
+        r"KnownConv.*xml\.element_missing",
+    ),
     "x.txt": ("nothing of the kind\n", "give read_as="),
     "y.toml": ("[cameras.1]\nmodel = 'brown'\n", "width_px"),
 }
@@ -454,7 +463,7 @@ def test_writing_refuses_what_cannot_be(tmp_path):
     with pytest.raises(InputError, match="2 cameras"):
         write_calibrations("opencv", [conversion, conversion], tmp_path / "a.yaml")
     (tmp_path / "b.yaml").touch()
-    with pytest.raises(InputError, match="not overwritten"):
+    with pytest.raises(InputError, match=r"file\.exists"):
         write_calibrations("opencv", [conversion], tmp_path / "b.yaml")
     with pytest.raises(InputError, match="no model '6'"):
         convert_calibration(Calibration(id="1", camera=FORWARD), "opencv", variant="6")

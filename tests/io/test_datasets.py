@@ -191,14 +191,14 @@ files = [["images/a.jpg", 12, "{digest}"]]
         ("images/a.jpg", "/a.jpg", "does not stay below"),
         ("images/a.jpg", "C:\\\\..\\\\a.jpg", "does not stay below"),
         ('["images/a.jpg", 12', '["b", 1, "{digest}"], ["b", 12', "stands twice"),
-        ("12", "0", "not a whole number from 1"),
+        ("12", "0", "value.not_whole"),
         ("12, ", "", "is listed as"),
         ("{digest}", "{digest}0", "is no SHA-256"),
         ("https://example.org/", "file:///etc/", "is no address of a folder"),
         ("[one]", '["../one"]', "names a folder as well"),
-        ('licence = "CC0"', "", "'licence' is missing"),
-        ('about = "a"', "about = 3", "is not a text"),
-        ("[one]", "[one", "is not TOML"),
+        ('licence = "CC0"', "", "value.key_missing"),
+        ('about = "a"', "about = 3", "value.no_text"),
+        ("[one]", "[one", "toml.invalid"),
     ],
 )
 def test_a_listing_of_ones_own_is_checked(tmp_path, capsys, old, new, words):

@@ -62,12 +62,12 @@ def write_half(path):
 
 def test_of_two_writers_of_one_new_folder_the_second_is_told(tmp_path):
     path = tmp_path / "a"
-    with pytest.raises(InputError, match="while this was being made"), new_folder(path) as late:  # noqa: PT012
+    with pytest.raises(InputError, match=r"file\.created_meanwhile"), new_folder(path) as late:  # noqa: PT012
         (late / "0").write_text("late")
         write(path, "early")
     assert read(path) == "early"
     assert [p.name for p in tmp_path.iterdir()] == ["a"]
-    with pytest.raises(InputError, match="while this was being made"), new_folder(path):
+    with pytest.raises(InputError, match=r"file\.created_meanwhile"), new_folder(path):
         pass
     assert read(path) == "early"
 
@@ -78,7 +78,7 @@ def test_of_two_that_replace_one_folder_the_second_is_told(tmp_path, monkeypatch
         monkeypatch.setattr(folders, "exchange", lambda _a, _b: False)
     path = tmp_path / "a"
     write(path, "old")
-    with pytest.raises(InputError, match="while this was being made"), new_folder(path, replacing=True) as late:  # noqa: PT012
+    with pytest.raises(InputError, match=r"file\.created_meanwhile"), new_folder(path, replacing=True) as late:  # noqa: PT012
         (late / "0").write_text("late")
         write(path, "early")
     assert read(path) == "early"
@@ -94,7 +94,7 @@ def test_an_empty_folder_is_filled(tmp_path):
 
 def test_where_nothing_can_be_written_is_an_input_error(tmp_path):
     (tmp_path / "file").write_text("x")
-    with pytest.raises(InputError, match="cannot be written"):
+    with pytest.raises(InputError, match=r"file\.not_writable"):
         write(tmp_path / "file" / "a", "new")
 
 

@@ -48,7 +48,7 @@ def write(block, name, folder):
 @pytest.mark.parametrize("name", WRITERS)
 @pytest.mark.parametrize(("what", "position"), PLACES)
 def test_an_empty_id_is_not_written(block, what, position, name, tmp_path):
-    with pytest.raises(InputError, match=f"{what} [0-9]+ of [0-9]+ has an empty id; nothing is written"):
+    with pytest.raises(InputError, match=r"id\.empty"):
         write(with_id(block, what, position, ""), name, tmp_path)
     assert [*tmp_path.iterdir()] == []
 
@@ -57,14 +57,14 @@ def test_an_empty_id_is_not_written(block, what, position, name, tmp_path):
 @pytest.mark.parametrize(("what", "position"), TWICE)
 def test_an_id_that_stands_twice_is_not_written(block, what, position, name, tmp_path):
     first = getattr(block, f"{what}s").ids[0]
-    with pytest.raises(InputError, match=f"{what}s 1 and [0-9]+ of [0-9]+ have the same id"):
+    with pytest.raises(InputError, match=r"1.*id\.twice"):
         write(with_id(block, what, position, first), name, tmp_path)
     assert [*tmp_path.iterdir()] == []
 
 
 def test_nor_in_a_result(block, tmp_path):
     with (
-        pytest.raises(InputError, match="image 1 of 5 has an empty id"),
+        pytest.raises(InputError, match=r"1.*5.*id\.empty"),
         written_folder(adjust(with_id(block, "image", 0, "")), tmp_path / "r"),
     ):
         pass
@@ -79,6 +79,6 @@ def test_nor_as_positions(names, name, tmp_path):
         rotation=np.tile(np.eye(3), (2, 1, 1)), rotation_sigma=np.ones((2, 3)), convention="opk",
         angles=np.zeros((2, 3)),
     )  # fmt: skip
-    with pytest.raises(InputError, match="nothing is written"):
+    with pytest.raises(InputError, match=r"id\.empty|id\.twice"):
         write_trajectory(given, tmp_path / "t.csv", name=name)
     assert [*tmp_path.iterdir()] == []

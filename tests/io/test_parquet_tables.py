@@ -80,7 +80,7 @@ def test_a_large_table_is_parquet_by_itself(block, tmp_path, monkeypatch):
 def test_both_formats_of_one_table_are_refused(block, tmp_path):
     write_block(block, tmp_path / "b", tables="parquet")
     (tmp_path / "b/points.csv").write_text("point,role,X,Y,Z,sX,sY,sZ\n")
-    with pytest.raises(InputError, match=r"points\.parquet: stands beside points\.csv"):
+    with pytest.raises(InputError, match=r"points\.parquet.*points\.csv.*table\.csv_and_parquet"):
         read_block(tmp_path / "b")
 
 
@@ -91,9 +91,9 @@ def test_without_pyarrow_it_is_said_what_to_install(block, tmp_path, monkeypatch
         raise ImportError(name)
 
     monkeypatch.setattr(parquet, "import_module", none)
-    with pytest.raises(InputError, match=r"pip install 'raybundle\[parquet\]'"):
+    with pytest.raises(InputError, match=r"package\.pyarrow_missing"):
         read_block(tmp_path / "b")
-    with pytest.raises(InputError, match="pyarrow"):
+    with pytest.raises(InputError, match=r"package\.pyarrow_missing"):
         write_block(block, tmp_path / "c", tables="parquet")
     assert not (tmp_path / "c").exists()
 
@@ -135,9 +135,9 @@ def test_a_pair_that_stands_twice_is_told_by_its_rows(block, tmp_path, monkeypat
     file = tmp_path / "b/observations.parquet"
     table = pq.read_table(file)
     pq.write_table(pa.concat_tables([table, table.slice(4, 1)]), file)
-    with pytest.raises(InputError, match=rf"row {len(table) + 1}, column point: .* already in row 5; delete"):
+    with pytest.raises(InputError, match=r"984.*5.*table\.pair_twice"):
         read_block(tmp_path / "b")
-    with pytest.raises(InputError, match=rf"row {len(table) + 1}, column point: .* already in row 5; delete"):
+    with pytest.raises(InputError, match=r"984.*5.*table\.pair_twice"):
         read_in_pieces(tmp_path / "b")
 
 
@@ -145,11 +145,11 @@ def test_unknown_and_missing_columns(tmp_path):
     pq.write_table(pa.table({**GOOD, "y": [1.0, 2.0, 3.0]}), tmp_path / "t.parquet")
     with pytest.raises(
         InputError,
-        match=r"t\.parquet, column y: unknown column 'y'; its columns are id,ref,x,s,y; the header is id,ref,x,s",
+        match=r"t\.parquet.*table\.unknown_column",
     ):
         read_table(tmp_path / "t.parquet", COLUMNS)
     pq.write_table(pa.table({k: v for k, v in GOOD.items() if k != "x"}), tmp_path / "t.parquet")
-    with pytest.raises(InputError, match="column 'x' is missing"):
+    with pytest.raises(InputError, match=r"table\.columns_missing"):
         read_table(tmp_path / "t.parquet", COLUMNS)
 
 
@@ -173,7 +173,7 @@ def test_what_other_programs_write_is_read(tmp_path):
 def test_columns_of_other_kinds_are_refused(tmp_path):
     for values in ([[1.0], [2.0], [3.0]], ["1", "2", "3"], [{"a": 1}] * 3, [b"1"] * 3):
         pq.write_table(pa.table({**GOOD, "x": values}), tmp_path / "t.parquet")
-        with pytest.raises(InputError, match=r"t\.parquet, column x"):
+        with pytest.raises(InputError, match=r"t\.parquet.*parquet\.column_type"):
             read_table(tmp_path / "t.parquet", COLUMNS)
 
 
@@ -208,7 +208,7 @@ def test_foreign_files_are_refused(tmp_path):
         b"x" * 20 + b"\xff" * 4 + b"PAR1",
     ):
         file.write_bytes(data)
-        with pytest.raises(InputError, match=r"t\.parquet: "):
+        with pytest.raises(InputError, match=r"parquet\.footer_too_large|parquet\.no_footer|parquet\.not_readable"):
             read_table(file, COLUMNS)
 
 
@@ -218,19 +218,19 @@ def test_what_would_unfold_beyond_memory_is_refused_before_it_is(tmp_path, monke
     table = {"id": [f"p{k}" for k in range(rows)], "ref": ["a"] * rows, "x": np.zeros(rows), "s": np.ones(rows)}
     pq.write_table(pa.table(table), file)
     monkeypatch.setattr(parquet, "MOST_GROUP_ROWS", rows - 1)
-    with pytest.raises(InputError, match="200000 rows and"):
+    with pytest.raises(InputError, match=r"parquet\.group_too_large"):
         read_table(file, COLUMNS)
     monkeypatch.setattr(parquet, "MOST_GROUP_ROWS", rows)
     monkeypatch.setattr(parquet, "MOST_GROUP_BYTES", 1_000_000)  # the head of each page says more
-    with pytest.raises(InputError, match="in one group of rows, of which 200000 and 1000000 are read"):
+    with pytest.raises(InputError, match=r"parquet\.group_too_large"):
         read_table(file, COLUMNS)
     monkeypatch.undo()
     pq.write_table(pa.table(GOOD), file, use_dictionary=False, column_encoding={"id": "DELTA_BYTE_ARRAY"})
-    with pytest.raises(InputError, match="column id: is encoded as DELTA_BYTE_ARRAY"):
+    with pytest.raises(InputError, match=r"DELTA_BYTE_ARRAY.*parquet\.encoding"):
         read_table(file, COLUMNS)
     constant = {"ref": ["a"] * 3_000_000, "x": np.zeros(3_000_000)}
     pq.write_table(pa.table(constant), file, compression="zstd")
-    with pytest.raises(InputError, match="announces 3000000 rows in"):
+    with pytest.raises(InputError, match=r"parquet\.too_many_rows"):
         read_table(file, COLUMNS[1:3])
 
 

@@ -9,7 +9,7 @@ from typing import Literal, NoReturn
 
 import numpy as np
 
-from raybundle.errors import InputError, Message, Place, message, place_words
+from raybundle.errors import InputError, Message, Place, message
 from raybundle.io.reading import words
 from raybundle.io.reading.dialects import with_points, without_groups
 from raybundle.io.reading.words import quoted
@@ -93,7 +93,7 @@ def converted(
         return np.zeros(0)
     if column.kind == "text":
         if not column.empty and "" in cells:
-            problems.append(Problem(first_line + cells.index(""), column.name, "the cell is empty; fill it"))
+            problems.append(Problem(first_line + cells.index(""), column.name, message("cell.empty")))
         return tuple(cells)
     if column.kind == "reference" and not "".join(cells).isprintable():  # the name as the file system holds it
         cells = [new if (new := readable(c)) in column.known else c for c in cells]
@@ -131,39 +131,37 @@ def _bad_numbers(column: Column, cells: Iterable[str], first_line: int, decimal:
     found = 0
     for k, cell in enumerate(cells):
         why = _why_not_a_number(column, cell, decimal)
-        if why:
+        if why is not None:
             yield Problem(first_line + k, column.name, why)
             found += 1
             if found > SHOWN:
                 return
 
 
-def _why_not_a_number(column: Column, cell: str, decimal: str) -> str:
+def _why_not_a_number(column: Column, cell: str, decimal: str) -> Message | None:
     if not cell:
-        return "" if column.empty else "the cell is empty; a number is needed here"
+        return None if column.empty else message("cell.empty")
     value = words.number_of(with_points([cell])[0] if decimal == "," else cell)
     if value is None:
         if plain := without_groups(cell):
-            return f"{quoted(cell)} has signs between thousands; write {plain}"
+            return message("cell.grouped_thousands", value=quoted(cell), plain=plain)
         if words.NOT_FINITE.fullmatch(cell):
-            empty = ", or leave the cell empty where it is not known" if column.empty else ""
-            return f"{words.no_number(cell)}; give one that is{empty}"
+            return words.no_number(cell)
         sign = "comma" if decimal == "," else "point"
-        return f"{quoted(cell)} is not a number; the decimal sign is a {sign}, an unknown value an empty cell"
+        return message("cell.not_a_number", value=quoted(cell), sign=sign)
     if column.limit == "> 0" and value <= 0:
-        tiny = f" is nearer to 0 than {words.SMALLEST:g} and counts as 0; it" if words.vanishes(cell) else ""
-        return f"{quoted(cell)}{tiny} must be greater than 0"
+        if words.vanishes(cell):
+            return message("cell.counts_as_zero", value=quoted(cell), smallest=words.SMALLEST)
+        return message("cell.not_positive", value=quoted(cell))
     if column.limit == ">= 0" and value < 0:
-        return f"{quoted(cell)} is negative; a standard deviation is 0 (held) or greater"
-    return ""
+        return message("cell.negative_sigma", value=quoted(cell))
+    return None
 
 
 def _bad_text(column: Column, cells: Iterable[str], first_line: int) -> Iterator[Problem]:
     bad = [(k, cell) for k, cell in enumerate(cells) if not cell.isprintable()]
     for k, cell in bad[: SHOWN + 1]:
-        yield Problem(
-            first_line + k, column.name, f"{quoted(cell)} holds characters that cannot be printed; delete them"
-        )
+        yield Problem(first_line + k, column.name, message("cell.unprintable", value=quoted(cell)))
 
 
 def _new_ids(
@@ -178,17 +176,23 @@ def _new_ids(
     for k, cell in enumerate(cells):
         line = first_line + k
         if not cell or cell != cell.strip():
-            problems.append(
-                Problem(line, column.name, f"{quoted(cell)} is no id: it is empty or has blanks at its ends")
-            )
+            problems.append(Problem(line, column.name, message("cell.no_id", value=quoted(cell))))
         elif cell in seen:
-            earlier = place_words(path, seen[cell] + 2)
-            problems.append(Problem(line, column.name, f"id {quoted(cell)} stands already in {earlier}"))
+            earlier, rows = earlier_place(path, seen[cell] + 2)
+            problems.append(
+                Problem(line, column.name, message("cell.id_twice", id=quoted(cell), earlier=earlier, rows=rows))
+            )
         else:
             seen[cell] = line - 2
         if len(problems) > SHOWN:
             break
     return ()
+
+
+def earlier_place(path: Path | None, line: int) -> tuple[int, bool]:
+    """Line of a table's file, from 1, False; in Parquet, which has no lines, number of the row, from 1, True."""
+    rows = path is not None and path.suffix == ".parquet"
+    return (line - 1 if rows else line), rows
 
 
 def _references(column: Column, cells: list[str], first_line: int, problems: list[Problem]) -> Index:
@@ -197,8 +201,8 @@ def _references(column: Column, cells: list[str], first_line: int, problems: lis
         for cell in dict.fromkeys(cells):
             if cell not in known:
                 if not cell or cell != cell.strip():
-                    message = f"{quoted(cell)} is no id: it is empty or has blanks at its ends"
-                    problems.append(Problem(first_line + cells.index(cell), column.name, message))
+                    wrong = message("cell.no_id", value=quoted(cell))
+                    problems.append(Problem(first_line + cells.index(cell), column.name, wrong))
                 known[cell] = len(known)
     try:
         return np.fromiter(map(known.__getitem__, cells), np.int32, len(cells))
@@ -207,8 +211,8 @@ def _references(column: Column, cells: list[str], first_line: int, problems: lis
     found = 0
     for k, cell in enumerate(cells):
         if cell not in known:
-            message = f"{quoted(cell)} stands nowhere in {column.where}; correct it or add it there"
-            problems.append(Problem(first_line + k, column.name, message))
+            wrong = message("cell.unknown_id", id=quoted(cell), table=column.where)
+            problems.append(Problem(first_line + k, column.name, wrong))
             found += 1
             if found > SHOWN:
                 break

@@ -17,7 +17,6 @@ from raybundle.errors import InputError
 from raybundle.io.formats.dxf import INSUNITS, VERSION
 from raybundle.io.missions.areas import GEOGRAPHIC, in_crs
 from raybundle.numerics.arrays import Array
-from raybundle.settings import option
 
 WKB = {"line": 1002, "area": 1003}
 """Numbers of WKB for geometries with Z."""
@@ -53,7 +52,7 @@ def write_dxf(path: Path, drawn: Sequence[Drawn], labels: Sequence[Label], unit:
     try:
         ezdxf: Any = import_module("ezdxf")
     except ImportError:
-        raise InputError("DXF is written by ezdxf, which is not installed: pip install 'raybundle[geo]'") from None
+        raise InputError("package.ezdxf_missing") from None
     drawing = ezdxf.new(VERSION)
     drawing.header["$INSUNITS"] = INSUNITS.get(unit, 0)
     drawing.header["$MEASUREMENT"] = 0 if unit in {"ft", "us-ft"} else 1
@@ -113,10 +112,7 @@ def write_gpkg(path: Path, drawn: Sequence[Drawn], layer: str, wkt: str) -> None
         pyogrio: Any = import_module("pyogrio")
         import_module("pyogrio.raw")
     except ImportError:
-        raise InputError(
-            f"a GeoPackage is written by pyogrio, which is not installed: pip install 'raybundle[geo]'; or write "
-            f"GeoJSON with {option('out', 'NAME.geojson')}"
-        ) from None
+        raise InputError("package.pyogrio_missing") from None
     kind = drawn[0].kind if drawn else "line"
     shapes = np.array([_wkb(d) for d in drawn], object)
     names = list(drawn[0].fields) if drawn else []
@@ -129,7 +125,7 @@ def write_gpkg(path: Path, drawn: Sequence[Drawn], layer: str, wkt: str) -> None
                 str(path), shapes, data, names, geometry_type=GDAL[kind], crs=wkt or None, driver="GPKG", layer=layer
             )
     except (pyogrio.errors.DataSourceError, pyogrio.errors.DataLayerError, pyogrio.errors.CRSError) as error:
-        raise InputError(f"the GeoPackage could not be written: {str(error).splitlines()[0][:200]}") from None
+        raise InputError("geopackage.not_written", detail=str(error).splitlines()[0][:200]) from None
 
 
 def _wkb(d: Drawn) -> bytes:

@@ -16,7 +16,6 @@ from pathlib import Path
 from typing import Literal
 
 from raybundle.errors import InputError
-from raybundle.settings import option, with_flags
 
 _overwriting: ContextVar[bool] = ContextVar("overwriting", default=False)
 AT_FDCWD, RENAME_EXCHANGE = -100, 2  # linux/fcntl.h, linux/fs.h
@@ -99,15 +98,11 @@ def place_of(path: Path) -> Path:
     raises  InputError for a link that leads back to itself, and for a URL
     """
     if not path.is_absolute() and path.parts and _SCHEME.fullmatch(path.parts[0]):
-        raise InputError(
-            f"begins like a URL ({path.parts[0]}//), and results are written into folders of this machine; write into "
-            "a folder and copy it there",
-            file=path,
-        )
+        raise InputError("folder.url", scheme=path.parts[0], file=path)
     with _told(path):
         place = Path(os.path.realpath(path))
         if any(part.is_symlink() for part in (place, *place.parents)):
-            raise InputError("a link in it leads back to itself; choose another name", file=path)
+            raise InputError("file.link_loop", file=path)
     return place
 
 
@@ -126,7 +121,7 @@ def check_place(path: Path, wanted: Literal["file", "folder", "either"] = "eithe
         while not parent.exists():
             parent = parent.parent
         if not parent.is_dir():
-            raise InputError(f"cannot be written: {parent} is no folder; choose another name", file=path)
+            raise InputError("folder.parent_is_a_file", parent=str(parent), file=path)
         probe = parent / f".{uuid.uuid4().hex[:8]}.partial"
         probe.mkdir()
         probe.rmdir()
@@ -145,8 +140,7 @@ def overwriting() -> Generator[None]:
 def check_new_file(path: Path) -> None:
     """Raise InputError where a file stands under a name, unless files are being overwritten."""
     if path.exists() and not _overwriting.get():
-        how = option("overwrite") if with_flags() else "write within raybundle.overwriting()"
-        raise InputError(f"stands there already and is not overwritten; choose another name, or {how}", file=path)
+        raise InputError("file.exists", file=path)
 
 
 def check_free(path: Path) -> None:
@@ -171,18 +165,16 @@ def check_new_folder(path: Path) -> None:
     with _told(path):
         place = place_of(path)
         if place.exists() and names_in(place):
-            raise InputError(
-                "stands there already and is not overwritten; choose another folder or delete it", file=path
-            )
+            raise InputError("folder.exists", file=path)
 
 
 def _check_kind(path: Path, place: Path, wanted: Literal["file", "folder", "either"]) -> None:
     if not (place.is_file() or place.is_dir()):
-        raise InputError("is neither a file nor a folder; choose another name", file=path)
+        raise InputError("folder.special_file", file=path)
     if wanted == "file" and place.is_dir():
-        raise InputError("is a folder; give the name of a file", file=path)
+        raise InputError("file.is_a_folder", file=path)
     if wanted == "folder" and place.is_file():
-        raise InputError("stands there already and is no folder; choose another name", file=path)
+        raise InputError("folder.is_a_file", file=path)
 
 
 @contextmanager
@@ -194,7 +186,7 @@ def new_files(*paths: Path) -> Generator[tuple[Path, ...]]:
     """
     target = place_of(paths[-1])
     if target.is_dir():
-        raise InputError("is a folder; give the name of a file", file=paths[-1])
+        raise InputError("file.is_a_folder", file=paths[-1])
     with _sibling(target) as temporary:
         yield tuple(temporary / p.name for p in paths)
         for path in paths:
@@ -210,8 +202,8 @@ def _told(path: Path) -> Generator[None]:
         yield
     except OSError as error:
         refused = error.errno in {errno.EROFS, errno.EACCES, errno.EPERM}
-        advice = "choose a folder that can be written" if refused else "free space or choose another folder"
-        raise InputError(f"cannot be written: {error.strerror or error}; {advice}", file=path) from None
+        detail = error.strerror or str(error)
+        raise InputError("file.not_writable", detail=detail, refused=refused, file=path) from None
 
 
 @contextmanager
@@ -296,11 +288,7 @@ def _identity(path: Path) -> tuple[int, int] | None:
 
 
 def _meanwhile(path: Path) -> InputError:
-    return InputError(
-        "has come to stand there while this was being made, by another run, it seems; it stays, and nothing of this "
-        "one is kept: choose another name",
-        file=path,
-    )
+    return InputError("file.created_meanwhile", file=path)
 
 
 def _take_free_name(new: Path, path: Path) -> None:

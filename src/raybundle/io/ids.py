@@ -18,11 +18,9 @@ def check_ids(what: str, ids: Sequence[str], file: Path) -> None:
     first: dict[str, int] = {}
     for k, name in enumerate(ids, 1):
         if not name:
-            message = f"{what} {k} of {len(ids)} has an empty id; nothing is written. Give it an id"
-            raise InputError(message, file=file)
+            raise InputError("id.empty", kind=what, number=k, n=len(ids), file=file)
         if first.setdefault(name, k) != k:
-            message = f"{what}s {first[name]} and {k} of {len(ids)} have the same id {name!r}; nothing is written"
-            raise InputError(f"{message}. Give each an id of its own", file=file)
+            raise InputError("id.twice", kind=what, first=first[name], second=k, id=name, file=file)
 
 
 def check_ids_of(block: Block, file: Path) -> None:

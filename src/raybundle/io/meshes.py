@@ -9,6 +9,7 @@ from typing import Any
 import numpy as np
 
 from raybundle.errors import InputError
+from raybundle.io.reading.files import check_regular
 from raybundle.objects.surface import Surface
 
 SUFFIXES = (".ply", ".obj", ".stl", ".off", ".glb")
@@ -25,25 +26,24 @@ def read_mesh(path: Path, unit: float = 1.0) -> Surface:
     logging.getLogger("trimesh").setLevel(logging.CRITICAL)
     import trimesh  # noqa: PLC0415  (0.2 s, for who reads meshes)
 
-    if not path.is_file():
-        raise InputError("no such file" if not path.exists() else "is no file", file=path)
+    check_regular(path)
     try:
         mesh: Any = trimesh.load(path, force="mesh", process=False)
     except (MemoryError, RecursionError):
         raise
     except Exception as error:  # noqa: BLE001  (a reader of many formats raises many kinds)
-        reason = str(error).splitlines()[0][:200] if str(error) else type(error).__name__
-        raise InputError(f"cannot be read as a mesh: {reason}", file=path) from None
+        detail = str(error).splitlines()[0][:200] if str(error) else type(error).__name__
+        raise InputError("mesh.not_readable", detail=detail, file=path) from None
     triangles = np.asarray(getattr(mesh, "faces", np.zeros((0, 3))), np.int64)
     if not len(triangles):
-        raise InputError("holds no triangles; a cloud of points is no surface: make a mesh of it first", file=path)
+        raise InputError("mesh.no_triangles", name=path.name, file=path)
     if len(triangles) > MOST:
-        raise InputError(f"has {len(triangles)} triangles, at most {MOST} are read; thin it first", file=path)
+        raise InputError("mesh.too_many_triangles", n=len(triangles), most=MOST, file=path)
     vertices = np.asarray(mesh.vertices, float) * unit
     try:
         Surface(name=path.stem, vertices=vertices, triangles=triangles)
     except InputError as error:
-        raise InputError(str(error), file=path) from None
+        raise error.at(path) from None
     size = " x ".join(f"{s:.4g}" for s in np.ptp(vertices[np.unique(triangles)], axis=0))
     return Surface(
         name=path.stem, vertices=vertices, triangles=triangles, about=f"{size} m, {len(triangles)} triangles"

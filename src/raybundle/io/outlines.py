@@ -11,7 +11,7 @@ from raybundle.errors import InputError
 from raybundle.io.missions.areas import in_crs, plane_crs, read_shapes
 from raybundle.io.reading.dialects import with_points
 from raybundle.io.reading.files import read_lines
-from raybundle.io.reading.words import number_of
+from raybundle.io.reading.words import number_of, quoted
 from raybundle.numerics.arrays import Array
 
 TEXT = (".csv", ".txt")
@@ -28,7 +28,7 @@ def read_outline(path: Path, crs: str = "") -> Array:
         return _pairs(path)
     shapes = [s for s in read_shapes(str(path), crs) if s.kind != "place"]
     if len(shapes) != 1:
-        raise InputError(f"holds {len(shapes)} lines and areas; one is wanted", file=path)
+        raise InputError("outline.not_one", n=len(shapes), file=path)
     return in_crs(shapes[0].xy, shapes[0].crs, plane_crs(shapes[0]))
 
 
@@ -44,7 +44,7 @@ def _pairs(path: Path) -> Array:
         if len(values) == 2 and values[0] is not None and values[1] is not None:
             found.append((values[0], values[1]))
         elif found or any(v is not None for v in values):
-            raise InputError(f"{text.strip()[:40]!r} are not two numbers", file=path, line=line)
+            raise InputError("outline.no_pair", text=quoted(text.strip()), file=path, line=line)
     if not found:
-        raise InputError("holds no pairs of numbers", file=path)
+        raise InputError("outline.empty", file=path)
     return np.array(found)

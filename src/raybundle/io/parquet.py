@@ -25,7 +25,6 @@ from raybundle.io.reading.parquet_pages import BadPage, Chunk, pages, row_groups
 from raybundle.io.table_files import Named, TableFormat
 from raybundle.numerics.arrays import Array, Index
 
-MISSING = "a Parquet table needs the package pyarrow: pip install 'raybundle[parquet]'"
 GROUP_ROWS = 1 << 17
 """Rows that are written, and later read, at a time: some 20 MB in a table of twenty columns."""
 MOST_GROUP_ROWS, MOST_GROUP_BYTES = 1 << 22, 1 << 29
@@ -47,7 +46,7 @@ def arrow() -> Any:
         import_module("pyarrow.parquet")  # an extra, and 50 MB
         return import_module("pyarrow")
     except ImportError:
-        raise InputError(MISSING) from None
+        raise InputError("package.pyarrow_missing") from None
 
 
 def check_tables(tables: TableFormat) -> None:
@@ -119,7 +118,7 @@ def groups(path: Path, present_in: Callable[[Sequence[str]], list[Column]]) -> I
         seen: list[dict[str, int]] = [{} for _ in present]
         row, whole = 0, row_groups(_footer(raw))
         if len(whole) != file.num_row_groups:
-            raise InputError(f"its footer has no sense; {AGAIN}", file=path)
+            raise InputError("parquet.damaged", file=path)
         if not file.num_row_groups:
             none = {"number": np.zeros(0), "id": (), "text": ()}
             yield Group(0, tuple(present), tuple(none.get(c.kind, np.zeros(0, np.int32)) for c in present))
@@ -128,7 +127,7 @@ def groups(path: Path, present_in: Callable[[Sequence[str]], list[Column]]) -> I
             _check_group(path, raw, rows, chunks)
             read = file.read_row_group(k, [c.name for c in present], use_threads=False)
             if read.num_rows != rows:
-                raise InputError("its columns are not of one length; the file is damaged", file=path)
+                raise InputError("parquet.column_lengths", file=path)
             problems: list[Problem] = []
             parts = tuple(_part(path, pa, read.column(j), c, seen[j], problems, row + 2) for j, c in enumerate(present))
             if problems:
@@ -163,22 +162,15 @@ def _opened(path: Path) -> Generator[tuple[Any, BinaryIO, Any]]:
                 raw, read_dictionary=texts, pre_buffer=False, page_checksum_verification=True
             )  # fmt: skip
             if file.metadata.num_rows > ROWS_OF_A_BYTE * size:
-                message = f"announces {file.metadata.num_rows} rows in {size} bytes; the file is damaged, or no table"
-                raise InputError(message, file=path)
+                raise InputError("parquet.too_many_rows", n=file.metadata.num_rows, size_bytes=size, file=path)
             yield pa, raw, file
-        except (pa.ArrowException, OSError, UnicodeDecodeError, BadPage) as error:
-            raise InputError(f"cannot be read as Parquet: {_first_line(error)}; {AGAIN}", file=path) from None
+        except BadPage:
+            raise InputError("parquet.damaged", file=path) from None
+        except (pa.ArrowException, OSError, UnicodeDecodeError) as error:
+            detail = str(error).strip().split("\n")[0][:120]
+            raise InputError("parquet.not_readable", detail=detail, file=path) from None
         except MemoryError:
-            message = "asks for more memory than there is; the file is damaged, or not what it says"
-            raise InputError(message, file=path) from None
-
-
-AGAIN = "the file is damaged or not complete, or of another format; write it again"
-
-
-def _first_line(error: Exception) -> str:
-    words_ = str(error).strip().split("\n")[0][:120]
-    return words_ or "the head of a page has no sense"
+            raise InputError("file.memory", file=path) from None
 
 
 def _check_footer(path: Path, raw: BinaryIO, size: int) -> None:
@@ -186,10 +178,10 @@ def _check_footer(path: Path, raw: BinaryIO, size: int) -> None:
     raw.seek(max(size - 8, 0))
     end = raw.read(8)
     if size < 12 or end[4:] != b"PAR1":
-        raise InputError(f"does not end as a Parquet file does; {AGAIN}", file=path)
+        raise InputError("parquet.no_footer", file=path)
     length = int.from_bytes(end[:4], "little")
     if length > min(MOST_FOOTER_BYTES, size - 12):
-        raise InputError(f"announces {length} bytes about what is in it, which is none of {size}; {AGAIN}", file=path)
+        raise InputError("parquet.footer_too_large", footer_bytes=length, size_bytes=size, file=path)
     raw.seek(0)
 
 
@@ -199,8 +191,9 @@ def _check_kind(pa: Any, path: Path, column: Column, kind: Any) -> None:
     kind = kind.value_type if t.is_dictionary(kind) and column.kind != "number" else kind
     whole, text = t.is_integer(kind) or t.is_null(kind), t.is_string(kind) or t.is_large_string(kind)
     if not (whole or (t.is_floating(kind) if column.kind == "number" else text)):
-        wanted = "numbers" if column.kind == "number" else "texts"
-        raise InputError(f"holds {str(kind)[:40]}; give {wanted} here", file=path, column=column.name)
+        raise InputError(
+            "parquet.column_type", type=str(kind)[:40], numbers=column.kind == "number", file=path, column=column.name
+        )
 
 
 def _footer(raw: BinaryIO) -> bytes:
@@ -219,12 +212,13 @@ def _check_group(path: Path, raw: BinaryIO, rows: int, chunks: Sequence[Chunk]) 
         for page in pages(raw, chunk.begin, chunk.length):
             unpacked += page.unpacked
             if page.encoding in UNFOLDING:
-                what = f"is encoded as {UNFOLDING[page.encoding]}, of which nothing tells how much it holds"
-                raise InputError(f"{what}; write it with another encoding", file=path, column=chunk.name)
+                encoding = UNFOLDING[page.encoding]
+                raise InputError("parquet.encoding", encoding=encoding, file=path, column=chunk.name)
     if rows > MOST_GROUP_ROWS or unpacked > MOST_GROUP_BYTES:
-        what = f"{rows} rows and {unpacked} bytes in one group of rows"
-        limits = f"{MOST_GROUP_ROWS} and {MOST_GROUP_BYTES} are read; write it in smaller groups"
-        raise InputError(f"{what}, of which {limits}", file=path)
+        raise InputError(
+            "parquet.group_too_large", n=rows, most=MOST_GROUP_ROWS, size_bytes=unpacked, limit_bytes=MOST_GROUP_BYTES,
+            file=path,
+        )  # fmt: skip
 
 
 def _part(

@@ -29,8 +29,7 @@ def table_file(folder: Path, name: str) -> Path:
     if not stands(parquet):
         return csv
     if stands(csv):
-        message = f"stands beside {csv.name}, which is the same table; take one of the two out of the folder"
-        raise InputError(message, file=parquet)
+        raise InputError("table.csv_and_parquet", csv=csv.name, file=parquet)
     return parquet
 
 

@@ -17,8 +17,8 @@ from typing import Any
 
 import numpy as np
 
-from raybundle.errors import InputError, place_words
-from raybundle.io.cells import SHOWN, Column, Problem, converted, fail, numbers_good, texts_good
+from raybundle.errors import InputError, Message, message
+from raybundle.io.cells import SHOWN, Column, Problem, converted, earlier_place, fail, numbers_good, texts_good
 from raybundle.io.digits import EVERY, Digits, rounded
 from raybundle.io.parquet import groups, names_of, write_parquet
 from raybundle.io.reading import words
@@ -42,8 +42,8 @@ from raybundle.numerics.arrays import Array, Index
 PARQUET = ".parquet"
 PIECE_BYTES = 1 << 22
 LINE_BYTES = 1 << 20
-LISTED = 12
-"""Columns that a message lists"""
+LISTED, MOST_LISTED = 12, 100
+"""Columns that a message lists, and that it has as data"""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -65,9 +65,8 @@ class Table:
 
 
 def read_table(
-    path: Path, columns: Sequence[Column], *, unique: tuple[str, ...] = (), least_rows: int = 1,
-    without: str = "delete the file if the block has none of these", own: bool = False,
-) -> Table:  # fmt: skip
+    path: Path, columns: Sequence[Column], *, unique: tuple[str, ...] = (), least_rows: int = 1, own: bool = False
+) -> Table:
     """The table in a Parquet file, or in a CSV file as raybundle or a spreadsheet of any country writes it.
 
     The header tells what separates the cells: commas, semicolons or tabs.  With the latter two the decimal sign may be
@@ -75,7 +74,7 @@ def read_table(
 
     own     as raybundle writes it and no other way: cells separated by commas, decimal points, UTF-8
     unique  two reference columns whose pairs of values must differ from row to row
-    without  what to do in place of filling a table that has too few rows
+
     raises  InputError with file, line, column, the offending text and what to do
     """
     dialect = PLAIN if own or path.suffix == PARQUET else dialect_of_file(path)
@@ -86,11 +85,7 @@ def read_table(
     else:
         table = _read_dialect(path, columns, unique, dialect)
     if table.rows < least_rows:
-        raise InputError(
-            f"the table has a header but {'no' if not table.rows else 'too few'} rows; fill it, or {without}",
-            file=path,
-            line=table.first_line - 1,
-        )
+        raise InputError("table.too_few_rows", n=table.rows, least=least_rows, file=path, line=table.first_line - 1)
     return table
 
 
@@ -219,7 +214,7 @@ def _read_dialect(path: Path, columns: Sequence[Column], unique: tuple[str, ...]
         sign = "." if dialect.separator == "," else decimal_sign(numbers)
     except TwoSigns as two:
         at = first_line + two.later.row
-        fail(path, [Problem(at, two.later.column, two.words(first_line + two.first.row))])
+        fail(path, [Problem(at, two.later.column, two.problem(first_line + two.first.row))])
     problems: list[Problem] = []
     parts: list[list[object]] = []
     for c, values in zip(present, cells, strict=True):
@@ -256,8 +251,9 @@ def _raw_pieces(path: Path) -> Iterator[tuple[bytes, int]]:
                 line += block.count(b"\n", 0, cut)
             if len(rest) > LINE_BYTES:
                 blank = len(rest) - len(rest.rstrip(b"\r\n"))
-                what = "1 MiB of empty lines" if blank > LINE_BYTES // 2 else "a line of more than 1 MiB"
-                raise InputError(f"{what}: this is not a table; export it again", file=path, line=line)
+                raise InputError(
+                    "table.line_too_long", empty=blank > LINE_BYTES // 2, limit_bytes=LINE_BYTES, file=path, line=line
+                )
     rest = rest.rstrip(b"\r\n")
     if rest:
         yield rest, line
@@ -279,11 +275,7 @@ def _header_and_rest(path: Path, pieces: Iterator[str]) -> tuple[str, tuple[str,
     """The header line, and the rest of its piece if there is any."""
     first = next(pieces, None)
     if first is None:
-        raise InputError(
-            "the file is empty; it needs a header line and rows, or delete it if the block has none of these",
-            file=path,
-            line=1,
-        )
+        raise InputError("table.empty", file=path, line=1)
     header, end, rest = first.partition("\n")
     return header, (rest,) if end else ()
 
@@ -294,14 +286,8 @@ def _check_header(path: Path, line: str, columns: Sequence[Column], dialect: Dia
     try:
         names = next(dialect.cells([line]), [])
     except BadRow as error:
-        raise InputError(f"the header cannot be read ({error}); {_should(columns)}", file=path, line=at) from None
+        raise InputError(error.problem, file=path, line=at) from None
     return _check_names(path, names, columns, at)
-
-
-def _should(columns: Sequence[Column]) -> str:
-    needed = ",".join(c.name for c in columns if not c.optional)
-    optional = [c.name for c in columns if c.optional]
-    return f"the header is {needed}" + (f", optional {', '.join(optional)}" if optional else "")
 
 
 def holds_values(header: Sequence[str]) -> bool:
@@ -320,19 +306,29 @@ def columns_words(header: Sequence[str]) -> str:
 def _check_names(path: Path, names: Sequence[str], columns: Sequence[Column], at: int = 1) -> list[Column]:
     """The columns in the order of their names in the file, which stand in line `at`."""
     by_name = {c.name: c for c in columns}
+    needed = [c.name for c in columns if not c.optional]
     if holds_values(names):
-        raise InputError(f"{columns_words(names)}; {_should(columns)}", file=path, line=at)
+        raise InputError("table.no_header", header=header_shown(names), needed=needed, file=path, line=at)
     for position, name in enumerate(names):
         if name not in by_name:
-            message = f"unknown column {quoted(name)}; {columns_words(names)}; {_should(columns)}"
-            raise InputError(message, file=path, line=at, column=name[:40])
+            raise InputError(
+                "table.unknown_column", name=quoted(name), needed=needed,
+                optional=[c.name for c in columns if c.optional] or ["-"], file=path, line=at, column=name[:40],
+            )  # fmt: skip
         if name in names[:position]:
-            raise InputError(f"column {name!r} stands twice; {_should(columns)}", file=path, line=at, column=name)
-    missing = [c.name for c in columns if not c.optional and c.name not in names]
+            raise InputError("table.column_twice", name=name, file=path, line=at, column=name)
+    missing = [name for name in needed if name not in names]
     if missing:
-        message = f"column {missing[0]!r} is missing; {columns_words(names)}; {_should(columns)}"
-        raise InputError(message, file=path, line=at, column=missing[0])
+        raise InputError(
+            "table.columns_missing", names=missing, header=header_shown(names), needed=needed, file=path, line=at,
+            column=missing[0],
+        )  # fmt: skip
     return [by_name[name] for name in names]
+
+
+def header_shown(names: Sequence[str]) -> list[str]:
+    """The names in a header, as a message lists them."""
+    return [quoted(name)[1:-1] for name in names[:MOST_LISTED]]
 
 
 def _cells(path: Path, piece: str, width: int, first_line: int) -> list[list[str]]:
@@ -360,23 +356,23 @@ def _cells_one_by_one(
                     break
             rows.append(row)
     except BadRow as error:
-        problems.append(Problem(first_line + error.position, None, str(error)))
+        problems.append(Problem(first_line + error.position, None, error.problem))
     if problems:
         fail(path, problems)
     return [list(column) for column in zip(*rows, strict=True)]
 
 
-def _wrong_width(row: Sequence[str], width: int, dialect: Dialect) -> str:
+def _wrong_width(row: Sequence[str], width: int, dialect: Dialect) -> Message:
     if not any(row):
-        return "empty line; delete it"
-    hint = ""
+        return message("table.empty_line")
+    hint = "none"
     if not dialect.plain:
-        hint = f" (they are separated by {NAMES[dialect.separator]}, as the header is)"
+        hint = NAMES[dialect.separator]
     elif len(row) > width:
-        hint = " (the decimal sign is a point, not a comma)"
+        hint = "decimal_comma"
     elif any(";" in cell for cell in row):
-        hint = " (cells are separated by commas, not by semicolons)"
-    return f"{len(row)} cells, the header has {width}{hint}: {quoted(dialect.separator.join(row))}"
+        hint = "commas"
+    return message("table.cell_count", n=len(row), needed=width, row=quoted(dialect.separator.join(row)), hint=hint)
 
 
 def _pairs_again(pair: Sequence[object]) -> tuple[Index, Index]:
@@ -411,9 +407,8 @@ def _fail_again(path: Path, order: Index, again: Index, names: tuple[str, ...], 
     problems: list[Problem] = []
     for k in sorted(again, key=lambda k: int(order[k + 1]))[: SHOWN + 1]:
         line, earlier = (first_row + int(order[j]) + 2 for j in (k + 1, k))
-        place = place_words(path, earlier)
-        message = f"this {' and '.join(names)} stand already in {place}; delete one of the two"
-        problems.append(Problem(line, names[-1], message))
+        number, rows = earlier_place(path, earlier)
+        problems.append(Problem(line, names[-1], message("table.pair_twice", names=names, earlier=number, rows=rows)))
     fail(path, problems)
 
 
@@ -477,7 +472,7 @@ def times_in_order(table: Table, file: Path) -> Array:
     if len(late):
         k = int(late[0])
         raise InputError(
-            f"time {time[k + 1]:.10g} s does not follow {time[k]:.10g} s; sort the table", file=file,
-            line=table.first_line + k + 1, column="time_s",
+            "table.time_order", time_s=time[k + 1], before_s=time[k], file=file, line=table.first_line + k + 1,
+            column="time_s",
         )  # fmt: skip
     return time

@@ -42,7 +42,7 @@ def write_workbook(path: Path, tables: Iterable[tuple[str, Path]], title: str = 
         names.append(name)
         _sheet(book, name, file)
     if not names:
-        raise InputError("no table with rows is there", file=path)
+        raise InputError("workbook.no_table", file=path)
     with new_files(path) as (file,):
         book.save(file)
     return names
@@ -54,7 +54,7 @@ def rows_of(file: Path) -> Iterator[list[str]]:
         try:
             yield from cells_of(text)
         except BadRow as error:
-            raise InputError(str(error), file=file, line=error.position + 1) from None
+            raise InputError(error.problem, file=file, line=error.position + 1) from None
 
 
 def has_rows(file: Path) -> bool:
@@ -89,7 +89,7 @@ def _sheet(book: Workbook, name: str, file: Path) -> None:
         for row in part:
             count += 1
             if count > ROWS:
-                raise InputError(f"has more than the {ROWS - 1} rows of a sheet", file=file)
+                raise InputError("workbook.too_many_rows", most=ROWS - 1, file=file)
             sheet.append([_cell(sheet, text, named[k] if k < len(named) else True) for k, text in enumerate(row)])
     sheet.auto_filter.ref = f"A1:{get_column_letter(len(header))}{count}"
 

@@ -8,7 +8,7 @@ import pytest
 import raybundle
 
 SOURCE = Path(raybundle.__file__).parent
-READING = SOURCE / "io" / "reading"
+READING, CATALOGUES = SOURCE / "io" / "reading", SOURCE / "words"
 READERS = ("io", "targets", "cli", "report", "workflows", "scenes", "block")
 """Packages in which words of files, or of the command line, become numbers."""
 MODULES = {"tomllib", "configparser", "pickle", "marshal", "shelve", "yaml"}
@@ -24,7 +24,11 @@ WORDS = {"word", "words", "text", "cell", "cells", "match", "found", "groups", "
 
 
 def modules():
-    return [p for p in sorted(SOURCE.rglob("*.py")) if READING not in p.parents and "generated" not in p.parts]
+    return [
+        p
+        for p in sorted(SOURCE.rglob("*.py"))
+        if not {READING, CATALOGUES} & set(p.parents) and "generated" not in p.parts
+    ]
 
 
 def foreign(tree):

@@ -96,15 +96,15 @@ def nested(depth):
 @pytest.mark.parametrize(
     ("text", "message"),
     [
-        ('{"a": NaN}', "NaN is no number in JSON"),
-        ('{"a": [1,\n -Infinity]}', "line 2: -Infinity is no number"),
-        ('{"a": 1, "b": {"c": 1, "c": 2}}', "key 'c' stands twice"),
-        (nested(101), "nested more than 100 deep"),
-        ("[" * 100_000, "nested more than 100 deep"),
-        ("[" * 2_000_000, "nested too deeply"),
-        ("1" * 5000, "a number is too long"),
-        ('{"a": ', "cut off"),
-        ('{"a": 1}\0', "control character 0x00"),
+        ('{"a": NaN}', r"NaN.*JSON.*json\.not_finite"),
+        ('{"a": [1,\n -Infinity]}', r"2.*Infinity.*json\.not_finite"),
+        ('{"a": 1, "b": {"c": 1, "c": 2}}', r"json\.key_twice"),
+        (nested(101), r"100.*file\.nested_too_deeply"),
+        ("[" * 100_000, r"100.*file\.nested_too_deeply"),
+        ("[" * 2_000_000, r"file\.nested_too_deeply"),
+        ("1" * 5000, r"file\.number_too_long"),
+        ('{"a": ', r"json\.invalid"),
+        ('{"a": 1}\0', r"file\.control_character"),
     ],
     ids=range(9),
 )
@@ -122,20 +122,20 @@ def test_json_in_bounds(tmp_path):
     (tmp_path / "a.json").write_bytes(b'\xef\xbb\xbf{"a": {"b": [1e999, 18446744073709551615]}}')
     value = read_json(tmp_path / "a.json").get("a").get("b").items()
     assert value[1].whole(0, 1 << 64) == 18446744073709551615
-    with pytest.raises(InputError, match=r"column a\.b\.0: inf is not a finite number"):
+    with pytest.raises(InputError, match=r"a\.b\.0.*value\.not_finite"):
         value[0].number()
 
 
 @pytest.mark.parametrize(
     ("text", "message", "line"),
     [
-        ("a = 1\nb = ", "this is not TOML", 2),
-        ("a = 1\na = 2", "this is not TOML: Cannot overwrite", None),
-        ("a = " + "1" * 5000, "a number is too long", None),
-        ("a = " + nested(101), "nested more than 100 deep", None),
-        ("a = 1\n\0", "control character", 2),
-        ("a = '\xff'".encode("latin-1"), "is not UTF-8", 1),
-        (b"\xff\xfea", "UTF-16, it seems", 1),
+        ("a = 1\nb = ", r"toml\.invalid", 2),
+        ("a = 1\na = 2", r"Cannot.*toml\.invalid", None),
+        ("a = " + "1" * 5000, r"file\.number_too_long", None),
+        ("a = " + nested(101), r"100.*file\.nested_too_deeply", None),
+        ("a = 1\n\0", r"file\.control_character", 2),
+        ("a = '\xff'".encode("latin-1"), r"file\.not_utf8", 1),
+        (b"\xff\xfea", r"file\.not_utf8", 1),
     ],
     ids=range(7),
 )
@@ -151,7 +151,7 @@ def test_toml_knows_the_lines_of_its_keys(tmp_path):
     (tmp_path / "a.toml").write_text('x = 1\n[cameras."a b"]\nc = nan\n')
     found = read_toml(tmp_path / "a.toml")
     assert found.lines["cameras", "a b", "c"] == 3
-    with pytest.raises(InputError, match="nan is not a finite number"):
+    with pytest.raises(InputError, match=r"value\.not_finite"):
         found.tree().get("cameras").get("a b").get("c").number()
 
 
@@ -177,9 +177,9 @@ def test_xml_numbers_and_time(tmp_path):
     top = read_xml(path, "a")
     assert top.get("b").numbers(2).tolist() == [1, 2]
     for name in "cd":
-        with pytest.raises(InputError, match="is not a finite number"):
+        with pytest.raises(InputError, match=r"value\.not_finite"):
             top.number(name)
-    with pytest.raises(InputError, match="attribute v"):
+    with pytest.raises(InputError, match=r"xml\.attribute_not_a_number"):
         top.get("e").value("v")
 
 
@@ -188,11 +188,11 @@ def test_texts(tmp_path):
     path.write_bytes(b"\xef\xbb\xbfa\r\nb\rc\x0c\n")
     assert read_text(path) == "a\nb\rc\x0c\n"
     assert [line for _, line in read_lines(path)] == ["a", "b", "c\x0c", ""]
-    with pytest.raises(InputError, match="cannot be read"):
+    with pytest.raises(InputError, match=r"file\.not_a_file"):
         read_text(tmp_path)
-    with pytest.raises(InputError, match="more than the 3 that are read"):
+    with pytest.raises(InputError, match=r"3.*file\.too_large"):
         read_text(path, 3)
-    with pytest.raises(InputError, match="no name that a file can have"):
+    with pytest.raises(InputError, match=r"file\.impossible_name"):
         read_text(tmp_path / "a\0b")
 
 
@@ -200,7 +200,7 @@ def test_texts(tmp_path):
 def test_devices_do_not_fill_the_memory():
     from pathlib import Path
 
-    with pytest.raises(InputError, match="is no file"):
+    with pytest.raises(InputError, match=r"file\.not_a_file"):
         read_text(Path("/dev/zero"))
 
 

@@ -128,7 +128,7 @@ def _rows(path: Path) -> list[dict[str, str]]:
     names = ("group", "see", "how")
     columns = [Column(name="image", kind="id"), *(Column(name=n, kind="text") for n in names)]
     columns.append(Column(name="taken", kind="text", optional=True, empty=True))
-    table = read_table(path, columns, without="make the list again")
+    table = read_table(path, columns)
     return [
         {"image": table.text["image"][k], **{n: table.text[n][k] for n in names}} for k in range(table.rows)
     ]  # fmt: skip

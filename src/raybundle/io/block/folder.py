@@ -15,7 +15,7 @@ from raybundle.block import Block, Camera, Images, Points
 from raybundle.block.block import PixelFrame, Turn
 from raybundle.block.frames import TURNS, size_ratio
 from raybundle.errors import InputError
-from raybundle.io.block.image_points import NEEDED, no_observations, read_observations, write_observations
+from raybundle.io.block.image_points import no_observations, read_observations, write_observations
 from raybundle.io.block.observations import read_observation_tables, write_observation_tables
 from raybundle.io.block.points import read_points, with_tie_points, write_points
 from raybundle.io.block.scenes import FOLDER as SCENES
@@ -127,7 +127,7 @@ def _image_columns(cameras: tuple[Camera, ...]) -> tuple[Column, ...]:
     of = {c.id: k for k, c in enumerate(cameras)}
     return (
         Column(name="image", kind="id"),
-        Column(name="camera", kind="reference", known=of, where="the cameras of block.toml"),
+        Column(name="camera", kind="reference", known=of, where="block.toml"),
         Column(name="file", kind="text", empty=True),
         *(Column(name=n, kind="number", empty=True) for n in (*XYZ, *ANGLES)),
         Column(name="held", kind="number", optional=True, empty=True),
@@ -137,7 +137,7 @@ def _image_columns(cameras: tuple[Camera, ...]) -> tuple[Column, ...]:
 
 
 def _read_images(path: Path, cameras: tuple[Camera, ...]) -> tuple[Images, dict[str, int]]:
-    table = read_table(path, _image_columns(cameras), without=NEEDED, own=True)
+    table = read_table(path, _image_columns(cameras), own=True)
     ids = table.text["image"]
     centre = table.numbers(*XYZ)
     angles = table.numbers(*ANGLES)

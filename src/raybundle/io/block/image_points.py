@@ -15,8 +15,6 @@ from raybundle.io.table_files import Named
 from raybundle.io.tables import Column, Table, read_table, write_table
 from raybundle.numerics.arrays import Array, Mask
 
-NEEDED = "give another folder: a block needs it"
-
 
 def columns_for(images: dict[str, int], points: dict[str, int]) -> tuple[Column, ...]:
     """What the columns hold; points not yet known are added to `points`."""
@@ -42,9 +40,7 @@ def read_observations(
     path: Path, images: dict[str, int], points: dict[str, int], *, least_rows: int = 1
 ) -> tuple[Observations, tuple[tuple[str, str], ...]]:
     """The table, and image and point of rows that are known as wrong; points not yet known are added to `points`."""
-    table = read_table(
-        path, columns_for(images, points), unique=("image", "point"), least_rows=least_rows, without=NEEDED, own=True
-    )
+    table = read_table(path, columns_for(images, points), unique=("image", "point"), least_rows=least_rows, own=True)
     found, wrong = observations_of(path, table)
     image, point = [*images], [*points]
     rows = np.flatnonzero(wrong).tolist()

@@ -41,7 +41,7 @@ def read_observation_tables(
 
 
 def _read(path: Path, table: type[Table], known: Mapping[str, dict[str, int]], instruments: Instruments) -> Table:
-    where = {"image": "images.csv", "point": "points.csv or observations.csv"}
+    where = {"image": "images.csv", "point": "points.csv"}
     gon = _in_gon(path, table)
     columns = [
         Column(name=name, kind="reference", known=known[c.of], where=where[c.of], optional=c.optional)

@@ -11,7 +11,7 @@ import numpy as np
 from raybundle.block import Block, Observations, Points
 from raybundle.errors import InputError
 from raybundle.io.block.folder import read_without_observations
-from raybundle.io.block.image_points import NEEDED, columns_for, observations_of
+from raybundle.io.block.image_points import columns_for, observations_of
 from raybundle.io.block.observations import read_observation_tables
 from raybundle.io.block.points import with_tie_points
 from raybundle.io.parquet import rows_in
@@ -97,7 +97,7 @@ def read_in_pieces(path: str | Path, *, progress: Progress = silent) -> InTables
         wrong.append(rejected)
         progress("reading", min(0.9, begin / 1e7))
     if not keys or not sum(map(len, keys)):
-        raise InputError(f"the table has no rows; fill it, or {NEEDED}", file=file)
+        raise InputError("table.too_few_rows", n=0, least=1, file=file)
     key = np.concatenate(keys)
     keys.clear()
     check_pair_keys(file, key, ("image", "point"))

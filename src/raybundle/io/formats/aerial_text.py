@@ -64,7 +64,7 @@ class Line:
         for word, column in zip(self.words[first:], columns, strict=False):
             value = number_of(word)
             if value is None:
-                self.fail(f"{no_number(word)}", column)
+                self.fail(no_number(word), column)
             found.append(value)
         return found
 

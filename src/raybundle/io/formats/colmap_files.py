@@ -113,7 +113,7 @@ def _read_cameras_binary(path: Path, model: Model) -> None:
         name = name_of(kind)
         if name not in PARAMETERS:
             raise unknown_model(path, f"camera {number}", None, name)
-        values = file.floats(len(PARAMETERS[name]), f"camera {number}")
+        values = file.floats(len(PARAMETERS[name]), "camera", number)
         if number in model.cameras:
             file.fail(f"camera {number} stands twice")
         model.cameras[number] = checked_camera(path, number, None, name, (width, height), values)
@@ -124,10 +124,10 @@ def _read_images_binary(path: Path, model: Model) -> None:
     file = Binary(path)
     for k in range(file.count(4 + 56 + 4 + 2 + 8, "images")):
         (number,) = file.take("i")
-        pose = file.floats(7, f"image {number}")
+        pose = file.floats(7, "image", number)
         (camera,) = file.take("i")
         _add_image(model, path, None, number, camera, file.name(), pose)
-        points = file.records(POINT2D, file.count(POINT2D.itemsize, "image points"))
+        points = file.records(POINT2D, file.count(POINT2D.itemsize, "image_points"))
         matched = points["point"] != NO_POINT
         if not np.isfinite(points["xy"][matched]).all():
             file.fail(f"image {number} holds an image point that is not finite")
@@ -144,10 +144,10 @@ def _read_points_binary(path: Path, model: Model) -> None:
         (number,) = file.take("Q")
         if number in model.xyz or number >= 1 << 63:
             file.fail(f"point {number} stands twice, or has no usable number")
-        model.xyz[number] = file.floats(3, f"point {number}")
+        model.xyz[number] = file.floats(3, "point", number)
         model.rgb[number] = file.take("3B")
         file.take("d")
-        file.records(TRACK, file.count(TRACK.itemsize, "track elements"))
+        file.records(TRACK, file.count(TRACK.itemsize, "track_elements"))
     file.end()
 
 
@@ -158,11 +158,11 @@ def _lines(path: Path) -> Iterator[tuple[int, str]]:
             yield number, line.strip()
 
 
-def _floats(path: Path, line: int, words: Sequence[str], what: str) -> list[float]:
+def _floats(path: Path, line: int, words: Sequence[str]) -> list[float]:
     values = numbers_of(words)
     if values is None:
         bad = next(w for w in words if number_of(w) is None)
-        raise InputError(f"{what}: {no_number(bad)}", file=path, line=line)
+        raise InputError(no_number(bad), file=path, line=line)
     return values.tolist()
 
 
@@ -187,7 +187,7 @@ def _read_cameras_text(path: Path, model: Model) -> None:
         if name not in PARAMETERS:
             raise unknown_model(path, place, line, quoted(name))
         width, height = (_whole(path, line, w, place) for w in words[2:4])
-        values = _floats(path, line, words[4:], place)
+        values = _floats(path, line, words[4:])
         if len(values) != (count := len(PARAMETERS[name])):
             raise InputError(f"{place}: {len(values)} parameters, {name} has {count}", file=path, line=line)
         if number in model.cameras:
@@ -207,14 +207,14 @@ def _read_images_text(path: Path, model: Model) -> None:
         words = head.split(maxsplit=9)
         if len(words) != 10:
             raise InputError("number, 4 + 3 numbers, camera and name are needed", file=path, line=line)
-        pose = _floats(path, line, words[1:8], "image")
+        pose = _floats(path, line, words[1:8])
         number, camera = _whole(path, line, words[0], "image"), _whole(path, line, words[8], "camera")
         _add_image(model, path, line, number, camera, words[9], pose)
         line, text = next(lines, (line, ""))  # noqa: PLW2901  (the second line of the image)
         words = text.split()
         if len(words) % 3:
             raise InputError(f"{len(words)} words are not triples of x, y and a point", file=path, line=line)
-        xy = _floats(path, line, [w for n, w in enumerate(words) if n % 3 < 2], "image points")
+        xy = _floats(path, line, [w for n, w in enumerate(words) if n % 3 < 2])
         points = [_whole(path, line, w, "point") for w in words[2::3]]
         model.image.append(np.full(len(points), len(model.names) - 1, np.int64))
         model.xy.append(np.array(xy).reshape(-1, 2))
@@ -232,7 +232,7 @@ def _read_points_text(path: Path, model: Model) -> None:
         number = _whole(path, line, words[0], "point")
         if number in model.xyz or number < 0:
             raise InputError(f"point {number} stands twice, or is negative", file=path, line=line)
-        model.xyz[number] = _floats(path, line, words[1:4], f"point {number}")
+        model.xyz[number] = _floats(path, line, words[1:4])
         rgb = [_whole(path, line, w, "colour") for w in words[4:7]]
         model.rgb[number] = [min(max(c, 0), 255) for c in rgb]
 
@@ -245,7 +245,7 @@ def _read_rigs_binary(path: Path, model: Model) -> None:
         for k in range(count):
             sensor = file.take("iI")
             posed = k > 0 and file.take("B")[0] != 0
-            sensors[sensor] = REFERENCE if k == 0 else file.floats(7, f"rig {number}") if posed else None
+            sensors[sensor] = REFERENCE if k == 0 else file.floats(7, "rig", number) if posed else None
         _add_rig(model, path, None, number, sensors)
     file.end()
 
@@ -254,7 +254,7 @@ def _read_frames_binary(path: Path, model: Model) -> None:
     file = Binary(path)
     for _ in range(file.count(8 + 56 + 4, "frames")):
         number, rig = file.take("II")
-        pose = file.floats(7, f"frame {number}")
+        pose = file.floats(7, "frame", number)
         data = [file.take("iIQ") for _ in range(file.take("I")[0])]
         _add_frame(model, path, None, Frame(number=number, rig=rig, pose=pose, data=tuple(data)))  # type: ignore[arg-type]
     file.end()
@@ -318,7 +318,7 @@ class _Words:
 
     def pose(self) -> Pose:
         """The next pose."""
-        return _floats(self.path, self.line, self.take(7), self.place)
+        return _floats(self.path, self.line, self.take(7))
 
     def end(self) -> None:
         """Raise where words are left."""

@@ -7,6 +7,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 from pathlib import Path
 
+from raybundle.errors import message
 from raybundle.io.cells import SHOWN, Problem
 from raybundle.io.photos.container import SUFFIXES
 from raybundle.io.reading.dialects import TwoSigns, decimal_sign, table_text, with_points, without_groups
@@ -46,14 +47,14 @@ def gcp_rows(lines: Iterator[tuple[int, str]]) -> tuple[list[GcpRow], list[Probl
     try:
         sign = decimal_sign((c, [w[k] for _, w in full]) for k, c in enumerate(GCP_COLUMNS[:5]))
     except TwoSigns as two:
-        message = two.words(full[two.first.row][0])
-        return [], [Problem(full[two.later.row][0], two.later.column, message)]
+        problem = two.problem(full[two.first.row][0])
+        return [], [Problem(full[two.later.row][0], two.later.column, problem)]
     for line, text, words in parts:
         if len(problems) > SHOWN:
             break
         if len(words) < len(GCP_COLUMNS):
-            message = f"{len(words)} columns, {', '.join(GCP_COLUMNS)} and perhaps a name are needed: {quoted(text)}"
-            problems.append(Problem(line, None, message))
+            needed = f"{len(words)} columns, {', '.join(GCP_COLUMNS)} and perhaps a name are needed: {quoted(text)}"
+            problems.append(Problem(line, None, needed))
             continue
         numbers = with_points(words[:5]) if sign == "," else words[:5]
         bad = [
@@ -61,9 +62,10 @@ def gcp_rows(lines: Iterator[tuple[int, str]]) -> tuple[list[GcpRow], list[Probl
             if number_of(n) is None and not _unknown(c, n)
         ]  # fmt: skip
         if bad:
-            plain = without_groups(bad[0][1])
-            hint = f"; it has signs between thousands, write {plain}" if plain else ""
-            problems.append(Problem(line, bad[0][0], f"{no_number(bad[0][1])}{hint}"))
+            column, cell = bad[0]
+            plain = without_groups(cell)
+            grouped = message("cell.grouped_thousands", value=quoted(cell), plain=plain) if plain else None
+            problems.append(Problem(line, column, grouped or no_number(cell)))
             continue
         if not words[5] or not "".join(words[5:7]).isprintable():
             problems.append(Problem(line, "image", f"{quoted(words[5])} is no name of an image"))

@@ -66,7 +66,7 @@ def read(path: Path) -> Route:
     try:
         rows = list(cells_of([t for _, t in lines]))
     except BadRow as error:
-        raise InputError(str(error), file=path, line=lines[error.position][0]) from None
+        raise InputError(error.problem, file=path, line=lines[error.position][0]) from None
     names = [c.strip() for c in rows[0]] if rows else []
     if "altitude(ft)" in names:
         raise InputError("has heights in feet; save it in metres, the setting of the app", file=path, line=1)

@@ -258,7 +258,7 @@ def _number(element: Element, *names: str) -> float:
     text = _text(element, *names)
     value = number_of(text)
     if value is None:
-        element.fail(f"{'/'.join(names)}: {no_number(text)}")
+        (element.find(*names) or element).fail(no_number(text))
     return value
 
 

@@ -11,7 +11,7 @@ from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
-from raybundle.errors import InputError
+from raybundle.errors import InputError, Message, message
 from raybundle.io.reading.files import as_utf8, check_text, decoded, opened, read_bytes
 from raybundle.io.reading.rows import BadRow, cells_of
 from raybundle.io.reading.words import quoted
@@ -54,7 +54,7 @@ PLAIN = Dialect()
 
 
 def dialect_of(lines: Sequence[str]) -> Dialect:
-    """By the first lines of a text; raises ValueError where a line `sep=` says what separates nothing here.
+    """By the first lines of a text; raises InputError where a line `sep=` names no separator of tables.
 
     Of the separators the one that stands most often in the header, outside quotes; a comma where none does.
     """
@@ -62,7 +62,7 @@ def dialect_of(lines: Sequence[str]) -> Dialect:
         return PLAIN
     if said := _SAID.fullmatch(lines[0].rstrip("\r\n").removeprefix("\ufeff")):
         if said[1] not in NAMES:
-            raise ValueError(f"{quoted(lines[0])}: cells are separated by commas, semicolons or tabs")
+            raise InputError("table.separator_unknown", value=quoted(lines[0]))
         return Dialect(said[1], 1)
     header = _QUOTED.sub("", lines[0])
     return Dialect(max(NAMES, key=header.count))  # the first of those that are as many
@@ -74,7 +74,7 @@ def header_cells(head: str) -> list[str]:
     try:
         dialect = dialect_of(lines)
         return [c.strip() for c in next(dialect.cells(lines[dialect.above : dialect.above + 1]), [])]
-    except (BadRow, ValueError):
+    except (BadRow, InputError):
         return []
 
 
@@ -93,8 +93,8 @@ def dialect_of_file(path: Path) -> Dialect:
     lines = head.split(b"\n", 2)[:2]
     try:
         return dialect_of([line.decode("latin-1") for line in lines])
-    except ValueError as error:
-        raise InputError(str(error), file=path, line=1) from None
+    except InputError as error:
+        raise error.at(path, line=1) from None
 
 
 def table_text(path: Path) -> str:
@@ -134,15 +134,12 @@ class TwoSigns(Exception):
         super().__init__()
         self.first, self.later = first, later
 
-    def words(self, line: int) -> str:
-        """What is wrong, the first of the two standing in this line."""
-        what = {True: "a decimal comma", False: "a decimal point"}
-        first, later = (what["," in s.cell] for s in (self.first, self.later))
-        return (
-            f"{quoted(self.later.cell)} has {later}, {quoted(self.first.cell)} in line {line}, column "
-            f"{self.first.column}, {first}, or one of the two is a sign between thousands; write all numbers with one "
-            "decimal sign and none between thousands"
-        )
+    def problem(self, line: int) -> Message:
+        """The message, with the line of the first of the two."""
+        return message(
+            "table.two_decimal_signs", later=quoted(self.later.cell), first=quoted(self.first.cell),
+            first_line=line, first_column=self.first.column,
+        )  # fmt: skip
 
 
 def decimal_sign(columns: Iterable[tuple[str, Sequence[str]]]) -> str:

@@ -39,14 +39,11 @@ def guarded(path: Path) -> Generator[None]:
     try:
         yield
     except OSError as error:
-        message = f"cannot be read: {error.strerror or error}; check the path and the permissions"
-        raise InputError(message, file=path) from None
+        raise InputError("file.not_readable", detail=error.strerror or str(error), file=path) from None
     except (MemoryError, RecursionError):
-        message = "asks for more memory than there is; the file is damaged, or not what it says"
-        raise InputError(message, file=path) from None
+        raise InputError("file.memory", file=path) from None
     except (ArithmeticError, np.linalg.LinAlgError):
-        message = "holds numbers with which nothing can be computed; the file is damaged"
-        raise InputError(message, file=path) from None
+        raise InputError("file.not_computable", file=path) from None
 
 
 def stands(path: Path) -> bool:
@@ -64,19 +61,18 @@ def check_regular(path: Path) -> None:
         mode = path.stat().st_mode
     except FileNotFoundError:
         if path.is_symlink():
-            message = f"is a link to {path.readlink()}, which is not there; mend the link or delete it"
-            raise InputError(f"cannot be read: {message}", file=path) from None
-        raise InputError("cannot be read: there is no such file; check the path", file=path) from None
+            raise InputError("file.link_broken", target=str(path.readlink()), file=path) from None
+        raise InputError("file.missing", file=path) from None
     except OSError as error:
         if error.errno == errno.ELOOP:
-            raise InputError("cannot be read: is a link that leads back to itself; delete it", file=path) from None
-        raise InputError(f"cannot be read: {error.strerror}; check the path and the permissions", file=path) from None
+            raise InputError("file.link_loop", file=path) from None
+        raise InputError("file.not_readable", detail=error.strerror, file=path) from None
     except ValueError:  # a zero byte in the name
-        raise InputError("is no name that a file can have; check the path", file=path) from None
+        raise InputError("file.impossible_name", file=path) from None
     if not stat.S_ISREG(mode):
-        kinds = ((stat.S_ISDIR, "a folder"), (stat.S_ISFIFO, "a pipe"), (stat.S_ISSOCK, "a socket"))
-        kind = next((name for asked, name in kinds if asked(mode)), "a device")
-        raise InputError(f"cannot be read: is {kind} and is no file; give the name of a file", file=path)
+        kinds = ((stat.S_ISDIR, "folder"), (stat.S_ISFIFO, "pipe"), (stat.S_ISSOCK, "socket"))
+        kind = next((name for of_kind, name in kinds if of_kind(mode)), "device")
+        raise InputError("file.not_a_file", kind=kind, file=path)
 
 
 @contextmanager
@@ -87,7 +83,7 @@ def opened(path: Path) -> Generator[BinaryIO]:
         with path.open("rb") as file:
             yield file
     except OSError as error:
-        raise InputError(f"cannot be read: {error.strerror}; check the path and the permissions", file=path) from None
+        raise InputError("file.not_readable", detail=error.strerror, file=path) from None
 
 
 def read_bytes(path: Path, limit: int = TEXT_BYTES) -> bytes:
@@ -95,10 +91,10 @@ def read_bytes(path: Path, limit: int = TEXT_BYTES) -> bytes:
     with opened(path) as file:
         size = os.fstat(file.fileno()).st_size
         if size > limit:
-            raise InputError(f"{size} bytes, more than the {limit} that are read; is it the right file?", file=path)
+            raise InputError("file.too_large", size_bytes=size, limit_bytes=limit, file=path)
         data = file.read(min(limit, size or UNSIZED_BYTES) + 1)
     if len(data) > (size or min(limit, UNSIZED_BYTES)):
-        raise InputError("is no file, or was written to while it was read; give a file that is complete", file=path)
+        raise InputError("file.changed", file=path)
     return data
 
 
@@ -148,9 +144,7 @@ def check_text(path: Path, text: str) -> None:
     """Raise InputError with the line of a control character, which no text has."""
     if found := _CONTROL.search(text):
         line = text.count("\n", 0, found.start()) + 1
-        raise InputError(
-            f"control character 0x{ord(found[0]):02x}: this is not text; is the file damaged?", file=path, line=line
-        )
+        raise InputError("file.control_character", byte=f"0x{ord(found[0]):02x}", file=path, line=line)
 
 
 def decoded(path: Path, data: bytes, first_line: int = 1) -> str:
@@ -159,12 +153,9 @@ def decoded(path: Path, data: bytes, first_line: int = 1) -> str:
         return data.decode("utf-8")
     except UnicodeDecodeError as error:
         line = first_line + data.count(b"\n", 0, error.start)
-        hint = "UTF-16, it seems; " if data[:2] in {b"\xff\xfe", b"\xfe\xff"} else ""
-        raise InputError(
-            f"byte 0x{data[error.start]:02x} is not UTF-8; {hint}save the file with the encoding UTF-8",
-            file=path,
-            line=line,
-        ) from None
+        utf16 = data[:2] in {b"\xff\xfe", b"\xfe\xff"}
+        byte = f"0x{data[error.start]:02x}"
+        raise InputError("file.not_utf8", byte=byte, utf16=utf16, file=path, line=line) from None
 
 
 def read_lines(path: Path, limit: int = TEXT_BYTES) -> Iterator[tuple[int, str]]:

@@ -5,13 +5,15 @@ from __future__ import annotations
 import csv
 from collections.abc import Iterable, Iterator
 
+from raybundle.errors import Message, message
+
 
 class BadRow(Exception):
     """A line that is no row of a table, with its number counted from 0."""
 
-    def __init__(self, position: int, message: str) -> None:
-        super().__init__(message)
-        self.position = position
+    def __init__(self, position: int, problem: Message) -> None:
+        super().__init__(problem.code)
+        self.position, self.problem = position, problem
 
 
 def cells_of(lines: Iterable[str], separator: str = ",") -> Iterator[list[str]]:
@@ -24,8 +26,8 @@ def cells_of(lines: Iterable[str], separator: str = ",") -> Iterator[list[str]]:
         except StopIteration:
             return
         except csv.Error as error:
-            raise BadRow(position, f"{error}; is a quote left open, or is this not a table?") from None
+            raise BadRow(position, message("table.row_unreadable", detail=str(error))) from None
         if reader.line_num != position + 1:
-            raise BadRow(position, "a cell goes over the end of its line; is a quote left open?")
+            raise BadRow(position, message("table.quote_open"))
         yield row
         position += 1

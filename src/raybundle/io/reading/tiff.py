@@ -57,7 +57,7 @@ class Opened:
         self.file.seek(at if there else 0)
         data = self.file.read(size) if there else b""
         if not there or len(data) < size:
-            raise InputError(f"the TIFF ends before byte {at + size}; copy it again", file=self.path)
+            raise InputError("tiff.ends_early", byte=at + size, file=self.path)
         return data
 
 
@@ -169,9 +169,9 @@ def tiff_tags(path: Path, only: frozenset[int] | None = None) -> tuple[str, Numb
         at = None if tiff is None else tiff.first
         count = None if tiff is None or at is None else tiff.count(at)
         if tiff is None or at is None or count is None:
-            raise InputError("this is no TIFF file", file=path)
+            raise InputError("tiff.no_tiff", file=path)
         if count > MOST_TAGS:
-            raise InputError(f"{count} tags in the TIFF's directory; the file is damaged", file=path)
+            raise InputError("tiff.too_many_tags", n=count, most=MOST_TAGS, file=path)
         found: Numbers = {}
         for entry in tiff.entries(at, count):
             if (only is None or entry.tag in only) and entry.type in NUMBER_TYPES and 0 < entry.count <= MOST_VALUES:

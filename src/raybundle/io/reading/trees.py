@@ -13,7 +13,7 @@ from typing import Any, NoReturn, cast
 
 import numpy as np
 
-from raybundle.errors import InputError, Message, Value, content
+from raybundle.errors import InputError, Message, Value, content, message
 from raybundle.io.reading.files import TEXT_BYTES, read_text
 from raybundle.io.reading.ledger import enter_tree
 from raybundle.io.reading.words import NOT_FINITE, finite, no_number, quoted, whole_of
@@ -78,21 +78,21 @@ class Json:
     def mapping(self) -> Mapping[str, Json]:
         """The members of an object."""
         if not isinstance(self.value, dict):
-            self.fail("an object or table is needed here")
+            self.fail("value.no_table")
         asked = self.asked.below(MEMBER)
         return {k: self._below(k, v, asked) for k, v in cast("dict[str, Any]", self.value).items()}
 
     def items(self) -> list[Json]:
         """The elements of an array."""
         if not isinstance(self.value, list):
-            self.fail("a list is needed here")
+            self.fail("value.no_list")
         asked = self.asked.below(ELEMENT)
         return [self._below(k, v, asked) for k, v in enumerate(cast("list[Any]", self.value))]
 
     def names(self) -> list[str]:
         """Names of the members of an object; their values count as passed over until a reader asks for them."""
         if not isinstance(self.value, dict):
-            self.fail("an object or table is needed here")
+            self.fail("value.no_table")
         return list(cast("dict[str, Any]", self.value))
 
     def has(self, key: str) -> bool:
@@ -102,15 +102,15 @@ class Json:
     def get(self, key: str) -> Json:
         """A member of an object."""
         if not isinstance(self.value, dict):
-            self.fail("an object or table is needed here")
+            self.fail("value.no_table")
         if not self.has(key):
-            self.fail(f"key {quoted(key)} is missing")
+            self.fail("value.key_missing", name=quoted(key))
         return self._below(key, cast("dict[str, Any]", self.value)[key], self.asked.below(key))
 
     def text(self) -> str:
         """A string that can be printed."""
         if not isinstance(self.value, str) or not self.value.isprintable():
-            self.fail(f"{quoted(self.value)} is not a text that can be printed")
+            self.fail("value.no_text", value=quoted(self.value))
         return self.value
 
     def number(self) -> float:
@@ -119,7 +119,7 @@ class Json:
         if number is None:
             near = isinstance(self.value, float | int) or NOT_FINITE.fullmatch(str(self.value))
             near = near and not isinstance(self.value, bool)
-            self.fail(no_number(self.value) if near else f"{quoted(self.value)} is not a number")
+            self.fail(no_number(self.value) if near else message("value.not_a_number", value=quoted(self.value)))
         return number
 
     def optional(self, key: str, default: float = 0.0) -> float:
@@ -130,14 +130,14 @@ class Json:
         """A whole number between two limits."""
         value = self.value if isinstance(self.value, int) and not isinstance(self.value, bool) else self.number()
         if not least <= value <= most or value != int(value):
-            self.fail(f"{quoted(self.value)} is not a whole number from {least} to {most}")
+            self.fail("value.not_whole", value=quoted(self.value), least=least, most=most)
         return int(value)
 
     def numbers(self, count: int) -> Array:
         """(count,) finite numbers."""
         items = self.items()
         if len(items) != count:
-            self.fail(f"{len(items)} elements, {count} are needed")
+            self.fail("value.count", n=len(items), needed=count)
         return np.array([i.number() for i in items])
 
 
@@ -170,19 +170,22 @@ def json_of(text: str, path: Path) -> Any:
     """
     try:
         if _deep(text):
-            raise InputError(f"this is not JSON that is read: nested more than {DEEPEST} deep", file=path)
+            raise InputError("file.nested_too_deeply", most=DEEPEST, file=path)
         return json.loads(text, parse_constant=_constant, object_pairs_hook=_members)
     except json.JSONDecodeError as error:
-        cut = "; the file is cut off: get it again" if error.pos >= len(text.rstrip()) - 1 else ""
-        message = f"this is not JSON: {error.msg} (character {error.colno}){cut}"
-        raise InputError(message, file=path, line=error.lineno) from None
+        cut = error.pos >= len(text.rstrip()) - 1
+        raise InputError(
+            "json.invalid", detail=error.msg, character=error.colno, cut=cut, file=path, line=error.lineno
+        ) from None
     except _Twice as error:
-        raise InputError(f"key {quoted(str(error))} stands twice in one object; delete one", file=path) from None
+        raise InputError("json.key_twice", name=quoted(str(error)), file=path) from None
     except _NotFinite as error:
         line = text.count("\n", 0, max(text.find(str(error)), 0)) + 1
-        raise InputError(f"{error} is no number in JSON; give a finite one, or null", file=path, line=line) from None
-    except (RecursionError, ValueError):
-        raise InputError("this is not JSON: nested too deeply, or a number is too long", file=path) from None
+        raise InputError("json.not_finite", value=str(error), file=path, line=line) from None
+    except RecursionError:
+        raise InputError("file.nested_too_deeply", most=DEEPEST, file=path) from None
+    except ValueError:
+        raise InputError("file.number_too_long", file=path) from None
 
 
 def own_json_of(text: str) -> Any:
@@ -225,15 +228,15 @@ def _deep(text: str) -> bool:
 def python_of(text: str, path: Path) -> Any:
     """The value of a Python literal (mappings, lists, numbers, texts), as some programs write their files."""
     try:
-        if len(text) > TOML_BYTES or _deep(text):
-            raise InputError("this is not read: too long, or nested too deeply", file=path)
+        if len(text) > TOML_BYTES:
+            raise InputError("file.too_large", size_bytes=len(text), limit_bytes=TOML_BYTES, file=path)
+        if _deep(text):
+            raise InputError("file.nested_too_deeply", most=DEEPEST, file=path)
         return ast.literal_eval(text)
     except SyntaxError as error:
-        raise InputError(
-            f"cannot be understood ({error.msg}); is the file complete?", file=path, line=error.lineno
-        ) from None
+        raise InputError("file.not_understood", detail=error.msg, file=path, line=error.lineno) from None
     except (ValueError, TypeError, MemoryError, RecursionError, OverflowError) as error:
-        raise InputError(f"cannot be understood: {quoted(str(error))}", file=path) from None
+        raise InputError("file.not_understood", detail=quoted(str(error)), file=path) from None
 
 
 @dataclass(frozen=True, slots=True)
@@ -258,15 +261,17 @@ def toml_of(text: str, path: Path) -> Toml:
     """The contents of a TOML text; `path` is named in messages."""
     try:
         if _deep(text):
-            raise InputError(f"this is not TOML that is read: nested more than {DEEPEST} deep", file=path)
+            raise InputError("file.nested_too_deeply", most=DEEPEST, file=path)
         values = tomllib.loads(text)
     except tomllib.TOMLDecodeError as error:
         found = re.search(r" \(at line (\d+), column (\d+)\)", str(error))
         line = whole_of(found[1]) if found else text.count("\n") + 1
-        message = str(error).replace(found[0], f" (character {found[2]})") if found else str(error)
-        raise InputError(f"this is not TOML: {message}", file=path, line=line) from None
-    except (RecursionError, ValueError):
-        raise InputError("this is not TOML: nested too deeply, or a number is too long", file=path) from None
+        detail = str(error).replace(found[0], f" (character {found[2]})") if found else str(error)
+        raise InputError("toml.invalid", detail=detail, file=path, line=line) from None
+    except RecursionError:
+        raise InputError("file.nested_too_deeply", most=DEEPEST, file=path) from None
+    except ValueError:
+        raise InputError("file.number_too_long", file=path) from None
     return Toml(path, values, _lines_of_keys(text))
 
 

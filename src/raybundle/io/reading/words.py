@@ -9,6 +9,7 @@ from collections.abc import Iterable
 
 import numpy as np
 
+from raybundle.errors import Message, message
 from raybundle.numerics.arrays import Array
 
 LARGEST = 1e18
@@ -61,16 +62,16 @@ def finite(value: object) -> float | None:
     return float(value) if abs(value) >= SMALLEST else math.copysign(0.0, value)
 
 
-def no_number(value: object) -> str:
-    """What `number_of` or `finite` refuse in words, with the limit where it is a number beyond it."""
+def no_number(value: object) -> Message:
+    """Why `number_of` or `finite` refuse a value; with the limit where it is a number beyond it."""
     size: float = 0
     if isinstance(value, str):
         size = abs(float(value)) if _NUMBER.fullmatch(value) else 0
     elif isinstance(value, int) or (isinstance(value, float) and math.isfinite(value)):
         size = abs(value)
     if size > LARGEST:
-        return f"{quoted(value)} is greater in size than {LARGEST:g}, up to which numbers are read"
-    return f"{quoted(value)} is not a finite number"
+        return message("value.too_large", value=quoted(value), largest=LARGEST)
+    return message("value.not_finite", value=quoted(value))
 
 
 def vanishes(word: str) -> bool:

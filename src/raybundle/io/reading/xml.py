@@ -12,7 +12,7 @@ from raybundle.errors import InputError, Message, Value, content
 from raybundle.io.reading.files import read_bytes
 from raybundle.io.reading.ledger import enter_tree
 from raybundle.io.reading.trees import DEEPEST
-from raybundle.io.reading.words import no_number, number_of, numbers_of, quoted
+from raybundle.io.reading.words import LARGEST, no_number, number_of, numbers_of, quoted
 from raybundle.numerics.arrays import Array
 
 
@@ -92,20 +92,20 @@ class Element:
         """The same; raises InputError where there is none."""
         found = self.find(*names)
         if found is None:
-            self.fail(f"element {'/'.join(names)} is missing")
+            self.fail("xml.element_missing", path="/".join(names))
         return found
 
     def attribute(self, name: str) -> str:
         """An attribute; raises InputError where there is none."""
         if name not in self.attributes:
-            self.fail(f"attribute {name!r} is missing")
+            self.fail("xml.attribute_missing", name=name)
         return self.attributes[name]
 
     def value(self, name: str) -> float:
         """The finite number in an attribute."""
         found = number_of(self.attribute(name))
         if found is None:
-            self.fail(f"attribute {name} = {no_number(self.attribute(name))}")
+            self.fail("xml.attribute_not_a_number", name=name, value=quoted(self.attribute(name)), largest=LARGEST)
         return found
 
     def numbers(self, count: int) -> Array:
@@ -114,9 +114,9 @@ class Element:
         values = numbers_of(words)
         if values is None:
             bad = next(w for w in words if number_of(w) is None)
-            self.fail(f"{no_number(bad)}")
+            self.fail(no_number(bad))
         if len(values) != count:
-            self.fail(f"{len(values)} numbers, {count} are needed")
+            self.fail("value.count", n=len(values), needed=count)
         return values
 
     def number(self, name: str, default: float | None = None) -> float:
@@ -147,7 +147,7 @@ def xml_of(data: bytes, path: Path, root: str) -> Element:
     def begin(name: str, attributes: dict[str, str]) -> None:
         element = Element(path, parser.CurrentLineNumber, name, Attributes(attributes))
         if len(stack) >= DEEPEST:
-            element.fail(f"nested more than {DEEPEST} deep")
+            element.fail("file.nested_too_deeply", most=DEEPEST)
         (stack[-1].children if stack else top).append(element)
         stack.append(element)
         parts.append([])
@@ -160,9 +160,7 @@ def xml_of(data: bytes, path: Path, root: str) -> Element:
             parts[-1].append(text)
 
     def doctype(*_: object) -> None:
-        raise InputError(
-            "a document type (DOCTYPE) is not read, for safety; take it out", file=path, line=parser.CurrentLineNumber
-        )
+        raise InputError("xml.doctype", file=path, line=parser.CurrentLineNumber)
 
     parser.buffer_text = True
     parser.StartElementHandler, parser.EndElementHandler = begin, end
@@ -170,13 +168,13 @@ def xml_of(data: bytes, path: Path, root: str) -> Element:
     try:
         parser.Parse(data, True)
     except expat.ExpatError as error:
-        cut = "; the file is cut off: get it again" if error.lineno >= data.count(b"\n") else ""
-        message = f"this is not XML: {expat.ErrorString(error.code)}{cut}"
-        raise InputError(message, file=path, line=error.lineno) from None
+        cut = error.lineno >= data.count(b"\n")
+        detail = expat.ErrorString(error.code)
+        raise InputError("xml.invalid", detail=detail, cut=cut, file=path, line=error.lineno) from None
     except (ValueError, LookupError) as error:
-        raise InputError(f"this is not XML that can be read: {error}", file=path, line=1) from None
-    if not top or top[0].name != root:
-        raise InputError(
-            f"the root element is {quoted(top[0].name) if top else 'missing'}, not {root}", file=path, line=1
-        )
+        raise InputError("xml.invalid", detail=str(error), cut=False, file=path, line=1) from None
+    if not top:
+        raise InputError("xml.empty", root=root, file=path, line=1)
+    if top[0].name != root:
+        raise InputError("xml.root_element", name=quoted(top[0].name), root=root, file=path, line=1)
     return top[0]

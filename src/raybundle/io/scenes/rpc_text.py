@@ -133,7 +133,7 @@ def _polynomial(name: str) -> str | None:
 def _number(path: Path, word: str, line: int, key: str) -> float:
     value = fortran_of(word)
     if value is None:
-        raise InputError(f"{no_number(word)}", file=path, line=line, column=key)
+        raise InputError(no_number(word), file=path, line=line, column=key)
     return value
 
 

@@ -88,7 +88,7 @@ def _nitf_scene(path: Path, name: str, subheader: bytes, data: bytes) -> Scene:
     values = numbers_of(w.strip() for w in words)
     if values is None:
         bad = next(w for w in words if number_of(w.strip()) is None)
-        raise InputError(f"{name}: {no_number(bad)}; the file is damaged", file=path)
+        raise InputError(no_number(bad), file=path, column=name)
     coefficients, remarks = values[12:].reshape(4, 20), ()
     if name == "RPC00A":
         ordered = np.zeros((4, 20))

@@ -1,4 +1,5 @@
 mesh-no_triangles = Die Vermaschung { $name } hat keine Dreiecke.
+    .do = Aus der Punktwolke eine Vermaschung erzeugen oder eine andere Datei angeben.
 
 mesh-vertex_not_finite = Vermaschung { $name }: Eckpunkt { $vertex } hat eine Koordinate, die keine endliche Zahl ist.
 
@@ -9,3 +10,9 @@ mesh-no_area = Vermaschung { $name }: Die Dreiecke haben keine Fläche.
 
 mesh-nothing_to_measure = Vermaschung { $name }: Alle Dreiecke sind von der Messung ausgenommen.
     .do = Mindestens einen Teil wählen, der zu messen ist.
+
+mesh-not_readable = Die Datei ist nicht als Vermaschung lesbar ({ $detail }).
+    .do = Eine Vermaschung als STL, PLY oder OBJ angeben.
+
+mesh-too_many_triangles = Die Vermaschung hat { $n } Dreiecke; höchstens { $most } werden gelesen.
+    .do = Sie zuvor vereinfachen.

@@ -3,3 +3,12 @@ outline-crosses_itself = { $name } schneidet sich selbst bei den Seiten ab den E
 
 outline-no_area = { $name } umschließt keine Fläche.
     .do = Mindestens drei Ecken angeben, die nicht auf einer Geraden liegen.
+
+outline-not_one = Die Datei hat { $n } Linien und Flächen; nötig ist genau eine.
+    .do = Eine Datei mit einer Linie oder Fläche angeben.
+
+outline-no_pair = { $text } ist kein Zahlenpaar.
+    .do = In jede Zeile X und Y schreiben.
+
+outline-empty = Die Datei enthält keine Koordinaten.
+    .do = In jede Zeile X und Y schreiben.

@@ -1,2 +1,11 @@
 package-sympy_missing = Ein eigenes Sensormodell herzuleiten braucht das Paket SymPy.
     .do = Ausführen: pip install 'raybundle[models]'
+
+package-pyarrow_missing = Parquet-Tabellen brauchen das Paket pyarrow.
+    .do = Ausführen: pip install 'raybundle[parquet]'
+
+package-ezdxf_missing = DXF zu schreiben braucht das Paket ezdxf.
+    .do = Ausführen: pip install 'raybundle[geo]'
+
+package-pyogrio_missing = Ein GeoPackage zu schreiben braucht das Paket pyogrio.
+    .do = pip install 'raybundle[geo]' ausführen oder GeoJSON schreiben.

@@ -1,5 +1,6 @@
 # $name = "part.stl"
 mesh-no_triangles = Mesh { $name } has no triangles.
+    .do = Create a mesh from the point cloud, or give another file.
 
 # $name = "part.stl"
 # $vertex = 12
@@ -17,3 +18,12 @@ mesh-no_area = Mesh { $name }: its triangles have no area.
 # $name = "part.stl"
 mesh-nothing_to_measure = Mesh { $name }: every triangle is excluded from measurement.
     .do = Select at least one part that is to be measured.
+
+# $detail = "unknown file type"
+mesh-not_readable = The file cannot be read as a mesh ({ $detail }).
+    .do = Give a mesh as STL, PLY or OBJ.
+
+# $n = 8000000
+# $most = 5000000
+mesh-too_many_triangles = The mesh has { $n } triangles; at most { $most } are read.
+    .do = Simplify it first.

@@ -7,3 +7,14 @@ outline-crosses_itself = { $name } crosses itself at the sides from corners { $f
 # $name = "area 2"
 outline-no_area = { $name } encloses no area.
     .do = Give at least three corners that are not in one line.
+
+# $n = 3
+outline-not_one = The file has { $n } lines and areas; exactly one is needed.
+    .do = Give a file with one line or area.
+
+# $text = "'1 2 3'"
+outline-no_pair = { $text } is not a pair of numbers.
+    .do = Write X and Y in each line.
+
+outline-empty = The file contains no coordinates.
+    .do = Write X and Y in each line.

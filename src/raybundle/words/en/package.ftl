@@ -1,2 +1,11 @@
 package-sympy_missing = Deriving an own sensor model needs the package SymPy.
     .do = Run: pip install 'raybundle[models]'
+
+package-pyarrow_missing = Parquet tables need the package pyarrow.
+    .do = Run: pip install 'raybundle[parquet]'
+
+package-ezdxf_missing = Writing DXF needs the package ezdxf.
+    .do = Run: pip install 'raybundle[geo]'
+
+package-pyogrio_missing = Writing a GeoPackage needs the package pyogrio.
+    .do = Run pip install 'raybundle[geo]', or write GeoJSON.

@@ -7,3 +7,7 @@ mesh-unknown_vertex = Maillage { $name } : un triangle renvoie au sommet { $vert
 mesh-no_area = Maillage { $name } : ses triangles sont sans surface.
 
 mesh-nothing_to_measure = Maillage { $name } : tous les triangles sont exclus de la mesure.
+
+mesh-not_readable = Le fichier n'est pas lisible comme maillage ({ $detail }).
+
+mesh-too_many_triangles = Le maillage a { $n } triangles ; { $most } au plus sont lus.

@@ -1,1 +1,7 @@
 package-sympy_missing = La dérivation d'un modèle de capteur demande le paquet SymPy.
+
+package-pyarrow_missing = Les tables Parquet demandent le paquet pyarrow.
+
+package-ezdxf_missing = L'écriture de DXF demande le paquet ezdxf.
+
+package-pyogrio_missing = L'écriture d'un GeoPackage demande le paquet pyogrio.

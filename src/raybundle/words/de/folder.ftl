@@ -1,0 +1,15 @@
+folder-exists = Den Ordner gibt es schon, und er ist nicht leer.
+    .do = Einen anderen Ordner wählen oder diesen löschen.
+
+folder-url = Der Pfad beginnt wie eine URL ({ $scheme }//).
+    .why = Ergebnisse werden in Ordner dieses Rechners geschrieben.
+    .do = In einen Ordner schreiben und ihn dorthin kopieren.
+
+folder-parent_is_a_file = { $parent } ist kein Ordner; darin kann nichts geschrieben werden.
+    .do = Einen anderen Pfad wählen.
+
+folder-special_file = Das ist weder eine Datei noch ein Ordner.
+    .do = Einen anderen Namen wählen.
+
+folder-is_a_file = Unter diesem Namen gibt es eine Datei; nötig ist ein Ordner.
+    .do = Einen anderen Namen wählen.

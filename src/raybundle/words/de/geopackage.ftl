@@ -1,0 +1,1 @@
+geopackage-not_written = Das GeoPackage konnte nicht geschrieben werden ({ $detail }).

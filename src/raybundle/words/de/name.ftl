@@ -1,0 +1,2 @@
+name-unprintable = { $name } ist kein druckbarer Name.
+    .do = Den Namen ändern.

@@ -1,0 +1,2 @@
+toml-invalid = Das ist kein gültiges TOML: { $detail }.
+    .do = Diese Zeile berichtigen.

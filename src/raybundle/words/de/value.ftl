@@ -1,0 +1,24 @@
+value-too_large = { $value } überschreitet { $largest }, die größte lesbare Zahl.
+    .do = Die Zahl oder ihre Einheit berichtigen.
+
+value-not_finite = { $value } ist keine endliche Zahl.
+    .do = Eine endliche Zahl angeben.
+
+value-not_a_number = { $value } ist keine Zahl.
+    .do = Eine Zahl angeben.
+
+value-not_whole = { $value } ist keine ganze Zahl von { $least } bis { $most }.
+    .do = Eine ganze Zahl in diesem Bereich angeben.
+
+value-no_text = { $value } ist kein druckbarer Text.
+    .do = Einen Text in Anführungszeichen ohne Steuerzeichen angeben.
+
+value-no_table = Hier wird eine Tabelle oder ein Objekt benannter Werte erwartet.
+
+value-no_list = Hier wird eine Liste erwartet.
+
+value-key_missing = Der Eintrag { $name } fehlt.
+    .do = Den Eintrag ergänzen oder prüfen, ob die Datei vollständig ist.
+
+value-count = Anzahl der Werte: { $n }; nötig: { $needed }.
+    .do = So viele Werte angeben wie nötig.

@@ -1,0 +1,17 @@
+folder-exists = The folder already exists and is not empty.
+    .do = Choose another folder, or delete it.
+
+# $scheme = "https:"
+folder-url = The path begins like a URL ({ $scheme }//).
+    .why = Results are written to folders of this computer.
+    .do = Write to a folder, and copy it there.
+
+# $parent = "results.csv"
+folder-parent_is_a_file = { $parent } is not a folder; nothing can be written in it.
+    .do = Choose another path.
+
+folder-special_file = This is neither a file nor a folder.
+    .do = Choose another name.
+
+folder-is_a_file = A file with this name exists; a folder is needed.
+    .do = Choose another name.

@@ -1,0 +1,9 @@
+folder-exists = Le dossier existe déjà et n'est pas vide.
+
+folder-url = Le chemin commence comme une URL ({ $scheme }//).
+
+folder-parent_is_a_file = { $parent } n'est pas un dossier ; rien ne peut y être écrit.
+
+folder-special_file = Ce n'est ni un fichier ni un dossier.
+
+folder-is_a_file = Un fichier porte ce nom ; il faut un dossier.

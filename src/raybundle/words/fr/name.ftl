@@ -1,0 +1,1 @@
+name-unprintable = { $name } n'est pas un nom imprimable.

@@ -1,0 +1,1 @@
+toml-invalid = Ce n'est pas du TOML valable : { $detail }.
