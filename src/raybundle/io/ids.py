@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from pathlib import Path
 
 from raybundle.block import Block
@@ -21,6 +21,16 @@ def check_ids(what: str, ids: Sequence[str], file: Path) -> None:
             raise InputError("id.empty", kind=what, number=k, n=len(ids), file=file)
         if first.setdefault(name, k) != k:
             raise InputError("id.twice", kind=what, first=first[name], second=k, id=name, file=file)
+
+
+def repeated(names: Iterable[str]) -> str:
+    """The first value that occurs a second time; raises ValueError where all differ."""
+    seen = set[str]()
+    for name in names:
+        if name in seen:
+            return name
+        seen.add(name)
+    raise ValueError("all differ")
 
 
 def check_ids_of(block: Block, file: Path) -> None:

@@ -43,7 +43,7 @@ def read_source(source: Path, given: str | None = None, *, approximate: bool = F
     name = given or recognised(source)
     if name != BLOCK:
         imported = read_format(name, source)
-        check_deviation(imported.deviation_px, imported.remarks, source, approximate=approximate)
+        check_deviation(imported.deviation_px, source, approximate=approximate)
         return Export(block=imported.block, colours=imported.colours, unread=imported.unread), imported.remarks
     if (source / "result.json").is_file():
         return _result(source)

@@ -14,7 +14,7 @@ import numpy as np
 from raybundle.block import Block, Camera, Images, Points
 from raybundle.block.block import PixelFrame, Turn
 from raybundle.block.frames import TURNS, size_ratio
-from raybundle.errors import InputError
+from raybundle.errors import InputError, message
 from raybundle.io.block.image_points import no_observations, read_observations, write_observations
 from raybundle.io.block.observations import read_observation_tables, write_observation_tables
 from raybundle.io.block.points import read_points, with_tie_points, write_points
@@ -96,22 +96,20 @@ def read_without_observations(path: str | Path) -> tuple[Block, Points, dict[str
 
 def _check_folder(folder: Path) -> None:
     if not folder.is_dir():
-        what = "is a file, not a block folder" if folder.exists() else "there is no such folder"
-        raise InputError(f"{what}; give a folder with block.toml, images.csv and observations.csv", file=folder)
+        raise InputError("block.is_a_file" if folder.exists() else "file.missing", file=folder)
     if not stands(folder / "block.toml"):
-        hint = (
-            f"; this is a result folder, its block is {folder / 'block'}" if (folder / "result.json").exists() else ""
-        )
-        raise InputError(f"not a block folder, it holds no block.toml{hint}", file=folder)
+        if (folder / "result.json").exists():
+            raise InputError("block.result_folder", block=str(folder / "block"), file=folder)
+        raise InputError("block.no_block_toml", file=folder)
     for table in ("images", "observations"):
         if not stands(file := table_file(folder, table)):
-            raise InputError("the file is missing; a block needs it", file=file)
+            raise InputError("block.file_missing", file=file)
     known = {name.lower().rstrip("s"): name for name in _table_names()}
     for entry in sorted(folder.iterdir()):
         meant = known.get(entry.stem.lower().rstrip("s"))
         suffix = entry.suffix.lower()
         if suffix in SUFFIXES and meant is not None and entry.name != f"{meant}{suffix}":
-            raise InputError(f"is not read; rename it to {meant}{suffix}, or take it out of the folder", file=entry)
+            raise InputError("block.file_name", meant=f"{meant}{suffix}", file=entry)
 
 
 def block_files() -> set[str]:
@@ -154,23 +152,23 @@ def _read_images(path: Path, cameras: tuple[Camera, ...]) -> tuple[Images, dict[
         problems_of(
             (known != 0) & (known != 3),
             "omega_deg",
-            lambda k: f"image {quoted(ids[k])} has {known[k]} of 3 angles; give all three or none",
+            lambda k: message("image.angles_incomplete", image=ids[k], n=known[k]),
         ),
-        problems_of(np.isfinite(held) & (held != 1), "held", lambda k: f"{held[k]:g} is neither 1 nor empty"),
+        problems_of(np.isfinite(held) & (held != 1), "held", lambda k: message("cell.not_a_flag", value=held[k])),
         problems_of(
             (held == 1) & ~oriented,
             "held",
-            lambda k: f"image {quoted(ids[k])} is held but its exterior orientation is not complete; fill it",
+            lambda k: message("image.held_without_orientation", image=ids[k]),
         ),
         problems_of(
             is_scene & given,
             "X",
-            lambda k: f"image {quoted(ids[k])} is a satellite scene, whose file tells its orientation; leave it empty",
+            lambda k: message("scene.orientation_given", image=ids[k]),
         ),
         problems_of(
             is_scene & first,
             "camera",
-            lambda k: f"camera {cameras[camera[k]].id} is a satellite scene and has an image already; a scene has one",
+            lambda k: message("scene.second_image", camera=cameras[camera[k]].id),
         ),
     )
     rotation = rotation_from_angles(np.radians(angles))
@@ -207,22 +205,22 @@ def _frames_of(path: Path, table: Table, cameras: tuple[Camera, ...], camera: In
         problems_of(
             np.asarray(given.any(axis=1) & ~given.all(axis=1), bool),
             FRAME[0],
-            lambda k: f"image {quoted(ids[k])} has {given[k].sum()} of {', '.join(FRAME)}; give all three or none",
+            lambda k: message("image.file_frame_incomplete", image=ids[k], n=given[k].sum(), columns=FRAME),
         ),
         problems_of(
             strange,
             FRAME[0],
-            lambda k: f"{columns[k, 0]:g} is none of {', '.join(map(str, TURNS))}",
+            lambda k: message("value.not_supported", value=f"{columns[k, 0]:g}", known=TURNS),
         ),
         problems_of(
             np.asarray(scanned.any(axis=1) & ~(scanned.all(axis=1) & given.all(axis=1)), bool),
             SCAN[0],
-            lambda k: f"image {quoted(ids[k])} has not all of {', '.join((*FRAME, *SCAN))}; a scan has them, or none",
+            lambda k: message("image.scan_incomplete", image=ids[k], needed=(*FRAME, *SCAN)),
         ),
         problems_of(
             scanned.all(axis=1) & ~(np.abs(np.linalg.det(np.nan_to_num(scans).reshape(-1, 2, 3)[:, :, :2])) > 1e-12),
             SCAN[0],
-            lambda k: f"the affine transformation of image {quoted(ids[k])} has no inverse; measure its fiducial marks",
+            lambda k: message("image.affine_singular", image=ids[k]),
         ),
     )
     whole = np.flatnonzero(given.all(axis=1))
@@ -233,9 +231,14 @@ def _frames_of(path: Path, table: Table, cameras: tuple[Camera, ...], camera: In
         problems_of(
             wrong,
             FRAME[1],
-            lambda k: (
-                f"a file of {columns[k, 1]:g} x {columns[k, 2]:g} px, turned by {columns[k, 0]:g}, is no copy of "
-                f"the {cameras[camera[k]].width_px} x {cameras[camera[k]].height_px} px of its camera"
+            lambda k: message(
+                "image.file_size_differs",
+                image=ids[k],
+                width_px=columns[k, 1],
+                height_px=columns[k, 2],
+                turned_deg=columns[k, 0],
+                camera_width_px=cameras[camera[k]].width_px,
+                camera_height_px=cameras[camera[k]].height_px,
             ),
         ),
     )
@@ -284,16 +287,16 @@ def _read_interior(
         parameter = {p.key: p for p in camera.sensor.parameters}.get(key)
         own = result.setdefault(image, {})
         if not camera.own_symbols or (parameter is not None and parameter.symbol not in camera.own_symbols):
-            what = f"{key} is shared" if camera.own_symbols else "has one interior orientation"
-            message = f'camera {camera.id}: {what}; set interior = "per_image" in block.toml, or name it in per_image'
-            problems.append(Problem(line, "image", message))
+            wrong = message("interior.shared", camera=camera.id, parameter=quoted(key))
+            problems.append(Problem(line, "image", wrong))
         elif parameter is None:
-            known = ", ".join(p.key for p in camera.sensor.parameters)
-            problems.append(Problem(line, "parameter", f"{quoted(key)} is no key of {camera.model}; known: {known}"))
+            known = [p.key for p in camera.sensor.parameters]
+            wrong = message("parameter.unknown", name=quoted(key), model=camera.model, known=known)
+            problems.append(Problem(line, "parameter", wrong))
         elif parameter.symbol in own:
-            problems.append(Problem(line, "parameter", f"{key} of this image stands already above"))
+            problems.append(Problem(line, "parameter", message("parameter.twice", name=key)))
         elif parameter.kind == "scale" and value <= 0:
-            problems.append(Problem(line, "value", f"{key} is {value:g}; it must be greater than 0"))
+            problems.append(Problem(line, "value", message("value.not_above", value=value, limit=0)))
         else:
             own[parameter.symbol] = value
         if len(problems) > SHOWN:

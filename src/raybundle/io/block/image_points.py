@@ -9,6 +9,7 @@ import numpy as np
 
 from raybundle.block import Block, Observations
 from raybundle.block.rejection import known_wrong
+from raybundle.errors import message
 from raybundle.io.block.tables import columns_of, problems_of, require
 from raybundle.io.digits import EVERY
 from raybundle.io.table_files import Named
@@ -57,18 +58,18 @@ def observations_of(path: Path, table: Table) -> tuple[Observations, Mask]:
     require(
         path,
         problems_of(
-            (wrong != 0) & (wrong != 1), "rejected", lambda k: f"{wrong[k]:g} is neither 1 nor 0 nor empty", first
+            (wrong != 0) & (wrong != 1), "rejected", lambda k: message("cell.not_a_flag", value=wrong[k]), first
         ),
         problems_of(
             np.abs(sxy) >= limit * (1 - 1e-9),
             "sxy_px2",
-            lambda k: f"{sxy[k]:g} is not between -sx sy and sx sy = {limit[k]:g}; it is a covariance in px^2",
+            lambda k: message("observation.covariance", sxy_px2=sxy[k], limit_px2=limit[k]),
             first,
         ),
         problems_of(
             (sx < 1e-150) | (sy < 1e-150) | (sx > 1e150) | (sy > 1e150),
             "sx_px",
-            lambda k: f"a standard deviation of {sx[k]:g}, {sy[k]:g} px cannot be meant; give it in px",
+            lambda k: message("observation.sigma_out_of_range", sx_px=sx[k], sy_px=sy[k]),
             first,
         ),
     )

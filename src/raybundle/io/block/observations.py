@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 
 from raybundle.block import Block, Instrument
-from raybundle.errors import InputError
+from raybundle.errors import InputError, message
 from raybundle.io.block.tables import columns_of, named, problems_of, require
 from raybundle.io.digits import EVERY
 from raybundle.io.reading.files import stands
@@ -87,13 +87,16 @@ def _field(path: Path, c: Cells, read: Read, instruments: Instruments, problems:
             return None
         at = {i.id: k for k, i in enumerate(instruments) if i.model == c.model}
         strange = np.array([bool(n) and n not in at for n in names], bool)
-        problems += problems_of(strange, first, lambda k: f"{quoted(names[k])} is none of the {c.model}s of block.toml")
+        problems += problems_of(
+            strange, first, lambda k: message("cell.unknown_id", id=quoted(names[k]), table="block.toml")
+        )
         return np.array([at.get(n, -1) for n in names], np.int32)
     there = [n for n in c.names if n in read.number]
     if not there:
         return None
     if len(there) < len(c.names):
-        raise InputError(f"{there[0]} stands there alone; give {', '.join(c.names)}", file=path, line=1)
+        lacking = [n for n in c.names if n not in there]
+        raise InputError("table.columns_together", names=there, missing=lacking, file=path, line=1)
     values = read.numbers(*c.names)
     if np.isfinite(c.fill):
         values = np.where(np.isnan(values), c.fill, values)

@@ -88,8 +88,7 @@ def read_in_pieces(path: str | Path, *, progress: Progress = silent) -> InTables
     bare, points, at = read_without_observations(path)
     file = table_file(Path(path), "observations")
     if file.suffix != ".parquet":
-        what = "is read at once; for a block that memory does not hold, write it as Parquet (write_block, tables)"
-        raise InputError(what, file=file)
+        raise InputError("block.observations_not_parquet", file=file)
     images, names = at["image"], at["point"]
     keys, wrong = list[Index](), list[Mask]()
     for begin, found, rejected in _pieces(file, images, names):

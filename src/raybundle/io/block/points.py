@@ -8,6 +8,7 @@ from pathlib import Path
 import numpy as np
 
 from raybundle.block import ROLES, Points, Role
+from raybundle.errors import message
 from raybundle.io.block.tables import SIGMA_XYZ, XYZ, columns_of, problems_of, require
 from raybundle.io.digits import EVERY
 from raybundle.io.reading.files import stands
@@ -34,7 +35,12 @@ def read_points(path: Path) -> Points:
     table = read_table(path, COLUMNS, own=True)
     ids, roles = table.text["point"], table.text["role"]
     unknown = np.array([r not in ROLES for r in roles])
-    require(path, problems_of(unknown, "role", lambda k: f"{quoted(roles[k])} is not one of {', '.join(ROLES)}"))
+    require(
+        path,
+        problems_of(
+            unknown, "role", lambda k: message("value.not_supported", value=quoted(roles[k]), known=list(ROLES))
+        ),
+    )
     role = np.fromiter((ROLES[r] for r in roles), np.int32, len(roles))
     xyz, sigma = table.numbers(*XYZ), table.numbers(*SIGMA_XYZ)
     given, weighted = np.isfinite(xyz), np.isfinite(sigma)
@@ -44,22 +50,24 @@ def read_points(path: Path) -> Points:
         problems += problems_of(
             weighted[:, k] & ~given[:, k],
             s,
-            lambda row, axis=axis, s=s: f"point {quoted(ids[row])} has {s} but no {axis}; give the coordinate too",
+            lambda row, axis=axis, s=s: message(
+                "point.sigma_without_coordinate", point=ids[row], sigma=s, coordinate=axis
+            ),
         )
     problems += problems_of(
         (role == Role.TIE) & weighted.any(axis=1),
         "sX",
-        lambda k: f"tie point {quoted(ids[k])} has a sigma; make its role control, or leave the sigma empty",
+        lambda k: message("point.tie_with_sigma", point=ids[k]),
     )
     problems += problems_of(
         (role == Role.CONTROL) & ~(given & weighted).any(axis=1),
         "sX",
-        lambda k: f"control point {quoted(ids[k])} has no coordinate with a sigma; 0 = held, or make its role tie",
+        lambda k: message("point.control_without_sigma", point=ids[k]),
     )
     problems += problems_of(
         (role == Role.CHECK) & ~given.any(axis=1),
         "X",
-        lambda k: f"check point {quoted(ids[k])} has no coordinate; give one or make its role tie",
+        lambda k: message("point.check_without_coordinate", point=ids[k]),
     )
     window = table.number.get("window")
     if window is not None and given.all(axis=1).sum() > 1:

@@ -56,7 +56,7 @@ def read_fixes(section: Section, part: Part, line: LineScene) -> GivenFixes:
     except InputError as error:
         if error.file is not None:
             raise
-        section.fail(key, str(error))
+        section.fail(key, error.message or str(error))
 
 
 def _of_file(file: Path, part: Part, line: LineScene) -> GivenFixes:
@@ -69,7 +69,7 @@ def _of_file(file: Path, part: Part, line: LineScene) -> GivenFixes:
     try:
         curve = line.fixes_at(times)
     except InputError as error:
-        raise InputError(str(error), file=file) from None
+        raise error.at(file) from None
     # where lines are scanned backwards in time, the first fix is the last of the file
     order = np.arange(len(times)) if line.middle_and_half[1] > 0 else np.arange(len(times))[::-1]
     return GivenFixes(

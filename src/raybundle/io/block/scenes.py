@@ -17,6 +17,7 @@ import numpy as np
 from raybundle.block import Block, Camera
 from raybundle.errors import InputError
 from raybundle.io.digits import exact
+from raybundle.io.reading.words import quoted
 from raybundle.numerics.arrays import Array
 from raybundle.numerics.geodesy import geocentric_from_geographic, geographic_from_geocentric
 from raybundle.numerics.places import Geocentric, Local, Place, Projected
@@ -48,20 +49,19 @@ def read_frame(section: Section) -> Place | None:
     origin, crs = section.values.get("origin"), section.text("crs", "")
     if not isinstance(origin, list) or len(cast("list[Any]", origin)) != 3:
         degrees = kind == "local" and not crs
-        what = "[longitude_deg, latitude_deg, height_m]" if degrees else "[east, north, height]"
-        section.fail("origin", f"give the origin of the frame: origin = {what}")
+        section.fail("origin", "object_frame.origin_missing", degrees=degrees)
     x, y, z = (section.checked("origin", v) for v in cast("list[Any]", origin))
     if kind == "projected" or not crs:
         section.allow(("kind", "origin", "crs"))
     if kind == "projected":
         if not crs:
-            section.fail("crs", 'a projected frame needs its coordinate system: crs = "EPSG:32633"')
+            section.fail("crs", "object_frame.crs_missing")
         return projected(crs, (x, y, z))
     if crs:
         known = "undulation_m" in section.values
         return local_in(crs, (x, y, z), section.number("undulation_m", 0.0) if known else None)
     if not (-180 <= x <= 360 and -90 <= y <= 90):
-        section.fail("origin", f"longitude {x:g}, latitude {y:g} are no degrees; the order is longitude, latitude")
+        section.fail("origin", "object_frame.not_degrees", longitude_deg=x, latitude_deg=y)
     return Local(origin=(x, y, z))
 
 
@@ -124,33 +124,29 @@ def read_scene_camera(section: Section, id_: str, place: Place | None) -> Camera
     from raybundle.scenes.sensor import scene_camera  # noqa: PLC0415
 
     if place is None:
-        section.fail(
-            "model",
-            "a satellite scene needs a frame whose place on the earth is known; add a table [frame] with "
-            'kind = "local" and origin = [longitude_deg, latitude_deg, height_m]',
-        )
+        section.fail("model", "object_frame.missing")
     file = section.file.parent / section.text("scene", "")
     if "scene" not in section.values:
-        section.fail("scene", "key 'scene' is missing; give the file of the scene, seen from this folder")
+        section.fail("scene", "value.key_missing", name="scene")
     found = read_scene(file)
     size = tuple(section.whole(k) if k in section.values else v for k, v in _sizes(found).items())
     if size[0] is None or size[1] is None:
-        section.fail("width_px", "the scene's file does not tell the size of the image; give width_px and height_px")
+        section.fail("width_px", "scene.size_unknown")
     width, height = (int(cast("int", v)) for v in size)
     model = section.text("model", "")
     if model == "rpc":
         if found.rpc is None:
-            section.fail("model", f'{file.name} holds no RPC; give model = "linescan"')
+            section.fail("model", "scene.no_rpc", scene=file.name)
         rpc = rpc_of_image(found.rpc, width, height, file)
         sensor, known = _rpc_sensor(section, rpc, place, (width, height), file), list["GivenFixes"]()
     else:
         if found.line is None:
-            section.fail("model", f'{file.name} holds no rigorous model that is understood; give model = "rpc"')
+            section.fail("model", "scene.no_rigorous_model", scene=file.name)
         check_agreement(found)
         sensor, known = _line_sensor(section, found.line, place, file)
     estimate = section.values.get("estimate")
     if estimate is not None and not isinstance(estimate, list):
-        section.fail("estimate", "give a list of parameters; a scene's are not chosen by themselves")
+        section.fail("estimate", "estimate.no_list", known=sensor.symbols)
     stated = section.section("sigma") if "sigma" in section.values else None
     sigma = None if stated is None else _sigma(stated, sensor)
     told = {s: v for g in known for s, v in g.sigma.items()}
@@ -165,7 +161,7 @@ def read_scene_camera(section: Section, id_: str, place: Place | None) -> Camera
     try:
         return scene_camera(id_, sensor, estimate=named, sigma=sigma, values=values)
     except InputError as error:
-        section.fail("estimate", str(error))
+        section.fail("estimate", error.message or str(error))
 
 
 def _members(sensor: RpcSensor | LineSensor, name: str) -> tuple[str, ...]:
@@ -209,7 +205,7 @@ def _line_sensor(section: Section, line: Any, place: Place, file: Path) -> tuple
     for part, curve in zip(("position", "attitude"), curves, strict=True):
         value = section.number(f"{part}_degree", 0 if curve is None else -1)
         if value not in {-1, 0, 1, 2}:
-            section.fail(f"{part}_degree", f"{value:g} is not one of -1 (none), 0, 1, 2")
+            section.fail(f"{part}_degree", "value.not_supported", value=f"{value:g}", known=[-1, 0, 1, 2])
         degrees.append(int(value))
     corrections = CorrectionModel(
         position_degree=degrees[0], attitude_degree=degrees[1], position_curve=curves[0], attitude_curve=curves[1],
@@ -221,14 +217,14 @@ def _line_sensor(section: Section, line: Any, place: Place, file: Path) -> tuple
     try:
         sensor = LineSensor(line, place, corrections, section.number("height_m", 0.0), file, stated)
     except InputError as error:
-        section.fail("smooth" if stated else "scene", str(error))
+        section.fail("smooth" if stated else "scene", error.message or str(error))
     return sensor, [g for g in given if g is not None]
 
 
 def _flag(section: Section, key: str) -> bool:
     value = section.values.get(key, False)
     if not isinstance(value, bool):
-        section.fail(key, f"{value!r} is neither true nor false")
+        section.fail(key, "value.no_truth_value", value=quoted(value))
     return value
 
 
@@ -239,7 +235,7 @@ def _curve(section: Section, part: Literal["position", "attitude"], line: LineSc
 
     fixes, pieces = f"{part}_fixes", f"{part}_pieces"
     if fixes in section.values and pieces in section.values:
-        section.fail(pieces, f"{fixes} stands there as well; take one of the two away")
+        section.fail(pieces, "toml.keys_exclude", first=fixes, second=pieces)
     if fixes in section.values:
         return read_fixes(section, part, line)
     if pieces not in section.values:
@@ -250,12 +246,12 @@ def _curve(section: Section, part: Literal["position", "attitude"], line: LineSc
         degree = own.whole("degree") if "degree" in own.values else 3
         continuity = own.number("continuity", degree - 1)
         if continuity != int(continuity):
-            own.fail("continuity", f"{continuity:g} is not a whole number")
+            own.fail("continuity", "value.no_whole_number", value=f"{continuity:g}")
         return GivenFixes(curve=Pieces(count=own.whole("count"), degree=degree, continuity=int(continuity)))
     except InputError as error:
         if error.file is not None:
             raise
-        section.fail(pieces, str(error))
+        section.fail(pieces, error.message or str(error))
 
 
 def scene_lines(camera: Camera, number: int) -> list[str]:
@@ -345,17 +341,14 @@ def write_scene_files(block: Block, folder: Path) -> None:
         if isinstance(sensor, RpcSensor):
             write_rpc_text(sensor.rpc, target)
         elif sensor.file is None or not sensor.file.is_file():
-            raise InputError(
-                f"camera {camera.id}: the rigorous scene comes from no file ({sensor.file}) and cannot be written; "
-                "keep its file where it was read"
-            )
+            raise InputError("scene.file_gone", camera=camera.id, scene=str(sensor.file or "-"))
         else:
             files = companions(sensor.file) if sensor.file.suffix.lower() == ".toml" else ()
             target.parent.mkdir(exist_ok=True)
             shutil.copyfile(sensor.file, target)
             for file in files:
                 if not file.is_file():
-                    raise InputError(f"camera {camera.id}: {sensor.file.name} names it, and it is gone", file=file)
+                    raise InputError("scene.companion_gone", camera=camera.id, scene=sensor.file.name, file=file)
                 shutil.copyfile(file, target.parent / file.name)
 
 

@@ -20,7 +20,7 @@ from raybundle.io.block.scenes import MODELS as SCENE_MODELS
 from raybundle.io.block.scenes import frame_lines, read_frame, read_scene_camera, scene_lines
 from raybundle.io.digits import exact
 from raybundle.io.reading import trees
-from raybundle.io.reading.words import finite, quoted
+from raybundle.io.reading.words import finite, no_number, quoted
 from raybundle.numerics.places import Place
 from raybundle.observations.parameter import Calibrated
 from raybundle.platforms import InstrumentModel, instrument_models
@@ -72,52 +72,52 @@ class Section:
         """Raise where another key stands."""
         for key in self.values:
             if key not in keys:
-                self.fail(key, f"unknown key {quoted(key)}; known: {', '.join(keys)}")
+                self.fail(key, "toml.unknown_key", name=quoted(key), known=keys)
 
     def text(self, key: str, default: str) -> str:
         """A string."""
         value = self.values.get(key, default)
         if not isinstance(value, str):
-            self.fail(key, f"{quoted(value)} is not a text; put it in quotes")
+            self.fail(key, "value.no_text", value=quoted(value))
         return value
 
     def choice(self, key: str, options: Sequence[str], default: str) -> str:
         """One of some words."""
         value = self.text(key, default)
         if value not in options:
-            self.fail(key, f"{quoted(value)} is not one of {', '.join(options)}")
+            self.fail(key, "value.not_supported", value=quoted(value), known=options)
         return value
 
     def number(self, key: str, default: float | None = None, *, above: float = -math.inf) -> float:
         """A finite number greater than `above`."""
         value = self.values.get(key, default)
         if value is None:
-            self.fail(key, f"key {key!r} is missing; give a number")
+            self.fail(key, "value.key_missing", name=key)
         return self.checked(key, value, above=above)
 
     def checked(self, key: str, value: object, *, above: float = -math.inf) -> float:
         """The value as a finite number greater than `above`."""
         if isinstance(value, bool) or not isinstance(value, int | float):
-            self.fail(key, f"{quoted(value)} is not a number")
+            self.fail(key, "value.not_a_number", value=quoted(value))
         number = finite(value)
         if number is None:
-            self.fail(key, f"{quoted(value)} is not a finite number")
+            self.fail(key, no_number(value))
         if number <= above:
-            self.fail(key, f"{number:g} must be greater than {above:g}")
+            self.fail(key, "value.not_above", value=number, limit=above)
         return number
 
     def whole(self, key: str) -> int:
         """A whole number greater than 0."""
         number = self.number(key, above=0)
         if number > 1e7 or number != int(number):
-            self.fail(key, f"{number:g} is not a whole number of pixels, at most 10 000 000")
+            self.fail(key, "value.not_whole", value=f"{number:g}", least=1, most=10_000_000)
         return int(number)
 
     def section(self, key: str) -> Section:
         """A table within this one; empty where there is none."""
         value = self.values.get(key, {})
         if not isinstance(value, dict):
-            self.fail(key, f"{quoted(value)} is not a table")
+            self.fail(key, "value.no_table")
         return Section(self.file, self.lines, (*self.at, key), cast("dict[str, Any]", value))
 
 
@@ -145,7 +145,7 @@ def read_head(path: Path) -> Head:
     place = read_frame(top.section("frame"))
     cameras = top.section("cameras")
     if not cameras.values:
-        top.fail("cameras", "no camera; a block needs a table [cameras.ID] for every camera")
+        top.fail("cameras", "block.no_camera")
     return Head(
         name=top.text("name", path.parent.name or "block"),
         about=top.text("about", ""),
@@ -181,9 +181,9 @@ def read_toml(path: Path) -> Section:
 def _camera(cameras: Section, id_: str, place: Place | None = None) -> Camera:
     section = cameras.section(id_)
     if not id_ or id_ != id_.strip() or not id_.isprintable():
-        cameras.fail(id_, f"{quoted(id_)} is no camera id: it is empty, has blanks at its ends or cannot be printed")
+        cameras.fail(id_, "cell.no_id", value=quoted(id_))
     if "model" not in section.values:
-        section.fail("model", "key 'model' is missing; give the name of a sensor model")
+        section.fail("model", "value.key_missing", name="model")
     model_name = section.text("model", "")
     if model_name in SCENE_MODELS:
         return read_scene_camera(section, id_, place)
@@ -233,26 +233,22 @@ def _instruments(top: Section) -> Iterator[Instrument]:
         for id_ in section.values:
             own = section.section(id_)
             if id_ in taken:
-                section.fail(id_, f"{id_!r} is {_a(taken[id_])} already; give {_a(what)} another name")
+                section.fail(id_, "instrument.name_taken", name=id_, kind=what.lower(), other=taken[id_].lower())
             taken[id_] = what
             own.allow((*model.symbols, "estimate", "sigma"))
             estimate = _estimate(own, model)
             if estimate == "auto":
-                own.fail("estimate", f"give a list of {', '.join(model.symbols)}; these are not chosen by themselves")
+                own.fail("estimate", "estimate.no_list", known=model.symbols)
             yield Instrument(
                 id=id_, model=model.name, values={s: own.number(s, 0.0) for s in model.symbols}, estimate=estimate,
                 sigma=_sigma(own, model),
             )  # fmt: skip
 
 
-def _a(word: str) -> str:
-    return f"an {word}" if word[0] in "aeiouI" else f"a {word}"
-
-
 def _pixel(section: Section) -> tuple[float, float]:
     value = section.values.get("pixel_mm")
     if not isinstance(value, list) or len(cast("list[Any]", value)) != 2:
-        section.fail("pixel_mm", "give the width and the height of a pixel in mm: pixel_mm = [0.005, 0.005]")
+        section.fail("pixel_mm", "camera.pixel_size_missing")
     width, height = (section.checked("pixel_mm", v, above=0) for v in cast("list[Any]", value))
     return width, height
 
@@ -271,15 +267,14 @@ def _estimate(section: Section, model: SensorModel | InstrumentModel) -> tuple[s
     value = section.values.get("estimate", [])
     if value == "auto":
         return "auto"
-    known = ", ".join(model.symbols)
     if not isinstance(value, list):
-        section.fail("estimate", f'{quoted(value)} is neither "auto" nor a list of {known}')
+        section.fail("estimate", "estimate.neither_auto_nor_list", value=quoted(value), known=model.symbols)
     symbols = cast("list[Any]", value)
     for position, symbol in enumerate(symbols):
         if symbol not in model.symbols:
-            section.fail("estimate", f"{quoted(symbol)} is no parameter of {model.name}; known: {known}")
+            _unknown_parameter(section, "estimate", symbol, model)
         if symbol in symbols[:position]:
-            section.fail("estimate", f"{symbol!r} stands twice")
+            section.fail("estimate", "parameter.twice", name=symbol)
     return tuple(symbols)
 
 
@@ -287,12 +282,12 @@ def _per_image(section: Section, model: SensorModel, interior: str) -> tuple[str
     """Symbols that each image has for itself."""
     value = section.values.get("per_image", [])
     if not isinstance(value, list) or any(s not in model.symbols for s in cast("list[Any]", value)):
-        section.fail("per_image", f"{quoted(value)} is no list of {', '.join(model.symbols)}")
+        section.fail("per_image", "parameter.no_list", value=quoted(value), known=model.symbols)
     for symbol in cast("list[str]", value):
         if cast("list[str]", value).count(symbol) > 1:
-            section.fail("per_image", f"{symbol!r} stands twice")
+            section.fail("per_image", "parameter.twice", name=symbol)
     if value and interior == "per_image":
-        section.fail("per_image", 'with interior = "per_image" every parameter is; take one of the two away')
+        section.fail("per_image", "interior.per_image_twice")
     return tuple(cast("list[str]", value))
 
 
@@ -301,20 +296,20 @@ def _sigma(section: Section, model: SensorModel | InstrumentModel) -> dict[str, 
     values: dict[str, float] = {}
     for symbol in sigma.values:
         if symbol not in model.symbols:
-            known = ", ".join(model.symbols)
-            section.fail("sigma", f"{quoted(symbol)} is no parameter of {model.name}; known: {known}")
+            _unknown_parameter(section, "sigma", symbol, model)
         value = sigma.checked(symbol, sigma.values[symbol])
         if value <= 0:
-            section.fail(
-                "sigma",
-                f"sigma of {symbol} is {value:g}; give a positive one, or leave {symbol} out of estimate to hold it",
-            )
+            section.fail("sigma", "parameter.sigma_not_positive", name=symbol, sigma=value)
         values[symbol] = value
     estimate = section.values.get("estimate", [])
     idle = [s for s in values if estimate != "auto" and s not in estimate]
     if idle:
-        section.fail("sigma", f"{idle[0]} has a sigma but is held; add it to estimate, or take its sigma away")
+        section.fail("sigma", "parameter.sigma_of_fixed", name=idle[0])
     return values
+
+
+def _unknown_parameter(section: Section, key: str, symbol: object, model: SensorModel | InstrumentModel) -> NoReturn:
+    section.fail(key, "parameter.unknown", name=quoted(symbol), model=model.name, known=model.symbols)
 
 
 def _calibration(section: Section, model: SensorModel) -> Calibrated | None:
@@ -322,21 +317,21 @@ def _calibration(section: Section, model: SensorModel) -> Calibrated | None:
     value = section.values.get("calibration")
     if value is None:
         return None
-    what = "{parameter, value, sigma, correlations = [with those before]}"
     if not isinstance(value, list) or not value:
-        section.fail("calibration", f"{quoted(value)} is no list of tables {what}")
+        section.fail("calibration", "calibration.no_list", value=quoted(value))
     symbols, values, sigma, rows = list[str](), list[float](), list[float](), list[tuple[float, ...]]()
     for number, given in enumerate(cast("list[Any]", value), 1):
         table = cast("dict[str, Any]", given) if isinstance(given, dict) else {}
         before = table.get("correlations", [])
         if set(table) - {"correlations"} != {"parameter", "value", "sigma"} or not isinstance(before, list):
-            section.fail("calibration", f"number {number} is no table {what}")
-        if table["parameter"] not in model.symbols or table["parameter"] in symbols:
-            problem = "stands twice" if table["parameter"] in symbols else f"is no parameter of {model.name}"
-            section.fail("calibration", f"{quoted(table['parameter'])} {problem}")
+            section.fail("calibration", "calibration.incomplete_entry", number=number)
+        if table["parameter"] not in model.symbols:
+            _unknown_parameter(section, "calibration", table["parameter"], model)
+        if table["parameter"] in symbols:
+            section.fail("calibration", "parameter.twice", name=table["parameter"])
         if len(cast("list[Any]", before)) != len(symbols):
-            section.fail("calibration", f"number {number}: {len(cast('list[Any]', before))} correlations, with the "
-                         f"{len(symbols)} parameters before it are wanted")  # fmt: skip
+            n = len(cast("list[Any]", before))
+            section.fail("calibration", "calibration.correlation_count", number=number, n=n, needed=len(symbols))
         symbols.append(table["parameter"])
         values.append(section.checked("calibration", table["value"]))
         sigma.append(section.checked("calibration", table["sigma"], above=0))
@@ -345,7 +340,7 @@ def _calibration(section: Section, model: SensorModel) -> Calibrated | None:
     try:
         np.linalg.cholesky(known.correlation)
     except np.linalg.LinAlgError:
-        section.fail("calibration", "the correlations are not those of a covariance matrix (not positive definite)")
+        section.fail("calibration", "calibration.not_positive_definite")
     return known
 
 
@@ -353,19 +348,16 @@ def _relations(section: Section, model: SensorModel) -> tuple[Relation, ...]:
     """What is observed of several parameters together."""
     value = section.values.get("relations", [])
     if not isinstance(value, list):
-        section.fail("relations", f"{quoted(value)} is no list of tables {{name, terms, observed, sigma}}")
+        section.fail("relations", "relation.no_list", value=quoted(value))
     found: list[Relation] = []
     for number, given in enumerate(cast("list[Any]", value), 1):
         table = cast("dict[str, Any]", given) if isinstance(given, dict) else {}
         terms = cast("dict[str, Any]", table.get("terms")) if isinstance(table.get("terms"), dict) else {}
         if not terms or set(table) - RELATION or "sigma" not in table:
-            section.fail(
-                "relations", f"number {number} is no table {{name, terms = {{symbol = factor}}, observed, sigma}}"
-            )
+            section.fail("relations", "relation.incomplete_entry", number=number)
         unknown = [s for s in terms if s not in model.symbols]
         if unknown:
-            known = ", ".join(model.symbols)
-            section.fail("relations", f"{quoted(unknown[0])} is no parameter of {model.name}; known: {known}")
+            _unknown_parameter(section, "relations", unknown[0], model)
         found.append(
             Relation(
                 name=str(table.get("name", f"relation {number}")),
@@ -386,13 +378,13 @@ def _origin(section: Section, table: dict[str, Any]) -> Literal["", "known befor
         if given == origin or (given is None and str(table.get("name", "")).startswith(f"{origin}: ")):
             return origin
     if given is not None:
-        section.fail("relations", f"origin {quoted(given)} is none of {', '.join(ORIGINS)}")
+        section.fail("relations", "value.not_supported", value=quoted(given), known=ORIGINS)
     return ""
 
 
 def _flag(section: Section, value: object) -> bool:
     if not isinstance(value, bool):
-        section.fail("relations", f"logarithm {quoted(value)} is neither true nor false")
+        section.fail("relations", "value.no_truth_value", value=quoted(value))
     return value
 
 

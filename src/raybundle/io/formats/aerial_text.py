@@ -26,6 +26,7 @@ from raybundle.io.calibrations.ours import cameras_text
 from raybundle.io.digits import EVERY
 from raybundle.io.formats.base import Export, Import, Scene, Tracks, block_of
 from raybundle.io.geo.control_files import DEFAULTS
+from raybundle.io.ids import repeated
 from raybundle.io.reading.files import read_lines
 from raybundle.io.reading.words import no_number, number_of, quoted
 from raybundle.io.tables import Column, Table, read_table, write_table
@@ -59,7 +60,7 @@ class Line:
     def values(self, first: int, columns: Sequence[str]) -> list[float]:
         """The finite numbers from word `first` on, which stand for these columns."""
         if len(self.words) < first + len(columns):
-            self.fail(f"{len(self.words)} words, {first + len(columns)} are needed: ... {' '.join(columns)}")
+            self.fail("line.too_few_words", n=len(self.words), needed=first + len(columns), columns=list(columns))
         found: list[float] = []
         for word, column in zip(self.words[first:], columns, strict=False):
             value = number_of(word)
@@ -75,7 +76,7 @@ def lines(path: Path) -> Iterator[Line]:
         words = tuple(text.split())
         if words:
             if not text.replace("\t", " ").strip().isprintable():
-                raise InputError("the line holds characters that cannot be printed", file=path, line=at)
+                raise InputError("line.unprintable", file=path, line=at)
             yield Line(path, at, words)
 
 
@@ -151,7 +152,7 @@ def checked(s: Scene, name: str) -> None:
     """Refuse what has no image coordinates in a plane."""
     for camera in s.cameras:
         if camera.is_scene:
-            raise InputError(f"camera {camera.id} is a satellite scene, which {name} cannot hold")
+            raise InputError("camera.not_in_format", camera=camera.id, kind="scene", format=name)
 
 
 def write_own(folder: Path, s: Scene, export: Export, photographs: Sequence[str], points: Sequence[str]) -> None:
@@ -197,7 +198,7 @@ def assembled(contents: Contents) -> Import:
     images = _images(contents, names, camera_of, cameras, tracks, remarks)
     ids = [own_points[0].get(p, p) for p in point_ids]
     if len(set(ids)) < len(ids):
-        raise InputError("two points have the same name", file=contents.folder / POINTS)
+        raise InputError("name.twice", kind="point", name=quoted(repeated(ids)), file=contents.folder / POINTS)
     block, more = block_of(
         name=contents.folder.name,
         source=contents.name,
@@ -228,8 +229,14 @@ def _own_points(path: Path) -> tuple[dict[str, str], Table | None]:
     table = read_table(path, (*columns, *sigmas), own=True)
     for k, role in enumerate(table.text["role"]):
         if role not in ROLES:
-            message = f"{quoted(role)} is not one of {', '.join(ROLES)}"
-            raise InputError(message, file=path, line=k + table.first_line, column="role")
+            raise InputError(
+                "value.not_supported",
+                value=quoted(role),
+                known=list(ROLES),
+                file=path,
+                line=k + table.first_line,
+                column="role",
+            )
     return dict(zip(table.text["number"], table.text["point"], strict=True)), table
 
 
@@ -238,7 +245,7 @@ def _image_names(contents: Contents, own: Mapping[str, tuple[str, ...]]) -> list
     seen: set[str] = set()
     for name, p in zip(names, contents.photographs, strict=True):
         if name in seen:
-            p.line.fail(f"photograph {quoted(p.name)} stands twice")
+            p.line.fail("name.twice", kind="image", name=quoted(p.name))
         seen.add(name)
     return names
 
@@ -256,7 +263,7 @@ def _cameras(
             return cameras, [0] * len(wanted)
         for w, p in zip(wanted, contents.photographs, strict=True):
             if w not in position:
-                p.line.fail(f"camera {quoted(w)} stands nowhere in {CAMERAS}; add [cameras.{w}] there")
+                p.line.fail("reference.unknown", kind="camera", name=quoted(w), where=CAMERAS)
         return cameras, [position[w] for w in wanted]
     made: dict[str, Camera] = {}
     for p in contents.photographs:
@@ -272,10 +279,7 @@ def _cameras(
 
 def _nominal(first: Photograph, photographs: Sequence[Photograph]) -> Camera:
     if first.c_mm is None:
-        first.line.fail(
-            f"nothing tells the camera constant of camera {quoted(first.camera)}; put a {CAMERAS} with "
-            f"[cameras.{first.camera}] into the folder"
-        )
+        first.line.fail("camera.constant_unknown", camera=first.camera, table=CAMERAS)
     largest = np.max([np.abs(p.xy_mm).max(axis=0) for p in photographs if len(p.xy_mm)] or [[1.0, 1.0]], axis=0)
     width, height = (2 * max(1, math.ceil(v / NOMINAL_PIXEL_MM * 1.02)) for v in largest.tolist())
     values = dict.fromkeys(("x0", "y0", "K1", "K2", "K3", "P1", "P2", "A", "S"), 0.0)

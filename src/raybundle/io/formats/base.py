@@ -20,7 +20,6 @@ from raybundle.io.reading.ledger import ledger, not_read
 from raybundle.numerics.arrays import Array, Index, Mask
 from raybundle.readable import readable, readable_names
 from raybundle.sensors import ProjectionDiverged, sensor_models
-from raybundle.settings import option
 
 SENSOR_FROM_CV = np.diag([1.0, -1.0, -1.0])
 """Computer vision's camera axes are x right, y down, z forward; ours x right, y up, the view along -Z."""
@@ -157,7 +156,7 @@ def register(format_: Format) -> Format:
 def format_named(name: str) -> Format:
     """The format of this name; raises InputError, which lists the known ones."""
     if name not in formats:
-        raise InputError(f"unknown format {name!r}; known: {', '.join(sorted(formats))}")
+        raise InputError("format.unknown", format=name, known=sorted(formats))
     return formats[name]
 
 
@@ -181,10 +180,11 @@ def read_format(name: str, path: str | Path) -> Import:
     """
     format_, path = format_named(name), Path(path)
     if format_.read is None:
-        readable = ", ".join(sorted(f.name for f in formats.values() if f.read))
-        raise InputError(f"format {name} is only written, not read; readable: {readable}", file=path)
+        raise InputError(
+            "format.only_written", format=name, known=sorted(f.name for f in formats.values() if f.read), file=path
+        )
     if not path.exists():
-        raise InputError("there is no such file or folder; check the path", file=path)
+        raise InputError("file.missing", file=path)
     with guarded(path), ledger() as passed_over:
         found = format_.read(path)
         unread = passed_over.counts()
@@ -204,25 +204,22 @@ def write_format(
     """
     format_, path = format_named(name), Path(path)
     if format_.write is None:
-        raise InputError(f"format {name} is only read, not written", file=path)
+        raise InputError("format.only_read", format=name, file=path)
     if format_.needs_frame and export.frame is None:
         raise InputError(
-            f"format {name} needs the place on the earth; give the coordinate system of the block: "
-            f"{option('crs', 'EPSG:25832')}, "
-            f"and {option('frame_origin', 'E', 'N', 'H')} if the block stands in a local frame",
+            "format.needs_crs",
+            format=name,
             file=path,
         )
     check_free(path)
     check_ids_of(export.block, path)
     if export.block.free_scale and format_.metric and not free_scale:
-        raise InputError(
-            f"{FREE_SCALE}, and {name} counts in metres; {GIVE_SCALE}, or {option('free_scale', True)}", file=path
-        )
+        raise InputError("format.free_scale", format=name, file=path)
     told = (f"{FREE_SCALE}: lengths in what is written are in no unit",) if export.block.free_scale else ()
     if format_.kind == "folder":
         with new_folder(path) as folder:
             draft = format_.write(export, folder)
-            check_deviation(draft.deviation_px, draft.remarks, path, approximate=approximate, remedy=straighten())
+            check_deviation(draft.deviation_px, path, approximate=approximate, undistort=True)
             names = sorted(p.relative_to(folder) for p in folder.rglob("*") if p.is_file())
         files = tuple(path / n for n in names)
         return Written(files=files, remarks=(*told, *draft.remarks), deviation_px=draft.deviation_px)
@@ -234,27 +231,17 @@ FREE_SCALE = "the scale of the block is free, for no length fixes it"
 GIVE_SCALE = "give the adjustment a scale bar, two control points or observed positions"
 
 
-HOLDS = "give a format that holds it"
+def check_deviation(deviation_px: float, path: Path, *, approximate: bool, undistort: bool = False) -> None:
+    """Raise InputError where cameras deviate by more than 0.1 px from what they stand for and no one allowed it.
 
-
-def straighten() -> str:
-    """What to do where a format does not hold a distortion."""
-    how = f"{option('photos', 'FOLDER')} {option('undistort', 'inside')}"
-    return (
-        f"write the photographs without distortion, which every format holds ({how}), or give a format that holds "
-        "this one"
-    )
-
-
-def check_deviation(
-    deviation_px: float, remarks: Sequence[str], path: Path, *, approximate: bool, remedy: str = HOLDS
-) -> None:
-    """Raise InputError where cameras deviate by more than 0.1 px from what they stand for and no one allowed it."""
+    undistort  whether photographs without distortion can be written instead
+    """
     if not approximate and not deviation_px <= LIMIT_PX:
-        told = "; ".join(r for r in remarks if "deviation" in r)
         raise InputError(
-            f"a camera deviates by up to {deviation_px:.3g} px from the one that it stands for ({told}), more than "
-            f"{LIMIT_PX:g} px; {remedy}, or take the deviation ({option('approximate', True)})",
+            "format.camera_deviation",
+            deviation_px=deviation_px,
+            limit_px=LIMIT_PX,
+            undistort=undistort,
             file=path,
         )
 
@@ -280,7 +267,7 @@ def _write_files(write: Writer, export: Export, path: Path, *, approximate: bool
     make_parent(path)
     with new_files(path) as (temporary,):
         draft = write(export, temporary)
-        check_deviation(draft.deviation_px, draft.remarks, path, approximate=approximate, remedy=straighten())
+        check_deviation(draft.deviation_px, path, approximate=approximate, undistort=True)
         made = sorted(temporary.parent.iterdir())
         for file in made:
             check_new_file(path.parent / file.name)
@@ -330,7 +317,7 @@ def scene(export: Export) -> Scene:
     oriented: Mask = block.images.oriented
     known: Mask = np.all(np.isfinite(block.points.xyz), axis=1)
     if not oriented.any():
-        raise InputError(f"block {block.name}: no image is oriented; orient or adjust it first")
+        raise InputError("block.no_oriented_image", block=block.name)
     used, camera_of = interiors(block)
     new_image, new_point = _positions(oriented), _positions(known)
     o = block.observations

@@ -111,13 +111,13 @@ def _geoin_lines(export: Export, s: Scene, points: list[str]) -> Iterator[str]:
 def read(folder: Path) -> Import:
     """Photographs and points of a folder; orientations and control where their files are."""
     if not folder.is_dir():
-        raise InputError(f"BINGO is a folder of files ({IMAGE}, {ITERA}, {GEOIN}); give the folder", file=folder)
+        raise InputError("format.needs_folder", format="BINGO", files=[IMAGE, ITERA, GEOIN], file=folder)
     here = {p.name.lower(): p for p in sorted(folder.iterdir()) if p.is_file()}
     if IMAGE not in here:
-        raise InputError(f"there is no {IMAGE} in this folder", file=folder)
+        raise InputError("folder.file_missing", name=IMAGE, file=folder)
     photographs = list(_read_images(here[IMAGE]))
     if not photographs:
-        raise InputError("holds no photograph", file=here[IMAGE], line=1)
+        raise InputError("file.no_images", file=here[IMAGE], line=1)
     orientations: dict[str, Orientation] = {}
     xyz, control, sigma = Known(), Known(), Known()
     if ITERA in here:
@@ -152,13 +152,13 @@ def _read_images(path: Path) -> Iterator[Photograph]:
                 yield _photograph(head, points, xy)
             head, points, xy = None if ends else line, [], []
             if head is not None and len(head.words) != 2:
-                line.fail("a photograph begins with its name and that of its camera", "camera")
+                line.fail("bingo.photograph_line", "camera")
         elif head is None:
-            line.fail("an image point before its photograph: a line with photograph and camera is needed")
+            line.fail("bingo.point_before_photograph")
         else:
             x, y = line.values(1, ("x", "y"))
             if max(abs(x), abs(y)) > LARGEST_MM:
-                line.fail(f"{x:g}, {y:g} is no image point in mm")
+                line.fail("image_point.out_of_range", x=x, y=y, unit="mm", largest=LARGEST_MM)
             points.append(line.name)
             xy.append([x, y])
     if head is not None:
@@ -184,10 +184,10 @@ def _read_itera(path: Path) -> tuple[dict[str, Orientation], Known]:
         if kind not in {"ORIA", "COOR"}:
             continue
         if len(line.words) < 2:
-            line.fail("the name is missing", "name")
+            line.fail("name.missing", "name")
         name = line.words[1]
         if name in (found if kind == "ORIA" else xyz):
-            line.fail(f"{quoted(name)} stands twice; delete one")
+            line.fail("name.twice", kind="image" if kind == "ORIA" else "point", name=quoted(name))
         if kind == "COOR":
             X, Y, Z = line.values(2, XYZ)
             xyz[name] = (X, Y, Z)
@@ -213,10 +213,10 @@ def _read_geoin(path: Path) -> tuple[Known, Known, Known]:
         if kind not in AXES:
             continue
         if len(line.words) < 2:
-            line.fail("the name is missing", "name")
+            line.fail("name.missing", "name")
         name, axes = line.words[1], AXES[kind]
         if name in control or name in check:
-            line.fail(f"point {quoted(name)} stands twice; delete one")
+            line.fail("name.twice", kind="point", name=quoted(name))
         place = _spread(axes, line.values(2, axes))
         if kind == "CHCK":
             check[name] = place
@@ -225,7 +225,7 @@ def _read_geoin(path: Path) -> tuple[Known, Known, Known]:
         if len(line.words) >= 2 + 2 * len(axes):
             told = line.values(2 + len(axes), [f"s{a}" for a in axes])
             if min(told) < 0:
-                line.fail("a standard deviation is 0 (held) or greater", "sX")
+                line.fail("cell.negative_sigma", "sX", value=quoted(min(told)))
             sigma[name] = _spread(axes, told)
     return control, sigma, check
 

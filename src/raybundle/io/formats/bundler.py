@@ -24,7 +24,7 @@ def write(export: Export, path: Path) -> Draft:
     deviations: list[tuple[str, str, float]] = []
     for camera in s.cameras:
         if camera.model == "fisheye":
-            raise InputError(f"camera {camera.id} is a fisheye, which a bundle.out cannot hold")
+            raise InputError("camera.not_in_format", camera=camera.id, kind="fisheye", format="bundle.out")
         fit = forward_fit(camera, ("fx", "k1", "k2"), centred=True)
         fitted.append((fit.camera.fx, fit.camera.k1, fit.camera.k2))
         deviations.append((camera.id, "f, k1, k2 about the image centre", fit.deviation_px))

@@ -136,10 +136,7 @@ def write_text(export: Export, folder: Path) -> Draft:
     s = scene(export)
     blanks = [n for n in s.names if " " in n]
     if blanks:
-        raise InputError(
-            f"image {blanks[0]!r} has a blank in its name, which COLMAP's text files cannot hold; use the binary "
-            "format (colmap), or rename the photographs"
-        )
+        raise InputError("colmap.blank_in_name", image=blanks[0])
     cameras, draft = _cameras(s)
     with (folder / "cameras.txt").open("w", encoding="utf-8", newline="\n") as file:
         file.write("# CAMERA_ID, MODEL, WIDTH, HEIGHT, PARAMS[]\n")
@@ -177,14 +174,14 @@ def read(path: Path) -> Import:
     """
     folder = next((path / place for place in PLACES if suffix_of(path / place)), None)
     if folder is None:
-        raise InputError("holds no COLMAP model: cameras, images and points3D, all .bin or all .txt", file=path)
+        raise InputError("colmap.no_model", file=path)
     model = read_model(folder)
     return _import(model, folder)
 
 
 def _import(model: Model, folder: Path) -> Import:
     if not model.names:
-        raise InputError("holds no image", file=folder)
+        raise InputError("file.no_images", file=folder)
     remarks: list[str] = []
     deviations: list[float] = []
     cameras: list[Camera] = []
@@ -214,7 +211,7 @@ def _import(model: Model, folder: Path) -> Import:
     found = at[np.minimum(place, len(numbers) - 1)] if len(numbers) else np.zeros(0, int)
     unknown = point[seen][numbers[found] != point[seen]] if len(numbers) else point[seen]
     if len(unknown):
-        raise InputError(f"an image refers to point {unknown[0]}, which points3D does not hold", file=folder)
+        raise InputError("reference.unknown", kind="point", name=str(unknown[0]), where="points3D", file=folder)
     tracks = Tracks(
         point_ids=tuple(str(n) for n in numbers.tolist()),
         xyz=np.array(list(model.xyz.values()), float).reshape(-1, 3),

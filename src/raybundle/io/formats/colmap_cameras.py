@@ -116,25 +116,42 @@ def checked_camera(
     path: Path, number: int, line: int | None, name: str, size: tuple[int, int], values: Sequence[float]
 ) -> ForwardCamera | Camera:
     """A camera of plausible size and principal distance."""
-    place = f"camera {number}"
     if not all(0 < s <= 10_000_000 for s in size):
-        raise InputError(f"{place}: a format of {size[0]} x {size[1]} px cannot be", file=path, line=line)
+        raise InputError(
+            "camera.format_size", camera=str(number), width_px=size[0], height_px=size[1], file=path, line=line
+        )
     terms = dict(zip(PARAMETERS[name], values, strict=True))
     if name == "EQUIRECTANGULAR" and tuple(values) != size:
-        message = f"{place}: parameters {values[0]:g}, {values[1]:g} are not the format of {size[0]} x {size[1]} px"
-        raise InputError(message, file=path, line=line)
+        raise InputError(
+            "camera.equirectangular_size",
+            camera=str(number),
+            parameters=list(values),
+            width_px=size[0],
+            height_px=size[1],
+            file=path,
+            line=line,
+        )
     fx, fy = (terms.get(k, terms.get("f", 1.0)) for k in ("fx", "fy"))
     if not (fx > 0 and fy > 0):
-        message = f"{place}: principal distance {fx:g}, {fy:g} px; it must be positive"
-        raise InputError(message, file=path, line=line)
+        raise InputError("camera.principal_distance", camera=str(number), fx_px=fx, fy_px=fy, file=path, line=line)
     term, least, most = LIMITS.get(name, ("", 0.0, 0.0))
     if term and not least <= terms[term] <= most:
-        message = f"{place}: {term} of {name} is {terms[term]:g}, not within {least:g} and {most:g}"
-        raise InputError(message, file=path, line=line)
+        raise InputError(
+            "camera.parameter_limits",
+            camera=str(number),
+            parameter=term,
+            model=name,
+            value=terms[term],
+            least=least,
+            most=most,
+            file=path,
+            line=line,
+        )
     return forward_of(name, *size, values) if name in NUMBERS else own_camera(name, str(number), *size, values)
 
 
-def unknown_model(path: Path, place: str, line: int | None, name: object) -> InputError:
+def unknown_model(path: Path, number: int, line: int | None, name: object) -> InputError:
     """The error of a model that is not read."""
-    known = ", ".join(PARAMETERS)
-    return InputError(f"{place}: camera model {name} is not read; known: {known}", file=path, line=line)
+    return InputError(
+        "camera.model_unknown", camera=str(number), model=str(name), known=list(PARAMETERS), file=path, line=line
+    )

@@ -12,6 +12,7 @@ from raybundle.block import Camera
 from raybundle.cameras.forward_camera import ForwardCamera
 from raybundle.errors import InputError
 from raybundle.io.formats.colmap_cameras import PARAMETERS, checked_camera, name_of, unknown_model
+from raybundle.io.ids import repeated
 from raybundle.io.reading.binary import Binary
 from raybundle.io.reading.files import read_text
 from raybundle.io.reading.words import no_number, number_of, numbers_of, quoted, whole_of
@@ -81,15 +82,15 @@ def read_model(folder: Path) -> Model:
         (_read_frames_binary if binary else _read_frames_text)(frames, model)
     elif rigs.is_file() or frames.is_file():
         missing = frames if rigs.is_file() else rigs
-        raise InputError(f"is missing beside {(rigs if rigs.is_file() else frames).name}; copy it there", file=missing)
+        raise InputError("colmap.file_missing", other=(rigs if rigs.is_file() else frames).name, file=missing)
     return model
 
 
 def _add_image(model: Model, path: Path, line: int | None, number: int, camera: int, name: str, pose: Pose) -> None:
     if camera not in model.cameras:
-        raise InputError(f"image {quoted(name)} refers to camera {camera}, which is not there", file=path, line=line)
+        raise InputError("image.unknown_camera", image=quoted(name), camera=str(camera), file=path, line=line)
     if not 1e-6 < sum(v * v for v in pose[:4]) < 1e6:
-        raise InputError(f"image {quoted(name)}: its quaternion has no direction", file=path, line=line)
+        raise InputError("rotation.quaternion", kind="image", name=quoted(name), file=path, line=line)
     model.numbers.append(number)
     model.names.append(name)
     model.camera.append(camera)
@@ -98,11 +99,13 @@ def _add_image(model: Model, path: Path, line: int | None, number: int, camera: 
 
 def _check_names(model: Model, path: Path) -> None:
     if len(set(model.numbers)) < len(model.numbers):
-        raise InputError("the number of an image stands twice", file=path)
+        raise InputError("name.twice", kind="image", name=repeated(map(str, model.numbers)), file=path)
     seen: set[str] = set()
     for name in model.names:
-        if name in seen or name != name.strip():
-            raise InputError(f"image name {quoted(name)} stands twice, or has blanks at its ends", file=path)
+        if name != name.strip():
+            raise InputError("name.blanks", name=quoted(name), file=path)
+        if name in seen:
+            raise InputError("name.twice", kind="image", name=quoted(name), file=path)
         seen.add(name)
 
 
@@ -112,10 +115,10 @@ def _read_cameras_binary(path: Path, model: Model) -> None:
         number, kind, width, height = file.take("iiQQ")
         name = name_of(kind)
         if name not in PARAMETERS:
-            raise unknown_model(path, f"camera {number}", None, name)
+            raise unknown_model(path, number, None, name)
         values = file.floats(len(PARAMETERS[name]), "camera", number)
         if number in model.cameras:
-            file.fail(f"camera {number} stands twice")
+            file.fail("name.twice", kind="camera", name=str(number))
         model.cameras[number] = checked_camera(path, number, None, name, (width, height), values)
     file.end()
 
@@ -130,7 +133,7 @@ def _read_images_binary(path: Path, model: Model) -> None:
         points = file.records(POINT2D, file.count(POINT2D.itemsize, "image_points"))
         matched = points["point"] != NO_POINT
         if not np.isfinite(points["xy"][matched]).all():
-            file.fail(f"image {number} holds an image point that is not finite")
+            file.fail("image.point_not_finite", image=str(number))
         model.image.append(np.full(len(points), k, np.int64))
         model.xy.append(points["xy"])
         model.point.append(points["point"].astype(np.int64))
@@ -142,13 +145,20 @@ def _read_points_binary(path: Path, model: Model) -> None:
     file = Binary(path)
     for _ in range(file.count(8 + 24 + 3 + 8 + 8, "points")):
         (number,) = file.take("Q")
-        if number in model.xyz or number >= 1 << 63:
-            file.fail(f"point {number} stands twice, or has no usable number")
+        _check_point(model, path, None, number)
         model.xyz[number] = file.floats(3, "point", number)
         model.rgb[number] = file.take("3B")
         file.take("d")
         file.records(TRACK, file.count(TRACK.itemsize, "track_elements"))
     file.end()
+
+
+def _check_point(model: Model, path: Path, line: int | None, number: int) -> None:
+    """Raise where the number of a point is no 63-bit number, or another point has it."""
+    if not 0 <= number < 1 << 63:
+        raise InputError("point.number_invalid", number=str(number), file=path, line=line)
+    if number in model.xyz:
+        raise InputError("name.twice", kind="point", name=str(number), file=path, line=line)
 
 
 def _lines(path: Path) -> Iterator[tuple[int, str]]:
@@ -166,12 +176,12 @@ def _floats(path: Path, line: int, words: Sequence[str]) -> list[float]:
     return values.tolist()
 
 
-def _whole(path: Path, line: int, word: str, what: str) -> int:
+def _whole(path: Path, line: int, word: str) -> int:
     value = whole_of(word)
     if value is None:
-        raise InputError(f"{what}: {quoted(word)} is not a whole number", file=path, line=line)
+        raise InputError("value.no_whole_number", value=quoted(word), file=path, line=line)
     if not -(1 << 62) < value < 1 << 62:
-        raise InputError(f"{what}: {quoted(word)} is too large", file=path, line=line)
+        raise InputError("value.no_whole_number", value=quoted(word), file=path, line=line)
     return value
 
 
@@ -181,17 +191,24 @@ def _read_cameras_text(path: Path, model: Model) -> None:
         if not words:
             continue
         if len(words) < 5:
-            raise InputError("number, model, width, height and parameters are needed", file=path, line=line)
-        number, name = _whole(path, line, words[0], "camera"), words[1]
-        place = f"camera {number}"
+            raise InputError("colmap.camera_line", file=path, line=line)
+        number, name = _whole(path, line, words[0]), words[1]
         if name not in PARAMETERS:
-            raise unknown_model(path, place, line, quoted(name))
-        width, height = (_whole(path, line, w, place) for w in words[2:4])
+            raise unknown_model(path, number, line, quoted(name))
+        width, height = (_whole(path, line, w) for w in words[2:4])
         values = _floats(path, line, words[4:])
         if len(values) != (count := len(PARAMETERS[name])):
-            raise InputError(f"{place}: {len(values)} parameters, {name} has {count}", file=path, line=line)
+            raise InputError(
+                "camera.parameter_count",
+                camera=str(number),
+                n=len(values),
+                model=name,
+                needed=count,
+                file=path,
+                line=line,
+            )
         if number in model.cameras:
-            raise InputError(f"{place} stands twice", file=path, line=line)
+            raise InputError("name.twice", kind="camera", name=str(number), file=path, line=line)
         model.cameras[number] = checked_camera(path, number, line, name, (width, height), values)
 
 
@@ -206,16 +223,16 @@ def _read_images_text(path: Path, model: Model) -> None:
             continue
         words = head.split(maxsplit=9)
         if len(words) != 10:
-            raise InputError("number, 4 + 3 numbers, camera and name are needed", file=path, line=line)
+            raise InputError("colmap.image_line", file=path, line=line)
         pose = _floats(path, line, words[1:8])
-        number, camera = _whole(path, line, words[0], "image"), _whole(path, line, words[8], "camera")
+        number, camera = _whole(path, line, words[0]), _whole(path, line, words[8])
         _add_image(model, path, line, number, camera, words[9], pose)
         line, text = next(lines, (line, ""))  # noqa: PLW2901  (the second line of the image)
         words = text.split()
         if len(words) % 3:
-            raise InputError(f"{len(words)} words are not triples of x, y and a point", file=path, line=line)
+            raise InputError("colmap.image_points_line", n=len(words), file=path, line=line)
         xy = _floats(path, line, [w for n, w in enumerate(words) if n % 3 < 2])
-        points = [_whole(path, line, w, "point") for w in words[2::3]]
+        points = [_whole(path, line, w) for w in words[2::3]]
         model.image.append(np.full(len(points), len(model.names) - 1, np.int64))
         model.xy.append(np.array(xy).reshape(-1, 2))
         model.point.append(np.array(points, np.int64))
@@ -228,12 +245,11 @@ def _read_points_text(path: Path, model: Model) -> None:
         if not words:
             continue
         if len(words) < 8:
-            raise InputError("number, 3 coordinates, 3 colours and an error are needed", file=path, line=line)
-        number = _whole(path, line, words[0], "point")
-        if number in model.xyz or number < 0:
-            raise InputError(f"point {number} stands twice, or is negative", file=path, line=line)
+            raise InputError("colmap.point_line", file=path, line=line)
+        number = _whole(path, line, words[0])
+        _check_point(model, path, line, number)
         model.xyz[number] = _floats(path, line, words[1:4])
-        rgb = [_whole(path, line, w, "colour") for w in words[4:7]]
+        rgb = [_whole(path, line, w) for w in words[4:7]]
         model.rgb[number] = [min(max(c, 0), 255) for c in rgb]
 
 
@@ -268,52 +284,53 @@ def _add_rig(
     model: Model, path: Path, line: int | None, number: int, sensors: dict[tuple[int, int], Pose | None]
 ) -> None:
     if number in model.rigs:
-        raise InputError(f"rig {number} stands twice", file=path, line=line)
+        raise InputError("name.twice", kind="rig", name=str(number), file=path, line=line)
     for pose in sensors.values():
-        _check_pose(path, line, f"rig {number}", pose or REFERENCE)
+        _check_pose(path, line, "rig", number, pose or REFERENCE)
     model.rigs[number] = sensors
 
 
 def _add_frame(model: Model, path: Path, line: int | None, frame: Frame) -> None:
     if frame.rig not in model.rigs:
-        raise InputError(f"frame {frame.number} refers to rig {frame.rig}, which is not there", file=path, line=line)
-    _check_pose(path, line, f"frame {frame.number}", frame.pose)
+        raise InputError("frame.unknown_rig", frame=frame.number, rig=frame.rig, file=path, line=line)
+    _check_pose(path, line, "frame", frame.number, frame.pose)
     for kind, sensor, _ in frame.data:
         if (kind, sensor) not in model.rigs[frame.rig]:
-            message = f"frame {frame.number} refers to sensor {sensor}, which rig {frame.rig} does not hold"
-            raise InputError(message, file=path, line=line)
+            raise InputError(
+                "frame.unknown_sensor", frame=frame.number, sensor=sensor, rig=frame.rig, file=path, line=line
+            )
     model.frames.append(frame)
 
 
-def _check_pose(path: Path, line: int | None, place: str, pose: Pose) -> None:
+def _check_pose(path: Path, line: int | None, kind: str, number: int, pose: Pose) -> None:
     if not 1e-6 < sum(v * v for v in pose[:4]) < 1e6:
-        raise InputError(f"{place}: its quaternion has no direction", file=path, line=line)
+        raise InputError("rotation.quaternion", kind=kind, name=str(number), file=path, line=line)
 
 
 class _Words:
     """The words of a line, from front to back."""
 
-    def __init__(self, path: Path, line: int, text: str, place: str) -> None:
-        self.path, self.line, self.words, self.place = path, line, text.split(), place
+    def __init__(self, path: Path, line: int, text: str) -> None:
+        self.path, self.line, self.words = path, line, text.split()
 
     def take(self, count: int) -> list[str]:
         """The next words."""
         if len(self.words) < count:
-            raise InputError(f"{self.place}: the line ends too early", file=self.path, line=self.line)
+            raise InputError("line.ends_early", file=self.path, line=self.line)
         found, self.words = self.words[:count], self.words[count:]
         return found
 
     def whole(self) -> int:
         """The next whole number."""
-        return _whole(self.path, self.line, self.take(1)[0], self.place)
+        return _whole(self.path, self.line, self.take(1)[0])
 
     def sensor(self) -> tuple[int, int]:
         """Kind and number of the next sensor."""
         word = self.take(1)[0]
         if word not in SENSORS:
-            known = ", ".join(SENSORS)
-            message = f"{self.place}: kind of sensor {quoted(word)} is not read; known: {known}"
-            raise InputError(message, file=self.path, line=self.line)
+            raise InputError(
+                "value.not_supported", value=quoted(word), known=list(SENSORS), file=self.path, line=self.line
+            )
         return SENSORS[word], self.whole()
 
     def pose(self) -> Pose:
@@ -323,15 +340,14 @@ class _Words:
     def end(self) -> None:
         """Raise where words are left."""
         if self.words:
-            message = f"{self.place}: {len(self.words)} words at the end of the line are too many"
-            raise InputError(message, file=self.path, line=self.line)
+            raise InputError("line.words_left", n=len(self.words), file=self.path, line=self.line)
 
 
 def _read_rigs_text(path: Path, model: Model) -> None:
     for line, text in _lines(path):
         if not text:
             continue
-        words = _Words(path, line, text, "rig")
+        words = _Words(path, line, text)
         number, count = words.whole(), words.whole()
         sensors: dict[tuple[int, int], Pose | None] = {}
         for k in range(count):
@@ -346,7 +362,7 @@ def _read_frames_text(path: Path, model: Model) -> None:
     for line, text in _lines(path):
         if not text:
             continue
-        words = _Words(path, line, text, "frame")
+        words = _Words(path, line, text)
         number, rig, pose = words.whole(), words.whole(), words.pose()
         data = tuple((*words.sensor(), words.whole()) for _ in range(words.whole()))
         words.end()

@@ -55,9 +55,13 @@ def image_poses(model: Model, folder: Path, remarks: list[str]) -> tuple[Array, 
                 missing += kind == CAMERA and k is None
                 unposed += k is not None
                 continue
-            if found[k] or model.camera[k] != sensor:
-                fault = "stands in two frames" if found[k] else f"has camera {model.camera[k]}, in its frame {sensor}"
-                raise InputError(f"image {model.names[k]!r} {fault}", file=folder)
+            if found[k]:
+                raise InputError("image.in_two_frames", image=model.names[k], file=folder)
+            if model.camera[k] != sensor:
+                raise InputError(
+                    "image.camera_differs", image=model.names[k], camera=str(model.camera[k]), frame_camera=str(sensor),
+                    file=folder,
+                )  # fmt: skip
             own = np.array(mounted, float)
             own_R = rotations(own[None, :4])[0]
             composed_R[k], composed_t[k], found[k] = own_R @ rig_R, own_R @ rig_t + own[4:], True

@@ -67,8 +67,7 @@ def _ezdxf() -> Any:
     try:
         return import_module("ezdxf")  # an extra
     except ImportError:
-        message = "drawings need ezdxf, which is not installed: pip install 'raybundle[geo]'"
-        raise InputError(message) from None
+        raise InputError("package.ezdxf_missing") from None
 
 
 class _Sheet:

@@ -20,7 +20,6 @@ from raybundle.io.formats.base import Draft, Export, Format, register
 from raybundle.io.formats.surveyed import Surveyed, surveyed
 from raybundle.io.geo.parsed_systems import parse_crs, system_name
 from raybundle.numerics.arrays import Array
-from raybundle.settings import option
 
 POINT, LINE, POLYGON = 1001, 1002, 1003
 """Numbers of WKB for geometries with Z."""
@@ -58,7 +57,7 @@ def write(export: Export, path: Path) -> Draft:
                     dataset_metadata=None if k else about,
                 )  # fmt: skip
         except (pyogrio.errors.DataSourceError, pyogrio.errors.DataLayerError, pyogrio.errors.CRSError) as error:
-            raise InputError(f"the GeoPackage could not be written: {str(error).splitlines()[0][:200]}") from None
+            raise InputError("geopackage.not_written", detail=str(error).splitlines()[0][:200]) from None
     _check_system(s, str(pyogrio.read_info(str(path), layer="points")["crs"] or ""))
     return Draft(remarks=(*s.remarks, *s.footprint_remarks))
 
@@ -79,10 +78,7 @@ def _check_system(s: Surveyed, written: str) -> None:
         return
     mine, other = (c.axis_info[0].unit_conversion_factor for c in (s.system, parse_crs(written)))
     if abs(mine / other - 1) > 1e-9:
-        raise InputError(
-            f"the library of GeoPackages takes {s.system_name} for {system_name(written)}, whose unit is another; give "
-            f"a system in metres: {option('crs', 'EPSG:32632')}, say"
-        )
+        raise InputError("geopackage.other_unit", system=s.system_name, written=system_name(written))
 
 
 def _pyogrio() -> Any:
@@ -90,8 +86,7 @@ def _pyogrio() -> Any:
         library: Any = import_module("pyogrio")  # an extra
         import_module("pyogrio.raw")
     except ImportError:
-        message = "GeoPackages need pyogrio, which is not installed: pip install 'raybundle[geo]'"
-        raise InputError(message) from None
+        raise InputError("package.pyogrio_missing") from None
     return library
 
 

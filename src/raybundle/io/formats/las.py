@@ -32,7 +32,7 @@ def las_library() -> Any:
     try:
         import laspy  # noqa: PLC0415  (an extra)
     except ModuleNotFoundError:
-        raise InputError("LAS files need laspy; install the extra: pip install 'raybundle[las]'") from None
+        raise InputError("package.laspy_missing") from None
     return laspy
 
 

@@ -113,7 +113,7 @@ def read_sensors(chunk: Element, found: Reading) -> dict[str, Camera]:
     if not cameras:
         if found.errors:
             raise next(iter(found.errors.values()))[0]
-        chunk.get("sensors").fail("no sensor has a calibration")
+        chunk.get("sensors").fail("metashape.no_calibration")
     return cameras
 
 
@@ -129,7 +129,7 @@ def _sensor(sensor: Element, found: Reading) -> Camera | None:
         return equirectangular_camera(id_, _size(resolution, "width"), _size(resolution, "height"), whole_sphere=False)
     place = calibration or sensor
     if kind not in {"frame", "fisheye"}:
-        place.fail(f"sensor type {quoted(kind)} is not read; known: frame, fisheye, spherical")
+        place.fail("value.not_supported", value=quoted(kind), known=["frame", "fisheye", "spherical"])
     if calibration is None:
         label = sensor.attributes.get("label", "?")
         found.remarks.append(f"sensor {label} has no calibration and is left out with its images")
@@ -142,17 +142,21 @@ def _sensor(sensor: Element, found: Reading) -> Camera | None:
 def _forward(sensor: Element, calibration: Element, kind: str) -> ForwardCamera:
     for term in ("p3", "p4"):
         if calibration.number(term, 0.0):
-            calibration.fail(f"{term} is not known here; calibrate without p3 and p4")
+            calibration.fail("metashape.p3_p4", parameter=term)
     given = [r for r in (calibration.find("resolution"), sensor.find("resolution")) if r is not None]
     sizes = [(_size(r, "width"), _size(r, "height")) for r in given or [sensor.get("resolution")]]
     width, height = sizes[0]
     if sizes[-1] != sizes[0]:
         calibration.fail(
-            f"its format of {width} x {height} px is not that of the sensor, {sizes[-1][0]} x {sizes[-1][1]}"
+            "metashape.sizes_differ",
+            width_px=width,
+            height_px=height,
+            sensor_width_px=sizes[-1][0],
+            sensor_height_px=sizes[-1][1],
         )
     f, b1 = calibration.number("f"), calibration.number("b1", 0.0)
     if f <= 0 or f + b1 <= 0:
-        calibration.fail(f"f = {f:g} px cannot be; it must be positive")
+        calibration.fail("focal_length.not_positive", lengths=[f, f + b1])
     return ForwardCamera(
         width_px=width,
         height_px=height,
@@ -179,7 +183,7 @@ def _pixel(sensor: Element) -> float | None:
 def _size(element: Element, name: str) -> int:
     value = element.value(name)
     if value != int(value) or not 0 < value <= 10_000_000:
-        element.fail(f"attribute {name} = {value:g} is no size in pixels")
+        element.fail("value.not_whole", value=f"{value:g}", least=1, most=10_000_000)
     return int(value)
 
 
@@ -204,7 +208,7 @@ def _similarity(element: Element | None) -> _Similarity | None:
     t = element.get("translation").numbers(3) if element.find("translation") else np.zeros(3)
     scale = element.number("scale", 1.0)
     if scale <= 0 or np.abs(R @ R.T - np.eye(3)).max() > 1e-4 or np.linalg.det(R) < 0:
-        element.fail("is no similarity: the scale must be positive, the rotation orthogonal")
+        element.fail("metashape.no_similarity")
     return _Similarity(scale, nearest_rotation(R), t)
 
 
@@ -248,7 +252,7 @@ def _matrix(camera: Element) -> Array | None:
         return None
     M = transform.numbers(16).reshape(4, 4)
     if np.abs(M[:3, :3] @ M[:3, :3].T - np.eye(3)).max() > 1e-4 or np.linalg.det(M[:3, :3]) < 0:
-        transform.fail("its 3 x 3 part is no rotation")
+        transform.fail("rotation.not_orthogonal")
     return M
 
 
@@ -261,7 +265,7 @@ def _mounting(sensor: Element) -> Array | None:
     if rotation is not None:
         R = rotation.numbers(9).reshape(3, 3)
         if np.abs(R @ R.T - np.eye(3)).max() > 1e-4 or np.linalg.det(R) < 0:
-            rotation.fail("is no rotation")
+            rotation.fail("rotation.not_orthogonal")
         M[:3, :3] = nearest_rotation(R)
     if location is not None:
         M[:3, 3] = location.numbers(3)
@@ -354,20 +358,24 @@ def _rows(chunk: Element, cameras: Mapping[str, Camera], frames: _Frames, found:
 
     used = _enabled(elements, "disabled camera", found)
     if elements and not used:
-        group.fail("all cameras are disabled; enable those to be used")
+        group.fail("metashape.cameras_disabled")
     read = (found.attempt("camera", lambda element=element: image(element)) for element in used)
     rows = [row for row in read if row is not None]
     if not rows:
         if found.errors.get("camera"):
             raise found.errors["camera"][0]
-        group.fail("there is no camera with a calibrated sensor")
+        group.fail("metashape.no_calibrated_camera")
     return rows
 
 
 def _label(element: Element, taken: set[str]) -> str:
     label = element.attribute("label")
-    if not label.isprintable() or not label or label != label.strip() or label in taken:
-        element.fail(f"label {quoted(label)} is empty, stands twice or cannot be printed")
+    if not label.isprintable():
+        element.fail("name.unprintable", name=quoted(label))
+    if not label or label != label.strip():
+        element.fail("name.blanks", name=quoted(label))
+    if label in taken:
+        element.fail("name.twice", kind="image", name=quoted(label))
     return label
 
 
@@ -453,7 +461,7 @@ def _reference(reference: Element) -> tuple[Array, Array]:
         key = next((a for a in (f"s{name}", "sxy" if name != "z" else "", "sxyz") if a in reference.attributes), "")
         sigma.append(reference.value(key) if key and np.isfinite(value) else np.nan)
     if any(s < 0 for s in sigma):
-        reference.fail(f"an accuracy of {min(sigma):g} cannot be; it must not be negative")
+        reference.fail("cell.negative_sigma", value=quoted(min(sigma)))
     return np.array(values), np.array(sigma)
 
 
@@ -500,7 +508,7 @@ def _in_metres(reference: Element, control: Control, found: Reading) -> Control:
     unit = _UNIT.search(reference.content)
     length = 1.0 if unit is None else number_of(unit[2])
     if length is None or length <= 0:
-        reference.fail("the length of its unit is no positive number")
+        reference.fail("metashape.unit_length")
     if unit is None or length == 1:
         return control
     found.remarks.append(f"coordinates of markers are converted from {unit[1]} to metres: 1 {unit[1]} = {length:g} m")

@@ -33,6 +33,7 @@ from raybundle.io.formats.base import (
     scene,
 )  # fmt: skip
 from raybundle.io.formats.ply import write_vertices
+from raybundle.io.ids import repeated
 from raybundle.io.reading.ledger import declare
 from raybundle.io.reading.trees import Json, read_json
 from raybundle.io.reading.words import quoted
@@ -92,9 +93,7 @@ def write(export: Export, path: Path) -> Draft:
         deviations.append((camera.id, name, deviation))
     if len({c["camera_model"] for c in cameras}) > 1:
         if "OPENCV_FISHEYE" in {c["camera_model"] for c in cameras}:
-            raise InputError(
-                "a transforms.json holds one camera model, this block has fisheye and frame cameras; export them apart"
-            )
+            raise InputError("nerfstudio.mixed_models")
         for values in cameras:
             values["camera_model"] = "OPENCV"
     frames: list[dict[str, Any]] = []
@@ -123,7 +122,7 @@ def read(path: Path) -> Import:
     declare(*NO_GEOMETRY)
     frames = top.get("frames").items()
     if not frames:
-        top.get("frames").fail("there is no frame")
+        top.get("frames").fail("file.no_images")
     forward: list[ForwardCamera | tuple[int, int]] = []
     index: list[int] = []
     names: list[str] = []
@@ -137,11 +136,11 @@ def read(path: Path) -> Import:
         names.append(frame.get("file_path").text().removeprefix("./").removeprefix(FOLDER))
         rows = frame.get("transform_matrix").items()
         if len(rows) not in {3, 4}:
-            frame.get("transform_matrix").fail(f"{len(rows)} rows; a matrix of 4 is needed")
+            frame.get("transform_matrix").fail("value.count", n=len(rows), needed=4)
         matrices[k, : len(rows)] = np.array([row.numbers(4) for row in rows])
         _check_rotation(frame.get("transform_matrix"), matrices[k, :3, :3])
     if len(set(names)) < len(names):
-        top.get("frames").fail("a file_path stands twice")
+        top.get("frames").fail("name.twice", kind="image", name=quoted(repeated(names)))
     deviations: list[float] = []
     cameras: list[Camera] = []
     for k, camera in enumerate(forward, 1):
@@ -172,7 +171,7 @@ def _bare(path: Path, cameras: tuple[Camera, ...], images: Images) -> Block:
 
 def _check_rotation(place: Json, R: Array) -> None:
     if np.abs(R @ R.T - np.eye(3)).max() > 1e-3 or np.linalg.det(R) < 0:
-        place.fail("its 3 x 3 part is no rotation")
+        place.fail("rotation.not_orthogonal")
 
 
 def _place(top: Json, frame: Json, key: str) -> Json:
@@ -186,20 +185,20 @@ def _lens(top: Json, frame: Json) -> str:
     named = _place(top, frame, "camera_model")
     model = named.get("camera_model").text() if named.has("camera_model") else ""
     if model and model not in LENSES:
-        named.get("camera_model").fail(f"{quoted(model)} is not read; known: {', '.join(LENSES)}")
+        named.get("camera_model").fail("value.not_supported", value=quoted(model), known=list(LENSES))
     for key in OTHER_LENSES:
         place = _place(top, frame, key)
         if place.has(key) and place.get(key).value is not False:
-            place.get(key).fail(f"the lens model of {key} is not read; known: {', '.join(LENSES)}")
+            place.get(key).fail("value.not_supported", value=key, known=list(LENSES))
     for key, lens in FLAGS.items():
         place = _place(top, frame, key)
         if not place.has(key):
             continue
         flag = place.get(key).value
         if not isinstance(flag, bool) and flag not in (0, 1):
-            place.get(key).fail(f"{quoted(flag)} is not true or false")
+            place.get(key).fail("value.no_truth_value", value=quoted(flag))
         if flag and model and model != lens:
-            place.get(key).fail(f"contradicts camera_model {quoted(model)}; correct one of them")
+            place.get(key).fail("nerfstudio.model_contradiction", model=quoted(model))
         model = lens if flag else model
     return model or "OPENCV"
 
@@ -214,7 +213,7 @@ def _focal(place: Callable[[str], Json], axis: str, size: int, remarks: list[str
     angle = place(where).get(where).number() if where else math.nan
     angle = math.radians(angle) if where == degrees_key else angle
     if where and not 0 < angle < math.pi:
-        place(where).get(where).fail(f"a field of view of {math.degrees(angle):g} degrees has no focal length in px")
+        place(where).get(where).fail("nerfstudio.field_of_view", angle_deg=math.degrees(angle))
     derived = size / (2 * math.tan(angle / 2)) if where else None
     if not place(key).has(key):
         return derived
@@ -240,13 +239,13 @@ def _camera_in(top: Json, frame: Json, remarks: list[str]) -> ForwardCamera | tu
     fx = _focal(place, "x", width, remarks)
     fy = _focal(place, "y", height, remarks) or fx
     if fx is None or fy is None:
-        frame.fail("fl_x [px] or camera_angle_x [rad] is missing; give one of them, in the file or in each frame")
+        frame.fail("nerfstudio.focal_length_missing")
     if not (fx > 0 and fy > 0):
-        frame.fail(f"a focal length of {fx:g}, {fy:g} px cannot be; it must be positive")
+        frame.fail("focal_length.not_positive", lengths=[fx, fy])
     terms = () if "PINHOLE" in model else DISTORTION if LENSES[model] == "central" else FISHEYE[4:]
     for term, value in every.items():
         if term not in terms and value:
-            place(term).get(term).fail(f"{value:g} is no parameter of {model}; remove it, or correct camera_model")
+            place(term).get(term).fail("nerfstudio.parameter_unused", value=value, model=model)
     return ForwardCamera(
         width_px=width,
         height_px=height,

@@ -39,7 +39,7 @@ from raybundle.io.formats.base import (
 from raybundle.io.reading.files import read_text
 from raybundle.io.reading.ledger import declare
 from raybundle.io.reading.trees import Json, read_json
-from raybundle.io.reading.words import number_of, quoted
+from raybundle.io.reading.words import no_number, number_of, quoted
 from raybundle.numerics.rotation import rotation_from_vector, vector_from_rotation
 
 BROWN = ("fx", "fy", "cx", "cy", "k1", "k2", "k3", "p1", "p2")
@@ -133,7 +133,7 @@ def read(path: Path) -> Import:
     everything = read_json(path).items()
     declare(*NO_GEOMETRY)
     if not everything:
-        raise InputError("holds no reconstruction", file=path)
+        raise InputError("file.no_images", file=path)
     remarks: list[str] = []
     deviations: list[float] = []
     if len(everything) > 1:
@@ -164,13 +164,13 @@ def read(path: Path) -> Import:
 def _camera_in(value: Json) -> ForwardCamera:
     kind = value.get("projection_type").text()
     if kind not in TERMS:
-        value.get("projection_type").fail(f"{quoted(kind)} is not read; known: {', '.join(TERMS)}")
+        value.get("projection_type").fail("value.not_supported", value=quoted(kind), known=list(TERMS))
     width, height = value.get("width").whole(), value.get("height").whole()
     side = max(width, height)
     one = "focal" if value.has("focal") else None
     fx, fy = (value.get(one or f"focal_{a}").number() * side for a in "xy")
     if not (fx > 0 and fy > 0):
-        value.fail(f"a focal length of {fx / side:g}, {fy / side:g} cannot be; it must be positive")
+        value.fail("focal_length.not_positive", lengths=[fx / side, fy / side])
     return ForwardCamera(
         width_px=width,
         height_px=height,
@@ -186,19 +186,19 @@ def _camera_in(value: Json) -> ForwardCamera:
 def _images_in(top: Json, cameras: Mapping[str, int]) -> Images:
     shots = top.get("shots").mapping()
     if not shots:
-        top.get("shots").fail("there is no shot")
+        top.get("shots").fail("file.no_images")
     index: list[int] = []
     vectors, t = np.zeros((len(shots), 3)), np.zeros((len(shots), 3))
     for k, (name, shot) in enumerate(shots.items()):
         camera = shot.get("camera").text()
         if camera not in cameras:
-            shot.get("camera").fail(f"camera {quoted(camera)} stands nowhere in cameras")
+            shot.get("camera").fail("reference.unknown", kind="camera", name=quoted(camera), where="cameras")
         if not name.isprintable() or not name or name != name.strip():
-            shot.fail(f"{quoted(name)} is no name that can be printed")
+            shot.fail("name.unprintable", name=quoted(name))
         index.append(cameras[camera])
         vectors[k], t[k] = shot.get("rotation").numbers(3), shot.get("translation").numbers(3)
     if np.abs(vectors).max() > 1e6:
-        top.get("shots").fail("a rotation is larger than a million radians")
+        top.get("shots").fail("rotation.too_large", limit_rad=1e6)
     R = rotation_from_vector(vectors)
     return Images(
         ids=tuple(shots),
@@ -240,19 +240,32 @@ def _read_tracks(path: Path, images: Images, forward: list[ForwardCamera], ids: 
         words = text.split("\t")
         if line == 1 and text.startswith("OPENSFM_TRACKS_VERSION"):
             if text.strip() not in {TRACKS, "OPENSFM_TRACKS_VERSION_v1"}:
-                raise InputError(f"{quoted(text)} is not a version that is read", file=path, line=1)
+                raise InputError(
+                    "value.not_supported",
+                    value=quoted(text),
+                    known=["OPENSFM_TRACKS_VERSION_v1", TRACKS],
+                    file=path,
+                    line=1,
+                )
             continue
         if not text.strip():
             continue
         if len(words) < 5:
-            raise InputError(f"{len(words)} columns, image, track, feature, x, y are needed", file=path, line=line)
+            raise InputError(
+                "line.too_few_words",
+                n=len(words),
+                needed=5,
+                columns=["image", "track", "feature", "x", "y"],
+                file=path,
+                line=line,
+            )
         image, point = image_of.get(words[0]), point_of.get(words[1])
         if image is None or point is None:
             continue
         x, y = number_of(words[3].strip()), number_of(words[4].strip())
         if x is None or y is None:
-            message = f"{quoted(words[3])}, {quoted(words[4])} are not two finite numbers"
-            raise InputError(message, file=path, line=line, column="x")
+            bad = words[3] if x is None else words[4]
+            raise InputError(no_number(bad), file=path, line=line, column="x" if x is None else "y")
         camera = forward[int(images.camera[image])]
         side = max(camera.width_px, camera.height_px)
         rows.image.append(image)

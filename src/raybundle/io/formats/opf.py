@@ -33,6 +33,7 @@ from raybundle.io.formats.base import (
     register,
     scene,
 )
+from raybundle.io.ids import repeated
 from raybundle.io.reading.files import read_bytes
 from raybundle.io.reading.ledger import declare, enter
 from raybundle.io.reading.trees import Json, read_json
@@ -75,7 +76,7 @@ def write(export: Export, folder: Path) -> Draft:
     s = scene(export)
     fisheyes = [c.id for c in s.cameras if c.model == "fisheye"]
     if fisheyes:
-        raise InputError(f"camera {fisheyes[0]} is a fisheye, which is not written as OPF; leave its images out")
+        raise InputError("camera.not_in_format", camera=fisheyes[0], kind="fisheye", format="OPF")
     deviations: list[tuple[str, str, float]] = []
     sensors: list[ForwardCamera] = []
     for camera in s.cameras:
@@ -245,7 +246,7 @@ def read(path: Path) -> Import:
     if path.is_dir():
         found = sorted(path.glob("*.opf"))
         if len(found) != 1:
-            raise InputError(f"holds {len(found)} .opf files; give the one to be read", file=path)
+            raise InputError("opf.file_count", n=len(found), file=path)
         path = found[0]
     project = read_json(path)
     declare(*NO_GEOMETRY)
@@ -303,7 +304,7 @@ def _resources(project: Json, path: Path) -> dict[str, Path]:
             resources.setdefault(key, file)
     for key in ("camera-list", "input-cameras", "calibrated-cameras"):
         if key not in resources:
-            raise InputError(f"the project holds no {key}; only calibrated projects can be read", file=path)
+            raise InputError("opf.not_calibrated", part=key, file=path)
     return resources
 
 
@@ -311,7 +312,7 @@ def _inside(folder: Path, uri: Json) -> Path:
     name = unquote(uri.text())
     parts = PurePosixPath(name)
     if parts.is_absolute() or ".." in parts.parts or ":" in name or "\\" in name or "\0" in name:
-        uri.fail(f"{quoted(name)} leads out of the project's folder; only relative paths within it are read")
+        uri.fail("opf.path_outside", path=quoted(name))
     return folder / parts
 
 
@@ -322,7 +323,7 @@ def _id(value: Json) -> int:
 def _name(uri: Json) -> str:
     name = unquote(uri.text().partition("#")[0])
     if not name or not name.isprintable():
-        uri.fail(f"{quoted(name)} is no name that can be printed")
+        uri.fail("name.unprintable", name=quoted(name))
     return PurePosixPath(name).name if ":" in name or name.startswith("/") else name.removeprefix("./")
 
 
@@ -333,7 +334,7 @@ def _cameras_in(
     for sensor in given.get("sensors").items():
         size = sensor.get("image_size_px")
         if len(size.items()) < 2:
-            size.fail("width and height are needed")
+            size.fail("value.count", n=len(size.items()), needed=2)
         width, height = (v.whole() for v in size.items()[:2])
         shutter = sensor.get("shutter_type").text() if sensor.has("shutter_type") else "global"
         enter(f"shutter_type {quoted(shutter)}", int(shutter != "global"))
@@ -344,14 +345,16 @@ def _cameras_in(
     for sensor in calibrated.get("sensors").items():
         id_ = _id(sensor)
         if id_ not in sizes:
-            sensor.fail(f"sensor {id_} stands nowhere in the input cameras")
+            sensor.fail("reference.unknown", kind="sensor", name=str(id_), where="input-cameras")
         width, height, pixel = sizes[id_]
         internals = sensor.get("internals")
         if internals.get("type").text() != "perspective":
-            internals.get("type").fail(f"{quoted(internals.get('type').value)} is not read; known: perspective")
+            internals.get("type").fail(
+                "value.not_supported", value=quoted(internals.get("type").value), known=["perspective"]
+            )
         f = internals.get("focal_length_px").number()
         if f <= 0:
-            internals.fail(f"a focal length of {f:g} px cannot be; it must be positive")
+            internals.fail("focal_length.not_positive", lengths=[f])
         cx, cy = internals.get("principal_point_px").numbers(2).tolist()
         k1, k2, k3 = internals.get("radial_distortion").numbers(3).tolist()
         p1, p2 = internals.get("tangential_distortion").numbers(2).tolist()
@@ -367,7 +370,7 @@ def _cameras_in(
 def _images_in(calibrated: Json, names: dict[int, str], sensors: dict[int, int]) -> tuple[Images, dict[int, int]]:
     cameras = calibrated.get("cameras").items()
     if not cameras:
-        calibrated.get("cameras").fail("there is no calibrated camera")
+        calibrated.get("cameras").fail("file.no_images")
     ids: list[str] = []
     index: list[int] = []
     place: dict[int, int] = {}
@@ -375,13 +378,13 @@ def _images_in(calibrated: Json, names: dict[int, str], sensors: dict[int, int])
     for k, camera in enumerate(cameras):
         id_, sensor = _id(camera), camera.get("sensor_id").whole(0, 1 << 64)
         if id_ not in names or sensor not in sensors:
-            camera.fail(f"camera {id_} or its sensor {sensor} stands nowhere in the lists")
+            camera.fail("opf.unknown_camera", camera=str(id_), sensor=str(sensor))
         place[id_] = k
         ids.append(names[id_])
         index.append(sensors[sensor])
         centre[k], angles[k] = camera.get("position").numbers(3), camera.get("orientation_deg").numbers(3)
     if len(set(ids)) < len(ids):
-        calibrated.get("cameras").fail("two cameras have the same file, or a camera stands twice")
+        calibrated.get("cameras").fail("name.twice", kind="image", name=quoted(repeated(ids)))
     images = Images(
         ids=tuple(ids),
         camera=np.array(index, np.int32),
@@ -412,11 +415,13 @@ def _tracks_in(path: Path, place: dict[int, int]) -> Tracks:
     xy = _accessor(gltf, path, matches.get("imagePoints").get("pixelCoordinates"), 2).astype(float)
     first, count = (ranges & ((1 << 40) - 1)).astype(np.int64), (ranges >> np.uint64(40)).astype(np.int64)
     if len(ranges) != len(positions) or len(camera_ids) != len(xy) or (first + count > len(xy)).any():
-        matches.fail(f"{len(positions)} points, {len(ranges)} ranges and {len(xy)} image points do not fit together")
+        matches.fail("opf.counts_differ", points=len(positions), ranges=len(ranges), image_points=len(xy))
     if len(camera_ids) and camera_ids.max() >= len(uids):
-        matches.fail(f"camera number {camera_ids.max()} stands nowhere in cameraUids")
-    if int(count.sum()) > 4 * len(xy) or not np.isfinite(xy).all() or not np.isfinite(positions).all():
-        matches.fail("the ranges overlap, or a coordinate is not finite")
+        matches.fail("reference.unknown", kind="camera", name=str(camera_ids.max()), where="cameraUids")
+    if int(count.sum()) > 4 * len(xy):
+        matches.fail("opf.ranges_overlap")
+    if not np.isfinite(xy).all() or not np.isfinite(positions).all():
+        matches.fail("opf.not_finite")
     matrix = node.get("matrix").numbers(16).reshape(4, 4).T if node.has("matrix") else np.eye(4)
     xyz = (positions.astype(float) @ matrix[:3, :3].T + matrix[:3, 3]) @ GLTF_FROM_OBJECT
     point = np.repeat(np.arange(len(ranges)), count)
@@ -436,7 +441,7 @@ def _tracks_in(path: Path, place: dict[int, int]) -> Tracks:
 def _first(value: Json, key: str) -> Json:
     items = value.get(key).items()
     if not items:
-        value.get(key).fail("the list is empty")
+        value.get(key).fail("value.list_empty")
     return items[0]
 
 
@@ -448,12 +453,12 @@ def _accessor(gltf: Json, path: Path, which: Json, width: int) -> Array:
     buffer = buffers[view.get("buffer").whole(0, len(buffers) - 1)]
     code, kind = accessor.get("componentType").whole(0, 10_000), accessor.get("type").text()
     if code not in COMPONENTS or WIDTHS.get(kind) != width:
-        accessor.fail(f"{kind} of type {code} is not what is needed here")
+        accessor.fail("opf.accessor_type", kind=kind, type=str(code))
     data = read_bytes(_inside(path.parent, buffer.get("uri")), 1 << 36)
     count, dtype = accessor.get("count").whole(0, 1 << 40), np.dtype(COMPONENTS[code])
     begin = int(view.optional("byteOffset"))
     if begin < 0 or begin + count * width * dtype.itemsize > len(data):
-        accessor.fail(f"{count} elements are announced, its buffer of {len(data)} bytes has no room for them")
+        accessor.fail("opf.accessor_size", n=count, size_bytes=len(data))
     return np.frombuffer(data, dtype, count * width, begin).reshape(count, width)
 
 

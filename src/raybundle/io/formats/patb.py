@@ -99,13 +99,13 @@ def _control_lines(export: Export, s: Scene, points: list[str]) -> Iterator[str]
 def read(folder: Path) -> Import:
     """Photographs, points and control of a folder; orientations, control and adjusted points where their files are."""
     if not folder.is_dir():
-        raise InputError("PAT-B is a folder of files (.im, .ori, .con); give the folder", file=folder)
+        raise InputError("format.needs_folder", format="PAT-B", files=["NAME.im", "NAME.ori", "NAME.con"], file=folder)
     image_file = _file(folder, (".im",))
     if image_file is None:
-        raise InputError("there is no file of image points NAME.im in this folder", file=folder)
+        raise InputError("folder.file_missing", name="NAME.im", file=folder)
     photographs = list(_read_images(image_file))
     if not photographs:
-        raise InputError("holds no photograph", file=image_file, line=1)
+        raise InputError("file.no_images", file=image_file, line=1)
     orientation, control = _file(folder, (".ori",), "patb_eo.txt"), _file(folder, (".con",))
     adjusted = _file(folder, (".adj", ".xyz"))
     return assembled(
@@ -126,8 +126,7 @@ def _file(folder: Path, suffixes: tuple[str, ...], name: str = "") -> Path | Non
         p for p in folder.iterdir() if p.is_file() and (p.suffix.lower() in suffixes or p.name.lower() == name)
     )
     if len(found) > 1:
-        message = f"{len(found)} files of this kind ({suffixes[0]}) stand in the folder; leave one"
-        raise InputError(message, file=found[1])
+        raise InputError("folder.several_files", n=len(found), name=f"NAME{suffixes[0]}", file=found[1])
     return found[0] if found else None
 
 
@@ -140,27 +139,27 @@ def _read_images(path: Path) -> Iterator[Photograph]:
             if line.name != END:
                 head, points, xy = line, [], []
                 if len(line.words) < 2:
-                    line.fail("a photograph begins with its number and the camera constant in micrometres", "c")
+                    line.fail("patb.photograph_line", "c")
                 line.values(1, ("c",))
         elif line.name == END:
             yield _photograph(head, points, xy)
             head = None
         else:
             if len(line.words) == 2:
-                line.fail(f"2 words, 3 are needed: point x y; or is the {END} before this photograph missing?")
+                line.fail("patb.image_point_line", end=END)
             x, y = line.values(1, ("x", "y"))
             if max(abs(x), abs(y)) > LARGEST_MM * 1000:
-                line.fail(f"{x:g}, {y:g} is no image point in micrometres")
+                line.fail("image_point.out_of_range", x=x, y=y, unit="um", largest=LARGEST_MM * 1000)
             points.append(line.name)
             xy.append([x / 1000, y / 1000])
     if head is not None:
-        head.fail(f"photograph {quoted(head.name)} is not closed by {END}; the file is not complete")
+        head.fail("patb.photograph_not_closed", photograph=quoted(head.name), end=END)
 
 
 def _photograph(head: Line, points: list[str], xy: list[list[float]]) -> Photograph:
     c = head.values(1, ("c",))[0] / 1000
     if not 0 < c < 100 * LARGEST_MM:
-        head.fail(f"{1000 * c:g} is no camera constant in micrometres", "c")
+        head.fail("patb.camera_constant", "c", c_um=1000 * c)
     return Photograph(
         name=head.name,
         camera=f"c{c:g}",
@@ -178,20 +177,20 @@ def _read_orientations(path: Path) -> dict[str, Orientation]:
         if head.name == END:
             continue
         if head.name in found:
-            head.fail(f"photograph {quoted(head.name)} stands twice; delete one")
+            head.fail("name.twice", kind="image", name=quoted(head.name))
         # between the number and the coordinates some programs write a camera
         X0 = np.array(head.values(max(1, len(head.words) - 3), ("X", "Y", "Z")))
         elements: list[float] = []
         for names in (("a11", "a12", "a13", "a21", "a22"), ("a23", "a31", "a32", "a33")):
             line = next(rows, None)
             if line is None:
-                head.fail(f"the rotation of photograph {quoted(head.name)} is missing; the file is not complete")
+                head.fail("patb.rotation_missing", photograph=quoted(head.name))
             elements += line.values(0, names)
         D = np.array(elements).reshape(3, 3)
         with np.errstate(all="ignore"):
             good = np.abs(D @ D.T - np.eye(3)).max() < 1e-3 and np.linalg.det(D) > 0
         if not good:
-            head.fail(f"the nine elements of photograph {quoted(head.name)} are no rotation")
+            head.fail("rotation.not_orthogonal")
         D = nearest_rotation(D)
         found[head.name] = Orientation(centre=X0, rotations=(D.T, D))
     return found
@@ -204,7 +203,7 @@ def _read_points(path: Path) -> dict[str, tuple[float, float, float]]:
             continue
         X, Y, Z = line.values(1, ("X", "Y", "Z"))
         if line.name in found:
-            line.fail(f"point {quoted(line.name)} stands twice; delete one")
+            line.fail("name.twice", kind="point", name=quoted(line.name))
         plan, height = (line.words[4] != "0", line.words[5] != "0") if len(line.words) > 5 else (True, True)
         nan = float("nan")
         found[line.name] = (X if plan else nan, Y if plan else nan, Z if height else nan)

@@ -18,7 +18,7 @@ def _places(export: Export) -> tuple[Scene, Array, Array, tuple[str, ...]]:
     """The scene, longitude, latitude and height (n, 3), and the azimuth of the view (n,) [deg]."""
     s, frame = scene(export), export.frame
     if frame is None:
-        raise InputError("stations on a map need a coordinate system")
+        raise InputError("stations.no_crs")
     metres = s.centre * (0.001 if export.block.length_unit == "mm" else 1.0)
     places = frame.wgs84_from_local(metres)
     view = -s.rotation[:, 2, :]

@@ -25,7 +25,6 @@ from raybundle.numerics.natural import natural
 from raybundle.numerics.planes import hull
 from raybundle.numerics.rotation import angles_from_rotation
 from raybundle.observations.alignment import Levels, Lines, OnFigure, PlumbLines
-from raybundle.settings import option
 
 if TYPE_CHECKING:
     from pyproj import CRS
@@ -329,17 +328,14 @@ def surveyed(export: Export) -> Surveyed:
     """The view of a block; raises InputError where no image is oriented, and where there is nothing to write."""
     found = Surveyed(export=export, scene=scene(export))
     if not len(found.scene.points) and not len(found.photos):
-        raise InputError(f"block {export.block.name} has neither points nor photographs; there is nothing to write")
+        raise InputError("block.nothing_to_write", block=export.block.name)
     return found
 
 
 def check_lengths(s: Surveyed, name: str) -> None:
     """Raise InputError where a format whose coordinates are lengths would get longitude and latitude."""
     if s.degrees:
-        raise InputError(
-            f"{name} holds lengths, and {s.system_name} is in degrees; give a projected system of the same datum: "
-            f"{option('crs', 'EPSG:32632')}, say, for WGS 84 at 9 degrees east"
-        )
+        raise InputError("format.degrees", format=name, system=s.system_name)
 
 
 def _median_heights(s: Scene, everywhere: float) -> Array:

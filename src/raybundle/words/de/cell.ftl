@@ -32,3 +32,6 @@ cell-id_twice = Die Kennung { $id } kommt zweimal vor, zuerst in Zeile { $earlie
 
 cell-unknown_id = { $id } steht nicht in { $table }.
     .do = Den Eintrag berichtigen oder in { $table } ergänzen.
+
+cell-not_a_flag = { $value } ist weder 1 noch leer.
+    .do = 1 schreiben oder die Zelle leer lassen.

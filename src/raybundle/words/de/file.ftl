@@ -66,3 +66,6 @@ file-not_writable = Hier kann nicht geschrieben werden ({ $detail }).
 
 file-created_meanwhile = Ein anderer Lauf hat diesen Namen inzwischen angelegt; das Ergebnis dieses Laufs ist verworfen.
     .do = Einen anderen Namen wählen und den Lauf wiederholen.
+
+file-no_images = Es enthält keine Bilder.
+    .do = Prüfen, ob es die richtige Datei ist.

@@ -13,3 +13,9 @@ folder-special_file = Das ist weder eine Datei noch ein Ordner.
 
 folder-is_a_file = Unter diesem Namen gibt es eine Datei; nötig ist ein Ordner.
     .do = Einen anderen Namen wählen.
+
+folder-file_missing = Der Ordner hat keine Datei { $name }.
+    .do = Prüfen, ob es der richtige Ordner ist.
+
+folder-several_files = Der Ordner hat { $n } Dateien { $name }; nötig ist eine.
+    .do = Die übrigen anderswohin verschieben.

@@ -9,3 +9,6 @@ package-ezdxf_missing = DXF zu schreiben braucht das Paket ezdxf.
 
 package-pyogrio_missing = Ein GeoPackage zu schreiben braucht das Paket pyogrio.
     .do = pip install 'raybundle[geo]' ausführen oder GeoJSON schreiben.
+
+package-laspy_missing = LAS-Dateien brauchen das Paket laspy.
+    .do = Ausführen: pip install 'raybundle[las]'

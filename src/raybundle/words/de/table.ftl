@@ -58,3 +58,6 @@ table-two_decimal_signs = Verschiedene Dezimalzeichen: { $later } hier, { $first
 
 table-csv_and_parquet = Die Tabelle ist doppelt: { $csv } liegt im selben Ordner.
     .do = Eine der beiden Dateien anderswohin verschieben.
+
+table-columns_together = Die Spalten { $names } brauchen die Spalten { $missing }.
+    .do = Sie ergänzen oder { $names } löschen.

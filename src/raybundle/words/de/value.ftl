@@ -22,3 +22,18 @@ value-key_missing = Der Eintrag { $name } fehlt.
 
 value-count = Anzahl der Werte: { $n }; nötig: { $needed }.
     .do = So viele Werte angeben wie nötig.
+
+value-no_whole_number = { $value } ist keine ganze Zahl oder zu groß.
+    .do = Eine ganze Zahl angeben.
+
+value-not_supported = { $value } wird nicht unterstützt.
+    .do = Eines von { LIST($known, most: 20) } verwenden.
+
+value-no_truth_value = { $value } ist weder true noch false.
+    .do = true oder false schreiben.
+
+value-list_empty = Die Liste ist leer.
+    .do = Prüfen, ob die Datei vollständig ist.
+
+value-not_above = { $value } ist nicht größer als { $limit }.
+    .do = Den Wert berichtigen.

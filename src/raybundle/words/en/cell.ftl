@@ -50,3 +50,7 @@ cell-id_twice = Id { $id } occurs twice, first in { $rows ->
 # $table = "points.csv"
 cell-unknown_id = { $id } is not in { $table }.
     .do = Correct it, or add it to { $table }.
+
+# $value = 2.0
+cell-not_a_flag = { $value } is neither 1 nor empty.
+    .do = Write 1, or leave the cell empty.

@@ -78,3 +78,6 @@ file-not_writable = Nothing can be written here ({ $detail }).
 
 file-created_meanwhile = Another run created this name in the meantime; the result of this run is discarded.
     .do = Choose another name and run it again.
+
+file-no_images = There are no images in it.
+    .do = Check that it is the right file.

@@ -15,3 +15,12 @@ folder-special_file = This is neither a file nor a folder.
 
 folder-is_a_file = A file with this name exists; a folder is needed.
     .do = Choose another name.
+
+# $name = "image.dat"
+folder-file_missing = The folder has no file { $name }.
+    .do = Check that it is the right folder.
+
+# $n = 2
+# $name = "NAME.im"
+folder-several_files = The folder has { $n } files { $name }; one is needed.
+    .do = Move the others elsewhere.

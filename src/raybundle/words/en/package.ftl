@@ -9,3 +9,6 @@ package-ezdxf_missing = Writing DXF needs the package ezdxf.
 
 package-pyogrio_missing = Writing a GeoPackage needs the package pyogrio.
     .do = Run pip install 'raybundle[geo]', or write GeoJSON.
+
+package-laspy_missing = LAS files need the package laspy.
+    .do = Run: pip install 'raybundle[las]'

@@ -90,3 +90,8 @@ table-two_decimal_signs = Decimal signs differ: { $later } here, { $first } in l
 # $csv = "points.csv"
 table-csv_and_parquet = The table exists twice: { $csv } is in the same folder.
     .do = Move one of the two files elsewhere.
+
+# $names = ["sX"]
+# $missing = ["sY", "sZ"]
+table-columns_together = Columns { $names } need the columns { $missing }.
+    .do = Add them, or delete { $names }.

@@ -33,3 +33,24 @@ value-key_missing = Entry { $name } is missing.
 # $needed = 3
 value-count = Number of values: { $n }; needed: { $needed }.
     .do = Give as many values as needed.
+
+# $value = "'1.5'"
+value-no_whole_number = { $value } is not a whole number, or too large.
+    .do = Give a whole number.
+
+# $value = "'omni'"
+# $known = ["frame", "fisheye"]
+value-not_supported = { $value } is not supported.
+    .do = Use one of { LIST($known, most: 20) }.
+
+# $value = "'maybe'"
+value-no_truth_value = { $value } is neither true nor false.
+    .do = Write true or false.
+
+value-list_empty = The list is empty.
+    .do = Check that the file is complete.
+
+# $value = -1.0
+# $limit = 0.0
+value-not_above = { $value } is not greater than { $limit }.
+    .do = Correct the value.

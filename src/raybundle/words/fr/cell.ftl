@@ -17,3 +17,5 @@ cell-no_id = { $value } n'est pas un identifiant valable.
 cell-id_twice = L'identifiant { $id } figure deux fois, d'abord à la ligne { $earlier }.
 
 cell-unknown_id = { $id } ne figure pas dans { $table }.
+
+cell-not_a_flag = { $value } n'est ni 1 ni vide.

@@ -40,3 +40,5 @@ file-is_a_folder = C'est un dossier.
 file-not_writable = Écriture impossible ici ({ $detail }).
 
 file-created_meanwhile = Une autre exécution a créé ce nom entre-temps ; ce résultat est abandonné.
+
+file-no_images = Il n'y a pas d'images.

@@ -7,3 +7,7 @@ folder-parent_is_a_file = { $parent } n'est pas un dossier ; rien ne peut y êtr
 folder-special_file = Ce n'est ni un fichier ni un dossier.
 
 folder-is_a_file = Un fichier porte ce nom ; il faut un dossier.
+
+folder-file_missing = Le dossier n'a pas de fichier { $name }.
+
+folder-several_files = Le dossier a { $n } fichiers { $name } ; il en faut un.

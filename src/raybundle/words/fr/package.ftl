@@ -5,3 +5,5 @@ package-pyarrow_missing = Les tables Parquet demandent le paquet pyarrow.
 package-ezdxf_missing = L'écriture de DXF demande le paquet ezdxf.
 
 package-pyogrio_missing = L'écriture d'un GeoPackage demande le paquet pyogrio.
+
+package-laspy_missing = Les fichiers LAS demandent le paquet laspy.

@@ -34,3 +34,5 @@ table-separator_unknown = { $value } n'indique aucun séparateur de table.
 table-two_decimal_signs = Signes décimaux différents : { $later } ici, { $first } à la ligne { $first_line }, colonne { $first_column }.
 
 table-csv_and_parquet = La table existe deux fois : { $csv } est dans le même dossier.
+
+table-columns_together = Les colonnes { $names } demandent les colonnes { $missing }.

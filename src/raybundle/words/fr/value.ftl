@@ -15,3 +15,13 @@ value-no_list = Une liste est attendue ici.
 value-key_missing = L'entrée { $name } manque.
 
 value-count = Nombre de valeurs : { $n } ; nécessaire : { $needed }.
+
+value-no_whole_number = { $value } n'est pas un entier, ou est trop grand.
+
+value-not_supported = { $value } n'est pas pris en charge.
+
+value-no_truth_value = { $value } n'est ni true ni false.
+
+value-list_empty = La liste est vide.
+
+value-not_above = { $value } n'est pas supérieur à { $limit }.

@@ -1,0 +1,20 @@
+colmap-blank_in_name = Bild { $image } hat ein Leerzeichen im Namen; Textdateien von COLMAP können es nicht darstellen.
+    .do = Das binäre Format (colmap) schreiben oder die Aufnahmen umbenennen.
+
+colmap-no_model = Der Ordner hat kein COLMAP-Modell.
+    .do = Einen Ordner mit cameras, images und points3D angeben, alle .bin oder alle .txt.
+
+colmap-file_missing = Die Datei fehlt; { $other } braucht sie.
+    .do = Sie in den Ordner kopieren.
+
+colmap-camera_line = Eine Kamera braucht Nummer, Modell, Breite, Höhe und Parameter.
+    .do = Diese Zeile vervollständigen.
+
+colmap-image_line = Ein Bild braucht Nummer, 4 + 3 Zahlen, Kamera und Name.
+    .do = Diese Zeile vervollständigen.
+
+colmap-image_points_line = Die { $n } Wörter dieser Zeile sind keine Tripel aus x, y und Punkt.
+    .do = Die Zeile berichtigen.
+
+colmap-point_line = Ein Punkt braucht Nummer, 3 Koordinaten, 3 Farben und einen Fehler.
+    .do = Diese Zeile vervollständigen.

@@ -1,0 +1,2 @@
+focal_length-not_positive = Die Brennweite ist { $lengths }; sie muss positiv sein.
+    .do = Den Wert berichtigen oder die Datei neu exportieren.

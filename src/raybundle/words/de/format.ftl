@@ -1,0 +1,26 @@
+format-unknown = Das Format { $format } ist unbekannt.
+    .do = Eines von { LIST($known, most: 40) } verwenden.
+
+format-only_written = Das Format { $format } wird geschrieben, aber nicht gelesen.
+    .do = Eines von { LIST($known, most: 40) } verwenden.
+
+format-only_read = Das Format { $format } wird gelesen, aber nicht geschrieben.
+    .do = Ein anderes Format wählen.
+
+format-needs_crs = Das Format { $format } braucht das Koordinatensystem des Blocks.
+    .do = { OPTION("crs", "EPSG:25832") } angeben, bei einem lokalen System auch { OPTION("frame_origin", "E", "N", "H") }.
+
+format-free_scale = Das Format { $format } hat Koordinaten in Metern, aber der Maßstab des Blocks ist nicht bestimmt.
+    .do = Mit Maßstabsstrecke, zwei Passpunkten oder beobachteten Positionen ausgleichen oder { OPTION("free_scale", "True") } angeben.
+
+format-camera_deviation = Eine Kamera dieses Formats weicht bis zu { $deviation_px } px vom Original ab (Grenze { $limit_px } px).
+    .do = { $undistort ->
+        [yes] Die Aufnahmen entzerren ({ OPTION("photos", "FOLDER") } { OPTION("undistort", "inside") }), ein anderes Format wählen
+       *[no] Ein anderes Format wählen
+     } oder die Abweichung mit { OPTION("approximate", "True") } zulassen.
+
+format-needs_folder = { $format } ist ein Ordner mit den Dateien { $files }.
+    .do = Den Ordner angeben.
+
+format-degrees = { $format } hat Koordinaten als Längen; { $system } ist in Grad.
+    .do = Ein projiziertes System desselben Datums angeben, etwa { OPTION("crs", "EPSG:32632") }.

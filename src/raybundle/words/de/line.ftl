@@ -1,0 +1,11 @@
+line-too_few_words = Wörter dieser Zeile: { $n }; nötig: { $needed }, am Ende { $columns }.
+    .do = Die Zeile vervollständigen.
+
+line-unprintable = Die Zeile enthält nicht druckbare Zeichen.
+    .do = Diese Zeichen löschen.
+
+line-ends_early = Die Zeile endet zu früh.
+    .do = Sie vervollständigen.
+
+line-words_left = Überzählige Wörter am Zeilenende: { $n }.
+    .do = Sie löschen.

@@ -1,0 +1,14 @@
+parameter-unknown = { $name } ist kein Parameter von { $model }.
+    .do = Einen von { LIST($known, most: 20) } verwenden.
+
+parameter-twice = Der Parameter { $name } kommt zweimal vor.
+    .do = Eine Angabe löschen.
+
+parameter-no_list = { $value } ist keine Liste von Parametern.
+    .do = Eine Liste aus { LIST($known, most: 20) } angeben.
+
+parameter-sigma_not_positive = Die Standardabweichung von { $name } ist { $sigma }.
+    .do = Einen Wert über 0 angeben oder { $name } aus estimate entfernen, um ihn festzuhalten.
+
+parameter-sigma_of_fixed = { $name } hat eine Standardabweichung, ist aber festgehalten.
+    .do = Ihn in estimate aufnehmen oder seine Standardabweichung löschen.

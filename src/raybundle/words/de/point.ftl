@@ -1,0 +1,14 @@
+point-number_invalid = { $number } ist keine brauchbare Punktnummer.
+    .do = Die Datei neu exportieren.
+
+point-sigma_without_coordinate = Punkt { $point } hat { $sigma }, aber kein { $coordinate }.
+    .do = Die Koordinate angeben oder { $sigma } leer lassen.
+
+point-tie_with_sigma = Verknüpfungspunkt { $point } hat eine Standardabweichung.
+    .do = Seine Rolle in control ändern oder die Standardabweichung leer lassen.
+
+point-control_without_sigma = Passpunkt { $point } hat keine Koordinate mit Standardabweichung.
+    .do = Eine angeben (0 = fest) oder seine Rolle in tie ändern.
+
+point-check_without_coordinate = Kontrollpunkt { $point } hat keine Koordinate.
+    .do = Eine angeben oder seine Rolle in tie ändern.

@@ -1,0 +1,7 @@
+reference-unknown = { $kind ->
+        [camera] Die Kamera
+        [image] Das Bild
+        [point] Der Punkt
+       *[sensor] Der Sensor
+     } { $name } fehlt in { $where }.
+    .do = Den Verweis berichtigen oder in { $where } ergänzen.

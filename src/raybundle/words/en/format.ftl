@@ -1,0 +1,40 @@
+# $format = "xyz"
+# $known = ["bundler", "colmap"]
+format-unknown = Format { $format } is unknown.
+    .do = Use one of { LIST($known, most: 40) }.
+
+# $format = "las"
+# $known = ["bundler", "colmap"]
+format-only_written = Format { $format } can be written, but not read.
+    .do = Use one of { LIST($known, most: 40) }.
+
+# $format = "mrk"
+format-only_read = Format { $format } can be read, but not written.
+    .do = Choose another format.
+
+# $format = "kml"
+format-needs_crs = Format { $format } needs the coordinate system of the block.
+    .do = Give { OPTION("crs", "EPSG:25832") }, and { OPTION("frame_origin", "E", "N", "H") } if the block is in a local frame.
+
+# $format = "las"
+format-free_scale = Format { $format } has coordinates in metres, but the scale of the block is not determined.
+    .do = Adjust with a scale bar, two control points or observed positions, or give { OPTION("free_scale", "True") }.
+
+# $deviation_px = 0.45
+# $limit_px = 0.1
+# $undistort = true
+format-camera_deviation = A camera of this format deviates by up to { $deviation_px } px from the original (limit { $limit_px } px).
+    .do = { $undistort ->
+        [yes] Undistort the photographs ({ OPTION("photos", "FOLDER") } { OPTION("undistort", "inside") }), choose another format,
+       *[no] Choose another format,
+     } or accept it with { OPTION("approximate", "True") }.
+
+# $format = "BINGO"
+# $files = ["image.dat", "itera.dat"]
+format-needs_folder = { $format } is a folder with the files { $files }.
+    .do = Give the folder.
+
+# $format = "DXF"
+# $system = "WGS 84"
+format-degrees = { $format } has coordinates as lengths; { $system } is in degrees.
+    .do = Give a projected system of the same datum, such as { OPTION("crs", "EPSG:32632") }.

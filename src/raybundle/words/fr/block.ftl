@@ -1,0 +1,17 @@
+block-no_oriented_image = Le bloc { $block } n'a aucune image orientée.
+
+block-nothing_to_write = Le bloc { $block } n'a ni points ni photographies ; rien à écrire.
+
+block-is_a_file = C'est un fichier, pas le dossier d'un bloc.
+
+block-result_folder = C'est le dossier d'un résultat, pas d'un bloc.
+
+block-no_block_toml = Le dossier n'a pas de block.toml ; ce n'est pas un bloc.
+
+block-file_missing = Le fichier manque ; un bloc en a besoin.
+
+block-file_name = Le fichier n'est pas lu sous ce nom.
+
+block-observations_not_parquet = La table est lue d'un coup ; un bloc plus grand que la mémoire demande Parquet.
+
+block-no_camera = Le bloc n'a pas de caméra.

@@ -1,0 +1,7 @@
+calibration-no_list = { $value } n'est pas une liste de paramètres étalonnés.
+
+calibration-incomplete_entry = L'entrée { $number } n'est pas un paramètre étalonné.
+
+calibration-correlation_count = L'entrée { $number } a { $n } corrélation(s) ; il en faut { $needed }.
+
+calibration-not_positive_definite = Les corrélations ne forment pas une matrice définie positive.

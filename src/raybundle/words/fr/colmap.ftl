@@ -1,0 +1,13 @@
+colmap-blank_in_name = Image { $image } : un espace dans le nom n'est pas possible dans les fichiers texte de COLMAP.
+
+colmap-no_model = Le dossier ne contient pas de modèle COLMAP.
+
+colmap-file_missing = Le fichier manque ; { $other } en a besoin.
+
+colmap-camera_line = Une caméra demande numéro, modèle, largeur, hauteur et paramètres.
+
+colmap-image_line = Une image demande numéro, 4 + 3 nombres, caméra et nom.
+
+colmap-image_points_line = Les { $n } mots de cette ligne ne sont pas des triplets x, y, point.
+
+colmap-point_line = Un point demande numéro, 3 coordonnées, 3 couleurs et une erreur.

@@ -1,0 +1,1 @@
+focal_length-not_positive = La distance focale est { $lengths } ; elle doit être positive.

@@ -1,0 +1,9 @@
+point-number_invalid = { $number } n'est pas un numéro de point utilisable.
+
+point-sigma_without_coordinate = Point { $point } : { $sigma } sans { $coordinate }.
+
+point-tie_with_sigma = Point de liaison { $point } : a un écart-type.
+
+point-control_without_sigma = Point d'appui { $point } : aucune coordonnée avec écart-type.
+
+point-check_without_coordinate = Point de contrôle { $point } : aucune coordonnée.

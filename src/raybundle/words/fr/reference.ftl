@@ -1,0 +1,6 @@
+reference-unknown = { $kind ->
+        [camera] Caméra
+        [image] Image
+        [point] Point
+       *[sensor] Capteur
+     } { $name } : absent de { $where }.
