@@ -208,7 +208,7 @@ def test_several_cameras_in_a_file(ours, tmp_path):
 
 def test_errors_leave_by_the_exit_status(tmp_path, capsys):
     assert main(["calibration", "convert", str(tmp_path / "no.yaml"), "--to", "opencv", "--out", "x.yaml"]) == 2
-    assert "cannot be read" in capsys.readouterr().err
+    assert "[file.missing]" in capsys.readouterr().err
 
 
 def result_with(grade, folder):

@@ -269,7 +269,7 @@ def test_simulate_writes_block_truth_and_gross_errors(tmp_path, capsys):
     assert block.images.ids == truth.images.ids
     assert abs(truth.points.xyz[:, 2]).max() == 0
     assert run("simulate", "flat", "--out", out) == 2
-    assert "not overwritten" in capsys.readouterr().err
+    assert "[folder.exists]" in capsys.readouterr().err
 
 
 @pytest.mark.parametrize("scene", ["testfield", "aerial", "ring", "single"])

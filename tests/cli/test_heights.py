@@ -364,7 +364,7 @@ def test_the_ground_is_a_surface_again(tmp_path, capsys):
         assert np.allclose(bands.read(1), model.sigma)
     above = told(capsys, "heights", "volume", folder, "--extent", 18, 18, 29, 26, "--above", folder / "ground")
     assert above["net"]["value"] == pytest.approx(180 * 0.25 * 3.0, abs=4 * above["net"]["sigma"])
-    assert "stands there already" in refused(capsys, "heights", "ground", folder, "--largest", 9)
+    assert "[folder.exists]" in refused(capsys, "heights", "ground", folder, "--largest", 9)
     ground = ("heights", "ground", folder, "--out", tmp_path / "g")
     assert "is less than a cell, 0.5" in refused(capsys, *ground, "--largest", 1e-9)
     assert "more than all heights lie apart" in refused(capsys, *ground, "--largest", 9, "--slope", 1e9)

@@ -87,6 +87,6 @@ def test_what_cannot_be_combined(settings, tmp_path, capsys):
     assert "3 are needed" in capsys.readouterr().err
     (tmp_path / "other.txt").write_text("mine")
     assert main(["calibration", "zoom", *settings, "--out", str(tmp_path)]) == 2
-    assert "not overwritten" in capsys.readouterr().err
+    assert "[folder.exists]" in capsys.readouterr().err
     assert main(["calibration", "zoom", *settings, "--focal", "30", "--focal", "30", "--out", str(tmp_path / "l")]) == 2
     assert "two calibrations are for the EXIF focal length 30 mm" in capsys.readouterr().err

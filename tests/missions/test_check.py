@@ -199,7 +199,7 @@ def test_the_command_tells_and_writes(tmp_path, capsys):
     assert rb.plan_mission(out / "gaps.kml", tmp_path / "again2", vehicle="mavic-3e").facts.lines > 0
     assert json.loads((out / "gaps.geojson").read_text())["features"][0]["properties"]["wanted"] >= 3
     assert main(["plan", "check", str(tmp_path), str(tmp_path / "flown"), "--out", str(out)]) == 2
-    assert "stands there already" in capsys.readouterr().err
+    assert "[folder.exists]" in capsys.readouterr().err
     done = rb.check_flight(tmp_path, tmp_path / "flown", sharpness=False)
     assert done.check.refly
 

@@ -256,7 +256,7 @@ BAD = {
     "wpl": [
         ("QGC WPL 100\n", "the first line is not"),
         ("QGC WPL 110\n0\t1\t0\t16\t0\t0\n", "6 columns, 12 are needed"),
-        ("QGC WPL 110\n0\t1\t0\t16\t0\t0\t0\t0\t50\t7\tx\t1\n", "'x' is not a finite number"),
+        ("QGC WPL 110\n0\t1\t0\t16\t0\t0\t0\t0\t50\t7\tx\t1\n", r"value\.not_finite"),
         ("QGC WPL 110\n0 1 0 16 0 0 0 0 50 7 0 1\n1 0 0 16 0 0 0 0 50 7 9 1\n", "counts heights in frame 0"),
     ],
     "litchi": [
@@ -266,7 +266,7 @@ BAD = {
     ],
     "kml": [
         ('<kml xmlns="x"><Document><name>a</name></Document></kml>', "no folder of way points"),
-        ("<kml><Document><Folder><Placemark/></Folder></Document></kml>", "ExtendedData is missing"),
+        ("<kml><Document><Folder><Placemark/></Folder></Document></kml>", r"xml\.element_missing"),
     ],
     "wpml": [("PK nothing", "cannot be unpacked")],
 }  # fmt: skip

@@ -65,7 +65,7 @@ def test_a_field_from_end_to_end(field, tmp_path, capsys):
     assert (out / "mission.svg").read_text().count("<circle") == len(exposures(m))
     status, _, err = run(capsys, field, "--vehicle", "mavic-3e", "--out", out)
     assert status == 2
-    assert "stands there already" in err
+    assert "[folder.exists]" in err
 
 
 @pytest.mark.parametrize(
@@ -220,7 +220,7 @@ def test_bad_input_is_told(words, told, field, tmp_path, capsys):
         ("7 50, 7.01 50, 7.02 50", "has no extent"),
         ("500000 5500000, 500100 5500000, 500100 5500100", "is no longitude and latitude in degrees"),
         ("7 88, 7.1 88, 7.1 88.1", "where UTM does not reach"),
-        ("no file at all", "there is no such file"),
+        ("no file at all", "[file.missing]"),
     ],
 )
 def test_areas_that_are_none(coordinates, told, tmp_path, capsys):
@@ -233,10 +233,10 @@ def test_areas_that_are_none(coordinates, told, tmp_path, capsys):
     ("content", "told"),
     [
         ('{"type": "FeatureCollection", "features": []}', "holds no polygon, line or point"),
-        ('{"type": "Polygon", "coordinates": [[[7, 50], [7, "x"]]]}', "is not a number"),
+        ('{"type": "Polygon", "coordinates": [[[7, 50], [7, "x"]]]}', r"value\.not_a_number"),
         ('{"type": "Polygon", "coordinates": [[[7], [8]]]}', "a longitude and a latitude are needed"),
-        ('{"type": "Polygon"}', "key 'coordinates' is missing"),
-        ("nothing", "this is not JSON"),
+        ('{"type": "Polygon"}', r"value\.key_missing"),
+        ("nothing", r"json\.invalid"),
     ],
 )
 def test_files_without_an_area(content, told, tmp_path):

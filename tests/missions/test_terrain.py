@@ -70,7 +70,7 @@ def test_holes_are_told_with_place_and_size():
 
 @pytest.mark.parametrize("bad", [{"heights": np.ones(4)}, {"heights": np.full((3, 3), np.nan)}, {"row": (20.0, 0.0)}])
 def test_what_is_no_grid(bad):
-    with pytest.raises(InputError, match="grid of heights"):
+    with pytest.raises(InputError, match=r"height_grid\.empty|height_grid\.no_cell_area|height_grid\.too_small"):
         grid(**{"heights": np.ones((3, 3)), **bad})
 
 
@@ -229,7 +229,7 @@ def test_rasters_that_are_of_no_use(tmp_path):
         read_heights(tmp_path / "x.tif", "EPSG:32632", HERE)
     with pytest.raises(InputError, match="no unit of length known here"):
         read_heights(raster(tmp_path / "u.tif", table, unit="fathom"), "EPSG:32632", HERE)
-    with pytest.raises(InputError, match="there is no such file"):
+    with pytest.raises(InputError, match=r"file\.missing"):
         read_heights(tmp_path / "none.tif", "EPSG:32632", HERE)
 
 

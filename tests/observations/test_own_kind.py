@@ -40,7 +40,7 @@ write_result(result, "result2")
 try:
     write_block(block, "result2/block")
 except InputError as error:
-    assert "not overwritten" in str(error)
+    assert error.code == "folder.exists"
 for name, table in (("azimuth", None), ("azimuth 2", Azimuths)):
     try:
         type("Twice", (Azimuth,), {"name": name, "table": table})

@@ -265,4 +265,4 @@ def test_damaged_lists_are_told(tmp_path, capsys):
     assert "make the list again" in capsys.readouterr().err
     (folder / "list.csv").write_text(text.replace("see", "seen", 1))
     assert main(["plan", "check", str(folder), str(folder)]) == 2
-    assert "unknown column 'seen'" in capsys.readouterr().err
+    assert "[table.unknown_column]" in capsys.readouterr().err

@@ -293,7 +293,7 @@ def test_a_table_of_angles_without_angles(tmp_path):
     with pytest.raises(InputError, match=r"ins.csv, line 1: time_s, three angles .* are needed"):
         read_scene(toml)
     (tmp_path / "ins.csv").write_text("time_s,X\n0,1\n1,1\n")
-    with pytest.raises(InputError, match=r"ins.csv, line 1"):
+    with pytest.raises(InputError, match=r"ins\.csv.*1.*table\.unknown_column"):
         read_scene(toml)
 
 
@@ -420,7 +420,7 @@ def test_tables_with_mistakes(tmp_path):
     table = tmp_path / "one.csv"
     lines = table.read_text().split("\n")
     table.write_text("\n".join([lines[0], lines[2], lines[1], *lines[3:]]))
-    with pytest.raises(InputError, match=r"one.csv, line 3, .*does not follow"):
+    with pytest.raises(InputError, match=r"one\.csv.*3.*table\.time_order"):
         read_scene(file)
     table.write_text("\n".join(["kappa_deg".join(lines[0].split("kappa_deg")[:1]) + "yaw_deg", *lines[1:]]))
     with pytest.raises(InputError):

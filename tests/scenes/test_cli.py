@@ -79,7 +79,7 @@ def test_info_and_fit(sensors, tmp_path, capsys):
     assert 0 < largest < 0.5
     assert read_scene(out).rpc.image_scale[0] == pytest.approx(35170 / 2)
     assert main(["rpc", "fit", str(source), "--out", str(out)]) == 2
-    assert "not overwritten" in capsys.readouterr().err
+    assert "[file.exists]" in capsys.readouterr().err
 
 
 def test_errors_in_words(file, tmp_path, capsys, sensors):

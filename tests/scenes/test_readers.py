@@ -209,10 +209,10 @@ def test_bad_text_names_the_place(rpc, tmp_path, what):
     [
         ('<!DOCTYPE x [<!ENTITY a "b">]><Dimap_Document/>', "DOCTYPE"),
         ('<!DOCTYPE x SYSTEM "file:///etc/passwd"><isd/>', "DOCTYPE"),
-        ("<isd><IMD>", "not XML: no element found; the file is cut off"),
-        ("<isd><IMD></IMD></isd>", "IMD.*IMAGE is missing|IMAGE is missing"),
+        ("<isd><IMD>", r"xml\.invalid"),
+        ("<isd><IMD></IMD></isd>", r"xml\.element_missing"),
         ("<Dimap_Document></Dimap_Document>", "neither Rational_Function_Model"),
-        ("<isd>&a;</isd>", "not XML"),
+        ("<isd>&a;</isd>", r"xml\.invalid"),
     ],
 )
 def test_bad_xml_is_refused(tmp_path, text, message):
@@ -286,16 +286,16 @@ def test_image_and_rpc_that_do_not_belong_together(rpc):
 @pytest.mark.parametrize(
     ("data", "message"),
     [
-        (lambda r: tiff(r)[:60], "ends before byte"),
+        (lambda r: tiff(r)[:60], r"tiff\.ends_early"),
         (lambda r: tiff(r, values=doubles(r)[:40]), "40 numbers, 92"),
         (lambda r: tiff(r, values=np.full(92, np.nan)), "not finite"),
         (lambda r: tiff(r).replace(struct.pack("<H", 50844), struct.pack("<H", 50845)), "no RPC"),
-        (lambda _: b"II*\0" + b"\xff" * 30, "ends before byte"),
+        (lambda _: b"II*\0" + b"\xff" * 30, r"tiff\.ends_early"),
         (lambda r: nitf(r, success="0"), "says itself that it failed"),
         (lambda r: nitf(r)[:-400], "cut off"),
         (lambda r: nitf(r, name="RPC00X"), "no RPC00B"),
         (lambda r: nitf(r).replace(b"000388001", b"000388000"), "holds no image"),
-        (lambda r: nitf(r).replace(b"0003.50", b"000x.50"), "is not a finite number"),
+        (lambda r: nitf(r).replace(b"0003.50", b"000x.50"), r"value\.not_finite"),
         (lambda _: b"NITF02.10" + b" " * 400, "field HL"),
     ],
 )
@@ -311,7 +311,7 @@ def test_unknown_and_absent_files(tmp_path):
     path.write_text("once upon a time")
     with pytest.raises(InputError, match="no scene format is recognised .* Maxar"):
         read_scene(path)
-    with pytest.raises(InputError, match="no such file"):
+    with pytest.raises(InputError, match=r"file\.missing"):
         read_scene(tmp_path / "b")
     for nothing in (b"", b" \n\n"):
         path.write_bytes(nothing)

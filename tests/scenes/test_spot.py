@@ -103,7 +103,7 @@ def test_there_and_back(tmp_path):
         (document(columns=200), "200 viewing directions, the image has 300 columns"),
         (document(unit=1e-3), "must be in metres"),
         (document().replace("<DETECTOR_ID>7<", "<DETECTOR_ID>8<"), "detector 8 out of order"),
-        (document().replace("<LINE_PERIOD>", "<LINE_PERIOD>x"), "is not a finite number"),
+        (document().replace("<LINE_PERIOD>", "<LINE_PERIOD>x"), r"value\.not_finite"),
         (document().replace("12:31:39.349737", "noon"), "is not a time"),
     ],
 )

@@ -122,7 +122,7 @@ def test_what_does_not_fit(tmp_path):
     sheet = design(f, np.array([1]), SheetOptions())
     with pytest.raises(InputError, match=r"written as \.pdf or \.svg"):
         write_sheet(sheet, tmp_path / "sheet.png")
-    with pytest.raises(InputError, match="cannot be written"):
+    with pytest.raises(InputError, match=r"file\.not_writable"):
         write_sheet(sheet, tmp_path / "absent" / "sheet.svg")
 
 
@@ -143,11 +143,11 @@ def test_beside_a_sheet(tmp_path):
 @pytest.mark.parametrize(
     ("text", "message"),
     [
-        ("family = ", "this is not TOML"),
+        ("family = ", r"toml\.invalid"),
         ('family = "aicon12"', "no family, or no"),
-        ('family = "aicon12"\npages = [1]', "pages.0: an object or table is needed here"),
-        ('family = "aicon12"\npages = [{targets = [{x_mm = 1}]}]', "pages.0.targets.0: key 'name' is missing"),
-        ('family = "a"\npages = [{targets = [{name = "1", x_mm = "2"}]}]', "x_mm: '2' is not a finite number"),
+        ('family = "aicon12"\npages = [1]', r"pages\.0.*value\.no_table"),
+        ('family = "aicon12"\npages = [{targets = [{x_mm = 1}]}]', r"pages\.0\.targets\.0.*value\.key_missing"),
+        ('family = "a"\npages = [{targets = [{name = "1", x_mm = "2"}]}]', r"2.*value\.not_finite"),
         (
             'family = "a"\npages = [{targets = [{name = "1", x_mm = 2, y_mm = 3}, {name = "1", x_mm = 1, y_mm = 3}]}]',
             "target '1' stands there twice",
@@ -158,7 +158,7 @@ def test_damaged_files_beside_sheets(tmp_path, text, message):
     (tmp_path / "s.toml").write_text(text)
     with pytest.raises(InputError, match=message):
         read_sidecar(tmp_path / "s.toml")
-    with pytest.raises(InputError, match="cannot be read"):
+    with pytest.raises(InputError, match=r"file\.missing"):
         read_sidecar(tmp_path / "absent.toml")
 
 

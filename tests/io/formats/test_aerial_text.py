@@ -245,7 +245,7 @@ def test_the_command_converts_there_and_back(tmp_path):
 @pytest.mark.parametrize(
     ("name", "file", "old", "new", "words"),
     [
-        ("patb", "b.im", "150000.0\n   11", "c\n   11", r"b.im, line 1, column c: 'c' is not a finite number"),
+        ("patb", "b.im", "150000.0\n   11", "c\n   11", r"b\.im.*1.*value\.not_finite"),
         ("patb", "b.im", "15000.0 30000.0 1", "15000.0", r"b.im, line 2: 2 words, 3 are needed"),
         (
             "patb",
@@ -267,7 +267,7 @@ def test_the_command_converts_there_and_back(tmp_path):
         ),
         ("patb", "b.con", "12 1000", "11 1000", r"b.con, line 2: point '11' stands twice"),
         ("bingo", "image.dat", "1001 RMK\n", "", r"image.dat, line 1: an image point before its photograph"),
-        ("bingo", "image.dat", "30.0\n12", "nan\n12", r"line 2, column y: 'nan' is not a finite number"),
+        ("bingo", "image.dat", "30.0\n12", "nan\n12", r"2.*value\.not_finite"),
         ("bingo", "image.dat", "1001 RMK", "1001 WILD", r"line 1: camera 'WILD' stands nowhere in cameras.toml"),
         ("bingo", "itera.dat", "1000 0 0 0\nORIA", "1000 0 0\nORIA", r"itera.dat, line 1: 7 words, 8 are needed"),
         ("bingo", "itera.dat", "COOR 13", "COOR", r"itera.dat, line 3: 4 words, 5 are needed"),

@@ -125,13 +125,33 @@ def patched(folder, name, at, new):
 
 
 BROKEN = {
-    "count": (lambda f: patched(f, "images.bin", 0, struct.pack("<Q", 1 << 60)), "images.bin", "are announced"),
-    "points": (lambda f: patched(f, "points3D.bin", 0, struct.pack("<Q", 1 << 40)), "points3D.bin", "are announced"),
+    "count": (
+        lambda f: patched(f, "images.bin", 0, struct.pack("<Q", 1 << 60)),
+        "images.bin",
+        r"binary\.count_too_large",
+    ),
+    "points": (
+        lambda f: patched(f, "points3D.bin", 0, struct.pack("<Q", 1 << 40)),
+        "points3D.bin",
+        r"binary\.count_too_large",
+    ),
     "model": (lambda f: patched(f, "cameras.bin", 12, struct.pack("<i", 99)), "cameras.bin", "number 99 is not read"),
     "size": (lambda f: patched(f, "cameras.bin", 16, struct.pack("<Q", 0)), "cameras.bin", "0 x 4000 px cannot be"),
-    "nan": (lambda f: patched(f, "images.bin", 12, struct.pack("<d", float("nan"))), "images.bin", "not finite"),
-    "short": (lambda f: (f / "images.bin").write_bytes((f / "images.bin").read_bytes()[:-5]), "images.bin", "byte"),
-    "long": (lambda f: (f / "cameras.bin").write_bytes((f / "cameras.bin").read_bytes() + b"x"), "cameras.bin", "left"),
+    "nan": (
+        lambda f: patched(f, "images.bin", 12, struct.pack("<d", float("nan"))),
+        "images.bin",
+        r"binary\.number_not_finite",
+    ),
+    "short": (
+        lambda f: (f / "images.bin").write_bytes((f / "images.bin").read_bytes()[:-5]),
+        "images.bin",
+        r"binary\.count_too_large|binary\.ends_in_record",
+    ),
+    "long": (
+        lambda f: (f / "cameras.bin").write_bytes((f / "cameras.bin").read_bytes() + b"x"),
+        "cameras.bin",
+        r"binary\.bytes_left",
+    ),
     "camera": (lambda f: patched(f, "images.bin", 68, struct.pack("<i", 7)), "images.bin", "refers to camera 7"),
 }
 
@@ -149,7 +169,7 @@ def test_broken_binary_files_are_named(case, block, tmp_path):
 TEXTS = {
     "model": ("cameras.txt", "FULL_OPENCV", "FISH", 2, "'FISH' is not read"),
     "parameters": ("cameras.txt", "FULL_OPENCV", "PINHOLE", 2, "12 parameters, PINHOLE has 4"),
-    "number": ("images.txt", "\n1 ", "\n1 zero ", 3, "'zero' is not a finite number"),
+    "number": ("images.txt", "\n1 ", "\n1 zero ", 3, r"value\.not_finite"),
     "colour": ("points3D.txt", " 128 128 128 ", " 128 grey 128 ", 2, "'grey' is not a whole number"),
 }
 

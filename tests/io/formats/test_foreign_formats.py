@@ -121,7 +121,7 @@ def test_nothing_is_overwritten_and_an_error_leaves_nothing(name, block, tmp_pat
     path = target(tmp_path, name)
     path.mkdir()
     (path / "mine.txt").write_text("keep")
-    with pytest.raises(InputError, match="not overwritten"):
+    with pytest.raises(InputError, match=r"folder\.exists"):
         write_format(name, exported(block), path)
     assert [p.name for p in tmp_path.rglob("*")] == [path.name, "mine.txt"]
     nothing = replace(block, images=replace(block.images, centre=np.full((len(block.images), 3), np.nan)))

@@ -53,7 +53,7 @@ file-not_understood = Der Inhalt ist nicht auswertbar ({ $detail }).
     .do = Prüfen, ob die Datei vollständig ist.
 
 file-exists = Die Datei gibt es schon.
-    .do = Einen anderen Namen wählen oder das Überschreiben mit { OPTION("overwrite", "True") } erlauben.
+    .do = Einen anderen Namen wählen oder das Überschreiben erlauben: --overwrite, in Python raybundle.overwriting().
 
 file-is_a_folder = Das ist ein Ordner.
     .do = Den Namen einer Datei angeben.

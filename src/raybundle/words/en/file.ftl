@@ -63,7 +63,7 @@ file-not_understood = The content cannot be interpreted ({ $detail }).
     .do = Check that the file is complete.
 
 file-exists = The file already exists.
-    .do = Choose another name, or allow overwriting with { OPTION("overwrite", "True") }.
+    .do = Choose another name, or allow overwriting: --overwrite, in Python raybundle.overwriting().
 
 file-is_a_folder = This is a folder.
     .do = Give the name of a file.
