@@ -1,7 +1,6 @@
 """`raybundle convert`: between block and result folders and foreign formats, with what was assumed printed."""
 
 import json
-import re
 import shutil
 import subprocess
 import sys
@@ -134,7 +133,7 @@ def test_las_with_its_system(tmp_path):
 def test_las_without_its_extra_names_the_extra_and_no_temporary_path(tmp_path, monkeypatch):
     monkeypatch.setitem(sys.modules, "laspy", None)
     write_block(flight(), tmp_path / "b")
-    with pytest.raises(InputError, match=re.escape("pip install 'raybundle[las]'")) as told:
+    with pytest.raises(InputError, match=r"package\.laspy_missing") as told:
         convert(tmp_path / "b", "--to", "las", "--out", tmp_path / "p.las", "--crs", "EPSG:32632")
     assert ".partial" not in str(told.value)
 
@@ -250,7 +249,7 @@ def test_of_several_formats_what_can_be_written_is(folder, tmp_path, capsys):
     out = tmp_path / "delivery"
     assert main(["convert", str(tmp_path / "degrees"), "--to", "gpkg,dxf,las,ply", "--out", str(out)]) == 2
     told = " ".join(capsys.readouterr().err.split())
-    assert "dxf is not written: dxf holds lengths" in told
+    assert "dxf is not written: dxf" in told
     assert "written: " in told
     for suffix, there in ((".gpkg", True), (".dxf", False), (".las", True), (".ply", True)):
         assert out.with_suffix(suffix).exists() == there
@@ -334,12 +333,10 @@ def test_a_free_scale_is_called_free(free_and_fixed):
 def test_formats_in_metres_want_a_length(free_and_fixed, tmp_path, capsys):
     pytest.importorskip("laspy")
     for name in ("free", "free/block"):
-        with pytest.raises(
-            InputError, match="scale of the block is free, .* las counts in metres; .* or free_scale=True"
-        ):
+        with pytest.raises(InputError, match=r"free_scale.*format\.free_scale"):
             convert(free_and_fixed / name, "--to", "las", "--out", tmp_path / "a.las")
     assert not (tmp_path / "a.las").exists()
-    with pytest.raises(InputError, match="kml counts in metres"):
+    with pytest.raises(InputError, match=r"format\.free_scale"):
         convert(free_and_fixed / "free", "--to", "kml", "--out", tmp_path / "a.kml", "--crs", "EPSG:25832",
                 "--frame-origin", "500000", "5400000", "100")  # fmt: skip
     capsys.readouterr()
@@ -368,7 +365,7 @@ def test_a_scale_is_one_of_two_words(free_and_fixed, tmp_path):
     shutil.copytree(free_and_fixed / "free-block", tmp_path / "b")
     path = tmp_path / "b" / "block.toml"
     path.write_text(f'scale = "unknown"\n{path.read_text()}')
-    with pytest.raises(InputError, match="'unknown' is not one of fixed, free"):
+    with pytest.raises(InputError, match=r"value\.not_supported"):
         read_block(tmp_path / "b")
 
 

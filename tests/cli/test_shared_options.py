@@ -176,7 +176,7 @@ def test_settings_by_the_environment(ring, tmp_path, monkeypatch):
         ('[adjust]\nrejct = "snooping"\n', r"line 2: \[adjust\] rejct: .* has no option --rejct; reject may be meant"),
         ("[all]\nnoize = 3\n", r"line 2: \[all\] noize: no command has option --noize; noise .*may be meant"),
         ("[adjust]\npdf = 3\n", r"line 2: adjust\.pdf: true or false is needed"),
-        ("[adjust\n", "toml\.invalid"),
+        ("[adjust\n", r"toml\.invalid"),
         ('[adjust]\nreject = "always"\n', "'always' is not one of"),
     ],
 )

@@ -352,7 +352,7 @@ def test_a_broken_link_is_refused_not_taken_for_absent(tmp_path, block, capsys, 
 
 def test_a_folder_is_not_called_missing(tmp_path, capsys):
     assert main(["rpc", "info", str(tmp_path)]) == 2
-    assert r"file\.is_a_folder" in capsys.readouterr().err
+    assert "[file.not_a_file]" in capsys.readouterr().err
     assert main(["rpc", "info", str(tmp_path / "nothing")]) == 2
     assert "no such file" in capsys.readouterr().err
 

@@ -342,7 +342,7 @@ def test_fixes_at_given_times_go_through_block_folders(tmp_path):
         ("[1.0]", r"block.toml, line \d+, column cameras.one.attitude_fixes: 1 orientation fixes; from 2"),
         ("[1.0, 2.0, 2.0]", "fix 3 does not follow fix 2"),
         ("[100.0, 200.0]", "all of them lie before the first line or after the last"),
-        ('["a", 2.0]', "is not a number"),
+        ('["a", 2.0]', r"value\.not_a_number"),
         ('"none.csv"', "none.csv"),
     ],
 )
@@ -400,7 +400,7 @@ def test_refraction_from_the_air_and_its_derivatives():
     [
         ("first_s = 0.001", "first_s = 500.0", "covers -1 to 11 s, the lines"),
         ('file = "one.csv"', 'file = "../one.csv"', "not the name of a file beside this one"),
-        ("c_mm = 62.7", "c_mm = 62.7\nf_mm = 3", "unknown key 'f_mm'"),
+        ("c_mm = 62.7", "c_mm = 62.7\nf_mm = 3", r"f_mm.*toml\.unknown_key"),
         ("interval_s = 0.002", 'interval_s = 0.002\ntable = "lines.csv"', "'table' says this already"),
         ("boresight_deg = [0.0, 0.0, 0.0]", "boresight_deg = 3", "give three numbers"),
         ("boresight_deg = [0.0, 0.0, 0.0]", 'crs = "EPSG:25833"', "need no coordinate system"),

@@ -1,7 +1,6 @@
 """GeoPackage, DXF, LAS and PLY of a georeferenced result: what other programs read stands where map.csv says."""
 
 import csv
-import re
 import struct
 import sys
 from dataclasses import replace
@@ -253,7 +252,7 @@ def test_a_block_without_points_has_empty_layers(tmp_path):
     write_format("dxf", Export(block=without), tmp_path / "a.dxf")
     nothing = Export(block=without, nominal=np.ones(len(block.images), bool))
     for name in ("gpkg", "dxf"):
-        with pytest.raises(InputError, match="nothing to write"):
+        with pytest.raises(InputError, match=r"block\.nothing_to_write"):
             write_format(name, nothing, tmp_path / f"b.{name}")
 
 
@@ -297,7 +296,7 @@ def test_longitude_and_latitude(adjusted, tmp_path):
     row = np.dtype([("xyz", "<f8", 3), ("rgb", "u1", 3), ("sigma", "<f4", 3), ("rays", "<i4")])
     np.testing.assert_allclose(np.frombuffer(body, row)["xyz"], adjusted.adjusted.points.xyz, atol=1e-9)
     pytest.importorskip("ezdxf")
-    with pytest.raises(InputError, match="EPSG:4326 is in degrees; give a projected system of the same datum"):
+    with pytest.raises(InputError, match=r"4326.*format\.degrees"):
         convert(tmp_path / "r", "--to", "dxf", "--out", tmp_path / "a.dxf")
     convert(tmp_path / "r", "--to", "dxf", "--out", tmp_path / "a.dxf", "--crs", "EPSG:32632")
 
@@ -306,7 +305,7 @@ def test_longitude_and_latitude(adjusted, tmp_path):
 def test_without_its_extra_the_extra_is_named(name, library, tmp_path, monkeypatch):
     monkeypatch.setitem(sys.modules, library, None)
     write_block(wall(), tmp_path / "b")
-    with pytest.raises(InputError, match=re.escape("pip install 'raybundle[geo]'")) as told:
+    with pytest.raises(InputError, match=r"package\.ezdxf_missing|package\.pyogrio_missing") as told:
         convert(tmp_path / "b", "--to", name, "--out", tmp_path / f"a.{name}")
     assert ".partial" not in str(told.value)
     assert [p.name for p in tmp_path.iterdir()] == ["b"]
@@ -316,7 +315,7 @@ def test_without_its_extra_the_extra_is_named(name, library, tmp_path, monkeypat
 def test_a_free_scale_is_refused_or_told(name, tmp_path):
     pytest.importorskip({"gpkg": "pyogrio", "dxf": "ezdxf"}[name])
     free = Export(block=replace(wall(), free_scale=True))
-    with pytest.raises(InputError, match="counts in metres"):
+    with pytest.raises(InputError, match=r"format\.free_scale"):
         write_format(name, free, tmp_path / f"a.{name}")
     write_format(name, free, tmp_path / f"a.{name}", free_scale=True)
     if name == "dxf":
@@ -361,7 +360,7 @@ def test_systems_of_all_kinds(case, adjusted, tmp_path):
     assert "unknown" not in remarks
     raw = pytest.importorskip("pyogrio").raw
     if "km" in crs:
-        with pytest.raises(InputError, match="takes .* for EPSG:32632, whose unit is another"):
+        with pytest.raises(InputError, match=r"32632.*geopackage\.other_unit"):
             write_format("gpkg", export, tmp_path / "a.gpkg")
         return
     write_format("gpkg", export, tmp_path / "a.gpkg")

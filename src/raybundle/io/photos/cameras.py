@@ -100,9 +100,7 @@ def camera_groups(
         members.setdefault(_key(photo, _pattern_of(photo.name, separate)), []).append(k)
     for pattern in separate:
         if all(key.pattern != pattern for key in members):
-            raise InputError(
-                f"no photograph's name matches the pattern {pattern!r} of a camera (as in {_some(photos)})"
-            )
+            raise InputError("camera.pattern_without_photograph", pattern=pattern, names=[p.name for p in photos[:3]])
     joined = _with_unstated(members, photos)
     names = _ids([photos[m[0]] for m, _ in joined.values()])
     groups = [
@@ -160,12 +158,8 @@ def _pattern_of(name: str, patterns: Sequence[str]) -> str:
     """The pattern that a photograph's name matches, by one of its parts between |; "" for none."""
     found = [p for p in patterns if fnmatchcase(name, p) or any(fnmatchcase(name, part) for part in p.split("|"))]
     if len(found) > 1:
-        raise InputError(f"photograph {name} matches two patterns of cameras, {found[0]!r} and {found[1]!r}")
+        raise InputError("camera.two_patterns", photograph=name, first=found[0], second=found[1])
     return found[0] if found else ""
-
-
-def _some(photos: Sequence[Photo]) -> str:
-    return ", ".join(p.name for p in photos[:3]) or "none"
 
 
 @dataclass(frozen=True, slots=True)
@@ -281,19 +275,17 @@ def _with_stored(groups: Sequence[CameraGroup], stored: Sequence[Camera]) -> lis
     for camera in stored:
         fitting = [g for g in groups if (g.width_px, g.height_px) == (camera.width_px, camera.height_px)]
         named = [g for g in fitting if g.id == camera.id]
-        known = ", ".join(f"{g.id} ({g.width_px} x {g.height_px} px)" for g in groups)
+        known = [f"{g.id} ({g.width_px} x {g.height_px} px)" for g in groups]
         if not fitting:
             raise InputError(
-                f"the stored calibration {camera.id!r} is for {camera.width_px} x {camera.height_px} px; the "
-                f"photographs have none of that format: {known}"
-            )
+                "calibration.format_differs", camera=camera.id, width_px=camera.width_px, height_px=camera.height_px,
+                known=known,
+            )  # fmt: skip
         if not named and len(fitting) > 1:
-            raise InputError(
-                f"the stored calibration {camera.id!r} fits {len(fitting)} cameras; give it the id of one: {known}"
-            )
+            raise InputError("calibration.several_cameras", camera=camera.id, n=len(fitting), known=known)
         group = (named or fitting)[0]
         if result[group.id].stored is not None:
-            raise InputError(f"two stored calibrations fit camera {group.id}; give each the id of its camera: {known}")
+            raise InputError("calibration.two_for_camera", camera=group.id, known=known)
         result[group.id] = with_calibration(group, camera)
     return list(result.values())
 

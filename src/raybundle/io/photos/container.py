@@ -17,7 +17,7 @@ from typing import Any, Literal
 
 import numpy as np
 
-from raybundle.errors import InputError
+from raybundle.errors import InputError, Message, message
 from raybundle.io.photos.exif import read_tags
 from raybundle.io.reading.tiff import tiff_tags
 from raybundle.numerics.arrays import Array
@@ -36,8 +36,8 @@ BAND = 1024
 _opening = threading.Lock()
 
 
-class Unusable(Exception):
-    """A file that is no photograph raybundle can read; the text is the reason."""
+class Unusable(InputError):
+    """A file that is no photograph raybundle can read; the message is the reason."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -68,24 +68,24 @@ def kind_of(path: Path, head: bytes) -> Kind:
     if head[4:8] == b"ftyp" and head[8:12] in HEIC_BRANDS:
         return "heic"
     if not head:
-        raise Unusable("the file is empty (0 bytes); copy it again from the camera")
-    if hint := other_kind(path.suffix, head):
-        raise Unusable(hint)
+        raise Unusable("photograph.empty")
+    if (other := other_kind(path.suffix, head)) is not None:
+        raise Unusable(other)
     shown = "".join(chr(b) if 32 <= b < 127 else "." for b in head[:12])
-    raise Unusable(f"this is no image of a kind that raybundle reads (it begins with {shown!r})")
+    raise Unusable("photograph.kind_unknown", begin=repr(shown))
 
 
-def other_kind(suffix: str, head: bytes = b"") -> str:
-    """What to do with a file that is no photograph but comes from one, by its suffix or its beginning; "" for others.
+def other_kind(suffix: str, head: bytes = b"") -> Message | None:
+    """What to do with a file that is no photograph but comes from one, by its suffix or its beginning; None for others.
 
     A video is asked for its suffix first: its container begins as that of HEIC photographs does.
     """
     video = head[4:8] == b"ftyp" or head[:4] == b"\x1aE\xdf\xa3" or (head[:4] == b"RIFF" and head[8:12] == b"AVI ")
     if suffix.lower() in VIDEO_SUFFIXES or video:
-        return "a video; take its sharp frames as photographs: raybundle frames"
+        return message("photograph.video")
     if suffix.lower() in ANYMAP_SUFFIXES or (head[:1] == b"P" and head[1:2] in b"1234567" and head[2:3].isspace()):
-        return "a portable anymap (PGM, PPM), which has no metadata; save it as PNG or TIFF, which loses nothing"
-    return ""
+        return message("photograph.anymap")
+    return None
 
 
 VIDEO_SUFFIXES = {".mp4", ".mov", ".m4v", ".avi", ".mkv", ".webm", ".mts", ".m2ts", ".mpg", ".mpeg", ".3gp", ".wmv"}
@@ -104,8 +104,8 @@ def read_header(path: Path, *, limit_pixels: int) -> Header:
     except Unusable:
         raise
     except Exception as error:  # noqa: BLE001  (decoders raise anything on a damaged file; it costs that file only)
-        reason = unread_tiff(path) if kind == "tiff" else ""
-        raise Unusable(reason or f"the header cannot be read ({_first_line(error)})") from None
+        reason = unread_tiff(path) if kind == "tiff" else None
+        raise Unusable(reason or message("photograph.header_unreadable", detail=_first_line(error))) from None
     try:
         width, height = _stored_size(image, kind)
         _check_size(width, height, limit_pixels)
@@ -117,23 +117,19 @@ def read_header(path: Path, *, limit_pixels: int) -> Header:
 
 BITS, SAMPLES, FORMAT, PLANAR = 258, 277, 339, 284
 """Tags of TIFF: bits of each sample, samples of a pixel, their format, their arrangement"""
-FORMATS = {1: "whole numbers", 2: "signed whole numbers", 3: "floating-point numbers"}
+FORMATS = {1: "whole", 2: "signed", 3: "floating"}
 
 
-def unread_tiff(path: Path) -> str:
-    """Bands, bits and format of a sound TIFF whose pixels are of no kind that is read; "" where it is not sound."""
+def unread_tiff(path: Path) -> Message | None:
+    """Bands, bits and format of a sound TIFF whose pixels are of no kind that is read; None where it is not sound."""
     try:
         _, tags = tiff_tags(path, frozenset({BITS, SAMPLES, FORMAT, PLANAR}))
     except (InputError, OSError):
-        return ""
+        return None
     bits, bands = sorted({int(b) for b in tags.get(BITS, (1,))}), int(next(iter(tags.get(SAMPLES, (1,)))))
-    kind = FORMATS.get(int(next(iter(tags.get(FORMAT, (1,))))), "numbers of another format")
-    arrangement = ", band after band" if tags.get(PLANAR, (1,))[0] == 2 else ""
-    of = " and ".join(str(b) for b in bits)
-    return (
-        f"a TIFF of {bands} band{'s' * (bands != 1)} of {of}-bit {kind}{arrangement}, which is not read; write 8-bit "
-        "colour, or one band of 8 or 16 bits (gdal_translate -ot Byte -scale, -b BAND for each band)"
-    )
+    kind = FORMATS.get(int(next(iter(tags.get(FORMAT, (1,))))), "other")
+    planar = tags.get(PLANAR, (1,))[0] == 2
+    return message("photograph.tiff_pixels", bands=bands, bits=bits, format=kind, planar=planar)
 
 
 def _close(image: Any) -> None:
@@ -144,12 +140,12 @@ def _close(image: Any) -> None:
 
 def _check_size(width: int, height: int, limit_pixels: int) -> None:
     if width < 1 or height < 1:
-        raise Unusable(f"the header says {width} x {height} px")
+        raise Unusable("photograph.no_size", width_px=width, height_px=height)
     if width * height > limit_pixels:
         raise Unusable(
-            f"{width} x {height} px are {width * height / 1e6:.0f} million pixels, the limit is "
-            f"{limit_pixels / 1e6:.0f} million; not decoded"
-        )
+            "photograph.too_large", width_px=width, height_px=height, megapixels=width * height / 1e6,
+            limit_megapixels=limit_pixels / 1e6,
+        )  # fmt: skip
 
 
 def _open(path: Path, kind: Kind) -> Any:
@@ -176,7 +172,7 @@ def _extra(module: str, extra: str) -> Any:
     try:
         return import_module(module)
     except ImportError:
-        raise Unusable(f"needs the extra {extra}: pip install 'raybundle[{extra}]'") from None
+        raise Unusable("photograph.package_missing", extra=extra) from None
 
 
 def _stored_size(image: Any, kind: Kind) -> tuple[int, int]:
@@ -193,7 +189,7 @@ def _bits(image: Any, kind: Kind, path: Path) -> int:
         bits = image.tag_v2.get(258, (8,))
         deepest = max(bits) if isinstance(bits, tuple) else int(bits)
         if deepest > 16 or image.mode == "F":
-            raise Unusable(f"{deepest} bits per channel; 8 and 16 can be read")
+            raise Unusable("photograph.bits", bits=deepest)
         return 16 if deepest > 8 else 8
     return 8
 
@@ -211,7 +207,7 @@ def _webp_size(path: Path) -> tuple[int, int]:
     if chunk == b"VP8 " and len(body) >= 10:
         width, height = struct.unpack_from("<HH", body, 6)
         return width & 0x3FFF, height & 0x3FFF
-    raise Unusable("the WebP header is damaged")
+    raise Unusable("photograph.header_unreadable", detail="WebP")
 
 
 def _embedded(path: Path, kind: Kind, image: Any) -> tuple[bytes | memoryview | None, bytes | None]:
@@ -297,8 +293,10 @@ def check_pixels(path: Path, kind: Kind) -> None:
         return
     try:
         decode(path, kind, "grey")
+    except Unusable:
+        raise
     except InputError as error:
-        raise Unusable(str(error).removeprefix(f"{path}: ")) from None
+        raise Unusable(error.message or str(error)) from None
 
 
 def _tiff_complete(path: Path, size: int) -> bool:
@@ -320,11 +318,11 @@ def decode(path: Path, kind: Kind, mode: Literal["grey", "colour"]) -> Array:
             return _decode(path, kind, image, mode)
         finally:
             _close(image)
-    except InputError:
-        raise
+    except InputError as error:
+        raise error.at(path) from None
     except Exception as error:  # noqa: BLE001  (decoders raise anything on a damaged file; it costs that file only)
-        reason = "the disk or the card cannot be read" if type(error) is PermissionError else "copy it again"
-        raise InputError(f"the pixels cannot be decoded ({_first_line(error)}); {reason}", file=path) from None
+        disk = type(error) is PermissionError
+        raise InputError("photograph.pixels_unreadable", detail=_first_line(error), disk=disk, file=path) from None
 
 
 def _decode(path: Path, kind: Kind, image: Any, mode: Literal["grey", "colour"]) -> Array:
@@ -362,7 +360,7 @@ def decode_channels(path: Path, kind: Kind) -> tuple[Array, Array | None]:
         finally:
             _close(image)
     except Exception as error:  # noqa: BLE001  (decoders raise anything on a damaged file; it costs that file only)
-        raise InputError(f"the pixels cannot be decoded ({_first_line(error)}); copy it again", file=path) from None
+        raise InputError("photograph.pixels_unreadable", detail=_first_line(error), disk=False, file=path) from None
 
 
 def _channels(path: Path, kind: Kind, image: Any) -> tuple[Array, Array | None]:
@@ -392,7 +390,7 @@ def _decode_16(path: Path, image: Any, mode: Literal["grey", "colour"]) -> Array
         data = np.frombuffer(path.read_bytes(), np.uint8)
         found: Array | None = cv2.imdecode(data, cv2.IMREAD_UNCHANGED)
         if found is None or found.shape[:2] != image.size[::-1]:
-            raise InputError("the 16-bit pixels cannot be decoded; save the file as 8-bit TIFF or PNG", file=path)
+            raise InputError("photograph.pixels_16_bit", file=path)
         pixels = np.asarray(found)[..., :3]
         if pixels.ndim == 3 and pixels.shape[2] == 3:
             pixels = pixels[..., ::-1]

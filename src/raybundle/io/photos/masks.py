@@ -139,7 +139,7 @@ def find_masks(folder: Path, photos: Sequence[Photo]) -> Masks:
     A mask that cannot be used costs itself alone: its photograph is used whole, and it is listed with the reason.
     """
     if not folder.is_dir():
-        raise InputError("there is no such folder of masks", file=folder)
+        raise InputError("file.missing", file=folder)
     files: dict[str, MaskFile] = {}
     refused: list[tuple[str, str]] = []
     alike: list[tuple[str, str]] = []
@@ -153,13 +153,13 @@ def find_masks(folder: Path, photos: Sequence[Photo]) -> Masks:
         try:
             files[photo.name] = _examined(path, photo)
         except InputError as error:
-            refused.append((photo.name, str(error)))
+            refused.append((photo.name, error.text()))
     if photos and not files and not refused:
-        first = f"; {alike[0][1]}" if alike else f"; a mask is named {_names(photos[0])}"
+        one = photos[0]
         raise InputError(
-            f"holds no mask of any of the {len(photos)} photographs{first}, 0 where the photograph is masked out",
+            "mask.none_found", n=len(photos), names=_mask_names(one), similar=[name for name, _ in alike] or ["-"],
             file=folder,
-        )
+        )  # fmt: skip
     found = Masks(photos=tuple(photos), files=files, refused=(*refused, *alike))
     _check_left(folder, found)
     return found
@@ -170,16 +170,16 @@ def _check_left(folder: Path, masks: Masks) -> None:
     hidden = masks.with_free(0.0)
     n = len(masks.photos)
     if hidden and n >= 2 > n - len(hidden):
-        raise InputError(
-            f"the masks hide the whole of {len(hidden)} of {n} photographs ({', '.join(hidden[:3])}"
-            f"{', ...' if len(hidden) > 3 else ''}): every pixel of theirs is 0 or transparent, and at least 2 "
-            "photographs are needed. 0 is masked out, any other value is used: look whether they are inverted or empty",
-            file=folder,
-        )
+        raise InputError("mask.all_hidden", hidden=len(hidden), n=n, names=list(hidden), file=folder)
+
+
+def _mask_names(photo: Photo) -> list[str]:
+    return [f"{photo.path.name}.png", f"{photo.path.stem}_mask.png", f"{photo.path.stem}.png"]
 
 
 def _names(photo: Photo) -> str:
-    return f"{photo.path.name}.png (COLMAP), {photo.path.stem}_mask.png or {photo.path.stem}.png (Metashape)"
+    first, second, third = _mask_names(photo)
+    return f"{first} (COLMAP), {second} or {third} (Metashape)"
 
 
 def _alike_words(other: Path, photo: Photo) -> str:
@@ -218,9 +218,9 @@ def _examined(path: Path, photo: Photo) -> MaskFile:
     try:
         header = read_header(path, limit_pixels=LIMIT_PIXELS)
     except Unusable as error:
-        raise InputError(f"cannot be used as a mask: {error}", file=shown(path)) from None
+        raise error.at(shown(path)) from None
     except OSError as error:
-        raise InputError(f"cannot be read: {error.strerror or error}", file=shown(path)) from None
+        raise InputError("file.not_readable", detail=error.strerror or str(error), file=shown(path)) from None
     laid = _laid(path, header, photo)
     free = float(_read(path, photo, laid).mean())
     with guarded(path), path.open("rb") as file:
@@ -240,12 +240,10 @@ def _laid(path: Path, header: Header, photo: Photo) -> Laid:
         return Laid(told=photo.orientation == 1 or own is not None or not turned)
     elif turned:
         return Laid(shown=True)
-    by = "" if own in {None, photo.orientation} else f" and is shown by EXIF orientation {own}"
     raise InputError(
-        f"the mask has {w} x {h} px{by}, the photograph {photo.name} {photo.width_px} x {photo.height_px}: not one and "
-        "the same picture at a whole multiple or part of its size; the photograph is used whole",
-        file=shown(path),
-    )
+        "mask.size_differs", width_px=w, height_px=h, orientation=own or photo.orientation, photograph=photo.name,
+        photograph_width_px=photo.width_px, photograph_height_px=photo.height_px, file=shown(path),
+    )  # fmt: skip
 
 
 def _fits(one: tuple[int, int], two: tuple[int, int]) -> bool:
@@ -260,7 +258,7 @@ def _read(path: Path, photo: Photo, laid: Laid) -> Mask:
     try:
         free = _used(path).astype(np.uint8)
     except Unusable as error:
-        raise InputError(f"cannot be used as a mask: {error}", file=shown(path)) from None
+        raise error.at(shown(path)) from None
     if laid.shown:
         free = stored_from_turned(upright(free, laid.own), photo.orientation)
     if free.shape != (photo.height_px, photo.width_px):

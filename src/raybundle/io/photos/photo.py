@@ -16,7 +16,7 @@ from pathlib import Path
 
 import numpy as np
 
-from raybundle.errors import InputError
+from raybundle.errors import InputError, Text, message
 from raybundle.io.photos.container import (
     HEIC_SUFFIXES,
     JPEG_SUFFIXES,
@@ -119,7 +119,7 @@ def find_photos(
         try:
             photo = read_photo(path, name=name, limit_pixels=limit_pixels)
         except InputError as error:
-            refused.append((shown(path), str(error).removeprefix(f"{path}: ")))
+            refused.append((shown(path), Text.of(error.message) if error.message is not None else str(error)))
             continue
         of_content.setdefault(photo.sha256, []).append((path, photo))
     copies: dict[str, str] = {}
@@ -129,8 +129,7 @@ def find_photos(
         for path, photo in same:
             if photo is not original:
                 copies[photo.name] = original.name
-                why = f"the same content as {original.name}, byte for byte; delete one of the two"
-                refused.append((shown(path), why))
+                refused.append((shown(path), Text.of(message("photograph.copy", original=original.name))))
     order = {name: k for k, name in enumerate(names)}
     photos.sort(key=lambda p: order[p.name])
     kept, thumbnails = _without_thumbnails(photos)
@@ -168,9 +167,9 @@ def read_photo(path: Path, *, name: str = "", limit_pixels: int = LIMIT_PIXELS) 
     try:
         header, digest = _examined(path, limit_pixels)
     except Unusable as error:
-        raise InputError(str(error), file=path) from None
+        raise error.at(path) from None
     except OSError as error:
-        raise InputError(f"cannot be read: {error.strerror or error}; check the permissions", file=path) from None
+        raise InputError("file.not_readable", detail=error.strerror or str(error), file=path) from None
     metadata, orientation = read_metadata(header.exif, header.xmp)
     photo = Photo(
         path=path,
@@ -190,15 +189,13 @@ def _examined(path: Path, limit_pixels: int) -> tuple[Header, str]:
     """Header and SHA-256 of a file that can be used; raises Unusable or OSError."""
     mode = path.stat().st_mode
     if not stat.S_ISREG(mode):
-        raise Unusable("is a folder" if stat.S_ISDIR(mode) else "is not a regular file")
+        raise Unusable("file.not_a_file", kind="folder" if stat.S_ISDIR(mode) else "device")
     header = read_header(path, limit_pixels=limit_pixels)
     if min(header.width_px, header.height_px) < SMALLEST_SIDE:
-        raise Unusable(f"{header.width_px} x {header.height_px} px are too few to measure in")
+        raise Unusable("photograph.too_small", width_px=header.width_px, height_px=header.height_px)
     pixels, size = header.width_px * header.height_px, path.stat().st_size
     if pixels > EMPTIEST[0] and pixels > EMPTIEST[1] * size:
-        raise Unusable(
-            f"{header.width_px} x {header.height_px} px in a file of {size} bytes: this is no photograph; not decoded"
-        )
+        raise Unusable("photograph.no_content", width_px=header.width_px, height_px=header.height_px, size_bytes=size)
     check_pixels(path, header.kind)
     with path.open("rb") as file:
         return header, hashlib.file_digest(file, "sha256").hexdigest()
@@ -222,7 +219,7 @@ def _files(inputs: Sequence[Path], leave: frozenset[Path]) -> tuple[list[Path], 
         elif path.exists() or path.is_symlink():
             files[path] = None
         else:
-            raise InputError("there is no such file or folder", file=path)
+            raise InputError("file.missing", file=path)
     seen: dict[str, Path] = {}
     for path in files:
         if path in leave:
@@ -235,7 +232,7 @@ def _in_folder(folder: Path, leave: frozenset[Path], remarks: list[str]) -> list
     try:
         entries = sorted(p for p in folder.iterdir() if not p.name.startswith(".") and p not in leave)
     except OSError as error:
-        raise InputError(f"cannot be listed: {error.strerror}; check the permissions", file=folder) from None
+        raise InputError("folder.not_listed", detail=error.strerror, file=folder) from None
     files = [p for p in entries if p.suffix.lower() in SUFFIXES and (p.is_symlink() or not p.is_dir())]
     jpegs = {p.stem.lower() for p in files if p.suffix.lower() in JPEG_SUFFIXES}
     doubles = [p for p in files if p.suffix.lower() in (RAW_SUFFIXES | HEIC_SUFFIXES) and p.stem.lower() in jpegs]
@@ -249,10 +246,11 @@ def _in_folder(folder: Path, leave: frozenset[Path], remarks: list[str]) -> list
     if others:
         suffixes = ", ".join(sorted({shown(p).suffix.lower() or "(none)" for p in others}))
         remarks.append(f"{shown(folder)}: {len(others)} other files are not looked at ({suffixes})")
-        for hint in dict.fromkeys(h for p in others if (h := other_kind(p.suffix))):
+        hints = {h.code: h for p in others if (h := other_kind(p.suffix)) is not None}
+        for hint in hints.values():
             same = [shown(p).name for p in others if other_kind(p.suffix) == hint]
             more = f" and {len(same) - 1} more" if len(same) > 1 else ""
-            remarks.append(f"{same[0]}{more}: {hint}")
+            remarks.append(f"{same[0]}{more}: {hint.text()}")
     folders = [p for p in entries if p.is_dir()]
     if folders:
         remarks.append(
@@ -283,10 +281,14 @@ def _without_thumbnails(photos: Sequence[Photo]) -> tuple[tuple[Photo, ...], lis
     longest = np.array([max(p.width_px, p.height_px) for p in photos])
     typical = float(np.median(pixels))
     small = (longest < THUMBNAIL[0]) & (pixels < THUMBNAIL[1] * typical)
-    refused = [
+    refused: list[tuple[Path, str]] = [
         (
             shown(p.path),
-            f"{p.width_px} x {p.height_px} px: a thumbnail beside photographs of {typical / 1e6:.1f} million pixels",
+            Text.of(
+                message(
+                    "photograph.thumbnail", width_px=p.width_px, height_px=p.height_px, typical_megapixels=typical / 1e6
+                )
+            ),
         )
         for p, s in zip(photos, small, strict=True)
         if s
@@ -316,15 +318,14 @@ def _checked(photo: Photo, pixels: Array) -> Array:
         pixels = stored_from_turned(pixels, photo.orientation)
     if pixels.shape[:2] != (photo.height_px, photo.width_px):
         raise InputError(
-            f"has {pixels.shape[1]} x {pixels.shape[0]} px, its header said {photo.width_px} x {photo.height_px}; "
-            "was it exchanged during the work?",
-            file=photo.path,
-        )
+            "photograph.size_changed", width_px=pixels.shape[1], height_px=pixels.shape[0],
+            header_width_px=photo.width_px, header_height_px=photo.height_px, file=photo.path,
+        )  # fmt: skip
     with guarded(photo.path), photo.path.open("rb") as file:
         # after decoding, so that an exchange before or meanwhile is seen
         now = hashlib.file_digest(file, "sha256").hexdigest()
     if now != photo.sha256:
-        raise InputError("was exchanged during the work: its content is another; run again", file=photo.path)
+        raise InputError("photograph.changed", file=photo.path)
     return pixels
 
 

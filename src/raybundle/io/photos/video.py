@@ -21,6 +21,7 @@ from raybundle.errors import InputError
 from raybundle.io.digits import COUNT, Figures, Places
 from raybundle.io.folders import check_free, new_folder
 from raybundle.io.photos.movie import MovieMetadata, read_movie_metadata
+from raybundle.io.reading.files import check_regular
 from raybundle.io.tables import write_table
 from raybundle.numerics.arrays import Array, Index
 from raybundle.numerics.progress import Progress, silent
@@ -110,24 +111,23 @@ def extract_frames(
 
 def _check(options: FrameOptions) -> None:
     if options.count is not None and options.every_s is not None:
-        raise InputError("a number of frames and a time between them exclude each other; give one")
+        raise InputError("video.count_and_time")
     if options.count is not None and options.count < 1:
-        raise InputError(f"{options.count} frames; give a number of at least 1")
+        raise InputError("video.option_not_positive", option="count", value=options.count)
     if options.every_s is not None and not 0 < options.every_s < math.inf:
-        raise InputError(f"{options.every_s:g} s between frames; give a time greater than 0")
+        raise InputError("video.option_not_positive", option="every_s", value=options.every_s)
     if not 0 < options.motion < math.inf:
-        raise InputError(f"motion {options.motion:g}; give a share of the longer side greater than 0")
+        raise InputError("video.option_not_positive", option="motion", value=options.motion)
 
 
 def _opened(video: Path) -> Any:
     import cv2  # noqa: PLC0415  (slow to load)
 
-    if not video.is_file():
-        raise InputError("there is no such file", file=video)
+    check_regular(video)
     capture = cv2.VideoCapture(str(video), cv2.CAP_FFMPEG)
     capture.set(cv2.CAP_PROP_ORIENTATION_AUTO, 0)
     if not capture.isOpened():
-        raise InputError("is no video that can be decoded here; convert it to MP4 (H.264) first", file=video)
+        raise InputError("video.not_decoded", file=video)
     return capture
 
 
@@ -170,7 +170,7 @@ def analyse(video: Path, *, progress: Progress = silent) -> Analysis:
         if k % 20 == 0:
             progress("looking at the frames", min(1.0, k / promised))
     if not sharpness:
-        raise InputError("holds no frame that can be decoded; is the file complete?", file=video)
+        raise InputError("video.no_frame", file=video)
     return Analysis(
         width_px=size[0],
         height_px=size[1],

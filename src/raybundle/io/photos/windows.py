@@ -65,13 +65,11 @@ class Windows:
         )
         if bits not in ({8}, {16}) or form != {1}:
             raise InputError(
-                f"pixels of {', '.join(f'{b:g}' for b in sorted(bits))} bits, sample format "
-                f"{', '.join(f'{f:g}' for f in sorted(form))}: whole numbers of 8 or 16 bits can be read; convert it, "
-                "as by `gdal_translate -ot UInt16`",
+                "tiff.pixel_format", bits=[int(b) for b in sorted(bits)], format=[int(f) for f in sorted(form)],
                 file=path,
-            )
+            )  # fmt: skip
         if min(width, height, *segment) < 1 or len(offsets) != len(counts) or not offsets:
-            raise InputError("the TIFF's directory is damaged: sizes or places of its pixels are missing", file=path)
+            raise InputError("tiff.directory_damaged", file=path)
         samples = one(SAMPLES, 1) if one(PLANAR, 1) == 1 else 1
         found = cls(
             path=path, order=order, tags=t, width_px=width, height_px=height, bits=int(bits.pop()), samples=samples,
@@ -79,10 +77,10 @@ class Windows:
         )  # fmt: skip
         across, down = found.grid
         if len(offsets) < across * down:
-            raise InputError(f"{len(offsets)} strips or tiles, {across * down} are needed; copy it again", file=path)
+            raise InputError("tiff.too_few_tiles", n=len(offsets), needed=across * down, file=path)
         ends = max(a + b for a, b in zip(found.offsets, found.counts, strict=True))
         if ends > path.stat().st_size:
-            raise InputError(f"the TIFF ends before byte {ends}; copy it again", file=path)
+            raise InputError("tiff.ends_early", byte=ends, file=path)
         return found
 
     @property
@@ -132,7 +130,7 @@ class Windows:
             file.seek(self.offsets[k] + first * row)
             data = file.read((last - first) * row)
         if len(data) < (last - first) * row:
-            raise InputError("the pixels end too early; copy the file again", file=self.path)
+            raise InputError("tiff.pixels_end_early", file=self.path)
         return np.frombuffer(data, kind).reshape(last - first, self.segment[0], self.samples)
 
     def _decoded(self, k: int) -> Array:
@@ -145,10 +143,9 @@ class Windows:
         found: Array | None = cv2.imdecode(np.frombuffer(self._alone(k, data), np.uint8), cv2.IMREAD_UNCHANGED)
         if found is None or found.shape[:2] != (self._rows(k), self.segment[0]):
             raise InputError(
-                f"the pixels cannot be decoded (compression {self.tags[COMPRESSION][0]:g}, {self.samples} bands, "
-                f"{self.bits} bits); convert it, as by `gdal_translate -co COMPRESS=NONE`",
-                file=self.path,
-            )
+                "tiff.pixels_unreadable", compression=int(self.tags[COMPRESSION][0]), bands=self.samples,
+                bits=self.bits, file=self.path,
+            )  # fmt: skip
         return found.reshape(*found.shape[:2], -1)
 
     def _alone(self, k: int, data: bytes) -> bytes:

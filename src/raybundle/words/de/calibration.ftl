@@ -9,3 +9,12 @@ calibration-correlation_count = Eintrag { $number } hat { $n } Korrelationen; n√
 
 calibration-not_positive_definite = Die Korrelationen bilden keine positiv definite Matrix.
     .do = Sie berichtigen oder mit mehr Stellen schreiben.
+
+calibration-format_differs = Gespeicherte Kalibrierung { $camera }: Keine Aufnahme hat ihr Format, { $width_px } x { $height_px } px.
+    .do = Die Kalibrierung einer Kamera des Satzes angeben: { $known }.
+
+calibration-several_cameras = Die gespeicherte Kalibrierung { $camera } passt zu { $n } Kameras.
+    .do = Ihr die Kennung von einer davon geben: { $known }.
+
+calibration-two_for_camera = Zwei gespeicherte Kalibrierungen passen zur Kamera { $camera }.
+    .do = Jeder die Kennung ihrer Kamera geben: { $known }.

@@ -49,3 +49,9 @@ camera-parameter_count = Kamera { $camera }: { $n } Parameter sind angegeben; da
 
 camera-pixel_size_missing = Breite und Höhe eines Pixels sind nötig.
     .do = Zum Beispiel pixel_mm = [0.005, 0.005] angeben.
+
+camera-pattern_without_photograph = Keine Aufnahme passt zum Muster { $pattern } einer Kamera.
+    .do = Das Muster berichtigen; Namen sind { LIST($names, most: 3) }.
+
+camera-two_patterns = Die Aufnahme { $photograph } passt zu zwei Kameramustern, { $first } und { $second }.
+    .do = Die Muster eindeutig machen.

@@ -19,3 +19,6 @@ folder-file_missing = Der Ordner hat keine Datei { $name }.
 
 folder-several_files = Der Ordner hat { $n } Dateien { $name }; nötig ist eine.
     .do = Die übrigen anderswohin verschieben.
+
+folder-not_listed = Der Inhalt des Ordners ist nicht lesbar ({ $detail }).
+    .do = Die Zugriffsrechte prüfen.

@@ -5,3 +5,18 @@ tiff-no_tiff = Das ist keine TIFF-Datei.
 
 tiff-too_many_tags = Das TIFF-Verzeichnis hat { $n } Tags; höchstens { $most } werden gelesen.
     .do = Prüfen, ob die Datei beschädigt ist.
+
+tiff-pixel_format = Die Pixel haben { $bits } Bit, Sample-Format { $format }; unterstützt werden ganze Zahlen mit 8 oder 16 Bit.
+    .do = Die Datei umwandeln, zum Beispiel mit gdal_translate -ot UInt16.
+
+tiff-directory_damaged = Im TIFF-Verzeichnis fehlen Größen oder Positionen der Pixel.
+    .do = Die Datei erneut kopieren.
+
+tiff-too_few_tiles = Die TIFF-Datei hat { $n } Streifen oder Kacheln; nötig sind { $needed }.
+    .do = Sie erneut kopieren.
+
+tiff-pixels_end_early = Die Pixel der TIFF-Datei enden zu früh.
+    .do = Sie erneut kopieren.
+
+tiff-pixels_unreadable = Die Pixel sind nicht dekodierbar (Kompression { $compression }, Kanäle { $bands }, Bit { $bits }).
+    .do = Die Datei umwandeln, zum Beispiel mit gdal_translate -co COMPRESS=NONE.

@@ -92,3 +92,14 @@ camera-parameter_count = Camera { $camera }: { $n } parameters are given; model 
 
 camera-pixel_size_missing = The width and height of a pixel are needed.
     .do = Give, for example, pixel_mm = [0.005, 0.005].
+
+# $pattern = "left_*"
+# $names = ["img_01.jpg", "img_02.jpg"]
+camera-pattern_without_photograph = No photograph matches the pattern { $pattern } of a camera.
+    .do = Correct the pattern; names are { LIST($names, most: 3) }.
+
+# $photograph = "left_01.jpg"
+# $first = "left_*"
+# $second = "*_01*"
+camera-two_patterns = Photograph { $photograph } matches two patterns of cameras, { $first } and { $second }.
+    .do = Make the patterns exclusive.

@@ -24,3 +24,7 @@ folder-file_missing = The folder has no file { $name }.
 # $name = "NAME.im"
 folder-several_files = The folder has { $n } files { $name }; one is needed.
     .do = Move the others elsewhere.
+
+# $detail = "Permission denied"
+folder-not_listed = The folder cannot be listed ({ $detail }).
+    .do = Check the permissions.

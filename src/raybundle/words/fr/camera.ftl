@@ -30,3 +30,7 @@ camera-model_unknown = Caméra { $camera } : le modèle { $model } n'est pas pri
 camera-parameter_count = Caméra { $camera } : { $n } paramètres donnés ; le modèle { $model } en a { $needed }.
 
 camera-pixel_size_missing = La largeur et la hauteur d'un pixel sont nécessaires.
+
+camera-pattern_without_photograph = Aucune photographie ne correspond au motif { $pattern } d'une caméra.
+
+camera-two_patterns = La photographie { $photograph } correspond à deux motifs, { $first } et { $second }.

@@ -11,3 +11,5 @@ folder-is_a_file = Un fichier porte ce nom ; il faut un dossier.
 folder-file_missing = Le dossier n'a pas de fichier { $name }.
 
 folder-several_files = Le dossier a { $n } fichiers { $name } ; il en faut un.
+
+folder-not_listed = Le dossier ne peut être listé ({ $detail }).

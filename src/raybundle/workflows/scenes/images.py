@@ -178,7 +178,9 @@ def read_scene_image(path: Path, model: Path) -> SceneImage:
     else:
         try:
             header = read_header(path, limit_pixels=LIMIT_PIXELS)
-        except Exception as error:  # noqa: BLE001  (Unusable and what decoders raise; it costs that file only)
+        except InputError as error:
+            raise error.at(path) from None
+        except Exception as error:  # noqa: BLE001  (decoders raise anything on a damaged file; it costs that file only)
             raise InputError(str(error), file=path) from None
         width, height, bits = header.width_px, header.height_px, header.bits
     scene = scene_of_size(scene, width, height, path)

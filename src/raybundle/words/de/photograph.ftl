@@ -1,0 +1,64 @@
+photograph-empty = Die Datei ist leer.
+    .do = Sie erneut von der Kamera kopieren.
+
+photograph-kind_unknown = Das ist kein unterstütztes Bildformat (der Anfang ist { $begin }).
+    .do = In JPEG, PNG oder TIFF umwandeln.
+
+photograph-video = Das ist ein Video.
+    .do = Seine scharfen Bilder mit raybundle frames entnehmen.
+
+photograph-anymap = Das ist eine Portable Anymap (PGM, PPM) ohne Metadaten.
+    .do = Verlustfrei als PNG oder TIFF speichern.
+
+photograph-header_unreadable = Der Bildkopf ist nicht lesbar ({ $detail }).
+    .do = Die Datei erneut kopieren.
+
+photograph-tiff_pixels = Ein TIFF mit { $bands } Kanälen, { $bits } Bit, { $format ->
+        [whole] ganze Zahlen
+        [signed] ganze Zahlen mit Vorzeichen
+        [floating] Gleitkommazahlen
+       *[other] anderes Zahlenformat
+     }{ $planar ->
+        [yes] , Kanal nach Kanal
+       *[no] { "" }
+     }, wird nicht unterstützt.
+    .do = 8-Bit-Farbe oder einen Kanal mit 8 oder 16 Bit schreiben (gdal_translate -ot Byte -scale, -b BAND).
+
+photograph-no_size = Der Bildkopf nennt { $width_px } x { $height_px } px.
+    .do = Die Datei erneut kopieren.
+
+photograph-too_large = Das Bild hat { $width_px } x { $height_px } px, { $megapixels } Megapixel (Grenze { $limit_megapixels }).
+    .do = Es verkleinern oder teilen.
+
+photograph-package_missing = Dieses Format braucht ein zusätzliches Paket.
+    .do = Ausführen: pip install 'raybundle[{ $extra }]'
+
+photograph-bits = Das Bild hat { $bits } Bit je Kanal; unterstützt werden 8 und 16.
+    .do = Es umwandeln.
+
+photograph-pixels_unreadable = Die Pixel sind nicht dekodierbar ({ $detail }).
+    .do = { $disk ->
+        [yes] Den Datenträger oder die Speicherkarte prüfen
+       *[no] Die Datei erneut kopieren
+     }.
+
+photograph-pixels_16_bit = Die 16-Bit-Pixel sind nicht dekodierbar.
+    .do = Die Datei als 8-Bit-TIFF oder PNG speichern.
+
+photograph-copy = Der Inhalt ist identisch mit { $original }.
+    .do = Eine der beiden Dateien löschen.
+
+photograph-too_small = Das Bild hat { $width_px } x { $height_px } px, zu wenig für Messungen.
+    .do = Die Aufnahme in voller Größe verwenden.
+
+photograph-no_content = { $width_px } x { $height_px } px in { $size_bytes } Bytes: Das ist keine Aufnahme.
+    .do = Die Datei entfernen.
+
+photograph-thumbnail = Das Bild ist ein Vorschaubild mit { $width_px } x { $height_px } px; die übrigen haben { $typical_megapixels } Megapixel.
+
+photograph-size_changed = Das Bild hat { $width_px } x { $height_px } px; sein Kopf nennt { $header_width_px } x { $header_height_px }.
+    .why = Die Datei wurde wahrscheinlich während des Laufs ersetzt.
+    .do = Den Lauf wiederholen.
+
+photograph-changed = Die Datei wurde während des Laufs durch eine andere ersetzt.
+    .do = Den Lauf wiederholen.

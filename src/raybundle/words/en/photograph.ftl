@@ -1,0 +1,93 @@
+photograph-empty = The file is empty.
+    .do = Copy it again from the camera.
+
+# $begin = "'GIF89a......'"
+photograph-kind_unknown = This is not a supported image (it begins with { $begin }).
+    .do = Convert it to JPEG, PNG or TIFF.
+
+photograph-video = This is a video.
+    .do = Extract its sharp frames with raybundle frames.
+
+photograph-anymap = This is a portable anymap (PGM, PPM) without metadata.
+    .do = Save it as PNG or TIFF, without loss.
+
+# $detail = "cannot identify image file"
+photograph-header_unreadable = The header of the image cannot be read ({ $detail }).
+    .do = Copy the file again.
+
+# $bands = 4
+# $bits = [32]
+# $format = "floating"
+# $planar = false
+photograph-tiff_pixels = A TIFF with bands: { $bands }, { $bits } bits, { $format ->
+        [whole] whole numbers
+        [signed] signed whole numbers
+        [floating] floating point
+       *[other] another number format
+     }{ $planar ->
+        [yes] , band after band
+       *[no] { "" }
+     }, is not supported.
+    .do = Write 8-bit colour or one band of 8 or 16 bits (gdal_translate -ot Byte -scale, -b BAND).
+
+# $width_px = 0
+# $height_px = 4000
+photograph-no_size = The header of the image gives { $width_px } x { $height_px } px.
+    .do = Copy the file again.
+
+# $width_px = 60000
+# $height_px = 40000
+# $megapixels = 2400.0
+# $limit_megapixels = 1000.0
+photograph-too_large = The image has { $width_px } x { $height_px } px, { $megapixels } megapixels (limit { $limit_megapixels }).
+    .do = Reduce it, or split it into parts.
+
+# $extra = "heic"
+photograph-package_missing = This format needs an additional package.
+    .do = Run: pip install 'raybundle[{ $extra }]'
+
+# $bits = 32
+photograph-bits = The image has { $bits } bits per channel; 8 and 16 are supported.
+    .do = Convert it.
+
+# $detail = "image file is truncated"
+# $disk = false
+photograph-pixels_unreadable = The pixels cannot be decoded ({ $detail }).
+    .do = { $disk ->
+        [yes] Check the disk or the memory card
+       *[no] Copy the file again
+     }.
+
+photograph-pixels_16_bit = The 16-bit pixels cannot be decoded.
+    .do = Save the file as 8-bit TIFF or PNG.
+
+# $original = "img_07.jpg"
+photograph-copy = The content is identical to { $original }.
+    .do = Delete one of the two.
+
+# $width_px = 60
+# $height_px = 40
+photograph-too_small = The image has { $width_px } x { $height_px } px, too few for measurements.
+    .do = Use the photograph in full size.
+
+# $width_px = 30000
+# $height_px = 20000
+# $size_bytes = 1200
+photograph-no_content = { $width_px } x { $height_px } px in { $size_bytes } bytes: this is not a photograph.
+    .do = Remove the file.
+
+# $width_px = 320
+# $height_px = 240
+# $typical_megapixels = 24.0
+photograph-thumbnail = The image is a thumbnail of { $width_px } x { $height_px } px; the others have { $typical_megapixels } megapixels.
+
+# $width_px = 3000
+# $height_px = 2000
+# $header_width_px = 6000
+# $header_height_px = 4000
+photograph-size_changed = The image has { $width_px } x { $height_px } px; its header gives { $header_width_px } x { $header_height_px }.
+    .why = The file was probably replaced during the run.
+    .do = Run again.
+
+photograph-changed = The file was replaced by another one during the run.
+    .do = Run again.

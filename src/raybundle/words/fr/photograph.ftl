@@ -1,0 +1,35 @@
+photograph-empty = Le fichier est vide.
+
+photograph-kind_unknown = Ce format d'image n'est pas pris en charge (il commence par { $begin }).
+
+photograph-video = C'est une vidéo.
+
+photograph-anymap = C'est un fichier PGM ou PPM sans métadonnées.
+
+photograph-header_unreadable = L'en-tête de l'image est illisible ({ $detail }).
+
+photograph-tiff_pixels = Un TIFF à { $bands } canal(aux) de { $bits } bits n'est pas pris en charge.
+
+photograph-no_size = L'en-tête de l'image donne { $width_px } x { $height_px } px.
+
+photograph-too_large = L'image a { $width_px } x { $height_px } px, { $megapixels } mégapixels (limite { $limit_megapixels }).
+
+photograph-package_missing = Ce format demande un paquet supplémentaire.
+
+photograph-bits = L'image a { $bits } bits par canal ; 8 et 16 sont pris en charge.
+
+photograph-pixels_unreadable = Les pixels ne peuvent être décodés ({ $detail }).
+
+photograph-pixels_16_bit = Les pixels de 16 bits ne peuvent être décodés.
+
+photograph-copy = Le contenu est identique à { $original }.
+
+photograph-too_small = L'image a { $width_px } x { $height_px } px, trop peu pour des mesures.
+
+photograph-no_content = { $width_px } x { $height_px } px en { $size_bytes } octets : ce n'est pas une photographie.
+
+photograph-thumbnail = L'image est une vignette de { $width_px } x { $height_px } px ; les autres ont { $typical_megapixels } mégapixels.
+
+photograph-size_changed = L'image a { $width_px } x { $height_px } px ; son en-tête donne { $header_width_px } x { $header_height_px }.
+
+photograph-changed = Le fichier a été remplacé pendant l'exécution.
