@@ -64,7 +64,7 @@ class Reading:
 
     def all_remarks(self) -> tuple[str, ...]:
         """The remarks, and one for each kind of elements with errors."""
-        lost = (f"{counted(len(e), kind)} left out: {e[0]}" for kind, e in self.errors.items())
+        lost = (f"{counted(len(e), kind)} left out: {e[0].text()}" for kind, e in self.errors.items())
         return (*self.remarks, *lost)
 
 

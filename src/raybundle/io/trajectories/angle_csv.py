@@ -49,9 +49,9 @@ def read_angles(
     table = read_table(path, columns)
     full = [(a, u) for a, u in every if all(f"{n}_{u}" in table.number for n in a)]
     if len(full) != 1:
-        asked = " or ".join(", ".join(f"{n}_deg" for n in a) for a in choices)
-        message = f"three angles of one kind and unit are needed: {asked} (also _gon, _rad)"
-        raise InputError(message, file=path, line=1)
+        raise InputError(
+            "table.three_angles", choices=[" ".join(f"{n}_deg" for n in a) for a in choices], file=path, line=1
+        )
     angles, unit = full[0]
     given = table.numbers(*(f"{n}_{unit}" for n in angles)) * UNITS[unit]
     unknown = np.flatnonzero(np.isnan(given).any(axis=1))
@@ -81,8 +81,7 @@ def positions_of_table(path: Path, table: Table) -> tuple[Array, str | None]:
     """Positions (n, 3) of a table, and their coordinate system where its columns tell it."""
     found = [names for names in (GRID, GEOGRAPHIC) if all(n in table.number for n in names)]
     if len(found) != 1:
-        message = f"a position is needed: {', '.join(GRID)} or {', '.join(GEOGRAPHIC)}, and not both"
-        raise InputError(message, file=path, line=1)
+        raise InputError("table.one_position", grid=list(GRID), geographic=list(GEOGRAPHIC), file=path, line=1)
     xyz = table.numbers(*found[0])
     if found[0] == GRID:
         return xyz, None
@@ -90,8 +89,14 @@ def positions_of_table(path: Path, table: Table) -> tuple[Array, str | None]:
         bad = np.flatnonzero(np.abs(xyz[:, k]) > limit)
         if len(bad):
             row = int(bad[0])
-            message = f"{xyz[row, k]:.10g} is beyond {limit:g} degrees; are longitude and latitude swapped?"
-            raise InputError(message, file=path, line=row + table.first_line, column=found[0][k])
+            raise InputError(
+                "position.beyond_degrees",
+                value=xyz[row, k],
+                limit=limit,
+                file=path,
+                line=row + table.first_line,
+                column=found[0][k],
+            )
     return xyz, WGS84_HEIGHT
 
 
@@ -113,8 +118,7 @@ def write_angles(trajectory: Trajectory, path: Path, angles: Sequence[str], valu
 def attitudes(trajectory: Trajectory, path: Path, *, true_north: bool) -> Array:
     """The rotations of a trajectory that is to be written with its attitudes, against these axes."""
     if trajectory.rotation is None:
-        raise InputError("there are no attitudes to write; use a format of positions", file=path)
+        raise InputError("trajectory.no_attitudes", file=path)
     if trajectory.true_north != true_north:
-        stand, need = ("true north", "the grid") if trajectory.true_north else ("the grid", "true north")
-        raise InputError(f"the attitudes stand against {stand}; this table needs them against {need}", file=path)
+        raise InputError("trajectory.attitude_reference", true_north=true_north, file=path)
     return trajectory.rotation

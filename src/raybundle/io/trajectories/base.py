@@ -20,9 +20,7 @@ from raybundle.io.reading.files import as_utf8, guarded, opened
 from raybundle.io.reading.ledger import ledger, not_read
 from raybundle.io.reading.words import whole_of
 from raybundle.numerics.arrays import Array, Index, Mask
-from raybundle.numerics.counting import counted
 from raybundle.numerics.natural import natural
-from raybundle.settings import option
 
 WGS84_HEIGHT = "EPSG:4979"
 """Longitude, latitude and height above the ellipsoid of WGS 84."""
@@ -114,10 +112,8 @@ def read_trajectory(path: str | Path, *, name: str | None = None) -> Trajectory:
     for format_ in trajectory_formats.values():
         if format_.recognises(head, path.suffix.lower()):
             return _read(format_, path)
-    known = "; ".join(f"{f.name}: {f.title}" for f in trajectory_formats.values())
     raise InputError(
-        f"its format is not recognised; known are {known}; a list made by hand begins with a line of names: "
-        "imagename,latitude,longitude,altitude",
+        "trajectory.format_unknown", known=list(trajectory_formats),
         file=path, line=1,
     )  # fmt: skip
 
@@ -135,8 +131,7 @@ def write_trajectory(trajectory: Trajectory, path: str | Path, *, name: str) -> 
     path = Path(path)
     write = _named(name).write
     if write is None:
-        written = ", ".join(n for n, f in trajectory_formats.items() if f.write is not None)
-        raise InputError(f"format {name} is only read; written are {written}", file=path)
+        raise InputError("format.only_read", format=name, file=path)
     check_free(path)
     check_ids("position", trajectory.names, path)
     make_parent(path)
@@ -146,7 +141,7 @@ def write_trajectory(trajectory: Trajectory, path: str | Path, *, name: str) -> 
 
 def _named(name: str) -> TrajectoryFormat:
     if name not in trajectory_formats:
-        raise InputError(f"unknown format {name!r}; known: {', '.join(trajectory_formats)}")
+        raise InputError("format.unknown", format=name, known=list(trajectory_formats))
     return trajectory_formats[name]
 
 
@@ -160,8 +155,9 @@ def matched(trajectory: Trajectory, files: Sequence[str]) -> Index:
     if trajectory.ordered:
         if len(files) != len(trajectory):
             raise InputError(
-                f"{counted(len(trajectory), 'position')} without names and {counted(len(files), 'photograph')}: give "
-                "the photographs of these exposures, all of them",
+                "trajectory.count_differs",
+                positions=len(trajectory),
+                photographs=len(files),
                 file=trajectory.path,
             )
         rank = sorted(range(len(files)), key=lambda k: natural(files[k]))
@@ -176,7 +172,10 @@ def matched(trajectory: Trajectory, files: Sequence[str]) -> Index:
     for row, file in zip(found, files, strict=True):
         if row >= 0 and row in taken:
             raise InputError(
-                f"{trajectory.names[row]} belongs to {taken[row]} and to {file}; give each flight its own file",
+                "trajectory.position_twice",
+                name=trajectory.names[row],
+                first=taken[row],
+                second=file,
                 file=trajectory.path,
                 line=int(trajectory.lines[row]) if len(trajectory.lines) else None,
             )
@@ -214,14 +213,15 @@ def stations_of(
     images = images[np.isfinite(trajectory.xyz[rows[images], :2]).all(axis=1)]
     if len(images) == 0:
         raise InputError(
-            f"none of {counted(len(files), 'photograph')} has a position here; one is called "
-            f"{files[0] if files else ''}, the file begins with "
-            f"{trajectory.names[0] if trajectory.names else 'nothing'}",
+            "trajectory.no_photograph_found",
+            n=len(files),
+            photograph=files[0] if files else "-",
+            name=trajectory.names[0] if trajectory.names else "-",
             file=trajectory.path,
         )
     if frame is None and trajectory.crs is not None and parse_crs(trajectory.crs).is_geographic:
         raise InputError(
-            "longitude and latitude are no Cartesian coordinates; give the local frame of the block",
+            "trajectory.needs_local_frame",
             file=trajectory.path,
         )
     xyz = _in_system_of(frame, trajectory).xyz[rows[images]]
@@ -245,9 +245,7 @@ def in_wgs84(trajectory: Trajectory, crs: str | None) -> Trajectory:
     crs = trajectory.crs or crs
     if crs is None:
         raise InputError(
-            f"it holds positions of a grid, and no coordinate system is told; give {option('crs')}, as EPSG:25832, or "
-            "the columns "
-            "longitude_deg, latitude_deg, height_m",
+            "trajectory.no_crs",
             file=trajectory.path,
         )
     if crs == WGS84_HEIGHT:
@@ -291,7 +289,7 @@ def frame_at(crs: str, trajectory: Trajectory, rows: Mask | Index) -> LocalFrame
     place = trajectory.xyz[rows]
     place = place[np.isfinite(place[:, :2]).all(axis=1)]
     if not len(place):
-        raise InputError("it holds no position", file=trajectory.path)
+        raise InputError("trajectory.no_position", file=trajectory.path)
     heights = place[np.isfinite(place[:, 2]), 2]
     return local_frame(crs, (*place[:, :2].mean(axis=0), heights.mean() if len(heights) else np.nan))
 
@@ -304,12 +302,10 @@ def rotations_in(trajectory: Trajectory, frame: LocalFrame | None) -> Array:
     raises  InputError where the file has no attitudes, or true north needs a frame
     """
     if trajectory.rotation is None:
-        raise InputError("the file has no attitudes", file=trajectory.path)
+        raise InputError("trajectory.no_attitudes", file=trajectory.path)
     if frame is None:
         if trajectory.true_north and trajectory.crs != WGS84_HEIGHT:
-            raise InputError(
-                "attitudes against true north need a coordinate system; give the local frame", file=trajectory.path
-            )
+            raise InputError("trajectory.north_needs_frame", file=trajectory.path)
         return trajectory.rotation
     trajectory = _in_system_of(frame, trajectory)
     assert trajectory.rotation is not None

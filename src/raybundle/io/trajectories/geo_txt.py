@@ -29,7 +29,7 @@ def read(path: Path) -> Trajectory:
     lines = [(n, t.strip()) for n, t in enumerate(table_text(path).split("\n"), 1)]
     lines = [(n, t) for n, t in lines if t and not t.startswith("#")]
     if not lines:
-        raise InputError("the file is empty; its first line names the coordinate system", file=path, line=1)
+        raise InputError("geo_txt.empty", file=path, line=1)
     (first, system), *rest = lines
     crs, remarks = system_of(system, path, first)
     separator = "\t" if rest and all(t.count("\t") >= 2 for _, t in rest) else None
@@ -44,7 +44,7 @@ def system_of(text: str, path: Path, line: int) -> tuple[str, tuple[str, ...]]:
     try:
         system = parse_crs(text)
     except InputError as error:
-        raise InputError(str(error), file=path, line=line) from None
+        raise error.at(path, line=line) from None
     if system.is_geographic and len(system.axis_info) == 2 and system.equals(parse_crs("EPSG:4326"), True):
         return WGS84_HEIGHT, (WGS84_HEIGHTS,)
     return text, ()
@@ -52,12 +52,10 @@ def system_of(text: str, path: Path, line: int) -> tuple[str, tuple[str, ...]]:
 
 def _row(path: Path, line: int, words: list[str]) -> ImageRow:
     if len(words) < 3:
-        message = f"{len(words)} columns, at least image, X and Y are needed"
-        raise InputError(message, file=path, line=line)
+        raise InputError("line.too_few_cells", n=len(words), needed=3, file=path, line=line)
     if number_of(words[0]) is not None:
         raise InputError(
-            f"{quoted(words[0])} is a number, and the first column is the name of a photograph; a line is IMAGE X Y Z, "
-            f"as {words[0]}.jpg 8.25 47.5 450",
+            "geo_txt.name_is_number", value=quoted(words[0]), example=f"{words[0]}.jpg 8.25 47.5 450",
             file=path, line=line, column="image",
         )  # fmt: skip
     numbers = [

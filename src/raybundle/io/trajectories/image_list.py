@@ -178,10 +178,8 @@ def _check_names(
         return
     line, words = lines[-1]
     unknown = [w for w in words if w and _kind(w, estimated=True) is None]
-    names = ", ".join(map(quoted, (unknown or words)[:SHOWN]))
     raise InputError(
-        f"these names of columns do not determine the coordinates: {names}; known names are imagename or label; "
-        "latitude and longitude, or X and Y (Easting and Northing); altitude, height or Z",
+        "image_list.unknown_columns", names=[quoted(w) for w in (unknown or words)[:SHOWN]],
         file=path, line=line,
     )  # fmt: skip
 
@@ -208,12 +206,13 @@ def _check_units(path: Path, columns: _Columns, *, compound: bool) -> None:
                 continue
             if kind == "z" and (compound or plain in ELLIPSOID):
                 continue
-            need = "degrees" if allowed is DEGREES else "metres"
-            if kind == "z":
-                need = (
-                    "metres above the ellipsoid, or name the system of the heights (# CoordinateSystem: EPSG:4326+5773)"
-                )
-            raise InputError(f"{quoted(words)} is not read; give {need}", file=path, column=columns.names[k])
+            raise InputError(
+                "image_list.unit",
+                unit=quoted(words),
+                quantity="height" if kind == "z" else "angle" if allowed is DEGREES else "length",
+                file=path,
+                column=columns.names[k],
+            )
 
 
 def _by_plausibility(
@@ -226,8 +225,7 @@ def _by_plausibility(
     places: list[tuple[float, float]] = []
     for line, words in cells:
         if len(words) < 4:
-            message = f"{len(words)} columns; without a line of names a line is NAME, three coordinates"
-            raise InputError(message, file=path, line=line)
+            raise InputError("line.too_few_cells", n=len(words), needed=4, file=path, line=line)
         a, b = (cell_number(w, path, line, str(k), comma=True) for k, w in enumerate(words[1:3], 2))
         places.append((a, b))
     width = min((len(w) for _, w in cells), default=4)
@@ -255,10 +253,8 @@ def _by_plausibility(
             f"{abs(north):.6g} {'S' if north < 0 else 'N'}, {abs(east):.6g} {'W' if east < 0 else 'E'}"
         )
         return _Columns(at | {"latitude": 1, "longitude": 2}), (remark,)
-    first = f"{known[0, 0]:.10g}, {known[0, 1]:.10g}" if len(known) else "no numbers"
     raise InputError(
-        f"no column names, and the numbers ({first}) do not decide between latitude, longitude and longitude, latitude "
-        "or X, Y; add a first line of names, as imagename,latitude,longitude,altitude",
+        "image_list.order_unclear", first=known[0].tolist() if len(known) else ["-"],
         file=path, line=cells[0][0] if cells else 1,
     )  # fmt: skip
 
@@ -275,7 +271,13 @@ def _row(path: Path, line: int, words: list[str], columns: _Columns, *, comma: b
         return math.nan if k is None or k >= len(words) else cell_number(words[k], path, line, kinds[0], comma=comma)
 
     if len(words) <= max(columns.at[k] for k in columns.at if k in {"name", "longitude", "latitude", "x", "y"}):
-        raise InputError(f"{len(words)} columns, fewer than the names of columns need", file=path, line=line)
+        raise InputError(
+            "line.too_few_cells",
+            n=len(words),
+            needed=1 + max(columns.at[k] for k in columns.at if k in {"name", "longitude", "latitude", "x", "y"}),
+            file=path,
+            line=line,
+        )
     place = ("longitude", "latitude") if columns.geographic else ("x", "y")
     x, y = (math.nan if _is_off(words, columns) else number(n) for n in place)
     sigma = number("sx", "plan"), number("sy", "plan"), number("sz")

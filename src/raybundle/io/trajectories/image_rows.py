@@ -73,14 +73,21 @@ def listed(
 ) -> Trajectory:
     """The positions of rows; raises InputError for a name that stands twice, or a place that is none on the earth."""
     if not rows:
-        raise InputError("it holds no position; a line is NAME X Y Z, or NAME LATITUDE LONGITUDE HEIGHT", file=path)
+        raise InputError("trajectory.no_position", file=path)
     first: dict[str, int] = {}
     for row in rows:
         if not row.name.strip():
-            raise InputError("the name of the image is empty", file=path, line=row.line, column="name")
+            raise InputError("name.missing", file=path, line=row.line, column="name")
         if row.name in first:
-            message = f"{row.name} stands in line {first[row.name]} already; delete one"
-            raise InputError(message, file=path, line=row.line, column="name")
+            raise InputError(
+                "cell.id_twice",
+                id=row.name,
+                earlier=first[row.name],
+                rows=False,
+                file=path,
+                line=row.line,
+                column="name",
+            )
         first[row.name] = row.line
     xyz, sigma = np.array([r.place for r in rows]), np.array([r.sigma for r in rows])
     said = list(remarks)
@@ -88,8 +95,9 @@ def listed(
         for k, limit in enumerate(LIMITS):
             bad = np.flatnonzero(np.abs(xyz[:, k]) > limit)
             if len(bad):
-                message = f"{xyz[bad[0], k]:.10g} is beyond {limit:g} degrees; are longitude and latitude swapped?"
-                raise InputError(message, file=path, line=rows[int(bad[0])].line)
+                raise InputError(
+                    "position.beyond_degrees", value=xyz[bad[0], k], limit=limit, file=path, line=rows[int(bad[0])].line
+                )
         lost = (xyz[:, :2] == 0).all(axis=1)
         xyz[lost] = np.nan
         if lost.any():

@@ -19,9 +19,9 @@ from typing import NoReturn
 
 import numpy as np
 
-from raybundle.errors import InputError, Value, content
+from raybundle.errors import InputError, Message, Value, content
 from raybundle.io.reading.files import read_text
-from raybundle.io.reading.words import number_of, quoted
+from raybundle.io.reading.words import no_number, number_of, quoted
 from raybundle.io.trajectories.base import WEEK_S, WGS84_HEIGHT, Trajectory, TrajectoryFormat, register
 from raybundle.numerics.arrays import Array
 
@@ -49,13 +49,15 @@ def read(path: Path) -> Trajectory:
             continue
         name, values, state = _line(path, line, text)
         if name in numbers:
-            raise InputError(f"number {name} stands twice", file=path, line=line, column="1")
+            raise InputError(
+                "cell.id_twice", id=name, earlier=numbers[name], rows=False, file=path, line=line, column="1"
+            )
         numbers[name] = line
         rows.append(values)
         fix.append(state)
         at.append(line)
     if not rows:
-        raise InputError("the file is empty; the aircraft recorded no exposure", file=path, line=1)
+        raise InputError("mrk.empty", file=path, line=1)
     table = np.array(rows)
     xyz = table[:, 4:7].copy()
     lost = (xyz[:, :2] == 0).all(axis=1)
@@ -86,40 +88,38 @@ def read(path: Path) -> Trajectory:
 def _line(path: Path, line: int, text: str) -> tuple[str, list[float], str]:
     """Number; time, offset east, north, up [m], longitude, latitude, height, sigma east, north, up; state."""
 
-    def fail(code: str, /, column: str, **values: Value) -> NoReturn:
+    def fail(code: str | Message, /, column: str, **values: Value) -> NoReturn:
         raise InputError(content(code, values), file=path, line=line, column=column)
 
     def value_of(word: str, column: str) -> float:
         value = number_of(word)
         if value is None:
-            fail(f"{quoted(word)} is not a finite number", column)
+            fail(no_number(word), column)
         return value
 
     head = HEAD.match(text)
     if head is None:
-        fail(f"a line begins with number, second and [week]: {quoted(text.strip())}", "1 to 3")
+        fail("mrk.line", "1", text=quoted(text.strip()))
     found: dict[str, float] = {}
     for value, letter in TAGGED.findall(text):
         if letter in found:
-            fail(f"{letter} stands twice", letter)
+            fail("mrk.tag_twice", letter, tag=letter)
         found[letter] = value_of(value, letter)
     for letter in LETTERS:
         if letter not in found:
-            fail(
-                f"the number marked {letter} is missing; the line is not complete: {quoted(text.strip()[-40:])}", letter
-            )
+            fail("mrk.tag_missing", letter, tag=letter, text=quoted(text.strip()[-40:]))
     for letter, limit in LIMITS.items():
         if abs(found[letter]) > limit:
-            fail(f"{found[letter]:g} is beyond {limit:g}", letter)
+            fail("mrk.out_of_range", letter, tag=letter, value=found[letter], limit=limit)
     sigmas = SIGMAS.search(text)
     if sigmas is None:
-        fail("three standard deviations (north, east, up) are needed after the height", "standard deviations")
-    north, east, up = (value_of(v, "standard deviations") for v in sigmas.groups())
+        fail("mrk.sigmas_missing", "sigma")
+    north, east, up = (value_of(v, "sigma") for v in sigmas.groups())
     if min(north, east, up) < 0 or max(north, east, up) > LARGEST_SIGMA_M:
-        fail(f"{north:g}, {east:g}, {up:g} are no standard deviations in metres", "standard deviations")
+        fail("mrk.sigmas_out_of_range", "sigma", sigmas_m=[north, east, up], largest_m=LARGEST_SIGMA_M)
     second = value_of(head[2], "2")
     if not 0 <= second < WEEK_S + 1:
-        fail(f"{second:g} is no second of a week", "2")
+        fail("mrk.second_of_week", "2", second=second)
     values = [
         value_of(head[3], "3") * WEEK_S + second,
         found["E"] / 1000,
@@ -150,9 +150,7 @@ STATE = {"rtk fixed": 50, "rtk float": 34, "single": 16, "none": 0, "": 0}
 def write(trajectory: Trajectory, path: Path) -> None:
     """Write an MRK file; raises InputError where the positions are not geographic."""
     if trajectory.crs != WGS84_HEIGHT:
-        raise InputError(
-            f"an MRK file holds longitude and latitude; the positions stand in {trajectory.crs}", file=path
-        )
+        raise InputError("mrk.not_geographic", crs=str(trajectory.crs), file=path)
     n = len(trajectory)
     zero = np.zeros((n, 3))
     time = zero[:, 0] if trajectory.time is None else trajectory.time

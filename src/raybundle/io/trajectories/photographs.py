@@ -14,7 +14,6 @@ from raybundle.io.photos.metadata import Gps
 from raybundle.io.photos.photo import Photo
 from raybundle.io.trajectories.base import Trajectory, frame_at, in_wgs84, matched
 from raybundle.numerics.arrays import Array
-from raybundle.numerics.counting import counted
 
 
 def with_positions(
@@ -30,7 +29,13 @@ def with_positions(
     gps = [None if row < 0 else _gps(trajectory, row) for row in rows]
     found = sum(g is not None for g in gps)
     if found == 0:
-        raise InputError(f"none of {counted(len(photos), 'photograph')} has a position here", file=trajectory.path)
+        raise InputError(
+            "trajectory.no_photograph_found",
+            n=len(photos),
+            photograph=photos[0].name if photos else "-",
+            name=trajectory.names[0] if trajectory.names else "-",
+            file=trajectory.path,
+        )
     changed = [
         p if g is None else replace(p, metadata=replace(p.metadata, gps=g)) for p, g in zip(photos, gps, strict=True)
     ]

@@ -55,7 +55,7 @@ def read(path: Path) -> Trajectory:
             rows.append(values)
             lines.append(line)
     if not rows:
-        raise InputError("it holds no position", file=path, line=1)
+        raise InputError("trajectory.no_position", file=path, line=1)
     columns = _columns(path, header)
     width = min(*map(len, rows), columns)
     table = np.array([r[:width] for r in rows])
@@ -91,12 +91,11 @@ def _check_reference(path: Path, line: int, text: str) -> bool:
     if match[1].lower() == "height" and not above and _word(datum) != "WGS84":
         datum, above = "WGS84", datum
     if _word(datum) != "WGS84":
-        message = f"positions refer to the datum {quoted(datum)}; write the solution in WGS84"
-        raise InputError(message, file=path, line=line)
+        raise InputError("rtklib.datum", datum=quoted(datum), file=path, line=line)
     if above and not _word(above).startswith("ELLIPSOID"):
         raise InputError(
-            f"heights are {quoted(above)}: they count from a geoid that the file does not name; write the solution "
-            "with ellipsoidal heights (RTKLIB: out-height =ellipsoidal)",
+            "rtklib.heights",
+            heights=quoted(above),
             file=path,
             line=line,
         )
@@ -119,8 +118,7 @@ def _columns(path: Path, header: str) -> int:
             break
         same += 1
     if same < 3:
-        message = f"the columns are {', '.join(names[:3])}; write the solution as {', '.join(known[:3])}"
-        raise InputError(message, file=path)
+        raise InputError("rtklib.columns", names=names[:3], needed=list(known[:3]), file=path)
     return same
 
 
@@ -133,16 +131,15 @@ def _clock(header: str) -> str:
 def _line(path: Path, line: int, text: str) -> tuple[float, list[float]]:
     match = _TIME.fullmatch(text)
     if match is None:
-        message = f"a line begins with date and time, or week and second: {quoted(text.strip()[:40])}"
-        raise InputError(message, file=path, line=line)
+        raise InputError("rtklib.line", text=quoted(text.strip()), file=path, line=line)
     values: list[float] = []
     for word in re.split(r"[\s,;]+", match[9].strip()):
         value = number_of(word)
         if value is None:
-            raise InputError(f"{quoted(word)} is not a number; write decimal degrees", file=path, line=line)
+            raise InputError("rtklib.not_decimal_degrees", value=quoted(word), file=path, line=line)
         values.append(value)
     if len(values) < 3:
-        raise InputError(f"{len(values)} numbers after the time, three coordinates are needed", file=path, line=line)
+        raise InputError("value.count", n=len(values), needed=3, file=path, line=line)
     return _second(path, line, match), values
 
 
@@ -154,24 +151,23 @@ def _second(path: Path, line: int, match: re.Match[str]) -> float:
     try:
         whole = datetime(year, month, day, hour, minute)  # noqa: DTZ001
     except ValueError:
-        raise InputError(f"{quoted(match[0][:24])} is no date and time", file=path, line=line) from None
+        raise InputError("rtklib.date", text=quoted(match[0][:24]), file=path, line=line) from None
     return (whole - GPS_EPOCH).total_seconds() + (number_of(match[6]) or 0.0)
 
 
 def _check(path: Path, header: str, times: list[float], table: Array) -> None:
     """Raise InputError for solutions that are no positions of exposures."""
     if "baseline" in header:
-        message = "it holds baselines from a base station; write the solution as latitude, longitude and height"
-        raise InputError(message, file=path, line=1)
+        raise InputError("rtklib.baselines", file=path, line=1)
     if "d'" in header:
-        raise InputError("angles stand in degrees, minutes and seconds; write decimal degrees", file=path, line=1)
+        raise InputError("rtklib.not_decimal_degrees", value="d'", file=path, line=1)
     if "x-ecef" not in header and (np.abs(table[:, 0]).max() > 90 or np.abs(table[:, 1]).max() > 180):
-        raise InputError("latitude or longitude is beyond 90 or 180 degrees; is it another format?", file=path)
+        raise InputError("rtklib.beyond_degrees", file=path)
     rest = np.array(times) / EPOCH_S
     if len(times) >= FEWEST and (np.abs(rest - np.round(rest)) * EPOCH_S < SAME_S).all():
         raise InputError(
-            f"it is a track of {len(times)} epochs, which belong to no photographs; give the solution of the camera's "
-            "events (NAME_events.pos)",
+            "rtklib.track",
+            n=len(times),
             file=path,
         )
 

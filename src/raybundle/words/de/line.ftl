@@ -9,3 +9,6 @@ line-ends_early = Die Zeile endet zu früh.
 
 line-words_left = Überzählige Wörter am Zeilenende: { $n }.
     .do = Sie löschen.
+
+line-too_few_cells = Spalten dieser Zeile: { $n }; nötig: { $needed }.
+    .do = Die Zeile vervollständigen.

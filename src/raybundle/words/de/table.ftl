@@ -61,3 +61,9 @@ table-csv_and_parquet = Die Tabelle ist doppelt: { $csv } liegt im selben Ordner
 
 table-columns_together = Die Spalten { $names } brauchen die Spalten { $missing }.
     .do = Sie ergänzen oder { $names } löschen.
+
+table-three_angles = Drei Winkel einer Art und einer Einheit sind nötig.
+    .do = { LIST($choices, most: 6) } angeben oder dieselben mit _gon oder _rad.
+
+table-one_position = Die Tabelle braucht entweder { $grid } oder { $geographic }.
+    .do = Genau eine dieser Spaltengruppen angeben.

@@ -13,3 +13,8 @@ line-ends_early = The line ends too early.
 # $n = 2
 line-words_left = Surplus words at the end of the line: { $n }.
     .do = Delete them.
+
+# $n = 2
+# $needed = 3
+line-too_few_cells = Columns of this line: { $n }; needed: { $needed }.
+    .do = Complete the line.

@@ -95,3 +95,12 @@ table-csv_and_parquet = The table exists twice: { $csv } is in the same folder.
 # $missing = ["sY", "sZ"]
 table-columns_together = Columns { $names } need the columns { $missing }.
     .do = Add them, or delete { $names }.
+
+# $choices = ["omega_deg phi_deg kappa_deg"]
+table-three_angles = Three angles of one kind and one unit are needed.
+    .do = Give { LIST($choices, most: 6) }, or the same with _gon or _rad.
+
+# $grid = ["X", "Y", "Z"]
+# $geographic = ["longitude_deg", "latitude_deg", "height_m"]
+table-one_position = The table needs either { $grid } or { $geographic }.
+    .do = Give exactly one of these groups of columns.

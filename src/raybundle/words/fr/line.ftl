@@ -5,3 +5,5 @@ line-unprintable = La ligne contient des caractères non imprimables.
 line-ends_early = La ligne se termine trop tôt.
 
 line-words_left = Mots en trop à la fin de la ligne : { $n }.
+
+line-too_few_cells = Colonnes de cette ligne : { $n } ; nécessaires : { $needed }.

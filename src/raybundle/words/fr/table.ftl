@@ -36,3 +36,7 @@ table-two_decimal_signs = Signes décimaux différents : { $later } ici, { $firs
 table-csv_and_parquet = La table existe deux fois : { $csv } est dans le même dossier.
 
 table-columns_together = Les colonnes { $names } demandent les colonnes { $missing }.
+
+table-three_angles = Il faut trois angles d'un même type et d'une même unité.
+
+table-one_position = La table demande soit { $grid }, soit { $geographic }.
