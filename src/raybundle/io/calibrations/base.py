@@ -30,7 +30,6 @@ from raybundle.io.reading.files import as_utf8, guarded, read_bytes
 from raybundle.io.reading.ledger import ledger, not_read
 from raybundle.numerics.arrays import Array
 from raybundle.sensors import sensor_models
-from raybundle.settings import option
 
 FILE_BYTES = 1 << 26
 FITTED = 1e-9
@@ -127,7 +126,7 @@ def register(format_: CalibrationFormat) -> CalibrationFormat:
 def format_named(name: str) -> CalibrationFormat:
     """The format of this name; raises InputError, which lists the known ones."""
     if name not in calibration_formats:
-        raise InputError(f"unknown calibration format {name!r}; known: {', '.join(sorted(calibration_formats))}")
+        raise InputError("format.unknown", format=name, known=sorted(calibration_formats))
     return calibration_formats[name]
 
 
@@ -137,15 +136,15 @@ def recognised(path: Path) -> str:
     names = [n for n, f in sorted(calibration_formats.items()) if f.recognises(text, path.suffix.lower())]
     if len(names) == 1:
         return names[0]
-    found = f"could be {' or '.join(names)}" if names else "is no calibration that is recognised"
-    raise InputError(
-        f"{found}; give {option('read_as', flag='from')}, one of {', '.join(sorted(calibration_formats))}", file=path
-    )
+    known = sorted(calibration_formats)
+    if names:
+        raise InputError("calibration.format_unclear", names=names, known=known, file=path)
+    raise InputError("calibration.format_not_recognised", known=known, file=path)
 
 
 def _text(path: Path) -> str:
     if path.is_dir():
-        raise InputError("is a folder; give the file that holds the calibration", file=path)
+        raise InputError("file.is_a_folder", file=path)
     return as_utf8(read_bytes(path, FILE_BYTES)).decode("utf-8", "replace")
 
 
@@ -168,8 +167,12 @@ def read_calibrations(
         size = (calibration.camera.width_px, calibration.camera.height_px)
         if size_px is not None and size != size_px:
             raise InputError(
-                f"camera {calibration.id} has {size[0]} x {size[1]} px, not {size_px[0]} x {size_px[1]}; is it another "
-                "camera's calibration?",
+                "calibration.size_differs",
+                camera=calibration.id,
+                width_px=size[0],
+                height_px=size[1],
+                given_width_px=size_px[0],
+                given_height_px=size_px[1],
                 file=path,
             )
     return (replace(found[0], remarks=(*found[0].remarks, remark)), *found[1:]) if remark and found else found
@@ -186,17 +189,18 @@ def convert_calibration(
     """
     format_ = format_named(name)
     if pixel_mm is not None and not 1e-5 < pixel_mm < 1:
-        raise InputError(f"a pixel of {pixel_mm:g} mm cannot be; give its size in mm, as 0.0045")
+        raise InputError("calibration.pixel_size", pixel_mm=pixel_mm)
     if format_.model == "any" and variant is not None:
         return _to_model(calibration, format_, variant, pixel_mm)
     if format_.model != "forward":
         if variant is not None:
-            raise InputError(f"format {name} has one distortion model; leave the model out")
+            raise InputError("calibration.one_model", format=name)
         return _to_measured(calibration, format_, pixel_mm)
     choice = [v for v in format_.variants if variant in {None, v.name}]
     if not choice:
-        known = ", ".join(v.name for v in format_.variants)
-        raise InputError(f"format {name} has no model {variant!r}; known: {known}")
+        raise InputError(
+            "calibration.model_unknown", format=name, model=str(variant), known=[v.name for v in format_.variants]
+        )
     return _to_forward(calibration, format_, choice)
 
 
@@ -251,7 +255,7 @@ def _to_model(calibration: Calibration, format_: CalibrationFormat, model: str, 
     """In one of our models that is asked for: term by term where it has the same, else fitted over the format."""
     known = [n for n, m in sensor_models.items() if m.one_exposure and m.scale_symbol == "c" and not m.local_width]
     if model not in known:
-        raise InputError(f"format {format_.name} has no model {model!r}; known: {', '.join(sorted(known))}")
+        raise InputError("calibration.model_unknown", format=format_.name, model=model, known=sorted(known))
     source = calibration.camera
     if isinstance(source, Camera) and source.model == model:
         return _to_measured(calibration, format_, pixel_mm)
@@ -373,21 +377,23 @@ def write_calibrations(
     format_, path = format_named(name), Path(path)
     check_free(path)
     if path.suffix.lower() not in format_.suffixes:
-        raise InputError(
-            f"format {name} is a file; give a name that ends in {' or '.join(format_.suffixes)}", file=path
-        )
+        raise InputError("calibration.suffix", format=name, suffixes=list(format_.suffixes), file=path)
     for c in conversions:
         if not approximate and not c.largest_px <= LIMIT_PX:
             raise InputError(
-                f"camera {c.calibration.id} as {c.variant} deviates by up to {c.largest_px:.3g} px (rms {c.rms_px:.3g} "
-                f"px) over the format, more than {LIMIT_PX:g} px; give another format or model, or "
-                f"{option('approximate', True)}",
+                "calibration.deviation",
+                camera=c.calibration.id,
+                model=c.variant,
+                deviation_px=c.largest_px,
+                rms_px=c.rms_px,
+                limit_px=LIMIT_PX,
                 file=path,
             )
     if not conversions or (len(conversions) > 1 and not format_.several):
         raise InputError(
-            f"{len(conversions)} cameras, but a file of the format {name} holds one; convert them one by one: "
-            f"{option('camera')}",
+            "calibration.one_camera",
+            n=len(conversions),
+            format=name,
             file=path,
         )
     write_whole(path, format_.write(conversions, path.suffix.lower()))

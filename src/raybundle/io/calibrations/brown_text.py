@@ -18,9 +18,8 @@ from raybundle.io.calibrations.base import Calibration, CalibrationFormat, Conve
 from raybundle.io.digits import exact
 from raybundle.io.reading.files import read_text
 from raybundle.io.reading.ledger import enter
-from raybundle.io.reading.words import fortran_of, quoted, whole_of
+from raybundle.io.reading.words import fortran_of, no_number, quoted, whole_of
 from raybundle.sensors import sensor_models
-from raybundle.settings import option
 
 AUSTRALIS = {
     "C": "c", "XP": "x0", "YP": "y0", "K1": "K1", "K2": "K2", "K3": "K3", "P1": "P1", "P2": "P2", "B1": "A", "B2": "S",
@@ -43,14 +42,14 @@ _IMAGE = re.compile(r"^\s*Image Size\s*:\s*(\d+)\s*x\s*(\d+)", re.IGNORECASE)
 def _number(text: str, path: Path, line: int) -> float:
     value = fortran_of(text)
     if value is None:
-        raise InputError(f"{quoted(text)} is not a finite number", file=path, line=line)
+        raise InputError(no_number(text), file=path, line=line)
     return value
 
 
 def _pixels(text: str, path: Path, line: int) -> int:
     value = whole_of(text)
     if value is None or not 0 < value <= LARGEST_PX:
-        raise InputError(f"{quoted(text)} is no size in pixels, 1 to {LARGEST_PX}", file=path, line=line)
+        raise InputError("value.not_whole", value=quoted(text), least=1, most=LARGEST_PX, file=path, line=line)
     return value
 
 
@@ -66,12 +65,14 @@ def read_australis(path: Path, size_px: tuple[int, int] | None) -> tuple[Calibra
         elif row := _ROW.match(text):
             symbol = AUSTRALIS[row[1]]
             if symbol in final:
-                raise InputError("holds a second camera; give each camera in a file of its own", file=path, line=line)
+                raise InputError("calibration.second_camera", file=path, line=line)
             columns = [_number(w, path, line) for w in row[2].split()]
             if len(columns) not in {1, COLUMNS}:
                 raise InputError(
-                    f"{len(columns)} numbers for {row[1]}; initial value, adjustment, final value and the two standard "
-                    "deviations are needed",
+                    "calibration.australis_row",
+                    parameter=row[1],
+                    n=len(columns),
+                    needed=COLUMNS,
                     file=path,
                     line=line,
                 )
@@ -82,8 +83,7 @@ def read_australis(path: Path, size_px: tuple[int, int] | None) -> tuple[Calibra
             enter(other[1])
     missing = [k for k, s in AUSTRALIS.items() if s not in final and s not in {"A", "S"}]
     if missing or len(sensor) != len("HV"):
-        what = ", ".join(missing) or "sensor size and pixel size (H, V)"
-        raise InputError(f"{what} missing; is it a complete report of camera parameters?", file=path)
+        raise InputError("calibration.incomplete", missing=missing or ["H", "V"], file=path)
     (width, pixel_x), (height, pixel_y) = sensor["H"], sensor["V"]
     camera = _camera(path, path.stem, (width, height), (pixel_x, pixel_y), final)
     free = tuple(s for s in sensor_models["brown"].symbols if s in std)
@@ -106,8 +106,11 @@ def _camera(
 ) -> Camera:
     if not all(0 < s <= LARGEST_PX for s in size) or not all(0 < p < 1 for p in pixel) or not values["c"] > 0:
         raise InputError(
-            f"format {size[0]} x {size[1]} px, pixel {pixel[0]:g} x {pixel[1]:g} mm, c {values['c']:g} mm: one of them "
-            "cannot be",
+            "calibration.impossible_values",
+            width_px=size[0],
+            height_px=size[1],
+            pixel_mm=list(pixel),
+            c_mm=values["c"],
             file=path,
         )
     symbols = sensor_models["brown"].symbols
@@ -164,11 +167,9 @@ def read_photomodeler(path: Path, size_px: tuple[int, int] | None) -> tuple[Cali
             name, heading = "", text.strip()
     missing = [k for k, s in PHOTOMODELER.items() if s not in values and s not in {"K2", "K3", "P1", "P2"}]
     if missing:
-        raise InputError(f"{', '.join(missing)} missing; is it a complete calibration report?", file=path)
+        raise InputError("calibration.incomplete", missing=missing, file=path)
     if size_px is None:
-        raise InputError(
-            f"the report does not tell the format in pixels; give it: {option('format', 'WIDTH', 'HEIGHT')}", file=path
-        )
+        raise InputError("calibration.no_size", file=path)
     fw, fh = values["width"], values["height"]
     values["x0"] -= fw / 2
     values["y0"] = fh / 2 - values["y0"]
@@ -176,8 +177,12 @@ def read_photomodeler(path: Path, size_px: tuple[int, int] | None) -> tuple[Cali
     ratio = camera.pixel_mm[0] / camera.pixel_mm[1]
     if abs(ratio - 1) > 0.1:
         raise InputError(
-            f"a format of {fw:g} x {fh:g} mm does not belong to {size_px[0]} x {size_px[1]} px: pixels would be "
-            f"{ratio:.2f} times as wide as high",
+            "calibration.pixels_not_square",
+            width_mm=fw,
+            height_mm=fh,
+            width_px=size_px[0],
+            height_px=size_px[1],
+            ratio=ratio,
             file=path,
         )
     free = tuple(s for s in sensor_models["brown"].symbols if std.get(s, 0) > 0)

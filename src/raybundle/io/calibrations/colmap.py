@@ -12,7 +12,7 @@ from raybundle.io.calibrations.base import Calibration, CalibrationFormat, Conve
 from raybundle.io.digits import exact
 from raybundle.io.formats.colmap_cameras import MODELS, NUMBERS, PARAMETERS, forward_of, own_camera
 from raybundle.io.reading.files import read_text
-from raybundle.io.reading.words import numbers_of, quoted
+from raybundle.io.reading.words import number_of, numbers_of, quoted
 
 WRITTEN = ("PINHOLE", "SIMPLE_RADIAL", "RADIAL", "OPENCV", "FULL_OPENCV", "OPENCV_FISHEYE")
 LEAST_WORDS = 5
@@ -27,32 +27,38 @@ def read(path: Path, size_px: tuple[int, int] | None) -> tuple[Calibration, ...]
             continue
         calibration = _camera(path, number, line.split())
         if calibration.id in {c.id for c in found}:
-            raise InputError(f"camera {calibration.id} stands twice", file=path, line=number)
+            raise InputError("name.twice", kind="camera", name=calibration.id, file=path, line=number)
         found.append(calibration)
     if not found:
-        raise InputError("holds no camera", file=path)
+        raise InputError("calibration.no_camera", file=path)
     return tuple(found)
 
 
 def _camera(path: Path, line: int, words: Sequence[str]) -> Calibration:
     if len(words) < LEAST_WORDS:
-        raise InputError(
-            "a camera is CAMERA_ID MODEL WIDTH HEIGHT PARAMETERS; is the file complete?", file=path, line=line
-        )
+        raise InputError("colmap.camera_line", file=path, line=line)
     id_, model, *rest = words
     if model not in PARAMETERS:
-        known = ", ".join(PARAMETERS)
-        raise InputError(f"camera model {quoted(model)} is not read; known: {known}", file=path, line=line)
+        raise InputError(
+            "camera.model_unknown", camera=id_, model=quoted(model), known=list(PARAMETERS), file=path, line=line
+        )
     given = numbers_of(rest)
     if given is None:
-        raise InputError(f"{quoted(' '.join(rest))} is not a row of finite numbers", file=path, line=line)
+        raise InputError(
+            "value.not_finite", value=quoted(next(w for w in rest if number_of(w) is None)), file=path, line=line
+        )
     width, height, *values = given.tolist()
     terms = PARAMETERS[model]
     if len(values) != len(terms):
-        raise InputError(f"{len(values)} parameters, {model} has {len(terms)}: {' '.join(terms)}", file=path, line=line)
+        raise InputError(
+            "camera.parameter_count", camera=id_, n=len(values), model=model, needed=len(terms), file=path, line=line
+        )
     if not all(s == int(s) and 0 < s <= 10_000_000 for s in (width, height)) or values[0] <= 0:
         raise InputError(
-            f"a format of {width:g} x {height:g} px, or a principal distance of {values[0]:g} px, cannot be",
+            "calibration.size_or_distance",
+            width_px=width,
+            height_px=height,
+            distance_px=values[0],
             file=path,
             line=line,
         )

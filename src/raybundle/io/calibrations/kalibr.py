@@ -24,7 +24,7 @@ def read(path: Path, size_px: tuple[int, int] | None) -> tuple[Calibration, ...]
     top = read_yaml(path)
     cameras = [k for k in top.names() if _CAM.fullmatch(k)]
     if not cameras:
-        top.fail("there is no camera cam0; is it the camchain of Kalibr?")
+        top.fail("kalibr.no_camera")
     declare("rostopic")
     return tuple(_camera(k, top.get(k)) for k in cameras)
 
@@ -32,20 +32,18 @@ def read(path: Path, size_px: tuple[int, int] | None) -> tuple[Calibration, ...]
 def _camera(id_: str, value: Json) -> Calibration:
     model = value.get("camera_model").text()
     if model != "pinhole":
-        value.get("camera_model").fail(
-            f"camera model {quoted(model)} is not read; known: pinhole. Calibrate with pinhole-radtan or pinhole-equi"
-        )
+        value.get("camera_model").fail("value.not_supported", value=quoted(model), known=["pinhole"])
     name = value.get("distortion_model").text()
     if name not in MODELS:
-        value.get("distortion_model").fail(f"distortion {quoted(name)} is not read; known: {', '.join(MODELS)}")
+        value.get("distortion_model").fail("value.not_supported", value=quoted(name), known=list(MODELS))
     fx, fy, cx, cy = value.get("intrinsics").numbers(4).tolist()
     if fx <= 0 or fy <= 0:
-        value.get("intrinsics").fail(f"principal distance {fx:g}, {fy:g} px; it must be positive")
+        value.get("intrinsics").fail("focal_length.not_positive", lengths=[fx, fy])
     terms = MODELS[name]
     coefficients = value.get("distortion_coeffs").numbers(len(terms)).tolist() if terms else []
     size = value.get("resolution").items()
     if len(size) != 2:
-        value.get("resolution").fail(f"{len(size)} elements; width and height are needed")
+        value.get("resolution").fail("value.count", n=len(size), needed=2)
     camera = ForwardCamera(
         width_px=size[0].whole(),
         height_px=size[1].whole(),

@@ -27,15 +27,15 @@ def read(path: Path, size_px: tuple[int, int] | None) -> tuple[Calibration, ...]
     root = read_xml(path, "calibration")
     kind = root.get("projection").content.strip()
     if kind not in PROJECTIONS:
-        root.get("projection").fail(f"projection {quoted(kind)} is not read; known: {', '.join(PROJECTIONS)}")
+        root.get("projection").fail("value.not_supported", value=quoted(kind), known=list(PROJECTIONS))
     for term in ("p3", "p4"):
         if root.number(term, 0.0):
-            root.fail(f"{term} is not known here; calibrate without p3 and p4")
+            root.fail("metashape.p3_p4", parameter=term)
     width, height = (_whole(root, n) for n in ("width", "height"))
     fy = root.number("fy") if root.find("fy") else root.number("f")
     fx = root.number("fx") if root.find("fx") else fy + root.number("b1", 0.0)
     if fx <= 0 or fy <= 0:
-        root.fail(f"principal distance {fx:g}, {fy:g} px; it must be positive")
+        root.fail("focal_length.not_positive", lengths=[fx, fy])
     old = root.find("fx") is not None  # PhotoScan before 1.2 counted from the corner
     camera = ForwardCamera(
         width_px=width,
@@ -57,7 +57,7 @@ def read(path: Path, size_px: tuple[int, int] | None) -> tuple[Calibration, ...]
 def _whole(root: Element, name: str) -> int:
     value = root.number(name)
     if value != int(value) or not 0 < value <= 10_000_000:
-        root.get(name).fail(f"{value:g} is no size in pixels")
+        root.get(name).fail("value.not_whole", value=f"{value:g}", least=1, most=10_000_000)
     return int(value)
 
 

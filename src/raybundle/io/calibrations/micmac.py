@@ -29,17 +29,17 @@ def read(path: Path, size_px: tuple[int, int] | None) -> tuple[Calibration, ...]
     root = read_xml(path, "ExportAPERO").get("CalibrationInternConique")
     convention = root.get("KnownConv").content.strip()
     if convention != CONVENTION:
-        root.get("KnownConv").fail(f"convention {quoted(convention)} is not read; known: {CONVENTION}")
+        root.get("KnownConv").fail("value.not_supported", value=quoted(convention), known=[CONVENTION])
     if root.find("OrIntGlob") is not None:
-        root.get("OrIntGlob").fail("an affine frame of the sensor (OrIntGlob) is not read")
+        root.get("OrIntGlob").fail("micmac.affine_frame")
     width, height = (int(v) for v in root.get("SzIm").numbers(2))
     F = float(root.get("F").numbers(1)[0])
     cx, cy = root.get("PP").numbers(2).tolist()
     if F <= 0 or not 0 < min(width, height) <= max(width, height) <= 10_000_000:
-        root.fail(f"principal distance {F:g} px and format {width} x {height} px: one of them cannot be")
+        root.fail("calibration.size_or_distance", width_px=float(width), height_px=float(height), distance_px=F)
     distortions = list(root.all("CalibDistortion"))
     if len(distortions) > 1:
-        distortions[1].fail("more than one distortion, one after another, is not read")
+        distortions[1].fail("micmac.several_distortions")
     terms = _distortion(distortions[0], F, root.get("PP").numbers(2)) if distortions else {}
     pinhole = ForwardCamera(width_px=width, height_px=height, fx=F, fy=F, cx=cx, cy=cy)
     camera = replace(pinhole, **terms)
@@ -50,17 +50,17 @@ def read(path: Path, size_px: tuple[int, int] | None) -> tuple[Calibration, ...]
 
 def _distortion(element: Element, F: float, principal: Array) -> dict[str, float]:
     if len(element.children) != 1:
-        element.fail(f"{len(element.children)} models of distortion; one is needed")
+        element.fail("micmac.model_count", n=len(element.children))
     model = element.children[0]
     if model.name == "ModNoDist":
         return {}
     if model.name not in {"ModRad", "ModPhgrStd"}:
-        model.fail(f"distortion {model.name} is not read; known: ModNoDist, ModRad, ModPhgrStd")
+        model.fail("value.not_supported", value=model.name, known=["ModNoDist", "ModRad", "ModPhgrStd"])
     radial = model if model.name == "ModRad" else model.get("RadialePart")
     centre = (radial.get("CDist").numbers(2) - principal) / F
     coefficients = [float(c.numbers(1)[0]) for c in radial.all("CoeffDist")]
     if len(coefficients) > len(RADIAL) and any(coefficients[len(RADIAL) :]):
-        radial.fail(f"{len(coefficients)} radial coefficients, at most {len(RADIAL)} are read")
+        radial.fail("micmac.radial_count", n=len(coefficients), most=len(RADIAL))
     terms = {t: c * F ** (2 * n) for n, (t, c) in enumerate(zip(RADIAL, coefficients, strict=False), 1)}
     terms |= {"ca": float(centre[0]), "cb": float(centre[1])}
     if model.name == "ModPhgrStd":

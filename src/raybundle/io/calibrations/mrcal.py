@@ -26,18 +26,16 @@ def read(path: Path, size_px: tuple[int, int] | None) -> tuple[Calibration, ...]
     top = _literal(path)
     model = top.get("lensmodel").text()
     if model not in MODELS:
-        top.get("lensmodel").fail(
-            f"lens model {quoted(model)} is not read; known: {', '.join(MODELS)}. mrcal-convert-lensmodel makes one"
-        )
+        top.get("lensmodel").fail("value.not_supported", value=quoted(model), known=list(MODELS))
     terms = MODELS[model]
     values = dict(zip(terms, top.get("intrinsics").numbers(len(terms)).tolist(), strict=True))
     if values["fx"] <= 0 or values["fy"] <= 0:
-        top.get("intrinsics").fail(f"principal distance {values['fx']:g}, {values['fy']:g} px; it must be positive")
+        top.get("intrinsics").fail("focal_length.not_positive", lengths=[values["fx"], values["fy"]])
     values["cx"] += HALF
     values["cy"] += HALF
     size = top.get("imagersize").items()
     if len(size) != 2:
-        top.get("imagersize").fail(f"{len(size)} elements; width and height are needed")
+        top.get("imagersize").fail("value.count", n=len(size), needed=2)
     declare("optimization_inputs")
     if top.has("extrinsics") and any(v.number() for v in top.get("extrinsics").items()):
         enter("extrinsics")
@@ -55,7 +53,7 @@ def _literal(path: Path) -> Json:
     """The dictionary in the file, as JSON values; literals alone are evaluated."""
     value = python_of(read_text(path).strip(), path)
     if not isinstance(value, dict):
-        raise InputError("this is no .cameramodel: a dictionary is needed", file=path)
+        raise InputError("mrcal.no_dictionary", file=path)
     members = cast("dict[Any, Any]", value)
     top = Json(path, {str(k): list(v) if isinstance(v, tuple) else v for k, v in members.items()})
     enter_tree(top)

@@ -23,7 +23,6 @@ from raybundle.io.digits import exact
 from raybundle.io.reading.ledger import declare
 from raybundle.io.reading.trees import Json, read_json
 from raybundle.numerics.arrays import Array
-from raybundle.settings import option
 
 FISHEYE = ("k1", "k2", "k3", "k4")
 MATRIX = (
@@ -60,7 +59,7 @@ def _numbers(value: Json) -> Array:
         numbers = np.array([i.number() for i in value.get("data").items()])
         rows, cols = (value.get(k).whole(0, 10_000) if value.has(k) else None for k in ("rows", "cols"))
         if rows is not None and cols is not None and rows * cols != len(numbers):
-            value.fail(f"{rows} x {cols} elements are announced, {len(numbers)} are there; is the file complete?")
+            value.fail("opencv.matrix_size", rows=rows, columns=cols, n=len(numbers))
         return numbers
     flat: list[float] = []
     for item in value.items():
@@ -83,12 +82,9 @@ def _size(top: Json, size_px: tuple[int, int] | None) -> tuple[int, int]:
         items = list(both.mapping().values()) if named else both.items()
         if len(items) == 2:
             return items[0].whole(), items[1].whole()
-        both.fail("width and height of the image are needed here")
+        both.fail("opencv.size_expected")
     if size_px is None:
-        top.fail(
-            "the size of the image (image_width, image_height) is missing; give it: "
-            f"{option('format', 'WIDTH', 'HEIGHT')}"
-        )
+        top.fail("calibration.no_size")
     return size_px
 
 
@@ -141,7 +137,7 @@ def _read(path: Path, size_px: tuple[int, int] | None, *, fisheye: bool) -> tupl
     declare(*WIDTH, *HEIGHT, *SIZES, *NAMES, *MODEL_WORDS, "dt", "type_id")
     groups = _groups(top)
     if not groups:
-        top.fail(f"there is no camera matrix; it is looked for as {', '.join(MATRIX)}")
+        top.fail("opencv.no_matrix", names=list(MATRIX))
     found: list[Calibration] = []
     for id_, group in groups:
         found += _cameras(path, id_, group, top, size_px, fisheye=fisheye)
@@ -184,23 +180,23 @@ def _has_size(table: Json) -> bool:
 
 def _check_kind(table: Json, top: Json, *, fisheye: bool) -> None:
     if (_is_fisheye(table) or _is_fisheye(top)) and not fisheye:
-        top.fail(f"this is the calibration of a fisheye; give {option('read_as', 'opencv-fisheye', flag='from')}")
+        top.fail("opencv.fisheye")
 
 
 def _camera(id_: str, matrix: Json, distortion: Json | None, size: tuple[int, int], *, fisheye: bool) -> Calibration:
     K = _numbers(matrix)
     if len(K) != 9:
-        matrix.fail(f"{len(K)} elements, the 3 x 3 camera matrix has 9")
+        matrix.fail("value.count", n=len(K), needed=9)
     fx, skew, cx, zero, fy, cy, *last = K.tolist()
     if zero or last != [0, 0, 1] or fx <= 0 or fy <= 0:
-        matrix.fail("this is no camera matrix [fx s cx; 0 fy cy; 0 0 1] with positive fx, fy")
+        matrix.fail("opencv.matrix_form")
     misplaced = _check_size(matrix, (cx + HALF, cy + HALF), size)
     coefficients = np.zeros(4) if distortion is None else _numbers(distortion)
     place = distortion or matrix
     if fisheye and len(coefficients) != 4:
-        place.fail(f"{len(coefficients)} distortion coefficients; OpenCV's fisheye has 4: k1 k2 k3 k4")
+        place.fail("opencv.coefficient_count", n=len(coefficients), known=[4])
     if not fisheye and len(coefficients) not in COUNTS:
-        place.fail(f"{len(coefficients)} distortion coefficients; OpenCV has {', '.join(map(str, COUNTS))}")
+        place.fail("opencv.coefficient_count", n=len(coefficients), known=list(COUNTS))
     remarks = [*misplaced]
     if distortion is None:
         remarks.append("the file holds no distortion coefficients; they are taken as 0")
@@ -232,11 +228,11 @@ def _check_size(matrix: Json, point: tuple[float, float], size: tuple[int, int])
         return []
     words = f"the principal point {x:.6g}, {y:.6g} px is not near the centre of the format, {width} x {height} px"
     if max(abs(x / height - 0.5), abs(y / width - 0.5)) <= NEAR:
-        matrix.fail(f"{words}, but of {height} x {width} px; exchange width and height of the image")
+        matrix.fail("opencv.size_interchanged", x_px=x, y_px=y, width_px=width, height_px=height)
     same = abs(x / width - y / height) <= NEAR * (x / width + y / height)
     words += f", but of {2 * x:.0f} x {2 * y:.0f} px" if same else ""
     if off >= 0.5:
-        matrix.fail(f"{words}: it lies outside; give the format that the matrix belongs to")
+        matrix.fail("opencv.principal_point_outside", x_px=x, y_px=y, width_px=width, height_px=height)
     return [f"{words}: is the matrix of another size of the images?" if same else words]
 
 

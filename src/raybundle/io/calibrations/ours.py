@@ -20,7 +20,7 @@ def read(path: Path, size_px: tuple[int, int] | None) -> tuple[Calibration, ...]
     del size_px
     cameras = read_head(path).cameras if path.name == "block.toml" else read_cameras(path)
     if not cameras:
-        raise InputError("holds no camera; a table [cameras.ID] is needed", file=path)
+        raise InputError("calibration.no_camera", file=path)
     return tuple(_calibration(c) for c in cameras)
 
 

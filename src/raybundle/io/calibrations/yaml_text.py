@@ -10,11 +10,11 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, NoReturn
 
-from raybundle.errors import InputError
+from raybundle.errors import InputError, Value, content
 from raybundle.io.reading.files import read_text
 from raybundle.io.reading.ledger import enter_tree
 from raybundle.io.reading.trees import Json
-from raybundle.io.reading.words import number_of, whole_of
+from raybundle.io.reading.words import number_of, quoted, whole_of
 
 DEEPEST = 20
 _ENTRY = re.compile(r"""("[^"]*"|'[^']*'|[^\s'"\[\]{},#:][^\[\]{}#:]*?)\s*:(?:\s+|$)(.*)""")
@@ -40,10 +40,10 @@ def parse_yaml(text: str, path: Path) -> Any:
     """The value in a YAML text; `path` is named in messages."""
     reader = _Reader(path, _lines(text, path))
     if not reader.lines:
-        raise InputError("holds nothing; is it complete?", file=path)
+        raise InputError("file.empty", file=path)
     value = reader.block(reader.lines[0].indent, 0)
     if reader.at < len(reader.lines):
-        reader.fail("stands less far in than what it belongs to")
+        reader.fail("yaml.indentation")
     return value
 
 
@@ -55,7 +55,7 @@ def _lines(text: str, path: Path) -> list[_Line]:
     for number, raw in enumerate(text.split("\n"), 1):
         line = _COMMENT.sub("", raw).rstrip()
         if ended and line.strip() and not line.startswith(("---", "...", "%")):
-            raise InputError("a second document begins here; give each in a file of its own", file=path, line=number)
+            raise InputError("yaml.second_document", file=path, line=number)
         if line.startswith(("%", "---")) and not lines:
             continue
         if line in {"---", "..."}:
@@ -64,14 +64,14 @@ def _lines(text: str, path: Path) -> list[_Line]:
         if not line.strip():
             continue
         if "\t" in line[: len(line) - len(line.lstrip())]:
-            raise InputError("a tab stands where YAML needs blanks", file=path, line=number)
+            raise InputError("yaml.tab", file=path, line=number)
         if open_:
             lines[-1] = _Line(lines[-1].number, lines[-1].indent, lines[-1].text + " " + line.strip())
         else:
             lines.append(_Line(number, len(line) - len(line.lstrip()), line.strip()))
         open_ += sum(line.count(c) for c in "[{") - sum(line.count(c) for c in "]}")
     if open_ > 0:
-        raise InputError("a list that begins here has no end; is the file complete?", file=path, line=lines[-1].number)
+        raise InputError("yaml.open_list", file=path, line=lines[-1].number)
     return lines
 
 
@@ -81,14 +81,14 @@ class _Reader:
     def __init__(self, path: Path, lines: list[_Line]) -> None:
         self.path, self.lines, self.at = path, lines, 0
 
-    def fail(self, message: str) -> NoReturn:
+    def fail(self, code: str, /, **values: Value) -> NoReturn:
         line = self.lines[min(self.at, len(self.lines) - 1)]
-        raise InputError(f"this is not YAML that is read here: {message}", file=self.path, line=line.number)
+        raise InputError(content(code, values), file=self.path, line=line.number)
 
     def block(self, indent: int, depth: int) -> Any:
         """The mapping or list whose lines stand `indent` far in."""
         if depth > DEEPEST:
-            self.fail(f"nested more than {DEEPEST} deep")
+            self.fail("file.nested_too_deeply", most=DEEPEST)
         if self.lines[self.at].text.startswith(("- ", "[")) or self.lines[self.at].text == "-":
             return self._list(indent, depth)
         return self._mapping(indent, depth)
@@ -98,10 +98,10 @@ class _Reader:
         while self.at < len(self.lines) and self.lines[self.at].indent == indent:
             entry = _ENTRY.fullmatch(self.lines[self.at].text)
             if entry is None:
-                self.fail("an entry KEY: VALUE is needed here")
+                self.fail("yaml.no_entry")
             key, rest = entry[1].strip("\"'"), _TAG.sub("", entry[2])
             if key in values:
-                self.fail(f"key {key!r} stands twice")
+                self.fail("json.key_twice", name=quoted(key))
             values[key] = self._value(rest, indent, depth)
         return values
 
@@ -140,16 +140,16 @@ class _Reader:
         if text.startswith(("[", "{")):
             value, rest = self._flow(text, depth)
             if rest.strip():
-                self.fail("something stands after the end of a list")
+                self.fail("yaml.list_form")
             return value
         if text.startswith(("&", "*", "|", ">")):
-            self.fail("anchors and block texts are not read")
+            self.fail("yaml.not_supported")
         return _plain(text)
 
     def _flow(self, text: str, depth: int) -> tuple[Any, str]:
         """A flow list or mapping at the beginning of a text, and the rest."""
         if depth > DEEPEST:
-            self.fail(f"nested more than {DEEPEST} deep")
+            self.fail("file.nested_too_deeply", most=DEEPEST)
         opening, closing = text[0], {"[": "]", "{": "}"}[text[0]]
         items: list[Any] = []
         mapping: dict[str, Any] = {}
@@ -159,7 +159,7 @@ class _Reader:
             if opening == "{":
                 key, colon, rest = rest.partition(":")
                 if not colon:
-                    self.fail("an entry KEY: VALUE is needed in braces")
+                    self.fail("yaml.no_entry")
                 rest = rest.lstrip()
             if rest.startswith(("[", "{")):
                 value, rest = self._flow(rest, depth + 1)
@@ -173,7 +173,7 @@ class _Reader:
             if rest.startswith(","):
                 rest = rest[1:].lstrip()
             elif not rest.startswith(closing):
-                self.fail(f"a comma or {closing} is needed in a list")
+                self.fail("yaml.list_form")
         return (mapping if opening == "{" else items), rest[1:]
 
 

@@ -26,9 +26,11 @@ from raybundle.io.calibrations.ours import cameras_text
 from raybundle.io.cameras.zoom_files import ZOOM, read_zoom, write_zoom
 from raybundle.io.digits import exact, exacts
 from raybundle.io.folders import new_folder
+from raybundle.io.ids import repeated
 from raybundle.io.photos.cameras import CameraGroup, with_calibration
 from raybundle.io.photos.photo import Photo
 from raybundle.io.reading.trees import Json, read_toml
+from raybundle.io.reading.words import quoted
 from raybundle.io.user_folders import user_folder
 from raybundle.numerics.arrays import Array
 from raybundle.sensors import sensor_models
@@ -140,12 +142,12 @@ def read_library(folder: Path | None = None) -> Library:
     except FileNotFoundError:
         places = []
     except OSError as error:
-        raise InputError(f"cannot be listed: {error.strerror}; check the permissions", file=folder) from None
+        raise InputError("folder.not_listed", detail=error.strerror, file=folder) from None
     for place in places:
         try:
             entries.append(read_entry(place))
         except InputError as error:
-            refused.append((place, str(error)))
+            refused.append((place, error.text()))
     return Library(folder=folder, entries=tuple(entries), refused=tuple(refused))
 
 
@@ -153,7 +155,7 @@ def read_entry(place: Path) -> LibraryEntry:
     """One entry; raises InputError with file and place."""
     cameras = read_cameras(place / "camera.toml")
     if len(cameras) != 1:
-        raise InputError(f"{len(cameras)} cameras; an entry holds one", file=place / "camera.toml")
+        raise InputError("calibration.camera_count", n=len(cameras), file=place / "camera.toml")
     path = place / "entry.toml"
     top = read_toml(path).tree()
     key = top.get("key")
@@ -194,17 +196,20 @@ def _covariance(top: Json, camera: Camera) -> tuple[tuple[str, ...], Array | Non
     table = top.get("covariance")
     free = tuple(i.text() for i in table.get("free").items())
     unknown = [s for s in free if s not in sensor_models[camera.model].symbols]
-    if unknown or len(set(free)) != len(free):
-        table.get("free").fail(f"{(unknown or list(free))[0]!r} is no parameter of {camera.model}, or stands twice")
+    if unknown:
+        known = sensor_models[camera.model].symbols
+        table.get("free").fail("parameter.unknown", name=quoted(unknown[0]), model=camera.model, known=known)
+    if len(set(free)) != len(free):
+        table.get("free").fail("parameter.twice", name=repeated(free))
     rows = table.get("rows").items()
     if len(rows) != len(free):
-        table.get("rows").fail(f"{len(rows)} rows for {len(free)} parameters")
+        table.get("rows").fail("value.count", n=len(rows), needed=len(free))
     C = np.array([r.numbers(len(free)) for r in rows]).reshape(len(free), len(free))
     d = np.sqrt(np.abs(np.diag(C)))
     if not (np.diag(C) > 0).all() or not np.allclose(C, C.T, rtol=1e-6, atol=1e-12 * float((d**2).min(initial=1.0))):
-        table.get("rows").fail("is no covariance: it must be symmetric with positive variances")
+        table.get("rows").fail("calibration.no_covariance")
     if np.linalg.eigvalsh(C / np.outer(d, d)).min() < -1e-6:
-        table.get("rows").fail("is no covariance: a combination of parameters would have a negative variance")
+        table.get("rows").fail("calibration.no_covariance")
     return free, C
 
 
@@ -238,17 +243,11 @@ def add_entry(entry: LibraryEntry, folder: Path | None = None) -> Path:
     """
     folder = folder or library_folder()
     if entry.grade == "not determinable":
-        raise InputError(
-            "the photographs did not determine this camera (see the verdict of its calibration); it would spoil every "
-            "block that finds it. Take the photographs that the report names, and calibrate again"
-        )
+        raise InputError("library.not_determinable")
     k = entry.key
     focal = k.focal_mm is not None and math.isfinite(k.focal_mm) and k.focal_mm > 0
     if not k.model or not (focal or entry.zoom is not None):
-        raise InputError(
-            "a calibration is found again by the camera's model and the EXIF focal length; give a photograph of the "
-            f"set ({option('photo')}), or {option('camera_model')} and {option('focal')}"
-        )
+        raise InputError("library.no_key")
     words = (
         k.make,
         k.model,

@@ -15,6 +15,7 @@ from raybundle.io.block.toml import read_cameras
 from raybundle.io.calibrations.ours import cameras_text
 from raybundle.io.digits import exact, exacts
 from raybundle.io.reading.trees import Json, read_toml
+from raybundle.io.reading.words import quoted
 from raybundle.numerics.arrays import Array
 from raybundle.sensors import sensor_models
 
@@ -53,24 +54,28 @@ def read_zoom(folder: Path) -> ZoomCalibration:
     """The calibration of a zoom lens in a folder; raises InputError with file and place."""
     cameras = read_cameras(folder / CAMERA)
     if len(cameras) != 1:
-        raise InputError(f"{len(cameras)} cameras; a zoom lens belongs to one", file=folder / CAMERA)
+        raise InputError("calibration.camera_count", n=len(cameras), file=folder / CAMERA)
     path = folder / ZOOM
     top = read_toml(path).tree()
     low, high = top.get("range_mm").numbers(2)
     resolution = top.get("resolution_mm").number()
     if not 0 < low < high or resolution < 0:
-        top.get("range_mm").fail("is no range of focal lengths, or resolution_mm is negative")
+        top.get("range_mm").fail("zoom.range", range_mm=[low, high], resolution_mm=resolution)
     model = sensor_models[cameras[0].model]
     symbols, variables, coefficients = list[str](), list[str](), list[Array]()
     for parameter in top.get("parameters").items():
         symbol, variable = parameter.get("symbol").text(), parameter.get("variable").text()
-        if symbol not in model.symbols or symbol in symbols:
-            parameter.get("symbol").fail(f"{symbol!r} is no parameter of {model.name}, or stands twice")
+        if symbol not in model.symbols:
+            parameter.get("symbol").fail(
+                "parameter.unknown", name=quoted(symbol), model=model.name, known=model.symbols
+            )
+        if symbol in symbols:
+            parameter.get("symbol").fail("parameter.twice", name=symbol)
         if variable not in VARIABLES:
-            parameter.get("variable").fail(f"{variable!r} is none of {', '.join(VARIABLES)}")
+            parameter.get("variable").fail("value.not_supported", value=quoted(variable), known=list(VARIABLES))
         series = parameter.get("coefficients").items()
         if not 1 <= len(series) <= 12:
-            parameter.get("coefficients").fail(f"{len(series)} coefficients; 1 to 12 are possible")
+            parameter.get("coefficients").fail("zoom.coefficient_count", n=len(series), most=12)
         symbols.append(symbol)
         variables.append(variable)
         coefficients.append(np.array([c.number() for c in series]))
@@ -95,12 +100,12 @@ def read_zoom(folder: Path) -> ZoomCalibration:
 def _covariance(table: Json, u: int) -> Array:
     rows = table.items()
     if len(rows) != u:
-        table.fail(f"{len(rows)} rows for {u} coefficients")
+        table.fail("value.count", n=len(rows), needed=u)
     C = np.array([r.numbers(u) for r in rows]).reshape(u, u)
     d = np.sqrt(np.abs(np.diagonal(C)))
     symmetric = np.allclose(C, C.T, rtol=1e-6, atol=1e-12 * float((d**2).min(initial=1.0)))
     if not symmetric or not all(math.isfinite(v) and v > 0 for v in d):
-        table.fail("is no covariance: it must be symmetric with positive variances")
+        table.fail("calibration.no_covariance")
     if u and np.linalg.eigvalsh(C / np.outer(d, d)).min() < -1e-6:
-        table.fail("is no covariance: a combination of coefficients would have a negative variance")
+        table.fail("calibration.no_covariance")
     return C

@@ -37,10 +37,10 @@ def certificate_camera(certificate: Certificate, *, pixel_mm: float) -> tuple[Ca
     """
     width, height = (round(side / pixel_mm) for side in certificate.format_mm)
     if not (certificate.c_mm > 0 and width > 0 and height > 0):
-        raise InputError(f"camera {certificate.id}: camera constant and format must be positive")
+        raise InputError("certificate.not_positive", camera=certificate.id)
     r, d = np.array(certificate.radius_mm), np.array(certificate.distortion_um) / 1000
     if len(r) != len(d) or not np.isfinite([*r, *d]).all() or (r < 0).any():
-        raise InputError(f"camera {certificate.id}: {len(r)} radii and {len(d)} distortions do not belong together")
+        raise InputError("certificate.distortion_table", camera=certificate.id, radii=len(r), distortions=len(d))
     remarks: list[str] = []
     K = np.zeros(3)
     if len(r):

@@ -7,6 +7,7 @@ from itertools import combinations
 
 import numpy as np
 
+from raybundle.errors import Message, message
 from raybundle.numerics.arrays import Array
 
 LARGEST_RESIDUAL_MM = 1.0
@@ -17,27 +18,23 @@ TRIED = 60
 """Marks with the largest residuals among which exchanges are tried."""
 
 
-def implausible(residuals_mm: Array, affine: Array | None) -> str:
-    """Why a fit of marks cannot be that of a film, in words; empty where it can.
+def implausible(residuals_mm: Array, affine: Array | None) -> Message | None:
+    """Why a fit of marks cannot be that of a film; None where it can.
 
     residuals_mm  (n, 2)
     affine        (2, 2) derivatives of the camera's frame by the scan's, in the same unit; None: any shape will do
     """
     worst = float(np.linalg.norm(residuals_mm, axis=1).max(initial=0.0))
     if worst > LARGEST_RESIDUAL_MM:
-        return f"residuals of the marks reach {worst:.3g} mm (limit {LARGEST_RESIDUAL_MM:g} mm)"
+        return message("film.residuals", worst_mm=worst, limit_mm=LARGEST_RESIDUAL_MM)
     if affine is None:
-        return ""
+        return None
     ratio, shear = _shape(affine)
     if ratio > LARGEST_RATIO:
-        return (
-            f"the film would be stretched {ratio:.3g} times as much along one axis as along the other (limit "
-            f"{LARGEST_RATIO:g})"
-        )
+        return message("film.stretch", ratio=ratio, limit=LARGEST_RATIO)
     if shear > LARGEST_SHEAR:
-        limit = np.degrees(LARGEST_SHEAR)
-        return f"the axes would be {np.degrees(shear):.3g} degrees off the right angle (limit {limit:.2g})"
-    return ""
+        return message("film.shear", shear_deg=float(np.degrees(shear)), limit_deg=float(np.degrees(LARGEST_SHEAR)))
+    return None
 
 
 def exchanges(names: Sequence[str], uv: Array, target: Array) -> tuple[tuple[str, str], ...]:

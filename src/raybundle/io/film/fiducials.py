@@ -21,7 +21,7 @@ from typing import Literal
 import numpy as np
 
 from raybundle.block import Camera
-from raybundle.errors import InputError
+from raybundle.errors import InputError, Message, message
 from raybundle.io.film.exchanged_marks import exchanges, implausible, wrong_mark
 from raybundle.io.reading.words import quoted
 from raybundle.io.tables import SHOWN, Column, Problem, fail, read_table
@@ -161,8 +161,15 @@ def read_calibrated(path: str | Path) -> Calibrated:
     far = np.flatnonzero(np.abs(xy).max(axis=1) > LARGEST_MM)
     if len(far):
         k = int(far[0])
-        message = f"{xy[k, 0]:g}, {xy[k, 1]:g} mm lies in no camera; are these micrometres?"
-        raise InputError(message, file=path, line=k + table.first_line, column="x_mm")
+        raise InputError(
+            "film.mark_outside_camera",
+            x_mm=xy[k, 0],
+            y_mm=xy[k, 1],
+            largest_mm=LARGEST_MM,
+            file=path,
+            line=k + table.first_line,
+            column="x_mm",
+        )
     return Calibrated(
         names=table.text["mark"],
         xy_mm=xy,
@@ -190,15 +197,25 @@ def read_marks(path: str | Path, name: Literal["mark", "point"], calibrated: Cal
     for k, pair in enumerate(zip(images, names, strict=True)):
         line = k + table.first_line
         if pair in seen:
-            problems.append(Problem(line, name, f"stands in this image already, in line {seen[pair]}; delete one"))
+            problems.append(
+                Problem(line, name, message("table.pair_twice", names=["image", name], earlier=seen[pair], rows=False))
+            )
         seen.setdefault(pair, line)
         if calibrated is not None and pair[1] not in calibrated.names:
-            known = ", ".join(calibrated.names[:8])
-            problems.append(Problem(line, name, f"{quoted(pair[1])} has no calibrated position; known are {known}"))
+            problems.append(
+                Problem(
+                    line, name, message("film.mark_not_calibrated", mark=quoted(pair[1]), known=list(calibrated.names))
+                )
+            )
     xy = table.numbers("x_px", "y_px")
     far = np.flatnonzero(np.abs(xy).max(axis=1) > LARGEST_PX)
     problems += [
-        Problem(int(k) + table.first_line, "x_px", f"{xy[k, 0]:g}, {xy[k, 1]:g} lies in no scan") for k in far[:SHOWN]
+        Problem(
+            int(k) + table.first_line,
+            "x_px",
+            message("film.position_outside_scan", x_px=xy[k, 0], y_px=xy[k, 1], largest_px=LARGEST_PX),
+        )
+        for k in far[:SHOWN]
     ]
     if problems:
         fail(path, problems)
@@ -232,12 +249,9 @@ def film_of(
     an error of the scanner's pixel size.
     """
     if not 0 < pixel_mm < 1:
-        raise InputError(f"image {image}: {pixel_mm:g} mm is no size of a pixel of a scanner")
+        raise InputError("film.pixel_size", image=image, pixel_mm=pixel_mm)
     if len(names) < LEAST[model]:
-        raise InputError(
-            f"image {image}: {len(names)} marks are measured, {model} needs {LEAST[model]}; measure more, or take a "
-            "simpler model"
-        )
+        raise InputError("film.too_few_marks", image=image, n=len(names), model=model, needed=LEAST[model])
     at = [calibrated.names.index(n) for n in names]
     target, sigma_mm = calibrated.xy_mm[at], calibrated.sigma_mm[at]
     middle = np.asarray(xy_px, float).mean(axis=0)
@@ -245,7 +259,7 @@ def film_of(
     found, mirrored = _fit_of_a_side(image, names, uv, target, sigma_px * pixel_mm, sigma_mm, model)
     J = None if model == "projective" else _uv_partials(np.zeros((1, 2)), found.h)[1][0]  # a print may stand askew
     if wrong := implausible(found.residuals, J):
-        raise InputError(f"image {image}: {wrong}; {_blame(names, uv, target)}")
+        raise InputError("film.marks_implausible", image=image, details=[wrong, _blame(names, uv, target)])
     redundancy = 2 * len(names) - _BASIS[model].shape[1]
     sigma0 = float(np.sqrt(found.square_sum / redundancy)) if redundancy else float("nan")
     excess = redundancy > 0 and found.square_sum > global_test(found.square_sum, redundancy, 0.02)[2]
@@ -277,21 +291,20 @@ def _fit_of_a_side(
         fits = [_fit(image, uv * [side, 1.0], target, sigma_uv, sigma_mm, model) for side in (1.0, -1.0)]
     except InputError:
         if len(names) > 3 and exchanges(names, uv, target):
-            message = f"image {image}: no {model} transformation fits the marks; {_blame(names, uv, target)}"
-            raise InputError(message) from None
+            blame = _blame(names, uv, target)
+            raise InputError("film.no_transformation", image=image, model=model, details=[blame]) from None
         raise
     mirrored = bool(_mirrored(fits[0].h) if model != "similarity" else fits[1].square_sum < fits[0].square_sum)
     return fits[1] if mirrored else fits[0], mirrored
 
 
-def _blame(names: Sequence[str], uv: Array, target: Array) -> str:
+def _blame(names: Sequence[str], uv: Array, target: Array) -> Message:
     """What is probably wrong with marks that make no film."""
     if pairs := exchanges(names, uv, target):
-        told = ", or ".join(f"{a} and {b}" for a, b in pairs)
-        return f"the marks {told} seem exchanged: exchange their names"
+        return message("film.marks_exchanged", pairs=[f"{a} - {b}" for a, b in pairs])
     if wrong := wrong_mark(names, uv, target):
-        return f"mark {wrong}: measure it again, or correct its calibrated position"
-    return "no exchange of two marks mends it; compare names, calibrated positions and measured ones"
+        return message("film.wrong_mark", mark=wrong)
+    return message("film.several_wrong_marks")
 
 
 @dataclass(frozen=True, slots=True)
@@ -348,7 +361,7 @@ def _check_spread(image: str, uv: Array, target: Array, model: Model) -> None:
 
 
 def _too_narrow(image: str, model: Model) -> InputError:
-    return InputError(f"image {image}: the marks lie on one line or in one place; {model} needs them spread")
+    return InputError("film.marks_in_line", image=image, model=model)
 
 
 def _apply(uv: Array, h: Array) -> Array:
@@ -401,7 +414,7 @@ def reseau_correction(xy_mm: Array, crosses_mm: Array, correction_mm: Array, met
     raises    InputError for fewer than four crosses
     """
     if len(crosses_mm) < 4:
-        raise InputError(f"a reseau of {len(crosses_mm)} crosses corrects nothing; at least 4 are needed")
+        raise InputError("film.too_few_crosses", n=len(crosses_mm), needed=4)
     result = np.full(np.shape(xy_mm), np.nan)
     if method == "bilinear":
         result = _bilinear(xy_mm, crosses_mm, correction_mm)
@@ -461,7 +474,7 @@ def straight_points(points: Marks, films: Mapping[str, Film], camera: Camera) ->
     to_px = np.array([1 / camera.pixel_mm[0], -1 / camera.pixel_mm[1]])
     for image in dict.fromkeys(points.image):
         if image not in films:
-            raise InputError(f"image {image} has points but no marks; measure its fiducials")
+            raise InputError("film.no_marks", image=image)
         rows = points.of(image)
         film = films[image]
         xy[rows] = camera.pixel_from_image(film.image_from_pixel(points.xy_px[rows]))

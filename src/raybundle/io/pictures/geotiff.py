@@ -84,7 +84,7 @@ def new_geotiff(
                 with library.open(path, "r+") as file:
                     file.build_overviews(levels, library.enums.Resampling.average)
     except (library.errors.RasterioError, library.errors.CRSError) as error:
-        raise InputError(f"the GeoTIFF could not be written: {str(error).splitlines()[0][:200]}") from None
+        raise InputError("geotiff.not_written", detail=str(error).splitlines()[0][:200]) from None
 
 
 TAGS = {"ImageDescription": 270, "Software": 305, "Artist": 315, "Copyright": 33432}

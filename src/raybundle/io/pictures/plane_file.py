@@ -17,7 +17,6 @@ from raybundle.io.pictures.rectified import WORLD
 from raybundle.io.reading.files import read_text
 from raybundle.io.reading.trees import Json, read_toml
 from raybundle.io.reading.words import number_of
-from raybundle.settings import option
 
 STATIONS = 12
 """Photographs by whose places an adjustment is known again"""
@@ -82,8 +81,9 @@ def plane_file_of(picture: Path) -> PlaneFile:
     world = next((f for n in names if (f := picture.with_suffix(n)).is_file()), None)
     if world is None:
         raise InputError(
-            f"neither {told.name}, as rectify writes it, nor a world file {picture.with_suffix(names[0]).name} stands "
-            "beside it, so that its scale is not known; rectify the photograph first, or bring the file",
+            "picture.no_scale",
+            plane=told.name,
+            world=picture.with_suffix(names[0]).name,
             file=picture,
         )
     return _of_world(world, picture)
@@ -94,7 +94,7 @@ def read_plane(path: Path) -> PlaneFile:
     tree = read_toml(path).tree()
     left, top, pixel = (tree.get(name).number() for name in ("left", "top", "pixel"))
     if not pixel > 0:
-        tree.get("pixel").fail(f"a pixel of {pixel:g} is not above 0")
+        tree.get("pixel").fail("value.not_above", value=pixel, limit=0)
     known = tree.has("normal")
     return PlaneFile(
         file=path, left=left, top=top, pixel=pixel, axes=_axes(tree) if known else None,
@@ -119,9 +119,7 @@ def _axes(tree: Json) -> PlaneAxes:
     axes = np.stack([tree.get(name).numbers(3) for name in ("right", "up", "normal")])
     off = float(np.abs(axes @ axes.T - np.eye(3)).max())
     if not off < SQUARE or np.linalg.det(axes) < 0:
-        tree.get("normal").fail(
-            f"right, up and normal are not three right-handed axes of length 1 (off by {off:.2g}, limit {SQUARE:g})"
-        )
+        tree.get("normal").fail("plane.axes_not_orthogonal", deviation=off, limit=SQUARE)
     return PlaneAxes(origin=tree.get("origin").numbers(3), axes=axes)
 
 
@@ -130,12 +128,11 @@ def _of_world(world: Path, picture: Path) -> PlaneFile:
     values = [number_of(w) for w in lines]
     known = [v for v in values if v is not None]
     if len(values) != 6 or len(known) != 6:
-        raise InputError("a world file has six numbers, one a line", file=world)
+        raise InputError("world_file.six_numbers", file=world)
     a, d, b, e, x, y = known
     if not (a > 0 and d == b == 0 and abs(a + e) <= 1e-9 * a):
         raise InputError(
-            "its pixels are not square, or turned; a sheet takes pictures whose columns go to the right, rows "
-            "downwards",
+            "world_file.rotated",
             file=world,
         )
     beside = system_file(picture)
@@ -157,19 +154,21 @@ def axes_in(path: Path, export: Export) -> PlaneAxes | None:
         if frame is None or frame.crs != plane.system:
             mine = "its own axes" if frame is None else frame.crs
             raise InputError(
-                f"the picture lies in {plane.system}, and the block in {mine}; bring it there "
-                f"({option('crs', 'EPSG:25832')})",
+                "picture.other_system",
+                picture=plane.system,
+                block=mine,
                 file=path,
             )
         _check_adjustment(plane, export)
         return None
     if plane.axes is None:
-        raise InputError("the place of this plane in space is not known: right, up and normal are missing", file=path)
+        raise InputError("plane.place_unknown", file=path)
     unit = "" if block.free_scale else block.length_unit
     if plane.unit != unit:
         raise InputError(
-            f"the plane is in {plane.unit or 'no unit'}, and the block in {unit or 'no unit'}; take the plane of a "
-            "picture of this block",
+            "plane.other_unit",
+            plane=plane.unit or "-",
+            block=unit or "-",
             file=path,
         )
     _check_adjustment(plane, export)
@@ -203,8 +202,10 @@ def _check_adjustment(plane: PlaneFile, export: Export) -> None:
     if off[k] > plane.pixel:
         unit = f" {plane.unit}" if plane.unit else ""
         raise InputError(
-            f"the picture was made of an earlier adjustment, in which photograph {both[k]} stood {off[k]:.3g}{unit} "
-            f"elsewhere (a pixel of the picture is {plane.pixel:g}{unit}), so that points of this one do not lie on "
-            "it; rectify again",
+            "picture.earlier_adjustment",
+            photograph=both[k],
+            offset=off[k],
+            pixel=plane.pixel,
+            unit=unit.strip() or "-",
             file=plane.file,
         )

@@ -135,11 +135,11 @@ def _exif(tags: Mapping[str, str]) -> Any:
 def check_picture(path: Path) -> None:
     """Raise InputError where a picture cannot or must not be written to this file."""
     if path.suffix.lower() not in WORLD:
-        raise InputError(f"a picture needs a name that ends in {', '.join(sorted(WORLD))}", file=path)
+        raise InputError("picture.suffix", known=sorted(WORLD), file=path)
     for file in (path, path.with_suffix(WORLD[path.suffix.lower()]), path.with_suffix(".toml"), system_file(path)):
         check_free(file)
     if not path.parent.is_dir():
-        raise InputError("its folder does not exist; make it first", file=path)
+        raise InputError("folder.missing", file=path)
 
 
 def _nearest(chosen: Mask, row: int, column: int, m: int, n: int, step: int) -> Mask:

@@ -84,8 +84,13 @@ def pinhole_camera(camera: Camera, area: Area = "inside") -> Camera:
     width, height = (whole(round(float(v), 6)) for v in ((right - left) * c / pw, (top - bottom) * c / ph))
     if width < 1 or height < 1 or width * height > LARGEST * w * h:
         raise InputError(
-            f"camera {camera.id}: without distortion its image would have {width} x {height} px, the photograph has "
-            f"{w} x {h}; the limit is {LARGEST:g} times as many. Take area inside, or leave its images out"
+            "undistort.too_large",
+            camera=camera.id,
+            width_px=width,
+            height_px=height,
+            camera_width_px=w,
+            camera_height_px=h,
+            limit=LARGEST,
         )
     values = dict.fromkeys(sensor_models["brown"].symbols, 0.0)
     values["c"] = c
@@ -252,11 +257,16 @@ def _opened(photos: Path, name: str, camera: Camera | None) -> tuple[Array, Any]
         try:
             image = Image.open(photos / _relative(name))
         except Image.DecompressionBombError as error:
-            raise InputError(str(error)) from None
+            raise InputError("file.not_readable", detail=str(error)) from None
     if camera is not None and image.size != (camera.width_px, camera.height_px):
         image.close()
         raise InputError(
-            f"it has {image.size[0]} x {image.size[1]} px, camera {camera.id} {camera.width_px} x {camera.height_px}"
+            "undistort.size_differs",
+            width_px=image.size[0],
+            height_px=image.size[1],
+            camera=camera.id,
+            camera_width_px=camera.width_px,
+            camera_height_px=camera.height_px,
         )
     with image:
         image.load()
@@ -273,7 +283,7 @@ def _saved(pixels: Array, path: Path, image: Any) -> None:
     try:
         Image.fromarray(pixels).save(path, format="JPEG" if form == "MPO" else form, **options)
     except OSError as error:
-        raise InputError(f"cannot be written: {error.strerror or error}; free space", file=path) from None
+        raise InputError("file.not_writable", detail=error.strerror or str(error), refused=False, file=path) from None
 
 
 def point_colours(

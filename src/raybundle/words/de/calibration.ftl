@@ -18,3 +18,60 @@ calibration-several_cameras = Die gespeicherte Kalibrierung { $camera } passt zu
 
 calibration-two_for_camera = Zwei gespeicherte Kalibrierungen passen zur Kamera { $camera }.
     .do = Jeder die Kennung ihrer Kamera geben: { $known }.
+
+calibration-size_differs = Kamera { $camera } hat { $width_px } x { $height_px } px, nicht { $given_width_px } x { $given_height_px } px.
+    .do = Prüfen, ob es die Kalibrierung dieser Kamera ist.
+
+calibration-pixel_size = Eine Pixelgröße von { $pixel_mm } mm ist nicht möglich.
+    .do = Die Größe in mm angeben, etwa 0.0045.
+
+calibration-one_model = Das Format { $format } hat nur ein Verzeichnungsmodell; keines ist wählbar.
+    .do = Das Modell weglassen.
+
+calibration-model_unknown = Das Format { $format } hat kein Modell { $model }.
+    .do = Eines von { LIST($known, most: 20) } verwenden.
+
+calibration-suffix = Das Format { $format } ist eine Datei mit anderer Endung.
+    .do = Einen Namen mit einer der Endungen { $suffixes } angeben.
+
+calibration-deviation = Kamera { $camera } als { $model } weicht bis zu { $deviation_px } px ab (RMS { $rms_px } px, Grenze { $limit_px } px).
+    .do = Ein anderes Format oder Modell wählen oder { OPTION("approximate", "True") } angeben.
+
+calibration-one_camera = Zu schreibende Kameras: { $n }; eine Datei des Formats { $format } hat genau eine.
+    .do = Sie einzeln umwandeln: { OPTION("camera", "ID") }.
+
+calibration-second_camera = Die Datei enthält eine zweite Kamera.
+    .do = Jede Kamera in einer eigenen Datei angeben.
+
+calibration-australis_row = Parameter { $parameter } hat { $n } Zahlen; nötig sind { $needed }.
+    .do = Anfangswert, Zuschlag, Endwert und die zwei Standardabweichungen angeben.
+
+calibration-incomplete = Im Kalibrierbericht fehlen { $missing }.
+    .do = Den vollständigen Bericht angeben.
+
+calibration-impossible_values = Format { $width_px } x { $height_px } px, Pixel { $pixel_mm } mm oder c = { $c_mm } mm ist nicht möglich.
+    .do = Den Wert berichtigen.
+
+calibration-no_size = Die Datei enthält die Bildgröße nicht.
+    .do = { OPTION("format", "WIDTH", "HEIGHT") } angeben.
+
+calibration-pixels_not_square = Ein Format von { $width_mm } x { $height_mm } mm passt nicht zu { $width_px } x { $height_px } px (Pixelverhältnis { $ratio }).
+    .do = Die Bildgröße berichtigen.
+
+calibration-no_camera = Die Datei enthält keine Kamera.
+    .do = Prüfen, ob es die richtige Datei ist; eine TOML-Datei hat Tabellen [cameras.ID].
+
+calibration-size_or_distance = Format { NUM($width_px, digits: 8) } x { NUM($height_px, digits: 8) } px oder Kamerakonstante { $distance_px } px ist nicht möglich.
+    .do = Den Wert berichtigen.
+
+calibration-camera_count = Kameras in dieser Datei: { $n }; nötig ist genau eine.
+    .do = Eine Kamera je Datei angeben.
+
+calibration-no_covariance = Das ist keine Kovarianzmatrix: Sie muss symmetrisch und positiv definit sein.
+    .do = Die Kalibrierung neu exportieren.
+
+calibration-format_unclear = Die Datei könnte eines von mehreren Kalibrierformaten sein: { $names }.
+    .do = Eines mit { OPTION("read_as", "FORMAT", flag: "from") } wählen: { LIST($known, most: 30) }.
+
+calibration-format_not_recognised = Die Datei ist nicht als Kalibrierung erkennbar.
+    .do = Ihr Format mit { OPTION("read_as", "FORMAT", flag: "from") } angeben: { LIST($known, most: 30) }.

@@ -69,3 +69,6 @@ file-created_meanwhile = Ein anderer Lauf hat diesen Namen inzwischen angelegt; 
 
 file-no_images = Es enthält keine Bilder.
     .do = Prüfen, ob es die richtige Datei ist.
+
+file-empty = Die Datei ist leer.
+    .do = Prüfen, ob sie vollständig ist.

@@ -22,3 +22,6 @@ folder-several_files = Der Ordner hat { $n } Dateien { $name }; nötig ist eine.
 
 folder-not_listed = Der Inhalt des Ordners ist nicht lesbar ({ $detail }).
     .do = Die Zugriffsrechte prüfen.
+
+folder-missing = Den Ordner dieser Datei gibt es nicht.
+    .do = Ihn zuerst anlegen.

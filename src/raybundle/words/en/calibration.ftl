@@ -32,3 +32,99 @@ calibration-several_cameras = Stored calibration { $camera } fits { $n } cameras
 # $known = ["d5100 (6000 x 4000 px)"]
 calibration-two_for_camera = Two stored calibrations fit camera { $camera }.
     .do = Give each the id of its camera: { $known }.
+
+# $camera = "d5100"
+# $width_px = 6000
+# $height_px = 4000
+# $given_width_px = 3000
+# $given_height_px = 2000
+calibration-size_differs = Camera { $camera } has { $width_px } x { $height_px } px, not { $given_width_px } x { $given_height_px } px.
+    .do = Check that it is the calibration of this camera.
+
+# $pixel_mm = 4.5
+calibration-pixel_size = A pixel size of { $pixel_mm } mm is not possible.
+    .do = Give the size in mm, such as 0.0045.
+
+# $format = "australis"
+calibration-one_model = Format { $format } has one distortion model; none can be chosen.
+    .do = Omit the model.
+
+# $format = "opencv"
+# $model = "xyz"
+# $known = ["radtan", "rational"]
+calibration-model_unknown = Format { $format } has no model { $model }.
+    .do = Use one of { LIST($known, most: 20) }.
+
+# $format = "opencv"
+# $suffixes = [".yaml", ".xml"]
+calibration-suffix = Format { $format } is a file with another ending.
+    .do = Give a name that ends in one of { $suffixes }.
+
+# $camera = "d5100"
+# $model = "radtan"
+# $deviation_px = 0.45
+# $rms_px = 0.12
+# $limit_px = 0.1
+calibration-deviation = Camera { $camera } as { $model } deviates by up to { $deviation_px } px (rms { $rms_px } px, limit { $limit_px } px).
+    .do = Choose another format or model, or give { OPTION("approximate", "True") }.
+
+# $n = 2
+# $format = "opencv"
+calibration-one_camera = Cameras to write: { $n }; a file of the format { $format } has exactly one.
+    .do = Convert them one by one: { OPTION("camera", "ID") }.
+
+calibration-second_camera = The file contains a second camera.
+    .do = Give each camera in its own file.
+
+# $parameter = "C"
+# $n = 3
+# $needed = 5
+calibration-australis_row = Parameter { $parameter } has { $n } numbers; { $needed } are needed.
+    .do = Give initial value, adjustment, final value and the two standard deviations.
+
+# $missing = ["C", "XP"]
+calibration-incomplete = The calibration report lacks { $missing }.
+    .do = Give the complete report.
+
+# $width_px = 6000
+# $height_px = 4000
+# $pixel_mm = [0.004, 0.004]
+# $c_mm = -24.0
+calibration-impossible_values = Format { $width_px } x { $height_px } px, pixel { $pixel_mm } mm or c = { $c_mm } mm is not possible.
+    .do = Correct the value.
+
+calibration-no_size = The file does not contain the image size.
+    .do = Give { OPTION("format", "WIDTH", "HEIGHT") }.
+
+# $width_mm = 36.0
+# $height_mm = 24.0
+# $width_px = 4000
+# $height_px = 4000
+# $ratio = 1.5
+calibration-pixels_not_square = A format of { $width_mm } x { $height_mm } mm does not fit { $width_px } x { $height_px } px (pixel ratio { $ratio }).
+    .do = Correct the image size.
+
+calibration-no_camera = The file contains no camera.
+    .do = Check that it is the right file; a TOML file has tables [cameras.ID].
+
+# $width_px = 6000.0
+# $height_px = 0.0
+# $distance_px = -1200.0
+calibration-size_or_distance = Format { NUM($width_px, digits: 8) } x { NUM($height_px, digits: 8) } px or principal distance { $distance_px } px is not possible.
+    .do = Correct the value.
+
+# $n = 2
+calibration-camera_count = Cameras in this file: { $n }; exactly one is needed.
+    .do = Give one camera per file.
+
+calibration-no_covariance = This is not a covariance matrix: it must be symmetric and positive definite.
+    .do = Export the calibration again.
+
+# $names = ["opencv", "ros"]
+# $known = ["colmap", "kalibr"]
+calibration-format_unclear = The file could be one of several calibration formats: { $names }.
+    .do = Choose one with { OPTION("read_as", "FORMAT", flag: "from") }: { LIST($known, most: 30) }.
+
+# $known = ["colmap", "kalibr"]
+calibration-format_not_recognised = The file is not recognised as a calibration.
+    .do = Give its format with { OPTION("read_as", "FORMAT", flag: "from") }: { LIST($known, most: 30) }.

@@ -81,3 +81,6 @@ file-created_meanwhile = Another run created this name in the meantime; the resu
 
 file-no_images = There are no images in it.
     .do = Check that it is the right file.
+
+file-empty = The file is empty.
+    .do = Check that it is complete.

@@ -28,3 +28,6 @@ folder-several_files = The folder has { $n } files { $name }; one is needed.
 # $detail = "Permission denied"
 folder-not_listed = The folder cannot be listed ({ $detail }).
     .do = Check the permissions.
+
+folder-missing = The folder of this file does not exist.
+    .do = Create it first.

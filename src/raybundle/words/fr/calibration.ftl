@@ -11,3 +11,41 @@ calibration-format_differs = Étalonnage { $camera } : aucune photographie n'a s
 calibration-several_cameras = L'étalonnage { $camera } convient à { $n } caméras.
 
 calibration-two_for_camera = Deux étalonnages conviennent à la caméra { $camera }.
+
+calibration-size_differs = Caméra { $camera } : { $width_px } x { $height_px } px, non { $given_width_px } x { $given_height_px } px.
+
+calibration-pixel_size = Une taille de pixel de { $pixel_mm } mm est impossible.
+
+calibration-one_model = Le format { $format } n'a qu'un modèle de distorsion.
+
+calibration-model_unknown = Le format { $format } n'a pas de modèle { $model }.
+
+calibration-suffix = Le format { $format } est un fichier d'une autre extension.
+
+calibration-deviation = Caméra { $camera } en { $model } : écart de { $deviation_px } px au plus (limite { $limit_px } px).
+
+calibration-one_camera = Caméras à écrire : { $n } ; un fichier { $format } en contient une seule.
+
+calibration-second_camera = Le fichier contient une deuxième caméra.
+
+calibration-australis_row = Paramètre { $parameter } : { $n } nombres ; il en faut { $needed }.
+
+calibration-incomplete = Le rapport d'étalonnage ne contient pas { $missing }.
+
+calibration-impossible_values = Format { $width_px } x { $height_px } px, pixel { $pixel_mm } mm ou c = { $c_mm } mm : impossible.
+
+calibration-no_size = Le fichier ne contient pas la taille de l'image.
+
+calibration-pixels_not_square = Un format de { $width_mm } x { $height_mm } mm ne convient pas à { $width_px } x { $height_px } px (rapport { $ratio }).
+
+calibration-no_camera = Le fichier ne contient aucune caméra.
+
+calibration-size_or_distance = Format { NUM($width_px, digits: 8) } x { NUM($height_px, digits: 8) } px ou distance principale { $distance_px } px : impossible.
+
+calibration-camera_count = Caméras dans ce fichier : { $n } ; il en faut une seule.
+
+calibration-no_covariance = Ce n'est pas une matrice de covariance : elle doit être symétrique et définie positive.
+
+calibration-format_unclear = Le fichier peut être de plusieurs formats d'étalonnage : { $names }.
+
+calibration-format_not_recognised = Le fichier n'est pas reconnu comme étalonnage.

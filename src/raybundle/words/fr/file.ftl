@@ -42,3 +42,5 @@ file-not_writable = Écriture impossible ici ({ $detail }).
 file-created_meanwhile = Une autre exécution a créé ce nom entre-temps ; ce résultat est abandonné.
 
 file-no_images = Il n'y a pas d'images.
+
+file-empty = Le fichier est vide.

@@ -13,3 +13,5 @@ folder-file_missing = Le dossier n'a pas de fichier { $name }.
 folder-several_files = Le dossier a { $n } fichiers { $name } ; il en faut un.
 
 folder-not_listed = Le dossier ne peut être listé ({ $detail }).
+
+folder-missing = Le dossier de ce fichier n'existe pas.

@@ -1,0 +1,43 @@
+film-mark_outside_camera = { $x_mm }, { $y_mm } mm liegt außerhalb jeder Kamera (größter Wert { $largest_mm } mm).
+    .do = Millimeter angeben.
+
+film-mark_not_calibrated = Die Marke { $mark } hat keine kalibrierte Position.
+    .do = Ihren Namen berichtigen ({ LIST($known, most: 8) }) oder sie im Zertifikat ergänzen.
+
+film-position_outside_scan = { $x_px }, { $y_px } px liegt außerhalb jedes Scans (größter Wert { $largest_px } px).
+    .do = Die Messung berichtigen.
+
+film-pixel_size = Bild { $image }: Ein Scannerpixel von { $pixel_mm } mm ist nicht möglich.
+    .do = Die Größe in mm angeben.
+
+film-too_few_marks = Bild { $image } hat { $n } Marken; die Transformation { $model } braucht { $needed }.
+    .do = Mehr Marken messen oder eine einfachere Transformation verwenden.
+
+film-marks_in_line = Bild { $image }: Die Marken liegen auf einer Geraden oder an einer Stelle.
+    .why = Die Transformation { $model } ist nicht bestimmt.
+    .do = Über das Bild verteilte Marken messen.
+
+film-too_few_crosses = Das Réseau hat { $n } Kreuze; eine Korrektur braucht { $needed }.
+    .do = Mehr Kreuze messen oder das Réseau weglassen.
+
+film-no_marks = Bild { $image } hat Punkte, aber keine Marken.
+    .do = Seine Rahmenmarken messen.
+
+film-marks_implausible = Bild { $image }: Kein Film hat die Verformung, die diese Marken zeigen.
+
+film-no_transformation = Bild { $image }: Keine Transformation { $model } passt zu den Marken.
+
+film-residuals = Die Residuen der Marken erreichen { $worst_mm } mm (Grenze { $limit_mm } mm).
+
+film-stretch = Der Film wäre entlang einer Achse { $ratio }-mal so stark gedehnt wie entlang der anderen (Grenze { $limit }).
+
+film-shear = Die Achsen des Films wichen um { $shear_deg }° vom rechten Winkel ab (Grenze { $limit_deg }°).
+
+film-marks_exchanged = Die Namen zweier Marken sind wahrscheinlich vertauscht: { $pairs }.
+    .do = Diese Namen tauschen.
+
+film-wrong_mark = Die Marke { $mark } ist wahrscheinlich falsch.
+    .do = Sie neu messen oder ihre kalibrierte Position berichtigen.
+
+film-several_wrong_marks = Mehr als eine Marke ist falsch.
+    .do = Namen, kalibrierte und gemessene Positionen vergleichen.

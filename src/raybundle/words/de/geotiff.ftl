@@ -1,0 +1,1 @@
+geotiff-not_written = Das GeoTIFF konnte nicht geschrieben werden ({ $detail }).

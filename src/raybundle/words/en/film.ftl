@@ -1,0 +1,73 @@
+# $x_mm = 106000.0
+# $y_mm = 0.0
+# $largest_mm = 500.0
+film-mark_outside_camera = { $x_mm }, { $y_mm } mm is outside any camera (largest { $largest_mm } mm).
+    .do = Give millimetres.
+
+# $mark = "'F9'"
+# $known = ["F1", "F2"]
+film-mark_not_calibrated = Mark { $mark } has no calibrated position.
+    .do = Correct its name: { LIST($known, most: 8) }, or add it to the certificate.
+
+# $x_px = 1000000000.0
+# $y_px = 0.0
+# $largest_px = 1000000.0
+film-position_outside_scan = { $x_px }, { $y_px } px is outside any scan (largest { $largest_px } px).
+    .do = Correct the measurement.
+
+# $image = "1001"
+# $pixel_mm = 12.0
+film-pixel_size = Image { $image }: a scanner pixel of { $pixel_mm } mm is not possible.
+    .do = Give the size in mm.
+
+# $image = "1001"
+# $n = 2
+# $model = "affine"
+# $needed = 3
+film-too_few_marks = Image { $image } has { $n } marks; the transformation { $model } needs { $needed }.
+    .do = Measure more marks, or use a simpler transformation.
+
+# $image = "1001"
+# $model = "affine"
+film-marks_in_line = Image { $image }: the marks lie on a line or in one place.
+    .why = The transformation { $model } is not determined.
+    .do = Measure marks that are spread over the image.
+
+# $n = 3
+# $needed = 4
+film-too_few_crosses = The reseau has { $n } crosses; a correction needs { $needed }.
+    .do = Measure more crosses, or leave the reseau out.
+
+# $image = "1001"
+film-no_marks = Image { $image } has points, but no marks.
+    .do = Measure its fiducial marks.
+
+# $image = "1001"
+film-marks_implausible = Image { $image }: no film has the deformation that these marks show.
+
+# $image = "1001"
+# $model = "affine"
+film-no_transformation = Image { $image }: no { $model } transformation fits the marks.
+
+# $worst_mm = 3.2
+# $limit_mm = 1.0
+film-residuals = The residuals of the marks reach { $worst_mm } mm (limit { $limit_mm } mm).
+
+# $ratio = 1.2
+# $limit = 1.05
+film-stretch = The film would be stretched { $ratio } times as much along one axis as along the other (limit { $limit }).
+
+# $shear_deg = 3.2
+# $limit_deg = 1.0
+film-shear = The axes of the film would deviate by { $shear_deg }° from the right angle (limit { $limit_deg }°).
+
+# $pairs = ["F1 - F2"]
+film-marks_exchanged = The names of two marks are probably interchanged: { $pairs }.
+    .do = Interchange these names.
+
+# $mark = "F3"
+film-wrong_mark = Mark { $mark } is probably wrong.
+    .do = Measure it again, or correct its calibrated position.
+
+film-several_wrong_marks = More than one mark is wrong.
+    .do = Compare names, calibrated and measured positions.

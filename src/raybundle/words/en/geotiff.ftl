@@ -1,0 +1,2 @@
+# $detail = "unknown driver"
+geotiff-not_written = The GeoTIFF could not be written ({ $detail }).

@@ -1,0 +1,31 @@
+film-mark_outside_camera = { $x_mm }, { $y_mm } mm : hors de toute caméra (maximum { $largest_mm } mm).
+
+film-mark_not_calibrated = La marque { $mark } n'a pas de position étalonnée.
+
+film-position_outside_scan = { $x_px }, { $y_px } px : hors de tout scan (maximum { $largest_px } px).
+
+film-pixel_size = Image { $image } : un pixel de scanner de { $pixel_mm } mm est impossible.
+
+film-too_few_marks = Image { $image } : { $n } marques ; la transformation { $model } en demande { $needed }.
+
+film-marks_in_line = Image { $image } : les marques sont alignées ou confondues.
+
+film-too_few_crosses = Le réseau a { $n } croix ; il en faut { $needed }.
+
+film-no_marks = Image { $image } : des points, mais aucune marque.
+
+film-marks_implausible = Image { $image } : aucun film n'a la déformation indiquée par ces marques.
+
+film-no_transformation = Image { $image } : aucune transformation { $model } ne convient aux marques.
+
+film-residuals = Les résidus des marques atteignent { $worst_mm } mm (limite { $limit_mm } mm).
+
+film-stretch = Le film serait étiré { $ratio } fois plus selon un axe que selon l'autre (limite { $limit }).
+
+film-shear = Les axes du film s'écarteraient de { $shear_deg }° de l'angle droit (limite { $limit_deg }°).
+
+film-marks_exchanged = Les noms de deux marques sont probablement intervertis : { $pairs }.
+
+film-wrong_mark = La marque { $mark } est probablement fausse.
+
+film-several_wrong_marks = Plus d'une marque est fausse.
