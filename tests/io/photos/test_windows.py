@@ -112,5 +112,5 @@ def test_damaged_files(tmp_path, change, message):
 def test_other_pixels_are_refused(tmp_path):
     Image.fromarray(GREY.astype(np.float32)).save(tmp_path / "a.tif")
     assert is_tiff(tmp_path / "a.tif")
-    with pytest.raises(InputError, match="32 bits, sample format 3: whole numbers of 8 or 16 bits can be read"):
+    with pytest.raises(InputError, match=r"32.*3.*8.*16.*tiff\.pixel_format"):
         Windows.of(tmp_path / "a.tif")

@@ -92,20 +92,20 @@ def test_position_lists(tmp_path, key):
         (
             "geo.txt",
             "EPSG:4326\na.jpg 8.25 47.5 450\na.jpg 8.26 47.5 450\n",
-            "line 3, column name: a.jpg stands in line 2",
+            r"3.*a\.jpg.*2.*cell\.id_twice",
         ),
-        ("geo.txt", "EPSG:4326\na.jpg 47.5 98.25 450\n", "line 2: 98.25 is beyond 90 degrees"),
-        ("geo.txt", "EPSG:4326\na.jpg 8.25 47.5 450\nb.jpg 8.25\n", "line 3: 2 columns"),
+        ("geo.txt", "EPSG:4326\na.jpg 47.5 98.25 450\n", r"2.*98\.25.*90.*position\.beyond_degrees"),
+        ("geo.txt", "EPSG:4326\na.jpg 8.25 47.5 450\nb.jpg 8.25\n", r"3.*2.*line\.too_few_cells"),
         ("geo.txt", "EPSG:999999\na.jpg 8.25 47.5 450\n", "line 1: .*is no coordinate system"),
         ("geo.txt", "EPSG:4326\na.jpg 8.25 47.5 high\n", r"2.*Z.*value\.not_finite"),
         ("p.csv", "imagename,latitude,longitude,altitude\na.jpg,47.5,x,450\n", r"2.*value\.not_finite"),
-        ("p.csv", "imagename,latitude,longitude,altitude\na.jpg,47.5\n", "line 2: 2 columns"),
-        ("p.csv", "imagename,latitude,longitude,altitude\n", "it holds no position"),
-        ("p.csv", "a.jpg,47.5,8.25,450\nb.jpg,47.5\n", "line 2: 2 columns"),
+        ("p.csv", "imagename,latitude,longitude,altitude\na.jpg,47.5\n", r"2.*line\.too_few_cells"),
+        ("p.csv", "imagename,latitude,longitude,altitude\n", r"trajectory\.no_position"),
+        ("p.csv", "a.jpg,47.5,8.25,450\nb.jpg,47.5\n", r"2.*line\.too_few_cells"),
         (
             "e.pos",
             "% GPST latitude(d'\") longitude(d'\") height(m)\n2024/05/01 10:00:01.237 47 30 0 8 15 0 450\n",
-            "decimal degrees",
+            r"rtklib\.not_decimal_degrees",
         ),
     ],
 )
@@ -145,7 +145,7 @@ def test_rtklib_events(tmp_path, name):
     np.testing.assert_allclose(found.correlation[0], (1e-6 / 1.2e-5, -1e-6 / 2.7e-5, 0.0), rtol=1e-6)
     assert found.fix == ("rtk fixed",) * 3
     assert matched(found, ["IMG_0103.jpg", "IMG_0099.jpg", "IMG_0101.jpg"]).tolist() == [2, 0, 1]
-    with pytest.raises(InputError, match="3 positions without names and 2 photographs"):
+    with pytest.raises(InputError, match=r"3.*2.*trajectory\.count_differs"):
         matched(found, ["a.jpg", "b.jpg"])
 
 
@@ -187,20 +187,20 @@ def test_rtklib_covariances_from_the_earths_centre(tmp_path, place):
     assert any("have other names" in r for r in other.remarks)
 
 
-BRACKETS = {  # names of latitude, longitude, height, accuracy; words of the refusal, or nothing
+BRACKETS = {  # names of latitude, longitude, height, accuracy; the quantity whose unit is refused, or nothing
     "latitude [decimal degrees],longitude [decimal degrees],altitude [meter],accuracy horizontal [meter]": "",
     "Latitude (deg),Longitude (deg),Height (m),Sigma XY (m)": "",
     "latitude (WGS84),longitude (WGS84),ellipsoidal height (m),accuracy horizontal": "",
     "latitude,longitude,altitude (ellipsoidal) [m],accuracy horizontal": "",
-    "latitude,longitude,altitude [feet],accuracy horizontal": "'feet' is not read; give metres",
-    "latitude,longitude,altitude (ft),accuracy horizontal": "'ft' is not read; give metres",
-    "latitude,longitude,height (US survey ft),accuracy horizontal": "'US survey ft' is not read",
-    "latitude,longitude,altitude (MSL),accuracy horizontal": "'MSL' is not read; give metres above the ellipsoid",
-    "latitude,longitude,height [m] (EGM96),accuracy horizontal": "'EGM96' is not read",
-    "latitude,longitude,altitude (orthometric),accuracy horizontal": "'orthometric' is not read",
-    "latitude (rad),longitude (rad),altitude,accuracy horizontal": "'rad' is not read; give degrees",
-    "latitude (gon),longitude (gon),altitude,accuracy horizontal": "'gon' is not read; give degrees",
-    "latitude,longitude,altitude,accuracy horizontal [cm]": "'cm' is not read; give metres",
+    "latitude,longitude,altitude [feet],accuracy horizontal": "height",
+    "latitude,longitude,altitude (ft),accuracy horizontal": "height",
+    "latitude,longitude,height (US survey ft),accuracy horizontal": "height",
+    "latitude,longitude,altitude (MSL),accuracy horizontal": "height",
+    "latitude,longitude,height [m] (EGM96),accuracy horizontal": "height",
+    "latitude,longitude,altitude (orthometric),accuracy horizontal": "height",
+    "latitude (rad),longitude (rad),altitude,accuracy horizontal": "angle",
+    "latitude (gon),longitude (gon),altitude,accuracy horizontal": "angle",
+    "latitude,longitude,altitude,accuracy horizontal [cm]": "length",
 }
 
 
@@ -209,9 +209,10 @@ def test_units_of_columns(tmp_path, names):
     path = tmp_path / "list.csv"
     text = f"imagename,{names}\na.jpg,47.5,8.25,450,0.02\n"
     path.write_text(text)
-    if words := BRACKETS[names]:
-        with pytest.raises(InputError, match=re.escape(words)):
+    if BRACKETS[names]:
+        with pytest.raises(InputError, match=r"image_list\.unit") as caught:
             read_trajectory(path)
+        assert caught.value.message.values["quantity"] == BRACKETS[names]
     else:
         np.testing.assert_allclose(read_trajectory(path).xyz, [HERE])
     system = "# CoordinateSystem: EPSG:4326+5773\n"
@@ -228,14 +229,14 @@ STATED = {  # a line of the header and what it gives: a remark, none, or the rea
     "% antenna height: none": "does not state what its heights count from",
     "% height: 1.5 m": "does not state what its heights count from",
     "% pos mode  : Kinematic": "does not state what its heights count from",
-    "% (lat/lon/height=WGS84/geodetic,Q=1:fix,2:float,ns=# of satellites)": "a geoid that the file does not name",
-    "% (lat/lon/height=wgs84/geodetic)": "a geoid that the file does not name",
-    "% height: geodetic": "a geoid that the file does not name",
-    "% height    : orthometric": "'orthometric'.*a geoid that the file does not name",
-    "% (lat/lon/height=Tokyo/ellipsoidal,Q=1:fix)": "the datum 'Tokyo'",
-    "% (lat/lon/height=Tokyo/geodetic,Q=1:fix)": "the datum 'Tokyo'",
-    "% (lat/lon/height=CGCS2000/ellipsoidal,Q=1:fix)": "the datum 'CGCS2000'",
-    "% (x/y/z-ecef=Tokyo,Q=1:fix)": "the datum 'Tokyo'",
+    "% (lat/lon/height=WGS84/geodetic,Q=1:fix,2:float,ns=# of satellites)": r"rtklib\.heights",
+    "% (lat/lon/height=wgs84/geodetic)": r"rtklib\.heights",
+    "% height: geodetic": r"rtklib\.heights",
+    "% height    : orthometric": r"orthometric.*rtklib\.heights",
+    "% (lat/lon/height=Tokyo/ellipsoidal,Q=1:fix)": r"Tokyo.*rtklib\.datum",
+    "% (lat/lon/height=Tokyo/geodetic,Q=1:fix)": r"Tokyo.*rtklib\.datum",
+    "% (lat/lon/height=CGCS2000/ellipsoidal,Q=1:fix)": r"CGCS2000.*rtklib\.datum",
+    "% (x/y/z-ecef=Tokyo,Q=1:fix)": r"Tokyo.*rtklib\.datum",
 }
 
 
@@ -244,7 +245,7 @@ def test_rtklib_states_datum_and_heights(tmp_path, stated):
     path = tmp_path / "a_events.pos"
     path.write_text(f"{stated}\n{POS['date']}")
     right = STATED[stated]
-    if "geoid" in right or "datum" in right:
+    if "rtklib" in right:
         with pytest.raises(InputError, match=f"line 1: .*{right}"):
             read_trajectory(path)
         return
@@ -263,7 +264,7 @@ def test_rtklib_states_its_times(tmp_path, clock):
 def test_rtklib_columns_by_name(tmp_path):
     path = tmp_path / "a_events.pos"
     path.write_text(POS["date"].replace("latitude(deg) longitude(deg)", "longitude(deg) latitude(deg)"))
-    with pytest.raises(InputError, match="the columns are longitude, latitude, height"):
+    with pytest.raises(InputError, match=r"rtklib\.columns"):
         read_trajectory(path)
     path.write_text(POS["date"].replace("sdn(m)   sde(m)", "sde(m)   sdn(m)"))
     found = read_trajectory(path)
@@ -275,14 +276,14 @@ def test_rtklib_columns_by_name(tmp_path):
 def test_a_track_is_no_list_of_exposures(tmp_path, step):
     path = tmp_path / "rover.pos"
     path.write_text(HEAD + "".join(f"2312 {295200 + k * step:.3f}   {TAIL}" for k in range(20)))
-    with pytest.raises(InputError, match="it is a track of 20 epochs"):
+    with pytest.raises(InputError, match=r"20.*rtklib\.track"):
         read_trajectory(path)
 
 
 def test_formats_that_are_only_read(tmp_path):
     path = tmp_path / "geo.txt"
     path.write_text("EPSG:4326\na.jpg 8.25 47.5 450\n")
-    with pytest.raises(InputError, match="format geo-txt is only read; written are"):
+    with pytest.raises(InputError, match=r"format\.only_read"):
         write_trajectory(read_trajectory(path), tmp_path / "b.txt", name="geo-txt")
 
 
@@ -316,7 +317,7 @@ def test_names_of_columns_are_understood_or_refused(tmp_path, names):
     for comment in ("", "# a list by hand\n# of 2024\n"):
         path.write_text(f"{comment}{names}\na.jpg,{NUMBERS}\nb.jpg,{NUMBERS}\n")
         if isinstance(HEADERS[names], str):
-            with pytest.raises(InputError, match=f"do not determine the coordinates: {HEADERS[names]}; known names"):
+            with pytest.raises(InputError, match=r"image_list\.unknown_columns"):
                 read_trajectory(path)
             continue
         crs, place = HEADERS[names]
@@ -350,7 +351,7 @@ def test_lists_without_names_are_read_where_numbers_decide(tmp_path, lines):
     path = tmp_path / "list.csv"
     path.write_text(f"{lines}\n")
     if not NAMELESS[lines]:
-        with pytest.raises(InputError, match="no column names, and the numbers .* do not decide"):
+        with pytest.raises(InputError, match=r"image_list\.order_unclear"):
             read_trajectory(path)
         return
     if "," in NAMELESS[lines]:
@@ -365,18 +366,18 @@ def test_lists_without_names_are_read_where_numbers_decide(tmp_path, lines):
 def test_an_empty_name_is_refused(tmp_path, name):
     path = tmp_path / "list.csv"
     path.write_text(f"imagename,latitude,longitude,altitude\na.jpg,47.5,8.25,450\n{name},47.5,8.26,450\n")
-    with pytest.raises(InputError, match=r"line 3.*the name of the image is empty"):
+    with pytest.raises(InputError, match=r"3.*name\.missing"):
         read_trajectory(path)
 
 
 def test_numbers_as_names_of_photographs(tmp_path):
     path = tmp_path / "geo.txt"
     path.write_text("EPSG:4326\n0001 8.25 47.5 450\n12 8.26 47.5 450\n")
-    with pytest.raises(InputError, match=r"line 2, column image: '0001' is a number.*a line is IMAGE X Y Z"):
+    with pytest.raises(InputError, match=r"2.*0001.*geo_txt\.name_is_number"):
         read_trajectory(path)
     path = tmp_path / "list.csv"
     path.write_text("0001,47.5,8.25,450\n")
-    with pytest.raises(InputError, match="begins with a line of names: imagename,latitude,longitude,altitude"):
+    with pytest.raises(InputError, match=r"trajectory\.format_unknown"):
         read_trajectory(path)
 
 
@@ -429,7 +430,7 @@ def test_order_of_coordinates_in_a_named_system(tmp_path, line):
     right = ORDERS[line]
     for path, read in ((geo, read_trajectory), (gcp, read_control)):
         if right.startswith("refused: "):
-            with pytest.raises(InputError, match=f"line 2: {right.removeprefix('refused: ')}"):
+            with pytest.raises(InputError, match=r"2.*180.*position\.beyond_degrees"):
                 read(path)
             continue
         beyond = [r for r in read(path).remarks if "outside the area of use" in r]

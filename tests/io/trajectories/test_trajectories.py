@@ -60,7 +60,7 @@ def test_numbers_find_their_photographs(mrk):
     t = read_trajectory(mrk)
     files = ["a/DJI_20240501101530_0002_V.JPG", "100_0001_0001.JPG", "DJI_0007.JPG", "cover.jpg"]
     assert matched(t, files).tolist() == [1, 0, -1, -1]
-    with pytest.raises(InputError, match=r"line 2: 2 belongs to a_0002.jpg and to b_0002.jpg"):
+    with pytest.raises(InputError, match=r"2.*a_0002\.jpg.*b_0002\.jpg.*trajectory\.position_twice"):
         matched(t, ["a_0002.jpg", "b_0002.jpg"])
 
 
@@ -70,9 +70,9 @@ def test_positions_become_stations(mrk):
     assert s.image.tolist() == [0, 2]
     np.testing.assert_allclose(s.xyz, FRAME.local_from_crs(t.xyz[[1, 0]]))
     np.testing.assert_allclose(s.sigma[1], t.sigma[0])
-    with pytest.raises(InputError, match="none of 1 photograph has"):
+    with pytest.raises(InputError, match=r"1.*trajectory\.no_photograph_found"):
         stations_of(t, ["x.jpg"], FRAME)
-    with pytest.raises(InputError, match="no Cartesian coordinates"):
+    with pytest.raises(InputError, match=r"trajectory\.needs_local_frame"):
         stations_of(t, ["DJI_0002.JPG"], None)
 
 
@@ -87,9 +87,9 @@ def test_photographs_take_positions(mrk):
     assert gps[0].sigma_m == (0.003104, 0.002967, 0.007622)
     assert gps[2] == gps[3] == old  # no position, no row
     assert remarks[0] == "2 of 4 photographs get their position from flight_Timestamp.MRK"
-    with pytest.raises(InputError, match="none of 1 photograph has"):
+    with pytest.raises(InputError, match=r"1.*trajectory\.no_photograph_found"):
         with_positions(photos[3:], t)
-    with pytest.raises(InputError, match="longitude_deg"):
+    with pytest.raises(InputError, match=r"longitude_deg.*trajectory\.no_crs"):
         with_positions(photos, replace(t, crs=None))
 
 
@@ -129,7 +129,7 @@ def test_positions_of_another_system_are_transformed(tmp_path, system):
 
 @pytest.mark.parametrize("system", ["EPSG:4326", "EPSG:4258+ellipsoid"])
 def test_degrees_of_any_system_need_a_frame(mrk, system):
-    with pytest.raises(InputError, match="no Cartesian coordinates"):
+    with pytest.raises(InputError, match=r"trajectory\.needs_local_frame"):
         stations_of(replace(read_trajectory(mrk), crs=system), ["DJI_0002.JPG"], None)
 
 
@@ -150,7 +150,7 @@ def test_rpy_against_true_north(tmp_path):
     assert abs(kappa[1]) == pytest.approx(convergence[1], abs=0.01)
     north = np.linalg.inv(rotations_in(t, frame)[1]) @ [0, 1, 0]
     assert north[0] < 0
-    with pytest.raises(InputError, match="need a coordinate system"):
+    with pytest.raises(InputError, match=r"trajectory\.north_needs_frame"):
         rotations_in(t, None)
 
 
@@ -223,29 +223,29 @@ def test_what_is_written_reads_back(name, tmp_path):
 
 def test_what_cannot_be_written_is_refused(tmp_path):
     t = trajectory("opk", tmp_path / "x")
-    with pytest.raises(InputError, match="longitude and latitude"):
+    with pytest.raises(InputError, match=r"mrk\.not_geographic"):
         write_trajectory(t, tmp_path / "a.mrk", name="mrk")
-    with pytest.raises(InputError, match="against true north"):
+    with pytest.raises(InputError, match=r"trajectory\.attitude_reference"):
         write_trajectory(t, tmp_path / "a.csv", name="rpy")
-    with pytest.raises(InputError, match="no attitudes"):
+    with pytest.raises(InputError, match=r"trajectory\.no_attitudes"):
         write_trajectory(replace(t, rotation=None), tmp_path / "a.csv", name="opk")
-    with pytest.raises(InputError, match="unknown format 'doc'"):
+    with pytest.raises(InputError, match=r"format\.unknown"):
         read_trajectory(tmp_path / "x", name="doc")
-    with pytest.raises(InputError, match="no attitudes"):
+    with pytest.raises(InputError, match=r"trajectory\.no_attitudes"):
         rotations_in(replace(t, rotation=None), None)
 
 
 @pytest.mark.parametrize(
     ("old", "new", "words"),
     [
-        ("101,N", "101", r"line 1, column N: the number marked N is missing"),
-        ("22.77995359,Lat", "122.7,Lat", r"line 1, column Lat: 122.7 is beyond 90"),
-        ("[2404]\t   -3", "\t   -3", r"line 2, column 1 to 3: a line begins with number"),
-        ("0.5, 0.6, 1.2", "0.5, 0.6", r"line 2, column standard deviations: three"),
-        ("0.5, 0.6, 1.2", "-0.5, 0.6, 1.2", r"are no standard deviations"),
-        ("3\t282406", "2\t282406", r"line 3, column 1: number 2 stands twice"),
-        ("282401.669089", "982401.6", r"line 1, column 2: 982402 is no second of a week"),
-        ("139.4,Ellh\t0.5, 0.6, 1.2\t34,Q", "139.4,El", r"line 2, column Ellh: .* the line is not complete"),
+        ("101,N", "101", r"1.*mrk\.tag_missing"),
+        ("22.77995359,Lat", "122.7,Lat", r"1.*90.*mrk\.out_of_range"),
+        ("[2404]\t   -3", "\t   -3", r"2.*1.*3.*mrk\.line"),
+        ("0.5, 0.6, 1.2", "0.5, 0.6", r"2.*mrk\.sigmas_missing"),
+        ("0.5, 0.6, 1.2", "-0.5, 0.6, 1.2", r"mrk\.sigmas_out_of_range"),
+        ("3\t282406", "2\t282406", r"3.*1.*2.*cell\.id_twice"),
+        ("282401.669089", "982401.6", r"1.*2.*mrk\.second_of_week"),
+        ("139.4,Ellh\t0.5, 0.6, 1.2\t34,Q", "139.4,El", r"2.*mrk\.tag_missing"),
     ],
 )
 def test_bad_mrk_files_are_named(mrk, old, new, words):
@@ -259,18 +259,18 @@ def test_bad_mrk_files_are_named(mrk, old, new, words):
     ("text", "words"),
     [
         ("image,X,Y,Z,omega_deg,phi_deg,kappa_deg\na,1,2,3,4,5,x\n", r"2.*kappa_deg.*cell\.not_a_number"),
-        ("image,X,Y,omega_deg,phi_deg,kappa_deg\na,1,2,4,5,6\n", r"line 1: a position is needed"),
+        ("image,X,Y,omega_deg,phi_deg,kappa_deg\na,1,2,4,5,6\n", r"1.*table\.one_position"),
         ("image,X,Y,Z,omega_deg,phi_deg,kappa_deg,sX\na,1,2,3,4,5,6,-1\n", r"cell\.negative_sigma"),
         (
             "image,longitude_deg,latitude_deg,height_m,roll_deg,pitch_deg,yaw_deg\na,49,114,3,4,5,6\n",
-            r"line 2, column latitude_deg: 114 is beyond 90 degrees; are longitude and latitude swapped",
+            r"2.*latitude_deg.*114.*90.*position\.beyond_degrees",
         ),
         (
             "image,X,Y,Z,roll_deg,pitch_deg,yaw_deg,roll_rad,pitch_rad,yaw_rad\na,1,2,3,4,5,6,1,1,1\n",
-            "one kind and unit",
+            r"table\.three_angles",
         ),
-        ("image,X,Y,Z,heading\na,1,2,3,4\n", "format is not recognised"),
-        ("", "format is not recognised"),
+        ("image,X,Y,Z,heading\na,1,2,3,4\n", r"trajectory\.format_unknown"),
+        ("", r"trajectory\.format_unknown"),
     ],
 )
 def test_bad_tables_are_named(tmp_path, text, words):
