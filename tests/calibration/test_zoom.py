@@ -146,10 +146,10 @@ def test_it_comes_back_from_its_files(exact, tmp_path):
     np.testing.assert_array_equal(a.covariance, b.covariance)
     text = (tmp_path / "zoom.toml").read_text()
     (tmp_path / "zoom.toml").write_text(text.replace('"K2"', '"K9"'))
-    with pytest.raises(InputError, match="'K9' is no parameter of brown"):
+    with pytest.raises(InputError, match=r"K9.*parameter\.unknown"):
         read_zoom(tmp_path)
     (tmp_path / "zoom.toml").write_text(text.replace("[covariance]\nrows = [\n", "[covariance]\nrows = [\n  [1.0],\n"))
-    with pytest.raises(InputError, match="rows for"):
+    with pytest.raises(InputError, match=r"value\.count"):
         read_zoom(tmp_path)
 
 

@@ -84,7 +84,7 @@ def test_what_is_off_is_not_written_unless_asked_for(tmp_path, capsys):
     assert main(arguments) == 2
     told = capsys.readouterr()
     assert re.search(r"4, fitted over the format: rms [\d.]+ px, largest [\d.]+ px", told.out)
-    assert "more than 0.1 px; give another format or model, or --approximate" in told.err
+    assert "[calibration.deviation]" in told.err
     assert not (tmp_path / "d.yaml").exists()
     assert main([*arguments, "--approximate"]) == 0
     assert (tmp_path / "d.yaml").exists()
@@ -172,7 +172,7 @@ def test_a_result_is_kept_with_its_covariance_and_found(tmp_path, capsys):
 
 def test_add_by_words_and_its_refusals(ours, tmp_path, capsys):
     library = tmp_path / "library"
-    with pytest.raises(InputError, match="model= and focal="):
+    with pytest.raises(InputError, match=r"library\.no_key"):
         run("add", ours, "--library", library)
     run(
         "add",
@@ -197,7 +197,7 @@ def test_add_by_words_and_its_refusals(ours, tmp_path, capsys):
 
 def test_several_cameras_in_a_file(ours, tmp_path):
     (tmp_path / "two.toml").write_text(TEXT + TEXT.replace("left", "right"))
-    with pytest.raises(InputError, match="2 cameras"):
+    with pytest.raises(InputError, match=r"2.*calibration\.one_camera"):
         run("convert", tmp_path / "two.toml", "--to", "opencv", "--out", tmp_path / "c.yaml")
     run("convert", tmp_path / "two.toml", "--camera", "right", "--to", "opencv", "--out", tmp_path / "c.yaml")
     run("convert", tmp_path / "two.toml", "--to", "kalibr", "--out", tmp_path / "chain.yaml")
@@ -230,6 +230,6 @@ def test_the_verdict_goes_into_the_library_or_keeps_out_of_it(tmp_path, capsys):
     assert (entry.grade, entry.photographs) == ("weak", 3)
     run("list", "--library", library)
     assert "called weak" in capsys.readouterr().out
-    with pytest.raises(InputError, match="did not determine this camera"):
+    with pytest.raises(InputError, match=r"library\.not_determinable"):
         run("add", result_with("not determinable", tmp_path / "nothing"), *key)
     assert len(read_library(library).entries) == 1

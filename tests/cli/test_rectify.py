@@ -211,7 +211,7 @@ def test_a_wrong_mark_is_named(wall, tmp_path, capsys):
 @pytest.mark.parametrize(
     ("arguments", "message"),
     [
-        (["{r}", "--out", "{o}/a.bmp"], "ends in"),
+        (["{r}", "--out", "{o}/a.bmp"], "[picture.suffix]"),
         (["{r}", "--out", "{o}/a.png"], "--photos FOLDER"),
         (["{r}", "--out", "{o}/a.png", "--photos", "{p}", "--plane", "nobody,1,2"], "nobody"),
         (["{r}", "--out", "{o}/a.png", "--photos", "{p}", "--pixel", "1e-6"], "take --pixel"),
@@ -222,7 +222,7 @@ def test_a_wrong_mark_is_named(wall, tmp_path, capsys):
         ),
         (["{r}", "--out", "{o}/a.png", "--photos", "{p}", "--only", "x.png"], "x.png is not in the result"),
         (["{p}/0.png", "--out", "{o}/a.png"], "--control FILE"),
-        (["{p}/none.png", "--out", "{o}/a.png"], "no such file"),
+        (["{p}/none.png", "--out", "{o}/a.png"], "[file.missing]"),
     ],
 )
 def test_bad_input_is_told(wall, tmp_path, capsys, arguments, message):

@@ -268,7 +268,7 @@ distortion_coefficients: {rows: 1, cols: 5, data: [-0.3, .1, 1e-3, -1e-3, 0]}
     assert (found.camera.cx, found.camera.k2, found.camera.p2) == (320.0, 0.1, -1e-3)
     plain = {"mtx": [[530.5, 0, 319.5], [0, 531.5, 239.5], [0, 0, 1]], "dist": [[-0.3, 0.1, 1e-3, -1e-3, 0]]}
     (tmp_path / "c.json").write_text(json.dumps(plain))
-    with pytest.raises(InputError, match="format=.WIDTH, HEIGHT"):
+    with pytest.raises(InputError, match=r"calibration\.no_size"):
         read_calibrations(tmp_path / "c.json")
     (same,) = read_calibrations(tmp_path / "c.json", size_px=(640, 480))
     assert same.camera == found.camera
@@ -365,16 +365,16 @@ BAD = {
     ),
     "n.yaml": (
         "image_width: 640\nimage_height: 480\nK: [500,0,320,0,500,240,0,0,1]\nD: [1,2,3,4,5,6]\n",
-        "6 distortion",
+        r"6.*opencv\.coefficient_count",
     ),
-    "m.yaml": ("image_width: 640\nimage_height: 480\nK: [500,0,320,0,500,240,0,0]\n", "8 elements"),
+    "m.yaml": ("image_width: 640\nimage_height: 480\nK: [500,0,320,0,500,240,0,0]\n", r"8.*value\.count"),
     "f.yaml": ("image_width: 640\nimage_height: 480\nK: [nan,0,320,0,500,240,0,0,1]\n", r"value\.not_finite"),
     "k.yaml": ("cam0:\n  camera_model: omni\n  distortion_model: radtan\n", "omni"),
     "k2.yaml": (
         "cam0:\n  camera_model: pinhole\n  distortion_model: radtan\n  intrinsics: [1,2,3]\n",
         r"3.*value\.count",
     ),
-    "c.txt": ("1 OPENCV 640 480 500 500 320 240 0.1\n", "5 parameters"),
+    "c.txt": ("1 OPENCV 640 480 500 500 320 240 0.1\n", r"5.*camera\.parameter_count"),
     "c2.txt": ("1 RAD_TAN 640 480 500 500 320 240 0.1\n1 PINHOLE 640 480 1 1 1 1\n", "RAD_TAN"),
     "m.xml": (
         "<calibration><projection>frame</projection><width>640</width><height>480</height></calibration>",
@@ -388,12 +388,12 @@ BAD = {
     ),
     "d.cameramodel": ("{ 'lensmodel': 'LENSMODEL_CAHVOR', 'intrinsics': [], 'imagersize': [4,4] }", "CAHVOR"),
     "au.txt": ("  H 4000 0.005\n  XP 0.1\n  C 28\n", "YP"),
-    "pm.txt": ("Fw\n Value: 24 mm\nFh\n Value: 16 mm\n", "Focal Length"),
+    "pm.txt": ("Fw\n Value: 24 mm\nFh\n Value: 16 mm\n", r"calibration\.incomplete"),
     "mi.xml": (
         "<ExportAPERO><CalibrationInternConique></CalibrationInternConique></ExportAPERO>",
         r"KnownConv.*xml\.element_missing",
     ),
-    "x.txt": ("nothing of the kind\n", "give read_as="),
+    "x.txt": ("nothing of the kind\n", r"read_as.*calibration\.format_not_recognised"),
     "y.toml": ("[cameras.1]\nmodel = 'brown'\n", "width_px"),
 }
 
@@ -452,22 +452,22 @@ def test_damaged_files_give_a_calibration_or_an_input_error(name, damage, tmp_pa
 
 def test_another_cameras_format_is_refused(tmp_path):
     _, path = written(Calibration(id="1", camera=FORWARD), "opencv", tmp_path)
-    with pytest.raises(InputError, match="1920 x 1200 px, not 1000 x 700"):
+    with pytest.raises(InputError, match=r"700.*calibration\.size_differs"):
         read_calibrations(path, size_px=(1000, 700))
 
 
 def test_writing_refuses_what_cannot_be(tmp_path):
     conversion = convert_calibration(Calibration(id="1", camera=FORWARD), "opencv")
-    with pytest.raises(InputError, match=r"ends in \.yaml"):
+    with pytest.raises(InputError, match=r"calibration\.suffix"):
         write_calibrations("opencv", [conversion], tmp_path / "a.txt")
-    with pytest.raises(InputError, match="2 cameras"):
+    with pytest.raises(InputError, match=r"2.*calibration\.one_camera"):
         write_calibrations("opencv", [conversion, conversion], tmp_path / "a.yaml")
     (tmp_path / "b.yaml").touch()
     with pytest.raises(InputError, match=r"file\.exists"):
         write_calibrations("opencv", [conversion], tmp_path / "b.yaml")
-    with pytest.raises(InputError, match="no model '6'"):
+    with pytest.raises(InputError, match=r"6.*calibration\.model_unknown"):
         convert_calibration(Calibration(id="1", camera=FORWARD), "opencv", variant="6")
-    with pytest.raises(InputError, match="unknown calibration format"):
+    with pytest.raises(InputError, match=r"format\.unknown"):
         convert_calibration(Calibration(id="1", camera=FORWARD), "pix4d")
 
 
@@ -478,14 +478,14 @@ FORMATS = {  # cx, cy in OpenCV's count, and the format; "": right, else words o
     "portrait": ((179.5, 319.5), [360, 640], ""),
     "square": ((270, 240), [512, 512], ""),
     "names of the sides": ((319.5, 179.5), {"height": 360, "width": 640}, ""),
-    "height first": ((320, 180), [360, 640], "refused: .*360 x 640 px, but of 640 x 360 px"),
-    "height first, offset": ((310, 190), [360, 640], "refused: .*exchange width and height"),
-    "width first of a portrait": ((180, 320), [640, 360], "refused: .*exchange width and height"),
-    "names exchanged": ((320, 180), {"height": 640, "width": 360}, "refused: .*exchange width and height"),
+    "height first": ((320, 180), [360, 640], r"refused: .*640 x 360 px.*opencv\.size_interchanged"),
+    "height first, offset": ((310, 190), [360, 640], r"refused: opencv\.size_interchanged"),
+    "width first of a portrait": ((180, 320), [640, 360], r"refused: opencv\.size_interchanged"),
+    "names exchanged": ((320, 180), {"height": 640, "width": 360}, r"refused: opencv\.size_interchanged"),
     "of half the size": ((320, 180), [1280, 720], "but of 641 x 361 px: is the matrix of another size"),
     "of a quarter": ((320, 180), [2560, 1440], "of another size"),
-    "of twice the size": ((639.5, 359.5), [640, 360], "refused: .*it lies outside"),
-    "outside": ((900, 100), [640, 360], "refused: .*it lies outside"),
+    "of twice the size": ((639.5, 359.5), [640, 360], r"refused: opencv\.principal_point_outside"),
+    "outside": ((900, 100), [640, 360], r"refused: opencv\.principal_point_outside"),
     "at a corner": ((40, 300), [640, 360], "is not near the centre"),
 }
 
@@ -526,5 +526,5 @@ def test_a_stereo_calibration_of_fisheyes(name, tmp_path):
     path.write_text(json.dumps({"K1": K, "D1": [0.1, 0.01, 0, 0], "K2": K, "D2": [0.1, 0.01, 0, 0]} | keys))
     found = read_calibrations(path, size_px=(640, 360))
     assert [c.camera.projection for c in found] == ["equidistant" if wide else "central"] * 2
-    with pytest.raises(InputError, match="fisheye") if wide else nullcontext():
+    with pytest.raises(InputError, match=r"opencv\.fisheye") if wide else nullcontext():
         read_calibrations(path, size_px=(640, 360), name="opencv")

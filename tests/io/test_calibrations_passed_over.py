@@ -75,7 +75,7 @@ def test_a_second_document_is_refused(tmp_path):
     file.write_text(one + "...\n")
     assert len(read_calibrations(file)) == 1
     file.write_text(one + one.removeprefix("%YAML:1.0\n"))
-    with pytest.raises(InputError, match="line 8: a second document begins here"):
+    with pytest.raises(InputError, match=r"8.*yaml\.second_document"):
         read_calibrations(file)
 
 

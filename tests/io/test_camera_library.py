@@ -70,7 +70,7 @@ def test_a_second_entry_does_not_overwrite(tmp_path):
 
 def test_an_entry_that_could_never_be_found_is_refused(tmp_path):
     for key in (replace(KEY, model=""), replace(KEY, focal_mm=None)):
-        with pytest.raises(InputError, match="photo="):
+        with pytest.raises(InputError, match=r"library\.no_key"):
             add_entry(replace(ENTRY, key=key), tmp_path)
     assert read_library(tmp_path).entries == ()
 

@@ -15,10 +15,10 @@ from typing import Any
 from urllib.parse import quote, urlsplit
 
 from raybundle.errors import InputError
+from raybundle.io.ids import repeated
 from raybundle.io.reading.trees import Json, read_toml, toml_of
 from raybundle.io.reading.words import quoted
 from raybundle.numerics.progress import Progress, silent
-from raybundle.settings import option
 
 TIMEOUT_S = 30.0
 CHUNK_BYTES = 1 << 18
@@ -83,13 +83,13 @@ def known_datasets(listing: Path | None = None) -> Mapping[str, Dataset]:
 def _dataset(name: str, entry: Json) -> Dataset:
     folders = [part for part in _parts(name) if part in {"", ".", ".."}]
     if folders or len(_parts(name)) > 1:
-        entry.fail("the name of a set names a folder as well: letters, digits and hyphens")
+        entry.fail("dataset.name", name=quoted(name))
     about, source, base, licence = (entry.get(key).text() for key in ("about", "source", "base", "licence"))
     if not _is_address(base):
-        entry.get("base").fail(f"{quoted(base)} is no address of a folder: http... with / at its end")
+        entry.get("base").fail("dataset.address", address=quoted(base))
     listed = tuple(_file(item) for item in entry.get("files").items())
     if len({f.path for f in listed}) < len(listed):
-        entry.get("files").fail("a path stands twice")
+        entry.get("files").fail("name.twice", kind="file", name=quoted(repeated(f.path for f in listed)))
     cite = entry.get("cite").text() if entry.has("cite") else ""
     return Dataset(name=name, about=about, source=source, base=base, licence=licence, cite=cite, files=listed)
 
@@ -109,12 +109,12 @@ def _file(item: Json) -> SetFile:
     """[path, bytes, SHA-256]; what is fetched stays below the folder that it is fetched to."""
     parts = item.items()
     if len(parts) != 3:
-        item.fail("a file is listed as [path, bytes, SHA-256]")
+        item.fail("dataset.file_entry")
     path, digest = parts[0].text(), parts[2].text()
     if any(part in {"", ".", ".."} for part in _parts(path)):
-        parts[0].fail(f"{quoted(path)} does not stay below the folder of its set; give a path without .. or / in front")
+        parts[0].fail("dataset.path_outside", path=quoted(path))
     if not DIGEST.fullmatch(digest):
-        parts[2].fail(f"{quoted(digest)} is no SHA-256: 64 digits 0 .. f")
+        parts[2].fail("dataset.no_sha256", value=quoted(digest))
     return SetFile(path=path, size=parts[1].whole(1, LARGEST), sha256=digest)
 
 
@@ -126,7 +126,7 @@ def dataset(name: str, listing: Path | None = None) -> Dataset:
     """A set by its name; raises InputError with the names that there are."""
     known = known_datasets(listing)
     if name not in known:
-        raise InputError(f"there is no set {name!r}; known: {', '.join(known)}")
+        raise InputError("dataset.unknown", name=name, known=list(known))
     return known[name]
 
 
@@ -148,12 +148,8 @@ def fetch(wanted: Dataset, folder: Path, *, progress: Progress = silent) -> Fetc
                     wanted, file, target, lambda n, before=done: progress("fetching", (before + n) / wanted.size)
                 )
         except OSError as error:
-            raise InputError(
-                f"cannot be written: {error.strerror or error}; free space or choose another {option('out')}. What has "
-                "arrived "
-                "is kept",
-                file=target,
-            ) from None
+            detail = error.strerror or str(error)
+            raise InputError("file.not_writable", detail=detail, refused=False, file=target) from None
         done += file.size
         progress("fetching", done / wanted.size)
     return Fetched(folder=folder, there=there, fetched=len(wanted.files) - there)
@@ -182,10 +178,9 @@ def _fetch_file(wanted: Dataset, file: SetFile, target: Path, tell: Any) -> None
         found, size = _digest(part), part.stat().st_size
         part.unlink()
         raise InputError(
-            f"differs from what is known of it: {size} bytes, SHA-256 {found[:12]}..., expected {file.size} bytes, "
-            f"{file.sha256[:12]}...; a proxy may have changed it. Run the command again, or look at {wanted.source}",
-            file=address,
-        )
+            "dataset.checksum", size_bytes=size, sha256=found[:12], expected_bytes=file.size,
+            expected_sha256=file.sha256[:12], source=wanted.source, file=address,
+        )  # fmt: skip
     part.replace(target)
 
 
@@ -213,7 +208,7 @@ def _receive(address: str, part: Path, size: int, tell: Any) -> None:
                 have += len(data)
                 tell(have)
     if have < size:
-        raise _broken(address, f"it ended after {have} of {size} bytes")
+        raise InputError("dataset.connection_ended", received_bytes=have, size_bytes=size, file=address)
 
 
 def _asked(request: urllib.request.Request) -> Any:
@@ -224,15 +219,14 @@ def _asked(request: urllib.request.Request) -> Any:
         error.close()
         if error.code == 416:  # what is there is longer than what is offered
             return _asked(urllib.request.Request(address, headers={"User-Agent": "raybundle"}))  # noqa: S310
-        advice = "try again later" if error.code in {429, 500, 502, 503, 504} else "it may have been moved"
-        raise InputError(f"the server answers {error.code} {error.reason}; {advice}", file=address) from None
-    except (OSError, ValueError, HTTPException) as error:
+        busy = error.code in {429, 500, 502, 503, 504}
         raise InputError(
-            f"no connection to {urlsplit(address).hostname} ({getattr(error, 'reason', error)}); check the network "
-            "(HTTPS_PROXY names a proxy) and run the same command again: what has arrived is kept",
-            file=address,
+            "dataset.server_answer", status=str(error.code), detail=str(error.reason), busy=busy, file=address
         ) from None
+    except (OSError, ValueError, HTTPException) as error:
+        host, detail = str(urlsplit(address).hostname), str(getattr(error, "reason", error))
+        raise InputError("dataset.no_connection", host=host, detail=detail, file=address) from None
 
 
 def _broken(address: str, why: object) -> InputError:
-    return InputError(f"the connection broke ({why}); run the same command again, it continues there", file=address)
+    return InputError("dataset.connection_broken", detail=str(why), file=address)

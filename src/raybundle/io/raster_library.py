@@ -30,13 +30,12 @@ def raster_library(path: Path | None = None) -> Any:
     """The module; raises InputError where it is not installed."""
     library = found_raster_library()
     if library is None:
-        message = "rasters are read and written by rasterio, which is not installed: pip install 'raybundle[geo]'"
-        raise InputError(message, file=path)
+        raise InputError("package.rasterio_missing", file=path)
     return library
 
 
 @contextmanager
-def raster_errors(path: Path, remedy: str = "") -> Generator[None]:
+def raster_errors(path: Path) -> Generator[None]:
     """Turn what rasterio, GDAL and PROJ raise for a raster into an InputError that names it.
 
     A coordinate system without an inverse, or with a text that is no UTF-8, passes rasterio as an error of GDAL.
@@ -50,7 +49,7 @@ def raster_errors(path: Path, remedy: str = "") -> Generator[None]:
         raise
     except (library.errors.RasterioError, projection.ProjError, UnicodeError, *of_gdal) as error:
         why = (str(error).splitlines() or [type(error).__name__])[0][:SHOWN]
-        raise InputError(f"is no raster that can be read: {why}{remedy}", file=path) from None
+        raise InputError("raster.not_readable", detail=why, file=path) from None
 
 
 def _is_error(value: object) -> bool:

@@ -40,7 +40,7 @@ def write_rpcs(export: Export, folder: Path) -> tuple[tuple[Path, ...], tuple[st
     block = export.block
     scenes = np.flatnonzero(scene_images(block))
     if not len(scenes):
-        raise InputError(f"block {block.name} has no satellite scene; RPCs are written of scenes only")
+        raise InputError("block.no_scene", block=block.name)
     files: list[Path] = []
     remarks: list[str] = []
     for i in scenes.tolist():
@@ -49,7 +49,7 @@ def write_rpcs(export: Export, folder: Path) -> tuple[tuple[Path, ...], tuple[st
         name = Path(block.images.file[i] or block.images.ids[i]).stem
         path = folder / f"{name}_RPC.TXT"
         if path in files:
-            raise InputError(f"two scenes are called {name}; their RPCs would have one name")
+            raise InputError("name.twice", kind="scene", name=name)
         if isinstance(sensor, RpcSensor):
             heights = _heights(sensor.rpc)
             rpc, fit = corrected_rpc(sensor.rpc, sensor.bias, values, sensor.size_px, heights)

@@ -70,7 +70,7 @@ def _units_of(tree: Json) -> tuple[str, ...]:
 @contextmanager
 def raster(library: Any, path: Path) -> Generator[Any]:
     """A raster that is open; raises InputError, naming it, where it cannot be read or is cut off."""
-    with raster_errors(path, f"; {AGAIN}"), warnings.catch_warnings():
+    with raster_errors(path), warnings.catch_warnings():
         warnings.simplefilter("ignore")  # of the library, about rasters without a place: that is told here
         with library.open(path) as file:
             yield file

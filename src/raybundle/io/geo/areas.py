@@ -15,7 +15,6 @@ from raybundle.io.geo.parsed_systems import plan_of, system_name
 from raybundle.io.geo.told_systems import told_system
 from raybundle.numerics.arrays import Array, Index
 from raybundle.numerics.length_units import UNITS
-from raybundle.settings import option
 
 if TYPE_CHECKING:
     from pyproj import Transformer
@@ -51,33 +50,29 @@ def check_area(crs: str, xy: Array, file: Path, *, named: bool = False, lines: I
         return ()
     name = system_name(crs)
     exchanged = EXCHANGED if _beside(crs, y, x).off <= BEYOND_DEG else ""
-    words = f"{x:.10g}, {y:.10g} are no coordinates of {name}"
-    where = f"they would lie at {here.place}{_words(crs)}" if math.isfinite(here.off) else "no place on earth has them"
     if named:
-        raise InputError(
-            f"names no coordinate system, and {words}, which {option('crs')} names: {where}; {exchanged}name the "
-            f"system that the coordinates stand in, or leave {option('crs')} out where they are metres of a site's own "
-            "axes",
-            file=file,
-        )
+        raise _outside(crs, (x, y), here, "named_exchanged" if exchanged else "named").at(file)
     geographic = plan_of(crs).is_geographic
     degrees = abs(x) <= HALF_TURN and abs(y) <= HALF_TURN and not geographic
     far = here.share > FAR or not math.isfinite(here.off)
     if (exchanged and (geographic or here.share > 1)) or degrees or far:
         feet = not exchanged and _beside(crs, UNITS["feet"] * x, UNITS["feet"] * y).off <= BEYOND_DEG
-        what = (
-            "they look like degrees, or metres of a site's own axes; name their system"
-            if degrees
-            else f"{exchanged}write east or longitude first, or correct the system"
-            if exchanged
-            else "as feet they would lie in its area: write metres, or name the system that they stand in"
-            if feet
-            else "name the system that they stand in"
-        )
-        first = None if line is None else int(line[0])
-        raise InputError(f"{words}: {where}; {what}", file=file, line=first)
-    remark = f"{file.name}: {x:.10g}, {y:.10g} lie outside the area of use of {name}, at {here.place}"
+        hint = "degrees" if degrees else "exchanged" if exchanged else "feet" if feet else "system"
+        raise _outside(crs, (x, y), here, hint).at(file, line=None if line is None else int(line[0]))
+    at = f"longitude {here.longitude:.2f}, latitude {here.latitude:.2f}"
+    remark = f"{file.name}: {x:.10g}, {y:.10g} lie outside the area of use of {name}, at {at}"
     return (f"{remark}; {exchanged.strip()}" if exchanged else remark,)
+
+
+def _outside(crs: str, xy: tuple[float, float], here: _Beside, hint: str) -> InputError:
+    """The error of a place far outside the area of use; `hint` chooses what to do."""
+    west, south, east, north = _area(crs) or (-HALF_TURN, -QUARTER_TURN, HALF_TURN, QUARTER_TURN)
+    on_earth = math.isfinite(here.off)
+    return InputError(
+        "crs.outside_area", x=xy[0], y=xy[1], system=system_name(crs), on_earth=on_earth,
+        longitude_deg=here.longitude if on_earth else None, latitude_deg=here.latitude if on_earth else None,
+        longitudes_deg=[west, east], latitudes_deg=[south, north], hint=hint,
+    )  # fmt: skip
 
 
 def _check_degrees(crs: str, places: Array, file: Path, lines: Index | None) -> None:
@@ -92,10 +87,9 @@ def _check_degrees(crs: str, places: Array, file: Path, lines: Index | None) -> 
             continue
         x, y = places[bad[0]]
         swapped = abs(x) <= turn / 2 and abs(y) <= turn
-        hint = "are longitude and latitude swapped?" if swapped else "name the grid, as EPSG:32633"
         raise InputError(
-            f"{x:.10g}, {y:.10g}: {name} in {system_name(crs)} ends at {limit * turn / HALF_TURN:g}; {hint}",
-            file=file, line=None if lines is None else int(lines[bad[0]]),
+            "crs.beyond_circle", x=x, y=y, system=system_name(crs), quantity=name, limit=limit * turn / HALF_TURN,
+            swapped=swapped, file=file, line=None if lines is None else int(lines[bad[0]]),
         )  # fmt: skip
 
 
@@ -103,7 +97,8 @@ def _check_degrees(crs: str, places: Array, file: Path, lines: Index | None) -> 
 class _Beside:
     """A place against the area of use of its system."""
 
-    place: str
+    longitude: float
+    latitude: float
     off: float
     """how far beyond [degrees]; infinite where it is no place on the earth"""
     share: float
@@ -112,17 +107,16 @@ class _Beside:
 
 def _beside(crs: str, x: float, y: float) -> _Beside:
     longitude, latitude = _geographic(crs).transform(x, y)
-    place = f"longitude {longitude:.2f}, latitude {latitude:.2f}"
     if not (math.isfinite(longitude) and math.isfinite(latitude)):
-        return _Beside(place, math.inf, math.inf)
+        return _Beside(longitude, latitude, math.inf, math.inf)
     if (area := _area(crs)) is None:
-        return _Beside(place, 0.0, 0.0)
+        return _Beside(longitude, latitude, 0.0, 0.0)
     west, south, east, north = area
     east += 360 if east < west else 0
     aside = min(max(west - at, at - east) for at in (longitude - 360, longitude, longitude + 360))
     along = max(south - latitude, latitude - north)
     share = max(aside / max(east - west, BEYOND_DEG), along / max(north - south, BEYOND_DEG))
-    return _Beside(place, max(aside, along), share)
+    return _Beside(longitude, latitude, max(aside, along), share)
 
 
 @lru_cache(maxsize=64)
@@ -130,14 +124,6 @@ def _area(crs: str) -> tuple[float, float, float, float] | None:
     """West, south, east, north of the plan of a system; None where it states none, as a PROJ string of its own."""
     area = told_system(crs).area_of_use or plan_of(crs).area_of_use
     return None if area is None else area.bounds
-
-
-def _words(crs: str) -> str:
-    """The area in words, behind the place of a point."""
-    if (area := _area(crs)) is None:
-        return ""
-    west, south, east, north = area
-    return f", outside its area (longitude {west:.4g} to {east:.4g}, latitude {south:.4g} to {north:.4g})"
 
 
 @lru_cache(maxsize=64)

@@ -18,7 +18,7 @@ import numpy as np
 
 from raybundle.block import ROLES, Role
 from raybundle.block.frames import in_file_frames
-from raybundle.errors import InputError
+from raybundle.errors import InputError, message
 from raybundle.io.geo.areas import check_area
 from raybundle.io.geo.gcp_rows import GCP_COLUMNS, GcpRow, content_lines, gcp_rows
 from raybundle.io.geo.parsed_systems import parse_crs
@@ -147,9 +147,7 @@ def read_control(
             return _marks_alone(path)
         return _read_csv(path, None if measurements is None else Path(measurements), defaults)
     if measurements is not None:
-        raise InputError(
-            f"a file of measurements ({measurements}) belongs to a CSV; this file holds its own", file=path
-        )
+        raise InputError("control.own_measurements", measurements=str(measurements), file=path)
     return read_gcp_list(path, defaults=defaults)
 
 
@@ -162,27 +160,19 @@ def read_gcp_list(path: str | Path, *, defaults: ControlDefaults = DEFAULTS) -> 
     lines = content_lines(path)
     first, crs = next(lines, (0, ""))
     if not crs:
-        raise InputError(
-            "the file is empty; its first line names the coordinate system, each other one X Y Z x y image",
-            file=path, line=1,
-        )  # fmt: skip
+        raise InputError("gcp_list.empty", file=path, line=1)
     if len(crs.split()) >= len(GCP_COLUMNS) and number_of(crs.split()[0]) is not None:
-        raise InputError(
-            "the first line must name the coordinate system: EPSG:32611, WGS84 UTM 11N or a PROJ string",
-            file=path, line=first,
-        )  # fmt: skip
+        raise InputError("gcp_list.no_system", file=path, line=first)
     try:
         parse_crs(crs)
     except InputError as error:
-        form = (
-            f"each other line of a list of control is {' '.join(GCP_COLUMNS)}; a table with a line of names is a .csv"
-        )
-        raise InputError(f"{error}; {form}", file=path, line=first) from None
+        details = [] if error.message is None else [error.message]
+        raise InputError("gcp_list.no_system", details=details, file=path, line=first) from None
     rows, problems = gcp_rows(lines)
     if problems:
         fail(path, problems)
     if not rows:
-        raise InputError("there is no point after the first line; add lines X Y Z x y image", file=path, line=first)
+        raise InputError("gcp_list.no_point", file=path, line=first)
     result = _grouped(path, crs, rows, defaults)
     beyond = check_area(crs, np.array([r.xyz[:2] for r in rows]), path, lines=result.measurements.line)
     result = replace(result, remarks=(*result.remarks, *beyond))
@@ -193,8 +183,7 @@ def _grouped(path: Path, crs: str, rows: Sequence[GcpRow], defaults: ControlDefa
     named = [bool(r.name) for r in rows]
     if any(named) and not all(named):
         row = rows[named.index(False)]
-        message = "this line has no name of a point, others have; give all of them one, or none"
-        raise InputError(message, file=path, line=row.line, column="name")
+        raise InputError("gcp_list.name_missing", file=path, line=row.line, column="name")
     points: dict[object, int] = {}
     first: list[GcpRow] = []
     index: list[int] = []
@@ -206,18 +195,14 @@ def _grouped(path: Path, crs: str, rows: Sequence[GcpRow], defaults: ControlDefa
         if k == len(first):
             first.append(row)
         elif not np.array_equal(first[k].xyz, row.xyz, equal_nan=True):
-            message = f"point {quoted(row.name)} has other coordinates in line {first[k].line}; correct one of the two"
-            if max(row.columns, first[k].columns) > len(GCP_COLUMNS) + 1:
-                message += (
-                    ", or separate columns by tabs if the name of the image has blanks (read: image "
-                    f"{quoted(row.image)}, point {quoted(row.name)})"
-                )
-            problems.append(Problem(row.line, "X", message))
-        if (k, row.image) in seen:
-            message = (
-                f"this point stands in image {quoted(row.image)} already, in line {seen[k, row.image]}; delete one"
+            blanks = max(row.columns, first[k].columns) > len(GCP_COLUMNS) + 1
+            differs = message(
+                "gcp_list.coordinates_differ", point=row.name, image=row.image, earlier=first[k].line, blanks=blanks
             )
-            problems.append(Problem(row.line, "image", message))
+            problems.append(Problem(row.line, "X", differs))
+        if (k, row.image) in seen:
+            again = message("table.pair_twice", names=["image", "name"], earlier=seen[k, row.image], rows=False)
+            problems.append(Problem(row.line, "image", again))
         seen[k, row.image] = row.line
         index.append(k)
     if problems:
@@ -339,7 +324,7 @@ def _read_csv(path: Path, measurements: Path | None, defaults: ControlDefaults) 
     roles = table.text.get("role", ("",) * len(ids))
     known = {"": ROLES[defaults.role], **ROLES}
     problems = [
-        Problem(k + table.first_line, "role", f"{quoted(r)} is not one of control, check, tie")
+        Problem(k + table.first_line, "role", message("value.not_supported", value=quoted(r), known=list(ROLES)))
         for k, r in enumerate(roles)
         if r not in known
     ]
@@ -348,15 +333,13 @@ def _read_csv(path: Path, measurements: Path | None, defaults: ControlDefaults) 
         Problem(
             int(k) + table.first_line,
             SIGMA[a],
-            f"point {quoted(ids[k])} has {SIGMA[a]} but no {XYZ[a]}; give the coordinate too",
+            message("point.sigma_without_coordinate", point=ids[k], sigma=SIGMA[a], coordinate=XYZ[a]),
         )
         for k, a in np.argwhere(bare)
     ]
     empty = np.flatnonzero(~np.isfinite(xyz).any(axis=1))
     problems += [
-        Problem(
-            int(k) + table.first_line, "X", f"point {quoted(ids[k])} has no coordinate; give one, or delete the line"
-        )
+        Problem(int(k) + table.first_line, "X", message("control.no_coordinate", point=ids[k]))
         for k in empty
         if known.get(roles[k]) != Role.TIE
     ]
@@ -366,7 +349,7 @@ def _read_csv(path: Path, measurements: Path | None, defaults: ControlDefaults) 
         Problem(
             int(k) + table.first_line,
             NORMAL[0],
-            f"point {quoted(ids[k])}: nX, nY, nZ are one vector; give all three, not all 0",
+            message("control.normal", point=ids[k]),
         )
         for k in np.flatnonzero(np.isfinite(normal).any(axis=1) & ~(length > 0))
     ]
@@ -467,7 +450,7 @@ def _read_block_points(folder: Path, defaults: ControlDefaults) -> ControlFile:
     block = in_file_frames(read_block(folder))
     named = np.flatnonzero(block.points.role != Role.TIE)
     if len(named) == 0:
-        raise InputError("the block holds neither control nor check points", file=folder / "points.csv")
+        raise InputError("control.none_in_block", file=folder / "points.csv")
     position = np.full(len(block.points), -1, np.int32)
     position[named] = np.arange(len(named))
     o = block.observations

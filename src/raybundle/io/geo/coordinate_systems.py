@@ -197,7 +197,7 @@ def local_frame(
     """
     x, y, z = (float(v) for v in origin)
     if undulation_m is not None and crs.strip().lower().endswith(ELLIPSOID):
-        raise InputError(f"{crs} counts heights from the ellipsoid; leave {option('undulation')} out, or {ELLIPSOID}")
+        raise InputError("crs.undulation_of_ellipsoid", system=crs)
     remarks = height_remarks(crs, undulation_m)
     if np.isnan(z):
         z = 0.0
@@ -222,11 +222,7 @@ def in_other_projection(frame: LocalFrame, crs: str) -> LocalFrame:
     heights = [c.sub_crs_list[1] if c.is_compound else None for c in map(parse_crs, (frame.crs, crs))]
     a, b = heights
     if not same_datum or not ((a is None and b is None) or (a is not None and b is not None and a.equals(b))):
-        raise InputError(
-            f"it stands in {system_name(frame.crs)}, and {system_name(crs)} is no other projection with the same datum "
-            "and heights; give one that is, or transform what is written with a program of yours, as with `ogr2ogr "
-            "-t_srs`"
-        )
+        raise InputError("crs.other_datum", own=system_name(frame.crs), system=system_name(crs))
     x, y, z = frame.origin
     lon, lat = _converted(_plan(frame.crs), np.array([x]), np.array([y]))[0]
     plan = _converted(_plan(crs), np.array([lon]), np.array([lat]), inverse=True)
@@ -243,9 +239,7 @@ def frame_from_mapping(values: Mapping[str, Any]) -> LocalFrame:
         crs, given = str(values["crs"]), values.get("undulation_m")
         (undulation,) = (None,) if given is None else (v for v in [finite(given)] if v is not None)
     except (KeyError, TypeError, ValueError):
-        raise InputError(
-            'the coordinate system is not complete; give crs = "EPSG:..." and origin = [east, north, height]'
-        ) from None
+        raise InputError("crs.incomplete") from None
     return local_frame(crs, (x, y, z), undulation_m=undulation)
 
 
@@ -280,17 +274,11 @@ def _missing_geoid(crs: str, grid: str) -> InputError:
     plan = parse_crs(crs).sub_crs_list[0]
     code = plan.to_authority()
     alone = (":".join(code) if code else plan.name) + ELLIPSOID
-    get = "pyproj knows no grid for it"
-    if Path(grid).is_absolute():
-        get = f"pyproj cannot read its grid {grid}: correct the path"
-    elif grid:
-        offline = f"without a network put https://cdn.proj.org/{grid} into {get_data_dir()}"
-        get = f"get its grid {grid}: `pyproj sync --file {grid}`, or {offline}"
+    kind = "unknown" if not grid else "own" if Path(grid).is_absolute() else "known"
     return InputError(
-        f"{height_name(crs)} counts heights above a geoid that is not installed; taken as heights above the ellipsoid "
-        f"they would be wrong by up to 100 m; {get}; or add the height of the geoid to all heights (`convert`, `rpc`: "
-        f"{option('undulation')}), and name the system {alone}, as for heights that do stand above the ellipsoid"
-    )
+        "crs.geoid_missing", heights=height_name(crs), kind=kind, grid=grid or "-", folder=str(get_data_dir()),
+        ellipsoidal=alone,
+    )  # fmt: skip
 
 
 @lru_cache(maxsize=64)
@@ -369,7 +357,7 @@ def _place(crs: str, origin: tuple[float, float, float], undulation_m: float | N
 def _rows(xyz: Array) -> Array:
     rows = np.asarray(xyz, float)
     if rows.ndim != 2 or rows.shape[1] != 3:
-        raise InputError(f"coordinates of shape (n, 3) are needed, not {rows.shape}")
+        raise InputError("crs.coordinate_shape", shape=rows.shape)
     return rows
 
 
@@ -447,10 +435,7 @@ def _checked(result: Array, given: Array, crs: str) -> Array:
     bad = np.flatnonzero(np.isinf(result).any(axis=1))
     if len(bad):
         x, y = given[bad[0], :2]
-        raise InputError(
-            f"point {bad[0]} at {x:.10g}, {y:.10g} lies outside the area of {system_name(crs)}; check the coordinate "
-            "system and the order of the coordinates (east or longitude first)"
-        )
+        raise InputError("crs.not_transformed", number=bad[0], x=x, y=y, system=system_name(crs))
     return result
 
 

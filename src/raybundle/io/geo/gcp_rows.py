@@ -53,8 +53,8 @@ def gcp_rows(lines: Iterator[tuple[int, str]]) -> tuple[list[GcpRow], list[Probl
         if len(problems) > SHOWN:
             break
         if len(words) < len(GCP_COLUMNS):
-            needed = f"{len(words)} columns, {', '.join(GCP_COLUMNS)} and perhaps a name are needed: {quoted(text)}"
-            problems.append(Problem(line, None, needed))
+            few = message("gcp_list.too_few_columns", n=len(words), needed=GCP_COLUMNS, text=quoted(text))
+            problems.append(Problem(line, None, few))
             continue
         numbers = with_points(words[:5]) if sign == "," else words[:5]
         bad = [
@@ -68,7 +68,7 @@ def gcp_rows(lines: Iterator[tuple[int, str]]) -> tuple[list[GcpRow], list[Probl
             problems.append(Problem(line, column, grouped or no_number(cell)))
             continue
         if not words[5] or not "".join(words[5:7]).isprintable():
-            problems.append(Problem(line, "image", f"{quoted(words[5])} is no name of an image"))
+            problems.append(Problem(line, "image", message("name.unprintable", name=quoted(words[5]))))
             continue
         X, Y, Z, x, y = (float(n) for n in numbers)
         name = words[6] if len(words) > len(GCP_COLUMNS) else ""

@@ -27,7 +27,6 @@ from raybundle.io.pictures.resampling import sampled
 from raybundle.io.raster_library import raster_errors, raster_library
 from raybundle.io.reading.files import check_regular
 from raybundle.numerics.arrays import Array
-from raybundle.settings import option
 
 if TYPE_CHECKING:
     from pyproj import CRS
@@ -85,7 +84,7 @@ class Ground:
             frame = local_frame(self.heights, xyz.mean(axis=0), undulation_m=self.undulation_m)
             return frame.wgs84_from_local(frame.local_from_crs(xyz))[:, 2]
         except InputError as error:
-            raise InputError(str(error), file=self.file) from None
+            raise error.at(self.file) from None
 
     def at(self, cells: Array) -> Array:
         """Heights (...) as the raster counts them, in metres, bilinear between the centres of cells (..., 2).
@@ -151,7 +150,7 @@ def _of_dataset(
         try:
             data = source.read(1, window=library.windows.Window(x0, y0, x1 - x0, y1 - y0), masked=True)
         except library.errors.RasterioError as error:
-            raise InputError(f"cannot be read: {str(error).splitlines()[0][:200]}", file=path) from None
+            raise InputError("file.not_readable", detail=str(error).splitlines()[0][:200], file=path) from None
         return np.asarray(data.astype(float).filled(np.nan))
 
     if source.crs is None:
@@ -159,11 +158,7 @@ def _of_dataset(
     own = parse_crs(source.crs.to_wkt())
     feet = own.is_projected and not own.is_compound and abs(own.axis_info[0].unit_conversion_factor - 1) > 1e-9
     if feet and not unit and not source.units[0]:
-        raise InputError(
-            f"has its coordinates in {own.axis_info[0].unit_name} and does not say in what its heights are; write "
-            "their unit into the file, as with `gdal_edit.py -units m`",
-            file=path,
-        )
+        raise InputError("raster.height_unit_missing", unit=own.axis_info[0].unit_name, file=path)
     metres, remarks = metres_of_heights(source, own, path, unit, 1)
     return _ground(path, own, tuple(source.transform)[:6], (source.height, source.width), window, metres, remarks,
                    geoid, undulation)  # fmt: skip
@@ -192,7 +187,7 @@ def _ground(
     remarks: list[str], geoid: str | None, undulation: float | None,
 ) -> Ground:  # fmt: skip
     if min(shape) < 2:
-        raise InputError(f"has {shape[0]} rows and {shape[1]} columns; two of each are needed", file=path)
+        raise InputError("height_grid.too_small", rows=shape[0], columns=shape[1], file=path)
     a, b, c, d, e, f = transform
     plan = own.sub_crs_list[0] if own.is_compound else own.to_2d() if len(own.axis_info) == 3 else own
     assert plan is not None
@@ -217,23 +212,14 @@ def _with_heights(path: Path, own: CRS, plan: CRS, geoid: str | None, undulation
 
     if geoid is None:
         if len(own.axis_info) == 3 and not own.is_compound and undulation is not None:
-            raise InputError(
-                f"its heights are those above the ellipsoid ({own.name}); leave {option('undulation')} out", file=path
-            )
+            raise InputError("raster.ellipsoidal_heights", system=own.name, file=path)
         return own.to_wkt() if own.is_compound else plan.to_wkt()
     if undulation is not None:
-        raise InputError(f"{option('geoid')} has a grid, {option('undulation')} is one number; give one of the two")
+        raise InputError("raster.geoid_and_undulation")
     try:
         vertical = VerticalCRS.from_user_input(geoid)
     except CRSError:
-        raise InputError(
-            f"{option('geoid', geoid[:60])} is no vertical system that pyproj knows; give EPSG:5773 (EGM96), EPSG:3855 "
-            "(EGM2008) or that of your country"
-        ) from None
+        raise InputError("raster.geoid_unknown", geoid=geoid[:60]) from None
     if own.is_compound and not own.sub_crs_list[-1].equals(vertical):
-        raise InputError(
-            f"says that its heights are {own.sub_crs_list[-1].name}, {option('geoid', geoid)} says {vertical.name}; "
-            "leave it out, or correct the file",
-            file=path,
-        )
+        raise InputError("raster.geoid_differs", own=own.sub_crs_list[-1].name, geoid=vertical.name, file=path)
     return CompoundCRS(f"{plan.name} + {vertical.name}", [plan, vertical]).to_wkt()

@@ -38,27 +38,22 @@ def parse_crs(text: str) -> CRS:
 
     text = text.strip()
     if text.lower().endswith(ELLIPSOID):
-        return _above_ellipsoid(text, text[: -len(ELLIPSOID)])
+        return _above_ellipsoid(text[: -len(ELLIPSOID)])
     if len(text) > LONGEST_CRS or not text.replace("\n", " ").replace("\r", " ").replace("\t", " ").isprintable():
-        raise InputError(f"{quoted(text)} is no coordinate system: too long, or with characters that cannot be printed")
+        raise InputError("crs.unknown", text=quoted(text))
     if text.startswith("+") and (heights := _CODE_BEHIND.search(text)):
-        raise InputError(
-            f"{quoted(heights[0])} behind a PROJ string is not read; name the plan by EPSG:code, or heights above the "
-            f"ellipsoid by {ELLIPSOID}"
-        )
+        raise InputError("crs.heights_of_proj_string", text=quoted(heights[0]), ellipsoid=ELLIPSOID)
     if utm := _UTM.match(text):
         zone = whole_of(utm[1]) or 0
         if not 1 <= zone <= 60:
-            raise InputError(f"UTM zone {zone} is not between 1 and 60")
+            raise InputError("crs.utm_zone", zone=zone)
         text = _utm_code(zone, north=utm[2].upper() == "N")
     try:
         system = CRS.from_user_input(text)
     except CRSError:
-        raise InputError(
-            f"{quoted(text)} is no coordinate system that pyproj knows; give EPSG:code, a PROJ string or WKT"
-        ) from None
+        raise InputError("crs.unknown", text=quoted(text)) from None
     if system.geodetic_crs is None or (system.is_vertical and not system.is_compound):
-        raise InputError(f"{quoted(text)} has no place on the earth; give a projected, geographic or geocentric system")
+        raise InputError("crs.not_on_earth", text=quoted(text))
     return system
 
 
@@ -73,10 +68,10 @@ def utm_at(lon: float, lat: float) -> str | None:
     return _utm_code(int((lon + 180) // 6) % 60 + 1, north=lat >= 0)
 
 
-def _above_ellipsoid(text: str, plan: str) -> CRS:
+def _above_ellipsoid(plan: str) -> CRS:
     system = parse_crs(plan)
     if system.is_compound or len(system.axis_info) == 3:
-        raise InputError(f"{quoted(text)}: {plan} says already what its heights count from; leave {ELLIPSOID} out")
+        raise InputError("crs.heights_twice", system=plan, ellipsoid=ELLIPSOID)
     return system.to_3d()
 
 

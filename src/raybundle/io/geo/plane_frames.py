@@ -22,10 +22,7 @@ def frame_at(place: Place | None) -> LocalFrame | None:
     if place is None:
         return None
     if not isinstance(place, Local):
-        raise InputError(
-            "heights above a map are made of blocks in a local frame, east, north and up; give the block a [frame] of "
-            'kind = "local"'
-        )
+        raise InputError("object_frame.not_local")
     if not place.crs:
         return local_frame(WGS84, place.origin)
     return local_frame(place.crs, place.crs_origin, undulation_m=place.undulation_m)

@@ -12,9 +12,9 @@ from raybundle.errors import InputError
 from raybundle.io.geo.parsed_systems import parse_crs
 from raybundle.io.raster_library import raster_errors, raster_library
 from raybundle.io.reading.files import check_regular
+from raybundle.io.reading.words import quoted
 from raybundle.numerics.arrays import Array
 from raybundle.objects.heights import HeightGrid
-from raybundle.settings import option
 
 Unit = Literal["", "m", "ft", "us-ft"]
 METRES_IN = {"m": 1.0, "ft": 0.3048, "us-ft": 1200 / 3937}
@@ -59,11 +59,7 @@ def read_all_heights(path: Path, crs: str = "", *, unit: Unit = "", band: int = 
         own = parse_crs(wkt) if wkt else None
         if not crs and own is not None:
             if own.is_geographic:
-                raise InputError(
-                    f"is in degrees ({own.name}); say in which plane coordinate system it is wanted: "
-                    f"{option('crs', 'EPSG:CODE')}",
-                    file=path,
-                )
+                raise InputError("raster.degrees", system=own.name, file=path)
             crs = wkt
         left, bottom, right, top = source.bounds
         if own is not None and source.crs != library.crs.CRS.from_wkt(parse_crs(crs).to_wkt()):
@@ -74,16 +70,12 @@ def read_all_heights(path: Path, crs: str = "", *, unit: Unit = "", band: int = 
 
 def no_system(path: Path) -> NoReturn:
     """Raise InputError of a raster that does not say where it lies."""
-    raise InputError(
-        "names no coordinate system, so that nobody knows where it lies; write it into the file, as with "
-        "`gdal_edit.py -a_srs EPSG:CODE`",
-        file=path,
-    )
+    raise InputError("raster.no_system", file=path)
 
 
 def _read(library: Any, source: Any, path: Path, crs: str, box: Array, unit: Unit, band: int) -> HeightGrid:
     if not 1 <= band <= source.count:
-        raise InputError(f"has {source.count} bands, band {band} is asked for", file=path)
+        raise InputError("raster.band_missing", n=source.count, band=band, file=path)
     if source.crs is None:
         no_system(path)
     own = parse_crs(source.crs.to_wkt())
@@ -116,22 +108,16 @@ def metres_of_heights(source: Any, own: Any, path: Path, unit: Unit, band: int) 
     """Metres in a unit of the heights, and what is to be said of it."""
     stated = str(source.units[band - 1] or "").strip().lower()
     if stated not in _UNITS:
-        raise InputError(f"states its heights in {stated!r}, which is no unit of length known here", file=path)
+        raise InputError("raster.unit_unknown", unit=quoted(stated), file=path)
     found = _UNITS[stated]
     if not found and own.is_compound:
         factor = own.sub_crs_list[-1].axis_info[0].unit_conversion_factor
         found = next((u for u, m in METRES_IN.items() if abs(m - factor) < 1e-9), "")
     if unit and found and unit != found:
-        raise InputError(
-            f"states heights in {found}, {option('dem_unit', unit)} says {unit}; one of the two is wrong", file=path
-        )
+        raise InputError("raster.unit_differs", own=found, unit=unit, file=path)
     found = unit or found
     if not found and own.is_projected and abs(own.axis_info[0].unit_conversion_factor - 1) > 1e-9:
-        raise InputError(
-            f"has its coordinates in {own.axis_info[0].unit_name} and does not say in what its heights are; say so: "
-            f"{option('dem_unit', 'm')}, {option('dem_unit', 'ft')} or {option('dem_unit', 'us-ft')}",
-            file=path,
-        )
+        raise InputError("raster.dem_unit_missing", unit=own.axis_info[0].unit_name, file=path)
     if found in {"ft", "us-ft"}:
         return METRES_IN[found], [f"{path.name}: heights in feet were turned into metres"]
     return 1.0, [] if found else [f"{path.name} does not say in what its heights are; they are taken in metres"]
@@ -193,31 +179,20 @@ def _cell_m(library: Any, source: Any, path: Path, target: Any, bounds: tuple[fl
 def check_size(path: Path, cells: int) -> None:
     """Raise InputError for more cells than are read at once."""
     if cells > MOST_CELLS:
-        raise InputError(
-            f"{cells} cells lie in the area, {MOST_CELLS} are read at once; reduce it, as with `gdalwarp -tr 5 5`",
-            file=path,
-        )
+        raise InputError("raster.too_many_cells", n=cells, most=MOST_CELLS, file=path)
 
 
 def _no_overlap(source: Any, path: Path, bounds: tuple[float, ...]) -> None:
     b = source.bounds
-    raise InputError(
-        f"covers {b.left:.6g} to {b.right:.6g}, {b.bottom:.6g} to {b.top:.6g} of its own system and not the area at "
-        f"{bounds[0]:.0f} to {bounds[2]:.0f}, {bounds[1]:.0f} to {bounds[3]:.0f}; is it the right raster?",
-        file=path,
-    )
+    raise InputError("raster.no_overlap", covered=[b.left, b.bottom, b.right, b.top], wanted=list(bounds), file=path)
 
 
 def check_heights(heights: Array, path: Path) -> None:
     """Refuse what are no heights of the ground: a mark for holes that is not stated, an image, another unit."""
     good = heights[np.isfinite(heights)]
     if not len(good):
-        raise InputError("holds no height over the area: all its cells there are holes", file=path)
+        raise InputError("raster.no_height", file=path)
     low, high = float(good.min()), float(good.max())
     if low < LOWEST or high > HIGHEST:
         odd = low if low < LOWEST else high
-        raise InputError(
-            f"holds heights from {low:g} to {high:g} m; {odd:g} m is none of the ground of the earth. If it marks "
-            "holes, say so in the file, as with `gdal_edit.py -a_nodata VALUE`",
-            file=path,
-        )
+        raise InputError("raster.impossible_heights", lowest_m=low, highest_m=high, height_m=odd, file=path)

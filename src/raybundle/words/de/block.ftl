@@ -23,3 +23,5 @@ block-observations_not_parquet = Die Tabelle wird auf einmal gelesen; ein Block 
 
 block-no_camera = Der Block hat keine Kamera.
     .do = Für jede Kamera eine Tabelle [cameras.ID] ergänzen.
+
+block-no_scene = Block { $block } hat keine Satellitenszene; RPC werden nur für Szenen geschrieben.

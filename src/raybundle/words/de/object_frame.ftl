@@ -12,3 +12,6 @@ object_frame-not_degrees = Länge { $longitude_deg }, Breite { $latitude_deg } s
 
 object_frame-missing = Eine Satellitenszene braucht ein Objektsystem mit bekannter Lage.
     .do = [frame] mit kind = "local" und origin = [longitude_deg, latitude_deg, height_m] ergänzen.
+
+object_frame-not_local = Höhen über einer Karte brauchen einen Block in einem lokalen System (Ost, Nord, oben).
+    .do = Dem Block ein [frame] mit kind = "local" geben.

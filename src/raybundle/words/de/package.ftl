@@ -12,3 +12,6 @@ package-pyogrio_missing = Ein GeoPackage zu schreiben braucht das Paket pyogrio.
 
 package-laspy_missing = LAS-Dateien brauchen das Paket laspy.
     .do = Ausführen: pip install 'raybundle[las]'
+
+package-rasterio_missing = Raster brauchen das Paket rasterio.
+    .do = Ausführen: pip install 'raybundle[geo]'

@@ -27,3 +27,6 @@ block-observations_not_parquet = The table is read at once; a block larger than 
 
 block-no_camera = The block has no camera.
     .do = Add a table [cameras.ID] for each camera.
+
+# $block = "pair"
+block-no_scene = Block { $block } has no satellite scene; RPCs are written for scenes only.

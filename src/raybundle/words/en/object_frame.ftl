@@ -15,3 +15,6 @@ object_frame-not_degrees = Longitude { $longitude_deg }, latitude { $latitude_de
 
 object_frame-missing = A satellite scene needs an object frame with known location.
     .do = Add [frame] with kind = "local" and origin = [longitude_deg, latitude_deg, height_m].
+
+object_frame-not_local = Heights above a map need a block in a local frame (east, north, up).
+    .do = Give the block a [frame] with kind = "local".

@@ -12,3 +12,6 @@ package-pyogrio_missing = Writing a GeoPackage needs the package pyogrio.
 
 package-laspy_missing = LAS files need the package laspy.
     .do = Run: pip install 'raybundle[las]'
+
+package-rasterio_missing = Rasters need the package rasterio.
+    .do = Run: pip install 'raybundle[geo]'

@@ -15,3 +15,5 @@ block-file_name = Le fichier n'est pas lu sous ce nom.
 block-observations_not_parquet = La table est lue d'un coup ; un bloc plus grand que la mémoire demande Parquet.
 
 block-no_camera = Le bloc n'a pas de caméra.
+
+block-no_scene = Le bloc { $block } n'a pas de scène satellite ; les RPC ne sont écrits que pour des scènes.

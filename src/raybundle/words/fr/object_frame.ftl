@@ -5,3 +5,5 @@ object_frame-crs_missing = Un repère projeté demande son système de coordonn�
 object_frame-not_degrees = Longitude { $longitude_deg }, latitude { $latitude_deg } : degrés non valables.
 
 object_frame-missing = Une scène satellite demande un repère objet de position connue.
+
+object_frame-not_local = Les hauteurs sur une carte demandent un bloc en repère local.

@@ -7,3 +7,5 @@ package-ezdxf_missing = L'écriture de DXF demande le paquet ezdxf.
 package-pyogrio_missing = L'écriture d'un GeoPackage demande le paquet pyogrio.
 
 package-laspy_missing = Les fichiers LAS demandent le paquet laspy.
+
+package-rasterio_missing = Les rasters demandent le paquet rasterio.

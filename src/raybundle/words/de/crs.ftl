@@ -1,0 +1,60 @@
+crs-outside_area = { NUM($x, digits: 10) }, { NUM($y, digits: 10) } sind keine Koordinaten in { $system }.
+    .why = { $on_earth ->
+        [yes] Sie lägen bei Länge { NUM($longitude_deg, decimals: 2) }, Breite { NUM($latitude_deg, decimals: 2) }; der Geltungsbereich ist Länge { $longitudes_deg }, Breite { $latitudes_deg }
+       *[no] Kein Ort der Erde hat diese Koordinaten
+     }.
+    .do = { $hint ->
+        [named] Das System der Koordinaten angeben; { OPTION("crs") } weglassen bei Metern in örtlichen Achsen
+        [named_exchanged] Ost- und Nordwert vertauschen oder mit { OPTION("crs") } das System der Koordinaten angeben
+        [degrees] Das System der Koordinaten angeben: Sie sehen aus wie Grad oder Meter in örtlichen Achsen
+        [exchanged] Ostwert oder Länge zuerst schreiben oder das System berichtigen
+        [feet] Meter schreiben: Als Fuß passen sie
+       *[system] Das System der Koordinaten angeben
+     }.
+
+crs-beyond_circle = { NUM($x, digits: 10) }, { NUM($y, digits: 10) } liegt außerhalb von { $system }: Die { $quantity ->
+        [latitude] Breite
+       *[longitude] Länge
+     } endet bei { $limit }.
+    .do = { $swapped ->
+        [yes] Prüfen, ob Länge und Breite vertauscht sind
+       *[no] Das Koordinatensystem des Gitters angeben, etwa EPSG:32633
+     }.
+
+crs-undulation_of_ellipsoid = { $system } hat bereits ellipsoidische Höhen.
+    .do = { OPTION("undulation") } weglassen oder +ellipsoid im Namen des Systems.
+
+crs-other_datum = { $own } und { $system } unterscheiden sich nicht nur in der Projektion.
+    .why = Datum oder Höhen sind verschieden; die Genauigkeit einer solchen Transformation ist zu wählen.
+    .do = Eine Projektion desselben Datums angeben oder das Ergebnis mit ogr2ogr -t_srs transformieren.
+
+crs-incomplete = Das Koordinatensystem ist unvollständig.
+    .do = crs = "EPSG:..." und origin = [east, north, height] angeben.
+
+crs-geoid_missing = { $heights } braucht ein Geoid, das nicht installiert ist.
+    .why = Ohne dieses wären Höhen um bis zu 100 m falsch.
+    .do = { $kind ->
+        [known] pyproj sync --file { $grid } ausführen oder https://cdn.proj.org/{ $grid } nach { $folder } kopieren
+        [own] Den Pfad des Gitters { $grid } berichtigen
+       *[unknown] Die Undulation zu allen Höhen addieren ({ OPTION("undulation", "METRES") } von convert und rpc) und { $ellipsoidal } angeben
+     }.
+
+crs-coordinate_shape = Nötig sind Koordinaten der Form (n, 3), nicht ({ $shape }).
+
+crs-not_transformed = Punkt { $number } bei { NUM($x, digits: 10) }, { NUM($y, digits: 10) } liegt außerhalb von { $system }.
+    .do = Koordinatensystem und Reihenfolge der Koordinaten prüfen (Ostwert oder Länge zuerst).
+
+crs-unknown = { $text } ist kein bekanntes Koordinatensystem.
+    .do = EPSG:CODE, einen PROJ-Text oder WKT angeben.
+
+crs-heights_of_proj_string = { $text } hinter einem PROJ-Text wird nicht unterstützt.
+    .do = Das Lagesystem als EPSG:CODE angeben oder ellipsoidische Höhen als { $ellipsoid }.
+
+crs-utm_zone = Die UTM-Zone { $zone } liegt nicht zwischen 1 und 60.
+    .do = Die Zone berichtigen.
+
+crs-not_on_earth = { $text } hat keine Lage auf der Erde.
+    .do = Ein projiziertes, geographisches oder geozentrisches System angeben.
+
+crs-heights_twice = { $system } legt seine Höhen bereits fest.
+    .do = { $ellipsoid } weglassen.

@@ -1,0 +1,95 @@
+# $x = 411000.0
+# $y = 5300000.0
+# $system = "EPSG:32633"
+# $on_earth = true
+# $longitude_deg = 2.5
+# $latitude_deg = 47.8
+# $longitudes_deg = [12.0, 18.0]
+# $latitudes_deg = [0.0, 84.0]
+# $hint = "system"
+crs-outside_area = { NUM($x, digits: 10) }, { NUM($y, digits: 10) } are no coordinates of { $system }.
+    .why = { $on_earth ->
+        [yes] They would lie at longitude { NUM($longitude_deg, decimals: 2) }, latitude { NUM($latitude_deg, decimals: 2) }; its area of use is longitude { $longitudes_deg }, latitude { $latitudes_deg }
+       *[no] No place on earth has these coordinates
+     }.
+    .do = { $hint ->
+        [named] Give the system of the coordinates; omit { OPTION("crs") } for metres in local axes
+        [named_exchanged] Interchange easting and northing, or give the system of the coordinates with { OPTION("crs") }
+        [degrees] Give the system of the coordinates: they look like degrees or metres in local axes
+        [exchanged] Write easting or longitude first, or correct the system
+        [feet] Write metres: as feet they fit
+       *[system] Give the system of the coordinates
+     }.
+
+# $x = 411000.0
+# $y = 5300000.0
+# $system = "WGS 84"
+# $quantity = "longitude"
+# $limit = 180.0
+# $swapped = false
+crs-beyond_circle = { NUM($x, digits: 10) }, { NUM($y, digits: 10) } is outside { $system }: { $quantity ->
+        [latitude] latitude
+       *[longitude] longitude
+     } ends at { $limit }.
+    .do = { $swapped ->
+        [yes] Check whether longitude and latitude are interchanged
+       *[no] Give the coordinate system of the grid, such as EPSG:32633
+     }.
+
+# $system = "EPSG:25832+ellipsoid"
+crs-undulation_of_ellipsoid = { $system } already has ellipsoidal heights.
+    .do = Omit { OPTION("undulation") }, or +ellipsoid in the name of the system.
+
+# $own = "EPSG:25832"
+# $system = "EPSG:31468"
+crs-other_datum = { $own } and { $system } differ in more than the projection.
+    .why = Datum or heights are different; such a transformation has an accuracy to be chosen.
+    .do = Give a projection of the same datum, or transform the result with ogr2ogr -t_srs.
+
+crs-incomplete = The coordinate system is incomplete.
+    .do = Give crs = "EPSG:..." and origin = [east, north, height].
+
+# $heights = "DHHN2016 height"
+# $kind = "known"
+# $grid = "de_bkg_gcg2016.tif"
+# $folder = "/usr/share/proj"
+# $ellipsoidal = "EPSG:25832+ellipsoid"
+crs-geoid_missing = { $heights } needs a geoid that is not installed.
+    .why = Without it, heights would be wrong by up to 100 m.
+    .do = { $kind ->
+        [known] Run pyproj sync --file { $grid }, or copy https://cdn.proj.org/{ $grid } to { $folder }
+        [own] Correct the path of the grid { $grid }
+       *[unknown] Add the undulation to all heights ({ OPTION("undulation", "METRES") } of convert and rpc), and give { $ellipsoidal }
+     }.
+
+# $shape = [4, 2]
+crs-coordinate_shape = Coordinates of shape (n, 3) are needed, not ({ $shape }).
+
+# $number = 3
+# $x = 411.0
+# $y = 48.2
+# $system = "EPSG:25832"
+crs-not_transformed = Point { $number } at { NUM($x, digits: 10) }, { NUM($y, digits: 10) } is outside { $system }.
+    .do = Check the coordinate system and the order of the coordinates (easting or longitude first).
+
+# $text = "'EPSG:1'"
+crs-unknown = { $text } is not a known coordinate system.
+    .do = Give EPSG:CODE, a PROJ string or WKT.
+
+# $text = "'+5773'"
+# $ellipsoid = "+ellipsoid"
+crs-heights_of_proj_string = { $text } after a PROJ string is not supported.
+    .do = Give the plan system as EPSG:CODE, or ellipsoidal heights as { $ellipsoid }.
+
+# $zone = 61
+crs-utm_zone = UTM zone { $zone } is not between 1 and 60.
+    .do = Correct the zone.
+
+# $text = "'EPSG:5773'"
+crs-not_on_earth = { $text } has no position on the earth.
+    .do = Give a projected, geographic or geocentric system.
+
+# $system = "EPSG:25832+7837"
+# $ellipsoid = "+ellipsoid"
+crs-heights_twice = { $system } already defines its heights.
+    .do = Omit { $ellipsoid }.

@@ -1,0 +1,25 @@
+crs-outside_area = { NUM($x, digits: 10) }, { NUM($y, digits: 10) } ne sont pas des coordonnées de { $system }.
+
+crs-beyond_circle = { NUM($x, digits: 10) }, { NUM($y, digits: 10) } : hors de { $system }, limite { $limit }.
+
+crs-undulation_of_ellipsoid = { $system } a déjà des hauteurs ellipsoïdales.
+
+crs-other_datum = { $own } et { $system } diffèrent par plus que la projection.
+
+crs-incomplete = Le système de coordonnées est incomplet.
+
+crs-geoid_missing = { $heights } demande un géoïde qui n'est pas installé.
+
+crs-coordinate_shape = Il faut des coordonnées de forme (n, 3), non ({ $shape }).
+
+crs-not_transformed = Point { $number } en { NUM($x, digits: 10) }, { NUM($y, digits: 10) } : hors de { $system }.
+
+crs-unknown = { $text } n'est pas un système de coordonnées connu.
+
+crs-heights_of_proj_string = { $text } après une chaîne PROJ n'est pas pris en charge.
+
+crs-utm_zone = La zone UTM { $zone } n'est pas entre 1 et 60.
+
+crs-not_on_earth = { $text } n'a pas de position sur la Terre.
+
+crs-heights_twice = { $system } définit déjà ses hauteurs.
