@@ -17,7 +17,7 @@ from raybundle.errors import InputError
 from raybundle.io.geo.parsed_systems import parse_crs, utm_at
 from raybundle.io.reading.files import UNPACKING, check_regular, guarded, read_bytes
 from raybundle.io.reading.trees import Json, read_json
-from raybundle.io.reading.words import number_of
+from raybundle.io.reading.words import number_of, quoted
 from raybundle.io.reading.xml import Element, xml_of
 from raybundle.numerics.arrays import Array
 
@@ -67,7 +67,7 @@ def read_shapes(given: str, crs: str = "") -> tuple[Shape, ...]:
     else:
         shapes = tuple(_ogr(path, crs))
     if not shapes:
-        raise InputError("holds no polygon, line or point", file=path)
+        raise InputError("area.none", file=path)
     return shapes
 
 
@@ -131,14 +131,14 @@ def _geometries(value: Json) -> Iterator[Json]:
 def _pairs(value: Json) -> Array:
     items = value.items()
     if len(items) > CORNERS:
-        value.fail(f"{len(items)} points, more than the {CORNERS} that are read; simplify the outline")
+        value.fail("area.too_many_points", n=len(items), most=CORNERS)
     return np.array([_pair(i) for i in items]).reshape(-1, 2)
 
 
 def _pair(value: Json) -> Array:
     numbers = value.items()
     if len(numbers) < 2:
-        value.fail("a longitude and a latitude are needed")
+        value.fail("value.count", n=len(numbers), needed=2)
     return np.array([numbers[0].number(), numbers[1].number()])
 
 
@@ -149,12 +149,18 @@ def _unpacked(path: Path) -> bytes:
         with guarded(path), zipfile.ZipFile(path) as archive:
             inner = [i for i in archive.infolist() if i.filename.lower().endswith(".kml")]
             if not inner:
-                raise InputError("holds no .kml", file=path)
+                raise InputError("archive.file_missing", name=".kml", file=path)
             if inner[0].file_size > 1 << 26:
-                raise InputError(f"{inner[0].filename} has {inner[0].file_size} bytes, too many", file=path)
+                raise InputError(
+                    "archive.file_too_large",
+                    name=inner[0].filename,
+                    size_bytes=inner[0].file_size,
+                    limit_bytes=1 << 26,
+                    file=path,
+                )
             return archive.read(inner[0])
     except UNPACKING as error:
-        raise InputError(f"cannot be unpacked: {error}", file=path) from None
+        raise InputError("archive.not_unpacked", detail=str(error), file=path) from None
 
 
 def _kml(element: Element) -> Iterator[Shape]:
@@ -175,7 +181,7 @@ def _coordinates(element: Element) -> Array:
     for word in element.content.split():
         values = [number_of(v) for v in word.split(",")]
         if len(values) < 2 or values[0] is None or values[1] is None:
-            element.fail(f"{word[:60]!r} is no longitude,latitude")
+            element.fail("area.no_position", text=quoted(word))
         rows.append([values[0], values[1]])
     return np.array(rows).reshape(-1, 2)
 
@@ -187,8 +193,7 @@ def _ogr(path: Path, crs: str) -> Iterator[Shape]:
         reader: Any = import_module("pyogrio.raw")  # an extra
     except ImportError:
         raise InputError(
-            "this format is read by pyogrio, which is not installed: pip install 'raybundle[geo]'; or save the area as "
-            "GeoJSON or KML",
+            "package.pyogrio_missing",
             file=path,
         ) from None
     try:
@@ -196,8 +201,8 @@ def _ogr(path: Path, crs: str) -> Iterator[Shape]:
     except Exception as error:  # noqa: BLE001  (GDAL's drivers raise what they like on damaged files)
         said = str(error).splitlines()[0] if path.suffix.lower() not in {".wkt", ".txt", ".csv"} else ""
         raise InputError(
-            "cannot be read as lines or areas; save it as GeoJSON, KML or GeoPackage"
-            + (f" (GDAL: {said})" if said else ""),
+            "area.not_readable",
+            detail=said or path.suffix,
             file=path,
         ) from None
     own = str(about.get("crs") or crs)
@@ -236,7 +241,7 @@ def _wkb(source: _Bytes, path: Path, crs: str) -> Iterator[Shape]:
             if rings:
                 yield _shape("area", rings[0], rings[1:], crs)
     except (struct.error, ValueError):
-        raise InputError("holds a damaged geometry", file=path) from None
+        raise InputError("area.damaged", file=path) from None
 
 
 def _ring(source: _Bytes, order: str) -> Array:
@@ -254,9 +259,7 @@ def plane_crs(shape: Shape) -> str:
     lon, lat = in_crs(shape.xy, shape.crs, GEOGRAPHIC).mean(axis=0)
     code = utm_at(lon, lat)
     if code is None:
-        raise InputError(
-            f"the area lies at latitude {lat:.1f}, where UTM does not reach; give a coordinate system in metres"
-        )
+        raise InputError("area.no_utm", latitude_deg=lat)
     return code
 
 
@@ -273,10 +276,7 @@ def in_crs(xy: Array, source: str, target: str) -> Array:
         bad = np.flatnonzero((np.abs(xy[:, 0]) > 360) | (np.abs(xy[:, 1]) > 90))
         if len(bad):
             x, y = xy[bad[0]]
-            raise InputError(
-                f"{x:.10g}, {y:.10g} is no longitude and latitude in degrees; say in which coordinate system the area "
-                "is given, and give the longitude first"
-            )
+            raise InputError("area.not_degrees", x=x, y=y)
     if source == target:
         return np.asarray(xy, float)
     transformer = Transformer.from_crs(parse_crs(source), parse_crs(target), always_xy=True)
@@ -286,5 +286,5 @@ def in_crs(xy: Array, source: str, target: str) -> Array:
     bad = np.flatnonzero(~np.isfinite(result).all(axis=1))
     if len(bad):
         a, b = xy[bad[0]]
-        raise InputError(f"{a:.10g}, {b:.10g} lies outside the area of {target[:60]}; check the coordinate system")
+        raise InputError("area.outside_system", x=a, y=b, system=target[:60])
     return result

@@ -14,7 +14,6 @@ from raybundle.missions.mission import Mission
 from raybundle.missions.route import Route
 from raybundle.missions.terrain import Ground
 from raybundle.numerics.arrays import Array
-from raybundle.settings import option
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -49,10 +48,7 @@ def routes_of(mission: Mission, ground: Ground | None = None) -> tuple[Route, ..
     raises  InputError for a mission in local coordinates
     """
     if not mission.crs:
-        raise InputError(
-            f"the mission has local coordinates, which no vehicle knows; plan it in a coordinate system "
-            f"({option('crs', 'EPSG:CODE')})"
-        )
+        raise InputError("mission.no_crs")
     return tuple(_route(mission, flight, ground) for flight in range(mission.flights))
 
 

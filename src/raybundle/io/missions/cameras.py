@@ -13,11 +13,10 @@ from raybundle.io.cameras.library import with_library
 from raybundle.io.photos.cameras import camera_groups
 from raybundle.io.photos.photo import read_photo
 from raybundle.io.photos.read_out_times import read_out_time
-from raybundle.io.reading.words import number_of, whole_of
+from raybundle.io.reading.words import number_of, quoted, whole_of
 from raybundle.missions.camera import MissionCamera
 from raybundle.missions.vehicle import KNOWN, Vehicle
 from raybundle.sensors import sensor_models
-from raybundle.settings import option
 
 _FIGURES = re.compile(r"([0-9]{2,6})\s*[xX]\s*([0-9]{2,6})\s*,\s*([0-9.eE+]+)")
 
@@ -27,10 +26,7 @@ def vehicle_of(name: str) -> Vehicle:
     if not name:
         return Vehicle()
     if name not in KNOWN:
-        raise InputError(
-            f"vehicle {name!r} is not known; known: {', '.join(KNOWN)}; or give its figures: {option('speed')}, "
-            f"{option('climb')}, {option('battery')}"
-        )
+        raise InputError("mission.vehicle_unknown", vehicle=name, known=list(KNOWN))
     return KNOWN[name][0]
 
 
@@ -43,10 +39,7 @@ def mission_camera(given: str, vehicle: str = "") -> MissionCamera:
     if not given:
         if vehicle in KNOWN:
             return KNOWN[vehicle][1]
-        raise InputError(
-            f"no camera is given: name a vehicle with a camera of its own ({', '.join(KNOWN)}), or give a photograph "
-            f"that the camera took, its calibration, or WIDTHxHEIGHT,C in pixels ({option('camera')})"
-        )
+        raise InputError("mission.camera_missing", known=list(KNOWN))
     by_name = {**{n: c for n, (_, c) in KNOWN.items()}, **{c.name: c for _, c in KNOWN.values()}}
     if given in by_name:
         return by_name[given]
@@ -56,14 +49,11 @@ def mission_camera(given: str, vehicle: str = "") -> MissionCamera:
             return MissionCamera(name="camera", width_px=width, height_px=height, c_px=c, source="as given")
     path = Path(given)
     if not path.exists():
-        raise InputError(
-            f"camera {given!r} is no file and no camera that is known ({', '.join(by_name)}); WIDTHxHEIGHT,C in pixels "
-            "is understood as well, as 5472x3648,3650"
-        )
+        raise InputError("mission.camera_unknown", camera=quoted(given), known=list(by_name))
     if path.suffix.lower() == ".toml":
         cameras = read_cameras(path)
         if len(cameras) != 1:
-            raise InputError(f"holds {len(cameras)} cameras; a mission has one", file=path)
+            raise InputError("calibration.camera_count", n=len(cameras), file=path)
         return _of_block(cameras[0], f"calibration {path.name}")
     return _of_photograph(path)
 

@@ -12,7 +12,7 @@ import numpy as np
 
 from raybundle.errors import InputError
 from raybundle.io.missions.base import MissionFormat, register
-from raybundle.io.reading.words import no_number, number_of
+from raybundle.io.reading.words import no_number, number_of, quoted
 from raybundle.io.reading.xml import Element, read_xml
 from raybundle.missions.route import Route
 from raybundle.numerics.arrays import Array
@@ -60,10 +60,10 @@ def read(path: Path) -> Route:
     document = read_xml(path, "kml").get("Document")
     folder = document.find("Folder")
     if folder is None:
-        raise InputError("holds no folder of way points; it was not written as a mission", file=path)
+        raise InputError("mission.no_folder", file=path)
     rows = [_row(p) for p in folder.all("Placemark")]
     if not rows:
-        raise InputError("holds no way point", file=path)
+        raise InputError("mission.no_way_point", file=path)
     t = np.array(rows)
     home = next((p for p in document.all("Placemark") if _text(p, "name") == "take-off"), None)
     place = t[0, [1, 0, 2]] if home is None else _place(home)
@@ -84,7 +84,7 @@ def _place(placemark: Element) -> Array:
     words = point.content.strip().split(",")
     values = [number_of(w) for w in words]
     if len(values) != 3 or None in values:
-        point.fail(f"longitude, latitude, height are needed, not {point.content.strip()[:60]!r}")
+        point.fail("area.no_position", text=quoted(point.content.strip()))
     return np.array(values, float)
 
 
@@ -97,7 +97,7 @@ def _row(placemark: Element) -> list[float]:
             entry.fail(no_number(text))
         data[entry.attribute("name")] = value
     if "height" not in data:
-        placemark.fail("has no height above the take-off; it was not written as a mission")
+        placemark.fail("mission.no_height")
     return [*_place(placemark).tolist(), *(data.get(n, float("nan")) for n in DATA)]
 
 

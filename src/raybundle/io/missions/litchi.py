@@ -69,13 +69,20 @@ def read(path: Path) -> Route:
         raise InputError(error.problem, file=path, line=lines[error.position][0]) from None
     names = [c.strip() for c in rows[0]] if rows else []
     if "altitude(ft)" in names:
-        raise InputError("has heights in feet; save it in metres, the setting of the app", file=path, line=1)
+        raise InputError("litchi.feet", file=path, line=1)
     missing = [c for c in ("latitude", "longitude", "altitude(m)", "gimbalpitchangle") if c not in names]
     if missing:
-        raise InputError(f"column {missing[0]} is missing: this is no mission of Litchi", file=path, line=1)
+        raise InputError(
+            "table.columns_missing",
+            names=missing,
+            header=names,
+            needed=["latitude", "longitude", "altitude(m)", "gimbalpitchangle"],
+            file=path,
+            line=1,
+        )
     table = [_numbers(path, lines[k + 1][0], dict(zip(names, row, strict=False))) for k, row in enumerate(rows[1:])]
     if not table:
-        raise InputError("holds no way point", file=path)
+        raise InputError("mission.no_way_point", file=path)
     t = np.array(table)
     trigger, base = _triggers(t)
     by_time = bool((t[:, 7] > 0).any())
@@ -93,17 +100,17 @@ def _numbers(path: Path, line: int, cells: dict[str, str]) -> list[float]:
         if found is None:
             raise InputError(no_number(text), file=path, line=line, column=name)
         if not text and name in PLACE:
-            raise InputError("the cell is empty, and a way point needs it; fill it", file=path, line=line, column=name)
+            raise InputError("cell.empty", file=path, line=line, column=name)
         return found
 
     if value("altitudemode", 0.0) != ABOVE_TAKE_OFF:
         raise InputError(
-            "counts its height above the ground; heights above the take-off are read (altitudemode 0)", file=path,
+            "mission.height_reference", reference="altitudemode 1", needed="altitudemode 0", file=path,
             line=line,
         )  # fmt: skip
     if value("photo_timeinterval", -1.0) > 0 and math.isnan(value("speed(m/s)", math.nan)):
         raise InputError(
-            "the cell is empty, and photographs by time need the speed; fill it", file=path, line=line,
+            "cell.empty", file=path, line=line,
             column="speed(m/s)",
         )  # fmt: skip
     photo = any(value(f"actiontype{k}", -1.0) == TAKE_PHOTO for k in range(1, ACTIONS + 1))

@@ -91,7 +91,9 @@ def route_of(items: Sequence[Item], home: tuple[float, float, float], name: str,
         if item.command in {WAY_POINT, TAKE_OFF}:
             if item.frame not in {RELATIVE, 6}:
                 raise InputError(
-                    f"item {number + 1} counts heights in frame {item.frame}; frame 3, above the take-off, is read",
+                    "mission.height_reference",
+                    reference=f"item {number + 1}, frame {item.frame}",
+                    needed="frame 3",
                     file=file,
                 )
             if item.command == WAY_POINT:
@@ -100,7 +102,7 @@ def route_of(items: Sequence[Item], home: tuple[float, float, float], name: str,
         elif found.rows:
             _apply(found, item)
     if not found.rows:
-        raise InputError("holds no way point", file=file)
+        raise InputError("mission.no_way_point", file=file)
     t = np.array(found.rows)
     return Route(
         name=name, home=home, latitude_deg=t[:, 0], longitude_deg=t[:, 1], height=t[:, 2], heading_deg=t[:, 3] % 360.0,

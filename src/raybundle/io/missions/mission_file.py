@@ -12,6 +12,7 @@ import numpy as np
 
 from raybundle.errors import InputError
 from raybundle.io.reading.trees import Json, read_toml
+from raybundle.io.reading.words import quoted
 from raybundle.missions.camera import MissionCamera
 from raybundle.missions.mission import FlightLine, Mission, Trigger, WayPoints
 from raybundle.missions.vehicle import Vehicle
@@ -83,19 +84,19 @@ def read_mission(path: Path) -> Mission:
     path = path / NAME if path.is_dir() else path
     top = read_toml(path).tree()
     if not top.has("way_points"):
-        raise InputError("is no flight plan: it holds no [way_points]", file=path)
+        raise InputError("mission.no_table", file=path)
     camera, vehicle = _camera(top.get("camera")), _vehicle(top.get("vehicle"))
     points = top.get("way_points")
     names = tuple(i.text() for i in points.get("columns").items())
     if names != COLUMNS:
-        points.get("columns").fail(f"columns {', '.join(COLUMNS)} are needed")
+        points.get("columns").fail("mission.columns", needed=list(COLUMNS))
     lines = tuple(_line(j) for j in top.get("line").items()) if top.has("line") else ()
     w = _way_points(points.get("rows"), len(lines))
     x, y, z = top.get("take_off").numbers(3)
     along, across = top.get("overlap").numbers(2)
     by = top.get("trigger_by").text()
     if by not in {"distance", "interval"}:
-        top.get("trigger_by").fail("is neither distance nor interval")
+        top.get("trigger_by").fail("value.not_supported", value=quoted(by), known=["distance", "interval"])
     return Mission(
         name=top.get("name").text(), pattern=top.get("pattern").text(), crs=top.get("crs").text(), camera=camera,
         vehicle=vehicle, take_off=(float(x), float(y), float(z)), way_points=w, lines=lines,
@@ -144,16 +145,16 @@ def _way_points(rows: Json, lines: int) -> WayPoints:
     for row in rows.items():
         cells = row.items()
         if len(cells) != len(COLUMNS):
-            row.fail(f"{len(cells)} values, {len(COLUMNS)} are needed")
+            row.fail("value.count", n=len(cells), needed=len(COLUMNS))
         word = cells[6].text()
         if word not in TRIGGERS:
-            cells[6].fail(f"is none of {', '.join(TRIGGERS)}")
+            cells[6].fail("value.not_supported", value=quoted(word), known=list(TRIGGERS))
         numbers = [c.number() for c in (*cells[:6], *cells[7:])]
         if not -1 <= numbers[7] < max(lines, 1):
-            cells[8].fail(f"there are {lines} lines, counted from 0")
+            cells[8].fail("mission.line_unknown", line_number=int(numbers[7]), n=lines)
         table.append([*numbers[:6], float(TRIGGERS.index(word)), *numbers[6:]])
     if not table:
-        rows.fail("no way point")
+        rows.fail("mission.no_way_point")
     t = np.array(table)
     start = t[:, 6] == Trigger.START
     return WayPoints(

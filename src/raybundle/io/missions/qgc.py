@@ -9,6 +9,7 @@ from pathlib import Path
 from raybundle.io.missions.base import MissionFormat, register
 from raybundle.io.missions.mavlink import RELATIVE, Item, items_of, route_of
 from raybundle.io.reading.trees import Json, read_json
+from raybundle.io.reading.words import quoted
 from raybundle.missions.route import Route
 
 PX4, MULTIROTOR = 12, 2
@@ -43,7 +44,7 @@ def read(path: Path) -> Route:
     """The way points of a plan of simple items; a survey of QGroundControl's own is refused with the reason."""
     top = read_json(path)
     if not top.has("fileType") or top.get("fileType").text() != "Plan":
-        top.fail('this is no plan of QGroundControl: "fileType" is not "Plan"')
+        top.fail("qgc.no_plan")
     mission = top.get("mission")
     items = [_read(j) for j in mission.get("items").items()]
     lat, lon, height = mission.get("plannedHomePosition").numbers(3)
@@ -53,10 +54,10 @@ def read(path: Path) -> Route:
 def _read(item: Json) -> Item:
     kind = item.get("type").text()
     if kind != "SimpleItem":
-        item.fail(f"is a {kind}, which QGroundControl alone makes way points of; convert it there into simple items")
+        item.fail("qgc.complex_item", kind=quoted(kind))
     parameters = item.get("params").items()
     if len(parameters) != 7:
-        item.fail(f"{len(parameters)} parameters, 7 are needed")
+        item.fail("value.count", n=len(parameters), needed=7)
     values = tuple(math.nan if p.value is None else p.number() for p in parameters)
     return Item(command=item.get("command").whole(0, 65535), frame=item.get("frame").whole(0, 30), parameters=values)
 

@@ -32,10 +32,10 @@ def read(path: Path) -> Route:
     """The way points of a list of items."""
     lines = [(n, line) for n, line in read_lines(path) if line.strip()]
     if not lines or lines[0][1].strip() != HEAD:
-        raise InputError(f"the first line is not {HEAD!r}: this is no such list of way points", file=path, line=1)
+        raise InputError("wpl.no_header", head=HEAD, file=path, line=1)
     items = [_item(path, n, line) for n, line in lines[1:]]
     if not items:
-        raise InputError("holds no item", file=path)
+        raise InputError("mission.no_way_point", file=path)
     lat, lon, height = items[0].parameters[4:7]
     return route_of(items[1:], (lat, lon, height), path.stem, str(path))
 
@@ -43,7 +43,7 @@ def read(path: Path) -> Route:
 def _item(path: Path, line: int, text: str) -> Item:
     words = text.split()
     if len(words) != CELLS:
-        raise InputError(f"{len(words)} columns, {CELLS} are needed", file=path, line=line)
+        raise InputError("value.count", n=len(words), needed=CELLS, file=path, line=line)
     values: list[float] = []
     for word in words:
         value = number_of(word)

@@ -19,7 +19,7 @@ import numpy as np
 from raybundle.errors import InputError
 from raybundle.io.missions.base import MissionFormat, register
 from raybundle.io.reading.files import UNPACKING, check_regular, guarded
-from raybundle.io.reading.words import no_number, number_of
+from raybundle.io.reading.words import no_number, number_of, quoted
 from raybundle.io.reading.xml import Element, xml_of
 from raybundle.missions.mission import Trigger
 from raybundle.missions.route import Route
@@ -211,7 +211,7 @@ def read(path: Path) -> Route:
     folder = document.get("Folder")
     mode = _text(folder, "wpml:executeHeightMode")
     if mode != "relativeToStartPoint":
-        folder.fail(f"counts heights as {mode[:40]!r}; heights above the take-off (relativeToStartPoint) are read")
+        folder.fail("mission.height_reference", reference=quoted(mode), needed="relativeToStartPoint")
     rows: list[list[float]] = []
     by_time = False
     pitch, ends = math.nan, set[int]()
@@ -222,11 +222,11 @@ def read(path: Path) -> Route:
             ends.add(last)
         rows.append(row)
     if not rows:
-        raise InputError("holds no way point", file=path)
+        raise InputError("mission.no_way_point", file=path)
     t = np.array(rows)
     for k in ends:
         if not 0 <= k < len(t):
-            raise InputError(f"an action group ends at way point {k}, of {len(t)}", file=path)
+            raise InputError("wpml.action_end", way_point=k, n=len(t), file=path)
         t[k, 6] = Trigger.STOP
     return Route(
         name=path.stem, home=_home(document, t), latitude_deg=t[:, 0], longitude_deg=t[:, 1], height=t[:, 2],
@@ -241,12 +241,14 @@ def _member(path: Path) -> bytes:
         with guarded(path), zipfile.ZipFile(path) as archive:
             entry = archive.getinfo(WAYLINES)
             if entry.file_size > LARGEST:
-                raise InputError(f"{WAYLINES} has {entry.file_size} bytes, {LARGEST} are read", file=path)
+                raise InputError(
+                    "archive.file_too_large", name=WAYLINES, size_bytes=entry.file_size, limit_bytes=LARGEST, file=path
+                )
             return archive.read(entry)
     except KeyError:
-        raise InputError(f"holds no {WAYLINES}: this is no flight plan of DJI", file=path) from None
+        raise InputError("archive.file_missing", name=WAYLINES, file=path) from None
     except UNPACKING as error:
-        raise InputError(f"cannot be unpacked ({error}); a KMZ with {WAYLINES} is needed", file=path) from None
+        raise InputError("archive.not_unpacked", detail=str(error), file=path) from None
 
 
 def _text(element: Element, *names: str) -> str:
@@ -276,7 +278,7 @@ def _row(mark: Element, pitch: float) -> tuple[list[float], float, int | None, b
     words = mark.get("Point", "coordinates").content.strip().split(",")
     place = [number_of(w) for w in words[:2]]
     if len(place) != 2 or place[0] is None or place[1] is None:
-        mark.fail("its coordinates are not longitude, latitude")
+        mark.fail("area.no_position", text=quoted(",".join(words)))
     speed = _number(mark, "wpml:waypointSpeed")
     trigger, base, last, timed = float(Trigger.NONE), math.nan, None, False
     for group in mark.all("wpml:actionGroup"):

@@ -1,0 +1,23 @@
+area-none = Die Datei hat kein Polygon, keine Linie und keinen Punkt.
+    .do = Eine Datei mit einem davon angeben.
+
+area-too_many_points = Der Umriss hat { $n } Punkte; höchstens { $most } werden gelesen.
+    .do = Ihn vereinfachen.
+
+area-no_position = { $text } ist nicht Länge,Breite.
+    .do = Die Datei berichtigen.
+
+area-not_readable = Die Datei ist nicht als Linien oder Flächen lesbar ({ $detail }).
+    .do = Sie als GeoJSON, KML oder GeoPackage speichern.
+
+area-damaged = Eine Geometrie der Datei ist beschädigt.
+    .do = Sie neu exportieren.
+
+area-no_utm = Das Gebiet liegt bei { NUM($latitude_deg, decimals: 1) }° Breite, außerhalb von UTM.
+    .do = Ein Koordinatensystem in Metern angeben.
+
+area-not_degrees = { NUM($x, digits: 10) }, { NUM($y, digits: 10) } sind nicht Länge und Breite in Grad.
+    .do = Das Koordinatensystem des Gebiets angeben, Länge vor Breite.
+
+area-outside_system = { NUM($x, digits: 10) }, { NUM($y, digits: 10) } liegt außerhalb von { $system }.
+    .do = Das Koordinatensystem prüfen.

@@ -1,0 +1,1 @@
+litchi-feet = Les hauteurs sont en pieds.

@@ -1,0 +1,1 @@
+wpl-no_header = La première ligne n'est pas { $head }.
