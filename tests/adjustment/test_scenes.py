@@ -175,16 +175,16 @@ def edited(folder, file, old, new):
 @pytest.mark.parametrize(
     ("file", "old", "new", "message"),
     [
-        ("block.toml", '[frame]\nkind = "local"\norigin = [15.0, 48.0, 300.0]\n', "", r"needs a frame .*\[frame\]"),
-        ("block.toml", "[15.0, 48.0, 300.0]", "[15.0, 148.0, 300.0]", r"latitude 148 are no degrees"),
-        ("block.toml", 'kind = "local"', 'kind = "projected"', r"needs its coordinate system: crs"),
-        ("block.toml", 'bias = "shift"', 'bias = "helix"', r"'helix' is not one of none, shift, drift, affine"),
+        ("block.toml", '[frame]\nkind = "local"\norigin = [15.0, 48.0, 300.0]\n', "", r"object_frame\.missing"),
+        ("block.toml", "[15.0, 48.0, 300.0]", "[15.0, 148.0, 300.0]", r"148.*object_frame\.not_degrees"),
+        ("block.toml", 'kind = "local"', 'kind = "projected"', r"object_frame\.crs_missing"),
+        ("block.toml", 'bias = "shift"', 'bias = "helix"', r"value\.not_supported"),
         ("block.toml", "scenes/1_RPC.TXT", "scenes/7_RPC.TXT", r"file\.missing"),
         ("block.toml", "width_px = 4000", "width_px = 90000", r"do not belong together"),
         ("block.toml", 'estimate = ["A0", "B0"]', 'estimate = ["A0", "B9"]', r"'B9' is no parameter of this scene"),
-        ("block.toml", 'model = "rpc"', 'model = "linescan"', r"holds no rigorous model"),
-        ("images.csv", "1,forward,,,,,,,", "1,forward,,5,5,5,,,", r"satellite scene, whose file tells its orientation"),
-        ("images.csv", "2,backward,", "2,forward,", r"has an image already; a scene has one"),
+        ("block.toml", 'model = "rpc"', 'model = "linescan"', r"scene\.no_rigorous_model"),
+        ("images.csv", "1,forward,,,,,,,", "1,forward,,5,5,5,,,", r"scene\.orientation_given"),
+        ("images.csv", "2,backward,", "2,forward,", r"scene\.second_image"),
     ],
 )  # fmt: skip
 def test_what_is_wrong_is_told(tmp_path, file, old, new, message):

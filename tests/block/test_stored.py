@@ -46,7 +46,7 @@ def test_covariance_and_values_come_back(calibrated, tmp_path):
     assert free == FREE
     np.testing.assert_allclose(back / np.outer(size, size), C / np.outer(size, size), atol=1e-9)
     assert joint_covariance(camera) == ((), None)
-    with pytest.raises(InputError, match="not positive definite"):
+    with pytest.raises(InputError, match=r"calibration\.not_positive_definite"):
         observed_jointly(camera, FREE, -C)
 
 
@@ -97,25 +97,25 @@ def test_what_files_said_before_means_the_same(calibrated, free, tmp_path):
 @pytest.mark.parametrize(
     ("line", "words"),
     [
-        ('calibration = "c"', "is no list"),
-        ('calibration = [{parameter = "c", value = 1.0}]', "number 1 is no table"),
-        ('calibration = [{parameter = "q", value = 1.0, sigma = 1.0}]', "is no parameter of brown"),
-        ('calibration = [{parameter = "c", value = 1.0, sigma = -1.0}]', "greater than 0"),
+        ('calibration = "c"', r"calibration\.no_list"),
+        ('calibration = [{parameter = "c", value = 1.0}]', r"1.*calibration\.incomplete_entry"),
+        ('calibration = [{parameter = "q", value = 1.0, sigma = 1.0}]', r"parameter\.unknown"),
+        ('calibration = [{parameter = "c", value = 1.0, sigma = -1.0}]', r"0.*value\.not_above"),
         (
             """calibration = [
     {parameter = "c", value = 1.0, sigma = 1.0}, {parameter = "c", value = 1.0, sigma = 1.0, correlations = [0.1]}
 ]""",
-            "stands twice",
+            r"parameter\.twice",
         ),
         (
             'calibration = [{parameter = "c", value = 1.0, sigma = 1.0}, {parameter = "K1", value = 1.0, sigma = 1.0}]',
-            "number 2: 0 correlations, with the 1 parameters before it are wanted",
+            r"2.*0.*1.*calibration\.correlation_count",
         ),
         (
             """calibration = [
     {parameter = "c", value = 1.0, sigma = 1.0}, {parameter = "K1", value = 1.0, sigma = 1.0, correlations = [1.5]}
 ]""",
-            "not positive definite",
+            r"calibration\.not_positive_definite",
         ),
     ],
 )

@@ -44,7 +44,7 @@ def test_tabs_separate_whatever_stands_between_them():
 def test_names_without_suffix_are_suggested_where_coordinates_differ(tmp_path):
     file = tmp_path / "gcp_list.txt"
     file.write_text("EPSG:32633\n1 2 3 4 5 26 Sep one g1\n9 2 3 4 5 26 Sep two g2\n")
-    with pytest.raises(InputError, match=r"or separate columns by tabs if .* \(read: image '26', point 'Sep'\)"):
+    with pytest.raises(InputError, match=r"26.*gcp_list\.coordinates_differ"):
         read_control(file)
 
 
@@ -75,7 +75,7 @@ def test_the_own_code_is_advised(code):
 
 @pytest.mark.parametrize("behind", ["+5773", " +5773", "+7837"])
 def test_a_code_of_heights_behind_a_proj_string_is_refused(behind):
-    with pytest.raises(InputError, match="behind a PROJ string is not read"):
+    with pytest.raises(InputError, match=r"crs\.heights_of_proj_string"):
         parse_crs(SYSTEMS[0] + behind)
     assert parse_crs("EPSG:32633+5773").is_compound
 

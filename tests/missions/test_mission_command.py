@@ -192,7 +192,7 @@ BAD = [
     (("--vehicle", "mavic-3e", "--speed", 14, "--overlap", 0.9, 0.7), "asks for a photograph every"),
     (("--vehicle", "mavic-3e", "--battery", 1), "cannot be flown with one battery"),
     (("--vehicle", "mavic-3e", "--pattern", "double-grid", "--tilt", 80), "reaches the horizon; give a tilt below"),
-    (("--vehicle", "mavic-3e", "--dem", SRTM), "and not the area at"),
+    (("--vehicle", "mavic-3e", "--dem", SRTM), "[raster.no_overlap]"),
     (("--vehicle", "mavic-3e", "--no-go", "FIELD"), "no-go zones cover everything that was to be photographed"),
     (("--vehicle", "mavic-3e", "--name", "../plan"), "'../plan' is no name for files"),
     (("--vehicle", "mavic-3e", "--gsd", 1e-6), "lines would be needed, 20000 are the most"),

@@ -239,7 +239,7 @@ def test_results_are_not_written_to_a_url(tmp_path, out, monkeypatch, capsys):
     (tmp_path / "photos").mkdir()
     for command in (["orient", "photos", "--out", out], ["calibrate", "photos", "--out", out]):
         assert main(command) == 2
-        assert "begins like a URL" in capsys.readouterr().err
+        assert "[folder.url]" in capsys.readouterr().err
     assert {p.name for p in tmp_path.iterdir()} == {"photos"}
 
 

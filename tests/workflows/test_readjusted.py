@@ -84,7 +84,7 @@ def test_another_number_in_the_column_is_named(first, tmp_path, value, capsys):
     lines[3] = lines[3].rpartition(",")[0] + f",{value}"
     (block / "observations.csv").write_text("\n".join(lines) + "\n", encoding="utf-8")
     assert main(["adjust", str(block), "--out", str(tmp_path / "r")]) == 2
-    assert f"{value} is neither 1 nor 0 nor empty" in capsys.readouterr().err
+    assert "[cell.not_a_flag]" in capsys.readouterr().err
 
 
 def test_folders_selections_and_merged_parts_keep_what_is_wrong(first, tmp_path):

@@ -273,9 +273,9 @@ def test_a_result_is_told_in_another_projection_of_the_same_datum(adjusted, tmp_
         x, y, z = expected["point", id_][:3]
         np.testing.assert_allclose(struct.unpack("<BIddd", shape)[2:], (*change.transform(x, y), z), rtol=0, atol=1e-5)
     for crs in ("EPSG:31467", "EPSG:25832", "EPSG:32632+3855"):  # another datum, another datum, other heights
-        with pytest.raises(InputError, match="no other projection with the same datum and heights"):
+        with pytest.raises(InputError, match=r"crs\.other_datum"):
             convert(tmp_path / "r", "--to", "gpkg", "--out", tmp_path / "b.gpkg", "--crs", crs)
-    with pytest.raises(InputError, match="is no coordinate system"):
+    with pytest.raises(InputError, match=r"crs\.unknown"):
         convert(tmp_path / "r", "--to", "gpkg", "--out", tmp_path / "b.gpkg", "--crs", "EPSG:1")
 
 

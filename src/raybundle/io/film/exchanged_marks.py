@@ -59,11 +59,11 @@ def exchanges(names: Sequence[str], uv: Array, target: Array) -> tuple[tuple[str
     return tuple(pair for rms, pair in found if rms < 3 * least)[:3]
 
 
-def wrong_mark(names: Sequence[str], uv: Array, target: Array) -> str:
-    """The one mark without which the others make a film, with its misfit; empty where there is none or five are few."""
+def wrong_mark(names: Sequence[str], uv: Array, target: Array) -> tuple[str, float] | None:
+    """The one mark without which the others make a film, and its misfit [mm]; None where there is none or five are few."""
     if len(uv) < 5:
-        return ""
-    found: list[tuple[float, str]] = []
+        return None
+    found: list[tuple[float, tuple[str, float]]] = []
     for k in range(len(uv)):
         others = np.arange(len(uv)) != k
         v, affine = _residuals(uv[others], target[others])
@@ -72,8 +72,8 @@ def wrong_mark(names: Sequence[str], uv: Array, target: Array) -> str:
         middle = uv[others].mean(axis=0)
         there = target[others].mean(axis=0) + affine @ (uv[k] - middle)
         off = float(np.linalg.norm(there - target[k]))
-        found.append((float(np.sqrt(np.mean(v**2))), f"{names[k]} is {off:.3g} mm off where the others put it"))
-    return min(found)[1] if found else ""
+        found.append((float(np.sqrt(np.mean(v**2))), (names[k], off)))
+    return min(found)[1] if found else None
 
 
 def _residuals(uv: Array, target: Array) -> tuple[Array, Array]:

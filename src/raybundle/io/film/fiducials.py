@@ -303,7 +303,7 @@ def _blame(names: Sequence[str], uv: Array, target: Array) -> Message:
     if pairs := exchanges(names, uv, target):
         return message("film.marks_exchanged", pairs=[f"{a} - {b}" for a, b in pairs])
     if wrong := wrong_mark(names, uv, target):
-        return message("film.wrong_mark", mark=wrong)
+        return message("film.wrong_mark", mark=wrong[0], offset_mm=wrong[1])
     return message("film.several_wrong_marks")
 
 

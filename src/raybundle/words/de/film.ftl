@@ -36,7 +36,7 @@ film-shear = Die Achsen des Films wichen um { $shear_deg }° vom rechten Winkel 
 film-marks_exchanged = Die Namen zweier Marken sind wahrscheinlich vertauscht: { $pairs }.
     .do = Diese Namen tauschen.
 
-film-wrong_mark = Die Marke { $mark } ist wahrscheinlich falsch.
+film-wrong_mark = Die Marke { $mark } liegt { $offset_mm } mm neben der Stelle, die die anderen ergeben.
     .do = Sie neu messen oder ihre kalibrierte Position berichtigen.
 
 film-several_wrong_marks = Mehr als eine Marke ist falsch.

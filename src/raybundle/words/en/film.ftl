@@ -66,7 +66,8 @@ film-marks_exchanged = The names of two marks are probably interchanged: { $pair
     .do = Interchange these names.
 
 # $mark = "F3"
-film-wrong_mark = Mark { $mark } is probably wrong.
+# $offset_mm = 11.3
+film-wrong_mark = Mark { $mark } is { $offset_mm } mm off the position that the others give.
     .do = Measure it again, or correct its calibrated position.
 
 film-several_wrong_marks = More than one mark is wrong.

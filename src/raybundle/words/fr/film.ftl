@@ -26,6 +26,6 @@ film-shear = Les axes du film s'écarteraient de { $shear_deg }° de l'angle dro
 
 film-marks_exchanged = Les noms de deux marques sont probablement intervertis : { $pairs }.
 
-film-wrong_mark = La marque { $mark } est probablement fausse.
+film-wrong_mark = La marque { $mark } est à { $offset_mm } mm de la position donnée par les autres.
 
 film-several_wrong_marks = Plus d'une marque est fausse.
