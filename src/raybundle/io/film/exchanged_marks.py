@@ -60,7 +60,7 @@ def exchanges(names: Sequence[str], uv: Array, target: Array) -> tuple[tuple[str
 
 
 def wrong_mark(names: Sequence[str], uv: Array, target: Array) -> tuple[str, float] | None:
-    """The one mark without which the others make a film, and its misfit [mm]; None where there is none or five are few."""
+    """The one mark without which the others make a film, and its misfit [mm]; None where there is none."""
     if len(uv) < 5:
         return None
     found: list[tuple[float, tuple[str, float]]] = []
