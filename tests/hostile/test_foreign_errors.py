@@ -92,7 +92,7 @@ def test_addresses_that_are_none(address, tmp_path):
     (tmp_path / "d.toml").write_text(
         f'[a]\nabout = "x"\nsource = "x"\nbase = "{address}"\nlicence = "x"\nfiles = [["a", 1, "{"0" * 64}"]]\n'
     )
-    with pytest.raises(InputError, match="is no address of a folder"):
+    with pytest.raises(InputError, match=r"dataset\.address"):
         known_datasets(tmp_path / "d.toml")
 
 

@@ -44,8 +44,10 @@ def test_tabs_separate_whatever_stands_between_them():
 def test_names_without_suffix_are_suggested_where_coordinates_differ(tmp_path):
     file = tmp_path / "gcp_list.txt"
     file.write_text("EPSG:32633\n1 2 3 4 5 26 Sep one g1\n9 2 3 4 5 26 Sep two g2\n")
-    with pytest.raises(InputError, match=r"26.*gcp_list\.coordinates_differ"):
+    with pytest.raises(InputError, match=r"gcp_list\.coordinates_differ") as caught:
         read_control(file)
+    values = caught.value.message.values
+    assert (values["image"], values["point"], values["blanks"]) == ("26", "Sep", True)
 
 
 SYSTEMS = [

@@ -343,7 +343,7 @@ def test_standard_deviations_of_degrees_are_metres(tmp_path):
 )
 def test_coordinates_outside_the_area_of_the_named_system_are_refused(tmp_path, crs, place):
     (tmp_path / "c.csv").write_text(f"point,X,Y,Z\nA,{place},3\n")
-    with pytest.raises(InputError, match=r"2263.*crs\.outside_area"):
+    with pytest.raises(InputError, match=r"crs\.outside_area"):
         in_one_system([read_control(tmp_path / "c.csv")], crs)
 
 

@@ -101,7 +101,7 @@ def test_a_limit_is_held_before_decoding(tmp_path):
     save(tmp_path / "b.tif")
     found = find_photos([tmp_path], limit_pixels=200_000)
     assert found.photos == ()
-    assert all("not decoded" in reason for _, reason in found.refused)
+    assert {reason.messages[0].code for _, reason in found.refused} == {"photograph.too_large"}
 
 
 def test_small_photographs_alone_are_no_thumbnails(tmp_path):
