@@ -26,7 +26,7 @@ KIN = frozenset(
 RESERVED = frozenset(
     "file line column details undetermined open_names code ids reason measured severity also".split()  # noqa: SIM905
 )
-TEXTS = 1433
+TEXTS = 1092
 """Calls that make a message of a text, as long as they are moved to catalogues: may only shrink"""
 
 
@@ -160,7 +160,9 @@ def test_no_value_is_a_sentence():
 
 
 def test_settings_are_named_by_a_function():
-    wrong = [f"{e.file}, line {e.line}" for x in words.languages() for e in entries(x).values() if " --" in e.text]
+    known = re.compile("pyproj sync --file|--overwrite, in Python")  # another program; what Python does another way
+    every = [e for x in words.languages() for e in entries(x).values()]
+    wrong = [f"{e.file}, line {e.line}" for e in every if " --" in known.sub("", e.text)]
     assert not wrong, f'write {{ OPTION("name") }} in the place of a flag: {"; ".join(wrong)}'
 
 
