@@ -14,7 +14,7 @@ from raybundle.words.catalogue import entries
 def main() -> None:
     """Print CPU seconds."""
     begin = time.process_time()
-    from fluent.runtime import FluentResource  # noqa: PLC0415
+    from fluent.runtime import FluentResource
 
     loaded = time.process_time()
     found = entries(words.ENGLISH)
