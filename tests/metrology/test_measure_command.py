@@ -236,7 +236,8 @@ def test_of_two_bars_that_contradict_both_are_named_with_their_sizes(field, tmp_
     told = warnings_of(tmp_path / "m")
     assert told["bars_contradict"]["severity"] == "fault"
     assert "distance_suspect" not in told  # once is enough
-    assert f"fault: {told['bars_contradict']['message']} [bars_contradict]" in said
+    assert " fault: " in said
+    assert "[bars_contradict]" in said
     found = {d["values"]["bar"]: d["values"] for d in told["bars_contradict"]["details"]}
     assert {a: v["others"] for a, v in found.items()} == {"1 - 20": "3 - 15", "3 - 15": "1 - 20"}
     assert found["1 - 20"]["given_mm"] - found["1 - 20"]["measured_mm"] == pytest.approx(1000 * off, abs=0.15)
@@ -333,7 +334,8 @@ def test_what_the_terminal_cautions_of_lengths_stands_everywhere(field, tmp_path
     said = capsys.readouterr().out
     told = warnings_of(tmp_path / "m")["lengths_contradict"]
     assert told["severity"] in {"caution", "fault"}
-    assert f"{told['severity']}: {told['message']} [lengths_contradict.one]" in said
+    assert f"{told['severity']}: Errors of" in said
+    assert "[lengths_contradict.one]" in said
     a, b = SIX[5]
     assert told["values"]["length"] == f"{a} - {b}"
     assert told["details"][0]["values"]["error_mm"] == pytest.approx(-0.6, abs=0.1)
@@ -365,7 +367,7 @@ def test_nominal_points_that_were_not_measured_are_a_caution(field, tmp_path, ca
     main([*words, "--nominal", str(tmp_path / "more.csv"), "--out", str(tmp_path / "m")])
     told = warnings_of(tmp_path / "m")["nominal_missing"]
     assert told["ids"] == ["nowhere"]
-    assert capsys.readouterr().out.count(told["message"]) == 1
+    assert capsys.readouterr().out.count("[nominal_missing]") == 1
 
 
 def test_control_may_have_a_column_of_tolerances(field, tmp_path, capsys):

@@ -56,9 +56,11 @@ def notice_lines(notices: Sequence[Notice]) -> list[str]:
 
 
 def line_of(notice: Notice) -> str:
-    """A notice with its severity, and with its code where that can be looked up."""
-    code = "" if notice.message else f" [{notice.data.code}]"
-    return f"{notice.severity.value}: {notice.text}{code}"
+    """A notice with its severity and what happened; its code leads to the rest (`raybundle explain`, the report)."""
+    if notice.message:
+        return f"{notice.severity.value}: {notice.message}"
+    others = f" (+{len(notice.also)})" if notice.also else ""
+    return f"{notice.severity.value}: {notice.data.headline()}{others} [{notice.data.code}]"
 
 
 def _sigma0(a: Adjustment) -> str:
