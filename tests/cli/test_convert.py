@@ -274,7 +274,7 @@ CASES = {
         ["{b}", "--to", "colmap", "--out", "{o}", "--undistort", "all", "--photos", "{b}"],
         "no photograph of the block could be read",
     ),
-    "system": (["{b}", "--to", "kml", "--out", "{o}.kml", "--crs", "EPSG:1"], "no coordinate system"),
+    "system": (["{b}", "--to", "kml", "--out", "{o}.kml", "--crs", "EPSG:1"], r"crs\.unknown"),
 }
 
 

@@ -222,7 +222,7 @@ def test_a_wrong_mark_is_named(wall, tmp_path, capsys):
         ),
         (["{r}", "--out", "{o}/a.png", "--photos", "{p}", "--only", "x.png"], "x.png is not in the result"),
         (["{p}/0.png", "--out", "{o}/a.png"], "--control FILE"),
-        (["{p}/none.png", "--out", "{o}/a.png"], "[file.missing]"),
+        (["{p}/none.png", "--out", "{o}/a.png"], "no such file"),
     ],
 )
 def test_bad_input_is_told(wall, tmp_path, capsys, arguments, message):

@@ -88,7 +88,7 @@ def test_heights_count_from_the_take_off():
     (route,) = routes_of(m)
     assert route.home[2] == 812.5
     assert route.height.max() == pytest.approx(3751 * 0.02, rel=0.01)
-    with pytest.raises(InputError, match="local coordinates, which no vehicle knows"):
+    with pytest.raises(InputError, match=r"mission\.no_crs"):
         routes_of(replace(m, crs=""))
 
 
@@ -249,26 +249,26 @@ def told(read, path):
 
 BAD = {
     "qgc": [
-        ("{}", "no plan of QGroundControl"),
-        ('{"fileType": "Plan", "mission": {"items": [{"type": "ComplexItem"}]}}', "QGroundControl alone makes way"),
-        ('{"fileType": "Plan", "mission": {"items": [], "plannedHomePosition": [1, 2, 3]}}', "no way point"),
+        ("{}", r"qgc\.no_plan"),
+        ('{"fileType": "Plan", "mission": {"items": [{"type": "ComplexItem"}]}}', r"qgc\.complex_item"),
+        ('{"fileType": "Plan", "mission": {"items": [], "plannedHomePosition": [1, 2, 3]}}', r"mission\.no_way_point"),
     ],
     "wpl": [
-        ("QGC WPL 100\n", "the first line is not"),
-        ("QGC WPL 110\n0\t1\t0\t16\t0\t0\n", "6 columns, 12 are needed"),
+        ("QGC WPL 100\n", r"wpl\.no_header"),
+        ("QGC WPL 110\n0\t1\t0\t16\t0\t0\n", r"6.*12.*value\.count"),
         ("QGC WPL 110\n0\t1\t0\t16\t0\t0\t0\t0\t50\t7\tx\t1\n", r"value\.not_finite"),
-        ("QGC WPL 110\n0 1 0 16 0 0 0 0 50 7 0 1\n1 0 0 16 0 0 0 0 50 7 9 1\n", "counts heights in frame 0"),
+        ("QGC WPL 110\n0 1 0 16 0 0 0 0 50 7 0 1\n1 0 0 16 0 0 0 0 50 7 9 1\n", r"0.*mission\.height_reference"),
     ],
     "litchi": [
-        ("a,b\n1,2\n", "column latitude is missing"),
-        ("latitude,longitude,altitude(ft),gimbalpitchangle\n", "heights in feet"),
-        ("latitude,longitude,altitude(m),gimbalpitchangle,altitudemode\n50,7,10,-90,1\n", "height above the ground"),
+        ("a,b\n1,2\n", r"table\.columns_missing"),
+        ("latitude,longitude,altitude(ft),gimbalpitchangle\n", r"litchi\.feet"),
+        ("latitude,longitude,altitude(m),gimbalpitchangle,altitudemode\n50,7,10,-90,1\n", r"mission\.height_reference"),
     ],
     "kml": [
-        ('<kml xmlns="x"><Document><name>a</name></Document></kml>', "no folder of way points"),
+        ('<kml xmlns="x"><Document><name>a</name></Document></kml>', r"mission\.no_folder"),
         ("<kml><Document><Folder><Placemark/></Folder></Document></kml>", r"xml\.element_missing"),
     ],
-    "wpml": [("PK nothing", "cannot be unpacked")],
+    "wpml": [("PK nothing", r"archive\.not_unpacked")],
 }  # fmt: skip
 
 
@@ -303,7 +303,7 @@ def test_a_damaged_mission_file_ends_in_a_message(tmp_path):
             path.write_text("\n".join([*lines[:k], other, *lines[k + 1 :]]))
             assert told(read_mission, path) in {"", str(path), None}
     path.write_text("name = 1\n")
-    with pytest.raises(InputError, match=r"is no flight plan: it holds no \[way_points\]"):
+    with pytest.raises(InputError, match=r"way_points.*mission\.no_table"):
         read_mission(path)
 
 
@@ -321,7 +321,7 @@ def locked(path, name, method=0):
 
 @pytest.mark.parametrize("method", [0, 97], ids=["encrypted", "packed otherwise"])
 def test_archives_that_cannot_be_unpacked_are_told(tmp_path, method):
-    with pytest.raises(InputError, match="cannot be unpacked"):
+    with pytest.raises(InputError, match=r"archive\.not_unpacked"):
         read_shapes(str(locked(tmp_path / "area.kmz", "doc.kml", method)))
-    with pytest.raises(InputError, match="cannot be unpacked"):
+    with pytest.raises(InputError, match=r"archive\.not_unpacked"):
         mission_formats["wpml"].read(locked(tmp_path / "flight.kmz", "wpmz/waylines.wpml", method))

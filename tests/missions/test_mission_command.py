@@ -183,9 +183,9 @@ def test_a_system_that_is_stated_counts(tmp_path):
 
 
 BAD = [
-    (("--gsd", 0.02), "no camera is given: name a vehicle with a camera of its own (phantom-4-rtk"),
-    (("--vehicle", "kite"), "vehicle 'kite' is not known; known: phantom-4-rtk"),
-    (("--camera", "nothing.jpg"), "camera 'nothing.jpg' is no file and no camera that is known"),
+    (("--gsd", 0.02), "[mission.camera_missing]"),
+    (("--vehicle", "kite"), "[mission.vehicle_unknown]"),
+    (("--camera", "nothing.jpg"), "[mission.camera_unknown]"),
     (("--vehicle", "mavic-3e", "--gsd", 0.02, "--height", 80), "give the size of a pixel or the height, not both"),
     (("--vehicle", "mavic-3e", "--to", "wpml,gpx"), "format 'gpx' is not known; known:"),
     (("--vehicle", "mavic-3e", "--pattern", "corridor"), "corridor is flown over a line;"),
@@ -218,8 +218,8 @@ def test_bad_input_is_told(words, told, field, tmp_path, capsys):
     [
         ("7 50, 7.01 50.01, 7.01 50, 7 50.01", "the area crosses itself"),
         ("7 50, 7.01 50, 7.02 50", "has no extent"),
-        ("500000 5500000, 500100 5500000, 500100 5500100", "is no longitude and latitude in degrees"),
-        ("7 88, 7.1 88, 7.1 88.1", "where UTM does not reach"),
+        ("500000 5500000, 500100 5500000, 500100 5500100", "[area.not_degrees]"),
+        ("7 88, 7.1 88, 7.1 88.1", "[area.no_utm]"),
         ("no file at all", "[file.missing]"),
     ],
 )
@@ -232,9 +232,9 @@ def test_areas_that_are_none(coordinates, told, tmp_path, capsys):
 @pytest.mark.parametrize(
     ("content", "told"),
     [
-        ('{"type": "FeatureCollection", "features": []}', "holds no polygon, line or point"),
+        ('{"type": "FeatureCollection", "features": []}', "[area.none]"),
         ('{"type": "Polygon", "coordinates": [[[7, 50], [7, "x"]]]}', r"value\.not_a_number"),
-        ('{"type": "Polygon", "coordinates": [[[7], [8]]]}', "a longitude and a latitude are needed"),
+        ('{"type": "Polygon", "coordinates": [[[7], [8]]]}', "[value.count]"),
         ('{"type": "Polygon"}', r"value\.key_missing"),
         ("nothing", r"json\.invalid"),
     ],

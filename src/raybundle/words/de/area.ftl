@@ -16,8 +16,8 @@ area-damaged = Eine Geometrie der Datei ist beschädigt.
 area-no_utm = Das Gebiet liegt bei { NUM($latitude_deg, decimals: 1) }° Breite, außerhalb von UTM.
     .do = Ein Koordinatensystem in Metern angeben.
 
-area-not_degrees = { NUM($x, digits: 10) }, { NUM($y, digits: 10) } sind nicht Länge und Breite in Grad.
+area-not_degrees = { NUM($x, decimals: 2) }, { NUM($y, decimals: 2) } sind nicht Länge und Breite in Grad.
     .do = Das Koordinatensystem des Gebiets angeben, Länge vor Breite.
 
-area-outside_system = { NUM($x, digits: 10) }, { NUM($y, digits: 10) } liegt außerhalb von { $system }.
+area-outside_system = { NUM($x, decimals: 2) }, { NUM($y, decimals: 2) } liegt außerhalb von { $system }.
     .do = Das Koordinatensystem prüfen.

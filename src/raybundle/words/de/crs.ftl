@@ -1,4 +1,4 @@
-crs-outside_area = { NUM($x, digits: 10) }, { NUM($y, digits: 10) } sind keine Koordinaten in { $system }.
+crs-outside_area = { NUM($x, decimals: 2) }, { NUM($y, decimals: 2) } sind keine Koordinaten in { $system }.
     .why = { $on_earth ->
         [yes] Sie lägen bei Länge { NUM($longitude_deg, decimals: 2) }, Breite { NUM($latitude_deg, decimals: 2) }; der Geltungsbereich ist Länge { $longitudes_deg }, Breite { $latitudes_deg }
        *[no] Kein Ort der Erde hat diese Koordinaten
@@ -12,7 +12,7 @@ crs-outside_area = { NUM($x, digits: 10) }, { NUM($y, digits: 10) } sind keine K
        *[system] Das System der Koordinaten angeben
      }.
 
-crs-beyond_circle = { NUM($x, digits: 10) }, { NUM($y, digits: 10) } liegt außerhalb von { $system }: Die { $quantity ->
+crs-beyond_circle = { NUM($x, decimals: 2) }, { NUM($y, decimals: 2) } liegt außerhalb von { $system }: Die { $quantity ->
         [latitude] Breite
        *[longitude] Länge
      } endet bei { $limit }.
@@ -41,7 +41,7 @@ crs-geoid_missing = { $heights } braucht ein Geoid, das nicht installiert ist.
 
 crs-coordinate_shape = Nötig sind Koordinaten der Form (n, 3), nicht ({ $shape }).
 
-crs-not_transformed = Punkt { $number } bei { NUM($x, digits: 10) }, { NUM($y, digits: 10) } liegt außerhalb von { $system }.
+crs-not_transformed = Punkt { $number } bei { NUM($x, decimals: 2) }, { NUM($y, decimals: 2) } liegt außerhalb von { $system }.
     .do = Koordinatensystem und Reihenfolge der Koordinaten prüfen (Ostwert oder Länge zuerst).
 
 crs-unknown = { $text } ist kein bekanntes Koordinatensystem.

@@ -23,11 +23,11 @@ area-no_utm = The area is at latitude { NUM($latitude_deg, decimals: 1) }°, bey
 
 # $x = 411000.0
 # $y = 5300000.0
-area-not_degrees = { NUM($x, digits: 10) }, { NUM($y, digits: 10) } are not longitude and latitude in degrees.
+area-not_degrees = { NUM($x, decimals: 2) }, { NUM($y, decimals: 2) } are not longitude and latitude in degrees.
     .do = Give the coordinate system of the area, and longitude before latitude.
 
 # $x = 411.0
 # $y = 48.2
 # $system = "EPSG:25832"
-area-outside_system = { NUM($x, digits: 10) }, { NUM($y, digits: 10) } is outside { $system }.
+area-outside_system = { NUM($x, decimals: 2) }, { NUM($y, decimals: 2) } is outside { $system }.
     .do = Check the coordinate system.

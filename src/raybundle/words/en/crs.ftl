@@ -7,7 +7,7 @@
 # $longitudes_deg = [12.0, 18.0]
 # $latitudes_deg = [0.0, 84.0]
 # $hint = "system"
-crs-outside_area = { NUM($x, digits: 10) }, { NUM($y, digits: 10) } are no coordinates of { $system }.
+crs-outside_area = { NUM($x, decimals: 2) }, { NUM($y, decimals: 2) } are no coordinates of { $system }.
     .why = { $on_earth ->
         [yes] They would lie at longitude { NUM($longitude_deg, decimals: 2) }, latitude { NUM($latitude_deg, decimals: 2) }; its area of use is longitude { $longitudes_deg }, latitude { $latitudes_deg }
        *[no] No place on earth has these coordinates
@@ -27,7 +27,7 @@ crs-outside_area = { NUM($x, digits: 10) }, { NUM($y, digits: 10) } are no coord
 # $quantity = "longitude"
 # $limit = 180.0
 # $swapped = false
-crs-beyond_circle = { NUM($x, digits: 10) }, { NUM($y, digits: 10) } is outside { $system }: { $quantity ->
+crs-beyond_circle = { NUM($x, decimals: 2) }, { NUM($y, decimals: 2) } is outside { $system }: { $quantity ->
         [latitude] latitude
        *[longitude] longitude
      } ends at { $limit }.
@@ -69,7 +69,7 @@ crs-coordinate_shape = Coordinates of shape (n, 3) are needed, not ({ $shape }).
 # $x = 411.0
 # $y = 48.2
 # $system = "EPSG:25832"
-crs-not_transformed = Point { $number } at { NUM($x, digits: 10) }, { NUM($y, digits: 10) } is outside { $system }.
+crs-not_transformed = Point { $number } at { NUM($x, decimals: 2) }, { NUM($y, decimals: 2) } is outside { $system }.
     .do = Check the coordinate system and the order of the coordinates (easting or longitude first).
 
 # $text = "'EPSG:1'"

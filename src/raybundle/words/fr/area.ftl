@@ -10,6 +10,6 @@ area-damaged = Une géométrie du fichier est endommagée.
 
 area-no_utm = La zone est à { NUM($latitude_deg, decimals: 1) }° de latitude, hors de l'UTM.
 
-area-not_degrees = { NUM($x, digits: 10) }, { NUM($y, digits: 10) } ne sont pas longitude et latitude en degrés.
+area-not_degrees = { NUM($x, decimals: 2) }, { NUM($y, decimals: 2) } ne sont pas longitude et latitude en degrés.
 
-area-outside_system = { NUM($x, digits: 10) }, { NUM($y, digits: 10) } : hors de { $system }.
+area-outside_system = { NUM($x, decimals: 2) }, { NUM($y, decimals: 2) } : hors de { $system }.

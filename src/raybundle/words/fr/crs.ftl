@@ -1,6 +1,6 @@
-crs-outside_area = { NUM($x, digits: 10) }, { NUM($y, digits: 10) } ne sont pas des coordonnées de { $system }.
+crs-outside_area = { NUM($x, decimals: 2) }, { NUM($y, decimals: 2) } ne sont pas des coordonnées de { $system }.
 
-crs-beyond_circle = { NUM($x, digits: 10) }, { NUM($y, digits: 10) } : hors de { $system }, limite { $limit }.
+crs-beyond_circle = { NUM($x, decimals: 2) }, { NUM($y, decimals: 2) } : hors de { $system }, limite { $limit }.
 
 crs-undulation_of_ellipsoid = { $system } a déjà des hauteurs ellipsoïdales.
 
@@ -12,7 +12,7 @@ crs-geoid_missing = { $heights } demande un géoïde qui n'est pas installé.
 
 crs-coordinate_shape = Il faut des coordonnées de forme (n, 3), non ({ $shape }).
 
-crs-not_transformed = Point { $number } en { NUM($x, digits: 10) }, { NUM($y, digits: 10) } : hors de { $system }.
+crs-not_transformed = Point { $number } en { NUM($x, decimals: 2) }, { NUM($y, decimals: 2) } : hors de { $system }.
 
 crs-unknown = { $text } n'est pas un système de coordonnées connu.
 
