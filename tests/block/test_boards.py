@@ -138,10 +138,10 @@ def test_views_that_cannot_be():
     truth = camera_of("brown", c=10.0)
     views = photographed(truth, views=8)
     few = replace(views, weight=np.where(views.view == 3, np.where(np.arange(len(views)) % 80 < 5, 1.0, -1.0), 1.0))
-    with pytest.raises(InputError, match="view 3 of the board shows 5 points, 6 are needed"):
+    with pytest.raises(InputError, match=r"3.*5.*6.*board\.view_too_few_points"):
         board_block(few, camera_of("brown"))
     rng = np.random.default_rng(1)
     order = rng.permutation(80)
     shuffled = replace(views, row=views.row.reshape(8, 80)[:, order].ravel(), column=views.column)
-    with pytest.raises(NotSolvable, match="no lens explains the views of the board"):
+    with pytest.raises(NotSolvable, match=r"board\.no_lens"):
         board_block(shuffled, camera_of("brown"))

@@ -108,7 +108,7 @@ def test_sizes_are_copies_to_half_a_pixel_of_rounding():
     assert ratio is not None
     assert size_ratio((4000, 3000), (1333, 1000)) is not None
     assert size_ratio((4000, 3000), (1600, 1198)) is None
-    with pytest.raises(InputError, match="no copy"):
+    with pytest.raises(InputError, match=r"camera\.no_turned_copy"):
         joined(in_file_frames(stored_block()), 1, 0, 180)
 
 

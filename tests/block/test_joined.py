@@ -110,7 +110,7 @@ def test_points_that_do_not_carry_the_joint_are_kept_as_two(whole):
 def test_too_few_common_points_are_refused_with_their_number(whole):
     one, other = halves(whole)
     other = renamed(other, {n: f"x{n}" for n in other.points.ids[2:]})
-    with pytest.raises(InputError, match="have 2 common points"):
+    with pytest.raises(InputError, match=r"2.*join\.too_few_common"):
         join_blocks([one, other], ["one", "other"])
 
 
@@ -182,7 +182,7 @@ def test_control_that_contradicts_itself_is_refused(whole):
         whole, points=replace(whole.points, xyz=np.array([truth.get(n, np.full(3, np.nan)) for n in whole.points.ids]))
     )
     join_blocks([fixed(one, 0.0), fixed(other, 0.0)], ["one", "other"], same_camera=True)
-    with pytest.raises(InputError, match="other coordinates in other"):
+    with pytest.raises(InputError, match=r"join\.control_contradicts"):
         join_blocks([fixed(one, 0.0), fixed(other, 100.0)], ["one", "other"], same_camera=True)
 
 

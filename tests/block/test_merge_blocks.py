@@ -111,17 +111,17 @@ def on_rig(block):
 
 
 CONTRADICTIONS = {
-    "values": (changed_camera, "camera", r"camera \S+: values of c is \S+ in block 0 \(flight 1\) and \S+ in block 1"),
-    "control": (moved_control, "point", r"point \S+: xyz is \[.*\] in block 0 .* and \[.*\] in block 1"),
-    "sigmas": (wider_control, "point", r"point \S+: sigma is"),
-    "roles": (other_roles, "point", r"point \S+: role is control point in block 0 .* and check point in block 1"),
-    "image points": (moved_image_point, "observation", r"image \S+, point \S+: image point is \["),
-    "stations": (moved_stations, "observation", r"stations.csv, image \S+: xyz is \["),
-    "frames": (stored_turned, "image", "image .*: frames is"),
-    "camera of an image": (of_camera, "image", r"image \S+: camera is \S+ in block 0 .* and second in block 1"),
-    "held": (held, "image", r"image \S+: held is False .* and True"),
-    "rig": (on_rig, "image", r"image \S+: images of its station"),
-    "a-priori sigma": (lambda b: replace(b, sigma0_apriori=0.5), "block", "sigma0_apriori of the block is"),
+    "values": (changed_camera, "camera", r"values\.c is .*merge\.contradiction"),
+    "control": (moved_control, "point", r": xyz is .*merge\.contradiction"),
+    "sigmas": (wider_control, "point", r": sigma is .*merge\.contradiction"),
+    "roles": (other_roles, "point", r": role is control .* check .*merge\.contradiction"),
+    "image points": (moved_image_point, "observation", r": xy_px is .*merge\.contradiction"),
+    "stations": (moved_stations, "observation", r"stations\.csv.*merge\.contradiction"),
+    "frames": (stored_turned, "image", r": frames is .*merge\.contradiction"),
+    "camera of an image": (of_camera, "image", r": camera is .* second .*merge\.contradiction"),
+    "held": (held, "image", r": held is False .* True .*merge\.contradiction"),
+    "rig": (on_rig, "image", r": station is .*merge\.contradiction"),
+    "a-priori sigma": (lambda b: replace(b, sigma0_apriori=0.5), "block", r"sigma0_apriori.*merge\.contradiction"),
 }
 
 
@@ -167,7 +167,7 @@ def test_images_held_at_two_places_contradict_and_others_do_not(flights):
     moved = replace(first, images=replace(first.images, centre=first.images.centre + 1.0))
     merged = merge_blocks([first, moved])  # approximate values: those of the last
     np.testing.assert_array_equal(merged.images.centre, moved.images.centre)
-    with pytest.raises(InputError, match=r"image \S+: centre is \["):
+    with pytest.raises(InputError, match=r"merge\.contradiction"):
         merge_blocks([held(first), held(first, 1.0)])
     merged = merge_blocks([held(first), held(first, 1.0)], prefer={"image": 0})
     np.testing.assert_array_equal(merged.images.centre, first.images.centre)
@@ -178,7 +178,7 @@ def test_lengths_of_another_unit_are_brought_to_the_preferred_one():
     by = rb.SimilarityTransform(scale=1000.0)
     millimetres = replace(rb.transform_block(block, by, observed="follow"), length_unit="mm")
     bars = millimetres.distances
-    with pytest.raises(InputError, match=r"length_unit of the block is m in .* and mm in block 1"):
+    with pytest.raises(InputError, match=r"length_unit.*1.*merge\.contradiction"):
         merge_blocks([block, millimetres])
     merged = merge_blocks([block, millimetres], prefer=dict.fromkeys(SUBJECTS, 0))
     assert merged.length_unit == "m"
@@ -190,7 +190,7 @@ def test_places_on_the_earth_contradict_and_one_alone_stands(flights):
     _, (first, second) = flights
     here, there = (Local(origin=(15.0, 48.0, h)) for h in (0.0, 300.0))
     assert merge_blocks([first, replace(second, place=here)]).place == here
-    with pytest.raises(InputError, match="place of the block"):
+    with pytest.raises(InputError, match=r"merge\.contradiction"):
         merge_blocks([replace(first, place=there), replace(second, place=here)])
 
 
@@ -201,7 +201,7 @@ def test_repeated_distances_are_two_and_alike_ones_one(flights):
     longer = first.having(replace(bars, length=bars.length + 1e-3))
     assert len(merge_blocks([first, longer]).distances) == 2 * len(bars)
     planes = Planes(figure=("a",), point=np.zeros(1, np.int32), sigma=np.array([0.1]))
-    with pytest.raises(InputError, match=r"planes.csv, a, point \S+: sigma is 0.1 in .* and 0.2 in"):
+    with pytest.raises(InputError, match=r"planes\.csv.*0\.1.*0\.2.*merge\.contradiction"):
         merge_blocks([first.having(planes), first.having(replace(planes, sigma=np.array([0.2])))])
 
 
@@ -216,7 +216,7 @@ def test_what_no_file_may_hold_is_no_merged_block(flights):
             )
         )  # fmt: skip
 
-    with pytest.raises(InputError, match=r"do not fit together: directions.csv, row 2 .*a set has one station"):
+    with pytest.raises(InputError, match=r"directions\.csv.*2.*merge\.do_not_fit"):
         merge_blocks([sets(0, 1), sets(1, 2)])
 
 
@@ -233,7 +233,7 @@ def test_instruments_and_relations_are_matched_by_id():
         block.images.ids[i]: block.instruments[a].id for i, a in given.items()
     }
     other = replace(one.instruments[0], relations=(Relation(name="r", terms={"ax": 1.0}, sigma=1.0),))
-    with pytest.raises(InputError, match=rf"instrument {other.id}: relations is"):
+    with pytest.raises(InputError, match=r"merge\.contradiction"):
         merge_blocks([one, replace(one, instruments=(other, *one.instruments[1:]))])
 
 
@@ -241,9 +241,9 @@ def test_rules_name_what_there_is(flights):
     _, (first, second) = flights
     assert merge_blocks([first]) is first
     for prefer in ({"cameras": 0}, {"camera": 2}):
-        with pytest.raises(InputError, match="give one of block, camera, instrument, image, point, observation"):
+        with pytest.raises(InputError, match=r"merge\.prefer_unknown"):
             merge_blocks([first, second], prefer=prefer)
-    with pytest.raises(InputError, match="no blocks to merge"):
+    with pytest.raises(InputError, match=r"merge\.no_blocks"):
         merge_blocks([])
 
 
@@ -267,23 +267,23 @@ def test_rounding_is_no_contradiction_and_nothing_stands_twice(unit):
     assert len(whole.stations) == len(made.stations)
     assert len(whole.observations) == len(made.observations)
     worse = replace(near, points=replace(near.points, xyz=near.points.xyz * (1 + 1e-9)))
-    with pytest.raises(InputError, match="correct one of them"):
+    with pytest.raises(InputError, match=r"merge\.contradiction"):
         merge_blocks([far, worse])
 
 
 def test_what_is_no_block_rule_or_rotation_is_refused(flights):
     block, _ = flights
     for wrong, words in (
-        (lambda: merge_blocks(["folder", block]), "is no block but a str"),
-        (lambda: merge_blocks([block, block], prefer="x"), "is no mapping"),
-        (lambda: transform_block(block, SimilarityTransform(), observed="folow"), "neither 'follow' nor 'stay'"),
+        (lambda: merge_blocks(["folder", block]), r"merge\.no_block"),
+        (lambda: merge_blocks([block, block], prefer="x"), r"merge\.prefer_no_mapping"),
+        (lambda: transform_block(block, SimilarityTransform(), observed="folow"), r"transform\.observed_unknown"),
         (
             lambda: transform_block(block, SimilarityTransform(rotation=np.diag([1, 1, -1.0])), observed="stay"),
-            "mirror",
+            r"transform\.rotation_mirrored",
         ),
         (
             lambda: transform_block(block, SimilarityTransform(rotation=2 * np.eye(3)), observed="stay"),
-            "differs from 1",
+            r"1.*transform\.rotation_not_orthogonal",
         ),
     ):
         with pytest.raises(InputError, match=words):

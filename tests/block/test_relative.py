@@ -117,7 +117,7 @@ def test_lines_of_few_images_and_lever_arms(truth):
     assert found.instruments[1].values["az"] == 0.3
     assert found.instruments[1].estimate == ("az", "sx", "sy", "sz")
     assert found.instruments[1].sigma == {"az": 0.01}
-    with pytest.raises(InputError, match="no flight line has two observed images"):
+    with pytest.raises(InputError, match=r"flight_line\.too_few_images"):
         relative_control(block, np.arange(15))
-    with pytest.raises(InputError, match="14 numbers of flight lines for 15 images"):
+    with pytest.raises(InputError, match=r"14.*15.*flight_line\.count"):
         relative_control(block, LINES[1:])

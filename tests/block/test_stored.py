@@ -46,7 +46,7 @@ def test_covariance_and_values_come_back(calibrated, tmp_path):
     assert free == FREE
     np.testing.assert_allclose(back / np.outer(size, size), C / np.outer(size, size), atol=1e-9)
     assert joint_covariance(camera) == ((), None)
-    with pytest.raises(InputError, match="not positive definite"):
+    with pytest.raises(InputError, match=r"camera\.covariance_not_positive"):
         observed_jointly(camera, FREE, -C)
 
 

@@ -118,9 +118,9 @@ def test_a_scatter_beyond_the_covariances_lets_sigma_grow(exact):
 
 def test_beyond_the_range_it_is_refused(exact):
     zoom = calibrate_zoom(exact, resolution_mm=0.0)
-    with pytest.raises(InputError, match=r"EXIF focal length 100 mm is outside the calibrated range 24\.37 to 85\.37"):
+    with pytest.raises(InputError, match=r"100.*24\.37.*85\.37.*zoom\.out_of_range"):
         zoom.predict(100.0)
-    with pytest.raises(InputError, match="23.9 mm is outside"):
+    with pytest.raises(InputError, match=r"23\.9.*zoom\.out_of_range"):
         zoom.predict(23.9)
 
 
@@ -189,5 +189,5 @@ def test_between_two_focuses_everything_is_linear_in_magnification(exact):
     np.testing.assert_allclose(same.covariance, zoom.covariance, rtol=1e-9)
     far = between_focuses(at(0.8), at(float("inf")), {"near": 0.8, "far": float("inf"), "wanted": 1.7})
     assert far.camera.values["c"] == pytest.approx(at(1.7).camera.values["c"], rel=1e-12)
-    with pytest.raises(InputError, match=r"focus 9 m is outside the calibrated 0.8 to 6 m"):
+    with pytest.raises(InputError, match=r"9.*0\.8.*6.*focus\.out_of_range"):
         between_focuses(at(0.8), at(6.0), {"near": 0.8, "far": 6.0, "wanted": 9.0})

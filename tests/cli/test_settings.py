@@ -256,7 +256,7 @@ def test_python_says_what_the_command_line_says(tmp_path):
     with pytest.raises(InputError):
         rb.calibrate([tmp_path], tmp_path / "calibration", target="chessboard-9x6")
     assert not (tmp_path / "calibration").exists()
-    with pytest.raises(InputError, match="unknown target family"):
+    with pytest.raises(InputError, match=r"target\.unknown_family"):
         rb.detect_targets(tmp_path, "nothing-7")
 
 

@@ -85,7 +85,7 @@ def test_bad_names_are_told_before_anything_is_read(result, tmp_path, out, messa
 
 def test_a_folder_without_tables_and_a_table_too_long_are_told(result, tmp_path, monkeypatch):
     (tmp_path / "empty").mkdir()
-    with pytest.raises(InputError, match="is no project, result or block folder"):
+    with pytest.raises(InputError, match=r"session\.no_project"):
         spreadsheet(tmp_path / "empty", tmp_path / "e.xlsx")
     with pytest.raises(InputError, match="no folder with tables"):
         spreadsheet(result / "points.csv", tmp_path / "e.xlsx")

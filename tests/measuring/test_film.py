@@ -119,13 +119,13 @@ def test_what_is_lacking_and_wrong_of_fiducials_is_said(archive):
 def test_fiducials_are_refused_with_a_reason(archive, tmp_path):
     scene, folder, project = archive
     image = scene.images[0]
-    with pytest.raises(InputError, match="'F9' has no calibrated position; known are 'F1'"):
+    with pytest.raises(InputError, match=r"F9.*F1.*fiducial\.not_calibrated"):
         rb.mark(folder, "fiducial", image=image, name="F9", x_px=1.0, y_px=1.0)
-    with pytest.raises(InputError, match="was not measured; there is nothing to take away"):
+    with pytest.raises(InputError, match=r"fiducial\.not_measured"):
         rb.mark(folder, "fiducial", image=image, name="F1")
-    with pytest.raises(InputError, match="has one coordinate"):
+    with pytest.raises(InputError, match=r"fiducial\.one_coordinate"):
         rb.mark(folder, "fiducial", image=image, name="F1", x_px=1.0)
-    with pytest.raises(InputError, match="lies outside the format of 3600 x 2600 px"):
+    with pytest.raises(InputError, match=r"mark\.outside_image"):
         rb.mark(folder, "fiducial", image=image, name="F1", x_px=4000.0, y_px=1.0)
     rb.mark(folder, "fiducial", image=image, name="F1", x_px=3.0, y_px=1.0)
     rb.mark(folder, "fiducial", image=image, name="F1", x_px=5.0, y_px=1.0)
@@ -139,7 +139,7 @@ def test_fiducials_are_refused_with_a_reason(archive, tmp_path):
     plain = tmp_path / "plain"
     plain.mkdir()
     Image.new("L", SIZE, 1).save(plain / "a.jpg")
-    with pytest.raises(InputError, match="these photographs are no scans of film"):
+    with pytest.raises(InputError, match=r"fiducial\.no_film"):
         rb.mark(plain, "fiducial", image="a.jpg", name="F1", x_px=1.0, y_px=1.0)
     assert rb.begin(folder) == project
     assert read_scans(project).pixel_mm == SCANNER_MM
@@ -165,7 +165,7 @@ def test_the_other_fiducials_are_found(archive):
     grey[y - 30 : y + 30, x - 30 : x + 30] = 60
     Image.fromarray(grey).save(folder / scene.images[0], quality=97)
     image = scene.images[0]
-    with pytest.raises(InputError, match="0 fiducial marks are measured; measure 3"):
+    with pytest.raises(InputError, match=r"0.*3.*fiducial\.too_few"):
         rb.find_fiducials(folder, image)
     for k in (4, 5, 7):
         rb.mark(folder, "fiducial", image=image, name=NAMES[k], x_px=float(true[k, 0]), y_px=float(true[k, 1]))

@@ -1,6 +1,7 @@
 """From photographs alone to an adjusted block, by a person's clicks."""
 
 import json
+import re
 import shutil
 from dataclasses import replace
 
@@ -103,7 +104,7 @@ def test_it_is_said_what_is_lacking(tmp_path):
     for point in range(5):
         assert scene.click(photos, 0, point, rng)
         assert scene.click(photos, 1, point, rng)
-    with pytest.raises(NoOrientation, match="photographs old_1.jpg and old_2.jpg have 5 common points: 6 are needed"):
+    with pytest.raises(NoOrientation, match=r"old_1\.jpg.*old_2\.jpg.*5.*6.*photograph\.none_oriented"):
         rb.adjust_marks(photos)
     done = CliRunner().invoke(cli, ["mark", "adjust", str(photos)], standalone_mode=False)
     assert isinstance(done.exception, NoOrientation)
@@ -114,10 +115,12 @@ def test_it_is_said_what_is_lacking(tmp_path):
         scene.click(photos, 2, point, rng)
     result, left = rb.adjust_marks(photos)
     assert list(result.adjusted.images.oriented) == [True, True, False]
-    assert left == {"old_3.jpg": "photograph old_3.jpg sees 3 points with coordinates: 4 are needed"}
+    assert re.search(r"old_3\.jpg .*3 .*4 ", left["old_3.jpg"])
+    assert len(left) == 1
     rb.mark(photos, "undo")
     _, left = rb.adjust_marks(photos)
-    assert left == {"old_3.jpg": "photograph old_3.jpg sees 2 points with coordinates: 4 are needed"}
+    assert re.search(r"old_3\.jpg .*2 .*4 ", left["old_3.jpg"])
+    assert len(left) == 1
     rb.mark(photos, "redo")
     for point in (3, 4):
         scene.click(photos, 2, point, rng)
@@ -309,7 +312,7 @@ def test_a_project_keeps_what_was_measured_and_takes_photographs_that_come_later
     (photos / scene.images[0]).unlink()
     with pytest.raises(InputError, match=r"not among these \(old_1.jpg\)"):
         rb.begin(photos)
-    with pytest.raises(InputError, match="no project, result or block folder"):
+    with pytest.raises(InputError, match=r"session\.no_project"):
         rb.mark(tmp_path / "nothing", "undo")
     (tmp_path / "empty").mkdir()
     with pytest.raises(InputError, match="0 usable photographs"):

@@ -91,7 +91,7 @@ def test_undo_and_redo_are_actions_and_unlimited(journal):
         journal.append(Undo())
     assert not journal.state.marks
     assert not journal.state.points
-    with pytest.raises(InputError, match="nothing to take back"):
+    with pytest.raises(InputError, match=r"journal\.nothing_to_undo"):
         journal.append(Undo())
     for _ in range(50):
         journal.append(Redo())
@@ -100,7 +100,7 @@ def test_undo_and_redo_are_actions_and_unlimited(journal):
     journal.append(Undo())
     journal.append(put("other"))
     assert "p49" not in journal.state.points
-    with pytest.raises(InputError, match="nothing to do again"):
+    with pytest.raises(InputError, match=r"journal\.nothing_to_redo"):
         journal.append(Redo())
     assert journal.state == state_of(journal.path)
 
@@ -111,7 +111,7 @@ def test_an_action_sent_twice_counts_once(journal):
     assert journal.seq == first
     undo = journal.append(Undo(), id="two")
     assert journal.append(Undo(), id="two") == undo
-    with pytest.raises(InputError, match="used before"):
+    with pytest.raises(InputError, match=r"journal\.id_used"):
         journal.append(put("q"), id="one")
 
 
@@ -127,7 +127,7 @@ def test_rows_are_never_changed_nor_deleted(journal):
 
 
 def test_a_refused_action_leaves_no_row(journal):
-    with pytest.raises(InputError, match=r"image 'c\.jpg' is not among the 2 images"):
+    with pytest.raises(InputError, match=r"c\.jpg.*2.*mark\.unknown_image"):
         journal.append(put("p", image="c.jpg"))
     assert journal.entries() == []
 
@@ -157,7 +157,7 @@ def test_several_may_write_at_once(tmp_path):
 def test_an_open_journal_sees_what_others_add(tmp_path, journal):
     with Journal.open(journal.path, KNOWN) as other:
         other.append(put("p"))
-        with pytest.raises(InputError, match="marked in image 'a.jpg' already"):
+        with pytest.raises(InputError, match=r"a\.jpg.*mark\.exists"):
             journal.append(put("p"))
         journal.append(Move(image="a.jpg", point="p", x_px=1, y_px=1))
         assert other.state.marks["a.jpg", "p"].x_px == 1
@@ -169,10 +169,10 @@ def test_actions_by_verb_and_json(journal):
     seq = journal.append_verb("bar", {"start": "A", "end": "B", "length": 2.5, "sigma": 0.001})
     assert journal.entries(seq - 1)[0].action == SetBar(start="A", end="B", length=2.5, sigma=0.001)
     for verb, arguments, words in (
-        ("drop", {}, "verb 'drop' is unknown"),
-        ("put", {"image": "a.jpg"}, "missing required field"),
-        ("undo", {"n": 2}, "argument 'n' is unknown"),
-        ("put", {"image": "a.jpg", "point": 7, "x_px": 1, "y_px": 1}, "Expected `str`"),
+        ("drop", {}, r"action\.unknown_verb"),
+        ("put", {"image": "a.jpg"}, r"action\.arguments"),
+        ("undo", {"n": 2}, r"action\.unknown_argument"),
+        ("put", {"image": "a.jpg", "point": 7, "x_px": 1, "y_px": 1}, r"action\.arguments"),
     ):
         with pytest.raises(InputError, match=words):
             journal.append_verb(verb, arguments)
@@ -205,7 +205,7 @@ def test_a_project_has_one_journal_by_whatever_name(tmp_path):
         assert measured_result(folder) == project / "measured-result"
     assert journal_path(project / "result-2") == project / "result-2.measured.db"
     (project / "result.measured.db").touch()
-    with pytest.raises(InputError, match="a project has one journal"):
+    with pytest.raises(InputError, match=r"journal\.two_journals"):
         journal_path(project / "result")
     assert journal_path(project) == project / "measured.db"
 
@@ -215,7 +215,7 @@ def test_files_that_are_no_journal(tmp_path, content):
     path = tmp_path / "measured.db"
     path.write_bytes(content)
     if content:
-        with pytest.raises(InputError, match="measured.db"):
+        with pytest.raises(InputError, match=r"measured\.db.*journal\.not_usable"):
             Journal.open(path, KNOWN)
     else:
         Journal.open(path, KNOWN).close()
@@ -225,12 +225,12 @@ def test_a_foreign_database_is_refused(tmp_path):
     db = sqlite3.connect(tmp_path / "x.db")
     db.execute("CREATE TABLE people (name)")
     db.close()
-    with pytest.raises(InputError, match="no journal of measuring"):
+    with pytest.raises(InputError, match=r"journal\.other_database"):
         Journal.open(tmp_path / "x.db", KNOWN)
 
 
 def test_a_folder_that_is_not_there(tmp_path):
-    with pytest.raises(InputError, match="look whether the folder exists"):
+    with pytest.raises(InputError, match=r"journal\.not_usable"):
         Journal.open(tmp_path / "none" / "measured.db", KNOWN)
 
 
@@ -240,10 +240,10 @@ def test_nothing_is_added_to_a_journal_that_went_away(tmp_path):
     with Journal.open(path, KNOWN) as journal:
         assert journal.append(put("A")) == 1
         path.rename(tmp_path / "elsewhere.db")
-        with pytest.raises(InputError, match="moved, deleted or exchanged since it was opened; nothing was added"):
+        with pytest.raises(InputError, match=r"journal\.moved"):
             journal.append(put("B"))
         shutil.copy(tmp_path / "elsewhere.db", path)
-        with pytest.raises(InputError, match="moved, deleted or exchanged"):
+        with pytest.raises(InputError, match=r"journal\.moved"):
             journal.append(put("B"))
         path.unlink()
         (tmp_path / "elsewhere.db").rename(path)
@@ -252,5 +252,5 @@ def test_nothing_is_added_to_a_journal_that_went_away(tmp_path):
 
 @pytest.mark.parametrize("place", ["/", "/nowhere-to-be-found"])
 def test_the_root_is_no_place_to_measure_in(place):
-    with pytest.raises(InputError, match="is not there|nothing can be measured in it|no project, result or block"):
+    with pytest.raises(InputError, match=r"journal\.no_place"):
         rb.marks(place)

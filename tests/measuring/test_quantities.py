@@ -58,13 +58,13 @@ def test_the_extent_of_a_perfect_form_is_that_of_its_errors(quantity, flat):
 
 def test_what_is_no_form_is_refused():
     row = np.arange(5.0)[:, None] * [1, 2, 3] + [1e6, 2e6, 0]
-    with pytest.raises(InputError, match="lie in one line"):
+    with pytest.raises(InputError, match=r"quantity\.in_line"):
         QUANTITIES["plane"].of(row)
-    with pytest.raises(InputError, match="lie in one line"):
+    with pytest.raises(InputError, match=r"quantity\.in_line"):
         QUANTITIES["to_plane"].of(row)
-    with pytest.raises(InputError, match="coincide"):
+    with pytest.raises(InputError, match=r"quantity\.coincide"):
         QUANTITIES["line"].of(np.ones((4, 3)))
-    with pytest.raises(InputError, match="coincide"):
+    with pytest.raises(InputError, match=r"quantity\.coincide"):
         QUANTITIES["length"].of(np.ones((2, 3)))
 
 

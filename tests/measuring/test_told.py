@@ -43,7 +43,7 @@ def test_a_marked_point_is_asked_of_the_result_that_has_it(folder):
     measured_result(folder).mkdir()
     with pytest.raises(InputError, match=f"ask .*{measured_result(folder).name}"):
         rb.query(folder, coordinates=("gate",))
-    with pytest.raises(InputError, match="point 'nowhere' is not in the result"):
+    with pytest.raises(InputError, match=r"joint\.unknown_point"):
         rb.query(folder, coordinates=("nowhere",))
 
 

@@ -135,10 +135,10 @@ def test_every_pattern_is_checked(pattern, tmp_path):
 def test_photographs_from_elsewhere(tmp_path, good):
     folder, _ = good
     away = replace(PLAN, way_points=replace(PLAN.way_points, xyz=PLAN.way_points.xyz + np.array([3000.0, 0, 0])))
-    with pytest.raises(InputError, match="no photograph lies where one was planned: in the mean they are 3000 m away"):
+    with pytest.raises(InputError, match=r"3000.*flight_check\.other_place"):
         checked(away, folder, sharp=False)
     fly(PLAN, tmp_path, position=False, drop=set(range(20, 1000)))
-    with pytest.raises(InputError, match="none of the photographs has a position"):
+    with pytest.raises(InputError, match=r"flight_check\.no_positions"):
         checked(PLAN, tmp_path, sharp=False)
 
 

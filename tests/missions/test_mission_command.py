@@ -195,12 +195,12 @@ BAD = [
     (("--vehicle", "mavic-3e", "--dem", SRTM), "[raster.no_overlap]"),
     (("--vehicle", "mavic-3e", "--no-go", "FIELD"), "no-go zones cover everything that was to be photographed"),
     (("--vehicle", "mavic-3e", "--name", "../plan"), "'../plan' is no name for files"),
-    (("--vehicle", "mavic-3e", "--gsd", 1e-6), "lines would be needed, 20000 are the most"),
+    (("--vehicle", "mavic-3e", "--gsd", 1e-6), "[mission.too_many_parts]"),
     (
         ("--vehicle", "mavic-3e", "--gsd", 2e-4, "--battery", 1400, "--interval", 0.01),
-        "photographs would be taken, 50000",
+        "[mission.too_many_photographs]",
     ),
-    (("--vehicle", "mavic-3e", "--pattern", "orbit"), "the heights of the object above ground are needed (--heights"),
+    (("--vehicle", "mavic-3e", "--pattern", "orbit"), "[mission.heights_missing]"),
 ]
 
 
@@ -282,7 +282,7 @@ def test_holes_of_the_ground_are_named(field, tmp_path, capsys):
     if status == 0:
         assert "1 hole in the heights of the ground, " in told
     else:
-        assert "the height of the ground is not known at" in err
+        assert "[terrain.void_below_flight]" in err
 
 
 def test_cameras_from_what_a_user_has(tmp_path):

@@ -129,15 +129,15 @@ def test_an_orbit_goes_round_a_zone():
 
 def test_zones_that_leave_nothing_or_no_way():
     every = np.array([[-500.0, -500], [900, -500], [900, 900], [-500, 900]]) + PLACE
-    with pytest.raises(InputError, match="no-go zones cover everything"):
+    with pytest.raises(InputError, match=r"mission\.area_in_zones"):
         mission("nadir", no_go=(every,))
     wall = [np.array(r, float) + PLACE for r in (
         [[-60, -60], [60, -60], [60, -40], [-60, -40]], [[-60, -60], [-40, -60], [-40, 60], [-60, 60]],
         [[40, -60], [60, -60], [60, 60], [40, 60]], [[-60, 40], [60, 40], [60, 60], [-60, 60]],
     )]  # fmt: skip
-    with pytest.raises(InputError, match="no way leads .* no-go zones lie all round"):
+    with pytest.raises(InputError, match=r"mission\.no_way"):
         way_round(PLACE, PLACE + 200, wall)
-    with pytest.raises(InputError, match="within a no-go zone; move the take-off"):
+    with pytest.raises(InputError, match=r"mission\.way_in_zone"):
         mission("nadir", no_go=(np.array([[-40.0, -40], [0, -40], [0, 0], [-40, 0]]) + PLACE,), more={"margin": 0.0})
 
 
@@ -151,14 +151,14 @@ def test_batteries_divide_a_flight_and_each_comes_home():
     for k in range(m.flights):
         w = m.way_points.of_flight(k)
         assert np.linalg.norm(w.xyz[-1, :2] - (PLACE - 20)) < 1e-6
-    with pytest.raises(InputError, match="cannot be flown with one battery: the way there and back takes"):
+    with pytest.raises(InputError, match=r"mission\.battery"):
         mission("nadir", vehicle=replace(VEHICLE, minutes=2.0), take_off=tuple(PLACE - 600))
 
 
 def test_what_the_camera_cannot_do():
-    with pytest.raises(InputError, match=r"asks for a photograph every 0\.5\d s; Mavic 3E needs 0\.7 s\. Fly at 11"):
+    with pytest.raises(InputError, match=r"0\.7.*11.*mission\.camera_interval"):
         mission("nadir", speed=14.0, more={"overlap": (0.9, 0.7)})
-    with pytest.raises(InputError, match="20 m/s is more than the 15 m/s of mavic-3e"):
+    with pytest.raises(InputError, match=r"20.*m/s.*15.*mission\.speed_of_vehicle"):
         mission("nadir", speed=20.0)
     m = mission("nadir", more={"overlap": (0.9, 0.7)})
     assert any("the interval of the camera limits the speed to 11.3 m/s" in r for r in m.remarks)
@@ -178,15 +178,15 @@ def test_what_is_too_high_or_out_of_sight_is_told():
 @pytest.mark.parametrize(
     ("pattern", "outline", "words"),
     [
-        ("nadir", [[0, 0], [10, 10], [10, 0], [0, 10]], "crosses itself"),
+        ("nadir", [[0, 0], [10, 10], [10, 0], [0, 10]], r"flight_area\.crosses_itself"),
         (
             "nadir",
             [[0, 0], [5, 5], [10, 10]],
-            "one line. Give the outline of the area, or plan a corridor along the line",
+            r"flight_area\.no_area",
         ),
-        ("corridor", [[0, 0], [0, 0]], "the line has no extent"),
-        ("corridor", [[0, 0], [100, 0], [0, 10]], "the way turns by 174 deg at its corner 2"),
-        ("corridor", [[0, 0], [100, 0], [105, 5], [105, 100]], "bends more tightly"),
+        ("corridor", [[0, 0], [0, 0]], r"mission\.line_no_extent"),
+        ("corridor", [[0, 0], [100, 0], [0, 10]], r"174.*2.*corridor\.sharp_turn"),
+        ("corridor", [[0, 0], [100, 0], [105, 5], [105, 100]], r"corridor\.tight_bend"),
     ],
 )
 def test_outlines_that_are_none(pattern, outline, words):
@@ -195,7 +195,7 @@ def test_outlines_that_are_none(pattern, outline, words):
 
 
 def test_a_view_to_the_horizon_is_refused():
-    with pytest.raises(InputError, match="reaches the horizon"):
+    with pytest.raises(InputError, match=r"mission\.view_to_horizon"):
         mission("double-grid", more={"tilt": np.radians(75)})
-    with pytest.raises(InputError, match="unknown pattern 'spiral'"):
+    with pytest.raises(InputError, match=r"mission\.unknown_pattern"):
         plan_mission(Task(pattern="spiral", outline=OUTLINES["area"], wish=wish("nadir"), ground=LEVEL))

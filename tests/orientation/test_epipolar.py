@@ -80,10 +80,10 @@ def test_epipoles_lie_on_all_lines():
 
 def test_what_says_nothing_is_refused():
     p, q = pair(np.random.default_rng(6), flat=True)
-    with pytest.raises(NoOrientation, match="homography"):
+    with pytest.raises(NoOrientation, match=r"fundamental\.homography"):
         fundamental_matrix(p, q, sigma_px=SIGMA)
-    with pytest.raises(NoOrientation, match="at least 8"):
+    with pytest.raises(NoOrientation, match=r"8.*fundamental\.too_few_points"):
         fundamental_matrix(p[:7], q[:7], sigma_px=SIGMA)
     rng = np.random.default_rng(7)
-    with pytest.raises(NoOrientation, match="agree with one"):
+    with pytest.raises(NoOrientation, match=r"fundamental\.too_few_inliers"):
         fundamental_matrix(rng.uniform(0, 3000, (12, 2)), rng.uniform(0, 3000, (12, 2)), sigma_px=1e-4)

@@ -78,7 +78,7 @@ def test_four_coplanar_points_leave_alternatives_or_one_clear_pose():
 
 @pytest.mark.parametrize("xyz", [np.eye(3)[:2], np.arange(5)[:, None] * np.ones(3)])
 def test_resection_names_what_is_missing(xyz):
-    with pytest.raises(NoOrientation, match="three points|line"):
+    with pytest.raises(NoOrientation, match=r"resection\.in_line|resection\.too_few_points"):
         resection(CAMERA, np.full((len(xyz), 2), 2000.0), xyz)
 
 
@@ -160,5 +160,5 @@ def test_dlt_recovers_the_camera():
 
 def test_dlt_refuses_a_plane():
     xyz = object_points(20, 11, plane=True)
-    with pytest.raises(NoOrientation, match="plane"):
+    with pytest.raises(NoOrientation, match=r"dlt\.plane"):
         dlt(project(0, xyz), xyz)

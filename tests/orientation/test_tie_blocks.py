@@ -65,7 +65,7 @@ def test_the_constant_of_a_fisheye_must_be_given():
     s = simulate(room(fisheye(), 4, 1), Survey(orientation="absent", interior="exact"))
     camera = s.observed.cameras[0]
     block = replace(s.observed, cameras=(replace(camera, values={**camera.values, "c": 0.0}),))
-    with pytest.raises(NoOrientation, match="camera 1: the camera constant c is 0"):
+    with pytest.raises(NoOrientation, match=r"1.*0.*camera\.constant_missing"):
         approximate_values(block)
 
 
@@ -104,7 +104,7 @@ def test_what_cannot_be_oriented_is_named_and_the_rest_is():
     assert "needed" in found.not_oriented["10"] or "known points" in found.not_oriented["10"]
     assert found.block.images.oriented[:9].all()
     assert not found.block.images.oriented[9]
-    with pytest.raises(NoOrientation, match="1 of 10 images") as error:
+    with pytest.raises(NoOrientation, match=r"1.*10.*orientation\.not_found") as error:
         approximate_values(block)
     assert list(error.value.images) == ["10"]
 

@@ -176,5 +176,5 @@ class HillGround:
 
 
 def test_an_orbit_is_not_forecast():
-    with pytest.raises(InputError, match="raybundle plan network"):
+    with pytest.raises(InputError, match=r"plan\.mission_pattern"):
         mission_forecast(planned_mission("orbit"), LEVEL_GROUND)

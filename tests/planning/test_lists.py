@@ -137,7 +137,7 @@ def test_a_list_that_looks_the_same_after_a_turn_says_so():
 def test_photographs_of_another_list_are_refused(other):
     house = views("cipa", "box:12,8,6", around=15.0)
     stations = views(*other)
-    with pytest.raises(InputError, match="are they of this list"):
+    with pytest.raises(InputError, match=r"plan\.other_list"):
         ticked(house, turned(stations, np.arange(len(stations)), np.random.default_rng(4)))
 
 
@@ -147,7 +147,7 @@ def test_another_list_is_not_ticked_off():
     rng = np.random.default_rng(1)
     centre = rng.normal(0, 5, (20, 3))
     others = Stations(centre=centre, at=centre + rng.normal(0, 5, (20, 3)), roll=rng.uniform(0, 6, 20))
-    with pytest.raises(InputError, match="are they of this list"):
+    with pytest.raises(InputError, match=r"plan\.other_list"):
         ticked(cipa, turned(others, np.arange(20), rng))
 
 
@@ -206,12 +206,12 @@ def test_a_ring_goes_round_any_footprint(tmp_path, capsys):
 @pytest.mark.parametrize(
     ("kind", "words", "said"),
     [
-        ("cipa", ("--around", "2"), "a lens with c = "),
-        ("cipa", ("--focus", "2"), "is photographed from"),
-        ("calibration", ("--focus", "1", "--f-number", "4"), "the lens is sharp from"),
-        ("turntable", ("--steps", "5"), "at least 8 overlap"),
+        ("cipa", ("--around", "2"), "[plan.height_not_shown]"),
+        ("cipa", ("--focus", "2"), "[plan.not_sharp]"),
+        ("calibration", ("--focus", "1", "--f-number", "4"), "[plan.not_sharp]"),
+        ("turntable", ("--steps", "5"), "[plan.turn_too_large]"),
         pytest.param(
-            "targets", ("--across", "200", "--count", "400"), "take fewer targets", marks=pytest.mark.long
+            "targets", ("--across", "200", "--count", "400"), "[plan.targets_too_large]", marks=pytest.mark.long
         ),
         ("targets", ("--stations", "none.csv"), "none.csv"),
     ],

@@ -89,16 +89,16 @@ def test_meshes_are_objects(tmp_path, capsys):
 @pytest.mark.parametrize(
     ("words", "said"),
     [
-        (("box:4,3", "--photographs", "8"), "2 numbers are given; it takes width x depth x height"),
-        (("box:4,3,-1", "--photographs", "8"), "height -1 m must be above 0"),
+        (("box:4,3", "--photographs", "8"), "[object.number_count]"),
+        (("box:4,3,-1", "--photographs", "8"), "[object.dimension_out_of_range]"),
         (("boks:4,3,1", "--photographs", "8"), "neither a kind of object (box:4,3,2.5"),
         (("box:4,3,2", ), "--sigma MM, or --photographs N"),
         (("facade:6,4", "--photographs", "8", "--heights", "4", "1"), "give the lower first"),
-        (("facade:6,4", "--photographs", "8", "--focus", "0.02"), "cannot be focused"),
+        (("facade:6,4", "--photographs", "8", "--focus", "0.02"), "[lens.focus_too_near]"),
         (("facade:6,4", "--photographs", "8", "--around", "1"), "one may go 1 m away"),
-        (("facade:6,4", "--photographs", "8", "--forbid", *EVERYWHERE), "fill what is allowed"),
+        (("facade:6,4", "--photographs", "8", "--forbid", *EVERYWHERE), "[plan.no_station_allowed]"),
         (("box:4,3,2", "--photographs", "3", "--incidence", "20"), "points of the object"),
-        pytest.param(("facade:60,40", "--sigma", "0.000001"), "beyond reach", marks=pytest.mark.long),
+        pytest.param(("facade:60,40", "--sigma", "0.000001"), "[plan.beyond_reach]", marks=pytest.mark.long),
     ],
 )  # fmt: skip
 def test_bad_input_is_told_what_to_do(tmp_path, capsys, words, said):
@@ -197,9 +197,9 @@ def test_results_are_objects_and_their_stations_are_judged(tmp_path, capsys):
     turned[1][4:7] = turned[1][1], turned[1][2], "99"  # looks up
     (tmp_path / "up.csv").write_text("\n".join(",".join(r) for r in turned) + "\n")
     assert plan(tmp_path, "facade:6,4", "--stations", str(tmp_path / "up.csv"), "--rays", "2", name="x") == 2
-    assert "station 1 shows 0 of" in capsys.readouterr().err
+    assert "[plan.station_sees_too_few]" in capsys.readouterr().err
     assert plan(tmp_path, *same[:-1], "2", name="x") == 2
-    assert "2 control points do not give a frame" in capsys.readouterr().err
+    assert "[plan.too_few_control]" in capsys.readouterr().err
     assert main(["simulate", str(first), "--control-points", "3", "--out", str(tmp_path / "y")]) == 2
     assert "has its own control and scale bars" in capsys.readouterr().err
 

@@ -129,9 +129,9 @@ def test_only_points_that_are_asked_for():
     plan = plan_next(result, "points", 1, points=(ids[0], ids[5]))
     at = plan.outlook.joint.place(np.array([0, 5]))
     assert plan.proposals[0].after.value == pytest.approx(plan.proposals[0].std_after[at].max(), rel=1e-12)
-    with pytest.raises(InputError, match="no part in the adjustment: none"):
+    with pytest.raises(InputError, match=r"plan\.points_not_adjusted"):
         measure_of(plan.outlook, Goal(kind="points"))
-    with pytest.raises(InputError, match="no part in the adjustment: nobody"):
+    with pytest.raises(InputError, match=r"nobody.*plan\.points_not_adjusted"):
         plan_next(result, "points", 1, points=("nobody",))
 
 
@@ -184,7 +184,7 @@ def test_line_scanners_are_no_frame_cameras():
     result = adjusted("control, free camera")
     line = replace(result.given.cameras[0], model="pushbroom", values={}, estimate=())
     told = replace(result, given=replace(result.given, cameras=(line,)))
-    with pytest.raises(InputError, match="camera 1 is a pushbroom: .* frame cameras"):
+    with pytest.raises(InputError, match=r"1.*plan\.no_frame_camera"):
         plan_next(told, "worst", 1)
 
 
@@ -291,7 +291,7 @@ def test_reach(levelled):
     near = np.linalg.norm(where(step=0.5)[:, None] - block.images.centre, axis=2).min(axis=1)
     assert near.max() <= 0.5 + 1e-9
     assert np.abs(where(around=1.5)).max() < 1.5 + np.abs(block.points.xyz).max()
-    with pytest.raises(InputError, match="is within what is allowed"):
+    with pytest.raises(InputError, match=r"plan\.no_station_within"):
         where(around=0.01)
 
 
@@ -355,7 +355,7 @@ def test_what_stands_between_hides(levelled):
     assert not hidden.visible(np.array([4.0, 0, 0]), at).any()
     places = np.array([[r + 0.3, 0.0, 0.0], [r + 0.6, 0, 0]])
     assert plain.allowed(0.5)(places).tolist() == [False, True]
-    with pytest.raises(InputError, match="off its surface"):
+    with pytest.raises(InputError, match=r"plan\.object_elsewhere"):
         Obstacles.of(Surface(name="elsewhere", vertices=mantle + 50, triangles=faces), xyz)
     with_ = plan_next(levelled.result, "mean", 1, Conditions(surface=both))
     assert with_.proposals[0].photograph.centre[0, 0] < 2.5
@@ -376,17 +376,17 @@ def test_the_camera_of_most_photographs_unless_told():
     other = plan_next(result, "mean", 1, Conditions(camera="second"))
     assert other.camera == 1
     assert other.adjusted().given.images.camera[-1] == 1
-    with pytest.raises(InputError, match="no camera third; the block has 1, second"):
+    with pytest.raises(InputError, match=r"third.*1, second.*plan\.unknown_camera"):
         plan_next(result, "mean", 1, Conditions(camera="third"))
-    with pytest.raises(InputError, match="none of its parameters is estimated"):
+    with pytest.raises(InputError, match=r"plan\.camera_fixed"):
         plan_next(result, "calibration", 1, Conditions(camera="second"))
 
 
 def test_what_cannot_be_answered_is_told():
     result = adjusted("control, free camera")
-    with pytest.raises(InputError, match="there are [0-9]+ candidates"):
+    with pytest.raises(InputError, match=r"plan\.too_few_candidates"):
         plan_next(result, "worst", 99, Conditions(reach=Reach(most=30)))
-    with pytest.raises(InputError, match="points are seen that the block has"):
+    with pytest.raises(InputError, match=r"plan\.nothing_seen_again"):
         plan_next(result, "worst", 1, Conditions(depth=(1e-3, 2e-3)))
     with pytest.raises(InputError, match="statistics"):
         plan_next(decide(result.given, replace(TIGHT, statistics=False)), "worst", 1)
@@ -394,5 +394,5 @@ def test_what_cannot_be_answered_is_told():
     assert low.vertical == pytest.approx([0, 0, 1])  # who gives heights knows which way is up
     camera = replace(result.given.cameras[0], interior="per_image", estimate=())
     own = decide(replace(result.given, cameras=(camera,)), TIGHT)
-    with pytest.raises(InputError, match="proposed for frame cameras"):
+    with pytest.raises(InputError, match=r"plan\.no_frame_camera"):
         plan_next(own, "worst", 1)

@@ -94,16 +94,16 @@ def test_a_block_without_a_datum_and_its_calibration(field, tmp_path, capsys):
     ("words", "said"),
     [
         (("--heights", "2", "1"), "give the lower first"),
-        (("--forbid", *EVERYWHERE), "is within what is allowed"),
-        (("--clearance", "50"), "is within what is allowed"),
+        (("--forbid", *EVERYWHERE), "[plan.no_station_within]"),
+        (("--clearance", "50"), "[plan.no_station_within]"),
         (("--focus", "4"), "give both"),
-        (("--focus", "0.02", "--f-number", "8"), "cannot be focused"),
-        (("--camera", "Leica"), "there is no camera Leica; the block has 1"),
-        (("--points", "nobody"), "no part in the adjustment: nobody"),
+        (("--focus", "0.02", "--f-number", "8"), "[lens.focus_too_near]"),
+        (("--camera", "Leica"), "[plan.unknown_camera]"),
+        (("--points", "nobody"), "[plan.points_not_adjusted]"),
         (("--points", "1", "--aim", "mean"), "goes with --aim worst"),
         (("--hidden-by", "boks:1,2,3"), "neither a kind of object"),
-        (("--hidden-by", "box:99,99,99"), "off its surface"),
-        (("--photographs", "90", "--candidates", "30"), "candidates that show enough points"),
+        (("--hidden-by", "box:99,99,99"), "[plan.object_elsewhere]"),
+        (("--photographs", "90", "--candidates", "30"), "[plan.too_few_candidates]"),
     ],
 )
 def test_bad_input_is_told_what_to_do(ring, tmp_path, capsys, words, said):
@@ -144,7 +144,7 @@ def test_blocks_that_cannot_be_asked(field, tmp_path, capsys):
     for source, word in (
         (tmp_path, "no block.toml"),
         (tmp_path / "unoriented", "is not adjusted yet"),
-        (tmp_path / "own", "proposed for frame cameras"),
+        (tmp_path / "own", "[plan.no_frame_camera]"),
     ):
         assert plan(source, tmp_path / "x") == 2
         assert word in capsys.readouterr().err

@@ -313,7 +313,7 @@ def test_fixes_at_given_times_go_through_block_folders(tmp_path):
     assert "attitude_fixes = [0.0, 1.5, 2.0, 4.5, 7.0, 9.9]" in written
     assert read_block(tmp_path / "again").cameras[0].scene.corrections == block.cameras[0].scene.corrections
 
-    with pytest.raises(InputError, match="1002 orientation fixes; from 2 to 1000"):  # a hundred a second
+    with pytest.raises(InputError, match=r"1,?002.*orientation_fix\.count"):  # a hundred a second
         one_strip(tmp_path, BLOCK.format(fixes='position_fixes = "table"'))
     with_own_attitudes(tmp_path, "one", every=20)
     camera = one_strip(tmp_path, BLOCK.format(fixes='attitude_fixes = "table"')).cameras[0]
@@ -398,7 +398,7 @@ def test_refraction_from_the_air_and_its_derivatives():
 @pytest.mark.parametrize(
     ("old", "new", "message"),
     [
-        ("first_s = 0.001", "first_s = 500.0", "covers -1 to 11 s, the lines"),
+        ("first_s = 0.001", "first_s = 500.0", r"-1.*11 s.*trajectory\.not_covered"),
         ('file = "one.csv"', 'file = "../one.csv"', "not the name of a file beside this one"),
         ("c_mm = 62.7", "c_mm = 62.7\nf_mm = 3", r"f_mm.*toml\.unknown_key"),
         ("interval_s = 0.002", 'interval_s = 0.002\ntable = "lines.csv"', "'table' says this already"),

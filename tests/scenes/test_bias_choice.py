@@ -121,9 +121,9 @@ def test_a_prior_far_off_is_told(rpc, place, scene):
 
 
 def test_bad_input(rpc):
-    with pytest.raises(InputError, match="at least one pair"):
+    with pytest.raises(InputError, match=r"bias\.point_count"):
         choose_bias(rpc, np.zeros((0, 3)), np.zeros((0, 2)), sigma_px=1.0)
-    with pytest.raises(InputError, match="must be positive"):
+    with pytest.raises(InputError, match=r"image_point\.sigma_not_positive_px"):
         choose_bias(rpc, rpc.ground_offset[None], rpc.image_offset[None], sigma_px=0.0)
 
 
@@ -169,7 +169,7 @@ def test_points_that_fit_nothing_are_no_agreement(rpc, place, scene):
     assert "agrees" not in advice.reason
     assert "do not agree" in advice.reason
     assert 8 < advice.advised.misfit < 30
-    with pytest.raises(NotSolvable, match=r"times their sigma \(limit 5, sigma 0.3 px\)"):
+    with pytest.raises(NotSolvable, match=r"0\.3.*5.*bias\.misfit"):
         check_fit(advice, advice.advised)
     check_fit(told := choose_bias(rpc, ground, measured, sigma_px=5.0), told.advised)
     assert "agrees with the points" in told.reason
@@ -191,5 +191,5 @@ def test_two_points_that_contradict_each_other_are_both_kept_and_refused(rpc, pl
     advice = choose_bias(rpc, ground, measured, sigma_px=0.3)
     assert advice.set_aside == ()
     shift = next(f for f in advice.fits if f.kind == "shift")
-    with pytest.raises(NotSolvable, match="residuals of rms"):
+    with pytest.raises(NotSolvable, match=r"bias\.misfit"):
         check_fit(advice, shift)

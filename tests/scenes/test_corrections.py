@@ -100,14 +100,14 @@ def test_fixes_at_equal_times_are_those_at_equal_distances():
 @pytest.mark.parametrize(
     ("make", "message"),
     [
-        (lambda: Fixes(count=1), "1 orientation fixes"),
-        (lambda: FixesAt(at=(0.0,)), "1 orientation fixes"),
-        (lambda: FixesAt(at=(-1.0, 0.5, 0.5)), "fix 3 does not follow fix 2"),
-        (lambda: FixesAt(at=(-1.0, np.nan)), "fix 2 does not follow"),
-        (lambda: FixesAt(at=(1.0, 1.5)), "all of them lie before the first line or after the last"),
-        (lambda: Pieces(count=0), "0 pieces"),
-        (lambda: Pieces(count=3, degree=4), "degree 4"),
-        (lambda: Pieces(count=3, degree=2, continuity=2), "continuity 2 of pieces of degree 2"),
+        (lambda: Fixes(count=1), r"1.*orientation_fix\.count"),
+        (lambda: FixesAt(at=(0.0,)), r"1.*orientation_fix\.count"),
+        (lambda: FixesAt(at=(-1.0, 0.5, 0.5)), r"3.*2.*orientation_fix\.time_order"),
+        (lambda: FixesAt(at=(-1.0, np.nan)), r"2.*orientation_fix\.time_order"),
+        (lambda: FixesAt(at=(1.0, 1.5)), r"orientation_fix\.outside_image"),
+        (lambda: Pieces(count=0), r"0.*pieces\.count"),
+        (lambda: Pieces(count=3, degree=4), r"4.*pieces\.degree"),
+        (lambda: Pieces(count=3, degree=2, continuity=2), r"2.*pieces\.continuity"),
     ],
 )
 def test_curves_that_are_none(make, message):
@@ -275,7 +275,7 @@ def test_a_sensor_says_the_same_whatever_it_was_asked_before():
     here, far = (sensor.rotation @ (np.array([[0.0, y, 0.0]]) - sensor.centre).T for y in (0.0, 1e6))
     first = sensor.local(image, here, sensor.defaults)
     for _ in range(2):
-        with pytest.raises(NoConvergence, match="was not seen by this scene"):
+        with pytest.raises(NoConvergence, match=r"line_scene\.point_not_seen"):
             sensor.local(image, far, sensor.defaults)
         for a, b in zip(first, sensor.local(image, here, sensor.defaults), strict=True):
             np.testing.assert_array_equal(a, b)

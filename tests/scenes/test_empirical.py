@@ -130,7 +130,7 @@ def test_stated_covariance_is_true(name):
 def test_points_in_a_plane():
     xyz = cube()
     xyz[:, 2] = 300 + 0.1 * xyz[:, 0]
-    with pytest.raises(RankDefect, match="lie in a plane"):
+    with pytest.raises(RankDefect, match=r"empirical\.not_determined"):
         fit_empirical("dlt", xyz, made("affine", xyz), sigma_px=0.5)
     # the models of a plane ask for no third dimension
     assert fit_empirical("plane-projective", xyz, made("plane-projective", xyz), sigma_px=0.5).adequate
@@ -138,13 +138,11 @@ def test_points_in_a_plane():
 
 def test_bad_input():
     xyz = cube(4)
-    with pytest.raises(
-        InputError, match="known: affine, affine2, parallel-perspective, dlt, dlt-brown, sdlt, plane-affine"
-    ):
+    with pytest.raises(InputError, match=r"affine2.*empirical\.unknown_model"):
         fit_empirical("spline", xyz, xyz[:, :2], sigma_px=1.0)
-    with pytest.raises(InputError, match="need at least 6"):
+    with pytest.raises(InputError, match=r"6.*empirical\.too_few_points"):
         fit_empirical("dlt", xyz, xyz[:, :2], sigma_px=1.0)
-    with pytest.raises(InputError, match="must be positive"):
+    with pytest.raises(InputError, match=r"image_point\.sigma_not_positive_px"):
         fit_empirical("affine", xyz, xyz[:, :2], sigma_px=-1.0)
     exact = fit_empirical("affine", xyz, made("affine", xyz), sigma_px=1.0)
     assert exact.redundancy == 0
@@ -190,5 +188,5 @@ def test_parameters_that_are_left_out():
     bare = fit_empirical("dlt-brown", xyz, xy, sigma_px=0.2, without=every)
     assert np.abs(bare.values[:11] - fit_empirical("dlt", xyz, xy, sigma_px=0.2).values).max() < 1e-9
     assert not bare.adequate
-    with pytest.raises(InputError, match="only K1, K2, K3, P1, P2 can be left out"):
+    with pytest.raises(InputError, match=r"K1.*K2.*K3.*P1.*empirical\.no_additional_parameter"):
         fit_empirical("dlt-brown", xyz, xy, sigma_px=0.2, without=("L3",))

@@ -173,23 +173,23 @@ def test_a_line_scanned_backwards(scene):
 
 def test_what_the_scene_did_not_see(scene):
     middle = scene.localise(np.array([[4000.0, 3500.0]]), 0.0)
-    with pytest.raises(NoConvergence, match="point 1 at longitude .* was not seen by this scene"):
+    with pytest.raises(NoConvergence, match=r"1.*line_scene\.point_not_seen"):
         scene.project(np.concatenate([middle, middle + np.array([0, 3, 0])]))
 
 
 def test_a_ray_past_the_earth():
     s = make_scene(pitch=1.3)
-    with pytest.raises(NotSolvable, match=r"image point 10\.00, 20\.00 px passes the body"):
+    with pytest.raises(NotSolvable, match=r"10\.00.*20\.00.*line_scene\.ray_misses_body"):
         s.localise(np.array([[10.0, 20.0]]), 0.0)
 
 
 def test_ephemeris_with_a_gap_or_too_short(scene):
     path = scene.trajectory
     keep = np.abs(path.position_times - 0.1) > 0.05
-    with pytest.raises(InputError, match=r"ephemeris has a gap of 0\.1\d* s"):
+    with pytest.raises(InputError, match=r"trajectory\.gap"):
         make_scene(trajectory=replace(path, position_times=path.position_times[keep], positions=path.positions[keep]))
     keep = path.attitude_times < 0.2
-    with pytest.raises(InputError, match=r"attitude covers -2 to 0\.18 s, the lines"):
+    with pytest.raises(InputError, match=r"2.*0\.18.*trajectory\.not_covered"):
         make_scene(
             trajectory=replace(path, attitude_times=path.attitude_times[keep], quaternions=path.quaternions[keep])
         )
@@ -198,10 +198,10 @@ def test_ephemeris_with_a_gap_or_too_short(scene):
 @pytest.mark.parametrize(
     ("changes", "message"),
     [
-        ({"positions": np.zeros((5, 3))}, "times for 5 entries"),
-        ({"position_times": np.zeros(201)}, "does not follow"),
-        ({"quaternions": np.zeros((201, 4))}, "length zero"),
-        ({"positions": np.full((201, 3), np.nan)}, "not finite"),
+        ({"positions": np.zeros((5, 3))}, r"5.*trajectory\.count"),
+        ({"position_times": np.zeros(201)}, r"trajectory\.time_order"),
+        ({"quaternions": np.zeros((201, 4))}, r"trajectory\.zero_quaternion"),
+        ({"positions": np.full((201, 3), np.nan)}, r"trajectory\.not_finite"),
     ],
 )
 def test_tables_that_cannot_be_interpolated(scene, changes, message):
@@ -210,13 +210,13 @@ def test_tables_that_cannot_be_interpolated(scene, changes, message):
 
 
 def test_line_and_detector_tables(scene):
-    with pytest.raises(InputError, match="viewing directions"):
+    with pytest.raises(InputError, match=r"line_scene\.table_order"):
         replace(scene, detector_x=np.array([10.0, 0.0]))
-    with pytest.raises(InputError, match="all increase or all decrease"):
+    with pytest.raises(InputError, match=r"line_scene\.times_not_monotonic"):
         replace(scene, line_y=np.array([0.0, 1, 2]), line_times=np.array([0.0, 0.1, 0.05]))
-    with pytest.raises(InputError, match="position_degree 3"):
+    with pytest.raises(InputError, match=r"position_degree.*3.*trajectory\.degree"):
         CorrectionModel(position_degree=3)
-    with pytest.raises(InputError, match="18 correction parameters"):
+    with pytest.raises(InputError, match=r"18.*trajectory\.parameter_count"):
         FULL.split(np.zeros(4))
 
 

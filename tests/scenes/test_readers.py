@@ -179,7 +179,7 @@ TEXT = {
     ),
     "feet for metres": (lambda t: t.replace("meters", "feet"), "unit 'feet' where pixels|unit 'feet' where"),
     "radians": (lambda t: t.replace("degrees", "rad"), "unit 'rad' where degrees are needed"),
-    "a scale of zero": (lambda t: t.replace("HEIGHT_SCALE: 500.0", "HEIGHT_SCALE: 0"), "must be positive"),
+    "a scale of zero": (lambda t: t.replace("HEIGHT_SCALE: 500.0", "HEIGHT_SCALE: 0"), r"rpc\.not_positive"),
     "a pole in the scene": (
         lambda t: "\n".join("LINE_DEN_COEFF_3: 3" if r.startswith("LINE_DEN_COEFF_3:") else r for r in t.split("\n")),
         "line denominator is",

@@ -145,16 +145,16 @@ def test_zero_denominator_is_named(rpc):
     c = rpc.coefficients.copy()
     c[1, 3] = -2.0
     bad = replace(rpc, coefficients=c)
-    with pytest.raises(InputError, match=r"line denominator .* longitude .* height 9\d\d\.\d m"):
+    with pytest.raises(InputError, match=r"rpc\.small_denominator"):
         bad.project(rpc.ground_offset + rpc.ground_scale * np.array([[0.0, 0, 0], [0, 0, 1.1]]))
     c[3, 0] = 0
-    with pytest.raises(InputError, match="sample denominator is zero at the centre"):
+    with pytest.raises(InputError, match=r"rpc\.zero_denominator"):
         replace(rpc, coefficients=c)
 
 
 def test_no_ground_point_at_an_absurd_height(sensors):
     rpc = read_scene(sensors / "rpc/rpc_IKONOS.txt").rpc
-    message = r"line 99\.50, sample 119\.50 .* height 4e\+07 m .* heights of -54 to 110 m"
+    message = r"99\.50.*119\.50.*54.*110.*rpc\.no_ground_point"
     with pytest.raises(NoConvergence, match=message):
         rpc.localise(np.array([[120.0, 100.0]]), 4e7)
 
@@ -187,7 +187,7 @@ def test_points_without_a_place_cost_only_themselves(rpc):
     found = bent.ground_where_any(xy, heights)
     assert np.isnan(found[:, 0]).tolist() == [False, True]
     assert np.abs(bent.project(found[:1]) - xy[:1]).max() < 1e-6
-    with pytest.raises(NoConvergence, match="sample .* has no ground point"):
+    with pytest.raises(NoConvergence, match=r"rpc\.no_ground_point"):
         bent.localise(xy, heights)
 
 
@@ -197,19 +197,19 @@ def test_points_far_away_and_exchanged_coordinates(rpc):
     rpc.check_near(ground, names)
     away = ground.copy()
     away[2, 0] += 9.0
-    with pytest.raises(InputError, match=r"1 of 4 points lie far outside the scene: point c .*limit 5.* belong"):
+    with pytest.raises(InputError, match=r"1.*4.* point c .*5.*rpc\.points_far_away"):
         rpc.check_near(away, names)
-    with pytest.raises(InputError, match="4 of 4 points .* they fit with longitude and latitude exchanged"):
+    with pytest.raises(InputError, match=r"4.*Exchange .*rpc\.points_far_away"):
         rpc.check_near(ground[:, [1, 0, 2]], names)
 
 
 @pytest.mark.parametrize(
     ("changes", "message"),
     [
-        ({"ground_offset": np.array([15.0, 95.0, 0.0])}, r"latitude 95 and longitude 15 deg .* exchanged"),
-        ({"coefficients": np.zeros((4, 19))}, "coefficients"),
-        ({"ground_scale": np.array([1.0, 0.0, 1.0])}, "ground_scale"),
-        ({"image_offset": np.array([1.0, np.nan])}, "image_offset"),
+        ({"ground_offset": np.array([15.0, 95.0, 0.0])}, r"95.*15.*rpc\.centre_out_of_range"),
+        ({"coefficients": np.zeros((4, 19))}, r"coefficients .*rpc\.wrong_shape"),
+        ({"ground_scale": np.array([1.0, 0.0, 1.0])}, r"ground_scale .*rpc\.not_positive"),
+        ({"image_offset": np.array([1.0, np.nan])}, r"image_offset .*rpc\.wrong_shape"),
     ],
 )
 def test_no_rpc(rpc, changes, message):
@@ -218,8 +218,8 @@ def test_no_rpc(rpc, changes, message):
 
 
 def test_unknown_bias_and_bad_shape(rpc):
-    with pytest.raises(InputError, match="known: none, shift, drift, affine"):
+    with pytest.raises(InputError, match=r"bias\.unknown_model"):
         bias_kind("cubic")
     assert bias_kind("drift") == "drift"
-    with pytest.raises(InputError, match="shape"):
+    with pytest.raises(InputError, match=r"rpc\.point_shape"):
         rpc.project(np.zeros(3))

@@ -78,7 +78,7 @@ def test_correction_built_in(scene, rpc, place, kind):
 
 
 def test_no_range_of_heights(scene):
-    with pytest.raises(InputError, match="range of at least 1 m"):
+    with pytest.raises(InputError, match=r"1.*rpc\.height_range"):
         fit_rpc(scene.localise, (100, 100), (50.0, 50.0))
 
 
@@ -102,7 +102,7 @@ def test_scenes_across_the_date_line_and_not_far_from_a_pole(longitude, latitude
 
 def test_no_rpc_stands_for_a_scene_over_a_pole():
     scene = orbit_scene(OrbitPlan(target=(0.0, 89.999, 0.0), width_px=2000, height_px=2000))
-    with pytest.raises(NotSolvable, match=r"misses it by \d+ px \(limit 20\); .* latitude 89.999 deg, near a"):
+    with pytest.raises(NotSolvable, match=r"20.*89\.999.*rpc\.inaccurate_fit"):
         fit_rpc(scene.localise, (2000, 2000), (0.0, 500.0))
 
 

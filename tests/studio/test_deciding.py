@@ -227,7 +227,7 @@ def test_marks_made_by_hand_are_counted_apart(client, studio, desk):
 @pytest.mark.parametrize(
     ("given", "status", "words"),
     [
-        ({"by": "w", "limit": 1e6}, 409, "no image observation is beyond 1e+06 in w"),
+        ({"by": "w", "limit": 1e6}, 409, "selection.nothing_beyond"),
         ({"by": "beauty", "limit": 1}, 409, "quantity 'beauty' is none of w, sigma, rays, redundancy"),
         ({"by": "w", "limit": "x"}, 400, "limit 'x' is no number"),
         ({"by": "w", "limit": 1, "id": ""}, 400, "an action has an id"),

@@ -46,7 +46,7 @@ def test_an_adjustment_opens_in_a_folder_and_the_folder_again(result, quiet, tmp
 
 
 def test_what_cannot_be_opened_is_said(result, quiet, tmp_path):
-    with pytest.raises(InputError, match="is no project, result or block folder"):
+    with pytest.raises(InputError, match=r"session\.no_project"):
         rb.show(tmp_path)
     with pytest.raises(InputError, match="of an adjustment"):
         rb.show(tmp_path, what="report")

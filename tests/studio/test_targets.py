@@ -146,7 +146,7 @@ def test_targets_are_found_where_none_are_kept(client, studio):
 @pytest.mark.parametrize(
     ("given", "status", "words"),
     [
-        ({"families": "aicon15", "images": []}, 409, "unknown target family 'aicon15'"),
+        ({"families": "aicon15", "images": []}, 409, "target.unknown_family"),
         ({"families": "", "images": []}, 409, "must be named"),
         ({"families": "dots", "images": ["elsewhere.jpg"]}, 409, "elsewhere.jpg"),
         ({"families": 3, "images": []}, 400, "families is a text"),
@@ -186,7 +186,7 @@ def test_a_sheet_is_made_to_be_printed(client):
     ("values", "words"),
     [
         ({"target": "aicon14"}, "give either"),
-        ({"target": "none"}, "unknown target family"),
+        ({"target": "none"}, "target.unknown_family"),
         ({"out": "/x"}, "no option"),
     ],
 )

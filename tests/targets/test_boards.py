@@ -293,23 +293,23 @@ def test_lattices_go_round_gaps_and_follow_a_lens():
 def test_names():
     assert any("chessboard-" in f for f in forms())
     for name, message in (
-        ("jigsaw-9", "unknown target family 'jigsaw-9'; known: "),
-        ("checkers-9x6", "unknown target family 'checkers-9x6'; known: "),
-        ("checkerboard10x7", r"\(did you mean chessboard-10x7\?\)"),
-        ("asymcircles_4x11", r"\(did you mean acircles-4x11\?\)"),
-        ("tag36h11", r"\(did you mean apriltag-36h11\?\)"),
-        ("apriltag36h11", r"\(did you mean apriltag-36h11\?\)"),
-        ("DICT_4X4_50", r"\(did you mean aruco-4x4_50\?\)"),
-        ("aicon-14bit", r"\(did you mean aicon14\?\)"),
-        ("agisoft", r"\(did you mean agisoft12, agisoft14, agisoft16 or agisoft20\?\)"),
-        ("chessboard", "named by its inner corners, as chessboard-9x6"),
-        ("chessboard-2x6", "at least 3 x 3"),
-        ("circles-2x2", "at least 3 x 3"),
-        ("circles", "as circles-7x5 or acircles-4x11"),
-        ("apriltag-1h1", r"unknown tags 'apriltag-1h1' \(did you mean apriltag-16h5"),
-        ("charuco", "named by its squares and its tags, as charuco-8x6-5x5_100"),
-        ("charuco-30x30-4x4_50", "needs 450 tags; 4x4_50 has 50"),
-        ("charuco-2x5-4x4_50", "at least 3 x 3 squares"),
+        ("jigsaw-9", r"jigsaw-9.*target\.unknown_family"),
+        ("checkers-9x6", r"checkers-9x6.*target\.unknown_family"),
+        ("checkerboard10x7", r"Check .*chessboard-10x7.*target\.unknown_family"),
+        ("asymcircles_4x11", r"Check .*acircles-4x11.*target\.unknown_family"),
+        ("tag36h11", r"Check .*apriltag-36h11.*target\.unknown_family"),
+        ("apriltag36h11", r"Check .*apriltag-36h11.*target\.unknown_tags"),
+        ("DICT_4X4_50", r"Check .*aruco-4x4_50.*target\.unknown_family"),
+        ("aicon-14bit", r"aicon14.*target\.unknown_family"),
+        ("agisoft", r"agisoft12.*agisoft14.*agisoft16.*agisoft20.*target\.unknown_family"),
+        ("chessboard", r"board\.chessboard_name"),
+        ("chessboard-2x6", r"board\.chessboard_size"),
+        ("circles-2x2", r"board\.dots_size"),
+        ("circles", r"board\.dots_name"),
+        ("apriltag-1h1", r"Check .*apriltag-16h5.*target\.unknown_tags"),
+        ("charuco", r"board\.charuco_name"),
+        ("charuco-30x30-4x4_50", r"450.*50.*board\.charuco_tags"),
+        ("charuco-2x5-4x4_50", r"3.*board\.charuco_size"),
     ):
         with pytest.raises(InputError, match=message):
             target(name)
@@ -320,7 +320,7 @@ def test_names():
         4,
         4,
     ]
-    with pytest.raises(InputError, match="grey images of 8 or 16 bits"):
+    with pytest.raises(InputError, match=r"8.*16.*target\.image_type"):
         detect(np.zeros((20, 20, 3), np.uint8), "dots")
 
 

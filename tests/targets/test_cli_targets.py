@@ -185,8 +185,8 @@ def test_dots_are_printed(tmp_path, capsys):
         assert len(found) == len(place) == number
         assert away.min(axis=0).max() < 0.1
     for more, message in (
-        (["--spacing", "20mm", "--count", "200"], "room for 117 dots at a spacing of 20 mm, 200 are wanted"),
-        (["--spacing", "10mm"], "too large for a spacing of 10 mm: 3.8 mm at most"),
+        (["--spacing", "20mm", "--count", "200"], "[sheet.too_many_dots]"),
+        (["--spacing", "10mm"], "[sheet.dots_too_large]"),
         (["--spacing", "20mm", "--codes", "1-3"], "no numbers to choose from"),
     ):
         assert main(["targets", "sheet", "--target", "dots", *more, "--out", str(tmp_path / "x.svg")]) == 2
@@ -197,7 +197,9 @@ def test_a_sheet_for_calibration_is_printed(tmp_path, capsys):
     out = tmp_path / "c.svg"
     arguments = ["--target", "photomodeler-sheet", "--spacing", "18mm", "--out", str(out)]
     assert main(["targets", "sheet", *arguments]) == 2
-    assert "give --dot-radius, 3mm at most" in capsys.readouterr().err
+    printed = capsys.readouterr().err
+    assert " 3.0 mm" in printed
+    assert "--dot-radius" in printed
     assert main(["targets", "sheet", *arguments, "--dot-radius", "3mm"]) == 0
     marks = detect(cv2.GaussianBlur(raster(out), (0, 0), 0.8), "photomodeler-sheet")
     place = {t.name: (t.x_mm, 297 - t.y_mm) for t in read_sidecar(out.with_suffix(".toml")).targets}

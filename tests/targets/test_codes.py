@@ -46,7 +46,7 @@ def test_canonical_is_the_least_reading():
 def test_rings_outside_the_family_have_no_id():
     f = families["aicon14"]
     assert (f.id_of(np.array([0, 1, 0b111, (1 << 14) - 1])) == -1).all()
-    with pytest.raises(InputError, match="no id 517.*1 and 516"):
+    with pytest.raises(InputError, match=r"517.*516.*1.*target\.no_such_id"):
         f.code_of(np.array([3, 517]))
 
 
@@ -57,7 +57,7 @@ def test_sectors():
 
 
 def test_unknown_family():
-    with pytest.raises(InputError, match="unknown target family 'aicon13'; known: agisoft12"):
+    with pytest.raises(InputError, match=r"aicon13.*agisoft12.*target\.unknown_ring_family"):
         family_named("aicon13")
 
 
@@ -72,11 +72,11 @@ def test_table_of_ones_own(tmp_path):
 @pytest.mark.parametrize(
     ("text", "message"),
     [
-        ("1 3\n1 5\n", "line 2: id 1 is given twice"),
-        ("1 3\n2 6\n", "line 2: the ring of code 3 has id 1"),
-        ("1 x\n", "line 1: expected an id and a code"),
-        ("1 32\n", "line 1: code 32 does not lie between 1 and 31"),
-        ("", "holds no target"),
+        ("1 3\n1 5\n", r"2.*1.*ring_table\.id_twice"),
+        ("1 3\n2 6\n", r"2.*3.*1.*ring_table\.ring_twice"),
+        ("1 x\n", r"1.*ring_table\.row"),
+        ("1 32\n", r"1.*32.*31.*ring_table\.code_out_of_range"),
+        ("", r"ring_table\.empty"),
     ],
 )
 def test_bad_tables(tmp_path, text, message):
@@ -101,6 +101,6 @@ def test_chosen_rings_share_no_visible_run(name, count):
 
 
 def test_a_choice_has_its_limit():
-    with pytest.raises(InputError, match="147 targets, 148"):
+    with pytest.raises(InputError, match=r"147.*148.*target\.too_few_codes"):
         choose_codes(families["aicon12"], 148)
     assert choose_codes(families["aicon12"], 147).hidden == 1  # parity tells a single sector

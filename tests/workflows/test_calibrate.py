@@ -192,7 +192,7 @@ def test_command_line(tmp_path, capsys):
 @needs_board
 def test_what_cannot_be(tmp_path, capsys):
     assert main(["calibrate", str(BOARD), "--target", "chessbord", "--out", str(tmp_path / "r")]) == 2
-    assert "unknown target family 'chessbord'" in capsys.readouterr().err
+    assert "[target.unknown_family]" in capsys.readouterr().err
     with pytest.raises(InputError, match="unknown sensor model 'browne'"):
         calibrate([BOARD], CalibrateOptions(model="browne"))
     with pytest.raises(InputError, match="a board .* is calibrated with alone"):

@@ -99,8 +99,10 @@ def board_block(
     if len(view) == 0 or counts.min() < FEWEST:
         few = int(np.argmin(counts)) if len(view) else -1
         raise InputError(
-            f"view {view[few] if few >= 0 else '-'} of the board shows {counts[few] if few >= 0 else 0} points, "
-            f"{FEWEST} are needed; leave it out"
+            "board.view_too_few_points",
+            view=int(view[few]) if few >= 0 else 0,
+            n=int(counts[few]) if few >= 0 else 0,
+            least=FEWEST,
         )
     xyz = np.concatenate([place[:, ::-1] * views.spacing, np.zeros((len(place), 1))], axis=1)
     xyz -= xyz.mean(axis=0)
@@ -149,10 +151,7 @@ def planar_start(camera: Camera, xy_px: Array, image: Array, xyz: Array) -> tupl
         return BoardStart(camera=camera, c=float(values[0]), bend=0.0, residual_px=residual), R, _centres(R, t)
     score, c, bend = _best_lens(xy, image, xyz, size)
     if not score < POOR * size:
-        raise NotSolvable(
-            f"no lens explains the views of the board: the best start leaves {score / camera.pixel_mm[0]:.0f} px; "
-            "check rows and columns, and that all views show one board"
-        )
+        raise NotSolvable("board.no_lens", residual_px=score / camera.pixel_mm[0])
     ray = division_rays(xy, c, bend)
     R, t, _ = (k[0] for k in _poses(ray[None], xyz, first))
     fitted = fitted_to_rays(camera, xy, ray, c)

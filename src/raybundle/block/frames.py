@@ -96,8 +96,14 @@ def joined(block: Block, other: int, camera: int, turned: Turn) -> Block:
     same = size_ratio((one.width_px, one.height_px), (two.width_px, two.height_px))
     if same is None or (one.width_px != one.height_px and same[1] != (turned in (90, 270))):
         raise InputError(
-            f"camera {two.id} ({two.width_px} x {two.height_px} px) is no copy of camera {one.id} "
-            f"({one.width_px} x {one.height_px} px) turned by {turned} deg"
+            "camera.no_turned_copy",
+            camera=two.id,
+            width_px=two.width_px,
+            height_px=two.height_px,
+            other=one.id,
+            other_width_px=one.width_px,
+            other_height_px=one.height_px,
+            turned_deg=turned,
         )
     mine = np.flatnonzero(block.images.camera == other)
     frame = PixelFrame(turned=turned, width_px=two.width_px, height_px=two.height_px)
@@ -216,10 +222,7 @@ def _without_affine_turn(images: Images, which: Mapping[int, tuple[Camera, Pixel
 def _in_frame(camera: Camera, frame: PixelFrame) -> Camera:
     """The camera of files in that frame; the same interior orientation, in their axes and pixels."""
     if frame.affine is not None:
-        raise InputError(
-            f"camera {camera.id}: its files are scans, each of which lies in another way in the camera's frame by its "
-            "fiducial marks; transform the scans first, other programs take no affine interior orientation of an image"
-        )
+        raise InputError("camera.scans_not_transformed", camera=camera.id)
     size = (frame.height_px, frame.width_px) if frame.turned in (90, 270) else (frame.width_px, frame.height_px)
     w, h = camera.pixel_mm[0] * camera.width_px / size[0], camera.pixel_mm[1] * camera.height_px / size[1]
     turned = f"-turned{frame.turned}" if frame.turned else ""
@@ -245,10 +248,7 @@ def turned_values(camera: Camera, turned: Turn) -> dict[str, float]:
     v = dict(camera.values)
     other = [s for s in v if s not in {"c", "x0", "y0", "K1", "K2", "K3", "P1", "P2", "A", "S"}]
     if camera.model != "brown" or other:
-        raise InputError(
-            f"camera {camera.id}: photographs stored turned have a camera of their own only in the model brown, not in "
-            f"{camera.model}; give the photographs as the sensor stored them"
-        )
+        raise InputError("camera.turned_only_brown", camera=camera.id, model=camera.model)
     T = turn_matrix(turned)
     v["x0"], v["y0"] = (T @ [v.get("x0", 0.0), v.get("y0", 0.0)]).tolist()
     v["P1"], v["P2"] = (T @ [v.get("P1", 0.0), v.get("P2", 0.0)]).tolist()

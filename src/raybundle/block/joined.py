@@ -96,7 +96,7 @@ def join_blocks(
     What it does not tell: whether points of one name are one point (`raybundle.metrology.congruence`).
     """
     if len(blocks) < 2:
-        raise InputError("two or more blocks are joined; one is given")
+        raise InputError("join.one_block")
     first = frame_of(blocks)
     order = [first, *(k for k in range(len(blocks)) if k != first)]
     base, joints, remarks = blocks[first], list[Joint](), list[str]()
@@ -137,8 +137,7 @@ def _brought(
         if fits.sum() < FEWEST:
             few = [c for c, k in zip(common, known.tolist(), strict=True) if k][:5]
             raise InputError(
-                f"{name} and {base.name} have {counted(int(fits.sum()), 'common point')} with coordinates "
-                f"({', '.join(few) or 'none'}); {FEWEST} or more are needed, named by hand or by their codes"
+                "join.too_few_common", name=name, base=base.name, n=int(fits.sum()), points=few, least=FEWEST
             )
         transform = similarity(source[fits], target[fits], weight[fits])
         distance = np.linalg.norm(transform.points(source) - target, axis=1)
@@ -165,12 +164,15 @@ def _check_given(block: Block, base: Block, common: Sequence[str], name: str) ->
     if not count:
         return
     k, axis = divmod(int(ratio.argmax()), 3)
-    more = f", and {counted(count - 1, 'other point')} too" if count > 1 else ""
     raise InputError(
-        f"point {common[k]} is given with other coordinates in {name} than in {base.name}{more}: "
-        f"{significant(float(d[k, axis]))} {base.length_unit} apart, {significant(float(limit[k, axis]))} at most by "
-        "their standard deviations. Correct what is wrong; if they are told in two systems, bring one into the other, "
-        "or take its control away"
+        "join.control_contradicts",
+        point=common[k],
+        name=name,
+        base=base.name,
+        others=count - 1,
+        apart=float(d[k, axis]),
+        limit=float(limit[k, axis]),
+        unit=base.length_unit,
     )
 
 
@@ -198,8 +200,11 @@ def _moved(block: Block, by: SimilarityTransform, base: Block, name: str) -> Blo
     levelled = [t.name for t in block.tables.values() if t.upright and len(t)]
     if levelled and tilt > TILT:
         raise InputError(
-            f"{name} has {', '.join(levelled)}, which the frame of {base.name} would tilt by "
-            f"{np.degrees(np.arcsin(min(tilt, 1.0))):.2g} degrees; give it first, or level the other as well"
+            "join.vertical_tilted",
+            name=name,
+            tables=levelled,
+            base=base.name,
+            tilt_deg=np.degrees(np.arcsin(min(tilt, 1.0))),
         )
     factor = PER_M[base.length_unit] / PER_M[block.length_unit]
     if factor != 1:
@@ -228,8 +233,15 @@ def _renamed(block: Block, base: Block, name: str, apart: set[str], *, same_came
         for c in block.cameras:
             if taken.get(c.id, (c.width_px, c.height_px, c.model)) != (c.width_px, c.height_px, c.model):
                 raise InputError(
-                    f"camera {c.id} of {name} is {c.model} of {c.width_px} x {c.height_px} px, the other "
-                    f"{taken[c.id][2]} of {taken[c.id][0]} x {taken[c.id][1]} px: they are not the same"
+                    "join.cameras_differ",
+                    camera=c.id,
+                    name=name,
+                    model=c.model,
+                    width_px=c.width_px,
+                    height_px=c.height_px,
+                    other_model=taken[c.id][2],
+                    other_width_px=taken[c.id][0],
+                    other_height_px=taken[c.id][1],
                 )
     else:
         cameras = {c.id: _new(c.id, name, list(taken)) for c in block.cameras if c.id in taken}

@@ -44,18 +44,15 @@ def merge_blocks(blocks: Sequence[Block], *, prefer: Mapping[Subject, int] | Non
     """
     for k, b in enumerate(blocks):
         if not isinstance(b, Block):  # pyright: ignore[reportUnnecessaryIsInstance]
-            raise InputError(f"blocks[{k}] is no block but a {type(b).__name__}; read a folder with read_block")
+            raise InputError("merge.no_block", entry=k, kind=type(b).__name__)
     if prefer is not None and not isinstance(prefer, Mapping):  # pyright: ignore[reportUnnecessaryIsInstance]
-        raise InputError(f"prefer = {prefer!r} is no mapping; give for instance {{'point': 0}}")
+        raise InputError("merge.prefer_no_mapping", value=repr(prefer))
     rules = dict(prefer or {})
     for what, k in rules.items():
         if what not in SUBJECTS or not 0 <= k < len(blocks):
-            raise InputError(
-                f"prefer={{{what!r}: {k}}}: give one of {', '.join(SUBJECTS)} and the position of one of the "
-                f"{len(blocks)} blocks, from 0"
-            )
+            raise InputError("merge.prefer_unknown", name=str(what), block=k, known=SUBJECTS, n=len(blocks))
     if not blocks:
-        raise InputError("no blocks to merge; give one or more")
+        raise InputError("merge.no_blocks")
     return _Merge(tuple(blocks), rules).done() if len(blocks) > 1 else blocks[0]
 
 
@@ -117,7 +114,7 @@ class _Merge:
             stands = next((p for p in told if p[0] == self.prefer.get("block")), told[0])
             for k, v in told:
                 if v != stands[1] and "block" not in self.prefer:
-                    self.refuse("block", f"{f.name} of the block", (stands[0], stands[1]), (k, v))
+                    self.refuse("block", f.name, (stands[0], stands[1]), (k, v))
             found[f.name] = stands[1]
         return found
 
@@ -132,7 +129,7 @@ class _Merge:
             k, stands = next((t for t in told if t[0] == self.prefer.get(what)), told[0])
             for j, other in told if what not in self.prefer else []:
                 for label, one, two in _differences(stands, other):
-                    self.refuse(what, f"{what} {name}: {label}", (k, one), (j, two))
+                    self.refuse(what, f"{name}: {label}", (k, one), (j, two))
             known = stands.known or next((t.known for _, t in told if t.known), {})
             found.append(replace(stands, known=known))
         return tuple(found)
@@ -148,7 +145,7 @@ class _Merge:
 
         def refuse(name: str, one: int, two: int) -> None:
             value = [ids[int(whole.camera[k])] if name == "camera" else _entry(whole, name, k) for k in (one, two)]
-            self.refuse_rows("image", f"image {whole.ids[one]}: {name}", rows, (one, value[0]), (two, value[1]))
+            self.refuse_rows("image", f"{whole.ids[one]}: {name}", rows, (one, value[0]), (two, value[1]))
 
         rows = self.rows_of("image", numbers["image"])
         return united(whole, rows, refuse, whole.held)
@@ -177,7 +174,7 @@ class _Merge:
                 if (len(known) > 1 or apart) and lead is None:
                     first = next(n for n in names if n in before)
                     others = [n for n in label if label[n] == before[first]]
-                    self.refuse("image", f"image {first}: images of its station", (order[0], others), (k, names))
+                    self.refuse("image", f"{first}: station", (order[0], others), (k, names))
                 free = s if s >= 0 and s not in used else max(used, default=-1) + 1
                 number = min(known) if known else free
                 used.add(number)
@@ -198,10 +195,9 @@ class _Merge:
             code = codes(c, getattr(told, name), count)
             for k in np.flatnonzero(speaks & (code != code[stands]))[:1].tolist():
                 one, two = (
-                    f"{Role(int(role[j])).word} point" if name == "role" else _entry(told, name, j)
-                    for j in (int(stands[k]), k)
+                    Role(int(role[j])).word if name == "role" else _entry(told, name, j) for j in (int(stands[k]), k)
                 )
-                label = f"point {whole.ids[k]}: {name}"
+                label = f"{whole.ids[k]}: {name}"
                 self.refuse_rows("point", label, rows, (int(stands[k]), one), (k, two))
         rays = np.concatenate([b.ray_count for b in self.blocks])
         found = np.asarray(np.isfinite(whole.xyz).all(axis=1))
@@ -218,7 +214,7 @@ class _Merge:
         whole = moved[0].append(*moved[1:])
 
         def refuse(one: int, two: int) -> None:
-            name = f"image {made.images.ids[whole.image[one]]}, point {made.points.ids[whole.point[one]]}: image point"
+            name = f"{made.images.ids[whole.image[one]]}, {made.points.ids[whole.point[one]]}: xy_px"
             values = [[*whole.xy_px[k].tolist(), *whole.cov_px2[k].tolist()] for k in (one, two)]
             self.refuse_rows("observation", name, rows, (one, values[0]), (two, values[1]))
 
@@ -253,7 +249,9 @@ class _Merge:
             fresh = bad and not any(w.rows.any() for t in moved for w in t.faults())
         if fresh:
             k = int(np.flatnonzero(bad[0].rows)[0])
-            raise InputError(f"the blocks do not fit together: {made.row_names(merged)(k)}: {bad[0].message(k)}")
+            raise InputError(
+                "merge.do_not_fit", name=made.row_names(merged)(k), entry=bad[0].column, detail=bad[0].message(k)
+            )
         return merged
 
     def rows_of(self, what: Subject, numbers: Sequence[Index]) -> Rows:
@@ -271,8 +269,15 @@ class _Merge:
     def refuse(self, what: Subject, text: str, one: tuple[int, Any], two: tuple[int, Any]) -> NoReturn:
         (j, a), (k, b) = one, two
         raise InputError(
-            f"{text} is {a} in block {j} ({self.blocks[j].name}) and {b} in block {k} ({self.blocks[k].name}); correct "
-            f"one of them, or say whose word stands: prefer={{{what!r}: {j}}}"
+            "merge.contradiction",
+            name=text,
+            value=str(a),
+            other=str(b),
+            block=self.blocks[j].name,
+            other_block=self.blocks[k].name,
+            first=j,
+            second=k,
+            subject=what,
         )
 
 
@@ -294,7 +299,7 @@ def _differences(one: P, two: P) -> list[tuple[str, Any, Any]]:
             symbol = next((s for s in (*a, *b) if a.get(s) != b.get(s)), None)
             if symbol is None:
                 continue
-            label, a, b = f"{f.name} of {symbol}", a.get(symbol, "not given"), b.get(symbol, "not given")
+            label, a, b = f"{f.name}.{symbol}", a.get(symbol, "-"), b.get(symbol, "-")
         found.append((label, a, b))
     return found
 
@@ -302,5 +307,5 @@ def _differences(one: P, two: P) -> list[tuple[str, Any, Any]]:
 def _entry(table: Records, name: str, k: int) -> Any:
     """An entry of a column, as a message shows it."""
     values = getattr(table, name)
-    value = values.get(k, "not given") if isinstance(values, Mapping) else values[k]
+    value = values.get(k, "-") if isinstance(values, Mapping) else values[k]
     return value.tolist() if isinstance(value, np.ndarray | np.generic) else value

@@ -37,13 +37,11 @@ def relative_control(
     """
     line = np.asarray(line)
     if len(line) != len(block.images):
-        raise InputError(f"{len(line)} numbers of flight lines for {len(block.images)} images; give one for each")
+        raise InputError("flight_line.count", n=len(line), images=len(block.images))
     stations = block.stations.rows(_enough(line[block.stations.image], 3 if drift else 2))
     attitudes = block.attitudes.rows(_enough(line[block.attitudes.image], 2))
     if not len(stations) and not len(attitudes):
-        raise InputError(
-            f"no flight line has {'three' if drift else 'two'} observed images; differences need that many"
-        )
+        raise InputError("flight_line.too_few_images", least=3 if drift else 2)
     instruments = list(block.instruments)
     taken = {c.id for c in block.parametrised}
     of_station = line[stations.image]
@@ -83,8 +81,11 @@ def _own(
     start = Instrument(id=name, model=model, values=dict.fromkeys(instrument_models[model].symbols, 0.0))
     used = set() if before is None else set(before.tolist())
     if len(used) > 1:
-        names = ", ".join(sorted(block.instruments[k].id if k >= 0 else "none" for k in used))
-        raise InputError(f"{name}: its images were observed by several carriers ({names}); give each its own line")
+        raise InputError(
+            "flight_line.several_instruments",
+            line_name=name,
+            names=sorted(block.instruments[k].id if k >= 0 else "-" for k in used),
+        )
     if used and (k := used.pop()) >= 0:
         start = replace(block.instruments[k], id=name)
     known = tuple(s for s in start.estimate if s not in free) if isinstance(start.estimate, tuple) else ()

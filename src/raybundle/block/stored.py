@@ -29,7 +29,7 @@ def observed_jointly(camera: Camera, free: tuple[str, ...], covariance: Array) -
     size = np.sqrt(np.abs(np.diag(covariance)))
     R, lost = _positive_definite(covariance / np.outer(size, size))
     if R is None:
-        raise InputError(f"camera {camera.id}: the covariance of its calibration is not positive definite")
+        raise InputError("camera.covariance_not_positive", camera=camera.id)
     return replace(
         plain,
         calibrated=Calibrated(

@@ -35,15 +35,16 @@ def transform_block(block: Block, by: SimilarityTransform, *, observed: Literal[
               deviations of coordinates that a rotation would correlate, a geodetic place, a satellite scene
     """
     if observed not in ("follow", "stay"):
-        raise InputError(f"observed = {observed!r} is neither 'follow' nor 'stay'")
+        raise InputError("transform.observed_unknown", value=repr(observed))
     if not by.scale > 0 or not np.isfinite(by.scale):
-        raise InputError(f"scale {by.scale:g} of a transformation: it must be larger than 0")
+        raise InputError("transform.scale_not_positive", scale=by.scale)
     if not np.isfinite(by.translation).all():
-        raise InputError(f"translation {by.translation.tolist()} of a transformation: three numbers are needed")
+        raise InputError("transform.translation_not_finite", translation=by.translation.tolist())
     off = float(np.abs(by.rotation @ by.rotation.T - np.eye(3)).max())
-    if not off < SQUARE or np.linalg.det(by.rotation) < 0:
-        what = f"R R' differs from 1 by {off:.2g} (limit {SQUARE:g})" if not off < SQUARE else "it is a mirror image"
-        raise InputError(f"rotation of a transformation: {what}; give an orthogonal matrix of determinant +1")
+    if not off < SQUARE:
+        raise InputError("transform.rotation_not_orthogonal", off=off, limit=SQUARE)
+    if np.linalg.det(by.rotation) < 0:
+        raise InputError("transform.rotation_mirrored")
     if observed == "stay":
         window = None if block.points.window is None else by.scale * block.points.window
         points = replace(block.points, xyz=by.points(block.points.xyz), window=window)
@@ -75,14 +76,9 @@ def _tables(block: Block, by: SimilarityTransform) -> list[Table]:
 def _refuse_geodetic(block: Block) -> None:
     scenes = [c.id for c in block.cameras if c.is_scene]
     if scenes:
-        raise InputError(
-            f"satellite scene {scenes[0]} cannot follow the transformation: it tells longitude, latitude and height"
-        )
+        raise InputError("transform.scene", scene=scenes[0])
     if block.place is not None:
-        raise InputError(
-            "the place of the object frame on the earth cannot follow the transformation; take it out of the block "
-            "(place=None) if it is to leave the earth"
-        )
+        raise InputError("transform.geodetic_frame")
 
 
 def _factor(parameters: Sequence[Parameter], symbol: str, by: SimilarityTransform) -> float:
@@ -134,7 +130,7 @@ class _Way:
         for vector in self.vectors:
             old = np.array([[sigma.get(s, np.nan) for s in vector]])
             if not kept_after(self.by.rotation, old).all():
-                raise self.stuck(f"the standard deviations of {', '.join(vector)} would be correlated")
+                raise InputError("transform.sigmas_correlated", name=self.name, parameters=vector)
             after = (self.factor(vector[0]) * deviations_after(self.by.rotation, old))[0].tolist()
             new = {s: v for s, v in new.items() if s not in vector}
             new |= {s: v for s, v in zip(vector, after, strict=True) if np.isfinite(v)}
@@ -147,7 +143,7 @@ class _Way:
             coupled = np.abs(self.by.rotation) > COUPLED
             after: Mask = np.asarray((coupled & mine).any(axis=1))
             if (coupled[after] & ~mine).any():
-                raise self.stuck(f"some of {', '.join(vector)} are held and others free, which the rotation mixes")
+                raise InputError("transform.partly_free", name=self.name, parameters=vector)
             new += [s for s, m in zip(vector, after.tolist(), strict=True) if m]
         order = [p.symbol for p in self.parameters]
         return free if {*new} == {*free} else tuple(sorted(new, key=order.index))
@@ -156,7 +152,7 @@ class _Way:
         A = self.matrix(known.symbols)
         lacking = [s for s in self.completed(known.symbols) if s not in known.symbols]
         if lacking and self.by.turns:
-            raise self.stuck(f"its calibration does not tell {lacking[0]}, which the rotation mixes with what it tells")
+            raise InputError("transform.calibration_incomplete", name=self.name, parameter=lacking[0])
         C = A @ known.covariance @ A.T
         size = np.sqrt(np.diagonal(C))
         R = C / np.outer(size, size)
@@ -170,9 +166,6 @@ class _Way:
         new = np.linalg.solve(self.matrix(symbols).T, old).tolist()
         return replace(relation, terms={s: v for s, v in zip(symbols, new, strict=True) if v or s in relation.terms})
 
-    def stuck(self, reason: str) -> InputError:
-        return InputError(f"{self.name} cannot follow the transformation: {reason}")
-
 
 def _parametrised(thing: P, by: SimilarityTransform) -> P:
     """A camera or an instrument: lengths grow with the object, vectors in its axes turn, lever arms do not."""
@@ -180,8 +173,7 @@ def _parametrised(thing: P, by: SimilarityTransform) -> P:
     touched = any(p.is_length for p in thing.sensor.parameters) and by.scale != 1
     if not touched and not (vectors and by.turns):
         return thing
-    noun = "camera" if isinstance(thing, Camera) else thing.model
-    way = _Way(f"{noun} {thing.id}", thing.sensor.parameters, vectors if by.turns else (), by)
+    way = _Way(thing.id, thing.sensor.parameters, vectors if by.turns else (), by)
     return replace(
         thing,
         values=way.values(thing.values, {}),

@@ -93,10 +93,7 @@ class ZoomCalibration:
         low, high = self.range_mm
         slack = self.resolution_mm / 2 + 1e-9 * high
         if not low - slack <= focal_mm <= high + slack:
-            raise InputError(
-                f"EXIF focal length {focal_mm:g} mm is outside the calibrated range {low:g} to {high:g} mm of the zoom "
-                f"lens of camera {self.camera.id}; calibrate a setting there, or zoom back"
-            )
+            raise InputError("zoom.out_of_range", camera=self.camera.id, focal_mm=focal_mm, low_mm=low, high_mm=high)
         values = design(self, focal_mm) @ self.coefficients
         slope = design(self, focal_mm, derivative=True) @ self.coefficients
         F = design(self, focal_mm)
@@ -184,13 +181,10 @@ def between_focuses(near: ZoomPrediction, far: ZoomPrediction, focus_m: Mapping[
     Shortis 1992).  What it leaves out: the change of distortion within the depth of one photograph.
     """
     if near.free != far.free or near.camera.model != far.camera.model:
-        raise InputError("calibrations at two focuses can be combined if model and free parameters are the same")
+        raise InputError("focus.calibrations_differ")
     s1, s2, s = (1000 * focus_m[k] for k in ("near", "far", "wanted"))
     if not s1 < s2 or not s1 * (1 - 1e-9) <= s <= s2 * (1 + 1e-9):
-        raise InputError(
-            f"the focus {focus_m['wanted']:g} m is outside the calibrated {focus_m['near']:g} to {focus_m['far']:g} m; "
-            "calibrate there"
-        )
+        raise InputError("focus.out_of_range", focus_m=focus_m["wanted"], near_m=focus_m["near"], far_m=focus_m["far"])
     f = 1 / (1 / near.camera.values["c"] + 1 / s1)
     m1, m2, m = (f / (d - f) for d in (s1, s2, s))
     a = (m - m2) / (m1 - m2)

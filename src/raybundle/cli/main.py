@@ -147,7 +147,8 @@ def _failed(arguments: Sequence[str], error: Exception) -> int:
     if "--traceback" in arguments:
         with contextlib.suppress(OSError, ValueError):
             traceback.print_exception(error)
-    text, status = told_failure(error)
+    with on_the_command_line():
+        text, status = told_failure(error)
     _say(text)
     data = error.json() if isinstance(error, RaybundleError) else {}
     _as_json(arguments, text, status, data)

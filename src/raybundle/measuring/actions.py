@@ -41,9 +41,7 @@ from raybundle.measuring.state import (
     Numbers3,
     RoleName,
     State,
-    figure_called,
 )
-from raybundle.settings import option
 
 LEAST: Mapping[LineKind, int] = {"straight": 3, "plumb": 2, "level": 2, "plane": 4}
 """Points from which on a figure says something."""
@@ -85,10 +83,7 @@ class Put(Action):
         image = known.image(self.image)
         check_mark(known, image, self.mark)
         if (image, self.point) in state.marks:
-            raise InputError(
-                f"point {quoted(self.point)} is marked in image {quoted(image)} already; move it there, or remove it "
-                "first"
-            )
+            raise InputError("mark.exists", point=self.point, image=image)
         return replace(self, image=image)
 
     def apply(self, draft: Draft) -> None:
@@ -157,10 +152,7 @@ class Rename(Action):
         check_name("point", self.to)
         original = name_in_block(self.point, state, known)
         if exists(self.to, state, known):
-            raise InputError(
-                f"point {quoted(self.point)} cannot be called {quoted(self.to)}: there is a point of that name; choose "
-                "another, or forget that one first"
-            )
+            raise InputError("mark.name_taken", point=self.point, to=self.to)
         return replace(self, original=original)
 
     def apply(self, draft: Draft) -> None:
@@ -191,10 +183,7 @@ class Forget(Action):
     def settled(self, state: State, known: Known) -> Action:
         if self.point not in state.points:
             if exists(self.point, state, known):
-                raise InputError(
-                    f"point {quoted(self.point)} is of the block, nothing of it was measured by hand; reject its image "
-                    "observations, one by one"
-                )
+                raise InputError("mark.point_of_block", point=self.point)
             check_point(self.point, state, known)
         return self
 
@@ -213,17 +202,20 @@ class SetBar(Action):
     sigma: float
 
     def settled(self, state: State, known: Known) -> Action:
-        who = f"scale bar {quoted(self.start)} - {quoted(self.end)}"
         for name in (self.start, self.end):
             check_point(name, state, known)
         if self.start == self.end:
-            raise InputError(f"{who}: both ends are the same point")
-        check_number(f"{who}, length", self.length, above=0.0)
-        check_number(f"{who}, sigma", self.sigma, above=0.0)
+            raise InputError("mark.bar_same_ends", start=self.start, end=self.end)
+        check_number(f"{self.start} - {self.end}, length", self.length, above=0.0)
+        check_number(f"{self.start} - {self.end}, sigma", self.sigma, above=0.0)
         if not LEAST_RATIO * self.sigma <= self.length:
             raise InputError(
-                f"{who}: a sigma of {self.sigma:g} for a length of {self.length:g} tells no scale; it must be at most "
-                f"a {LEAST_RATIO}rd of the length"
+                "mark.bar_sigma",
+                start=self.start,
+                end=self.end,
+                sigma=self.sigma,
+                length=self.length,
+                ratio=LEAST_RATIO,
             )
         return self
 
@@ -242,8 +234,7 @@ class Unbar(Action):
 
     def settled(self, state: State, known: Known) -> Action:
         if not {(self.start, self.end), (self.end, self.start)} & state.bars.keys():
-            there = ", ".join(f"{quoted(a)} - {quoted(b)}" for a, b in [*state.bars][:5]) or "none"
-            raise InputError(f"there is no scale bar {quoted(self.start)} - {quoted(self.end)}; measured are: {there}")
+            raise InputError("mark.no_bar", start=self.start, end=self.end, known=[f"{a} - {b}" for a, b in state.bars])
         return self
 
     def apply(self, draft: Draft) -> None:
@@ -263,18 +254,18 @@ class SetLine(Action):
 
     def settled(self, state: State, known: Known) -> Action:
         check_name("line", self.line)
-        who = f"line {quoted(self.line)}"
         if not self.points:
             if self.line not in state.lines:
-                raise InputError(f"{who} is not there; lines are: {', '.join(map(quoted, state.lines)) or 'none'}")
+                raise InputError("mark.no_line", line_name=self.line, known=list(state.lines))
             return self
         for name in self.points:
             check_point(name, state, known)
         least = LEAST[self.kind]
         if len(set(self.points)) < len(self.points) or len(self.points) < least:
-            what = figure_called(self.kind)
-            raise InputError(f"{who}: {len(set(self.points))} different points, a {what} needs {least}")
-        check_number(f"{who}, sigma", self.sigma, above=0.0)
+            raise InputError(
+                "mark.line_points", line_name=self.line, kind=self.kind, n=len(set(self.points)), least=least
+            )
+        check_number(f"{self.line}, sigma", self.sigma, above=0.0)
         return self
 
     def apply(self, draft: Draft) -> None:
@@ -304,13 +295,10 @@ class SetDatum(Action):
             if name:
                 check_point(name, state, known)
             elif what != "plane":
-                raise InputError(
-                    f"coordinate system: no {what} point is given; give origin and axis, and a plane point where no "
-                    "level or plumb line tells the vertical; or none"
-                )
+                raise InputError("axes.point_missing", which=what)
         given = [n for n in names if n]
         if len(set(given)) < len(given):
-            raise InputError(f"coordinate system: {', '.join(map(quoted, given))} are given; give different points")
+            raise InputError("axes.same_points", names=given)
         return self
 
     def apply(self, draft: Draft) -> None:
@@ -330,10 +318,7 @@ class Reject(Action):
         check_point(self.point, state, known)
         original = name_in_block(self.point, state, known)
         if not original or not known.observed(image, original):
-            raise InputError(
-                f"the block has no observation of point {quoted(self.point)} in image {quoted(image)}; what was marked "
-                "by hand is removed, not rejected"
-            )
+            raise InputError("mark.no_observation", point=self.point, image=image)
         return replace(self, image=image)
 
     def apply(self, draft: Draft) -> None:
@@ -351,7 +336,7 @@ class Accept(Action):
     def settled(self, state: State, known: Known) -> Action:
         image = known.image(self.image)
         if (image, self.point) not in state.rejected:
-            raise InputError(f"point {quoted(self.point)} in image {quoted(image)} was not rejected by hand")
+            raise InputError("mark.not_rejected", point=self.point, image=image)
         return replace(self, image=image)
 
     def apply(self, draft: Draft) -> None:
@@ -385,20 +370,15 @@ class Fiducial(Action):
     def settled(self, state: State, known: Known) -> Action:
         image = known.image(self.image)
         if self.name not in known.fiducials:
-            there = ", ".join(map(quoted, known.fiducials[:8]))
-            raise InputError(
-                f"fiducial mark {quoted(self.name)} has no calibrated position; known are {there}"
-                if there
-                else "these photographs are no scans of film: no fiducial mark has a calibrated position; begin the "
-                f"project with a certificate ({option('film', 'CERTIFICATE')})"
-            )
-        who = f"fiducial mark {quoted(self.name)} in image {quoted(image)}"
+            if not known.fiducials:
+                raise InputError("fiducial.no_film")
+            raise InputError("fiducial.not_calibrated", name=self.name, known=list(known.fiducials))
         if (self.x_px is None) != (self.y_px is None):
-            raise InputError(f"{who} has one coordinate; give x and y, or none to take it away")
+            raise InputError("fiducial.one_coordinate", name=self.name, image=image)
         if self.mark is not None:
             check_mark(known, image, self.mark)
         elif (image, self.name) not in state.fiducials:
-            raise InputError(f"{who} was not measured; there is nothing to take away")
+            raise InputError("fiducial.not_measured", name=self.name, image=image)
         return replace(self, image=image)
 
     def apply(self, draft: Draft) -> None:
@@ -428,7 +408,7 @@ class Undo(_Turn):
 
     def settled(self, state: State, known: Known) -> Action:
         if not state.can_undo:
-            raise InputError("there is nothing to take back: nothing was measured, or all of it is taken back")
+            raise InputError("journal.nothing_to_undo")
         return self
 
 
@@ -444,7 +424,7 @@ class Redo(_Turn):
 
     def settled(self, state: State, known: Known) -> Action:
         if not state.can_redo:
-            raise InputError("there is nothing to do again: the last action was not taken back")
+            raise InputError("journal.nothing_to_redo")
         return self
 
 
@@ -469,12 +449,13 @@ def action_of(verb: str, arguments: Mapping[str, Any]) -> Action:
     """The action that a verb and its arguments as JSON say; raises InputError."""
     kind = VERBS.get(verb)
     if kind is None:
-        raise InputError(f"verb {quoted(verb)} is unknown; known are {', '.join(VERBS)}")
+        raise InputError("action.unknown_verb", verb=quoted(verb), known=list(VERBS))
     foreign = sorted(set(arguments) - set(kind.__dataclass_fields__))
     if foreign:
-        known = ", ".join(kind.__dataclass_fields__) or "none"
-        raise InputError(f"{verb}: argument {quoted(foreign[0])} is unknown; known are {known}")
+        raise InputError(
+            "action.unknown_argument", verb=verb, name=quoted(foreign[0]), known=list(kind.__dataclass_fields__)
+        )
     try:
         return msgspec.convert(_plain(dict(arguments)), kind)
     except msgspec.ValidationError as error:
-        raise InputError(f"{verb}: {error}; give the arguments as documented") from None
+        raise InputError("action.arguments", verb=verb, detail=str(error)) from None

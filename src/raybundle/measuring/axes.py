@@ -7,7 +7,6 @@ from collections.abc import Callable, Sequence
 import numpy as np
 
 from raybundle.errors import InputError
-from raybundle.io.reading.words import quoted
 from raybundle.numerics.arrays import Array
 from raybundle.numerics.rotation import cross_matrix
 
@@ -72,10 +71,7 @@ def check_points(names: Sequence[str], xyz: Array) -> None:
     a, b = xyz[1] - xyz[0], xyz[2] - xyz[0]
     sine = float(np.linalg.norm(np.cross(a, b))) / max(float(np.linalg.norm(a) * np.linalg.norm(b)), 1e-300)
     if not sine > IN_LINE:
-        raise InputError(
-            f"coordinate system {_shown(names)}: the points lie in one line (sine of the angle at the origin "
-            f"{sine:.1e}, limit {IN_LINE:g}); choose a plane point off the axis"
-        )
+        raise InputError("axes.in_line", names=names, sine=sine, limit=IN_LINE)
 
 
 def check_direction(names: Sequence[str], xyz: Array, up: Array) -> None:
@@ -84,10 +80,7 @@ def check_direction(names: Sequence[str], xyz: Array, up: Array) -> None:
     a = xyz[1] - xyz[0]
     sine = float(np.linalg.norm(np.cross(a, up))) / max(float(np.linalg.norm(a)), 1e-300)
     if not sine > IN_LINE:
-        raise InputError(
-            f"coordinate system {_shown(names)}: the points stand above each other (sine of the angle with the "
-            f"vertical {sine:.1e}, limit {IN_LINE:g}), which tells no direction in plan; choose another axis point"
-        )
+        raise InputError("axes.vertical", names=names, sine=sine, limit=IN_LINE)
 
 
 def check_level(names: Sequence[str], xyz: Array) -> None:
@@ -95,20 +88,16 @@ def check_level(names: Sequence[str], xyz: Array) -> None:
     _check_known(names, xyz)
     size = np.linalg.svd(xyz - xyz.mean(axis=0), compute_uv=False)
     if len(xyz) < 3 or not size[1] > IN_LINE * size[0]:
-        thin = "" if len(xyz) < 3 else f" that lie in one line (width by length {size[1] / size[0]:.1e})"
         raise InputError(
-            f"level {_shown(names)}: {len(xyz)} points{thin} tell no plane; give three or more that are not in one "
-            f"line (limit {IN_LINE:g})"
+            "axes.level_no_plane",
+            names=names,
+            n=len(xyz),
+            width=size[1] / size[0] if len(xyz) > 1 else 0.0,
+            limit=IN_LINE,
         )
 
 
 def _check_known(names: Sequence[str], xyz: Array) -> None:
     for name, X in zip(names, xyz, strict=True):
         if not np.isfinite(X).all():
-            raise InputError(
-                f"coordinate system {_shown(names)}: point {quoted(name)} has no coordinates; mark it in two images"
-            )
-
-
-def _shown(names: Sequence[str]) -> str:
-    return ", ".join(map(quoted, names))
+            raise InputError("axes.no_coordinates", names=names, point=name)

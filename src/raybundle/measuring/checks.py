@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable
+from typing import Literal
 
 from raybundle.errors import InputError
 from raybundle.io.reading.words import quoted
@@ -20,60 +20,50 @@ WIDEST_PX = 1e5
 """Standard deviation of a mark: no format is wider."""
 
 
-def check_name(what: str, name: str) -> None:
+def check_name(kind: Literal["point", "line", "mask", "table"], name: str) -> None:
     """Raise InputError for a text that cannot be the name of a point or line."""
     if not name or name != name.strip() or not name.isprintable() or len(name) > LONGEST:
-        raise InputError(
-            f"{what} {quoted(name)}: a name has 1 to {LONGEST} printable characters and no blank at its ends "
-            f"({len(name)} here); choose another"
-        )
+        raise InputError("mark.bad_name", kind=kind, name=quoted(name), n=len(name), most=LONGEST)
 
 
 def check_number(
-    what: str, value: float, *, least: float | None = None, above: float | None = None, most: float = LARGEST
+    entry: str, value: float, *, least: float | None = None, above: float | None = None, most: float = LARGEST
 ) -> None:
     """Raise InputError for what is no finite number within its limits."""
     if not math.isfinite(value):
-        raise InputError(f"{what} is {value}, no finite number; give a number")
+        raise InputError("number.not_finite", entry=entry, value=value)
     if above is not None and not value > above:
-        raise InputError(f"{what} is {value:g}; it must be above {above:g}")
+        raise InputError("number.too_small", entry=entry, value=value, limit=above)
     if least is not None and not value >= least:
-        raise InputError(f"{what} is {value:g}; it must be at least {least:g}")
+        raise InputError("number.below", entry=entry, value=value, limit=least)
     if abs(value) > most:
-        raise InputError(f"{what} is {value:g}; it must be at most {most:g} in size")
+        raise InputError("number.too_large", entry=entry, value=value, limit=most)
     if 0 < abs(value) < SMALLEST and above is not None:
-        raise InputError(f"{what} is {value:g}; it must be at least {SMALLEST:g}")
+        raise InputError("number.below", entry=entry, value=value, limit=SMALLEST)
 
 
 def check_given(point: str, role: RoleName, xyz: Numbers3, sigma: Numbers3) -> None:
     """Raise InputError for a name, role, coordinates and standard deviations that do not go together."""
     check_name("point", point)
-    who = f"point {quoted(point)}"
     for axis, value, s in zip("XYZ", xyz, sigma, strict=True):
         if value is not None:
-            check_number(f"{who}, {axis}", value, most=FARTHEST)
+            check_number(f"{point}, {axis}", value, most=FARTHEST)
         if s is not None:
-            check_number(f"{who}, sigma of {axis}", s, least=0.0)
+            check_number(f"{point}, s{axis}", s, least=0.0)
             if value is None:
-                raise InputError(f"{who} has a sigma of {axis} but no {axis}; give the coordinate too")
+                raise InputError("mark.sigma_without_coordinate", point=point, axis=axis)
     given = [k for k in range(3) if xyz[k] is not None]
     if role != "tie" and not given:
-        raise InputError(f"{who} is {role} without a coordinate; give at least one, or make it a tie point")
+        raise InputError("mark.role_without_coordinate", point=point, role=role)
     lacking = [k for k in given if sigma[k] is None]
     if role == "control" and lacking:
-        raise InputError(
-            f"{who}: {'XYZ'[lacking[0]]} is control without a standard deviation; give its sigma, 0 to hold it"
-        )
+        raise InputError("mark.control_without_sigma", point=point, axis="XYZ"[lacking[0]])
 
 
 def check_point(name: str, state: State, known: Known) -> None:
     """Raise InputError for a point that is neither measured nor in the block."""
     if not exists(name, state, known):
-        measured = ", ".join(map(quoted, _some(state.points))) or "none"
-        raise InputError(
-            f"point {quoted(name)} is neither measured nor in the block; measured are: {measured}. Mark it in an image "
-            "first, or look at the spelling"
-        )
+        raise InputError("mark.unknown_point", point=name, known=list(state.points), n=len(state.points))
 
 
 def name_in_block(name: str, state: State, known: Known) -> str:
@@ -89,37 +79,34 @@ def exists(name: str, state: State, known: Known) -> bool:
     return name in state.points or bool(name_in_block(name, state, known))
 
 
-def _some(names: Iterable[str], most: int = 5) -> list[str]:
-    return [name for name, _ in zip(names, range(most), strict=False)]
-
-
 def marked(image: str, point: str, state: State, known: Known) -> str:
     """The image of a mark; raises InputError where there is none."""
     found = known.image(image)
     if (found, point) not in state.marks:
         check_point(point, state, known)
-        places = ", ".join(map(quoted, _some(state.marks_of(point)))) or "none"
-        raise InputError(f"point {quoted(point)} is not marked by hand in image {quoted(found)}; it is in: {places}")
+        raise InputError(
+            "mark.not_marked",
+            point=point,
+            image=found,
+            images_marked=list(state.marks_of(point)),
+            n=len(state.marks_of(point)),
+        )
     return found
 
 
 def check_mark(known: Known, image: str, mark: Mark) -> None:
     """Raise InputError for a mark outside its image, or whose numbers are none."""
-    who = f"image {quoted(image)}"
-    check_number(f"{who}, x_px", mark.x_px)
-    check_number(f"{who}, y_px", mark.y_px)
+    check_number(f"{image}, x_px", mark.x_px)
+    check_number(f"{image}, y_px", mark.y_px)
     known.inside(image, mark.x_px, mark.y_px)
     xx, yy, xy = mark.covariance
-    for name, value in (("variance of x", xx), ("variance of y", yy)):
-        check_number(f"{who}, {name} [px^2]", value, above=0.0, most=WIDEST_PX**2)
-    check_number(f"{who}, covariance of x and y [px^2]", xy)
+    for name, value in (("xx", xx), ("yy", yy)):
+        check_number(f"{image}, {name} [px^2]", value, above=0.0, most=WIDEST_PX**2)
+    check_number(f"{image}, xy [px^2]", xy)
     if not xy * xy < xx * yy:
-        raise InputError(
-            f"{who}: a covariance of {xy:g} px^2 of x and y does not go with variances of {xx:g} and {yy:g}; its size "
-            "must be below the root of their product"
-        )
+        raise InputError("mark.covariance", image=image, xy_px2=xy, xx_px2=xx, yy_px2=yy)
     if mark.clicked is not None:
         for axis, value in zip("xy", mark.clicked, strict=True):
-            check_number(f"{who}, clicked {axis}", value)
+            check_number(f"{image}, clicked.{axis}", value)
     if mark.quality is not None:
-        check_number(f"{who}, quality", mark.quality, least=0.0, most=1.0)
+        check_number(f"{image}, quality", mark.quality, least=0.0, most=1.0)

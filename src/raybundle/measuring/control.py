@@ -14,7 +14,6 @@ from raybundle.block import Role
 from raybundle.errors import InputError
 from raybundle.io.geo.control_files import read_control
 from raybundle.io.reading.dialects import table_text
-from raybundle.io.reading.words import quoted
 from raybundle.measuring.action import Action
 from raybundle.measuring.checks import check_given, check_name
 from raybundle.measuring.known import Known
@@ -46,11 +45,11 @@ class GiveControl(Action):
         del state, known
         check_name("table", self.file)
         if not self.points:
-            raise InputError(f"{quoted(self.file)}: no row has a coordinate; nothing is given")
+            raise InputError("control_table.no_coordinates", table=self.file)
         names = [p.point for p in self.points]
         twice = next((n for n in names if names.count(n) > 1), None) if len(set(names)) < len(names) else None
         if twice is not None:
-            raise InputError(f"{quoted(self.file)}: point {quoted(twice)} stands there more than once; keep one row")
+            raise InputError("control_table.point_twice", table=self.file, point=twice)
         for p in self.points:
             check_given(p.point, p.role, p.xyz, p.sigma)
         return self
@@ -76,8 +75,12 @@ def control_of_text(text: str, file: str) -> tuple[GiveControl, tuple[str, ...]]
         table.write_text(text, encoding="utf-8")
         try:
             read = read_control(table)
-        except (InputError, csv.Error) as error:
-            raise InputError(str(error).replace(str(table), file)) from None
+        except InputError as error:
+            if error.message is None:
+                raise InputError(str(error).replace(str(table), file)) from None
+            raise InputError(error.message, file=file, line=error.line, column=error.column) from None
+        except csv.Error as error:
+            raise InputError("control_table.not_readable", table=file, detail=str(error)) from None
     found: list[Given] = []
     for k, name in enumerate(read.ids):
         xyz = [None if not np.isfinite(v) else float(v) for v in read.xyz[k]]
@@ -87,9 +90,7 @@ def control_of_text(text: str, file: str) -> tuple[GiveControl, tuple[str, ...]]
         role: RoleName = "check" if read.role[k] == Role.CHECK else "control"
         found.append(Given(point=name, role=role, xyz=_three(xyz), sigma=_three(sigma)))
     if not found:
-        raise InputError(
-            f"{file}: no row has a coordinate; a table has a head line point,X,Y,Z and may have sX,sY,sZ,role"
-        )
+        raise InputError("control_table.no_coordinates", table=file)
     return GiveControl(file=file, points=tuple(found)), read.remarks
 
 

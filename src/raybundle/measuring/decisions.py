@@ -7,7 +7,6 @@ from typing import ClassVar, Literal
 
 from raybundle.adjustment.options import AdjustmentOptions
 from raybundle.errors import InputError
-from raybundle.io.reading.words import quoted
 from raybundle.measuring.action import Action
 from raybundle.measuring.checks import check_number
 from raybundle.measuring.known import Known
@@ -30,13 +29,9 @@ class SetParameter(Action):
         del state
         there = {} if known.block is None else {c.id: c.sensor.symbols for c in known.block.parametrised}
         if self.camera not in there:
-            cameras = ", ".join(map(quoted, [*there][:5])) or "none"
-            raise InputError(f"camera {quoted(self.camera)} is not in the block; known are {cameras}")
+            raise InputError("camera.not_in_block", camera=self.camera, known=list(there), n=len(there))
         if self.symbol not in there[self.camera]:
-            raise InputError(
-                f"camera {quoted(self.camera)} has no parameter {quoted(self.symbol)}; it has "
-                f"{', '.join(there[self.camera])}"
-            )
+            raise InputError("camera.no_parameter", camera=self.camera, name=self.symbol, known=there[self.camera])
         return self
 
     def apply(self, draft: Draft) -> None:
@@ -56,17 +51,14 @@ class RejectBeyond(Action):
     """(image, point) of each, as they were found; what the limit finds later does not matter"""
 
     def settled(self, state: State, known: Known) -> Action:
-        check_number(f"limit of {self.quantity}", self.limit, least=0.0)
+        check_number(self.quantity, self.limit, least=0.0)
         if not self.rows:
-            raise InputError(f"no image observation is beyond {self.limit:g} in {self.quantity}; nothing is rejected")
+            raise InputError("selection.nothing_beyond", quantity=self.quantity, limit=self.limit)
         rows = tuple((known.image(image), point) for image, point in self.rows)
         there, old = known.pairs(), {new: name for name, new in state.renamed.items()}
         for image, point in rows:
             if (image, old.get(point, point)) not in there or point in state.renamed:
-                raise InputError(
-                    f"the block has no observation of point {quoted(point)} in image {quoted(image)}; what was marked "
-                    "by hand is removed, not rejected"
-                )
+                raise InputError("mark.no_observation", point=point, image=image)
         return replace(self, rows=rows)
 
     def apply(self, draft: Draft) -> None:

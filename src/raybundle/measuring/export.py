@@ -33,11 +33,11 @@ def write_csv(state: State, path: str | Path, known: Known) -> tuple[Path, Path]
     """
     path = Path(path)
     if path.suffix.lower() != ".csv":
-        raise InputError("a table of points is called NAME.csv", file=path)
+        raise InputError("export.no_csv_name", file=path)
     beside = path.with_name(f"{path.stem}-{MEASUREMENTS}.csv")
     points = [(n, v) for n, v in state.points.items() if v.role != "tie" or state.marks_of(n)]
     if not points:
-        raise InputError("no point was measured by hand; there is nothing to export", file=path)
+        raise InputError("export.no_points", file=path)
     xyz = np.array([[np.nan if x is None else x for x in v.xyz] for _, v in points], float).reshape(-1, 3)
     sigma = np.array([[np.nan if s is None else s for s in v.sigma] for _, v in points], float).reshape(-1, 3)
     files = _files(known)
@@ -79,11 +79,11 @@ def write_gcp_list(state: State, path: str | Path, known: Known, crs: str) -> Pa
             continue
         for what, text in (("image", files[image]), ("point", name)):
             if "\t" in text or text.startswith("#"):
-                raise InputError(f"{what} {quoted(text)} cannot stand in a gcp_list.txt; export a CSV", file=path)
+                raise InputError("export.name_not_possible", kind=what, name=quoted(text), file=path)
         numbers = [exact(value) for value in (X, Y, Z, m.x_px, m.y_px)]
         lines.append("\t".join([*numbers, files[image], name]))
     if len(lines) == 1:
-        raise InputError("no control or check point with X, Y, Z is marked; there is nothing to export", file=path)
+        raise InputError("export.no_control", file=path)
     check_new_file(path)
     with new_files(path) as (file,):
         file.write_text("\n".join(lines) + "\n", encoding="utf-8", newline="\n")

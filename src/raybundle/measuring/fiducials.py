@@ -9,7 +9,6 @@ import numpy as np
 
 from raybundle.errors import InputError
 from raybundle.io.film.fiducials import film_of
-from raybundle.io.reading.words import quoted
 from raybundle.measuring.actions import Fiducial
 from raybundle.measuring.film import Scans
 from raybundle.measuring.snap import NotSnapped, snap
@@ -40,10 +39,7 @@ def expected(state: State, image: str, scans: Scans) -> dict[str, tuple[float, f
     """
     marks = state.fiducials_in(image)
     if len(marks) < FEWEST:
-        raise InputError(
-            f"scan {quoted(image)}: {len(marks)} fiducial marks are measured; measure {FEWEST} that are not in one "
-            "line, the others are found then"
-        )
+        raise InputError("fiducial.too_few", image=image, n=len(marks), least=FEWEST)
     xy = np.array([[m.x_px, m.y_px] for m in marks.values()])
     sigma = np.sqrt([[m.covariance[0], m.covariance[1]] for m in marks.values()])
     film = film_of(image, [*marks], xy, sigma, scans.calibrated, pixel_mm=scans.pixel_mm, model=scans.model)

@@ -64,7 +64,7 @@ def read_scans(project: str | Path) -> Scans | None:
     tree = read_toml(folder / "film.toml").tree().get("film")
     model = tree.get("model").text()
     if model not in {"similarity", "affine"}:
-        raise InputError(f"model is {model}; it is similarity or affine", file=folder / "film.toml")
+        raise InputError("fiducial.unknown_model", model=model, file=folder / "film.toml")
     return Scans(
         calibrated=read_calibrated(folder / "certificate.csv"), pixel_mm=tree.get("pixel_mm").number(),
         model=cast("Straight", model),

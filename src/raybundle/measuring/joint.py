@@ -44,10 +44,7 @@ class Joint:
     def of(cls, adjustment: Adjustment) -> Joint:
         """Of an adjustment with its factor; raises InputError for one without statistics."""
         if adjustment.handle.work is None:
-            raise InputError(
-                "the adjustment has no covariances: it was made without statistics, or is a copy; adjust again with "
-                "statistics"
-            )
+            raise InputError("joint.no_covariances")
         variance = adjustment.variance_factor
         return cls(adjustment.handle.work, variance)
 
@@ -55,7 +52,7 @@ class Joint:
         """What is unknown of an image; raises InputError for one that took no part."""
         system = self.work.system
         if not system.images_used[image]:
-            raise InputError(f"image {system.block.images.ids[image]} takes no part in the adjustment")
+            raise InputError("joint.image_not_used", image=system.block.images.ids[image])
         at: list[Array] = []
         exterior = bool(system.exterior_free[image])
         if exterior:
@@ -109,7 +106,7 @@ class Joint:
 
     def _of_point(self, point: int) -> list[tuple[str, int, int]]:
         if not self.takes_part(point):
-            raise InputError(f"point {self.work.system.block.points.ids[point]} takes no part in the adjustment")
+            raise InputError("joint.point_not_used", point=self.work.system.block.points.ids[point])
         return [("point", point, axis) for axis in range(3)]
 
     def _columns(self, right: list[tuple[str, int, int]], points: list[int]) -> tuple[Array, Array]:

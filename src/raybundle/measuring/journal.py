@@ -25,7 +25,7 @@ from pathlib import Path
 from time import sleep
 from typing import Any, Self
 
-from raybundle.errors import InputError
+from raybundle.errors import InputError, Message, message
 from raybundle.io.reading.trees import json_of
 from raybundle.io.reading.words import quoted
 from raybundle.measuring.actions import Action, action_of
@@ -33,10 +33,6 @@ from raybundle.measuring.known import Known
 from raybundle.measuring.state import Fold, State
 
 SCHEMA = "1"
-READ_ONLY = (
-    "the folder {folder} cannot be written, so that nothing can be measured in it; what is there can be looked at. "
-    "Allow writing in it, or copy it to where you may write, and open it again"
-)
 LONGEST_ID, LONGEST_AUTHOR = 200, 200
 _TABLES = """
 BEGIN IMMEDIATE;
@@ -69,7 +65,7 @@ def named_folder(folder: str | Path) -> Path:
     """A folder in full; raises InputError for the root, which has no name beside which something could stand."""
     whole = Path(folder).resolve()
     if not whole.name:
-        raise InputError("nothing can be measured in it; give a project, result or block folder", file=folder)
+        raise InputError("journal.no_place", file=folder)
     return whole
 
 
@@ -81,8 +77,8 @@ def journal_path(folder: str | Path) -> Path:
         return beside
     if project.resolve() != whole and beside.is_file():
         raise InputError(
-            f"a project has one journal, {project / 'measured.db'}, and this one was begun beside its result; move one "
-            "of them away (a journal keeps what it holds under either name)",
+            "journal.two_journals",
+            other=str(project / "measured.db"),
             file=beside,
         )
     return project / "measured.db"
@@ -114,7 +110,8 @@ class Entry:
         try:
             return action_of(self.verb, self.arguments)
         except InputError as error:
-            raise InputError(f"action {self.seq} of the journal is none of ours: {error}") from None
+            details = [error.message] if error.message else []
+            raise InputError("journal.foreign_action", details=details, action=self.seq) from None
 
 
 @dataclass(slots=True)
@@ -125,7 +122,7 @@ class Journal:
     known: Known
     """What actions may name; may be exchanged when the block changes"""
     db: sqlite3.Connection
-    read_only: str = ""
+    read_only: Message | None = None
     """why nothing can be added, and what to do; empty: actions are added"""
     _file: tuple[int, int] = (0, 0)
     """device and number of the file that was opened"""
@@ -167,7 +164,7 @@ class Journal:
         _with_schema(db, path)
         rows = [(e.seq, e.id, e.time, e.author, e.verb, json.dumps(e.arguments)) for e in entries_of(path)]
         db.executemany("INSERT INTO actions VALUES (?, ?, ?, ?, ?, ?)", rows)
-        return cls(path, known, db, read_only=READ_ONLY.format(folder=path.parent))
+        return cls(path, known, db, read_only=message("journal.read_only", folder=str(path.parent)))
 
     def close(self) -> None:
         """Close the file."""
@@ -203,9 +200,9 @@ class Journal:
         chosen = id or uuid.uuid4().hex
         for what, text, most in (("id", chosen, LONGEST_ID), ("author", author, LONGEST_AUTHOR)):
             if len(text) > most:
-                raise InputError(f"{what} {quoted(text)} has {len(text)} characters; at most {most} are allowed")
+                raise InputError("journal.text_too_long", entry=what, text=quoted(text), n=len(text), most=most)
             if not text.isprintable():
-                raise InputError(f"{what} {quoted(text)} has characters that cannot be printed; choose another")
+                raise InputError("journal.text_not_printable", entry=what, text=quoted(text))
         if self.read_only:
             raise InputError(self.read_only)
         with self._lock, self._transaction():
@@ -215,10 +212,7 @@ class Journal:
             found = self.db.execute("SELECT seq, verb, arguments FROM actions WHERE id = ?", (chosen,)).fetchone()
             if found is not None:
                 if not _same(action, found[1], found[2]):
-                    raise InputError(
-                        f"action id {quoted(chosen)} was used before, by action {found[0]} ({found[1]}), which was "
-                        "another; give each action an id of its own"
-                    )
+                    raise InputError("journal.id_used", id=quoted(chosen), action=found[0], verb=found[1])
                 return int(found[0])
             settled = action.settled(self._fold.state, self.known)
             time = datetime.now(UTC).isoformat(timespec="milliseconds")
@@ -236,8 +230,7 @@ class Journal:
             there = None
         if there is None or (there.st_dev, there.st_ino) != self._file:
             raise InputError(
-                "the journal was moved, deleted or exchanged since it was opened; nothing was added. Bring the folder "
-                "back, or open it where it is now",
+                "journal.moved",
                 file=self.path,
             )
 
@@ -305,7 +298,7 @@ def _entry(row: tuple[Any, ...], path: Path) -> Entry:
     except InputError:
         arguments = None
     if not isinstance(arguments, dict):
-        raise InputError(f"action {quoted(row[0])} is damaged; restore the file from a copy", file=path)
+        raise InputError("journal.damaged", action=quoted(row[0]), file=path)
     return Entry(seq=row[0], id=row[1], time=row[2], author=row[3], verb=row[4], arguments=arguments)
 
 
@@ -324,7 +317,7 @@ def _json(action: Action) -> str:
     try:
         return json.dumps(action.arguments, ensure_ascii=False, allow_nan=False, sort_keys=True)
     except ValueError:
-        raise InputError(f"{action.verb}: a number is not finite; give finite numbers") from None
+        raise InputError("journal.number_not_finite", verb=action.verb) from None
 
 
 def _write_ahead(db: sqlite3.Connection) -> None:
@@ -343,15 +336,13 @@ def _write_ahead(db: sqlite3.Connection) -> None:
 def _with_schema(db: sqlite3.Connection, path: Path) -> None:
     tables = {r[0] for r in db.execute("SELECT name FROM sqlite_master WHERE type = 'table'")}
     if tables and not {"about", "actions"} <= tables:
-        raise InputError("is a database, but no journal of measuring; move it away", file=path)
+        raise InputError("journal.other_database", file=path)
     if not tables:
         db.executescript(_TABLES)
     found = db.execute("SELECT value FROM about WHERE name = 'schema'").fetchone()
     if found is None or found[0] != SCHEMA:
         was = "none" if found is None else found[0]
-        raise InputError(
-            f"was written by another version (schema {was}, this program reads {SCHEMA}); use that version", file=path
-        )
+        raise InputError("journal.schema", found=was, read=SCHEMA, file=path)
 
 
 def can_be_written(path: Path) -> bool:
@@ -367,13 +358,13 @@ def _telling(path: Path) -> Generator[None]:
     except (sqlite3.Error, OSError) as error:
         text = str(error)
         if "locked" in text or "busy" in text:
-            advice = "another program holds the file; end it and try again"
+            cause = "locked"
         elif "full" in text:
-            advice = "no space is left; free some and try again"
+            cause = "full"
         elif any(w in text for w in ("malformed", "not a database", "corrupt", "no such")):
-            advice = "the file is damaged or no journal; restore it from a copy, or move it away"
+            cause = "damaged"
         elif "readonly" in text or (path.parent.is_dir() and not can_be_written(path)):
-            advice = f"the folder {path.parent} cannot be written. Allow writing in it and do the last step again"
+            cause = "read_only"
         else:
-            advice = "look whether the folder exists and can be written"
-        raise InputError(f"the journal cannot be used: {text}; {advice}", file=path) from None
+            cause = "other"
+        raise InputError("journal.not_usable", cause=cause, detail=text, file=path) from None

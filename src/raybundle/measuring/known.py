@@ -54,18 +54,14 @@ class Known:
         """The image that a name means; raises InputError."""
         found = self.names.get(name)
         if found is None:
-            some = ", ".join([*self.size_px][:5]) + (" ..." if len(self.size_px) > 5 else "")
-            raise InputError(f"image {quoted(name)} is not among the {len(self.size_px)} images here: {some}")
+            raise InputError("mark.unknown_image", image=quoted(name), n=len(self.size_px), known=list(self.size_px))
         return found
 
     def inside(self, image: str, x: float, y: float) -> None:
         """Raise InputError for a place outside an image."""
         width, height = self.size_px[image]
         if not (0 <= x <= width and 0 <= y <= height):
-            raise InputError(
-                f"image {quoted(image)}: x = {x:g}, y = {y:g} lies outside the format of {width} x {height} px; pixels "
-                "count from the outer corner of the first one, to the right and down, of the file as it is stored"
-            )
+            raise InputError("mark.outside_image", image=image, x_px=x, y_px=y, width_px=width, height_px=height)
 
     def observed(self, image: str, point: str) -> bool:
         """Whether the block holds an observation of this point in this image."""

@@ -48,18 +48,14 @@ class SetMask(Action):
         del state
         check_name("mask", self.mask)
         image, n = known.image(self.image), len(self.polygon)
-        who = f"mask {quoted(self.mask)}"
         if not 3 <= n <= MOST_CORNERS:
-            raise InputError(f"{who}: {n} corners; a polygon has 3 to {MOST_CORNERS}")
+            raise InputError("mark.mask_corners", mask=self.mask, n=n, most=MOST_CORNERS)
         for k, place in enumerate(self.polygon):
             for axis, value in zip("xy", place, strict=True):
-                check_number(f"{who}, corner {k + 1}, {axis}", value)
+                check_number(f"{self.mask}, polygon[{k}].{axis}", value)
             known.inside(image, *place)
         if not (hull := hull_area(self.polygon)) >= LEAST_PX2:
-            raise InputError(
-                f"{who}: its corners span {hull:.2g} px^2, less than {LEAST_PX2:g}; give corners that are not in one "
-                "line"
-            )
+            raise InputError("mark.mask_area", mask=self.mask, area_px2=hull, least_px2=LEAST_PX2)
         return replace(self, image=image)
 
     def apply(self, draft: Draft) -> None:
@@ -76,8 +72,7 @@ class Unmask(Action):
     def settled(self, state: State, known: Known) -> Action:
         del known
         if self.mask not in state.masks:
-            there = ", ".join(map(quoted, [*state.masks][:5])) or "none"
-            raise InputError(f"there is no mask {quoted(self.mask)}; drawn are: {there}")
+            raise InputError("mark.no_mask", mask=quoted(self.mask), known=list(state.masks), n=len(state.masks))
         return self
 
     def apply(self, draft: Draft) -> None:
@@ -181,7 +176,7 @@ def write_masks(folder: Path, photos: Sequence[Photo], drawn: Mapping[str, list[
             count += 1
         if not count:
             raise InputError(
-                "no mask is drawn, and none is read from a folder; draw one in the studio, or with raybundle mark mask",
+                "mark.no_masks_at_all",
                 file=folder,
             )
     return count

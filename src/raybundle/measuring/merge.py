@@ -11,7 +11,6 @@ from raybundle.block import ROLES, Block, Distances, Observations, Points, Role
 from raybundle.block.select import selected
 from raybundle.block.transform import transform_block
 from raybundle.errors import InputError
-from raybundle.io.reading.words import quoted
 from raybundle.measuring.axes import (
     BY_POINTS,
     BY_VERTICAL,
@@ -144,10 +143,7 @@ def _with_marks(block: Block, state: State) -> Block:
     for (name, pid), mark in state.marks.items():
         i = image.get(name)
         if i is None:
-            raise InputError(
-                f"point {quoted(pid)} is marked in image {quoted(name)}, which the block does not hold: it was "
-                "measured in other photographs; remove the mark"
-            )
+            raise InputError("mark.image_not_in_block", point=pid, image=name)
         xy, C = in_camera(block, i, mark)
         rows.append((i, point[pid]))
         places.append(xy)
@@ -269,9 +265,12 @@ def check_far_apart(block: Block, state: State) -> None:
     name = p.ids[at[worst]]
     if name in state.points and far[worst] > FAR_APART * rest > 0:
         raise InputError(
-            f"control point {quoted(name)} lies {far[worst]:.3g} {block.length_unit} from the other control, "
-            f"{far[worst] / rest:.1g} times as far as that lies apart (limit {FAR_APART:.0e}); look for a decimal "
-            "point or a unit in its coordinates"
+            "mark.control_far_away",
+            point=name,
+            distance=far[worst],
+            unit=block.length_unit,
+            ratio=far[worst] / rest,
+            limit=FAR_APART,
         )
 
 
@@ -352,11 +351,7 @@ def _there(points: Sequence[str], name: str, index: Mapping[str, int], out: dict
 def _in_axes(block: Block, axes: Axes) -> Block:
     """In the axes of points, whose coordinates are held as far as they are 0 by definition."""
     if fixing := _fixing(block, upright=bool(axes.plane)):
-        raise InputError(
-            f"the coordinate system by points {', '.join(map(quoted, axes.points))} contradicts the "
-            f"{', '.join(fixing)} of the block, which tell one; take the one or the other away, or transform the "
-            "result (raybundle datum)"
-        )
+        raise InputError("axes.contradicts_block", names=axes.points, tables=fixing)
     index = {name: k for k, name in enumerate(block.points.ids)}
     at = [index.get(name, -1) for name in axes.points]
     xyz = np.array([block.points.xyz[k] if k >= 0 else np.full(3, np.nan) for k in at])
@@ -365,10 +360,7 @@ def _in_axes(block: Block, axes: Axes) -> Block:
         R, zero = by_points(xyz), BY_POINTS
     else:
         if not any(len(k.table_of(block)) for k in in_order() if k.table is not None and k.table.upright):
-            raise InputError(
-                f"the coordinate system by points {', '.join(map(quoted, axes.points))} lacks the vertical: measure a "
-                "level or a plumb line, or give a third point, in the XY plane"
-            )
+            raise InputError("axes.no_vertical", names=axes.points)
         check_direction(axes.points, xyz, UP)
         R, zero = by_vertical(xyz, UP), BY_VERTICAL
     moved = transform_block(block, SimilarityTransform(rotation=R, translation=-R @ xyz[0]), observed="stay")

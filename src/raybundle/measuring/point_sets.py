@@ -29,11 +29,9 @@ def point_set(result: Adjustment, name: str, points: Sequence[str] = ()) -> Poin
         wanted = set(points)
         mine = mine[[ids[k] in wanted for k in mine]]
     if not len(mine):
-        raise InputError(f"{name}: no point that takes part has a name of its own; measure targets, or mark points")
+        raise InputError("joint.no_named_points", name=name)
     if len(mine) > MOST:
-        raise InputError(
-            f"{name}: {len(mine)} points are more than the {MOST} whose joint covariance is formed; name some"
-        )
+        raise InputError("joint.too_many_points", name=name, n=len(mine), most=MOST)
     metres = 0.001 if block.length_unit == "mm" else 1.0
     free = result.free_scale
     return PointSet(

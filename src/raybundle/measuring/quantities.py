@@ -81,7 +81,7 @@ class Form:
         s = np.append(s, np.zeros(3 - len(s)))
         size = float(np.abs(xyz).max()) * np.finfo(float).eps * 100
         if s[0] <= size or (plane and s[1] <= max(ALONG * s[0], size)):
-            raise InputError("the points lie in one line; choose others" if plane else "points coincide; choose others")
+            raise InputError("quantity.in_line" if plane else "quantity.coincide")
         axes = axes * np.sign(axes[np.arange(3), np.argmax(np.abs(axes), axis=1)])[:, None]
         return cls(centre=centre, axes=axes, along=(xyz - centre) @ axes.T, spread=s**2)
 
@@ -128,7 +128,7 @@ def length(xyz: Array) -> Found:
     d = np.diff(xyz, axis=0)
     r = np.linalg.norm(d, axis=1)
     if not (r > 0).all():
-        raise InputError("points coincide; choose others")
+        raise InputError("quantity.coincide")
     u = d / r[:, None]
     by_points = np.zeros_like(xyz)
     by_points[:-1] -= u

@@ -12,8 +12,7 @@ import numpy as np
 
 from raybundle.adjustment.result import Adjustment
 from raybundle.block import Block
-from raybundle.errors import InputError
-from raybundle.io.reading.words import quoted
+from raybundle.errors import InputError, message
 from raybundle.measuring.axes import (
     BY_POINTS,
     BY_VERTICAL,
@@ -60,17 +59,24 @@ def ask(result: Adjustment, quantity: Quantity, points: Sequence[str]) -> Answer
     """
     question = QUANTITIES[quantity]
     if not question.least <= len(points) <= question.most:
-        most = f"at most {question.most} can be asked at once"
-        why = f"{question.count} are needed" if len(points) < question.least or question.most < MANY else most
-        raise InputError(f"{quantity}: {len(points)} points are given, {why}")
+        raise InputError(
+            "quantity.point_count",
+            quantity=quantity,
+            n=len(points),
+            least=question.least,
+            most=question.most if question.most < MANY else 0,
+        )
     at = positions(result.adjusted, points)
     try:
         found = question.of(result.adjusted.points.xyz[at])
     except InputError as error:
-        raise InputError(f"{quantity} {', '.join(map(quoted, points))}: {error}") from None
+        details = [error.message] if error.message else []
+        raise InputError("quantity.not_defined", details=details, quantity=quantity, names=points) from None
     J = found.by_points
     if not np.isfinite(J).all():
-        raise InputError(f"{quantity} {', '.join(map(quoted, points))}: points coincide; choose others")
+        raise InputError(
+            "quantity.not_defined", details=[message("quantity.coincide")], quantity=quantity, names=points
+        )
     # a polygon may come back to a point
     unique, place = np.unique(at, return_inverse=True)
     own = Joint.of(result).of_points([int(p) for p in unique])
@@ -94,8 +100,7 @@ def positions(block: Block, points: Sequence[str]) -> Array:
     index = {name: k for k, name in enumerate(block.points.ids)}
     for name in points:
         if name not in index:
-            some = ", ".join([*index][:5]) + (" ..." if len(index) > 5 else "")
-            raise InputError(f"point {quoted(name)} is not in the result; there are {some}")
+            raise InputError("joint.unknown_point", point=name, known=list(index))
     return np.array([index[name] for name in points], np.int64)
 
 
@@ -172,7 +177,7 @@ def _check_different(names: Sequence[str], level: Sequence[str]) -> None:
     """Raise InputError where a point stands twice, but for origin and axis among those of a level."""
     part = names[: 2 if level else 3]
     if len(set(part)) < len(part) or len(set(level)) < len(level):
-        raise InputError(f"the points {', '.join(map(quoted, names))} are given; give different points")
+        raise InputError("axes.same_points", names=names)
 
 
 def _turn(names: Sequence[str], frame: Array, *, by_plane: bool) -> tuple[Turn, tuple[tuple[int, ...], ...]]:

@@ -118,7 +118,7 @@ def figures_of_result(result: ResultFolder) -> Figures:
 def quantity_of(name: str) -> Quantity:
     """The quantity of a name; raises InputError."""
     if name not in CRITERIA:
-        raise InputError(f"quantity {name!r} is none of {', '.join(CRITERIA)}")
+        raise InputError("selection.unknown_quantity", quantity=repr(name), known=list(CRITERIA))
     return cast("Quantity", name)
 
 
@@ -144,7 +144,7 @@ def selected(figures: Figures, state: State, quantity: Quantity, limit: float) -
     raises         InputError for a limit that is no number
     """
     if not np.isfinite(limit):
-        raise InputError(f"the limit of {quantity} is {limit}, no finite number; give a number")
+        raise InputError("number.not_finite", entry=quantity, value=limit)
     criterion = CRITERIA[quantity]
     found = figures.used & criterion.beyond(figures.values[quantity], limit)
     if criterion.ties:

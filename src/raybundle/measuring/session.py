@@ -20,7 +20,6 @@ from raybundle.measuring.journal import measured_result
 from raybundle.measuring.known import Known
 from raybundle.numerics.progress import Progress, silent
 from raybundle.results.asked import made_as
-from raybundle.settings import option
 
 Adjust = Callable[[Block], Adjustment]
 
@@ -150,8 +149,7 @@ def block_folder(folder: str | Path) -> Path:
         if (inner / "block.toml").is_file():
             return inner
     raise InputError(
-        "is no project, result or block folder: there is no block.toml in it, in block/ or in result/block/; give what "
-        f"{option('out')} named",
+        "session.no_project",
         file=folder,
     )
 

@@ -113,7 +113,7 @@ def snap(
     """
     _check(grey, x, y, kind, reach_px)
     if kind == "patch" and reference is None:
-        raise InputError("a patch is matched against another picture; mark the point in one first, and give it")
+        raise InputError("snap.no_reference")
     if kind != "auto":
         return _snap(grey, x, y, kind, reference, reach_px)
     if reference is not None:
@@ -130,13 +130,13 @@ def snap(
 
 def _check(grey: Array, x: float, y: float, kind: str, reach_px: float) -> None:
     if kind not in ("ellipse", "corner", "cross", "patch", "auto"):
-        raise InputError(f"kind {kind!r} is none of ellipse, corner, cross, patch, auto")
+        raise InputError("snap.unknown_kind", kind=repr(kind))
     if grey.ndim != 2 or str(grey.dtype) not in {"uint8", "uint16"}:
-        raise InputError(f"grey pictures have 8 or 16 bits, not {grey.dtype} of shape {grey.shape}")
+        raise InputError("snap.image_type", kind=str(grey.dtype), shape=grey.shape)
     if not (0 <= x <= grey.shape[1] and 0 <= y <= grey.shape[0]):
-        raise InputError(f"x = {x:g}, y = {y:g} lies outside the picture of {grey.shape[1]} x {grey.shape[0]} px")
+        raise InputError("snap.outside", x_px=x, y_px=y, width_px=grey.shape[1], height_px=grey.shape[0])
     if not 0 < reach_px <= MARGIN_PX:
-        raise InputError(f"reach_px is {reach_px:g}; it must be above 0 and at most {MARGIN_PX}")
+        raise InputError("snap.reach", reach_px=reach_px, most_px=MARGIN_PX)
 
 
 def _snap(

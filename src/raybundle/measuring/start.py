@@ -133,8 +133,7 @@ def solved(block: Block, adjust: Callable[[Block], Adjustment]) -> tuple[Adjustm
             result = adjust(replace(block, cameras=held))
         except NotSolvable:
             raise error from None
-    message = f"camera{'s' * (len(free) > 1)} {', '.join(free)}: {HELD}. All that is stated holds for that"
-    notice = Notice(code="held_not_determinable", message=message, ids=tuple(free))
+    notice = Notice(code="held_not_determinable.cameras", values={"n": len(free)}, ids=tuple(free))
     return replace(result, notices=(notice, *result.notices)), True
 
 
@@ -146,9 +145,10 @@ def adjusted(made: Merged, adjust: Callable[[Block], Adjustment]) -> Adjustment:
     raises  NoOrientation that says what the photographs lack where none is oriented; what `adjust` raises
     """
     if made.lacking and not made.block.images.oriented.any() and not len(made.block.observations):
-        lines = [f"  {k.words}" for k in made.lacking[:20]]
         raise NoOrientation(
-            "no photograph is oriented yet:\n" + "\n".join(lines), images={k.image: k.words for k in made.lacking}
+            "photograph.none_oriented",
+            details=[k.message for k in made.lacking[:20]],
+            images={k.image: k.words for k in made.lacking},
         )
     result = solved(made.block, adjust)[0] if made.new else adjust(made.block)
     return with_wrong_marks(result, made.marked, alone=made.new)

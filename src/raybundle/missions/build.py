@@ -16,7 +16,6 @@ from raybundle.missions.terrain import Climbing, Ground, profile
 from raybundle.missions.vehicle import Vehicle
 from raybundle.missions.zones import cut_lines, part_of, way_round
 from raybundle.numerics.arrays import Array
-from raybundle.settings import option
 
 STANDING_S = 1.0
 """At a way point where one photograph is taken, beside what the camera needs."""
@@ -79,27 +78,21 @@ def plan_mission(task: Task) -> Mission:
             the camera can, a battery that does not reach
     """
     if task.pattern not in patterns:
-        raise InputError(f"unknown pattern {task.pattern!r}; known: {', '.join(sorted(patterns))}")
+        raise InputError("mission.unknown_pattern", pattern=repr(task.pattern), known=sorted(patterns))
     pattern = patterns[task.pattern]
     outline = checked_outline(task.outline, pattern.shape)
-    zones = tuple(checked_ring(z, f"no-go zone {k + 1}") for k, z in enumerate(task.no_go))
+    zones = tuple(checked_ring(z, "zone", str(k + 1)) for k, z in enumerate(task.no_go))
     base, spacing = pattern.steps(task.wish)
     remarks: list[str] = []
     lines, lost = cut_lines(pattern.lines(outline, task.wish), zones)
     if not lines or (pattern.shape == "area" and _covered(outline, zones)):
-        raise InputError(
-            "no-go zones cover everything that was to be photographed: no line is left; check the zones, and the "
-            "coordinate system in which they are given"
-        )
+        raise InputError("mission.area_in_zones")
     if lost:
         what = f"{lost:.0f} m of lines" if lines[0].base else f"{lost:.0f} photographs"
         remarks.append(f"no-go zones take out {what}; what is seen from there alone is not photographed")
     photographs = sum(len(line.xy) if line.base is None else line.length / line.base for line in lines)
     if photographs > MOST:
-        raise InputError(
-            f"{photographs:.0f} photographs would be taken, {MOST} are the most; photograph more coarsely "
-            f"({option('gsd')}), or divide the area"
-        )
+        raise InputError("mission.too_many_photographs", n=round(photographs), most=MOST)
     speed = _speed(task, base, remarks)
     begin = np.array(task.take_off) if task.take_off is not None else lines[0].xy[0]
     lines = _ordered(lines, begin)
@@ -136,13 +129,13 @@ def checked_outline(outline: Array, shape: str) -> Array:
     """The outline (n, 2) that a pattern needs; raises InputError for one that is none."""
     outline = np.asarray(outline, float).reshape(-1, 2)
     if shape == "area":
-        return checked_ring(outline, "the area", ", or plan a corridor along the line")
+        return checked_ring(outline, "area")
     if shape == "line":
         keep = np.append(True, np.linalg.norm(np.diff(outline, axis=0), axis=1) > 1e-6)
         if keep.sum() < 2:
-            raise InputError("the line has no extent: all its points are one; give two different points or more")
+            raise InputError("mission.line_no_extent")
         return outline[keep]
-    return checked_ring(outline, "the object") if len(outline) > 2 else outline
+    return checked_ring(outline, "object") if len(outline) > 2 else outline
 
 
 def _speed(task: Task, base: float, remarks: list[str]) -> float:
@@ -158,13 +151,17 @@ def _speed(task: Task, base: float, remarks: list[str]) -> float:
         return speed
     if task.speed > task.vehicle.speed:
         raise InputError(
-            f"{task.speed:g} m/s is more than the {task.vehicle.speed:g} m/s of {task.vehicle.name} ({option('speed')})"
+            "mission.speed_of_vehicle", speed_mps=task.speed, most_mps=task.vehicle.speed, vehicle=task.vehicle.name
         )
     if task.speed > by_interval * (1 + 1e-9):
         raise InputError(
-            f"a base of {base:.2f} m at {task.speed:g} m/s asks for a photograph every {base / task.speed:.2f} s; "
-            f"{camera.name} needs {camera.interval_s:g} s. Fly at {by_interval:.1f} m/s or less ({option('speed')}), "
-            f"higher, or with less overlap along the lines ({option('overlap')})"
+            "mission.camera_interval",
+            base_m=base,
+            speed_mps=task.speed,
+            needed_s=base / task.speed,
+            camera=camera.name,
+            interval_s=camera.interval_s,
+            most_mps=by_interval,
         )
     if task.speed > by_blur * (1 + 1e-9):
         blur = task.speed * camera.exposure_s / task.wish.gsd
@@ -293,10 +290,11 @@ def _flights(
             parts = _halves(leg, task, speed)
             if parts is None:
                 raise InputError(
-                    f"{leg.line.name} cannot be flown with one battery: the way there and back takes "
-                    f"{(into_s + back_s) / 60:.1f} min, {usable / 60:.1f} of {task.vehicle.minutes:g} min may be used. "
-                    f"Take off nearer to it ({option('take_off')}), or with a vehicle that flies longer "
-                    f"({option('battery')})"
+                    "mission.battery",
+                    flight_line=leg.line.name,
+                    needed_min=(into_s + back_s) / 60,
+                    usable_min=usable / 60,
+                    minutes_min=task.vehicle.minutes,
                 )
             waiting[:0] = parts
             continue

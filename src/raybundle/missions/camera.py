@@ -31,11 +31,11 @@ class MissionCamera:
     def __post_init__(self) -> None:
         """Refuse what is no camera."""
         for what, value in (
-            ("width", self.width_px), ("height", self.height_px), ("camera constant", self.c_px),
-            ("exposure time", self.exposure_s), ("interval", self.interval_s), ("pixel", self.pixel_mm),
+            ("width_px", self.width_px), ("height_px", self.height_px), ("c_px", self.c_px),
+            ("exposure_s", self.exposure_s), ("interval_s", self.interval_s), ("pixel_mm", self.pixel_mm),
         ):  # fmt: skip
             if not value > 0:
-                raise InputError(f"camera {self.name}: its {what} is {value:g}; it must be above 0")
+                raise InputError("mission_camera.not_positive", camera=self.name, entry=what, value=value)
 
     def distance(self, gsd: float) -> float:
         """Distance along the viewing axis [m] at which a pixel covers `gsd` [m] of a surface square to it."""

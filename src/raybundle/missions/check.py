@@ -153,7 +153,7 @@ def _matched(mission: Mission, planned: Exposures, flown: Flown) -> Array:
     match = np.full(len(flown.names), -1)
     rows = np.flatnonzero(np.isfinite(flown.xyz[:, :2]).all(axis=1))
     if not len(rows):
-        raise InputError("none of the photographs has a position; give them by a file of positions")
+        raise InputError("flight_check.no_positions")
     reach = max(mission.base / 2, NEAREST_M)
     near: list[list[int]] = KDTree(planned.xyz[:, :2]).query_ball_point(flown.xyz[rows, :2], reach)
     pairs: list[tuple[float, int, int]] = []
@@ -183,10 +183,7 @@ def _same_view(planned: Exposures, flown: Flown, i: int, j: int) -> bool:
 def _nowhere(mission: Mission, planned: Exposures, flown: Flown) -> None:
     middle = np.nanmean(flown.xyz[:, :2], axis=0) - planned.xyz[:, :2].mean(axis=0)
     away = float(np.hypot(*middle))
-    raise InputError(
-        f"no photograph lies where one was planned: in the mean they are {away:.0f} m away from the plan "
-        f" {mission.name!r}; is it the plan of another flight?"
-    )
+    raise InputError("flight_check.other_place", away_m=away, mission=mission.name)
 
 
 def _off_plan(planned: Exposures, flown: Flown, match: Array) -> Array:

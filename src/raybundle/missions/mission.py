@@ -178,12 +178,12 @@ def exposures(mission: Mission) -> Exposures:
             while end < len(w) and w.trigger[end] != Trigger.STOP:
                 end += 1
             if end == len(w):
-                raise InputError(f"way point {k + 1} starts photographs that no later one stops")
+                raise InputError("mission.no_stop", waypoint=k + 1)
             rows.append(_along(w, k, end))
             k = end
         k += 1
     if not rows:
-        raise InputError("the mission has no photograph: none of its way points starts or takes one")
+        raise InputError("mission.no_photographs")
     table = np.concatenate(rows)
     line = table[:, 5].astype(int)
     distance = np.array([np.nan if f.distance is None else f.distance for f in mission.lines] or [np.nan])
@@ -205,10 +205,10 @@ def _along(w: WayPoints, start: int, stop: int) -> Array:
     way = np.concatenate([[0.0], np.cumsum(np.linalg.norm(np.diff(xyz[:, :2], axis=0), axis=1))])
     base = float(w.base[start])
     if not base > 0:
-        raise InputError(f"way point {start + 1} starts photographs every {base:g} m; that must be above 0")
+        raise InputError("mission.base_not_positive", waypoint=start + 1, base_m=base)
     count = int(np.floor(way[-1] / base + 1e-6)) + 1
     if count > MOST:
-        raise InputError(f"way point {start + 1} starts {count} photographs, one every {base:g} m; {MOST} are the most")
+        raise InputError("mission.too_many_on_line", waypoint=start + 1, n=count, base_m=base, most=MOST)
     s = np.arange(count) * base
     s = np.minimum(s, way[-1])
     points = np.stack([np.interp(s, way, xyz[:, j]) for j in range(3)], axis=1)

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from typing import Literal
 
 import numpy as np
 
@@ -21,33 +22,27 @@ THINNEST = 1e-4
 """Share of the square of its length that an area has at least: a kilometre of a decimetre's width is a line."""
 
 
-def checked_ring(xy: Array, what: str, instead: str = "") -> Array:
+def checked_ring(xy: Array, kind: Literal["area", "object", "zone", "outline"] = "outline", name: str = "") -> Array:
     """The corners (n, 2) of a polygon, each once, counter-clockwise.
 
-    instead  what else can be done where all corners lie on one line, after a comma
-    raises   InputError for fewer than three corners, no extent, or edges that cross, with the place
+    kind, name  of the polygon, for messages
+    raises      InputError for fewer than three corners, no extent, or edges that cross, with the place
     """
     ring = np.asarray(xy, float)
     if ring.ndim != 2 or ring.shape[1] != 2 or not np.isfinite(ring).all():
-        raise InputError(f"{what}: corners of two finite coordinates are needed")
+        raise InputError("flight_area.not_finite", kind=kind, name=name)
     size = float(np.ptp(ring, axis=0).max(initial=0.0)) if len(ring) else 0.0
     keep = np.linalg.norm(ring - np.roll(ring, 1, axis=0), axis=1) > NEAR * size
     ring = ring[keep]
     if len(ring) < 3:
-        raise InputError(f"{what} has {len(ring)} different corners; an area needs three or more")
+        raise InputError("flight_area.too_few_corners", kind=kind, name=name, n=len(ring))
     crossing = _crossing(ring)
     if crossing is not None:
         i, j, (x, y) = crossing
-        raise InputError(
-            f"{what} crosses itself: the edge after corner {i + 1} and that after corner {j + 1} meet near "
-            f"{x:.1f}, {y:.1f}; put its corners into the order in which one walks round it"
-        )
+        raise InputError("flight_area.crosses_itself", kind=kind, name=name, first=i + 1, second=j + 1, x=x, y=y)
     area = signed_area(ring)
     if abs(area) <= THINNEST * size * size:
-        raise InputError(
-            f"{what} has no extent: its area is {abs(area):.3g} over a length of {size:.3g}; all its corners lie on "
-            f"one line. Give the outline of the area{instead}"
-        )
+        raise InputError("flight_area.no_area", kind=kind, name=name, area=abs(area), length=size)
     return ring if area > 0 else ring[::-1]
 
 

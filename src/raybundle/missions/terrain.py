@@ -35,14 +35,9 @@ def ground_of(grid: HeightGrid) -> Ground:
                 low, high = grid.corners.min(axis=0), grid.corners.max(axis=0)
                 x, y = xy[bad[int(np.flatnonzero(beyond)[0])]]
                 raise InputError(
-                    f"the flight reaches {x:.1f}, {y:.1f}, beyond the heights of the ground, which cover {low[0]:.1f} "
-                    f"to {high[0]:.1f}, {low[1]:.1f} to {high[1]:.1f}; give a raster that covers the area, its "
-                    "margin and the take-off"
+                    "terrain.flight_beyond", x=x, y=y, low_x=low[0], high_x=high[0], low_y=low[1], high_y=high[1]
                 )
-            raise InputError(
-                f"the height of the ground is not known at {x:.1f}, {y:.1f}, below the flight ({len(bad)} such "
-                "places); fill the holes of the raster, or give another"
-            )
+            raise InputError("terrain.void_below_flight", x=x, y=y, n=len(bad))
         return found
 
     return heights

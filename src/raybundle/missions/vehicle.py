@@ -41,7 +41,9 @@ class Vehicle:
         """Refuse what does not fly."""
         for what in ("speed", "climb", "descent", "acceleration", "minutes"):
             if not getattr(self, what) > 0:
-                raise InputError(f"vehicle {self.name}: its {what} is {getattr(self, what):g}; it must be above 0")
+                raise InputError(
+                    "mission.vehicle_not_positive", vehicle=self.name, entry=what, value=getattr(self, what)
+                )
 
     @property
     def usable_s(self) -> float:

@@ -12,7 +12,6 @@ from raybundle.errors import InputError
 from raybundle.missions.patterns.base import Line
 from raybundle.missions.polygons import distance_to, inside, signed_area, within
 from raybundle.numerics.arrays import Array, Mask
-from raybundle.settings import option
 
 CLEAR_M = 5.0
 """Kept from a no-go zone; what a receiver without corrections is off by."""
@@ -113,10 +112,7 @@ def way_round(a: Array, b: Array, zones: Sequence[Array]) -> Array:
     for what, point in (("begins", a), ("ends", b)):
         for zone in zones:
             if inside(zone, point[None])[0]:
-                raise InputError(
-                    f"a way {what} at {point[0]:.1f}, {point[1]:.1f}, within a no-go zone; move the take-off "
-                    f"({option('take_off')}) or the zone"
-                )
+                raise InputError("mission.way_in_zone", end=what, x=point[0], y=point[1])
     nodes = np.concatenate([[a, b], *(_round_corners(z) for z in zones)])
     free = np.array([not any(inside(z, n[None])[0] for z in zones) for n in nodes])
     best = np.full(len(nodes), np.inf)
@@ -133,10 +129,7 @@ def way_round(a: Array, b: Array, zones: Sequence[Array]) -> Array:
                 best[j], before[j] = length + step, k
                 heapq.heappush(queue, (length + step, j))
     if not np.isfinite(best[1]):
-        raise InputError(
-            f"no way leads from {a[0]:.1f}, {a[1]:.1f} to {b[0]:.1f}, {b[1]:.1f}: no-go zones lie all round; take off "
-            "within, or open the zones"
-        )
+        raise InputError("mission.no_way", x=a[0], y=a[1], to_x=b[0], to_y=b[1])
     chain = [1]
     while chain[-1] != 0:
         chain.append(int(before[chain[-1]]))

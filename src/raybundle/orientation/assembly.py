@@ -19,7 +19,7 @@ from raybundle.adjustment.result import Notice
 from raybundle.block import Block
 from raybundle.block.rigs import has_rigs
 from raybundle.block.select import points_left, with_rows
-from raybundle.errors import NoOrientation
+from raybundle.errors import NoOrientation, message
 from raybundle.numerics.arrays import Array, Index, Mask
 from raybundle.numerics.counting import counted
 from raybundle.numerics.progress import Progress, silent
@@ -76,13 +76,13 @@ def approximate_values(block: Block, progress: Progress = silent) -> Approximate
     left = found.not_oriented
     if left:
         observed = len(np.unique(block.observations.image))
-        lines = [f"  image {name}: {reason}" for name, reason in list(left.items())[:20]]
-        more = "" if len(left) <= 20 else f"\n  and {len(left) - 20} more"
         raise NoOrientation(
-            f"no approximate orientation for {len(left)} of {observed} images:\n" + "\n".join(lines) + more
-            + "\n  Measure more common points, or give approximate values in images.csv.",
+            "orientation.not_found",
+            details=[message("orientation.image_not_found", image=n, detail=r) for n, r in list(left.items())[:20]],
+            n=len(left),
+            total=observed,
             images=left,
-        )  # fmt: skip
+        )
     return found
 
 
@@ -155,15 +155,10 @@ def _oriented(block: Block, missing: Mask, failures: _Failures, progress: Progre
 def _notices(block: Block, found: Completed) -> tuple[Notice, ...]:
     """Points that could only be given a makeshift coordinate."""
     notices: list[Notice] = []
-    for mask, code, text in (
-        (found.behind, "start_behind", "rays that meet behind a camera"),
-        (found.weak, "start_parallel", "nearly parallel rays"),
-    ):
+    for mask, code in ((found.behind, "start_behind"), (found.weak, "start_parallel")):
         names = tuple(block.points.ids[i] for i in np.flatnonzero(mask))
         if names:
-            more = " ..." if len(names) > 10 else ""
-            message = f"{counted(len(names), 'point')} with {text} at the start: {', '.join(names[:10])}{more}"
-            notices.append(Notice(code=code, message=message, ids=names[:100]))
+            notices.append(Notice(code=code, values={"n": len(names)}, ids=names[:100]))
     return tuple(notices)
 
 

@@ -67,10 +67,7 @@ def average_start(block: Block, progress: Progress = silent) -> Block:
     off = np.linalg.norm(_misfits(R, *_ends(pairs)), axis=1)
     good = [p for p, d in zip(pairs, off.tolist(), strict=True) if part[p.first] and part[p.second] and d < WRONG]
     if not good:
-        raise NoOrientation(
-            f"no two images have a relative orientation: {LEAST_COMMON} common points whose rays meet are needed, and "
-            "depth in them; were the photographs taken of one object, and from different places?"
-        )
+        raise NoOrientation("orientation.no_pair", least=LEAST_COMMON)
     rows = np.unique(np.concatenate([r for p in good for r in p.rows]))
     progress("orienting all images at once", 0.8)
     centre, xyz, angle = _positions(rays, rows, R, n, len(block.points))

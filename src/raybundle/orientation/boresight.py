@@ -60,7 +60,7 @@ def boresight(rotation: Array, body: Array, nominal: Array | None = None) -> Bor
     mount = np.asarray(rotation, float) @ np.swapaxes(np.asarray(body, float), -1, -2)
     mount = mount[np.isfinite(mount).all(axis=(1, 2))]
     if len(mount) == 0:
-        raise InputError("no photograph has both an adjusted orientation and an attitude")
+        raise InputError("mounting.no_attitudes")
     mean = nearest_rotation(mount.mean(axis=0))
     for _ in range(5):
         small = vector_from_rotation(mount @ mean.T)
@@ -107,7 +107,7 @@ def lever_arm(centre: Array, rotation: Array, gnss: Array, sigma: Array, *, shif
     good = np.flatnonzero(np.isfinite(np.column_stack([centre, gnss])).all(axis=1) & (sigma > 0).all(axis=1))
     n = len(good)
     if n < 2:
-        raise InputError(f"{n} photographs have an orientation and a position; a lever arm needs two")
+        raise InputError("mounting.lever_arm", n=n)
     A = np.swapaxes(np.asarray(rotation, float)[good], -1, -2)
     if shift:
         A = np.concatenate([A, np.tile(np.eye(3), (n, 1, 1))], axis=2)
@@ -158,7 +158,7 @@ def comparison(
     d = np.asarray(gnss, float) - np.asarray(centre, float)
     d = d[np.isfinite(d).all(axis=1)]
     if len(d) == 0:
-        raise InputError("no photograph has both an adjusted orientation and a position")
+        raise InputError("mounting.no_positions")
     for axis, values in zip("XYZ", d.T, strict=True):
         lines.append(_row(f"{axis} [m]", values, 4))
     if attitude is not None:

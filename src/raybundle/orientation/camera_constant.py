@@ -38,7 +38,7 @@ ROUGH_PX = 2.0
 """Standard deviation of image points there: distortion is in it."""
 CROOKED = 0.1
 """Misfit of a self-calibration from which it is not believed."""
-FORMAT = "the larger side of the format"
+FORMAT = "format"
 POOR = 0.02
 """Residuals of a DLT in widths of the format beyond which it is not believed."""
 
@@ -63,23 +63,19 @@ def with_camera_constants(block: Block) -> tuple[Block, tuple[Notice, ...]]:
         if camera.values.get(symbol, 0.0) != 0 or not images[block.observations.image].any():
             continue
         if type(model).start is not SensorModel.start:
-            raise NoOrientation(
-                f"camera {camera.id}: the camera constant {symbol} is 0; of a sensor of model {camera.model} it must "
-                "be given. Write it in block.toml."
-            )
-        value, source = _found(block, camera, images)
+            raise NoOrientation("camera.constant_missing", camera=camera.id, parameter=symbol, model=camera.model)
+        value, source, count = _found(block, camera, images)
         if source == FORMAT:
             projective = projective if asked else _projective(block)
             asked = True
             found = 0.0 if projective is None else projective.block.cameras[k].values[symbol]
             if NARROW * value < found < WIDE * value:
-                value, source = found, f"a projective model of {len(block.images)} images"
+                value, source, count = found, "projective", len(block.images)
         cameras[k] = replace(camera, values={**camera.values, symbol: value})
         notices.append(
             Notice(
                 code="camera_constant",
-                message=f"camera {camera.id}: no camera constant was given; the start {value:.4g} mm comes from "
-                f"{source}. Free {symbol} unless it is known, and check it in the result.",
+                values={"camera": camera.id, "c_mm": value, "parameter": symbol, "source": source, "n": count},
                 ids=(camera.id,),
             )
         )
@@ -110,20 +106,20 @@ def checked_by_pairs(block: Block) -> Block:
     return replace(block, cameras=tuple(cameras))
 
 
-def _found(block: Block, camera: Camera, images: Mask) -> tuple[float, str]:
-    """Camera constant [mm] and where it comes from."""
+def _found(block: Block, camera: Camera, images: Mask) -> tuple[float, str, int]:
+    """Camera constant [mm], where it comes from, and of how many values it is the median."""
     size = float(camera.size_mm.max())
     by_dlt, by_plane = _from_control(block, camera, images)
     sources: tuple[tuple[Callable[[], list[float]], str], ...] = (
-        (lambda: by_dlt, "control points (direct linear transformation)"),
-        (lambda: by_plane, "control points in a plane"),
-        (lambda: _from_pairs(block, camera, images), "pairs of images"),
+        (lambda: by_dlt, "dlt"),
+        (lambda: by_plane, "plane"),
+        (lambda: _from_pairs(block, camera, images), "pairs"),
     )
     for values, source in sources:
         good = [c for c in values() if NARROW * size < c < WIDE * size]
         if good:
-            return float(np.median(good)), f"{source} ({len(good)} values)"
-    return size, FORMAT
+            return float(np.median(good)), source, len(good)
+    return size, FORMAT, 0
 
 
 def _projective(block: Block) -> SelfCalibration | None:

@@ -51,12 +51,10 @@ def dlt(xy_mm: Array, xyz: Array) -> Dlt:
     xy, X = np.asarray(xy_mm, float), np.asarray(xyz, float)
     n = len(X)
     if n < 6:
-        raise NoOrientation(f"a DLT needs six points that are not in a plane, {n} are given")
+        raise NoOrientation("dlt.too_few_points", n=n)
     centre, spread = X.mean(axis=0), np.linalg.svd(X - X.mean(axis=0), compute_uv=False)
     if spread[2] < 1e-3 * spread[0]:
-        raise NoOrientation(
-            f"the points lie in a plane within {spread[2] / spread[0]:.1e} of their extent; a DLT needs depth"
-        )
+        raise NoOrientation("dlt.plane", ratio=spread[2] / spread[0])
     s3 = np.sqrt(3) / np.mean(np.linalg.norm(X - centre, axis=1))
     c2 = xy.mean(axis=0)
     s2 = np.sqrt(2) / np.mean(np.linalg.norm(xy - c2, axis=1))
@@ -112,7 +110,7 @@ def _interpret(L: Array, covariance: Array, residuals: Array, sigma0: float, X: 
     if np.linalg.det(R) < 0:
         R = -R
     if np.mean((X - centre) @ R[2]) > 0:
-        raise NoOrientation("the DLT puts the points behind the camera: the image is mirrored, or y runs down")
+        raise NoOrientation("dlt.behind")
     cx, cy = -K[0, 0], -K[1, 1]
     return Dlt(
         parameters=L, covariance=covariance, sigma0_mm=sigma0, residuals_mm=residuals,

@@ -90,10 +90,10 @@ def fundamental_matrix(first_px: Array, second_px: Array, *, sigma_px: float) ->
     first, second = (np.ascontiguousarray(v, dtype=float) for v in (first_px, second_px))
     n = len(first)
     if n < LEAST:
-        raise NoOrientation(f"{n} corresponding points; a fundamental matrix needs at least {LEAST}")
+        raise NoOrientation("fundamental.too_few_points", n=n, least=LEAST)
     middle, size = np.stack([first.mean(axis=0), second.mean(axis=0)]), float(np.ptp(first, axis=0).max()) / 2
     if not size > 0:
-        raise NoOrientation("all points of the first image are the same; measure others")
+        raise NoOrientation("fundamental.one_point")
     limit = CRITICAL * sigma_px
     options: dict[str, Any] = {
         "max_epipolar_error": limit,
@@ -106,15 +106,11 @@ def fundamental_matrix(first_px: Array, second_px: Array, *, sigma_px: float) ->
     inliers = np.asarray(found["inliers"], bool)
     if inliers.sum() < LEAST:
         raise NoOrientation(
-            f"{int(inliers.sum())} of {n} correspondences agree with one fundamental matrix, at least {LEAST} are "
-            f"needed; check that the points belong to each other and that sigma is {sigma_px:g} px"
+            "fundamental.too_few_inliers", n=int(inliers.sum()), total=n, least=LEAST, sigma_px=sigma_px
         )
     share = float(np.mean(np.asarray(plane["inliers"], bool)[inliers]))
     if share > FLAT:
-        raise NoOrientation(
-            f"a homography explains {100 * share:.0f} % of the correspondences (limit {100 * FLAT:.0f} %): the "
-            "object is a plane or both images come from one place; take points that differ in depth, or another image"
-        )
+        raise NoOrientation("fundamental.homography", share=share, limit=FLAT)
     p, q = (first - middle[0]) / size, (second - middle[1]) / size
     state, w = _adjusted(p, q, inliers, sigma_px / size)
     for _ in range(10):

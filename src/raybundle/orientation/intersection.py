@@ -37,7 +37,7 @@ def intersection(block: Block) -> Intersection:
     used = np.unique(block.observations.image)
     missing = [block.images.ids[i] for i in used if not block.images.oriented[i]]
     if missing:
-        raise NoOrientation(f"images without exterior orientation: {', '.join(missing[:10])}; orient them first")
+        raise NoOrientation("orientation.images_missing", names=missing)
     rays = rays_of(block)
     rotation, centre = block.images.rotation[rays.image], block.images.centre[rays.image]
     xyz, _, _ = intersect_linear(centre, object_rays(rotation, rays.direction), rays.point, len(block.points))

@@ -8,6 +8,7 @@ from typing import Literal
 import numpy as np
 
 from raybundle.block import Block
+from raybundle.errors import Message, message
 from raybundle.numerics.arrays import Index
 from raybundle.numerics.counting import counted
 from raybundle.orientation.rays import image_pairs
@@ -36,32 +37,29 @@ class Lack:
 
     @property
     def words(self) -> str:
-        """A sentence for the person who measures."""
-        points = counted(self.have, "point")
-        if self.kind == "fiducials":
-            return f"scan {self.image}: {counted(self.have, 'fiducial mark')} measured: {self.need} are needed"
-        if self.kind == "film":
-            return self.said
-        if self.kind == "marks" and self.have:
-            return f"photograph {self.image}: none of its {points} is marked in another; mark {self.need} of them there"
-        if self.kind == "marks":
-            return f"photograph {self.image}: no point is marked in it; mark {self.need} that others show, too"
-        if self.kind == "common":
-            return (
-                f"photographs {self.image} and {self.other} have {self.have} common "
-                f"{'point' if self.have == 1 else 'points'}: {self.need} are needed"
-            )
-        if self.kind == "known":
-            sees = f"photograph {self.image} sees {points} with coordinates"
-            return f"{sees}: {self.need} are needed"
-        if self.kind == "base":
-            return (
-                f"photographs {self.image} and {self.other}: the rays to their {points} are parallel, they were taken "
-                "from one place; mark points in a photograph from another place"
-            )
-        return (
-            f"photograph {self.image}: no orientation fits its {points}; look at their names and places, and mark more"
-        )
+        """The same as text."""
+        return self.message.text()
+
+    @property
+    def message(self) -> Message:
+        """For the person who measures."""
+        match self.kind:
+            case "fiducials":
+                return message("photograph.lacks_fiducials", image=self.image, n=self.have, least=self.need)
+            case "film":
+                return message("photograph.film_contradicts", image=self.image, detail=self.said)
+            case "marks":
+                return message("photograph.lacks_marks", image=self.image, n=self.have, least=self.need)
+            case "common":
+                return message(
+                    "photograph.lacks_common", image=self.image, other=self.other, n=self.have, least=self.need
+                )
+            case "known":
+                return message("photograph.lacks_known", image=self.image, n=self.have, least=self.need)
+            case "base":
+                return message("photograph.lacks_base", image=self.image, other=self.other, n=self.have)
+            case "fit":
+                return message("photograph.lacks_fit", image=self.image, n=self.have)
 
     @property
     def short(self) -> str:

@@ -18,7 +18,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from raybundle.block import Block
-from raybundle.errors import NoOrientation
+from raybundle.errors import Message, NoOrientation, message
 from raybundle.numerics.arrays import Array, Index, Mask
 from raybundle.numerics.rotation import nearest_rotation
 from raybundle.orientation.epipolar import LEAST, FundamentalMatrix, fundamental_matrix
@@ -116,7 +116,7 @@ def _first_pair(block: Block, sigma_px: float, least: int) -> tuple[int, int, tu
     o = block.observations
     everything = np.ones(len(block.images), bool)
     best: tuple[float, int, int, tuple[Index, Index], FundamentalMatrix] | None = None
-    reasons: list[str] = []
+    reasons: list[Message] = []
     for a, b, common in image_pairs(o.image, o.point, everything, len(block.points), PAIRS):
         if common < least:
             break
@@ -124,14 +124,14 @@ def _first_pair(block: Block, sigma_px: float, least: int) -> tuple[int, int, tu
         try:
             F = fundamental_matrix(o.xy_px[rows[0]], o.xy_px[rows[1]], sigma_px=sigma_px)
         except NoOrientation as error:
-            reasons.append(f"{block.images.ids[a]} and {block.images.ids[b]}: {error}")
+            pair = message("projective.pair", image=block.images.ids[a], other=block.images.ids[b])
+            reasons += [replace(pair, details=(error.message,) if error.message else ())]
             continue
         score = float(F.inliers.sum()) * (1 - F.planar_share)
         if best is None or score > best[0]:
             best = (score, a, b, rows, F)
     if best is None:
-        why = reasons[0] if reasons else f"no two images have {least} points in common"
-        raise NoOrientation(f"no pair of images determines a fundamental matrix; {why}")
+        raise NoOrientation("projective.no_pair", details=reasons[:1], least=least)
     return best[1:]
 
 
@@ -293,10 +293,7 @@ def _metric(model: _Model, camera: Index, a: int, b: int) -> tuple[Array, Array,
     K, plane = unpacked(q)
     misfit = float(np.abs(_misfits(P, K[group], K[ga], plane)).max())
     if not np.isfinite(cost) or misfit > 1:
-        raise NoOrientation(
-            "no camera constants make the projective model metric; give the camera constant of one camera, or take "
-            "images whose axes converge and which are turned about their axes"
-        )
+        raise NoOrientation("projective.not_metric")
     interior = np.full((len(model.P), 3), np.nan)
     interior[known] = K[group]
     return first @ _upgrade(K[ga], plane), interior, misfit

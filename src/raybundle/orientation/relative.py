@@ -52,20 +52,17 @@ def relative_orientation(
     """
     n = len(first_px)
     if n < 6:
-        raise NoOrientation(f"a relative orientation needs six common points, {n} are given")
+        raise NoOrientation("relative.too_few_points", n=n)
     a, b = camera_rays(first, first_px), camera_rays(second, second_px)
     limit = outlier_px * float(np.mean(first.pixel_mm)) / abs(first.values["c"])
     poses = relative_all(a, b, limit)
     if not poses:
-        raise NoOrientation(f"no relative orientation explains six of {n} points within {outlier_px:g} px")
+        raise NoOrientation("relative.no_solution", n=n, limit_px=outlier_px)
     best = poses[0]
     inliers = np.flatnonzero(best.inliers)
     angle = np.arccos(np.clip(np.einsum("ni,ni->n", a[inliers], b[inliers] @ best.rotation), -1, 1))
     if np.median(angle) < np.radians(0.1):
-        raise NoOrientation(
-            f"the rays of common points are parallel within {np.degrees(np.median(angle)):.3f} degrees: the images "
-            "have no base to speak of, or all points are very far; take them from different stations"
-        )
+        raise NoOrientation("relative.parallel_rays", angle_deg=np.degrees(np.median(angle)))
     block = _pair_block(first, second, first_px[inliers], second_px[inliers], sigma_px, best, a[inliers], b[inliers])
     result = adjust_block(block, AdjustmentOptions())
     assert result.precision is not None

@@ -86,18 +86,18 @@ def resection(
     direction = camera_rays(camera, xy_px)
     inliers = np.ones(len(xyz), bool)
     if len(xyz) < 3:
-        raise NoOrientation(f"a resection needs three points, {len(xyz)} are given")
+        raise NoOrientation("resection.too_few_points", n=len(xyz))
     if np.linalg.matrix_rank(xyz - xyz.mean(axis=0), tol=1e-9 * max(float(np.ptp(xyz)), 1e-300)) < 2:
-        raise NoOrientation("the points of the resection lie in a line; measure one beside it")
+        raise NoOrientation("resection.in_line")
     if outlier_px is not None:
         limit = outlier_px * float(np.mean(camera.pixel_mm)) / abs(camera.values["c"])
         pose = resect_robust(direction, xyz, limit)
         if pose is None:
-            raise NoOrientation(f"no pose brings four points within {outlier_px:g} px")
+            raise NoOrientation("resection.no_fit", limit_px=outlier_px)
         inliers = pose.inliers
     poses = resect_all(direction[inliers], xyz[inliers])
     if not poses:
-        raise NoOrientation("no pose puts the points where they were measured; check their numbers")
+        raise NoOrientation("resection.no_solution")
     sigma = None if point_sigma is None else np.broadcast_to(np.asarray(point_sigma, float), xyz.shape)[inliers]
     block = single_image_block(camera, xy_px[inliers], xyz[inliers], sigma_px, sigma, poses[0])
     result = adjust_block(block, AdjustmentOptions(datum="control"))

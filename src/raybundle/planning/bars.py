@@ -126,10 +126,7 @@ def placed_bars(
     longest = float(far.max(initial=0.0))
     fits = far >= LONG * longest if length is None else np.abs(far / length - 1) <= ALIKE
     if not fits.any():
-        raise InputError(
-            f"no two points of the object between which a bar fits are {length or longest:g} m apart, as long as the "
-            f"scale bars are; the farthest are {longest:.3g} m apart; take shorter bars, or more points"
-        )
+        raise InputError("plan.no_place_for_bars", length_m=length or longest, longest_m=longest)
     i, j, step, far = i[fits], j[fits], step[fits], far[fits]
     axis, middle = step / far[:, None], (xyz[i] + xyz[j]) / 2
     extent = float(np.ptp(xyz, axis=0).max())

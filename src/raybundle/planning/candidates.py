@@ -78,15 +78,17 @@ def standing_places(site: Site, count: int) -> Array:
     places = np.concatenate(found)
     if not len(places):
         raise InputError(
-            f"none of {2 * TRIES * count} places drawn between {_text(a.low)} and {_text(a.high)} m may be stood at: "
-            f"the object with its clearance of {a.clearance:g} m and the forbidden boxes fill what is allowed"
+            "plan.no_station_allowed",
+            n=2 * TRIES * count,
+            low=a.low.tolist(),
+            high=a.high.tolist(),
+            clearance_m=a.clearance,
         )
     station, _ = site.faced(places)
     seen = np.bincount(station, minlength=len(places)) >= LEAST
     if not seen.any():
         raise InputError(
-            f"from none of {len(places)} places where one may stand are {LEAST} points of the object seen: the "
-            f"depth of field begins at {site.depth[0]:.3g} m, rays may be {site.incidence_deg:g} degrees off the normal"
+            "plan.object_not_seen", n=len(places), least=LEAST, near_m=site.depth[0], incidence_deg=site.incidence_deg
         )
     return places[seen]
 
@@ -199,7 +201,3 @@ def _sequence(n: int, dimensions: int) -> Array:
     for _ in range(40):
         g = (1 + g) ** (1 / (dimensions + 1))
     return (0.5 + np.arange(1, n + 1)[:, None] / g ** np.arange(1, dimensions + 1)) % 1.0
-
-
-def _text(place: Array) -> str:
-    return "(" + ", ".join(f"{v:.3g}" for v in place) + ")"

@@ -111,7 +111,7 @@ def improved(designer: Designer, start: Stations, search: Search | None = None, 
 def _improved(d: Designer, start: Stations, search: Search, count: int) -> Design:
     wrong = np.flatnonzero(~d.site.may_stand(start.centre)) if len(start) else []
     if len(wrong):
-        raise InputError(f"station {wrong[0] + 1} stands where one may not: outside the limits, too near or forbidden")
+        raise InputError("plan.station_not_allowed", station=wrong[0] + 1)
     given = d.design(start)
     history = [("as given", given.figure)]
     all_ = candidate_stations(d.site, search.places)

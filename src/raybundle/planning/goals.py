@@ -101,7 +101,7 @@ def _regarded(outlook: Outlook, goal: Goal) -> tuple[Index, float]:
         at = outlook.joint.place(named)
         missing = [name for name, k in zip(goal.points, at.tolist(), strict=True) if k < 0]
         if missing or not len(at):
-            raise InputError(f"points that take no part in the adjustment: {', '.join(missing[:10]) or 'none given'}")
+            raise InputError("plan.points_not_adjusted", names=missing, n=len(missing))
         return at, 1.0
     natural = automatic([block.points.ids[p] for p in points.tolist()])
     named = ~natural & ~block.points.is_control[points].any(axis=1)
@@ -116,7 +116,7 @@ def _calibration(outlook: Outlook, camera: str) -> Measure:
     system, result = outlook.factored.system, outlook.result
     row = next((r for r in system.interior if r.image < 0 and r.owner(system.block).id == camera), None)
     if row is None or row.node < 0 or row.camera < 0:
-        raise InputError(f"camera {camera}: none of its parameters is estimated, nothing can be lowered")
+        raise InputError("plan.camera_fixed", camera=camera)
     symbols = tuple(row.model.symbols[k] for k in row.free)
     adjusted = next(c for c in outlook.block.cameras if c.id == camera)
     shifts = projection_shifts(adjusted, symbols, columns=18, rows=12)

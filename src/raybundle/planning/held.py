@@ -70,7 +70,7 @@ def held(d: Designer, parts: Sequence[Part], wanted: Wanted) -> Held | None:
         assert isinstance(e, Expected)
         return Held(control=np.zeros(0, np.int64), control_sigma=None, bars=bars, expected=e, networks=networks)
     if wanted.control < FEWEST_CONTROL:
-        raise InputError(f"{wanted.control} control points do not give a frame; at least {FEWEST_CONTROL} do")
+        raise InputError("plan.too_few_control", n=wanted.control, least=FEWEST_CONTROL)
     rows = farthest_first(xyz, max(CANDIDATES, wanted.control))
 
     def made(chosen: list[int]) -> tuple[float, Networks, Expected | None]:
@@ -94,7 +94,7 @@ def held(d: Designer, parts: Sequence[Part], wanted: Wanted) -> Held | None:
             break
     figure, networks, e = best
     if e is None or not np.isfinite(figure):
-        raise InputError(f"{wanted.control} control points do not determine the frame of this network; take more")
+        raise InputError("plan.control_not_sufficient", n=wanted.control)
     sigma = np.full((len(xyz), 3), np.inf)
     sigma[chosen] = wanted.control_sigma
     return Held(control=np.array(sorted(chosen)), control_sigma=sigma, bars=bars, expected=e, networks=networks)

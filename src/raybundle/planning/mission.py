@@ -82,10 +82,7 @@ def mission_forecast(mission: Mission, ground: Ground, asked: Asked | None = Non
     """
     asked = asked or Asked()
     if patterns[mission.pattern].shape == "place":
-        raise InputError(
-            f"the precision of a mission {mission.pattern!r} is not predicted: what its photographs show of the object "
-            "is not known. `raybundle plan network` predicts that of an object with its shape"
-        )
+        raise InputError("plan.mission_pattern", pattern=repr(mission.pattern))
     every = exposures(mission)
     chosen = _middle(every.xyz)
     part = every.rows(chosen)

@@ -8,7 +8,7 @@ from dataclasses import dataclass, field, replace
 import numpy as np
 from threadpoolctl import threadpool_limits
 
-from raybundle.errors import InputError
+from raybundle.errors import InputError, Message, message
 from raybundle.numerics.arrays import Array, Index
 from raybundle.numerics.progress import Progress, silent
 from raybundle.objects.surface import SurfacePoints, tiles
@@ -170,9 +170,9 @@ def plan_network(
     a camera that is not stable.
     """
     if wanted is not None and aims[aim].unit != "m":
-        raise InputError(f"the aim {aim} is no standard deviation; say how many stations there are to be")
+        raise InputError("plan.aim_no_sigma", aim=aim)
     if wanted is None and stations is None and start is None:
-        raise InputError("a plan needs the standard deviation that is wanted, or the number of stations")
+        raise InputError("plan.no_goal")
     site, left_out = _reachable(site, least_rays, start if as_given else None)
     designer = Designer(Networks(site, None, least_rays), aim, progress)
     none = Stations(centre=np.zeros((0, 3)), at=np.zeros((0, 3)), roll=np.zeros(0))
@@ -242,10 +242,11 @@ def _reachable(site: Site, least_rays: int, only: Stations | None) -> tuple[Site
     left_out = SurfacePoints(xyz=p.xyz[~good], normal=p.normal[~good])
     if good.sum() < LEAST:
         raise InputError(
-            f"{int(good.sum())} of {len(p)} points of the object can be seen {least_rays} times from where one may "
-            "stand; widen the access, or allow rays that are farther off the normal"
-            if only is None
-            else f"{int(good.sum())} of {len(p)} points of the object are seen by {least_rays} of the stations"
+            "plan.too_few_visible",
+            n=int(good.sum()),
+            total=len(p),
+            least=least_rays,
+            given=only is not None,
         )
     return replace(site, points=SurfacePoints(xyz=p.xyz[good], normal=p.normal[good])), left_out
 
@@ -319,51 +320,45 @@ def _step(figures: Sequence[tuple[int, float]], wanted: float) -> int:
     return max(1, min(n, int(n * (figure / wanted) ** 2 * 0.8) - n)) if figure > 1.3 * wanted else 1
 
 
-def _beyond(d: Designer, wanted: float, reached: list[tuple[int, float]]) -> str:
+def _beyond(d: Designer, wanted: float, reached: list[tuple[int, float]]) -> Message:
     if not reached:
-        return (
-            f"no network of up to {MOST} stations shows every point {d.networks.least_rays} times from where one may "
-            "stand; widen the access, ask for fewer rays, or leave the parts out that cannot be seen"
-        )
+        return message("plan.no_network_sees_all", most=MOST, least=d.networks.least_rays)
     n, figure = min(reached, key=lambda r: r[1])
     site = d.site
     c = site.camera.sensor.camera_constant(site.camera.parameters) / site.camera.pixel_mm[0]
     near = max(site.access.clearance, site.depth[0])
-    return (
-        f"a standard deviation of {1000 * wanted:.3g} mm is beyond reach: with {n} stations it is {1000 * figure:.3g} "
-        f"mm. At the nearest distance, {near:.3g} m, {site.sigma_px:g} px of the image are "
-        f"{1000 * near * site.sigma_px / c:.2g} mm on the object; go nearer, take a longer lens or targets that are "
-        "measured more precisely"
+    return message(
+        "plan.beyond_reach",
+        wanted_mm=1000 * wanted,
+        n=n,
+        reached_mm=1000 * figure,
+        near_m=near,
+        sigma_px=site.sigma_px,
+        sigma_mm=1000 * near * site.sigma_px / c,
     )
 
 
-def _not_determined(site: Site, design: Design, least: int, *, as_given: bool) -> str:
+def _not_determined(site: Site, design: Design, least: int, *, as_given: bool) -> Message:
     s = design.stations
     station, point, _, _ = site.seen(s.centre, s.rotation)
     rays = np.bincount(point, site.share(s.centre[station], point), minlength=len(site.points))
     shown = np.bincount(station, minlength=len(s))
     if (shown < LEAST).any():
         k = int(shown.argmin())
-        return (
-            f"station {k + 1} shows {shown[k]} of {len(rays)} points of the object, fewer than the {LEAST} that orient "
-            f"it ({int((shown < LEAST).sum())} of {len(s)} stations are such): "
-            + (
-                "are stations and object in one frame, and does the camera look at it?"
-                if as_given
-                else "judge the network by more points, widen where one may stand, or take a lens of wider angle"
-            )
+        return message(
+            "plan.station_sees_too_few",
+            station=k + 1,
+            n=shown[k],
+            total=len(rays),
+            least=LEAST,
+            stations=int((shown < LEAST).sum()),
+            all_stations=len(s),
+            given=as_given,
         )
     few = int((rays < least - SURE).sum())
     if few:
-        return (
-            f"with {len(s)} stations {few} of {len(rays)} points of the object are not found {least} times; take more "
-            "stations, widen where one may stand, or a lens of wider angle"
-        )
-    held = ", or hold the camera" if site.free else ""
-    return (
-        f"a network of {len(s)} stations does not determine all unknowns; judge it by more points, or take more "
-        f"stations{held}"
-    )
+        return message("plan.too_few_rays", stations=len(s), n=few, total=len(rays), least=least)
+    return message("plan.not_determined", stations=len(s), free=bool(site.free))
 
 
 def _told(
@@ -385,11 +380,7 @@ def _told(
     promise = with_known if known_there is None else promised(d.networks, parts, progress=d.progress)
     for p in (with_known, promise):
         if not np.isfinite(p.worst):
-            raise InputError(
-                f"points of this kind are found so seldom that the network of {len(parts)} stations falls apart in "
-                f"{100 * p.lost:.0f} % of drawings of what is found; take more stations or more points, or measure "
-                "targets"
-            )
+            raise InputError("plan.points_rarely_found", n=len(parts), share=p.lost)
     loose = d.networks.with_rays(2)
     n, cost = len(parts), Cost.of(design.stations.centre)
     return NetworkPlan(

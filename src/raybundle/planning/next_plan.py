@@ -24,7 +24,6 @@ from raybundle.planning.outlook import MOST_POINTS, Outlook, points_of, wider_th
 from raybundle.planning.sight import FEWEST, GRAZING, PointSight
 from raybundle.planning.stations import Reach, reachable
 from raybundle.platforms import Carried
-from raybundle.settings import option
 
 if TYPE_CHECKING:
     from raybundle.objects.surface import Surface
@@ -153,16 +152,9 @@ def plan_next(
     shown = sight.shown(block, k, found.centre, found.rotation, least)
     enough = np.flatnonzero(np.bincount(shown.image, minlength=len(shown)) > 0)
     if not len(enough):
-        raise InputError(
-            f"from none of {len(found.centre)} stations within reach {FEWEST} points are seen that the block has; "
-            f"widen where one may stand ({option('step')}, {option('around')}) or what counts as seen "
-            f"({option('incidence')})"
-        )
+        raise InputError("plan.nothing_seen_again", n=len(found.centre), least=FEWEST)
     if photographs > len(enough):
-        raise InputError(
-            f"{option('photographs', photographs)}: there are {len(enough)} candidates that show enough points; ask "
-            "for fewer photographs"
-        )
+        raise InputError("plan.too_few_candidates", n=len(enough), wanted=photographs)
     chosen = next_best(outlook, shown.chosen(enough), goal, photographs, progress)
     rows = enough[[c.candidate for c in chosen]]
     return NextPlan(
@@ -176,7 +168,7 @@ def _outlook(result: Adjustment, aim: For, camera: str, points: tuple[str, ...])
     weak = weakest(result, factored) if aim == "worst" else ()
     regarded = points_of(result, factored, also=points or weak)
     if not len(regarded):
-        raise InputError("no object point takes part in the adjustment; there is nothing that could be seen again")
+        raise InputError("plan.no_object_points")
     interior = next((i for i in result.interior if i.camera == camera and i.image is None), None)
     # knots of surfaces in corners that no point reaches say nothing, and nobody misses them
     surfaces = any(c.id == camera and c.sensor.local_width for c in result.given.cameras)
@@ -203,7 +195,7 @@ def camera_of(result: Adjustment, used: Array, wanted: str = "") -> int:
     block = result.given
     ids = [c.id for c in block.cameras]
     if wanted and wanted not in ids:
-        raise InputError(f"there is no camera {wanted}; the block has {', '.join(ids[:10])}")
+        raise InputError("plan.unknown_camera", camera=wanted, known=ids)
     images = np.unique(block.observations.image[used])
     count = np.bincount(block.images.camera[images], minlength=len(ids))
     fit = np.array([is_frame_camera(result, k) for k in range(len(ids))])
@@ -214,13 +206,9 @@ def camera_of(result: Adjustment, used: Array, wanted: str = "") -> int:
     else:
         k = int(count.argmax())
     if not fit[k]:
-        raise InputError(
-            f"camera {ids[k]} is a {block.cameras[k].model}: further photographs are proposed for frame cameras, each "
-            "photograph of which has a station of its own and the interior orientation of the others; not for scenes, "
-            "line scanners, rolling shutters, cameras on a rig, nor interior orientations of single photographs"
-        )
+        raise InputError("plan.no_frame_camera", camera=ids[k], model=block.cameras[k].model)
     if not count[k]:
-        raise InputError(f"camera {ids[k]} has no photograph that takes part; nothing is known of it")
+        raise InputError("plan.camera_not_used", camera=ids[k])
     return k
 
 

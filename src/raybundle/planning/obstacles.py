@@ -39,10 +39,7 @@ class Obstacles:
         off = distances.of(xyz)
         extent = min(surface.extent, float(np.ptp(xyz, axis=0).max()))
         if np.median(off) > ASIDE * extent:
-            raise InputError(
-                f"object {surface.name}: half of the points lie more than {np.median(off):.3g} off its surface, and "
-                f"more than {ASIDE * extent:.3g} is too much; give it in the frame and the length unit of the block"
-            )
+            raise InputError("plan.object_elsewhere", name=surface.name, off=np.median(off), limit=ASIDE * extent)
         sight = Sight(surface)
         before = max(OFF_SURFACE * float(np.quantile(off, 0.9)), sight.off)
         return cls(surface=surface, xyz=xyz, sight=sight, distances=distances, before=before)

@@ -50,7 +50,7 @@ def surface_of_result(block: Block) -> Surface:
     raises  InputError for a block without stations or with too few points of three rays
     """
     if not np.isfinite(block.images.centre).all():
-        raise InputError(f"block {block.name}: has photographs without orientation; adjust or orient it before")
+        raise InputError("plan.not_oriented", block=block.name)
     rows, towards = good_points(block)
     surface = surface_of_points(block.points.xyz[rows] * _metres(block), towards, block.name)
     return replace(surface, about=f"{surface.about}, of a scale that is arbitrary") if block.free_scale else surface
@@ -68,7 +68,7 @@ def stations_of_result(block: Block) -> Stations:
     centre, rotation = block.images.centre * _metres(block), block.images.rotation
     bad = np.flatnonzero(~(np.isfinite(centre).all(axis=1) & np.isfinite(rotation).all(axis=(1, 2))))
     if len(bad):
-        raise InputError(f"photograph {block.images.ids[bad[0]]} of block {block.name} has no orientation")
+        raise InputError("plan.photograph_not_oriented", block=block.name, image=block.images.ids[bad[0]])
     rows, _, _ = points_of_result(block)
     middle = _metres(block) * block.points.xyz[rows].mean(axis=0) if len(rows) else np.zeros(3)
     far = np.maximum(np.einsum("ni,ni->n", centre - middle, rotation[:, 2]), 1e-3)

@@ -24,9 +24,9 @@ class Optics:
 
     def __post_init__(self) -> None:
         """Raise InputError for what no lens has."""
-        for word, value in (("f-number", self.f_number), ("focus distance", self.focus), ("blur", self.blur_px)):
+        for word, value in (("f_number", self.f_number), ("focus", self.focus), ("blur_px", self.blur_px)):
             if not value > 0:
-                raise InputError(f"{word} {value:g} must be above 0")
+                raise InputError("lens.not_positive", entry=word, value=value)
 
     def hyperfocal(self, c_mm: float, pixel_mm: float) -> float:
         """Distance [m] from which on all is sharp where the lens is focused there: c^2 / (N u) + c.
@@ -42,7 +42,7 @@ class Optics:
         """
         f, h = c_mm / 1000, self.hyperfocal(c_mm, pixel_mm)
         if self.focus <= f:
-            raise InputError(f"a lens with c = {c_mm:g} mm cannot be focused at {self.focus:g} m")
+            raise InputError("lens.focus_too_near", c_mm=c_mm, focus_m=self.focus)
         if np.isinf(self.focus):
             return h, float("inf")
         near = h * self.focus / (h + (self.focus - f))

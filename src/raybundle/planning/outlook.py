@@ -123,7 +123,7 @@ def _freed(result: Adjustment, block: Block, camera: str) -> tuple[Block, tuple[
     owner = next((c for c in block.cameras if c.id == camera), None)
     interior = next((i for i in result.interior if i.camera == camera and i.image is None), None)
     if owner is None or interior is None:
-        raise InputError(f"camera {camera}: there is no interior orientation that its photographs share")
+        raise InputError("plan.no_common_interior", camera=camera)
     lost = {s for s, p in interior.parameters.items() if p.status == "not determinable"}
     model, values = owner.sensor, owner.parameters
 

@@ -167,9 +167,12 @@ def _visible(scene: Scene, survey: Survey) -> tuple[Scene, Index, Index, Array]:
     scene = replace(scene, xyz=scene.xyz[keep], normal=normal)
     if len(scene.xyz) < max(3, survey.control + survey.check, 2 * survey.scale_bars):
         raise InputError(
-            f"simulation: only {len(scene.xyz)} points are seen {survey.least_rays} times, {survey.control} control "
-            f"and {survey.check} check points and {survey.scale_bars} scale bars of two points each are wanted; add "
-            "points or stations, or bring the stations nearer"
+            "simulation.too_few_points",
+            n=len(scene.xyz),
+            rays=survey.least_rays,
+            control=survey.control,
+            check=survey.check,
+            bars=survey.scale_bars,
         )
     return scene, image[rows], new[point[rows]], xy[rows]
 

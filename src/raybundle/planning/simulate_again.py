@@ -32,8 +32,12 @@ def simulate_again(block: Block, survey: Survey, image_sigma_px: float | None = 
     if not kept.all():
         k = int(np.flatnonzero(~kept)[0])
         raise InputError(
-            f"block {block.name}: photograph {block.images.ids[o.image[k]]} does not show point "
-            f"{points.ids[o.point[k]]} from where it stands, {int((~kept).sum())} of {len(kept)} image points are such"
+            "simulation.point_not_visible",
+            block=block.name,
+            image=block.images.ids[o.image[k]],
+            point=points.ids[o.point[k]],
+            n=int((~kept).sum()),
+            total=len(kept),
         )
     cov = o.cov_px2 if image_sigma_px is None else np.tile([image_sigma_px**2, image_sigma_px**2, 0.0], (len(exact), 1))
     tables = exact_tables(block)
@@ -59,23 +63,19 @@ def _noise(cov: Array, rng: np.random.Generator) -> Array:
 
 def _check(block: Block) -> None:
     if any(c.is_scene for c in block.cameras):
-        raise InputError(f"block {block.name}: has satellite scenes; photographs alone are simulated again")
+        raise InputError("simulation.has_scenes", block=block.name)
     placed = np.column_stack([block.images.centre, block.images.rotation.reshape(-1, 9)])
     ok = np.asarray(np.isfinite(placed).all(axis=1))
     if not ok.all():
-        raise InputError(
-            f"block {block.name}: photograph {block.images.ids[int((~ok).argmax())]} has no orientation; "
-            "adjust it before"
-        )
+        raise InputError("plan.photograph_not_oriented", block=block.name, image=block.images.ids[int((~ok).argmax())])
     known = np.asarray(np.isfinite(block.points.xyz).all(axis=1))
     rays = np.bincount(block.observations.point, minlength=len(block.points)) > 0
     if not (known | ~rays).all():
         raise InputError(
-            f"block {block.name}: point {block.points.ids[int((rays & ~known).argmax())]} has no coordinates; "
-            "adjust it before"
+            "simulation.point_unknown", block=block.name, point=block.points.ids[int((rays & ~known).argmax())]
         )
     partly = (np.asarray(block.points.role) == Role.CONTROL) & ~np.isfinite(block.points.sigma).any(axis=1)
     if partly.any():
         raise InputError(
-            f"block {block.name}: control point {block.points.ids[int(partly.argmax())]} has no standard deviation"
+            "simulation.control_without_sigma", block=block.name, point=block.points.ids[int(partly.argmax())]
         )

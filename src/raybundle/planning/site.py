@@ -37,10 +37,10 @@ class Access:
     def __post_init__(self) -> None:
         """Raise InputError where nothing is left."""
         if not (np.isfinite(self.low).all() and np.isfinite(self.high).all()):
-            raise InputError("where one may stand: a limit is no finite number")
+            raise InputError("site.limit_not_finite")
         for axis, low, high in zip("XYZ", self.low.tolist(), self.high.tolist(), strict=True):
             if high < low:
-                raise InputError(f"where one may stand: {axis} from {low:g} to {high:g} m leaves nothing")
+                raise InputError("site.empty", axis=axis, low_m=low, high_m=high)
 
 
 @dataclass(frozen=True, kw_only=True)

@@ -12,7 +12,6 @@ from raybundle.errors import InputError
 from raybundle.numerics.arrays import Array, Index, Mask
 from raybundle.numerics.rotation import rotation_from_vector
 from raybundle.planning.sight import well_spread
-from raybundle.settings import option
 
 MOST = 1000
 """Candidates."""
@@ -83,7 +82,7 @@ def reachable(
     seen = np.bincount(o.image[used], minlength=len(images)) > 0
     mine = np.flatnonzero(seen & (images.camera == camera))
     if not len(mine):
-        raise InputError(f"camera {block.cameras[camera].id} has no photograph that takes part")
+        raise InputError("plan.camera_not_used", camera=block.cameras[camera].id)
     rows = np.flatnonzero(used & (images.camera[o.image] == camera))
     distance = float(np.median(np.linalg.norm(block.points.xyz[o.point[rows]] - images.centre[o.image[rows]], axis=1)))
     xyz = block.points.xyz[points]
@@ -98,10 +97,7 @@ def reachable(
     if up is not None and reach.heights is None:  # people stand on the ground
         within &= centre @ up >= (images.centre[mine] @ up).min() - 1e-9 * distance
     if not within.any():
-        raise InputError(
-            f"none of {len(within)} stations is within what is allowed ({option('step')}, {option('around')}, "
-            f"{option('heights')}, {option('clearance')}, {option('forbid')}); widen it"
-        )
+        raise InputError("plan.no_station_within", n=len(within))
     centre, towards, like = centre[within], towards[within], like[within]
     chosen = well_spread(centre, max(1, reach.most // len(ROLLS)))
     centre, towards, like = centre[chosen], towards[chosen], like[chosen]

@@ -68,18 +68,14 @@ def ticked(planned: Stations, taken: Stations) -> Ticked:
     fits = [_fitted(planned, taken, frame) for _, frame in tried[:REFINED]]
     worth = np.array([_closeness(planned, taken, of, off, frame) for frame, of, off in fits])
     if not fits:
-        raise InputError("photographs of one place cannot be laid onto the list: are they of this list?")
+        raise InputError("plan.one_place")
     fair = np.flatnonzero(worth > worth.max() - SAME * len(np.unique(fits[int(worth.argmax())][1])))
     k = max(fair.tolist(), key=lambda i: (_order(fits[i][1]), worth[i]))
     frame, of, off = fits[k]
     agree, wanted = len(np.unique(of[of >= 0])), min(len(planned), len(taken))
     close = _nearness(of, off).sum() / max(agree, 1)
     if agree < max(min(3, len(planned)), SHARE * wanted) or close < CLOSE:
-        raise InputError(
-            f"the stations of these photographs agree with the list in {agree} of {wanted} places at most, and are off "
-            f"by {NEAR * (1 - close):.2f} of the distance to the object there ({NEAR * (1 - CLOSE):.2f} are allowed in "
-            "the mean): are they of this list?"
-        )
+        raise InputError("plan.other_list", n=agree, total=wanted, off=NEAR * (1 - close), limit=NEAR * (1 - CLOSE))
     count = np.bincount(of[of >= 0], minlength=len(planned))
     return Ticked(
         of=of, missing=np.flatnonzero(count == 0), doubled=np.flatnonzero(count > 1),

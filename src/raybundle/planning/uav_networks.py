@@ -15,7 +15,6 @@ from raybundle.numerics.rotation import rotation_from_vector
 from raybundle.planning.aerial import PLACES, control_rows
 from raybundle.planning.aerial_block import Aerial, aerial_block
 from raybundle.planning.scenes import Scene, brown_camera
-from raybundle.settings import option
 
 LEAST_POINTS = 4
 """Tie points along the shorter side of the ground"""
@@ -180,10 +179,7 @@ def flight_aerial(plan: Flight) -> Aerial:
     """
     scene = flight_scene(plan)
     if plan.control and plan.control not in PLACES:
-        known = ", ".join(map(str, PLACES))
-        raise InputError(
-            f"{plan.control} control points: where they lie is known for {known} ({option('control_points')})"
-        )
+        raise InputError("simulation.control_layout", n=plan.control, known=list(PLACES))
     heading = scene.rotation[:, 1] * [1.0, 1.0, 0.0]  # upwards in the image is ahead
     speed = plan.speed / np.linalg.norm(heading, axis=1, keepdims=True)
     whole = Aerial(
@@ -197,14 +193,18 @@ def flight_aerial(plan: Flight) -> Aerial:
     count = np.bincount(aerial_block(whole).observations.image, minlength=len(scene.centre))
     keep = np.flatnonzero(count >= plan.least_points)
     if len(keep) < 2:
-        across = " x ".join(f"{side:.3g}" for side in plan.footprint)
         wide, long = plan.sides
         dense = max(plan.sides) / (plan.points - 1)
         raise InputError(
-            f"flight: {len(keep)} of {len(count)} photographs show {plan.least_points} tie points or more, two are "
-            f"needed. A photograph covers {across} m, tie points lie {dense:.3g} m apart over {wide:.3g} x {long:.3g} "
-            f"m, photographs {plan.base:.3g} m and lines {plan.spacing:.3g} m: bring "
-            f"these figures together ({option('height')}, {option('base')}, {option('line_spacing')}, "
-            f"{option('ground')}, {option('tie_points')}, {option('jitter')})"
+            "simulation.too_few_photographs",
+            n=len(keep),
+            total=len(count),
+            least=plan.least_points,
+            across_m=list(plan.footprint),
+            spacing_m=dense,
+            width_m=wide,
+            length_m=long,
+            base_m=plan.base,
+            lines_m=plan.spacing,
         )
     return whole if len(keep) == len(count) else whole.part(keep)

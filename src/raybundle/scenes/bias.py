@@ -35,7 +35,7 @@ def bias_kind(name: str) -> BiasKind:
     for kind in BIAS_PARAMETERS:
         if kind == name:
             return kind
-    raise InputError(f"unknown bias model {name!r}; known: {', '.join(BIAS_PARAMETERS)}")
+    raise InputError("bias.unknown_model", name=repr(name), known=list(BIAS_PARAMETERS))
 
 
 def bias_design(kind: BiasKind, uv: Array) -> Array:

@@ -96,9 +96,9 @@ def choose_bias(
     """
     geographic, xy_px = np.asarray(geographic, float), np.asarray(xy_px, float)
     if len(xy_px) == 0 or len(xy_px) != len(geographic):
-        raise InputError(f"{len(geographic)} ground points and {len(xy_px)} image points; at least one pair is needed")
+        raise InputError("bias.point_count", ground=len(geographic), image=len(xy_px))
     if not sigma_px > 0:
-        raise InputError(f"sigma of the image points {sigma_px:g} px must be positive")
+        raise InputError("image_point.sigma_not_positive_px", sigma_px=sigma_px)
     projected = rpc.project(geographic)
     covariance, heights = point_covariance(rpc, geographic, sigma_px, sigma_ground_m)
     uv = (projected - rpc.image_offset) / rpc.image_scale
@@ -148,12 +148,16 @@ def check_fit(advice: BiasAdvice, fit: BiasFit) -> None:
     """Raise NotSolvable where a fit leaves residuals so large that nothing should be built on it."""
     if fit.misfit > LARGEST_MISFIT:
         x, y = fit.rms
-        other = f"{advice.advised.kind} is advised; " if fit.kind != advice.advised.kind else ""
         raise NotSolvable(
-            f"the points do not fit the RPC with bias {fit.kind}: residuals of rms {x:.3g}, {y:.3g} px are "
-            f"{fit.misfit:.3g} times their sigma (limit {LARGEST_MISFIT:g}, sigma {advice.sigma_px:g} px); "
-            f"{other}look whether points and scene belong together, whether heights are above the ellipsoid and pixels "
-            "count from the outer corner, or state a larger sigma if the points are measured no better"
+            "bias.misfit",
+            model=fit.kind,
+            advised=advice.advised.kind,
+            better=fit.kind != advice.advised.kind,
+            x_px=x,
+            y_px=y,
+            misfit=fit.misfit,
+            limit=LARGEST_MISFIT,
+            sigma_px=advice.sigma_px,
         )
 
 

@@ -56,7 +56,7 @@ class Fixes:
     def __post_init__(self) -> None:
         """Refuse numbers that are none."""
         if not 2 <= self.count <= MOST:
-            raise InputError(f"{self.count} orientation fixes; from 2 to {MOST} can be given")
+            raise InputError("orientation_fix.count", n=self.count, most=MOST)
 
     @property
     def coefficients(self) -> int:
@@ -96,13 +96,13 @@ class FixesAt:
     def __post_init__(self) -> None:
         """Refuse times that are none, or that say nothing of the image."""
         if not 2 <= len(self.at) <= MOST:
-            raise InputError(f"{len(self.at)} orientation fixes; from 2 to {MOST} can be given")
+            raise InputError("orientation_fix.count", n=len(self.at), most=MOST)
         step = np.diff(self.at)
         if not (np.isfinite(self.at).all() and (step > 0).all()):
             k = int(np.argmin(step))
-            raise InputError(f"orientation fixes: fix {k + 2} does not follow fix {k + 1} in time; sort them")
+            raise InputError("orientation_fix.time_order", earlier=k + 1, later=k + 2)
         if self.at[0] >= 1 or self.at[-1] <= -1:
-            raise InputError("orientation fixes: all of them lie before the first line or after the last")
+            raise InputError("orientation_fix.outside_image")
 
     @property
     def coefficients(self) -> int:
@@ -156,14 +156,11 @@ class Pieces:
     def __post_init__(self) -> None:
         """Refuse numbers that are none."""
         if not 1 <= self.degree <= 3:
-            raise InputError(f"pieces of degree {self.degree}; 1, 2 or 3 can be given")
+            raise InputError("pieces.degree", degree=self.degree)
         if self.continuity is not None and not 0 <= self.continuity < self.degree:
-            raise InputError(
-                f"continuity {self.continuity} of pieces of degree {self.degree}; from 0 to {self.degree - 1} "
-                "can be given"
-            )
+            raise InputError("pieces.continuity", continuity=self.continuity, degree=self.degree, most=self.degree - 1)
         if not 1 <= self.count <= MOST or self.coefficients > MOST:
-            raise InputError(f"{self.count} pieces; from 1 to as many as have {MOST} coefficients can be given")
+            raise InputError("pieces.count", n=self.count, coefficients=self.coefficients, most=MOST)
 
     @property
     def new(self) -> int:

@@ -115,16 +115,20 @@ def fit_empirical(
     """
     model, xyz, xy_px = _named(name), np.asarray(xyz, float), np.asarray(xy_px, float)
     if not sigma_px > 0:
-        raise InputError(f"sigma of the image points {sigma_px:g} px must be positive")
+        raise InputError("image_point.sigma_not_positive_px", sigma_px=sigma_px)
     if strange := [s for s in without if s not in model.additional]:
-        have = f"only {', '.join(model.additional)} can be left out" if model.additional else "none can be left out"
-        raise InputError(f"{name}: {', '.join(strange)} is no additional parameter of this model; {have}")
+        raise InputError(
+            "empirical.no_additional_parameter",
+            model=name,
+            names=strange,
+            known=model.additional,
+            n=len(model.additional),
+        )
     free = np.array([k for k, s in enumerate(model.symbols) if s not in without], np.int32)
     least = (len(free) + 1) // 2
     if len(xyz) != len(xy_px) or len(xyz) < least:
         raise InputError(
-            f"{name}: {len(xyz)} object and {len(xy_px)} image points; {len(free)} parameters need at least "
-            f"{least} of both"
+            "empirical.too_few_points", model=name, object=len(xyz), image=len(xy_px), parameters=len(free), least=least
         )
     normalisation = Normalisation.of(xyz, xy_px)
     X = (xyz - normalisation.object_offset) / normalisation.object_scale
@@ -172,12 +176,9 @@ def _least_squares(model: EmpiricalModel, X: Array, uv: Array, free: Index) -> t
     A = found.jacobian
     scale = np.linalg.norm(A, axis=0)
     if not (np.isfinite(A).all() and (scale > 0).all()) or np.linalg.cond(A / scale) > 1e8:
-        raise RankDefect(
-            f"{model.name}: its {k} parameters are not determined by these points; they lie in a plane or a line, "
-            "or are too few; take a model with fewer parameters or points at other heights"
-        )
+        raise RankDefect("empirical.not_determined", model=model.name, n=k)
     if not found.settled:
-        raise NoConvergence(f"{model.name}: no minimum after {found.steps} iterations; the points may hold a blunder")
+        raise NoConvergence("empirical.no_minimum", model=model.name, n=found.steps)
     return full(found.values), A.T @ A, found.residuals.reshape(-1, 2)
 
 
@@ -202,5 +203,5 @@ def _adequate(
 
 def _named(name: str) -> EmpiricalModel:
     if name not in empirical_models:
-        raise InputError(f"unknown empirical model {name!r}; known: {', '.join(empirical_models)}")
+        raise InputError("empirical.unknown_model", name=repr(name), known=sorted(empirical_models))
     return empirical_models[name]

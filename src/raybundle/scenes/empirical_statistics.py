@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from raybundle.errors import InputError, NotSolvable
+from raybundle.errors import InputError, Message, NotSolvable
 from raybundle.numerics.arrays import Array
 from raybundle.numerics.statistics import DELTA0, family_wise_normal
 from raybundle.scenes.empirical import EmpiricalFit, fit_empirical
@@ -138,6 +138,8 @@ class Candidate:
     left_out_rms_px: float
     """Of the image coordinates left out one by one; NaN where there is no redundancy."""
     reason: str
+    refused: Message | None = None
+    """Why it cannot be fitted."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -165,7 +167,7 @@ def choose_empirical(
         found += [_candidate(name, xyz, xy_px, sigma_px) for name in PLANE]
     fitted = [c for c in found if c.fit is not None]
     if not fitted:
-        raise InputError("no empirical model can be fitted:\n" + "\n".join(f"  {c.reason}" for c in found))
+        raise InputError("empirical.none_fitted", details=[c.refused for c in found if c.refused])
     good = [c for c in fitted if c.fit is not None and c.fit.adequate and c.fit.redundancy > 0]
     if not good:
         least = min(fitted, key=lambda c: c.left_out_rms_px if np.isfinite(c.left_out_rms_px) else np.inf)
@@ -187,7 +189,9 @@ def _candidate(name: str, xyz: Array, xy_px: Array, sigma_px: float) -> Candidat
     try:
         fit = fit_empirical(name, xyz, xy_px, sigma_px=sigma_px)
     except (InputError, NotSolvable) as error:
-        return Candidate(name=name, fit=None, left_out_rms_px=float("nan"), reason=error.headline)
+        return Candidate(
+            name=name, fit=None, left_out_rms_px=float("nan"), reason=error.headline, refused=error.message
+        )
     left_out = empirical_statistics(fit).left_out_px
     known = left_out[np.isfinite(left_out)]
     rms = float(np.sqrt(np.mean(known**2))) if fit.redundancy and len(known) else float("nan")

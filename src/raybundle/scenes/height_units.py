@@ -89,9 +89,13 @@ def check_height_unit(
         return
     (shift, shift_then), (rms, rms_then) = found.shift_px, found.rms_px
     raise NotSolvable(
-        f"the heights of the control seem to be in {found.name}: as given the image is shifted by {shift:.3g} px with "
-        f"residuals of {rms:.2g} px, in {found.name} by {shift_then:.3g} px with residuals of {rms_then:.2g} px; give "
-        f"heights in metres ({found.name} times {UNITS[found.name]:g})"
+        "scene_control.height_unit",
+        unit=found.name,
+        factor=UNITS[found.name],
+        shift_px=shift,
+        rms_px=rms,
+        shift_then_px=shift_then,
+        rms_then_px=rms_then,
     )
 
 

@@ -32,19 +32,21 @@ def check_image_axes(rpc: Rpc, geographic: Array, xy_px: Array, size_px: tuple[i
     width, height = size_px
     x, y = xy_px.T
     mends = {
-        "x and y exchanged": (y, x),
-        "y counted from the lower edge": (x, height - y),
-        "x counted from the right edge": (width - x, y),
-        "x and y counted from the lower right corner": (width - x, height - y),
+        "exchanged": (y, x),
+        "y": (x, height - y),
+        "x": (width - x, y),
+        "corner": (width - x, height - y),
     }
     away = {name: _spread(np.stack(xy, axis=1) - projected) for name, xy in mends.items()}
     best = min(away, key=lambda name: away[name])
-    hint = "look whether points and scene belong together, and in which order x_px and y_px stand"
-    if DECIDEDLY * away[best] < _spread(xy_px - projected):
-        hint = f"likely cause: {best}, with which the points fit within {away[best]:.3g} px"
+    found = DECIDEDLY * away[best] < _spread(xy_px - projected)
     raise NotSolvable(
-        f"the control points turn or stretch the image by {share:.0%} (bias {fit.kind}, limit {LARGEST_SLOPE:.0%}), "
-        f"which no RPC needs; {hint}"
+        "scene_control.image_axes",
+        share=share,
+        limit=LARGEST_SLOPE,
+        model=fit.kind,
+        cause=best if found else "none",
+        rms_px=away[best],
     )
 
 

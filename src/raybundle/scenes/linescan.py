@@ -79,14 +79,14 @@ class LineScene:
     def __post_init__(self) -> None:
         """Refuse tables that do not fit each other."""
         for name, table, values in (
-            ("line times", self.line_y, self.line_times),
-            ("viewing directions", self.detector_x, self.detector_look),
+            ("line_times", self.line_y, self.line_times),
+            ("viewing_directions", self.detector_x, self.detector_look),
         ):
             if len(table) < 2 or len(table) != len(values) or not (np.diff(table) > 0).all():
-                raise InputError(f"{name}: at least two entries in increasing order are needed, {len(table)} are given")
+                raise InputError("line_scene.table_order", table=name, n=len(table))
         step = np.diff(self.line_times)
         if not ((step > 0).all() or (step < 0).all()):
-            raise InputError("line times: they must all increase or all decrease along the image")
+            raise InputError("line_scene.times_not_monotonic")
         ends = self.time(np.array([0.5, self.height_px - 0.5]))[0]
         self.trajectory.check_cover(float(ends.min()), float(ends.max()))
 
@@ -210,10 +210,7 @@ class LineScene:
             k = int(np.argmin(root))
             miss = np.linalg.norm(P[k] - np.dot(P[k], d[k]) * d[k]) - self.ellipsoid.a - h[k]
             x, y = xy_px[k]
-            raise NotSolvable(
-                f"the ray of image point {x:.2f}, {y:.2f} px passes the body by {miss:.1f} m at height {h[k]:g} m; "
-                "the image looks past its limb there, or the attitude is wrong"
-            )
+            raise NotSolvable("line_scene.ray_misses_body", x_px=x, y_px=y, miss_m=miss, height_m=h[k])
         return (-b - np.sqrt(root)) / a
 
     def project(self, geographic: Array, model: CorrectionModel = NO_CORRECTION, values: Array | None = None) -> Array:
@@ -254,9 +251,13 @@ class LineScene:
                 k = int(np.flatnonzero(lost)[np.argmax(still)])
                 lon, lat, h = seen.geographic[k]
                 raise NoConvergence(
-                    f"point {k} at longitude {lon:.6f}, latitude {lat:.6f}, height {h:.1f} m was not seen by this "
-                    f"scene (last line tried {xy[k, 1]:.1f} of {self.height_px}); check that point and scene belong "
-                    "together"
+                    "line_scene.point_not_seen",
+                    point=k,
+                    longitude_deg=lon,
+                    latitude_deg=lat,
+                    height_m=h,
+                    last_line=xy[k, 1],
+                    lines=self.height_px,
                 )
         _, G, partials, touched = self._condition(seen, xy, model, values)
         solved = -np.linalg.solve(G, partials)

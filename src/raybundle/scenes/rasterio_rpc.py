@@ -32,7 +32,7 @@ def rpc_from_rasterio(rpcs: Any) -> Rpc:
             err_rand_m=_known(getattr(rpcs, "err_rand", None)),
         )
     except (AttributeError, TypeError, ValueError) as error:
-        raise InputError(f"{type(rpcs).__name__} is no RPC as rasterio has it: {error}") from None
+        raise InputError("rpc.not_of_rasterio", kind=type(rpcs).__name__, detail=str(error)) from None
 
 
 def rasterio_from_rpc(rpc: Rpc) -> Any:
@@ -43,7 +43,7 @@ def rasterio_from_rpc(rpc: Rpc) -> Any:
     try:
         kind: Any = import_module("rasterio.rpc").RPC  # an extra
     except ImportError:
-        raise InputError("rasterio is not installed: pip install 'raybundle[geo]'") from None
+        raise InputError("package.rasterio_missing") from None
     x, y = (rpc.image_offset - 0.5).tolist()
     lon, lat, height = rpc.ground_offset.tolist()
     lon_scale, lat_scale, height_scale = rpc.ground_scale.tolist()

@@ -87,20 +87,17 @@ class Rpc:
         for name, shape in SHAPES.items():
             values = getattr(self, name)
             if np.shape(values) != shape or not np.isfinite(values).all():
-                raise InputError(f"RPC: {name} must be {shape} finite numbers, not of shape {np.shape(values)}")
+                raise InputError("rpc.wrong_shape", name=name, shape=np.shape(values), needed=shape)
         for name in ("ground_scale", "image_scale"):
             if not (getattr(self, name) > 0).all():
-                raise InputError(f"RPC: {name} {getattr(self, name).tolist()} must be positive")
+                raise InputError("rpc.not_positive", name=name, values=getattr(self, name).tolist())
         lon, lat = self.ground_offset[:2].tolist()
         if abs(lat) > 90 or abs(lon) > 360:
-            raise InputError(
-                f"RPC: latitude {lat:g} and longitude {lon:g} deg of the middle are none (limits 90 and 360); look "
-                "whether the two are exchanged"
-            )
+            raise InputError("rpc.centre_out_of_range", latitude_deg=lat, longitude_deg=lon)
         zero = np.flatnonzero(self.coefficients[[1, 3], 0] == 0)
         if len(zero):
             which = ("line", "sample")[int(zero[0])]
-            raise InputError(f"RPC: the {which} denominator is zero at the centre of the scene; the file is damaged")
+            raise InputError("rpc.zero_denominator", axis=which)
 
     def project(self, geographic: Array) -> Array:
         """Image points (n, 2) [px] of longitude, latitude [deg], height [m] (n, 3).
@@ -143,11 +140,15 @@ class Rpc:
         if len(lost):
             k = int(lost[0])
             x, y = np.atleast_2d(xy_px)[k]
-            more = f" (nor have {len(lost) - 1} more of {len(geographic)})" if len(lost) > 1 else ""
             raise NoConvergence(
-                f"the image point of line {y - 0.5:.2f}, sample {x - 0.5:.2f} (x {x:.2f}, y {y:.2f} px) has no ground "
-                f"point at height {geographic[k, 2]:g} m in this RPC{more}, which holds for "
-                f"{self.height_range_words()}; give a height within this range"
+                "rpc.no_ground_point",
+                image_line=y - 0.5,
+                sample=x - 0.5,
+                height_m=geographic[k, 2],
+                others=len(lost) - 1,
+                n=len(geographic),
+                low_m=self.height_range_m[0],
+                high_m=self.height_range_m[1],
             )
         return geographic
 
@@ -239,21 +240,29 @@ class Rpc:
         lon, lat, _ = geographic[k]
         centre = self.ground_offset
         raise InputError(
-            f"{len(lost)} of {len(far)} points lie far outside the scene: point {names[k]} at longitude {lon:.6f}, "
-            f"latitude {lat:.6f} is {far[k]:.4g} times the RPC's range from its middle at {centre[0]:.6f}, "
-            f"{centre[1]:.6f} (limit {NO_PLACE:g}); "
-            + (
-                "they fit with longitude and latitude exchanged, in the points or in the RPC: correct the one that is "
-                "wrong"
-                if swapped
-                else "look whether points and scene belong together, and at the columns' order and the units"
-            )
+            "rpc.points_far_away",
+            n=len(lost),
+            total=len(far),
+            point=names[k],
+            longitude_deg=lon,
+            latitude_deg=lat,
+            ratio=far[k],
+            centre_longitude_deg=centre[0],
+            centre_latitude_deg=centre[1],
+            limit=NO_PLACE,
+            exchanged=swapped,
         )
 
     def height_range_words(self) -> str:
         """The heights for which the polynomials were fitted, in words."""
-        low, high = self.ground_offset[2] + self.ground_scale[2] * np.array([-1, 1])
+        low, high = self.height_range_m
         return f"heights of {low:g} to {high:g} m"
+
+    @property
+    def height_range_m(self) -> tuple[float, float]:
+        """Lowest and highest height for which the polynomials were fitted."""
+        low, high = (self.ground_offset[2] + self.ground_scale[2] * np.array([-1, 1])).tolist()
+        return low, high
 
     def _image(self, u: Array, v: Array) -> Array:
         return self.image_offset + self.image_scale * np.stack([u, v], axis=1)
@@ -299,9 +308,15 @@ class Rpc:
             if (k := int(np.argmin(relative))) >= 0 and not relative[k] > LEAST_DENOMINATOR:
                 lon, lat, h = geographic[start + k]
                 raise InputError(
-                    f"RPC: the {which} denominator is {relative[k]:.2g} of its value at the centre (limit "
-                    f"{LEAST_DENOMINATOR:g}) at longitude {lon:.6f}, latitude {lat:.6f}, height {h:.1f} m; it lies "
-                    f"far outside the scene ({self.height_range_words()}), or the RPC is damaged"
+                    "rpc.small_denominator",
+                    axis=which,
+                    ratio=relative[k],
+                    limit=LEAST_DENOMINATOR,
+                    longitude_deg=lon,
+                    latitude_deg=lat,
+                    height_m=h,
+                    low_m=self.height_range_m[0],
+                    high_m=self.height_range_m[1],
                 )
 
 
@@ -394,5 +409,5 @@ def fill_terms(normalised: Array, out: Array) -> Array:
 def _rows(geographic: Array) -> Array:
     rows = np.asarray(geographic, float)
     if rows.ndim != 2 or rows.shape[1] != 3:
-        raise InputError(f"points of shape (n, 3) are needed (longitude, latitude, height), not {rows.shape}")
+        raise InputError("rpc.point_shape", shape=rows.shape)
     return rows

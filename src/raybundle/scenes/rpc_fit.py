@@ -62,7 +62,7 @@ def fit_rpc(
     """
     low, high = height_range
     if not (np.isfinite([low, high]).all() and high - low >= 1):
-        raise InputError(f"heights from {low:g} to {high:g} m: a range of at least 1 m is needed")
+        raise InputError("rpc.height_range", low_m=low, high_m=high)
     size = np.array(size_px, float)
     nodes = _nodes(size, low, high)
     rng = np.random.default_rng(seed)
@@ -76,20 +76,12 @@ def fit_rpc(
             miss = float(np.abs(rpc.project(chosen) - between[:, :2]).max())
             found.append((miss, strength, rpc))
     if not found:
-        raise NotSolvable(
-            "no RPC without a zero in a denominator was found; the range of heights or the image is too large for one"
-        )
+        raise NotSolvable("rpc.no_fit")
     smallest = min(miss for miss, _, _ in found)
     if smallest > MISFIT_PX:
         lat = float(np.abs(ground[:, 1]).max())
-        why = (
-            f"the scene reaches latitude {lat:.3f} deg, near a pole, where longitudes turn within the image"
-            if lat > POLAR_DEG
-            else "the image or the range of heights is too large for one, or the model is not smooth"
-        )
         raise NotSolvable(
-            f"no RPC stands for this model: the best misses it by {smallest:.3g} px (limit {MISFIT_PX:g}); {why}. Use "
-            "the rigorous model, or a part of the image"
+            "rpc.inaccurate_fit", misfit_px=smallest, limit_px=MISFIT_PX, latitude_deg=lat, polar=lat > POLAR_DEG
         )
     _, strength, rpc = next(f for f in reversed(found) if f[0] <= TOLERATED * smallest)
     deviation = rpc.project(checked) - apart[:, :2]

@@ -170,7 +170,8 @@ class RpcSensor(SceneSensor, registered=False):
         try:
             ground = self.rpc.localise(correct_image(self.rpc, xy_px, self.bias, values), height)
         except NoConvergence as error:
-            raise NoConvergence(f"{self.file or 'scene'}: {error}") from None
+            details = [error.message] if error.message else []
+            raise NoConvergence("rpc.scene_localisation", details=details, scene=str(self.file or self.name)) from None
         return self.place.block_from_geographic(ground)
 
     def priors(self) -> dict[str, float]:
@@ -205,16 +206,18 @@ class LineSensor(SceneSensor, registered=False):
         self.height_m = float(height_m)
         self.smooth = dict(smooth or {})
         if strange := [s for s in self.smooth if s not in corrections.groups]:
-            known = ", ".join(corrections.groups) or "none, for there is no curve"
-            raise InputError(f"smooth: {strange[0]!r} is no axis of a curve; known: {known}")
+            raise InputError(
+                "line_scene.smooth_unknown",
+                name=repr(strange[0]),
+                known=list(corrections.groups),
+                n=len(corrections.groups),
+            )
         self.parameters = tuple(Parameter(s, corrections.unit(s), corrections.meaning(s)) for s in corrections.symbols)
         self._width = corrections.width if corrections.groups else 0
         sensor = scene.rays(np.array([self.size_px], float) / 2)[0]
         above = float(geographic_from_geocentric(sensor, scene.ellipsoid)[0, 2]) - self.height_m
         if above <= 0:
-            raise InputError(
-                f"height_m = {self.height_m:g} lies {-above:.1f} m above the sensor; give the mean height of the ground"
-            )
+            raise InputError("line_scene.below_ground", height_m=self.height_m, above_m=-above)
         self._finish(min(500.0, above / 2))
         if above < LOW_M:
             self.centre = place.block_from_geographic(geographic_from_geocentric(sensor, scene.ellipsoid))[0]
@@ -306,9 +309,7 @@ def scene_camera(
     free = sensor.symbols if estimate is None else estimate
     unknown = [s for s in (*free, *(sigma or {}), *(values or {})) if s not in sensor.symbols]
     if unknown:
-        raise InputError(
-            f"camera {id_}: {unknown[0]!r} is no parameter of this scene; it has {', '.join(sensor.symbols)}"
-        )
+        raise InputError("camera.unknown_scene_parameter", camera=id_, name=repr(unknown[0]), known=sensor.symbols)
     if sigma is None:
         sigma = sensor.priors()
     return Camera(

@@ -48,15 +48,17 @@ class Trajectory:
             ("attitude", self.attitude_times, self.quaternions),
         ):
             if len(times) != len(values) or len(times) < 2:
-                raise InputError(f"{name}: {len(times)} times for {len(values)} entries; at least 2 of each are needed")
+                raise InputError("trajectory.count", table=name, times=len(times), n=len(values))
             if not (np.isfinite(times).all() and np.isfinite(values).all()):
-                raise InputError(f"{name}: a time or value is not finite")
+                raise InputError("trajectory.not_finite", table=name)
             interval = np.diff(times)
             if not (interval > 0).all():
                 k = int(np.argmin(interval))
-                raise InputError(f"{name}: time {times[k + 1]:g} s (entry {k + 2}) does not follow {times[k]:g} s")
+                raise InputError(
+                    "trajectory.time_order", table=name, time_s=times[k + 1], entry=k + 2, before_s=times[k]
+                )
         if (np.linalg.norm(self.quaternions, axis=1) < 1e-6).any():
-            raise InputError("attitude: a quaternion of length zero")
+            raise InputError("trajectory.zero_quaternion")
 
     def check_cover(self, first: float, last: float) -> None:
         """Raise InputError unless the tables cover these times, but for two intervals at each end, without a gap."""
@@ -65,15 +67,13 @@ class Trajectory:
             usual = float(np.median(interval))
             if first < times[0] - COVER * usual or last > times[-1] + COVER * usual:
                 raise InputError(
-                    f"{name} covers {times[0]:g} to {times[-1]:g} s, the lines {first:g} to {last:g} s; the "
-                    "table is cut off, or its start time belongs to another scene"
+                    "trajectory.not_covered", table=name, start_s=times[0], end_s=times[-1], first_s=first, last_s=last
                 )
             wide = (interval > GAP * usual) & (times[1:] > first) & (times[:-1] < last)
             if wide.any():
                 k = int(np.flatnonzero(wide)[0])
                 raise InputError(
-                    f"{name} has a gap of {interval[k]:g} s from {times[k]:g} to {times[k + 1]:g} s, within the image, "
-                    f"where {usual:g} s are usual; get a complete table"
+                    "trajectory.gap", table=name, gap_s=interval[k], start_s=times[k], end_s=times[k + 1], usual_s=usual
                 )
 
     @cached_property
@@ -186,7 +186,7 @@ class CorrectionModel:
         """Refuse degrees that are none."""
         for name in ("position_degree", "attitude_degree"):
             if not -1 <= getattr(self, name) <= 2:
-                raise InputError(f"{name} {getattr(self, name)} is not -1 (none), 0, 1 or 2")
+                raise InputError("trajectory.degree", name=name, degree=getattr(self, name))
 
     @property
     def groups(self) -> dict[str, tuple[str, ...]]:
@@ -237,7 +237,7 @@ class CorrectionModel:
         values = np.asarray(values, float)
         k, m, total = self._ends
         if values.shape != (total,):
-            raise InputError(f"{total} correction parameters are needed, not {values.shape}")
+            raise InputError("trajectory.parameter_count", needed=total, shape=values.shape)
         return CorrectionValues(
             position=values[:k].reshape(-1, 3),
             attitude=values[k:m].reshape(-1, 3),

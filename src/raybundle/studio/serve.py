@@ -79,7 +79,7 @@ def serve(
             with _ending(server):
                 told(session.address)
                 if desk.journal.read_only:
-                    told(f"warning: {desk.journal.read_only}")
+                    told(f"warning: {desk.journal.read_only.text()}")
                 server.run(sockets=[connection])
 
 

@@ -107,8 +107,12 @@ class RingFamily:
         bad = wanted[self.ids[at] != wanted]
         if len(bad):
             raise InputError(
-                f"target family {self.name} has no id {', '.join(map(str, bad[:5]))}; "
-                f"its {len(self)} ids lie between {self.ids[0]} and {self.ids[-1]}"
+                "target.no_such_id",
+                family=self.name,
+                ids_missing=bad.tolist(),
+                n=len(self),
+                first=self.ids[0],
+                last=self.ids[-1],
             )
         return self.codes[at]
 
@@ -125,7 +129,7 @@ def register(family: RingFamily) -> RingFamily:
 def family_named(name: str) -> RingFamily:
     """The registered family of this name; raises InputError."""
     if name not in registry:
-        raise InputError(f"unknown target family {name!r}; known: {', '.join(sorted(registry))}")
+        raise InputError("target.unknown_ring_family", name=repr(name), known=sorted(registry))
     return registry[name]
 
 
@@ -152,7 +156,7 @@ def read_table(
     Raises InputError with the line where a row cannot be used: no numbers, an id given twice, a ring given twice.
     """
     if not 3 <= bits <= MOST_BITS:
-        raise InputError(f"a ring has 3 to {MOST_BITS} bits, not {bits}", file=path)
+        raise InputError("ring_table.bits", bits=bits, most=MOST_BITS, file=path)
     table: dict[int, int] = {}
     seen: dict[int, int] = {}
     columns = ["id", "code"]
@@ -168,20 +172,20 @@ def read_table(
         header = False
         values = [whole_of(w) for w in words]
         if len(values) != 2 or any(v is None or not 0 <= v < 1 << 62 for v in values):
-            message = f"expected an id and a code, two whole numbers; found {quoted(row)}"
-            raise InputError(message, file=path, line=number)
+            raise InputError("ring_table.row", value=quoted(row), file=path, line=number)
         id_, code = (values[columns.index(c)] or 0 for c in ("id", "code"))
         if not 0 < code < 1 << bits:
-            raise InputError(f"code {code} does not lie between 1 and {(1 << bits) - 1}", file=path, line=number)
+            raise InputError("ring_table.code_out_of_range", ring=code, largest=(1 << bits) - 1, file=path, line=number)
         code = int(canonical(np.array([code]), bits)[0])
-        if id_ in table or code in seen:
-            what = f"id {id_}" if id_ in table else f"the ring of code {code} has id {seen[code]} already; it"
-            raise InputError(f"{what} is given twice", file=path, line=number)
+        if id_ in table:
+            raise InputError("ring_table.id_twice", file=path, line=number, id=id_)
+        if code in seen:
+            raise InputError("ring_table.ring_twice", file=path, line=number, ring=code, id=seen[code])
         table[id_], seen[code] = code, id_
     if not table:
-        raise InputError("holds no target", file=path)
+        raise InputError("ring_table.empty", file=path)
     if not 1.2 <= ring[0] < ring[1]:
-        raise InputError(f"a ring from {ring[0]} to {ring[1]} radii of the dot leaves no gap to the dot", file=path)
+        raise InputError("ring_table.ring_radii", inner=ring[0], outer=ring[1], file=path)
     return own_family(name or path.stem, f"rings of {bits} bits by the table {path.name}", bits, ring, table)
 
 

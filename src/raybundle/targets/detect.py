@@ -155,9 +155,7 @@ def detect_targets(image: Array, family: RingFamily | None, options: DetectionOp
 def eight_bits(image: Array) -> tuple[Array, float]:
     """The image (h, w) as uint8, for finding; and grey values per step of it."""
     if image.ndim != 2 or str(image.dtype) not in {"uint8", "uint16"}:
-        raise InputError(
-            f"targets are sought in grey images of 8 or 16 bits, not in {image.dtype} of shape {image.shape}"
-        )
+        raise InputError("target.image_type", kind=str(image.dtype), shape=image.shape)
     if image.dtype == np.uint8:
         return np.ascontiguousarray(image), 1.0
     top = max(

@@ -118,7 +118,7 @@ class Sheet:
 def paper_size(name: str, orientation: Orientation = "upright") -> tuple[float, float]:
     """Width and height [mm]; raises InputError."""
     if name.upper() not in PAPERS:
-        raise InputError(f"unknown paper {name!r}; known: {', '.join(PAPERS)}")
+        raise InputError("sheet.unknown_paper", name=repr(name), known=list(PAPERS))
     w, h = PAPERS[name.upper()]
     return (float(h), float(w)) if orientation == "lying" else (float(w), float(h))
 
@@ -128,7 +128,7 @@ def design(family: RingFamily, ids: Index, options: SheetOptions) -> Sheet:
     o = options
     width, height = paper_size(o.paper, o.orientation)
     if not o.dot_radius_mm > 0:
-        raise InputError(f"the radius of the dots must be above 0, not {o.dot_radius_mm:g} mm")
+        raise InputError("sheet.dot_radius_not_positive", radius_mm=o.dot_radius_mm)
     side = 2 * family.ground * o.dot_radius_mm
     line = 1.8 * WORDS
     columns = int((width - 2 * MARGIN) // side)
@@ -136,8 +136,13 @@ def design(family: RingFamily, ids: Index, options: SheetOptions) -> Sheet:
     if columns < 1 or rows < 1:
         most = min((width - 2 * MARGIN) / 2, (height - 2 * MARGIN - FOOT - line) / 2) / family.ground
         raise InputError(
-            f"a target with a dot of {o.dot_radius_mm:g} mm radius needs {side:.0f} mm of {o.paper}, which has "
-            f"{width:g} x {height:g} mm; the radius may be {most:.1f} mm at most, or take a larger paper"
+            "sheet.target_too_large",
+            radius_mm=o.dot_radius_mm,
+            side_mm=side,
+            paper=o.paper,
+            width_mm=width,
+            height_mm=height,
+            most_mm=most,
         )
     codes = family.code_of(ids)
     pages: list[Page] = []

@@ -10,7 +10,6 @@ import numpy as np
 
 from raybundle.errors import InputError
 from raybundle.numerics.arrays import Array
-from raybundle.settings import option
 from raybundle.targets.kinds import photomodeler
 from raybundle.targets.kinds.charuco import Charuco
 from raybundle.targets.kinds.chessboard import Chessboard
@@ -47,16 +46,22 @@ def design_board(target: Target, spacing_mm: float, options: SheetOptions) -> Sh
     spacing_mm  side of a square, or distance of neighbouring dots (staggered: half of it within a row)
     """
     if not spacing_mm > 0:
-        raise InputError(f"the spacing of a board must be above 0, not {spacing_mm:g} mm")
+        raise InputError("sheet.spacing_not_positive", spacing_mm=spacing_mm)
     _dark(options)
     size, origin, shapes = _drawn(target, spacing_mm, options)
     width, height = paper_size(options.paper, options.orientation)
     room = np.array([width - 2 * MARGIN, height - 2 * MARGIN - FOOT])
     if (size * spacing_mm > room).any():
         raise InputError(
-            f"{target.title} of {spacing_mm:g} mm needs {size[0] * spacing_mm:.0f} x {size[1] * spacing_mm:.0f} mm; "
-            f"{options.paper} has room for {room[0]:.0f} x {room[1]:.0f}: a spacing of {(room / size).min():.1f} mm at "
-            f"most, a larger paper, or {option('lying', True)}"
+            "sheet.board_too_large",
+            board=target.family,
+            spacing_mm=spacing_mm,
+            width_mm=size[0] * spacing_mm,
+            height_mm=size[1] * spacing_mm,
+            paper=options.paper,
+            room_width_mm=room[0],
+            room_height_mm=room[1],
+            most_mm=(room / size).min(),
         )
     left, top = width / 2 - size[0] * spacing_mm / 2, (height + FOOT) / 2 + size[1] * spacing_mm / 2
     corner = np.array([left, top])
@@ -83,17 +88,17 @@ def design_tags(target: Tags, ids: Sequence[int], side_mm: float, options: Sheet
     tags = dictionary(target.name)
     count = len(tags.bytesList)
     if not side_mm > 0:
-        raise InputError(f"the side of a tag must be above 0, not {side_mm:g} mm")
+        raise InputError("sheet.side_not_positive", side_mm=side_mm)
     for i in ids:
         if not 0 <= i < count:
-            raise InputError(f"{target.name} has no tag {i}; its {count} tags are numbered from 0")
+            raise InputError("sheet.no_such_tag", family=target.name, tag=i, last=count - 1)
     _dark(options)
     n = tags.markerSize + 2
     width, height = paper_size(options.paper, options.orientation)
     pitch, line = side_mm * (n + 2) / n, 1.8 * WORDS
     columns, rows = int((width - 2 * MARGIN) // pitch), int((height - 2 * MARGIN - FOOT) // (pitch + line))
     if columns < 1 or rows < 1:
-        raise InputError(f"a tag of {side_mm:g} mm with its light border does not fit on {options.paper}")
+        raise InputError("sheet.tag_too_large", side_mm=side_mm, paper=options.paper)
     pages: list[Page] = []
     for first in range(0, len(ids), columns * rows):
         shapes: list[Shape] = []
@@ -134,16 +139,12 @@ def design_dots(spacing_mm: float, count: int | None, options: SheetOptions) -> 
     room = np.array([width - 2 * MARGIN, height - 2 * MARGIN - FOOT]) - 2 * edge
     if not 0 < 2.6 * o.dot_radius_mm < spacing_mm:
         raise InputError(
-            f"dots of {o.dot_radius_mm:g} mm radius are too large for a spacing of {spacing_mm:g} mm: "
-            f"{spacing_mm / 2.6:.1f} mm at most ({option('dot_radius')}), so that ground is left between them"
+            "sheet.dots_too_large", radius_mm=o.dot_radius_mm, spacing_mm=spacing_mm, most_mm=spacing_mm / 2.6
         )
     columns, rows = (1 + int(r // spacing_mm) if r >= 0 else 0 for r in room)
     most = columns * rows
     if most < 1 or (count or 1) > most:
-        raise InputError(
-            f"{o.paper} has room for {most} dots at a spacing of {spacing_mm:g} mm, {count or 1} are wanted: take a "
-            "smaller spacing or a larger paper"
-        )
+        raise InputError("sheet.too_many_dots", paper=o.paper, most=most, spacing_mm=spacing_mm, n=count or 1)
     place = [divmod(k, columns) for k in range(count or most)]
     left = width / 2 - (columns - 1) / 2 * spacing_mm
     top = height - MARGIN - edge
@@ -165,7 +166,7 @@ def design_dots(spacing_mm: float, count: int | None, options: SheetOptions) -> 
 
 def _dark(options: SheetOptions) -> None:
     if options.polarity != "dark":
-        raise InputError(f"boards and square tags are printed dark on light: leave out {option('polarity', 'light')}")
+        raise InputError("sheet.boards_are_dark")
 
 
 def _drawn(target: Target, spacing: float, o: SheetOptions) -> tuple[Array, Array, list[Shape]]:
@@ -181,14 +182,13 @@ def _drawn(target: Target, spacing: float, o: SheetOptions) -> tuple[Array, Arra
         step = math.sqrt(2) if target.staggered else 1.0
         if not 0 < 2.6 * o.dot_radius_mm < step * spacing:
             raise InputError(
-                f"dots of {o.dot_radius_mm:g} mm radius are too large for {target.title} at a spacing of {spacing:g} "
-                f"mm: {step * spacing / 2.6:.1f} mm at most, so that light is left between them"
+                "sheet.dots_too_large", radius_mm=o.dot_radius_mm, spacing_mm=spacing, most_mm=step * spacing / 2.6
             )
         discs: list[Shape] = [Disc(x=x + 0.5, y=y + 0.5, radius=o.dot_radius_mm / spacing) for x, y in places]
         return places.max(axis=0) + 1, np.array([0.5, 0.5]), discs
     if isinstance(target, photomodeler.Sheet):
         return _photomodeler(target, spacing, o)
-    raise InputError(f"{target.family} cannot be printed from here; boards, tags and rings can")
+    raise InputError("sheet.not_printable", family=target.family)
 
 
 def _photomodeler(target: photomodeler.Sheet, spacing: float, o: SheetOptions) -> tuple[Array, Array, list[Shape]]:
@@ -197,9 +197,10 @@ def _photomodeler(target: photomodeler.Sheet, spacing: float, o: SheetOptions) -
     inner, outer = photomodeler.RING
     if not 0 < radius * (outer + 1.6) <= 1:
         raise InputError(
-            f"dots of {o.dot_radius_mm:g} mm radius are too large for {target.title} at a spacing of {spacing:g} mm, "
-            f"since rings of {outer:g} radii stand around four of them: give {option('dot_radius')}, "
-            f"{np.floor(10 * spacing / (outer + 1.6)) / 10:g}mm at most"
+            "sheet.dots_too_large",
+            radius_mm=o.dot_radius_mm,
+            spacing_mm=spacing,
+            most_mm=np.floor(10 * spacing / (outer + 1.6)) / 10,
         )
     shapes: list[Shape] = [Disc(x=p[0] + 0.5, y=0.5 - p[1], radius=radius) for p in target.objects.values()]
     for count, (column, row) in photomodeler.CONTROL.items():

@@ -153,7 +153,7 @@ def target(family: str | Target) -> Target:
         if made is not None:
             return made
     near = nearest(name, [n for kind in kinds.values() for n in kind.names(name)])
-    raise InputError(f"unknown target family {family!r}{meant(near)}; known: {', '.join(forms())}")
+    raise InputError("target.unknown_family", name=repr(family), near=near, n=len(near), known=forms())
 
 
 def nearest(text: str, names: Sequence[str]) -> list[str]:
@@ -161,12 +161,6 @@ def nearest(text: str, names: Sequence[str]) -> list[str]:
     alike = {n: difflib.SequenceMatcher(None, _plain(n), _plain(text)).ratio() for n in names}
     best = max(alike.values(), default=0.0)
     return [n for n, a in alike.items() if a == best][:MEANT] if best >= ALIKE else []
-
-
-def meant(names: Sequence[str]) -> str:
-    """The question whether one of some names was meant; nothing without one."""
-    *others, last = [*names] or [""]
-    return f" (did you mean {' or '.join([*filter(None, [', '.join(others)]), last])}?)" if last else ""
 
 
 def with_numbers(text: str, form: str) -> list[str]:
@@ -182,9 +176,7 @@ def _plain(name: str) -> str:
 def detect(image: Array, family: str | Target, options: MarkOptions | None = None) -> Marks:
     """Find, name and measure the points of a family in a photograph (h, w) uint8 or uint16."""
     if image.ndim != 2 or str(image.dtype) not in {"uint8", "uint16"}:
-        raise InputError(
-            f"targets are sought in grey images of 8 or 16 bits, not in {image.dtype} of shape {image.shape}"
-        )
+        raise InputError("target.image_type", kind=str(image.dtype), shape=image.shape)
     return target(family).find(image, options or MarkOptions())
 
 

@@ -22,9 +22,7 @@ def write_sheet(sheet: Sheet, path: Path) -> tuple[Path, ...]:
     """
     kind = path.suffix.lower()
     if kind not in {".pdf", ".svg"}:
-        raise InputError(
-            f"a sheet is written as .pdf or .svg, not as {path.suffix or 'a file without ending'}", file=path
-        )
+        raise InputError("sheet.file_type", ending=path.suffix, file=path)
     files: dict[Path, bytes] = {}
     if kind == ".pdf":
         files[path] = pdf(sheet)
@@ -51,7 +49,7 @@ def pdf(sheet: Sheet) -> bytes:
     try:
         from reportlab.pdfgen.canvas import Canvas  # noqa: PLC0415  (only for printing)
     except ImportError as error:
-        raise InputError("a PDF needs the package reportlab: pip install reportlab; or write .svg") from error
+        raise InputError("package.reportlab_missing") from error
     import io  # noqa: PLC0415
 
     buffer = io.BytesIO()

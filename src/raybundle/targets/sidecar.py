@@ -74,9 +74,7 @@ class PrintedSheet:
     def scaled(self, factor: float) -> PrintedSheet:
         """As printed: `factor` is the measured length of the scale bar over `bar_mm`; raises InputError beyond 5 %."""
         if not 0.95 < factor < 1.05:
-            raise InputError(
-                f"the print would be {factor:.3f} times its design, which no printer is: measure the scale bar again"
-            )
+            raise InputError("sheet.print_factor", factor=factor)
         return PrintedSheet(
             family=self.family, polarity=self.polarity, rings=self.rings, dot_radius_mm=self.dot_radius_mm * factor,
             spacing_mm=self.spacing_mm * factor, bar_mm=self.bar_mm * factor,
@@ -130,7 +128,7 @@ def read_sidecar(path: Path) -> PrintedSheet:
     """Read the file beside a sheet; raises InputError that names what is wrong in it."""
     top = read_toml(path).tree()
     if not top.has("family") or not top.has("pages"):
-        raise InputError("is not the file beside a sheet of targets: no family, or no [[pages]]", file=path)
+        raise InputError("sheet.no_sidecar", file=path)
     targets: dict[str, PrintedTarget] = {}
     codes: dict[str, Json] = {}
     bar = 0.0
@@ -139,7 +137,7 @@ def read_sidecar(path: Path) -> PrintedSheet:
         for entry in page.get("targets").items():
             name = entry.get("name").text()
             if name in targets:
-                entry.fail(f"target {quoted(name)} stands there twice")
+                entry.fail("sheet.target_twice", name=quoted(name))
             codes[name] = entry
             targets[name] = PrintedTarget(
                 name=name, page=number, x_mm=_place(entry, "x_mm"), y_mm=_place(entry, "y_mm")
@@ -165,16 +163,16 @@ def _own_rings(top: Json, entries: dict[str, Json], path: Path) -> RingFamily | 
     radii = given.numbers(2)
     ring = (radii / radius).tolist() if radius > 0 else []
     if len(ring) != 2 or not 1.2 <= ring[0] < ring[1] <= LARGEST_MM:
-        given.fail(f"rings of {quoted(given.value)} mm do not go with a dot of {radius:g} mm radius")
+        given.fail("sheet.ring_radii", radii=quoted(given.value), radius_mm=radius)
     table: dict[int, int] = {}
     for name, entry in entries.items():
         id_ = whole_of(name)
         if id_ is None or not 0 <= id_ < 1 << 62:
-            entry.fail(f"target {quoted(name)} of an own table needs a number for its name")
+            entry.fail("sheet.name_no_number", name=quoted(name))
         code = entry.get("code").whole(1, (1 << bits) - 1)
         table[id_] = int(canonical(np.array([code]), bits)[0])
     if len(set(table.values())) < len(table):
-        raise InputError("two targets have the same ring", file=path)
+        raise InputError("sheet.same_ring", file=path)
     family = top.get("family").text()
     return own_family(family, f"rings of {bits} bits by {path.name}", bits, (ring[0], ring[1]), table)
 
@@ -182,7 +180,7 @@ def _own_rings(top: Json, entries: dict[str, Json], path: Path) -> RingFamily | 
 def _place(table: Json, key: str) -> float:
     value = table.get(key)
     if abs(value.number()) > LARGEST_MM:
-        value.fail(f"{value.number():g} is no place on a sheet, in mm")
+        value.fail("sheet.place_out_of_range", value_mm=value.number(), most_mm=LARGEST_MM)
     return value.number()
 
 
@@ -191,5 +189,5 @@ def _length(table: Json, key: str, default: float) -> float:
         return default
     value = table.get(key)
     if not 0 <= value.number() <= LARGEST_MM:
-        value.fail(f"{value.number():g} is no length in mm")
+        value.fail("sheet.length_out_of_range", value_mm=value.number(), most_mm=LARGEST_MM)
     return value.number()

@@ -35,7 +35,7 @@ def choose_codes(family: RingFamily, count: int) -> Choice:
     Raises InputError where the family has not so many.
     """
     if not 1 <= count <= len(family):
-        raise InputError(f"target family {family.name} has {len(family)} targets, {count} were asked for")
+        raise InputError("target.too_few_codes", family=family.name, n=len(family), wanted=count)
     readings = rotations(family.codes, family.bits)
     best, hidden = np.arange(count), 0
     for h in range(1, family.bits - 1):

@@ -154,7 +154,7 @@ def _areas(wkt: str, given: str) -> list[list[Array]]:
     """The rings of each area, the outer one first, in coordinates of the plane."""
     path = Path(given)
     if path.suffix.lower() in TEXT and path.is_file():
-        return [[checked_ring(read_outline(path), f"the outline {path.name}")]]
+        return [[checked_ring(read_outline(path), name=path.name)]]
     shapes = [s for s in _shapes(given, "outline") if s.kind == "area"]
     if not shapes:
         if path.exists():
@@ -163,7 +163,7 @@ def _areas(wkt: str, given: str) -> list[list[Array]]:
     found = list[list[Array]]()
     for s in shapes:
         rings = [_in_plane(wkt, r, s.crs, typed=s.typed, path=path) for r in (s.xy, *s.holes)]
-        checked = [checked_ring(r, "the outline") for r in rings]
+        checked = [checked_ring(r) for r in rings]
         _check_holes(checked)
         found.append(checked)
     return found

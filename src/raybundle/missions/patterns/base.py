@@ -68,8 +68,10 @@ class Wish:
         half = math.atan(self.camera.height_px / 2 / self.camera.c_px)
         if tilt + half >= math.radians(85):
             raise InputError(
-                f"a view tilted by {math.degrees(tilt):.0f} deg with {math.degrees(2 * half):.0f} deg of angle reaches "
-                f"the horizon; give a tilt below {85 - math.degrees(half):.0f} deg ({option('tilt')})"
+                "mission.view_to_horizon",
+                tilt_deg=math.degrees(tilt),
+                angle_deg=math.degrees(2 * half),
+                most_deg=85 - math.degrees(half),
             )
         reach = self.above(tilt) * (math.tan(tilt + half) - math.tan(tilt - half))
         return (1 - self.overlap[0]) * reach, (1 - self.overlap[1]) * self.camera.footprint(self.distance)[0]
@@ -148,10 +150,7 @@ def register(pattern: Pattern) -> Pattern:
 def whole(number: float, what: str) -> int:
     """A count rounded up, at least 1; raises InputError for one that nobody flies."""
     if not number <= MOST:
-        raise InputError(
-            f"{number:.3g} {what} would be needed, {MOST} are the most; is the area in the right coordinate system, "
-            f"and the pixel in metres ({option('gsd')})?"
-        )
+        raise InputError("mission.too_many_parts", kind=what, n=number, most=MOST)
     return max(1, math.ceil(number - 1e-9))
 
 

@@ -9,7 +9,6 @@ import numpy as np
 from raybundle.errors import InputError
 from raybundle.missions.patterns.base import NADIR, Line, Pattern, Wish, register, whole
 from raybundle.numerics.arrays import Array
-from raybundle.settings import option
 
 SHARPEST = math.radians(120)
 """Turn of a corridor beyond which lines beside it would run away from it."""
@@ -53,8 +52,7 @@ def beside(way: Array, offset: float) -> Array:
         turn = float(np.arccos(np.clip(ahead[k - 1] @ ahead[k], -1, 1)))
         if turn > SHARPEST:
             raise InputError(
-                f"the way turns by {math.degrees(turn):.0f} deg at its corner {k + 1}, more than "
-                f"{math.degrees(SHARPEST):.0f} deg; plan the two parts as corridors of their own"
+                "corridor.sharp_turn", turn_deg=math.degrees(turn), corner=k + 1, most_deg=math.degrees(SHARPEST)
             )
         moved.append(way[k] + offset * (right[k - 1] + right[k]) / (1 + right[k - 1] @ right[k]))
     moved.append(way[-1] + offset * right[-1])
@@ -62,11 +60,7 @@ def beside(way: Array, offset: float) -> Array:
     back = np.flatnonzero(np.sum(np.diff(result, axis=0) * ahead, axis=1) <= 0)
     if len(back):
         k = int(back[0])
-        raise InputError(
-            f"the way bends more tightly at its corner {k + 1} than a line {abs(offset):.1f} m beside it can follow: "
-            f"that part is {length[k]:.1f} m long; leave the corner out, or make the corridor narrower "
-            f"({option('width')})"
-        )
+        raise InputError("corridor.tight_bend", corner=k + 1, offset_m=abs(offset), length_m=length[k])
     return result
 
 

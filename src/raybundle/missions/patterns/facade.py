@@ -22,10 +22,10 @@ def steps(wish: Wish) -> tuple[float, float]:
 def levels(wish: Wish, step: float) -> list[float]:
     """Heights above ground [m] of rows that cover an object from its lower to its upper end."""
     if wish.heights is None:
-        raise InputError(f"the heights of the object above ground are needed ({option('heights', 'LOW', 'TOP')})")
+        raise InputError("mission.heights_missing")
     low, top = wish.heights
     if not top > low:
-        raise InputError(f"the object ends at {top:g} m, not above its lower end at {low:g} m ({option('heights')})")
+        raise InputError("mission.heights_order", top_m=top, low_m=low)
     count = whole((top - low) / step, "rows")
     middle = (low + top) / 2
     return sorted({max(middle + (k - (count - 1) / 2) * step, LOWEST_M) for k in range(count)})

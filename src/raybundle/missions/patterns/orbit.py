@@ -45,7 +45,7 @@ def lines(outline: Array, wish: Wish) -> list[Line]:
     found: list[Line] = []
     for k, (away, above, pitch) in enumerate(rings):
         step = min(WIDEST, steps(wish)[0] / away)
-        n = whole(2 * math.pi / step, "photographs of a ring")
+        n = whole(2 * math.pi / step, "photographs")
         azimuth = 2 * math.pi * np.arange(n + 1) / n
         azimuth = azimuth[:-1] if k % 2 == 0 else azimuth[:-1][::-1]
         xy = centre + away * np.stack([np.sin(azimuth), np.cos(azimuth)], axis=1)

@@ -5,7 +5,7 @@ from __future__ import annotations
 from abc import ABC, abstractmethod
 from collections.abc import Sequence
 from dataclasses import dataclass, field
-from typing import ClassVar
+from typing import ClassVar, Literal
 
 import numpy as np
 
@@ -14,7 +14,6 @@ from raybundle.errors import InputError
 from raybundle.numerics.arrays import Array
 from raybundle.planning.candidates import Stations
 from raybundle.planning.site import Site
-from raybundle.settings import option
 
 FULL = 0.9
 """Part of the format that what is wanted fills"""
@@ -71,14 +70,11 @@ class Task:
         """Of what is to be measured."""
         return self.site.surface.wanted_bounds
 
-    def check_sharp(self, distance: float, what: str) -> None:
+    def check_sharp(self, distance: float, kind: Literal["building", "facade", "sheet", "turntable"]) -> None:
         """Raise InputError where nothing is sharp at a distance."""
         near, far = self.site.depth
         if not near <= distance <= far:
-            raise InputError(
-                f"{what} is photographed from {distance:.3g} m, and the lens is sharp from {near:.3g} to {far:.3g} m; "
-                f"focus elsewhere ({option('focus', f'{distance:.3g}')}) or stop down ({option('f_number')})"
-            )
+            raise InputError("plan.not_sharp", kind=kind, distance_m=distance, near_m=near, far_m=far)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -39,7 +39,7 @@ class CalibrationNetwork(Assistant):
         low, high = task.bounds
         middle, size = (low + high) / 2, np.ptp([low, high], axis=0)
         if size[2] > 0.3 * max(size[0], size[1]):
-            raise InputError("a calibration list is made for a flat sheet: sheet:WIDTH,HEIGHT, or a board")
+            raise InputError("plan.no_flat_sheet")
         across = float(np.hypot(size[0], size[1]))
         near = across / 2 / np.tan(FULL * task.half_angles[1])
         sharp = _sharp_words(task, near, size)
@@ -101,7 +101,7 @@ def _sharp_words(task: Task, near: float, size: Array) -> tuple[str, ...]:
     first, last = max(near - across / 2 * np.sin(np.radians(TILT_DEG)), 1e-3), FARTHER * near
     if low <= first and last <= high:
         return ()
-    task.check_sharp(near, "a sheet that fills the format")
+    task.check_sharp(near, "sheet")
     camera, focus = task.site.camera, best_focus(first, last)
     c, pixel = camera.sensor.camera_constant(camera.parameters), camera.pixel_mm[0]
     hyperfocal = first * focus / (focus - first)

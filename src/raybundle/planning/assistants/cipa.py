@@ -11,7 +11,6 @@ from raybundle.errors import InputError
 from raybundle.numerics.arrays import Array
 from raybundle.objects.surface import Surface
 from raybundle.planning.assistants.base import FULL, Assistant, Leaf, Shots, Task, made_stations
-from raybundle.settings import option
 
 PAIR = 1 / 5
 """Base by distance of the stereo pairs; the rules ask for 1:4 to 1:15"""
@@ -56,7 +55,7 @@ class Cipa(Assistant):
         least = task.clearance + outside if task.clearance else 0.0
         distance = max(shown, least)
         _check_room(task, distance)
-        task.check_sharp(distance, "the building")
+        task.check_sharp(distance, "building")
         level = task.half_angles[0] if roll == task.landscape else task.half_angles[1]
         width = 2 * distance * np.tan(level)
         count = len(corners)
@@ -86,9 +85,9 @@ class Cipa(Assistant):
                     )
                 )
         near = max(DETAIL * distance, _needed(height, eye, task.half_angles[0]), least)
-        task.check_sharp(near, "a facade for stereo pairs")
+        task.check_sharp(near, "facade")
         for k, name in enumerate(names):
-            for place, foot, word in _pairs(task, (corners[k], corners[(k + 1) % count]), near, name):
+            for place, foot, word in _pairs(task, (corners[k], corners[(k + 1) % count]), near, k + 1):
                 rows.append((np.r_[place, z], np.r_[foot, aim], task.portrait))
                 leaves.append(Leaf(group=f"stereo pair, {name}", see=f"{name}, {word}, portrait format, both alike"))
         return Shots(
@@ -112,7 +111,7 @@ def _footprint(surface: Surface, tolerance: float) -> tuple[Array, float]:
     try:
         hull = corners = xy[ConvexHull(xy).vertices]
     except QhullError:
-        raise InputError("the object has no footprint: it is a line or a point from above") from None
+        raise InputError("plan.no_footprint") from None
     while len(corners) > 3:
         before, after = np.roll(corners, 1, axis=0), np.roll(corners, -1, axis=0)
         along = after - before
@@ -130,9 +129,11 @@ def _check_room(task: Task, distance: float) -> None:
     """Raise InputError where the least distance leaves nothing of how far one can go."""
     if distance > task.reach:
         raise InputError(
-            f"the ring would stand {distance:.3g} m before the walls, not nearer than {task.clearance:.3g} m "
-            f"({option('clearance')}), and one may go {task.reach:.3g} m away ({option('around')}); go farther "
-            f"({option('around', f'{np.ceil(10 * distance) / 10:g}')}), or nearer where that is allowed"
+            "plan.ring_too_far",
+            distance_m=distance,
+            clearance_m=task.clearance,
+            reach_m=task.reach,
+            needed_m=np.ceil(10 * distance) / 10,
         )
 
 
@@ -179,21 +180,17 @@ def _stand_off(task: Task, height: float, eye: float) -> tuple[float, float]:
     c = task.site.camera.sensor.camera_constant(task.site.camera.parameters)
     seen = np.arctan((height - eye) / task.reach) + np.arctan(eye / task.reach)
     fits = c * np.tan(long) / np.tan(seen / 2 / FULL)
-    raise InputError(
-        f"the whole height of {height:.3g} m is shown from {upright:.3g} m in portrait format, and one may go "
-        f"{task.reach:.3g} m away ({option('around')}); a lens with c = {fits:.2g} mm would do ({option('c')}), or a "
-        f"higher standpoint ({option('eye')})"
-    )
+    raise InputError("plan.height_not_shown", height_m=height, distance_m=upright, reach_m=task.reach, c_mm=fits)
 
 
-def _pairs(task: Task, side: tuple[Array, Array], near: float, name: str) -> Iterator[tuple[Array, Array, str]]:
+def _pairs(task: Task, side: tuple[Array, Array], near: float, number: int) -> Iterator[tuple[Array, Array, str]]:
     """Stereo pairs side by side along a facade: place and what is looked at (2,), in words which one."""
     a, b = side
     along, out = _axes(a, b)
     length, base = float(np.linalg.norm(b - a)), PAIR * near
     shared = 2 * near * np.tan(task.half_angles[1]) * FULL - base
     if shared <= 0:
-        raise InputError(f"{name}: a pair from {near:.3g} m shows nothing twice; a wider lens is needed")
+        raise InputError("plan.no_stereo_overlap", side=number, distance_m=near)
     n = max(1, int(np.ceil(length / shared)))
     for k in range(n):
         middle = length * (k + 0.5) / n

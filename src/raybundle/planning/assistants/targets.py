@@ -11,7 +11,6 @@ from raybundle.numerics.arrays import Array, Index
 from raybundle.objects.surface import SurfacePoints, farthest_first, spread
 from raybundle.planning.assistants.base import Assistant, Leaf, Shots, Task
 from raybundle.planning.bars import bars_on
-from raybundle.settings import option
 
 DRAWN = 12
 """Places looked at for each target"""
@@ -36,29 +35,24 @@ class TargetPlan(Assistant):
         """The given stations, with what each shows of the targets."""
         s, site = task.measured_by, task.site
         if s is None:
-            raise InputError(
-                f"targets are placed for photographs: give their stations ({option('stations', 'plan/stations.csv')}, "
-                "as `raybundle plan network` writes it)"
-            )
+            raise InputError("plan.stations_missing")
         all_ = spread(site.surface, DRAWN * task.targets)
         looked = replace(site, points=all_)
         station, point, _, local = looked.seen(s.centre, s.rotation)
         rays = np.bincount(point, minlength=len(all_))
         good = np.flatnonzero(rays >= RAYS)
         if len(good) < 4:
-            raise InputError(
-                f"{len(good)} places of the object are shown by {RAYS} of the {len(s)} stations; targets need 4 "
-                "and more: take more photographs"
-            )
+            raise InputError("plan.too_few_target_places", n=len(good), rays=RAYS, stations=len(s))
         chosen = good[farthest_first(all_.xyz[good], task.targets)]
         points = SurfacePoints(xyz=all_.xyz[chosen], normal=all_.normal[chosen])
         dot = _diameters(task, point, local)[chosen]
         face = float(np.sqrt(site.surface.wanted_area / len(chosen)))
         if CODE * dot.max() > face:
             raise InputError(
-                f"targets of {1000 * CODE * dot.max():.0f} mm are needed ({task.across_px:g} px of their dots in the "
-                f"farthest photograph), and each has {1000 * face:.0f} mm of the object; take fewer targets "
-                f"({option('count')}), go nearer, or measure smaller dots ({option('across')})"
+                "plan.targets_too_large",
+                size_mm=1000 * CODE * dot.max(),
+                across_px=task.across_px,
+                space_mm=1000 * face,
             )
         site = replace(site, points=points)
         bars = bars_on(site, BARS, 1.0)

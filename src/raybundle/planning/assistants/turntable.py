@@ -21,14 +21,12 @@ class Turntable(Assistant):
     def shots(self, task: Task) -> Shots:
         """One ring for each elevation; every other photograph of the first ring is taken with the camera turned."""
         if task.steps < 8:
-            raise InputError(
-                f"{task.steps} steps of a turn are {360 / task.steps:.0f} degrees each; at least 8 overlap"
-            )
+            raise InputError("plan.turn_too_large", n=task.steps, step_deg=360 / task.steps)
         low, high = task.bounds
         middle = (low + high) / 2
         radius = float(np.linalg.norm(high - low)) / 2
         distance = radius / np.sin(FULL * task.half_angles[1])
-        task.check_sharp(distance, "the object on its table")
+        task.check_sharp(distance, "turntable")
         rows, leaves = list[tuple[Array, Array, float]](), list[Leaf]()
         for ring, elevation in enumerate(task.elevations_deg):
             e = np.radians(elevation)

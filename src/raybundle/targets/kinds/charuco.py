@@ -144,17 +144,14 @@ def _make(name: str) -> Target | None:
         return None
     match = NAME.fullmatch(name)
     if match is None:
-        raise InputError(
-            f"{name!r}: a ChArUco board is named by its squares and its tags, as charuco-8x6-5x5_100; "
-            "with -0.8 after it where tags do not take 0.75 of a square"
-        )
+        raise InputError("board.charuco_name", name=repr(name))
     columns, rows = (whole_of(match[k]) or 0 for k in (1, 2))
     ratio = RATIO if match[4] is None else number_of(match[4]) or 0.0
     if min(columns, rows) < 3 or not 0.3 <= ratio <= 0.95:
-        raise InputError(f"{name!r}: a ChArUco board needs at least 3 x 3 squares, and tags of 0.3 to 0.95 of a square")
+        raise InputError("board.charuco_size", name=repr(name))
     capacity = len(dictionary(_dictionary(match[3])).bytesList)
     if columns * rows // 2 > capacity:
-        raise InputError(f"{name!r} needs {columns * rows // 2} tags; {match[3]} has {capacity}")
+        raise InputError("board.charuco_tags", name=repr(name), n=columns * rows // 2, tags=match[3], most=capacity)
     return Charuco(columns=columns, rows=rows, tags=match[3], ratio=ratio)
 
 

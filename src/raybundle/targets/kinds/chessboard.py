@@ -241,10 +241,10 @@ def _make(name: str) -> Target | None:
         return None
     match = NAME.fullmatch(name)
     if match is None:
-        raise InputError(f"{name!r}: a chessboard is named by its inner corners, as chessboard-9x6")
+        raise InputError("board.chessboard_name", name=repr(name))
     columns, rows = (whole_of(match[k]) or 0 for k in (1, 2))
     if min(columns, rows) < FEWEST or max(columns, rows) > MOST:
-        raise InputError(f"{name!r}: a chessboard needs at least 3 x 3 inner corners")
+        raise InputError("board.chessboard_size", name=repr(name))
     return Chessboard(columns=columns, rows=rows)
 
 

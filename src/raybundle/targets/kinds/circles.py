@@ -133,10 +133,10 @@ def _make(name: str) -> Target | None:
         return None
     match = NAME.fullmatch(name)
     if match is None:
-        raise InputError(f"{name!r}: a raster of dots is named by their numbers, as circles-7x5 or acircles-4x11")
+        raise InputError("board.dots_name", name=repr(name))
     columns, rows = (whole_of(match[k]) or 0 for k in (2, 3))
     if min(columns, rows) < 3 or max(columns, rows) > 200:
-        raise InputError(f"{name!r}: a raster needs at least 3 x 3 dots")
+        raise InputError("board.dots_size", name=repr(name))
     return Circles(columns=columns, rows=rows, staggered=bool(match[1]))
 
 

@@ -17,7 +17,7 @@ from raybundle.errors import InputError
 from raybundle.numerics.arrays import Array
 from raybundle.targets.border import fit_squares
 from raybundle.targets.detect import eight_bits
-from raybundle.targets.marks import Kind, MarkOptions, Marks, Target, meant, nearest, no_ellipses, nothing, register
+from raybundle.targets.marks import Kind, MarkOptions, Marks, Target, nearest, no_ellipses, nothing, register
 from raybundle.targets.tag_fit import fit_tags
 from raybundle.targets.tag_reading import bits_of, read_modules
 
@@ -44,7 +44,8 @@ def dictionary(name: str) -> Any:
     """A dictionary of tags; raises InputError."""
     known = dictionaries()
     if name not in known:
-        raise InputError(f"unknown tags {name!r}{meant(nearest(name, [*known]))}; known: {', '.join(sorted(known))}")
+        near = nearest(name, [*known])
+        raise InputError("target.unknown_tags", name=repr(name), near=near, n=len(near), known=sorted(known))
     return cv2.aruco.getPredefinedDictionary(known[name])
 
 

@@ -1,2 +1,33 @@
 transform-wrong_shape = Feld { $name } einer Transformation: Form ({ $shape }) oder nicht endliche Werte.
     .do = Endliche Zahlen der Form ({ $needed }) angeben.
+
+transform-observed_unknown = observed = { $value } ist unbekannt.
+    .do = "follow" oder "stay" angeben.
+
+transform-scale_not_positive = Der Maßstab der Transformation ist { $scale }.
+    .do = Einen Wert über 0 angeben.
+
+transform-translation_not_finite = Die Translation der Transformation ist { $translation }.
+    .do = Drei endliche Zahlen angeben.
+
+transform-scene = Die Satellitenszene { $scene } lässt sich nicht transformieren.
+    .why = Ihr Modell liefert Länge, Breite und Höhe.
+    .do = Einen Block ohne Satellitenszenen transformieren.
+
+transform-geodetic_frame = Das Objektsystem hat einen festen Ort auf der Erde und lässt sich nicht transformieren.
+    .do = Den Ort aus dem Block entfernen (place=None).
+
+transform-rotation_not_orthogonal = Die Drehung der Transformation ist nicht orthogonal: R R' weicht um { NUM($off, digits: 2) } von 1 ab (Grenze { $limit }).
+    .do = Eine orthogonale Matrix mit Determinante +1 angeben.
+
+transform-rotation_mirrored = Die Drehung der Transformation ist eine Spiegelung.
+    .do = Eine orthogonale Matrix mit Determinante +1 angeben.
+
+transform-sigmas_correlated = { $name } lässt sich nicht transformieren: Standardabweichungen von { $parameters } würden korreliert.
+    .do = Gleiche Standardabweichungen verwenden oder ohne Drehung transformieren.
+
+transform-partly_free = { $name } lässt sich nicht drehen: Von { $parameters } sind einige fest, andere frei.
+    .do = Alle freigeben oder alle festhalten.
+
+transform-calibration_incomplete = { $name } lässt sich nicht drehen: Die Kalibrierung hat keinen Wert für { $parameter }.
+    .do = Mit diesem Parameter kalibrieren oder ohne Drehung transformieren.

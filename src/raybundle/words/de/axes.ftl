@@ -1,0 +1,29 @@
+axes-point_missing = Koordinatensystem: Der { $which ->
+        [origin] Ursprung
+       *[axis] Achspunkt
+     } fehlt.
+    .do = Ursprung und Achse angeben; einen Ebenenpunkt ergänzen, wenn weder Niveau noch Lot die Vertikale bestimmt.
+
+axes-same_points = Koordinatensystem: Unter den Punkten { $names } sind gleiche.
+    .do = Verschiedene Punkte angeben.
+
+axes-in_line = Koordinatensystem { $names }: Die Punkte liegen auf einer Geraden.
+    .why = Der Sinus des Winkels am Ursprung ist { NUM($sine, digits: 2) } (Grenze { $limit }).
+    .do = Einen Ebenenpunkt neben der Achse wählen.
+
+axes-vertical = Koordinatensystem { $names }: Die Punkte liegen übereinander, ohne Richtung in der Lage.
+    .why = Der Sinus des Winkels zur Vertikalen ist { NUM($sine, digits: 2) } (Grenze { $limit }).
+    .do = Einen anderen Achspunkt wählen.
+
+axes-level_no_plane = Niveau { $names }: Die { $n } Punkte bestimmen keine Ebene.
+    .why = Es sind zu wenige, oder sie liegen auf einer Geraden (Breite durch Länge { NUM($width, digits: 2) }, Grenze { $limit }).
+    .do = Mindestens drei Punkte angeben, die nicht auf einer Geraden liegen.
+
+axes-no_coordinates = Koordinatensystem { $names }: Punkt { $point } hat keine Koordinaten.
+    .do = Ihn in zwei Bildern markieren.
+
+axes-contradicts_block = Das Koordinatensystem der Punkte { $names } widerspricht dem Datum des Blocks ({ $tables }).
+    .do = Eines von beiden entfernen oder das Ergebnis transformieren (raybundle datum).
+
+axes-no_vertical = Das Koordinatensystem der Punkte { $names } hat keine Vertikale.
+    .do = Ein Niveau oder Lot messen oder einen dritten Punkt in der XY-Ebene angeben.

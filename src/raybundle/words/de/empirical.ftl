@@ -1,0 +1,23 @@
+empirical-no_additional_parameter = { $model }: { $names } lässt sich nicht ausschließen.
+    .do = { $n ->
+        [0] Bei diesem Modell keinen Parameter ausschließen
+       *[other] Nur { LIST($known, most: 20) } ausschließen
+     }.
+
+empirical-too_few_points = { $model }: { $object } Objekt- und { $image } Bildpunkte; nötig sind { $least } Paare.
+    .why = Das Modell hat { $parameters } Parameter.
+    .do = Mehr Punkte messen oder ein Modell mit weniger Parametern verwenden.
+
+empirical-not_determined = { $model }: Diese Punkte bestimmen die { $n } Parameter nicht.
+    .why = Es sind zu wenige, oder sie liegen in einer Ebene oder auf einer Geraden.
+    .do = Ein Modell mit weniger Parametern verwenden oder Punkte in anderen Höhen ergänzen.
+
+empirical-no_minimum = { $model }: kein Minimum nach { $n } Iterationen.
+    .why = Die Punkte können einen groben Fehler enthalten.
+    .do = Die Punkte prüfen.
+
+empirical-unknown_model = Das empirische Modell { $name } ist unbekannt.
+    .do = Eines von { LIST($known, most: 20) } verwenden.
+
+empirical-none_fitted = Kein empirisches Modell lässt sich anpassen.
+    .do = Punkte ergänzen oder ein anderes Modell verwenden.

@@ -1,0 +1,5 @@
+flight_check-no_positions = Keine der Aufnahmen hat eine Position.
+    .do = Eine Datei mit Positionen angeben.
+
+flight_check-other_place = Keine Aufnahme liegt dort, wo die Befliegung { $mission } eine plant; im Mittel sind es { NUM($away_m, decimals: 0) } m.
+    .do = Prüfen, ob es der Plan dieses Flugs ist.

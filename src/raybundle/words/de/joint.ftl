@@ -1,0 +1,17 @@
+joint-no_covariances = Die Ausgleichung hat keine Kovarianzen.
+    .why = Sie wurde ohne Statistik gerechnet oder ist eine Kopie.
+    .do = Erneut mit Statistik ausgleichen.
+
+joint-image_not_used = Bild { $image } ist nicht in der Ausgleichung.
+
+joint-point_not_used = Punkt { $point } ist nicht in der Ausgleichung.
+
+joint-no_named_points = { $name }: Kein ausgeglichener Punkt hat einen eigenen Namen.
+    .do = Zielmarken messen oder Punkte markieren.
+
+joint-too_many_points = { $name }: { $n } Punkte; eine gemeinsame Kovarianz ist für { $most } möglich.
+    .do = Einige der Punkte nennen.
+
+joint-unknown_point = Punkt { $point } ist nicht im Ergebnis.
+    .why = Das Ergebnis hat { $known }.
+    .do = Den Namen berichtigen.

@@ -1,0 +1,103 @@
+mark-exists = Punkt { $point } ist in Bild { $image } schon markiert.
+    .do = Die Markierung verschieben oder zuerst entfernen.
+
+mark-name_taken = Punkt { $point } lässt sich nicht in { $to } umbenennen: Der Name ist vergeben.
+    .do = Einen anderen Namen wählen oder den anderen Punkt zuerst löschen.
+
+mark-point_of_block = Punkt { $point } stammt aus dem Block; keine Markierung ist von Hand gemessen.
+    .do = Seine Bildbeobachtungen einzeln verwerfen.
+
+mark-bar_same_ends = Maßstabsstrecke { $start } - { $end }: Beide Enden sind derselbe Punkt.
+    .do = Zwei verschiedene Punkte angeben.
+
+mark-bar_sigma = Maßstabsstrecke { $start } - { $end }: Die Standardabweichung { $sigma } ist zu groß für eine Länge von { $length }.
+    .why = Sie darf höchstens die Länge geteilt durch { $ratio } sein.
+    .do = Die Länge oder ihre Standardabweichung berichtigen.
+
+mark-no_bar = Es gibt keine Maßstabsstrecke { $start } - { $end }.
+    .why = Gemessen sind: { $known }.
+    .do = Die Enden einer gemessenen Maßstabsstrecke angeben.
+
+mark-no_line = Es gibt keine Linie { $line_name }.
+    .why = Linien sind: { $known }.
+    .do = Den Namen berichtigen.
+
+mark-line_points = Linie { $line_name } (Art { $kind }) hat { $n } verschiedene Punkte; nötig sind { $least }.
+    .do = Mehr Punkte angeben, jeden einmal.
+
+mark-no_observation = Der Block hat keine Beobachtung des Punkts { $point } in Bild { $image }.
+    .do = Eine von Hand gemessene Markierung entfernen; verworfen werden nur Beobachtungen des Blocks.
+
+mark-not_rejected = Punkt { $point } in Bild { $image } ist nicht von Hand verworfen.
+    .do = Eine von Hand verworfene Beobachtung wählen.
+
+mark-bad_name = { $kind ->
+        [line] Linie
+        [mask] Maske
+        [table] Tabelle
+       *[point] Punkt
+     } { $name } hat einen ungültigen Namen ({ $n } Zeichen).
+    .why = Ein Name hat 1 bis { $most } druckbare Zeichen und kein Leerzeichen am Anfang oder Ende.
+    .do = Einen anderen Namen wählen.
+
+mark-sigma_without_coordinate = Punkt { $point } hat eine Standardabweichung von { $axis }, aber kein { $axis }.
+    .do = Die Koordinate angeben.
+
+mark-role_without_coordinate = Punkt { $point } ist ein { $role ->
+        [check] Kontrollpunkt
+       *[control] Passpunkt
+     } ohne Koordinaten.
+    .do = Mindestens eine Koordinate angeben oder ihn zum Verknüpfungspunkt machen.
+
+mark-control_without_sigma = Passpunkt { $point }: { $axis } hat keine Standardabweichung.
+    .do = Eine angeben; 0 hält die Koordinate fest.
+
+mark-unknown_point = Punkt { $point } ist weder gemessen noch im Block.
+    .why = { $n ->
+        [0] Kein Punkt ist gemessen.
+       *[other] Gemessen sind: { $known }.
+     }
+    .do = Ihn zuerst in einem Bild markieren oder seinen Namen berichtigen.
+
+mark-not_marked = Punkt { $point } ist in Bild { $image } nicht von Hand markiert.
+    .why = { $n ->
+        [0] Er ist in keinem Bild markiert.
+       *[other] Er ist markiert in: { $images_marked }.
+     }
+    .do = Ein Bild wählen, in dem er markiert ist.
+
+mark-covariance = Bild { $image }: Eine Kovarianz von { $xy_px2 } px² ist mit Varianzen von { $xx_px2 } und { $yy_px2 } px² unmöglich.
+    .why = Ihr Betrag muss kleiner sein als die Wurzel aus deren Produkt.
+    .do = Die Kovarianz berichtigen.
+
+mark-unknown_image = Bild { $image } ist keines der { $n } Bilder.
+    .why = Es sind { $known }.
+    .do = Den Namen berichtigen.
+
+mark-outside_image = Bild { $image }: x = { NUM($x_px, digits: 6) }, y = { NUM($y_px, digits: 6) } liegt außerhalb der { $width_px } x { $height_px } px.
+    .why = Pixel zählen von der linken oberen Ecke der gespeicherten Datei nach rechts und unten.
+    .do = Die Stelle berichtigen.
+
+mark-mask_corners = Maske { $mask } hat { $n } Ecken; möglich sind 3 bis { $most }.
+    .do = Das Polygon neu zeichnen.
+
+mark-mask_area = Maske { $mask }: Die Ecken umschließen { NUM($area_px2, digits: 2) } px², weniger als { $least_px2 } px².
+    .do = Ecken angeben, die nicht auf einer Geraden liegen.
+
+mark-no_mask = Es gibt keine Maske { $mask }.
+    .why = { $n ->
+        [0] Keine Maske ist gezeichnet.
+       *[other] Masken sind: { $known }.
+     }
+    .do = Den Namen berichtigen.
+
+mark-no_masks_at_all = Keine Maske ist gezeichnet oder aus einem Ordner gelesen.
+    .do = Eine im Studio oder mit raybundle mark mask zeichnen.
+
+mark-image_not_in_block = Punkt { $point } ist in Bild { $image } markiert, das nicht im Block ist.
+    .why = Er wurde in anderen Aufnahmen gemessen.
+    .do = Die Markierung entfernen.
+
+mark-control_far_away = Passpunkt { $point } ist { $distance } { $unit } von den anderen entfernt, das { $ratio }-fache ihrer Ausdehnung.
+    .why = Die Grenze ist das { $limit }-fache.
+    .do = Dezimalzeichen und Einheit seiner Koordinaten prüfen.

@@ -1,0 +1,2 @@
+mission_camera-not_positive = Kamera { $camera }: { $entry } ist { $value }.
+    .do = Einen Wert über 0 angeben.

@@ -1,0 +1,58 @@
+rpc-not_of_rasterio = Ein Objekt vom Typ { $kind } ist kein RPC von rasterio ({ $detail }).
+    .do = dataset.rpcs angeben.
+
+rpc-wrong_shape = RPC: { $name } hat die Form ({ $shape }) oder Werte, die nicht endlich sind.
+    .do = Endliche Zahlen der Form ({ $needed }) angeben.
+
+rpc-not_positive = RPC: { $name } ist { $values }.
+    .do = Werte über 0 angeben.
+
+rpc-centre_out_of_range = RPC: Breite { $latitude_deg }°, Länge { $longitude_deg }° der Mitte sind nicht gültig.
+    .why = Die Grenzen sind 90° und 360°.
+    .do = Prüfen, ob beide vertauscht sind.
+
+rpc-zero_denominator = RPC: Der Nenner der { $axis ->
+        [line] Zeile
+       *[sample] Spalte
+     } ist in der Mitte der Szene null.
+    .do = Die Datei neu beschaffen; sie ist beschädigt.
+
+rpc-no_ground_point = Der Bildpunkt Zeile { NUM($image_line, decimals: 2) }, Spalte { NUM($sample, decimals: 2) } hat keinen Geländepunkt in der Höhe { $height_m } m.
+    .why = Das RPC gilt für Höhen von { $low_m } bis { $high_m } m. { $others ->
+        [0] { "" }
+       *[other] { $others } weitere Punkte von { $n } haben auch keinen.
+     }
+    .do = Eine Höhe in diesem Bereich angeben.
+
+rpc-points_far_away = { $n } von { $total } Punkten liegen weit außerhalb der Szene; Punkt { $point } um das { NUM($ratio, digits: 4) }-fache ihrer Ausdehnung.
+    .why = { $point } liegt bei { NUM($longitude_deg, decimals: 6) }°, { NUM($latitude_deg, decimals: 6) }°, die Mitte bei { NUM($centre_longitude_deg, decimals: 6) }°, { NUM($centre_latitude_deg, decimals: 6) }° (Grenze { $limit } Ausdehnungen).
+    .do = { $exchanged ->
+        [yes] Länge und Breite tauschen, in den Punkten oder im RPC
+       *[no] Prüfen, ob Punkte und Szene zusammengehören, sowie Folge und Einheiten der Spalten
+     }.
+
+rpc-small_denominator = RPC: Der Nenner der { $axis ->
+        [line] Zeile
+       *[sample] Spalte
+     } ist { NUM($ratio, digits: 2) } seines Werts in der Mitte (Grenze { $limit }).
+    .why = Der Punkt liegt bei { NUM($longitude_deg, decimals: 6) }°, { NUM($latitude_deg, decimals: 6) }°, { NUM($height_m, decimals: 1) } m; das RPC gilt von { $low_m } bis { $high_m } m.
+    .do = Prüfen, ob der Punkt in der Szene liegt, oder das RPC neu beschaffen.
+
+rpc-point_shape = Die Punkte haben die Form ({ $shape }).
+    .do = Ein Feld der Form (n, 3) angeben: Länge, Breite, Höhe.
+
+rpc-height_range = Der Höhenbereich ist { $low_m } bis { $high_m } m.
+    .do = Einen Bereich von mindestens 1 m angeben.
+
+rpc-no_fit = Kein RPC ohne Nullstelle in einem Nenner passt zu diesem Modell.
+    .why = Der Höhenbereich oder das Bild ist zu groß für ein RPC.
+    .do = Einen kleineren Höhenbereich oder einen Teil des Bildes angeben.
+
+rpc-inaccurate_fit = Das beste RPC weicht um { $misfit_px } px von diesem Modell ab (Grenze { $limit_px } px).
+    .why = { $polar ->
+        [yes] Die Szene reicht bis zur Breite { NUM($latitude_deg, decimals: 3) }°, nahe an einen Pol, wo Längen mehrdeutig sind.
+       *[no] Das Bild oder der Höhenbereich ist zu groß, oder das Modell ist nicht glatt.
+     }
+    .do = Das strenge Modell oder einen Teil des Bildes verwenden.
+
+rpc-scene_localisation = Szene { $scene }: Ein Bildpunkt hat keinen Geländepunkt.

@@ -1,0 +1,173 @@
+# $point = "P1"
+# $image = "left.jpg"
+mark-exists = Point { $point } is already marked in image { $image }.
+    .do = Move the mark, or remove it first.
+
+# $point = "P1"
+# $to = "P2"
+mark-name_taken = Point { $point } cannot be renamed to { $to }: this name is in use.
+    .do = Choose another name, or delete the other point first.
+
+# $point = "P1"
+mark-point_of_block = Point { $point } is from the block; no mark of it is measured by hand.
+    .do = Reject its image observations one by one.
+
+# $start = "A"
+# $end = "A"
+mark-bar_same_ends = Scale bar { $start } - { $end }: both ends are the same point.
+    .do = Give two different points.
+
+# $start = "A"
+# $end = "B"
+# $sigma = 0.5
+# $length = 1.0
+# $ratio = 3
+mark-bar_sigma = Scale bar { $start } - { $end }: the standard deviation { $sigma } is too large for a length of { $length }.
+    .why = It must be at most the length divided by { $ratio }.
+    .do = Correct the length or its standard deviation.
+
+# $start = "A"
+# $end = "B"
+# $known = ["C - D"]
+mark-no_bar = There is no scale bar { $start } - { $end }.
+    .why = Measured are: { $known }.
+    .do = Give the ends of a measured scale bar.
+
+# $line_name = "edge"
+# $known = ["L1"]
+mark-no_line = There is no line { $line_name }.
+    .why = Lines are: { $known }.
+    .do = Correct the name.
+
+# $line_name = "L1"
+# $kind = "level"
+# $n = 2
+# $least = 3
+mark-line_points = Line { $line_name } (kind { $kind }) has { $n } different points; { $least } are needed.
+    .do = Give more points, each once.
+
+# $point = "P1"
+# $image = "left.jpg"
+mark-no_observation = The block has no observation of point { $point } in image { $image }.
+    .do = Remove a mark that was measured by hand; only observations of the block are rejected.
+
+# $point = "P1"
+# $image = "left.jpg"
+mark-not_rejected = Point { $point } in image { $image } is not rejected by hand.
+    .do = Choose an observation that is rejected by hand.
+
+# $kind = "point"
+# $name = "' P1'"
+# $n = 3
+# $most = 200
+mark-bad_name = { $kind ->
+        [line] Line
+        [mask] Mask
+        [table] Table
+       *[point] Point
+     } { $name } has an invalid name ({ $n } characters).
+    .why = A name has 1 to { $most } printable characters and no blank at its ends.
+    .do = Choose another name.
+
+# $point = "P1"
+# $axis = "Z"
+mark-sigma_without_coordinate = Point { $point } has a standard deviation of { $axis }, but no { $axis }.
+    .do = Give the coordinate.
+
+# $point = "P1"
+# $role = "control"
+mark-role_without_coordinate = Point { $point } is a { $role ->
+        [check] check point
+       *[control] control point
+     } without coordinates.
+    .do = Give at least one coordinate, or make it a tie point.
+
+# $point = "P1"
+# $axis = "Z"
+mark-control_without_sigma = Control point { $point }: { $axis } has no standard deviation.
+    .do = Give one; 0 fixes the coordinate.
+
+# $point = "P9"
+# $known = ["P1", "P2"]
+# $n = 2
+mark-unknown_point = Point { $point } is neither measured nor in the block.
+    .why = { $n ->
+        [0] No point is measured.
+       *[other] Measured are: { $known }.
+     }
+    .do = Mark it in an image first, or correct its name.
+
+# $point = "P1"
+# $image = "left.jpg"
+# $images_marked = ["right.jpg"]
+# $n = 1
+mark-not_marked = Point { $point } is not marked by hand in image { $image }.
+    .why = { $n ->
+        [0] It is marked in no image.
+       *[other] It is marked in: { $images_marked }.
+     }
+    .do = Choose an image in which it is marked.
+
+# $image = "left.jpg"
+# $xy_px2 = 2.0
+# $xx_px2 = 1.0
+# $yy_px2 = 1.0
+mark-covariance = Image { $image }: a covariance of { $xy_px2 } px² is impossible with variances of { $xx_px2 } and { $yy_px2 } px².
+    .why = Its size must be below the root of their product.
+    .do = Correct the covariance.
+
+# $image = "'x.jpg'"
+# $n = 2
+# $known = ["left.jpg", "right.jpg"]
+mark-unknown_image = Image { $image } is not one of the { $n } images.
+    .why = They are { $known }.
+    .do = Correct the name.
+
+# $image = "left.jpg"
+# $x_px = -5.0
+# $y_px = 10.0
+# $width_px = 6000
+# $height_px = 4000
+mark-outside_image = Image { $image }: x = { NUM($x_px, digits: 6) }, y = { NUM($y_px, digits: 6) } is outside its { $width_px } x { $height_px } px.
+    .why = Pixels count from the upper left corner of the file as stored, to the right and down.
+    .do = Correct the place.
+
+# $mask = "sky"
+# $n = 2
+# $most = 1000
+mark-mask_corners = Mask { $mask } has { $n } corners; 3 to { $most } are possible.
+    .do = Draw the polygon again.
+
+# $mask = "sky"
+# $area_px2 = 0.2
+# $least_px2 = 1.0
+mark-mask_area = Mask { $mask }: its corners enclose { NUM($area_px2, digits: 2) } px², less than { $least_px2 } px².
+    .do = Give corners that are not on one line.
+
+# $mask = "'sky'"
+# $known = ["wall"]
+# $n = 1
+mark-no_mask = There is no mask { $mask }.
+    .why = { $n ->
+        [0] No mask is drawn.
+       *[other] Masks are: { $known }.
+     }
+    .do = Correct the name.
+
+mark-no_masks_at_all = No mask is drawn or read from a folder.
+    .do = Draw one in the studio, or with raybundle mark mask.
+
+# $point = "P1"
+# $image = "old.jpg"
+mark-image_not_in_block = Point { $point } is marked in image { $image }, which is not in the block.
+    .why = It was measured in other photographs.
+    .do = Remove the mark.
+
+# $point = "P1"
+# $distance = 1000000.0
+# $unit = "m"
+# $ratio = 20000.0
+# $limit = 10000.0
+mark-control_far_away = Control point { $point } is { $distance } { $unit } from the others, { $ratio } times their extent.
+    .why = The limit is { $limit } times.
+    .do = Check the decimal point and the unit of its coordinates.

@@ -1,0 +1,239 @@
+# $kind = "building"
+# $distance_m = 2.0
+# $near_m = 3.5
+# $far_m = 20.0
+plan-not_sharp = { $kind ->
+        [sheet] The sheet that fills the format
+        [facade] The facade for stereo pairs
+        [turntable] The object on its turntable
+       *[building] The building
+     } at { $distance_m } m is out of focus (sharp: { $near_m } to { $far_m } m).
+    .do = Focus at this distance ({ OPTION("focus") }), or stop down ({ OPTION("f_number") }).
+
+plan-no_flat_sheet = A calibration list needs a flat sheet or a board.
+    .do = Give sheet:WIDTH,HEIGHT, or a board.
+
+plan-no_footprint = The object has no footprint: seen from above it is a line or a point.
+    .do = Give an object with an area on the ground.
+
+# $distance_m = 12.3
+# $clearance_m = 10.0
+# $reach_m = 8.0
+# $needed_m = 12.3
+plan-ring_too_far = The ring of stations is { $distance_m } m from the walls; { $reach_m } m are available.
+    .why = Stations must not be nearer than { $clearance_m } m ({ OPTION("clearance") }).
+    .do = Give { $needed_m } m ({ OPTION("around") }), or a smaller clearance.
+
+# $height_m = 20.0
+# $distance_m = 25.0
+# $reach_m = 15.0
+# $c_mm = 14.0
+plan-height_not_shown = The height of { $height_m } m needs a distance of { $distance_m } m in portrait format; { $reach_m } m are available.
+    .do = Use a lens with c = { NUM($c_mm, digits: 2) } mm ({ OPTION("c") }), a higher station ({ OPTION("eye") }), or more distance ({ OPTION("around") }).
+
+# $side = 2
+# $distance_m = 3.5
+plan-no_stereo_overlap = Side { $side }: the two photographs of a pair from { $distance_m } m do not overlap.
+    .do = Use a lens with a wider angle.
+
+plan-stations_missing = The stations of the photographs are missing; targets are placed for them.
+    .do = Give { OPTION("stations", "plan/stations.csv") }, as raybundle plan network writes it.
+
+# $n = 2
+# $rays = 3
+# $stations = 12
+plan-too_few_target_places = { $n } places of the object are visible from { $rays } of the { $stations } stations; targets need 4.
+    .do = Plan more photographs.
+
+# $size_mm = 120.0
+# $across_px = 8.0
+# $space_mm = 90.0
+plan-targets_too_large = Targets need { NUM($size_mm, decimals: 0) } mm each; the object has { NUM($space_mm, decimals: 0) } mm for each.
+    .why = Their dots have { $across_px } px in the farthest photograph.
+    .do = Use fewer targets ({ OPTION("count") }), nearer stations, or smaller dots ({ OPTION("across") }).
+
+# $n = 6
+# $step_deg = 60.0
+plan-turn_too_large = { $n } steps of a turn are { NUM($step_deg, decimals: 0) }° each; neighbouring photographs do not overlap enough.
+    .do = Use at least 8 steps.
+
+# $length_m = 5.0
+# $longest_m = 3.2
+plan-no_place_for_bars = No two points of the object with a clear line between them are { $length_m } m apart, the length of a scale bar.
+    .why = The farthest two are { $longest_m } m apart.
+    .do = Use shorter scale bars, or more points.
+
+# $n = 4000
+# $low = [0.0, 0.0, 0.0]
+# $high = [5.0, 5.0, 2.0]
+# $clearance_m = 3.0
+plan-no_station_allowed = None of { $n } tested positions is allowed for a station.
+    .why = Object, clearance of { $clearance_m } m and forbidden boxes fill the space from ({ $low }) to ({ $high }) m.
+    .do = Enlarge the space, or reduce the clearance.
+
+# $n = 400
+# $least = 6
+# $near_m = 3.0
+# $incidence_deg = 60.0
+plan-object_not_seen = None of { $n } allowed positions sees { $least } points of the object.
+    .why = The depth of field begins at { $near_m } m; rays may be { $incidence_deg }° off the normal.
+    .do = Allow more distance, or a larger angle of incidence.
+
+# $station = 5
+plan-station_not_allowed = Station { $station } is outside the limits, too near to the object, or in a forbidden box.
+    .do = Move or delete it.
+
+# $names = ["P1", "P2"]
+# $n = 2
+plan-points_not_adjusted = { $n ->
+        [0] No point is given
+       *[other] Points are not in the adjustment: { $names }
+     }.
+    .do = Give points that the adjustment estimates.
+
+# $camera = "d5100"
+plan-camera_fixed = Camera { $camera }: no parameter is estimated, so none can be improved.
+    .do = Estimate its parameters in the adjustment.
+
+# $n = 2
+# $least = 3
+plan-too_few_control = { $n } control points do not define a datum; { $least } are needed.
+    .do = Plan at least { $least } control points.
+
+# $n = 3
+plan-control_not_sufficient = { $n } control points do not determine the datum of this network.
+    .do = Plan more control points.
+
+# $pattern = "'orbit'"
+plan-mission_pattern = The precision of a mission of pattern { $pattern } cannot be predicted.
+    .why = The parts of the object in its photographs are unknown.
+    .do = Use raybundle plan network with the shape of the object.
+
+# $aim = "reliability"
+plan-aim_no_sigma = The aim { $aim } is not a standard deviation.
+    .do = Give the number of stations instead of the wanted value.
+
+plan-no_goal = The plan has neither a wanted standard deviation nor a number of stations.
+    .do = Give one of the two.
+
+# $n = 12
+# $share = 0.4
+plan-points_rarely_found = Points of this kind are detected so rarely that the network of { $n } stations often fails.
+    .why = It fails in { PERCENT($share) } % of the simulated detections.
+    .do = Plan more stations or points, or use targets.
+
+# $n = 400
+# $least = 6
+plan-nothing_seen_again = None of { $n } possible stations sees { $least } points of the block.
+    .do = Allow more positions ({ OPTION("step") }, { OPTION("around") }) or a larger angle ({ OPTION("incidence") }).
+
+# $n = 3
+# $wanted = 10
+plan-too_few_candidates = { $n } candidate stations see enough points; { $wanted } photographs are requested.
+    .do = Request fewer photographs: { OPTION("photographs") }.
+
+plan-no_object_points = The adjustment has no object point that a photograph could show.
+    .do = Adjust a block with object points.
+
+# $camera = "d5200"
+# $known = ["d5100"]
+plan-unknown_camera = The block has no camera { $camera }.
+    .do = Use one of { LIST($known, most: 10) }.
+
+# $camera = "scene_1"
+# $model = "linescan"
+plan-no_frame_camera = Camera { $camera } ({ $model }) is not a frame camera of single stations.
+    .why = Proposals need one station for each photograph and one interior orientation for all; scenes, rolling shutters and rigs have neither.
+    .do = Choose another camera.
+
+# $camera = "d5100"
+plan-camera_not_used = Camera { $camera } has no photograph in the adjustment.
+    .do = Choose another camera.
+
+# $name = "hall.ply"
+# $off = 1.2
+# $limit = 0.3
+plan-object_elsewhere = Object { $name }: half of the points are more than { $off } off its surface (limit { $limit }).
+    .do = Give the object in the frame and length unit of the block.
+
+# $block = "facade"
+plan-not_oriented = Block { $block } has photographs without orientation.
+    .do = Orient or adjust it first.
+
+# $block = "facade"
+# $image = "left.jpg"
+plan-photograph_not_oriented = Photograph { $image } of block { $block } has no orientation.
+    .do = Orient or adjust the block first.
+
+# $camera = "d5100"
+plan-no_common_interior = Camera { $camera } has no interior orientation common to its photographs.
+    .do = Choose a camera with common interior orientation.
+
+# $n = 400
+plan-no_station_within = None of { $n } stations is within the limits.
+    .do = Widen { OPTION("step") }, { OPTION("around") }, { OPTION("heights") }, { OPTION("clearance") } or { OPTION("forbid") }.
+
+plan-one_place = Photographs from one place cannot be compared with the list.
+    .do = Check that they belong to this list.
+
+# $n = 3
+# $total = 20
+# $off = 0.31
+# $limit = 0.2
+plan-other_list = The stations of these photographs agree with the list in at most { $n } of { $total } places.
+    .why = They are off by { NUM($off, decimals: 2) } of the object distance (limit { NUM($limit, decimals: 2) }).
+    .do = Check that the photographs belong to this list.
+
+# $n = 3
+# $total = 200
+# $least = 3
+# $given = false
+plan-too_few_visible = { $n } of { $total } points of the object are visible from { $least } { $given ->
+        [yes] of the given stations
+       *[no] possible stations
+     }.
+    .do = Widen the space for stations, or allow larger angles of incidence.
+
+# $most = 400
+# $least = 3
+plan-no_network_sees_all = No network of up to { $most } stations sees every point { $least } times.
+    .do = Widen the space for stations, reduce the number of rays, or exclude the hidden parts.
+
+# $wanted_mm = 0.01
+# $n = 40
+# $reached_mm = 0.05
+# $near_m = 2.0
+# $sigma_px = 0.3
+# $sigma_mm = 0.1
+plan-beyond_reach = A standard deviation of { $wanted_mm } mm is not possible: { $n } stations reach { $reached_mm } mm.
+    .why = At the nearest distance of { $near_m } m, { $sigma_px } px are { NUM($sigma_mm, digits: 2) } mm on the object.
+    .do = Go nearer, or use a longer lens or targets with a smaller standard deviation.
+
+# $station = 3
+# $n = 2
+# $total = 200
+# $least = 6
+# $stations = 4
+# $all_stations = 12
+# $given = true
+plan-station_sees_too_few = Station { $station } sees { $n } of { $total } points of the object; its orientation needs { $least }.
+    .why = This concerns { $stations } of { $all_stations } stations.
+    .do = { $given ->
+        [yes] Check that stations and object have the same frame
+       *[no] Use more points, more space for stations, or a wider lens
+     }.
+
+# $stations = 12
+# $n = 30
+# $total = 200
+# $least = 3
+plan-too_few_rays = With { $stations } stations, { $n } of { $total } points of the object have fewer than { $least } rays.
+    .do = Plan more stations, more space for them, or a lens with a wider angle.
+
+# $stations = 4
+# $free = true
+plan-not_determined = A network of { $stations } stations does not determine all unknowns.
+    .do = { $free ->
+        [yes] Plan more points or stations, or fix the camera parameters
+       *[no] Plan more points or stations
+     }.

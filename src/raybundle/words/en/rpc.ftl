@@ -1,0 +1,101 @@
+# $kind = "dict"
+# $detail = "'dict' object has no attribute 'long_off'"
+rpc-not_of_rasterio = An object of type { $kind } is not an RPC of rasterio ({ $detail }).
+    .do = Give dataset.rpcs.
+
+# $name = "coefficients"
+# $shape = [4, 19]
+# $needed = [4, 20]
+rpc-wrong_shape = RPC: { $name } has shape ({ $shape }), or values that are not finite.
+    .do = Give finite numbers of shape ({ $needed }).
+
+# $name = "image_scale"
+# $values = [1000.0, 0.0]
+rpc-not_positive = RPC: { $name } is { $values }.
+    .do = Give values above 0.
+
+# $latitude_deg = 120.0
+# $longitude_deg = 48.0
+rpc-centre_out_of_range = RPC: latitude { $latitude_deg }°, longitude { $longitude_deg }° of the centre are not valid.
+    .why = The limits are 90° and 360°.
+    .do = Check whether the two are exchanged.
+
+# $axis = "line"
+rpc-zero_denominator = RPC: the { $axis ->
+        [line] line
+       *[sample] sample
+     } denominator is zero at the centre of the scene.
+    .do = Get the file again; it is damaged.
+
+# $image_line = 120.25
+# $sample = 3300.5
+# $height_m = 90000.0
+# $others = 3
+# $n = 10
+# $low_m = 0.0
+# $high_m = 500.0
+rpc-no_ground_point = Image point line { NUM($image_line, decimals: 2) }, sample { NUM($sample, decimals: 2) } has no ground point at height { $height_m } m.
+    .why = The RPC is valid for heights from { $low_m } to { $high_m } m. { $others ->
+        [0] { "" }
+       *[other] { $others } other points of { $n } have none either.
+     }
+    .do = Give a height within this range.
+
+# $n = 4
+# $total = 10
+# $point = "P1"
+# $longitude_deg = 48.2
+# $latitude_deg = 16.4
+# $ratio = 900.0
+# $centre_longitude_deg = 16.37
+# $centre_latitude_deg = 48.21
+# $limit = 50.0
+# $exchanged = true
+rpc-points_far_away = { $n } of { $total } points are far outside the scene; point { $point } is { NUM($ratio, digits: 4) } times its range away.
+    .why = { $point } is at { NUM($longitude_deg, decimals: 6) }°, { NUM($latitude_deg, decimals: 6) }°, the centre at { NUM($centre_longitude_deg, decimals: 6) }°, { NUM($centre_latitude_deg, decimals: 6) }° (limit { $limit } ranges).
+    .do = { $exchanged ->
+        [yes] Exchange longitude and latitude, in the points or in the RPC
+       *[no] Check that points and scene belong together, and the order and units of the columns
+     }.
+
+# $axis = "line"
+# $ratio = 0.01
+# $limit = 0.05
+# $longitude_deg = 16.371
+# $latitude_deg = 48.208
+# $height_m = 9000.0
+# $low_m = 0.0
+# $high_m = 500.0
+rpc-small_denominator = RPC: the { $axis ->
+        [line] line
+       *[sample] sample
+     } denominator is { NUM($ratio, digits: 2) } of its value at the centre (limit { $limit }).
+    .why = The point is at { NUM($longitude_deg, decimals: 6) }°, { NUM($latitude_deg, decimals: 6) }°, { NUM($height_m, decimals: 1) } m; the RPC is valid from { $low_m } to { $high_m } m.
+    .do = Check that the point is in the scene, or get the RPC again.
+
+# $shape = [4, 2]
+rpc-point_shape = The points have shape ({ $shape }).
+    .do = Give an array of shape (n, 3): longitude, latitude, height.
+
+# $low_m = 200.0
+# $high_m = 200.0
+rpc-height_range = The range of heights is { $low_m } to { $high_m } m.
+    .do = Give a range of at least 1 m.
+
+rpc-no_fit = No RPC without a zero in a denominator fits this model.
+    .why = The range of heights or the image is too large for one RPC.
+    .do = Give a smaller range of heights, or a part of the image.
+
+# $misfit_px = 2.5
+# $limit_px = 0.1
+# $latitude_deg = 89.2
+# $polar = true
+rpc-inaccurate_fit = The best RPC deviates from this model by { $misfit_px } px (limit { $limit_px } px).
+    .why = { $polar ->
+        [yes] The scene reaches latitude { NUM($latitude_deg, decimals: 3) }°, near a pole, where longitudes are ambiguous.
+       *[no] The image or the range of heights is too large, or the model is not smooth.
+     }
+    .do = Use the rigorous model, or a part of the image.
+
+# $scene = "scene.tif"
+rpc-scene_localisation = Scene { $scene }: an image point has no ground point.

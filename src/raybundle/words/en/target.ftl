@@ -1,0 +1,44 @@
+# $family = "aicon14"
+# $ids_missing = [900]
+# $n = 516
+# $first = 1
+# $last = 516
+target-no_such_id = Target family { $family } has no id { $ids_missing }.
+    .why = Its { $n } ids are between { $first } and { $last }.
+    .do = Use ids of this family.
+
+# $name = "'aicon13'"
+# $known = ["agisoft12", "aicon14"]
+target-unknown_ring_family = Target family { $name } is unknown.
+    .do = Use one of { LIST($known, most: 30) }.
+
+# $kind = "float64"
+# $shape = [100, 200, 3]
+target-image_type = Targets cannot be detected in an image of type { $kind } and shape ({ $shape }).
+    .do = Give a grey image of 8 or 16 bits.
+
+# $name = "'aruco-4x4_60'"
+# $near = ["aruco-4x4_50"]
+# $n = 1
+# $known = ["apriltag-36h11", "aruco-4x4_50"]
+target-unknown_tags = Tags { $name } are unknown.
+    .do = { $n ->
+        [0] Use
+       *[other] Check whether { $near } is meant, or use
+     } one of { LIST($known, most: 30) }.
+
+# $name = "'aicon15'"
+# $near = ["aicon14"]
+# $n = 1
+# $known = ["agisoft12", "aicon14"]
+target-unknown_family = Target family { $name } is unknown.
+    .do = { $n ->
+        [0] Use
+       *[other] Check whether { $near } is meant, or use
+     } one of { LIST($known, most: 30) }.
+
+# $family = "aicon14"
+# $n = 516
+# $wanted = 600
+target-too_few_codes = Target family { $family } has { $n } targets; { $wanted } are requested.
+    .do = Request fewer targets, or use a larger family.

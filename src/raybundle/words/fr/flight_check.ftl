@@ -1,0 +1,3 @@
+flight_check-no_positions = Aucune des photos n'a de position.
+
+flight_check-other_place = Aucune photo n'est à un endroit prévu par la mission { $mission } ; l'écart moyen est de { NUM($away_m, decimals: 0) } m.

@@ -1,0 +1,1 @@
+mission_camera-not_positive = Caméra { $camera } : { $entry } vaut { $value }.
