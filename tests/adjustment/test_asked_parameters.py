@@ -48,16 +48,16 @@ def test_free_and_not_determinable_is_told_not_held():
 @pytest.mark.parametrize(
     ("options", "words"),
     [
-        ({"free": (("other", "K1"),)}, "free=: camera 'other' is not in the block; known are"),
-        ({"hold": (("", "K1"),)}, "hold=: camera '' is not in the block"),
-        ({"hold": (("camera", "K9"),)}, "has no parameter 'K9'; it has c, x0"),
-        ({"hold": (("camera", "K1"),), "free": (("camera", "K1"),)}, "asked to be free and to be held"),
+        ({"free": (("other", "K1"),)}, r"parameter\.unknown_camera"),
+        ({"hold": (("", "K1"),)}, r"parameter\.unknown_camera"),
+        ({"hold": (("camera", "K9"),)}, r"K9.*x0.*parameter\.unknown"),
+        ({"hold": (("camera", "K1"),), "free": (("camera", "K1"),)}, r"parameter\.free_and_held"),
     ],
 )
 def test_parameters_that_are_not_there(usual, options, words):
     name = usual.interior[0].camera
     named = {k: tuple((name if c == "camera" else c, s) for c, s in v) for k, v in options.items()}
-    with pytest.raises(InputError, match=words.replace("(", r"\(")):
+    with pytest.raises(InputError, match=r"K9.*x0.*parameter\.unknown"d"ra"):
         decided(0, 5.0, ROLLS, **named)
 
 

@@ -130,5 +130,5 @@ def test_covariances_of_several_things_have_names(fixed):
 
 
 def test_a_copy_has_none(fixed):
-    with pytest.raises(InputError, match="ask the result itself"):
+    with pytest.raises(InputError, match=r"adjustment\.no_statistics"):
         rb.matrices(replace(fixed, handle=type(fixed.handle)()))

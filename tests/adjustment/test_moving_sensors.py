@@ -112,7 +112,7 @@ def test_the_read_out_time_is_estimated_where_the_motion_is_known():
 
 
 def test_the_read_out_time_is_called_not_determinable_without_known_motion():
-    with pytest.raises(RankDefect, match=r"do not determine[\s\S]*\br of camera drone"):
+    with pytest.raises(RankDefect, match=r"rank\.not_determined"):
         adjust_block(observed(rolling(("r", *RATES))))
 
 
@@ -171,7 +171,7 @@ def test_images_of_a_station_that_differ_are_refused():
     block = two_camera_rig()
     centre = block.images.centre.copy()
     centre[1] += 0.1
-    with pytest.raises(InputError, match=r"images 1, 2 share a station but not their exterior orientation"):
+    with pytest.raises(InputError, match=r"1.*2.*station\.orientations_differ"):
         adjust_block(replace(block, images=replace(block.images, centre=centre)))
 
 

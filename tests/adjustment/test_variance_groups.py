@@ -96,7 +96,7 @@ def test_it_is_said_in_the_notices():
 
 
 def test_without_statistics_nothing_tells_factors():
-    with pytest.raises(InputError, match="with statistics"):
+    with pytest.raises(InputError, match=r"adjustment\.groups_without_statistics"):
         adjust(survey(), AdjustmentOptions(variance_groups=True, statistics=False))
 
 

@@ -22,25 +22,23 @@ def test_a_block_without_observations():
     block = room()
     o = block.observations
     none = replace(o, image=o.image[:0], point=o.point[:0], xy_px=o.xy_px[:0], cov_px2=o.cov_px2[:0])
-    with pytest.raises(InputError, match=r"block .*: has no observations; there is nothing to adjust"):
+    with pytest.raises(InputError, match=r"adjustment\.no_observation"):
         adjust_block(replace(block, observations=none))
-    with pytest.raises(InputError, match="no observation"):
+    with pytest.raises(InputError, match=r"tie_points\.too_few_rays"):
         adjust(replace(block, observations=none))
 
 
 def test_a_block_whose_observations_are_all_rejected():
     block = room()
     n = len(block.observations)
-    with pytest.raises(InputError, match=f"all {n} of its image observations are rejected"):
+    with pytest.raises(InputError, match=r"605.*adjustment\.all_rejected"):
         adjust_block(block, rejected=(Rejection(kind=RejectionKind.GIVEN, detail="by hand"),) * n)
 
 
 @pytest.mark.parametrize("sigma", [{}, SIGMA, dict.fromkeys(RATES, 0.3)])
 def test_a_shutter_without_read_out_shows_no_motion(sigma):
     block = with_values(observed(rolling(sigma=sigma)), r=0.0)
-    with pytest.raises(
-        InputError, match=r"camera drone: the read-out time r is 0, with which no observation touches vx"
-    ):
+    with pytest.raises(InputError, match=r"0.*camera\.no_read_out_time"):
         adjust_block(block)
     still = replace(block, cameras=tuple(replace(c, estimate=(), per_image=()) for c in block.cameras))
     assert np.isfinite(adjust_block(replace(still, images=replace(still.images, interior={}))).sigma0)
@@ -49,6 +47,6 @@ def test_a_shutter_without_read_out_shows_no_motion(sigma):
 def test_a_panorama_of_two_turns():
     block = room()
     c = block.cameras[0].values["c"]
-    with pytest.raises(InputError, match=r"camera panorama: .* spans 2 turns .*a whole turn has c = width .* = 60"):
+    with pytest.raises(InputError, match=r"2.*60.*camera\.too_many_turns"):
         adjust_block(with_values(block, c=c / 2))
     adjust_block(with_values(block, c=c / 1.01))

@@ -147,7 +147,7 @@ def test_what_cannot_be_factored_has_no_null_space_to_be_named(pair):
         normals.reduce(pair[2])
         normals.values[:] = np.nan
         assert not len(defects.null_vectors(normals)[0])
-        assert defects.null_space(normals) == ([], "")
+        assert defects.null_space(normals) == ([], [])
         error = defects.no_convergence(normals, pair[2], 7, np.nan)
         assert error.undetermined == ()
         assert "after 7 iterations" in str(error)

@@ -16,7 +16,6 @@ from scipy.special import chdtri
 
 from raybundle.adjustment.accuracy import Accuracy
 from raybundle.errors import InputError
-from raybundle.settings import option
 
 FEWEST = 5
 """Check points below which figures in metres are not called kept: a standard deviation from four or fewer is uncertain
@@ -56,12 +55,9 @@ def accuracy_class(text: str) -> AccuracyClass | None:
     parts = parts * 2 if len(parts) == 1 else parts
     lengths = [None if p == "-" else _length(p) for p in parts]
     if asprs and any(p != "-" and p[-1:].isdigit() for p in parts):
-        raise InputError(f"{option('accuracy_class')}: {text!r}: say the unit of a class of ASPRS, as asprs:2.5cm,5cm")
+        raise InputError("accuracy_class.no_unit", text=text)
     if len(lengths) != 2 or lengths == [None, None] or any(v is not None and not 0 < v < 1e6 for v in lengths):
-        raise InputError(
-            f"{option('accuracy_class')}: {text!r} is no accuracy; give the largest RMSE in metres as 0.03, that of "
-            "plan and height as 0.03,0.05, of one of them as -,0.05, or a class of ASPRS as asprs:2.5cm,5cm"
-        )
+        raise InputError("accuracy_class.not_readable", text=text)
     return AccuracyClass(horizontal=lengths[0], vertical=lengths[1], asprs=asprs)
 
 

@@ -138,14 +138,10 @@ def rows_of(factored: Factored, joint: JointCofactors, block: Block, more: Photo
     camera, system = block.cameras[more.camera], factored.system
     model = camera.sensor
     if camera.is_scene or isinstance(model, Carried) or camera.own_symbols:
-        raise InputError(
-            f"camera {camera.id}: what a further photograph brings is told of cameras whose photographs have a station "
-            "and share the interior orientation; this one is a scene, moves while it is read out, or has parameters of "
-            "each photograph"
-        )
+        raise InputError("addition.camera_not_supported", camera=camera.id)
     row = next((r for r in system.interior if r.camera == more.camera and r.image < 0), None)
     if row is None or not (block.images.camera[system.images_used] == more.camera).any():
-        raise InputError(f"camera {camera.id} has no photograph that takes part; nothing is known of it")
+        raise InputError("addition.camera_without_photograph", camera=camera.id)
     R, point = more.rotation[more.image], more.point
     P = sensor_from_object(R, more.centre[more.image], block.points.xyz[point])
     xy = np.ascontiguousarray(camera.image_from_pixel(more.xy_px))

@@ -5,7 +5,6 @@ from __future__ import annotations
 from raybundle.adjustment.options import AdjustmentOptions
 from raybundle.block import Block, Camera, Instrument
 from raybundle.errors import InputError
-from raybundle.settings import option
 
 
 def check_asked(block: Block, options: AdjustmentOptions) -> None:
@@ -14,17 +13,11 @@ def check_asked(block: Block, options: AdjustmentOptions) -> None:
     for name, asked in (("free", options.free), ("hold", options.hold)):
         for camera, symbol in asked:
             if camera not in known:
-                cameras = ", ".join(map(repr, [*known][:5])) or "none"
-                raise InputError(f"{option(name)}: camera {camera!r} is not in the block; known are {cameras}")
+                raise InputError("parameter.unknown_camera", way=name, camera=camera, known=[*known])
             if symbol not in known[camera]:
-                raise InputError(
-                    f"{option(name)}: camera {camera!r} has no parameter {symbol!r}; it has {', '.join(known[camera])}"
-                )
+                raise InputError("parameter.unknown", way=name, camera=camera, symbol=symbol, known=known[camera])
     for camera, symbol in sorted(set(options.free) & set(options.hold)):
-        raise InputError(
-            f"{symbol} of camera {camera!r} is asked to be free and to be held; take {option('free')} or "
-            f"{option('hold')} away"
-        )
+        raise InputError("parameter.free_and_held", camera=camera, symbol=symbol)
 
 
 def with_asked(camera: Camera | Instrument, free: tuple[str, ...], options: AdjustmentOptions) -> tuple[str, ...]:

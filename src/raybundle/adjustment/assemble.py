@@ -288,10 +288,7 @@ def middle_of(block: Block, used: Used) -> Array:
 def _corrected(block: Block, camera: Camera, options: AdjustmentOptions) -> bool:
     kind = block.residuals if options.residuals == "as_block" else options.residuals
     if kind == "corrected" and camera.model != "brown":
-        raise InputError(
-            f'camera {camera.id}: residuals = "corrected" is defined for the model brown alone, not for '
-            f'{camera.model}; use residuals = "measured"'
-        )
+        raise InputError("adjustment.corrected_residuals", camera=camera.id, model=camera.model)
     return kind == "corrected"
 
 
@@ -311,9 +308,9 @@ def image_observations(block: Block, rows: Array) -> tuple[Array, Array, Array]:
         if wrong.any():
             bad = int(some[np.flatnonzero(wrong)[0]])
             raise InputError(
-                f"image {block.images.ids[observations.image[bad]]}, point "
-                f"{block.points.ids[observations.point[bad]]}: the covariance of the image point is not positive "
-                "definite"
+                "image_point.covariance_not_positive",
+                image=block.images.ids[observations.image[bad]],
+                point=block.points.ids[observations.point[bad]],
             )
     return xy, whiten, size
 

@@ -8,6 +8,7 @@ points that carry the datum.  Residuals do not depend on it.
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -15,14 +16,15 @@ import numpy as np
 
 from raybundle.adjustment.assemble import State, System
 from raybundle.adjustment.options import AdjustmentOptions
-from raybundle.errors import DatumDefect, InputError, NotSolvable
+from raybundle.errors import DatumDefect, InputError, Message, NotSolvable, message
 from raybundle.numerics import large
 from raybundle.numerics.arrays import Array, Index, Mask
 from raybundle.numerics.statistics import chi_square_tails
 from raybundle.sensors import SensorModel
-from raybundle.settings import option
 
 NAMES = ("position X", "position Y", "position Z", "rotation X", "rotation Y", "rotation Z", "scale")
+SHORT = ("tX", "tY", "tZ", "rX", "rY", "rZ", "m")
+"""The same as symbols: shifts, rotations, scale"""
 ABOUT_LINE = "rotation about a straight line"
 STRAIGHT = 1e-2
 """Share of a radian by which a rotation may also shift along its axis or scale, as control is off a line by errors."""
@@ -74,6 +76,22 @@ def open_names(basis: Array) -> tuple[str, ...]:
     elif rest > 0:
         names.append(f"{rest} combination{'s' if rest > 1 else ''} of {', '.join(mixed)}")
     return tuple(names)
+
+
+def open_part(name: str) -> Message:
+    """The message that names an open part of the datum, by its name among `open_names`."""
+    if name == ABOUT_LINE or name in NAMES:
+        return message("datum.part", part="about_line" if name == ABOUT_LINE else name.replace(" ", "_").lower())
+    number, _, of = name.partition(" ")
+    among = [short for short, whole in zip(SHORT, NAMES, strict=True) if whole in of]
+    return message("datum.combination", n=int(number), among=among)
+
+
+def open_values(names: Sequence[str]) -> tuple[str, tuple[Message, ...]]:
+    """The value `part` of a message on open parts of the datum, as of `datum.part`; and details that name several."""
+    each = tuple(open_part(name) for name in names)
+    single = len(each) == 1 and each[0].code == "datum.part"
+    return (str(each[0].values["part"]), ()) if single else ("several", each)
 
 
 def _turns_about_a_line(generator: Array) -> bool:
@@ -128,11 +146,7 @@ def analyse(system: System, state: State, options: AdjustmentOptions) -> Datum:
     """Which of the seven datum parameters control, distances, stations and held images leave open."""
     used = system.points_used
     if not used.any():
-        raise NotSolvable(
-            "no object point takes part; nothing can be adjusted. All were left out: they lie behind the cameras "
-            "that see them, or have no ray left: look at the orientations that are given, at the sign and the unit of "
-            "the camera constant, or leave the orientations out"
-        )
+        raise NotSolvable("adjustment.no_point")
     centre, extent = middle_and_extent(state.xyz[used])
     basis, kind = what_is_open(system, state, options, centre, extent)
     carriers = used.copy()
@@ -140,7 +154,7 @@ def analyse(system: System, state: State, options: AdjustmentOptions) -> Datum:
         index = {name: i for i, name in enumerate(system.block.points.ids)}
         missing = [name for name in options.datum_points if name not in index or not used[index[name]]]
         if missing:
-            raise InputError(f"datum points that take no part in the adjustment: {', '.join(missing[:10])}")
+            raise InputError("datum.unknown_points", n=len(missing), points=missing)
         carriers = np.zeros_like(used)
         carriers[[index[name] for name in options.datum_points]] = True
     elif options.datum_over == "good":
@@ -150,8 +164,10 @@ def analyse(system: System, state: State, options: AdjustmentOptions) -> Datum:
         G = point_generators(state.xyz[carriers], centre, extent).reshape(-1, 7) @ basis / extent
         if np.linalg.matrix_rank(_folded(G), tol=1e-6 * max(len(G), 1) ** 0.5) < datum.defect:
             raise DatumDefect(
-                f"the {int(carriers.sum())} datum points cannot carry {datum.defect} inner constraints "
-                f"({', '.join(datum.open_names)}); choose at least three points that are not collinear"
+                "datum.too_few_points",
+                points=int(carriers.sum()),
+                constraints=datum.defect,
+                details=map(open_part, datum.open_names),
             )
     return datum
 
@@ -171,28 +187,22 @@ def what_is_open(
     """
     basis = open_directions(*_fixing_rows(system, state, centre, extent))
     kind = {"auto": "inner", "control": "control", "minimal": "minimal", "inner": "inner"}[options.datum]
-    unscaled = [p.kind.title.lower() for p in system.extra.parts if p.kind.needs_scale]
+    unscaled = [p.kind.key for p in system.extra.parts if p.kind.needs_scale]
     if unscaled and basis.shape[1] and np.abs(basis[6]).max() > 1e-6:
         raise DatumDefect(
-            f"nothing fixes the scale, and {', '.join(unscaled)} have standard deviations in "
-            f"{system.block.length_unit}, which mean nothing then.\n  Give a scale bar, control points or observed "
-            "projection centres, or leave these tables out."
-        )
+            "datum.no_scale", unit=system.block.length_unit, n=len(unscaled),
+            details=[message("observations.kind", kind=kind) for kind in unscaled],
+        )  # fmt: skip
     if basis.shape[1] == 0:
         kind = "control"
     elif left_open := _left_open(system, basis):
         names = open_names(basis)
-        raise DatumDefect(
-            f"{', '.join(names)} {'is' if len(names) == 1 else 'are'} left open: {left_open}", open_names=names
-        )
+        part, each = open_values(names)
+        raise DatumDefect(left_open, n=len(names), part=part, details=each, open_names=names)
     elif options.datum == "control":
         names = open_names(basis)
-        raise DatumDefect(
-            f"{', '.join(names)} {'is' if len(names) == 1 else 'are'} not determined by control.\n"
-            f"  Free: {basis.shape[1]} of 7 datum parameters.\n"
-            "  Give one of: more control points, a scale bar, observed projection centres, or "
-            f"{option('datum', 'auto')}."
-        )
+        part, each = open_values(names)
+        raise DatumDefect("datum.not_by_control", free=basis.shape[1], n=len(names), part=part, details=each)
     return basis, kind
 
 
@@ -399,7 +409,7 @@ def hold_minimal(system: System, state: State, datum: Datum) -> Mask:
         if firm > SPREAD:  # points that nothing but image observations touch will do
             break
     if firm < 1e-9:
-        raise DatumDefect("the object points lie so that they cannot carry the datum (all in one place or in a line)")
+        raise DatumDefect("datum.points_in_line")
     chosen[found[:, 0], found[:, 1]] = True
     return chosen
 

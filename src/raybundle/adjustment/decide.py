@@ -202,9 +202,7 @@ def _snoop(
         choices.reasons = with_rejected(result, choices.reasons, np.array(chosen), size)
         if wrong is None and not guarded.any() and is_spread(result, chosen, suspects):
             block = _leaving(block, options, choices, result, chosen, progress)
-    choices.notices.append(
-        Notice(code="snooping_unfinished", message=f"data snooping stopped after {ROUNDS} rounds; suspects are left")
-    )
+    choices.notices.append(Notice(code="snooping_unfinished", values={"rounds": ROUNDS}))
     return block
 
 

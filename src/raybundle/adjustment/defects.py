@@ -3,19 +3,28 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import replace
 
 import numpy as np
 
 from raybundle.adjustment.assemble import InteriorRow, State, System
+from raybundle.adjustment.datum import open_values
 from raybundle.adjustment.extra import carried_points
 from raybundle.adjustment.normals import Normals
 from raybundle.block import Block, Role
 from raybundle.block.rigs import station_numbers
-from raybundle.errors import DatumDefect, InputError, NoConvergence, RankDefect, TooFewObservations, Undetermined
+from raybundle.errors import (
+    DatumDefect,
+    InputError,
+    Message,
+    NoConvergence,
+    RankDefect,
+    TooFewObservations,
+    Undetermined,
+    message,
+)
 from raybundle.numerics.arrays import Array, Index, Mask
-from raybundle.numerics.counting import counted
 from raybundle.numerics.rows import rows_of_each
-from raybundle.settings import option
 
 SHARE = 1e-13
 """Share of an unknown's information that must be left after the unknowns eliminated before it.
@@ -34,22 +43,6 @@ SHOWN_SHARE = 0.02
 """Share in the null space from which on an object is named."""
 NEAR = 4
 """Steps from image to image over common points within which a network is seen at once to hang together."""
-SUGGESTIONS = {
-    "scale": "hold c (leave it out of `estimate`), or add images that converge or see points at different depths",
-    "principal point": "hold it, or add images rolled by 90 degrees",
-    "radial": "hold it, or measure points up to the corners of the format",
-    "decentring": "hold it, or add images rolled by 90 degrees",
-    "affinity": "hold it, or add images rolled by 90 degrees",
-    "harmonic": "hold it, or measure points up to the edges of the format, in images rolled by 90 degrees",
-    "read-out": "hold it, or give the motion of the images (`per_image`) as held or observed values",
-    "other": "hold it",
-}
-
-
-def name_some(names: Sequence[str]) -> str:
-    """Up to ten names, and how many more there are."""
-    text = ", ".join(names[:SHOWN])
-    return text if len(names) <= SHOWN else f"{text} and {len(names) - SHOWN} more"
 
 
 def check_cameras(block: Block, free: dict[str, tuple[str, ...]]) -> None:
@@ -57,17 +50,15 @@ def check_cameras(block: Block, free: dict[str, tuple[str, ...]]) -> None:
     for camera in block.cameras:
         objection = camera.sensor.objection(camera.values, float(camera.size_mm[0]), free.get(camera.id, ()))
         if objection:
-            raise InputError(f"camera {camera.id}: {objection}")
+            raise InputError(replace(objection, values={"camera": camera.id, **objection.values}))
 
 
 def check_observed(block: Block, rejected: Mask) -> None:
     """Raise InputError where no image observation takes part."""
     if rejected.all():
-        left = f"all {len(rejected)} of its image observations are rejected" if len(rejected) else "has no observations"
-        raise InputError(
-            f"block {block.name}: {left}; there is nothing to adjust. Look whether observations.csv names the "
-            "images and points of this block"
-        )
+        if len(rejected):
+            raise InputError("adjustment.all_rejected", block=block.name, n=len(rejected))
+        raise InputError("adjustment.no_observation", block=block.name)
 
 
 def check_rays(block: Block, rejected: Mask) -> None:
@@ -83,18 +74,12 @@ def check_rays(block: Block, rejected: Mask) -> None:
     tie &= ~carried_points(block)
     none = [block.points.ids[i] for i in np.flatnonzero(tie & (given == 0))]
     one = [block.points.ids[i] for i in np.flatnonzero(tie & (given == 1) & (left == 1))]
-    parts: list[str] = []
     if one and not none and len(np.unique(block.observations.image)) == 1:
         raise _one_image(block, one)
-    if none:
-        parts.append(f"no observation of point{'s' * (len(none) > 1)} {name_some(none)}")
-    if one:
-        parts.append(f"a single ray to point{'s' * (len(one) > 1)} {name_some(one)}")
-    if parts:
-        raise InputError(
-            f"{' and '.join(parts)}; a tie point needs at least two rays. "
-            "Remove the points from points.csv and observations.csv, or observe them in more images."
-        )
+    found = [("tie_points.no_ray", none), ("tie_points.single_ray", one)]
+    each = [message(code, n=len(points), points=points) for code, points in found if points]
+    if each:
+        raise InputError("tie_points.too_few_rays", n=len(none) + len(one), details=each)
 
 
 def _one_image(block: Block, points: Sequence[str]) -> RankDefect:
@@ -102,15 +87,12 @@ def _one_image(block: Block, points: Sequence[str]) -> RankDefect:
     image = int(block.observations.image[0])
     camera = block.cameras[int(block.images.camera[image])]
     free = camera.sensor.symbols if camera.estimate == "auto" else camera.estimate
-    names = [f"object points {name_some(points)}", f"the exterior orientation of image {block.images.ids[image]}"]
-    names += [f"{', '.join(free)} of camera {camera.id}"] if free else []
     lost = [Undetermined(kind="image", name=block.images.ids[image])]
     lost += [Undetermined(kind="parameter", name=camera.id, symbol=s) for s in free]
     return RankDefect(
-        f"not determinable from one image without enough control: {'; '.join(names)}. A tie point needs at least two "
-        "rays: add images from other stations, or give control points for a resection of this one.",
+        "block.single_image", image=block.images.ids[image], points=points, camera=camera.id, parameters=free,
         undetermined=[*lost, *(Undetermined(kind="point", name=p) for p in points)],
-    )
+    )  # fmt: skip
 
 
 def check_images(block: Block, rejected: Mask, free: dict[str, tuple[str, ...]]) -> None:
@@ -121,7 +103,7 @@ def check_images(block: Block, rejected: Mask, free: dict[str, tuple[str, ...]])
     station = station_numbers(block.images)
     counts = np.bincount(station[block.observations.image[~rejected]], minlength=len(block.images))
     held = block.images.held if block.images.held is not None else np.zeros(len(block.images), bool)
-    bad: list[str] = []
+    bad: list[Message] = []
     lost: list[Undetermined] = []
     for s, mine in enumerate(rows_of_each(station, int(station.max(initial=-1)) + 1)):
         own = 0 if held[mine].all() else 6
@@ -130,14 +112,11 @@ def check_images(block: Block, rejected: Mask, free: dict[str, tuple[str, ...]])
             own += len(free.get(camera.id, ())) if camera.interior == "per_image" else 0
         if counts[s] and 2 * counts[s] < own:
             names = [block.images.ids[i] for i in mine]
-            who = names[0] if len(names) == 1 else f"{' and '.join(names)} of one station"
-            bad.append(f"{who} ({counted(int(counts[s]), 'image point')} for {counted(own, 'unknown')})")
+            bad.append(message("image.points_and_unknowns", images=names, n=int(counts[s]), unknowns=own))
             lost += [Undetermined(kind="image", name=n) for n in names]
     if bad:
         raise RankDefect(
-            f"too few image points in image{'s' * (len(lost) > 1)} {name_some(bad)}; an exterior orientation needs "
-            "at least three. Measure more points there, or leave the images out.",
-            undetermined=lost,
+            "image.too_few_points", n=len(lost), images=[u.name for u in lost], details=bad[:SHOWN], undetermined=lost
         )
 
 
@@ -200,7 +179,7 @@ def check_components(block: Block, rejected: Mask, defect_of: object) -> int:
     parts = components(block, rejected)
     if len(parts) < 2:
         return len(parts)
-    lines: list[str] = []
+    open_parts: list[Message] = []
     apart: list[str] = []
     largest = max(parts, key=len)
     for part in parts:
@@ -208,16 +187,15 @@ def check_components(block: Block, rejected: Mask, defect_of: object) -> int:
         inside[part] = True
         names = defect_of(~rejected & inside[block.observations.image])  # type: ignore[operator]
         if names:
-            images = name_some([block.images.ids[i] for i in part])
-            lines.append(f"  images {images}: {', '.join(names)} open")
+            images = [block.images.ids[i] for i in part]
+            part_open, each = open_values(names)
+            open_parts.append(message("block.open_part", images=images, n=len(names), part=part_open, details=each))
             apart += [] if part is largest else [block.images.ids[i] for i in part]
-    if lines:
+    if open_parts:
         raise DatumDefect(
-            f"the block falls into {len(parts)} parts without a common tie point, "
-            f"and not each of them has its own datum:\n" + "\n".join(lines) + "\n"
-            "  Measure points that join the parts, give each part control, or adjust them one by one.",
+            "block.parts_without_datum", parts=len(parts), n=len(open_parts), details=open_parts,
             undetermined=[Undetermined(kind="image", name=n) for n in apart],
-        )
+        )  # fmt: skip
     return len(parts)
 
 
@@ -236,30 +214,23 @@ def explain(normals: Normals, state: State, weak: Sequence[int], failed: int) ->
     """The error that names the null space in words and as data: which parameters, images and points it moves."""
     del state
     system, block = normals.system, normals.system.block
-    lines: list[str] = []
+    reasons: list[Message] = []
     lost: list[Undetermined] = []
     untouched = np.flatnonzero(~(normals.diagonal > 0))
     if len(untouched):
         lost = [of_unknown(system, int(u)) for u in untouched]
-        names = name_some([unknown_name(system, int(u)) for u in untouched])
-        lines.append(f"  no observation touches {names}; give them a sigma, a smoothness, or points there")
+        each = [unknown_name(system, int(u)) for u in untouched[:SHOWN]]
+        reasons.append(message("rank.no_observation", n=len(untouched), details=each))
     elif weak:
         names = [block.points.ids[p] for p in sorted(set(weak))]
         lost = [Undetermined(kind="point", name=n) for n in names]
-        lines.append(
-            f"  object points whose rays are parallel or coincide: {name_some(names)}; "
-            "observe them from another station"
-        )
+        reasons.append(message("rank.parallel_rays", n=len(names), points=names))
     else:
-        lost, line = null_space(normals)
-        lines += [line] if line else []
-    if not lines and failed >= 0:
+        lost, reasons = null_space(normals)
+    if not reasons and failed >= 0:
         lost = [of_unknown(system, failed)]
-        lines.append(f"  {unknown_name(system, failed)}")
-    return RankDefect(
-        "the observations do not determine all unknowns; no standard deviation can be given.\n" + "\n".join(lines),
-        undetermined=lost,
-    )
+        reasons.append(unknown_name(system, failed))
+    return RankDefect("rank.not_determined", details=reasons, undetermined=lost)
 
 
 def of_unknown(system: System, unknown: int) -> Undetermined:
@@ -279,8 +250,8 @@ def of_unknown(system: System, unknown: int) -> Undetermined:
     return Undetermined(kind="other", name=f"unknown {unknown}")
 
 
-def unknown_name(system: System, unknown: int) -> str:
-    """A scalar unknown of the nodes in words."""
+def unknown_name(system: System, unknown: int) -> Message:
+    """A scalar unknown of the nodes."""
     block = system.block
     node = int(np.searchsorted(system.offsets, unknown, side="right") - 1)
     local = unknown - int(system.offsets[node])
@@ -288,13 +259,17 @@ def unknown_name(system: System, unknown: int) -> str:
     if len(images):
         image = int(images[0])
         if system.exterior_free[image] and local < 6:
-            part = ("X", "Y", "Z", "rotation x", "rotation y", "rotation z")[local]
-            return f"exterior orientation of image {block.images.ids[image]}: {part}"
+            part = ("X", "Y", "Z", "rotation_x", "rotation_y", "rotation_z")[local]
+            return message("unknown.image", image=block.images.ids[image], part=part)
     for row in system.interior:
         if row.node == node and row.start <= local < row.start + len(row.free):
-            return f"{row.model.symbols[row.free[local - row.start]]} of camera {row.key(block)}"
+            return message(
+                "unknown.parameter", symbol=row.model.symbols[row.free[local - row.start]], camera=row.key(block)
+            )
     points = np.flatnonzero(system.point_node == node)
-    return f"point {block.points.ids[points[0]]}: {'XYZ'[local]}" if len(points) else f"unknown {unknown}"
+    if len(points):
+        return message("unknown.point", point=block.points.ids[points[0]], axis="XYZ"[local])
+    return message("unknown.other", number=unknown)
 
 
 def null_vectors(normals: Normals, count: int = 6) -> tuple[Array, Array]:
@@ -357,29 +332,31 @@ def shares(normals: Normals, vectors: Array) -> list[Undetermined]:
     return sorted(found, key=lambda u: (-round(u.share, 2), u.kind, u.name, u.symbol))
 
 
-def null_space(normals: Normals) -> tuple[list[Undetermined], str]:
-    """What is not determined, and the line that says so; the null space must be the factor's reason to fail."""
+def null_space(normals: Normals) -> tuple[list[Undetermined], list[Message]]:
+    """Undetermined objects and a message of them; the null space must be the factor's reason to fail."""
     values, vectors = null_vectors(normals)
     null = vectors[:, values < NULL]
     if not null.shape[1]:
-        return [], ""
+        return [], []
     found = [u for u in shares(normals, null) if u.share > 1e-4]
     shown = [u for u in found if u.share > SHOWN_SHARE][:6] or found[:3]
-    words = ", ".join(f"{_named(u)} ({100 * min(u.share, 1.0):.0f} %)" for u in shown)
-    advice = next((_advice(normals.system, u) for u in found if u.kind == "parameter"), "")
-    advice = advice or "add points or control there, or leave the images out"
-    return found, f"  undetermined together: {words}; {advice}"
+    each = [
+        message("rank.share", kind=u.kind, name=u.name, symbol=u.symbol, image=u.image, share=min(u.share, 1.0))
+        for u in shown
+    ]
+    parameter = next((_parameter_kind(normals.system, u) for u in found if u.kind == "parameter"), "none")
+    return found, [message("rank.undetermined_together", n=len(each), parameter=parameter, details=each)]
 
 
 def _named(u: Undetermined) -> str:
-    if u.kind == "parameter":
-        return f"{u.symbol} of camera {u.name}" + (f"/{u.image}" if u.image else "")
-    return f"exterior orientation of image {u.name}" if u.kind == "image" else f"point {u.name}"
+    return f"{u.symbol} ({u.name}{f'/{u.image}' * bool(u.image)})" if u.kind == "parameter" else u.name
 
 
-def _advice(system: System, u: Undetermined) -> str:
+def _parameter_kind(system: System, u: Undetermined) -> str:
+    """The kind of a parameter, on which the remedy depends: "scale", "principal_point" ..."""
     model = next(row.model for row in system.interior if row.owner(system.block).id == u.name)
-    return SUGGESTIONS[next(p.kind for p in model.parameters if p.symbol == u.symbol)]
+    kind = next(p.kind for p in model.parameters if p.symbol == u.symbol)
+    return kind.replace(" ", "_").replace("-", "_")
 
 
 def parallel_rays(system: System, state: State) -> tuple[Mask, Mask]:
@@ -411,13 +388,10 @@ def check_count(system: System, defect: int) -> None:
         return
     block = system.block
     lost = [_of_parameter(block, row, k) for row in system.interior if row.node >= 0 for k in row.free]
-    hold = f"hold some of {name_some([_named(u) for u in lost])}, or " if lost else ""
     raise TooFewObservations(
-        f"{system.observations} observations do not determine {system.unknowns - defect} unknowns: {missing} are "
-        f"missing for a solution, and more for standard deviations.\n  To do: {hold}measure more points in more "
-        "images, or give control.",
-        undetermined=lost,
-    )
+        "adjustment.too_few_observations", n=system.observations, unknowns=system.unknowns - defect, missing=missing,
+        parameters=[_named(u) for u in lost], free=len(lost), undetermined=lost,
+    )  # fmt: skip
 
 
 def check_base(system: System, state: State, share: float = NO_BASE) -> None:
@@ -427,13 +401,11 @@ def check_base(system: System, state: State, share: float = NO_BASE) -> None:
     parallel, tied = parallel_rays(system, state)
     block = system.block
     image, point = block.observations.image[system.rows], block.observations.point[system.rows]
-    images = name_some([block.images.ids[i] for i in np.unique(image[parallel[point]])])
     raise RankDefect(
-        f"the rays to {int(parallel.sum())} of {int(tied.sum())} object points are parallel within 0.2 degrees: images "
-        f"{images} have no base, or are the same photo twice, or orientations or point numbers are wrong, so that "
-        "the points went to infinity. Take images from different stations, or look at what is given.",
+        "images.no_base", parallel=int(parallel.sum()), points=int(tied.sum()), limit_deg=0.2,
+        images=[block.images.ids[i] for i in np.unique(image[parallel[point]])],
         undetermined=[Undetermined(kind="point", name=block.points.ids[p]) for p in np.flatnonzero(parallel)],
-    )
+    )  # fmt: skip
 
 
 SCATTERED = 0.05
@@ -461,10 +433,7 @@ def check_scatter(system: System, whitened: Array) -> None:
     found = 1.4826 * float(np.median(share)) * np.sqrt(max(system.observations / redundancy, 1.0))
     if found > SCATTERED:
         raise NoConvergence(
-            f"the image points contradict each other: they lie {100 * found:.0f} % of the image's diagonal beside any "
-            f"solution that was found, by their median (limit {100 * SCATTERED:.0f} %). {_farthest(system, share)}Look "
-            "at names of points and images, the unit and the origin of image coordinates, the camera constant and the "
-            "control."
+            "adjustment.image_points_contradict", share=found, limit=SCATTERED, details=_farthest(system, share)
         )
 
 
@@ -477,18 +446,18 @@ def _of_diagonal(system: System, whitened: Array) -> Array:
     return np.abs(whitened) * (sigma / diagonal)[:, None]
 
 
-def _farthest(system: System, shares: Array, most: int = 3) -> str:
-    """The image points that lie farthest beside a solution, in words; shares (m, 2) of the image's diagonal."""
+def _farthest(system: System, shares: Array, most: int = 3) -> list[Message]:
+    """The image points that lie farthest beside a solution; shares (m, 2) of the image's diagonal."""
     block, rows, share = system.block, np.asarray(system.rows), np.linalg.norm(shares, axis=1)
     order = [k for k in np.argsort(-np.nan_to_num(share))[:most].tolist() if share[k] > SCATTERED]
     o = block.observations
-    told = ", ".join(
-        f"point {block.points.ids[o.point[rows[k]]]} in image {block.images.ids[o.image[rows[k]]]} "
-        f"({100 * share[k]:.0f} %)"
+    return [
+        message(
+            "image_point.far_off", point=block.points.ids[o.point[rows[k]]], image=block.images.ids[o.image[rows[k]]],
+            share=float(share[k]), limit=SCATTERED,
+        )
         for k in order
-    )
-    limit = f"beyond {100 * SCATTERED:.0f} % of the diagonal"
-    return f"The image points that lie farthest beside it, {limit}: {told}. " if told else ""
+    ]  # fmt: skip
 
 
 def no_convergence(normals: Normals, state: State, iterations: int, step: float) -> NoConvergence:
@@ -497,17 +466,10 @@ def no_convergence(normals: Normals, state: State, iterations: int, step: float)
     normals  in a minimal datum, formed at the state
     """
     if not np.isfinite(normals.values).all():
-        return NoConvergence(
-            f"no convergence: after {iterations} iterations the normal equations are not finite. Image points, "
-            "coordinates or approximate values are too large for any camera to see: look for wrong units and decimal "
-            "points."
-        )
+        return NoConvergence("adjustment.not_finite", iterations=iterations)
     values, vectors = null_vectors(normals)
     lost = [u for u in shares(normals, vectors[:, values < NULL]) if u.share > 1e-4]
+    far = _farthest(normals.system, _of_diagonal(normals.system, normals.residuals(state)[0]))
     return NoConvergence(
-        f"no convergence after {iterations} iterations (last step {step:.2g} standard deviations). "
-        f"{_farthest(normals.system, _of_diagonal(normals.system, normals.residuals(state)[0]))}Look for gross errors "
-        f"({option('robust_start', True)}, {option('reject', 'snooping')}), marks under the name of another point, or "
-        "better approximate values.",
-        undetermined=lost,
+        "adjustment.no_convergence", iterations=iterations, step_sigmas=step, details=far, undetermined=lost
     )

@@ -18,9 +18,9 @@ LARGEST = 1e18
 def check_entry(block: object, options: object) -> None:
     """Raise InputError for a block or options with which nothing can be adjusted, by object, value and remedy."""
     if not isinstance(options, AdjustmentOptions):
-        raise InputError(f"options are {type(options).__name__}, not AdjustmentOptions; give AdjustmentOptions(...)")
+        raise InputError("adjustment.options_type", type=type(options).__name__)
     if not isinstance(block, Block):
-        raise InputError(f"the block is {type(block).__name__}, not Block; read one with raybundle.read_block(path)")
+        raise InputError("adjustment.block_type", type=type(block).__name__)
     _check_options(options)
     _check_shapes(block)
     _check_indices(block)
@@ -32,12 +32,12 @@ def _check_options(options: AdjustmentOptions) -> None:
         value = getattr(options, name)
         allowed = typing.get_args(kind)
         if typing.get_origin(kind) is typing.Literal and value not in allowed:
-            raise InputError(f"options: {name} is {value!r}; it is one of {', '.join(map(repr, allowed))}")
+            raise InputError("adjustment.option_choice", name=name, given=repr(value), known=[str(a) for a in allowed])
         if kind is bool and not isinstance(value, bool):
-            raise InputError(f"options: {name} is {value!r}; it is True or False")
+            raise InputError("adjustment.option_not_bool", name=name, given=repr(value))
         pairs = bool(allowed) and typing.get_origin(allowed[0]) is tuple
         if typing.get_origin(kind) is tuple and not _is_names(value, pairs=pairs):
-            raise InputError(f"options: {name} is {value!r}; it is a tuple of {'pairs of ' if pairs else ''}names")
+            raise InputError("adjustment.option_not_names", name=name, given=repr(value), pairs=pairs)
     numbers: tuple[tuple[str, float, float, bool], ...] = (
         ("max_iterations", 1, 1e6, True), ("jobs", 0, 4096, True), ("tolerance", 1e-15, 1.0, False),
         ("significance", 1e-15, 0.5, False),
@@ -46,8 +46,7 @@ def _check_options(options: AdjustmentOptions) -> None:
         value = getattr(options, name)
         kinds = (int, np.integer) if whole else (int, float, np.number)
         if not isinstance(value, kinds) or isinstance(value, bool) or not low <= float(value) <= high:
-            what = "a whole number" if whole else "a number"
-            raise InputError(f"options: {name} is {value!r}; it is {what} from {low:g} to {high:g}")
+            raise InputError("adjustment.option_range", name=name, given=repr(value), whole=whole, low=low, high=high)
 
 
 def _is_names(value: object, *, pairs: bool) -> bool:
@@ -78,10 +77,12 @@ def _check_shapes(block: Block) -> None:
             value: Any = getattr(held[table], name)
             found = (len(value),) if isinstance(value, tuple) else getattr(value, "shape", None)
             if found != shape:
-                what = type(value).__name__ if found is None else f"of shape {found}"
-                raise InputError(f"block {block.name}: {table}.{name} is {what}; it must be an array of shape {shape}")
+                raise InputError(
+                    "block.shape", block=block.name, name=f"{table}.{name}", shape=[*shape],
+                    type=type(value).__name__, found=[*found] if isinstance(found, tuple) else [],
+                )  # fmt: skip
             if not isinstance(value, tuple) and value.dtype.kind not in "fiu":
-                raise InputError(f"block {block.name}: {table}.{name} holds {value.dtype}; it must hold numbers")
+                raise InputError("block.not_numbers", block=block.name, name=f"{table}.{name}", type=str(value.dtype))
 
 
 def _check_indices(block: Block) -> None:
@@ -98,11 +99,16 @@ def _check_indices(block: Block) -> None:
         ("observations.point", o.point, p, 0), *named,
     ):  # fmt: skip
         if values.dtype.kind not in "iu":
-            raise InputError(f"block {block.name}: {name} holds {values.dtype}; positions are whole numbers")
+            raise InputError("block.not_whole_numbers", block=block.name, name=name, type=str(values.dtype))
         bad = np.flatnonzero((values < least) | (values >= count))
         if len(bad):
             raise InputError(
-                f"block {block.name}: {name}[{bad[0]}] is {values[bad[0]]}; positions run from 0 to {count - 1}"
+                "block.position_out_of_range",
+                block=block.name,
+                name=name,
+                row=int(bad[0]),
+                position=int(values[bad[0]]),
+                last=count - 1,
             )
 
 
@@ -116,20 +122,18 @@ def _check_numbers(block: Block) -> None:
         rows = np.flatnonzero(wrong.any(axis=1))
         if len(rows):
             k = int(rows[0])
-            who = f"{name} {ids[k]}" if ids else f"image {images.ids[o.image[k]]}, point {points.ids[o.point[k]]}"
             raise InputError(
-                f"{who}: {values[k][wrong[k]][0]:g} is no number up to {LARGEST:g} in size; look "
-                "for its unit, or leave it out"
-            )
+                "block.number_too_large", kind=name or "observation",
+                image="" if name == "point" else ids[k] if ids else images.ids[o.image[k]],
+                point="" if name == "image" else ids[k] if ids else points.ids[o.point[k]],
+                number=float(values[k][wrong[k]][0]), limit=LARGEST,
+            )  # fmt: skip
     sigma = points.sigma
     wrong = (sigma < 0) | (sigma > LARGEST)
     control = (np.asarray(points.role) == Role.CONTROL)[:, None]
     lost = control & np.isfinite(sigma) & ~np.isfinite(points.xyz)
-    for mask, what in (
-        (wrong, "a standard deviation is 0 (held), greater, or NaN where the coordinate is only approximate"),
-        (lost, "the coordinate is missing; give it, or NaN for its standard deviation"),
-    ):
+    for mask, code in ((wrong, "point.sigma_out_of_range"), (lost, "point.no_coordinate")):
         rows = np.argwhere(mask)
         if len(rows):
             k, axis = rows[0]
-            raise InputError(f"point {points.ids[k]}, {'XYZ'[axis]}: sigma {sigma[k, axis]:g}: {what}")
+            raise InputError(code, point=points.ids[k], axis="XYZ"[axis], sigma=float(sigma[k, axis]))

@@ -116,4 +116,4 @@ def _root(kind: ObservationKind, correlation: Array) -> Array:
     try:
         return np.linalg.inv(np.linalg.cholesky(correlation))
     except np.linalg.LinAlgError:
-        raise InputError(f"{kind.quantities}: the covariance matrix is not positive definite") from None
+        raise InputError("observations.covariance_not_positive", kind=kind.key) from None

@@ -23,18 +23,18 @@ def interior_of(
     cameras = [c for c in result.adjusted.cameras if not c.is_scene]
     if camera is None:
         if len(cameras) != 1:
-            raise InputError(f"name one of the {len(cameras)} cameras: {', '.join(c.id for c in cameras[:10])}")
+            raise InputError("camera.several", n=len(cameras), cameras=[c.id for c in cameras])
         camera = cameras[0].id
     found = next((c for c in cameras if c.id == camera), None)
     if found is None:
-        raise InputError(f"no camera {camera!r}; there are {', '.join(c.id for c in cameras[:10])}")
+        raise InputError("camera.unknown", camera=camera, known=[c.id for c in cameras])
     own = [i for i in result.interior if i.camera == camera]
     interior = next((i for i in own if i.image == image), None)
     if interior is None:
         if image is None and own:
-            raise InputError(f"camera {camera}: each image has an interior orientation of its own; name an image")
+            raise InputError("camera.interior_per_image", camera=camera)
         if image is not None:
-            raise InputError(f"camera {camera}: image {image!r} has no interior orientation of its own")
+            raise InputError("camera.no_interior_of_image", camera=camera, image=image)
         return found, (), None if result.precision is None else _nothing()
     found = replace(found, values={**found.values, **{s: p.value for s, p in interior.parameters.items()}})
     if result.precision is None:

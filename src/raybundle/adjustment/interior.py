@@ -57,11 +57,8 @@ def image_shifts(model: SensorModel, camera: Camera, values: Array, distance: fl
     try:
         shift = -np.linalg.solve(B, np.moveaxis(J[:, 5:], 2, 0))
     except np.linalg.LinAlgError:
-        told = ", ".join(f"{s} = {v:g}" for s, v in zip(model.symbols, values, strict=False))
-        raise InputError(
-            f"camera {camera.id}: as its parameters are, an image point does not say where its ray is, as with a "
-            f"pushbroom that stands still (vy = 0); give values near the true ones. They are {told}"
-        ) from None
+        parameters = [f"{s} = {v:g}" for s, v in zip(model.symbols, values.tolist(), strict=False)]
+        raise InputError("camera.no_ray", camera=camera.id, parameters=parameters) from None
     return shift / np.array(camera.pixel_mm)[:, None]
 
 

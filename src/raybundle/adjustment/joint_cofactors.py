@@ -54,10 +54,7 @@ class Factored:
         """Of a finished adjustment; raises InputError for one without statistics, or a copy."""
         work = result.handle.work
         if work is None or work.found is None:
-            raise InputError(
-                "the adjustment was made without statistics, or this is a copy of its result, which has no factor; "
-                "ask the result itself, or adjust with AdjustmentOptions(statistics=True)"
-            )
+            raise InputError("adjustment.no_statistics")
         return cls(normals=work.normals, state=work.state, datum=work.datum, found=work.found)
 
     @classmethod

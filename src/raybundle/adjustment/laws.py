@@ -35,13 +35,13 @@ def partials_off_in(system: System, kind: str, most: int = 60) -> float:
     """The same in an assembled system."""
     part = system.extra.of(kind)
     if part is None:
-        raise InputError(f"the block has no observations of the kind {kind}; put its table in: block.having(table)")
+        raise InputError("observations.none_of_kind", block=system.block.name, kind=kind)
     normals, state = Normals.of(system, 1), system.initial_state()
     entries = normals.extra(state)
     mine = np.isin(entries.row, part.positions)
     unknowns = np.unique(entries.unknown[mine])
     if not len(unknowns):
-        raise InputError(f"the observations of the kind {kind} touch nothing that is adjusted; state their partials")
+        raise InputError("observations.without_partials", kind=kind)
     A = np.zeros((len(part.rows), len(unknowns)))
     at = np.searchsorted(unknowns, entries.unknown[mine])
     np.add.at(A, (entries.row[mine] - part.start, at), entries.value[mine])

@@ -203,8 +203,9 @@ def _image_nodes(
         if leader is not None and leader[i] >= 0:
             if parents[i] >= 0:
                 raise InputError(
-                    f"image {block.images.ids[i]} shares its station and has parameters of its own (per_image, camera "
-                    f"{block.cameras[block.images.camera[i]].id}); that is not supported, take one of the two away"
+                    "station.shared_with_parameters",
+                    image=block.images.ids[i],
+                    camera=block.cameras[block.images.camera[i]].id,
                 )
             if leader[i] != i or not used.exterior_free[i]:
                 node[i] = node[leader[i]]
@@ -260,24 +261,19 @@ def _leaders(block: Block, images_used: Mask, exterior_free: Mask) -> Index | No
         gap = np.abs(block.images.centre[mine] - block.images.centre[mine[0]]).max()
         turn = np.abs(block.images.rotation[mine] - block.images.rotation[mine[0]]).max()
         if not max(gap / (1 + np.abs(block.images.centre[mine[0]]).max()), turn) < 1e-9:
-            raise InputError(
-                f"images {', '.join(block.images.ids[i] for i in mine[:5])} share a station but not their exterior "
-                "orientation; give each of them that of the rig, and the offsets as parameters of the mounted cameras"
-            )
+            raise InputError("station.orientations_differ", images=[block.images.ids[i] for i in mine])
         if exterior_free[mine].any() != exterior_free[mine].all():
-            raise InputError(
-                f"images {', '.join(block.images.ids[i] for i in mine[:5])} share a station; hold all or none"
-            )
+            raise InputError("station.partly_held", images=[block.images.ids[i] for i in mine])
     return leader
 
 
 def _check_values(block: Block, images_used: Mask, points_used: Mask) -> None:
     bad = [block.images.ids[i] for i in np.flatnonzero(images_used & ~block.images.oriented)]
     if bad:
-        raise InputError(f"images without exterior orientation: {', '.join(bad[:10])}; give approximate values")
+        raise InputError("approximate_values.images", n=len(bad), images=bad)
     bad = [block.points.ids[i] for i in np.flatnonzero(points_used & ~np.isfinite(block.points.xyz).all(axis=1))]
     if bad:
-        raise InputError(f"points without coordinates: {', '.join(bad[:10])}; give approximate values")
+        raise InputError("approximate_values.points", n=len(bad), points=bad)
 
 
 def _interior_rows(
@@ -293,7 +289,7 @@ def _interior_rows(
         positions = tuple(model.symbols.index(s) for s in model.symbols if s in free.get(camera.id, ()))
         mine = np.flatnonzero((block.images.camera == c) & images_used)
         if model.local_width and (camera.interior == "per_image" or camera.per_image):
-            raise InputError(f"camera {camera.id}: parameters of the model {camera.model} are shared by all its images")
+            raise InputError("camera.parameters_of_image", camera=camera.id, model=camera.model)
         if camera.interior == "per_image":
             for i in mine:
                 of_image[i] = len(rows)

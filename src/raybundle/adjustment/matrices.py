@@ -56,9 +56,7 @@ def matrices(result: Adjustment) -> Matrices:
     """
     work = result.handle.work
     if work is None:
-        raise InputError(
-            "the adjustment was made without statistics, or this is a copy of its result; ask the result itself"
-        )
+        raise InputError("adjustment.no_statistics")
     system, state = work.system, work.state
     columns, names = _unknowns(system)
     rows = [

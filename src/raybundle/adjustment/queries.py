@@ -128,7 +128,7 @@ def joint_orientation(result: Adjustment, images: Sequence[int]) -> JointOrienta
     of_row = dict[int, list[int]]()
     for i in images:
         if not system.images_used[i]:
-            raise InputError(f"image {block.images.ids[i]} took no part in the adjustment; leave it out")
+            raise InputError("query.image_without_part", image=block.images.ids[i])
         if system.exterior_free[i]:
             unknowns.extend(image_unknowns(system, i).tolist())
             steps.extend(Step(images=(i,), axis=axis) for axis in range(6))
@@ -159,7 +159,7 @@ def own_values(result: Adjustment, name: str) -> Array:
     work, state = _work(result)
     found = _own(work.system, name)
     if found is None:
-        raise InputError(f"{name!r} is no unknown of a kind of observation that takes part; give KIND:NAME")
+        raise InputError("query.unknown_own", name=name)
     part, k = found
     return part.kind.own_placed(state.own[part.kind.name], 1.0, np.eye(3), work.system.shift)[k]
 
@@ -173,9 +173,9 @@ def precision_in_datum(result: Adjustment, datum_points: tuple[str, ...]) -> Pre
     index = {name: i for i, name in enumerate(work.system.block.points.ids)}
     missing = [p for p in datum_points if p not in index or not work.system.points_used[index[p]]]
     if missing:
-        raise InputError(f"datum points that take no part in the adjustment: {', '.join(missing[:10])}")
+        raise InputError("datum.unknown_points", n=len(missing), points=missing)
     if work.datum.defect == 0:
-        raise InputError("the datum of this block is fixed by its observations; there is nothing to transform")
+        raise InputError("datum.fixed")
     carriers = np.zeros(len(index), bool)
     carriers[[index[p] for p in datum_points]] = True
     datum = Datum(
@@ -199,10 +199,7 @@ def precision_in_datum(result: Adjustment, datum_points: tuple[str, ...]) -> Pre
 
 def _work(result: Adjustment) -> tuple[Work, State]:
     if result.handle.work is None:
-        raise InputError(
-            "the adjustment was made without statistics, or this is a copy of its result, which answers no questions; "
-            "ask the result itself, or adjust with AdjustmentOptions(statistics=True)"
-        )
+        raise InputError("adjustment.no_statistics")
     return result.handle.work, result.handle.work.state
 
 
@@ -234,10 +231,7 @@ def _selection(system: System, state: State, name: str) -> tuple[list[tuple[str,
     if (found := _own(system, name)) is not None:
         columns = system.own_columns(found[0].kind)[found[1]]
         return [("node", int(u), 0) for u in columns], np.eye(len(columns))
-    raise InputError(
-        f"{name!r} is no unknown of this adjustment; give point:ID, image:ID or camera:ID of what is estimated, or "
-        "KIND:NAME of an unknown that a kind of observation has for itself, as plane:floor"
-    )
+    raise InputError("query.unknown", name=name)
 
 
 def _own(system: System, name: str) -> tuple[Part, int] | None:

@@ -27,7 +27,7 @@ def with_scene_points(block: Block) -> Block:
     if not scenes:
         return block
     if block.length_unit != "m":
-        raise InputError(f'satellite scenes need length_unit = "m", not "{block.length_unit}"')
+        raise InputError("scene.length_unit", unit=block.length_unit)
     o = block.observations
     is_scene = np.zeros(len(block.images), bool)
     is_scene[scenes] = True
@@ -73,15 +73,9 @@ def refuse_unoriented(block: Block) -> None:
         (np.bincount(o.point, minlength=len(block.points)) > 0) & ~np.isfinite(block.points.xyz).all(axis=1)
     )
     points = [block.points.ids[k] for k in lost]
-    what = (
-        f"images {', '.join(images[:5])} have no exterior orientation"
-        if images
-        else f"points {', '.join(points[:5])} have no coordinates and are not seen by two scenes"
-    )
-    raise InputError(
-        f"{what}; in a block with satellite scenes give approximate values: adjust the photographs by themselves first "
-        "and take their result in the block's frame"
-    )
+    if images:
+        raise InputError("approximate_values.images_beside_scenes", n=len(images), images=images)
+    raise InputError("approximate_values.points_beside_scenes", n=len(points), points=points)
 
 
 def _sensor(block: Block, image: int) -> tuple[SceneSensor, Array]:

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import numpy as np
 
-from raybundle.adjustment.defects import name_some
 from raybundle.adjustment.result import Adjustment
 from raybundle.errors import RankDefect, Undetermined
 from raybundle.numerics.arrays import Array
@@ -41,11 +40,9 @@ def check_turning(result: Adjustment) -> None:
     if not lost:
         return
     raise RankDefect(
-        f"image{'s' * (len(lost) > 1)} {name_some(lost)}: all object points there lie on one straight line, within "
-        f"{BESIDE:g} standard deviations, and the image may stand anywhere on a circle round it. Measure points beside "
-        "the line, observe projection centres, or leave the image out.",
+        "image.points_in_line", n=len(lost), images=lost, limit_sigmas=BESIDE,
         undetermined=[Undetermined(kind="image", name=name) for name in lost],
-    )
+    )  # fmt: skip
 
 
 def _straight(xyz: Array, covariance: Array) -> bool:

@@ -50,7 +50,7 @@ def by_groups(block: Block, options: AdjustmentOptions, adjusted: Adjust) -> Adj
     of 2 (`chance_to_see`).
     """
     if not options.statistics:
-        raise InputError("variance factors of groups come from redundancy numbers; adjust with statistics")
+        raise InputError("adjustment.groups_without_statistics")
     first = adjusted(block, replace(options, variance_groups=False))
     if first.redundancy <= 0:
         return replace(first, options=options)

@@ -103,10 +103,7 @@ class Attitude(ObservationKind):
     unit = "angle"
     table = Attitudes
     carries_datum = True
-    left_open = (
-        "the misalignment of an IMU is unknown, and the images' headings are too alike to tell it from a rotation of "
-        "all.\n  Give control points or observed projection centres, hold bz, or give the misalignment a sigma."
-    )
+    left_open = "datum.misalignment_unknown"
     hides = (3, 4, 5)
 
     def check(self, table: Attitudes, scope: Scope) -> None:

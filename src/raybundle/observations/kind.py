@@ -207,9 +207,14 @@ class ObservationKind(ABC):
     needs_scale: ClassVar[bool] = False
     """Whether its standard deviations mean nothing where nothing fixes the scale: a smaller object would fit better"""
     left_open: ClassVar[str] = ""
-    """Why it leaves the datum open although it carries it, and what to do: unknowns of its own"""
+    """Code of the message where it leaves the datum open although it carries it: unknowns of its own"""
     hides: ClassVar[tuple[int, ...]] = (0, 1, 2, 3, 4, 5, 6)
     """Which of the datum's parameters (position, rotation, scale) those unknowns may hide"""
+
+    @property
+    def key(self) -> str:
+        """Its group as messages have it, without blanks."""
+        return self.group.replace(" ", "_")
 
     def __init_subclass__(cls, *, registered: bool = True) -> None:
         super().__init_subclass__()

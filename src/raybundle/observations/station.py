@@ -90,10 +90,7 @@ class Station(ObservationKind):
     unit = "length"
     table = Stations
     carries_datum = True
-    left_open = (
-        "shifts, drifts or lever arms of the observed projection centres are unknown for every flight line.\n"
-        "  Give control points, hold the shift of one antenna, or give the shifts a sigma."
-    )
+    left_open = "datum.antennas_unknown"
 
     def check(self, table: Stations, scope: Scope) -> None:
         if table.antenna is None:

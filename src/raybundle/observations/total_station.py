@@ -198,10 +198,7 @@ class Direction(_Sight):
     table = Directions
     called = ("direction",)
     own_width = 1
-    left_open = (
-        "the orientations of the sets of directions are unknown, and nothing else tells how the object is turned about "
-        "the vertical.\n  Give two control points in plan."
-    )
+    left_open = "datum.directions_unknown"
     hides = (5,)
 
     def check(self, table: Directions, scope: Scope) -> None:

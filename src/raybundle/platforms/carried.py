@@ -9,6 +9,7 @@ from typing import Any
 
 import numpy as np
 
+from raybundle.errors import Message
 from raybundle.numerics.arrays import Array, Index, Mask
 from raybundle.numerics.maths import Scalar
 from raybundle.platforms.platform import Platform
@@ -100,8 +101,8 @@ class Carried(SensorModel, registered=False):
         seen = self.sensor.point_on_ray(image, values[: self.split], distance)
         return self.platform.placed_back(image, seen, values[self.split :])
 
-    def objection(self, values: Mapping[str, float], width_mm: float, free: Sequence[str]) -> str:
-        """What the sensor or the platform has to say."""
+    def objection(self, values: Mapping[str, float], width_mm: float, free: Sequence[str]) -> Message | None:
+        """That of the sensor, or of the platform."""
         return self.sensor.objection(values, width_mm, free) or self.platform.objection(self.sensor, values, free)
 
     def local(self, image: Array, points: Array, values: Array) -> tuple[Array, Array, Index]:

@@ -14,6 +14,7 @@ from typing import ClassVar
 
 import numpy as np
 
+from raybundle.errors import Message
 from raybundle.numerics.arrays import Array
 from raybundle.numerics.maths import Scalar
 from raybundle.numerics.motion import Point
@@ -66,10 +67,10 @@ class Platform:
         del sensor
         return self.parameters
 
-    def objection(self, sensor: SensorModel, values: Mapping[str, float], free: Sequence[str]) -> str:
-        """Why observations by a sensor would say nothing of these values, and what to do; "" for nothing."""
+    def objection(self, sensor: SensorModel, values: Mapping[str, float], free: Sequence[str]) -> Message | None:
+        """Why observations by a sensor do not determine these values, and what to do; None for nothing."""
         del sensor, values, free
-        return ""
+        return None
 
     @cached_property
     def point_and_jacobian(self) -> Callable[..., tuple[Array, Array]]:

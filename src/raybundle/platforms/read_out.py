@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 
+from raybundle.errors import Message, message
 from raybundle.numerics.maths import Scalar
 from raybundle.numerics.motion import Point, turned_axes
 from raybundle.platforms.platform import Platform
@@ -35,16 +36,13 @@ class ReadOut(Platform):
         Parameter("wz", "rad/s", "rotation rate about the viewing axis", typical=0.15),
     )
 
-    def objection(self, sensor: SensorModel, values: Mapping[str, float], free: Sequence[str]) -> str:
+    def objection(self, sensor: SensorModel, values: Mapping[str, float], free: Sequence[str]) -> Message | None:
         """A rolling shutter without read-out time shows no motion."""
         del sensor
         moving = [s for s in free if s in MOTION]
         if not moving or values.get("r") or "r" in free:
-            return ""
-        return (
-            f"the read-out time r is 0, with which no observation touches {', '.join(moving)}; give r (read-out time "
-            "over the height of the format, s/mm), or take the model without rolling shutter"
-        )
+            return None
+        return message("camera.no_read_out_time", parameters=moving)
 
     @staticmethod
     def point(

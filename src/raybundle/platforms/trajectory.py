@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
 
+from raybundle.errors import Message, message
 from raybundle.numerics.arrays import Array
 from raybundle.numerics.maths import Scalar
 from raybundle.numerics.motion import Point, turned_axes
@@ -55,14 +56,11 @@ class Trajectory(Platform):
             return self.parameters
         return tuple(replace(p, default=WAY) if p.symbol == "vy" else p for p in self.parameters)
 
-    def objection(self, sensor: SensorModel, values: Mapping[str, float], free: Sequence[str]) -> str:
+    def objection(self, sensor: SensorModel, values: Mapping[str, float], free: Sequence[str]) -> Message | None:
         """A line that is not carried along sees one line of the object."""
         if not sensor.line or values.get("vy") or "vy" in free:
-            return ""
-        return (
-            "vy, the motion along the way, is 0, with which all lines of an image show the same; give vy (length that "
-            "one mm of the image covers along the way)"
-        )
+            return None
+        return message("camera.no_motion")
 
     @staticmethod
     def point(

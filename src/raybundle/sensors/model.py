@@ -16,6 +16,7 @@ from typing import ClassVar, Literal
 
 import numpy as np
 
+from raybundle.errors import Message
 from raybundle.numerics.arrays import Array, Index, Mask
 from raybundle.numerics.maths import Scalar
 
@@ -183,13 +184,13 @@ class SensorModel:
         del image, values
         return np.any(points != 0, axis=0) if self.all_round else points[2] < 0
 
-    def objection(self, values: Mapping[str, float], width_mm: float, free: Sequence[str]) -> str:
-        """Why observations would say nothing of these values, or something else, and what to do; "" for nothing.
+    def objection(self, values: Mapping[str, float], width_mm: float, free: Sequence[str]) -> Message | None:
+        """Why observations do not determine these values, or determine others, and what to do; None for nothing.
 
         values    parameters by symbol; width_mm of the format; free  symbols that are estimated
         """
         del values, width_mm, free
-        return ""
+        return None
 
     def condition_at(self, image: Array, points: Array, values: Array) -> Array:
         """G (2, n) at image points (2, n) [mm], sensor-frame points (3, n) and parameters (k,) or (k, n)."""

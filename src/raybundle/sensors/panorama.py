@@ -6,6 +6,7 @@ from collections.abc import Mapping, Sequence
 
 import numpy as np
 
+from raybundle.errors import Message, message
 from raybundle.numerics.arrays import Array, Mask
 from raybundle.numerics.maths import Scalar, cos, sin
 from raybundle.sensors.model import Parameter, SensorModel
@@ -14,14 +15,13 @@ MOST_TURNS = 1.25
 """Turns that the format of a panorama can span: one, and an overlap."""
 
 
-def too_many_turns(width_mm: float, c: float) -> str:
-    """What is wrong with a format [mm] that is longer than a turn about an axis at the distance c; "" for nothing."""
+def too_many_turns(width_mm: float, c: float) -> Message | None:
+    """What is wrong with a format [mm] that is longer than a turn about an axis at the distance c; None for nothing."""
     whole = width_mm / (2 * np.pi)
     if whole / c <= MOST_TURNS:
-        return ""
-    return (
-        f"a format {width_mm:.4g} mm wide spans {whole / c:.3g} turns about an axis with c = {c:.4g} mm (limit "
-        f"{MOST_TURNS:g}); a whole turn has c = width / (2 pi) = {whole:.4g}"
+        return None
+    return message(
+        "camera.too_many_turns", width_mm=width_mm, turns=whole / c, c_mm=c, limit=MOST_TURNS, whole_turn_c_mm=whole
     )
 
 
@@ -52,7 +52,7 @@ class Panorama(SensorModel):
         Parameter("u2", "rad", "tumbling of the axis, sine of twice the turn", typical=-1e-4),
     )
 
-    def objection(self, values: Mapping[str, float], width_mm: float, free: Sequence[str]) -> str:
+    def objection(self, values: Mapping[str, float], width_mm: float, free: Sequence[str]) -> Message | None:
         """A format of several turns would put points behind the camera."""
         del free
         return too_many_turns(width_mm, values["c"])

@@ -6,6 +6,7 @@ from collections.abc import Mapping, Sequence
 
 import numpy as np
 
+from raybundle.errors import Message
 from raybundle.numerics.arrays import Array, Mask
 from raybundle.numerics.maths import Scalar, cos, sin
 from raybundle.sensors.model import Parameter, SensorModel
@@ -26,7 +27,7 @@ class Spherical(SensorModel):
         Parameter("y0", "mm", "image of the horizon", typical=0.1, kind="principal point"),
     )
 
-    def objection(self, values: Mapping[str, float], width_mm: float, free: Sequence[str]) -> str:
+    def objection(self, values: Mapping[str, float], width_mm: float, free: Sequence[str]) -> Message | None:
         """A format of several turns would put points behind the camera."""
         del free
         return too_many_turns(width_mm, values["c"])

@@ -1,0 +1,59 @@
+adjustment-corrected_residuals = Kamera { $camera }: Korrigierte Residuen gibt es nur für das Modell brown, nicht für { $model }.
+    .do = residuals = "measured" verwenden.
+
+adjustment-no_point = Kein Objektpunkt nimmt an der Ausgleichung teil.
+    .why = Alle Punkte liegen hinter den Kameras, die sie messen, oder haben keinen Strahl.
+    .do = Die gegebenen Orientierungen sowie Vorzeichen und Einheit der Kamerakonstante prüfen oder die Orientierungen weglassen.
+
+adjustment-options_type = Die Optionen sind vom Typ { $type }, nicht AdjustmentOptions.
+    .do = AdjustmentOptions(...) übergeben.
+
+adjustment-block_type = Der Block ist vom Typ { $type }, nicht Block.
+    .do = Ihn mit raybundle.read_block(path) lesen.
+
+adjustment-option_choice = Die Option { $name } ist { $given }.
+    .do = Einen Wert von { LIST($known, most: 12) } verwenden.
+
+adjustment-option_not_bool = Die Option { $name } ist { $given }; sie muss True oder False sein.
+
+adjustment-option_not_names = Die Option { $name } ist { $given }; sie muss ein Tupel von { $pairs ->
+        [yes] Namenspaaren
+       *[no] Namen
+     } sein.
+
+adjustment-option_range = Die Option { $name } ist { $given }; sie muss eine { $whole ->
+        [yes] ganze Zahl
+       *[no] Zahl
+     } von { $low } bis { $high } sein.
+
+adjustment-no_statistics = Dieses Ergebnis hat keine Normalgleichungen.
+    .why = Es wurde ohne Statistik ausgeglichen oder ist eine Kopie eines Ergebnisses.
+    .do = Das ursprüngliche Ergebnis verwenden oder mit AdjustmentOptions(statistics=True) ausgleichen.
+
+adjustment-groups_without_statistics = Varianzfaktoren von Gruppen brauchen Redundanzanteile.
+    .do = Mit statistics=True ausgleichen.
+
+adjustment-all_rejected = Block { $block }: Alle { $n } Bildbeobachtungen sind verworfen.
+    .do = Prüfen, ob observations.csv die Bilder und Punkte dieses Blocks nennt.
+
+adjustment-no_observation = Block { $block } hat keine Bildbeobachtungen.
+    .do = Prüfen, ob observations.csv die Bilder und Punkte dieses Blocks nennt.
+
+adjustment-too_few_observations = { $n } Beobachtungen bestimmen { $unknowns } Unbekannte nicht; es fehlen { $missing }.
+    .why = Für Standardabweichungen sind noch mehr nötig.
+    .do = { $free ->
+        [0] Mehr Punkte in mehr Bildern messen oder Passpunkte angeben.
+       *[other] Einige von { LIST($parameters, most: 10) } festhalten, mehr Punkte in mehr Bildern messen oder Passpunkte angeben.
+     }
+
+adjustment-image_points_contradict = Die Bildpunkte widersprechen einander um { PERCENT($share) } % der Bilddiagonale (Grenze { PERCENT($limit) } %).
+    .why = Das ist die mittlere Abweichung (Median) von der besten gefundenen Lösung.
+    .do = Punkt- und Bildnamen, Einheit und Ursprung der Bildkoordinaten, die Kamerakonstante und die Passpunkte prüfen.
+
+adjustment-not_finite = Keine Konvergenz: Nach { $iterations } Iterationen sind die Normalgleichungen nicht endlich.
+    .why = Bildpunkte, Koordinaten oder Näherungswerte sind zu groß.
+    .do = Einheiten und Dezimalpunkte prüfen.
+
+adjustment-no_convergence = Keine Konvergenz nach { $iterations } Iterationen (letzter Schritt { NUM($step_sigmas, digits: 2) } Standardabweichungen).
+    .why = Meist sind grobe Fehler oder schlechte Näherungswerte die Ursache.
+    .do = { OPTION("robust_start", "True") } mit { OPTION("reject", "snooping") } verwenden; Namen der Marken und Näherungswerte prüfen.

@@ -1,0 +1,8 @@
+query-image_without_part = Das Bild { $image } hat an der Ausgleichung nicht teilgenommen.
+    .do = Es weglassen.
+
+query-unknown_own = { $name } ist keine Unbekannte einer teilnehmenden Beobachtungsart.
+    .do = KIND:NAME angeben, z. B. plane:floor.
+
+query-unknown = { $name } ist keine Unbekannte dieser Ausgleichung.
+    .do = point:ID, image:ID, camera:ID oder KIND:NAME (z. B. plane:floor) eines geschätzten Objekts angeben.
