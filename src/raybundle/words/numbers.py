@@ -30,8 +30,4 @@ def short(value: float, digits: int = 3) -> str:
         return "0"
     if 10**digits <= abs(value) < 1e15:
         return grouped(round(value))
-    text = significant(value, digits)
-    number, e, exponent = text.partition("e")
-    if "." in number:
-        number = number.rstrip("0").rstrip(".")
-    return f"{number}{e}{exponent}"
+    return f"{value:.{digits}g}"
