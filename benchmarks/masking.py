@@ -51,7 +51,7 @@ def run(network: str, share: float, size_px: float, seed: int) -> dict:
     wrong = simulation.gross
     left = int((wrong & used).sum())
     done = left <= 0.05 * wrong.sum() and result.sigma0 < 1.5
-    said = any(n.code in SAID for n in result.notices)
+    said = any(n.subject in SAID for n in result.notices)
     end = "found" if done else "named" if said else "hidden" if result.sigma0 < 1.5 else "silent"
     return {
         **row, "end": end, "sigma0": round(result.sigma0, 3),

@@ -27,7 +27,7 @@ def answer(block, **options):
         result = adjust(block, replace(OPTIONS, **options))
     except NotSolvable as error:
         return str(error)
-    return " ".join(n.message for n in result.notices if n.severity == "fault")
+    return " ".join(n.text for n in result.notices if n.severity == "fault")
 
 
 def with_lengths(block, factor):

@@ -85,7 +85,7 @@ def test_a_held_point_that_is_wrong_is_named():
     (notice,) = [n for n in result.notices if n.code == "control_suspect"]
     assert notice.ids == (name,)
     assert notice.severity == "fault"
-    assert "Check its coordinates and its number in the images" in notice.message
+    assert notice.values["n"] == 1
     assert not [n for n in adjust(block, OPTIONS).notices if n.code == "control_suspect"]
 
 

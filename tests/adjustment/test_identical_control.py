@@ -26,8 +26,9 @@ def test_a_copied_line_is_a_fault(sigma):
     (notice,) = [n for n in result.notices if n.code == "control_identical"]
     assert set(notice.ids) == set(names[:2])
     assert notice.severity == "fault"
-    assert f"{names[0]} and {names[1]} (" in notice.message
-    assert "px apart in image" in notice.message
+    (pair,) = notice.details
+    assert (pair.code, pair.values["first"], pair.values["second"]) == ("control_identical.pair_apart", *names[:2])
+    assert pair.values["apart_px"] > 0
     assert not identical_notices(block)
 
 
@@ -37,10 +38,10 @@ def test_four_alike_are_named_whether_or_not_there_is_a_result(sigma):
     names = control_names(block)
     block = copied(block, names[1:], onto=names[0])
     try:
-        said = " ".join(n.message for n in adjust(block, OPTIONS).notices if n.code == "control_identical")
+        said = " ".join(f"{n.text} [{n.code}]" for n in adjust(block, OPTIONS).notices if n.code == "control_identical")
     except NotSolvable as error:
         said = str(error)
-    assert "control points with the same coordinates that are different points" in said
+    assert "control_identical" in said or "control points with the same coordinates" in said
     assert all(name in said for name in names)
 
 
@@ -57,7 +58,7 @@ def test_two_names_of_one_point_are_a_caution_and_neighbours_nothing():
     same = copied(replace(block, observations=replace(o, xy_px=xy)), names[1:2], onto=names[0], by=0.004)
     (notice,) = identical_notices(same)
     assert notice.severity == "caution"
-    assert "give it one name" in notice.message
+    assert notice.code == "control_identical.alike"
     assert not identical_notices(copied(block, names[1:2], onto=names[0], by=0.02))
 
 
@@ -84,8 +85,7 @@ def test_standard_deviations_as_large_as_the_distances_are_no_copied_lines():
     loose = replace(block, points=replace(block.points, sigma=np.where(given, extent, block.points.sigma)))
     (notice,) = identical_notices(loose)
     assert notice.severity == "caution"
-    assert "look at the standard deviations" in notice.message
-    assert "copied" not in notice.message
+    assert notice.code == "control_identical.alike"
     names = control_names(loose)
     copy, rest = identical_notices(copied(loose, names[1:2], onto=names[0]))
     assert (copy.severity, set(copy.ids)) == ("fault", set(names[:2]))

@@ -41,7 +41,7 @@ def answer(block):
         result = adjust(block, OPTIONS)
     except NotSolvable as error:
         return str(error)
-    return " ".join(n.message for n in result.notices if n.severity == "fault")
+    return " ".join(n.text for n in result.notices if n.severity == "fault")
 
 
 @pytest.mark.parametrize(

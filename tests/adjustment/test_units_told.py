@@ -1,6 +1,5 @@
 """What observations outside the images are off by is told in degrees or the block's unit; headlines are whole."""
 
-import re
 from dataclasses import replace
 
 import numpy as np
@@ -18,9 +17,9 @@ OPTIONS = AdjustmentOptions(jobs=1)
 
 def test_a_wrong_distance_is_told_in_the_unit_of_the_block():
     block, _ = with_bars([0.5, 0.5])
-    told = [n.message for n in decide(block, OPTIONS).notices if n.code == "distance_suspect"]
+    told = [n for n in decide(block, OPTIONS).notices if n.code == "distance_suspect"]
     assert told
-    assert all(re.search(r"[0-9] m, at a sigma of 0.002 m \(\|w\|", m) for m in told)
+    assert all((n.values["sigma"], n.values["unit"]) == (pytest.approx(0.002), "m") for n in told)
 
 
 def test_a_wrong_attitude_is_told_in_degrees():
@@ -30,9 +29,9 @@ def test_a_wrong_attitude_is_told_in_degrees():
     angles[3, 0] += np.radians(5.0)
     attitudes = Attitudes(image=np.arange(n, dtype=np.int32), angles=angles, sigma=np.full((n, 3), np.radians(0.1)))
     result = decide(block.having(attitudes), replace(OPTIONS, jobs=1))
-    (message,) = [m.message for m in result.notices if m.code == "attitude_suspect"]
-    off = float(re.search(r": -([0-9.]+) degrees, at a sigma of 0.1 degrees \(\|w\|", message)[1])
-    assert off == pytest.approx(5.0, abs=0.3)
+    (notice,) = [m for m in result.notices if m.code == "attitude_suspect"]
+    assert notice.values["off"] == pytest.approx(-5.0, abs=0.3)
+    assert (notice.values["sigma"], notice.values["unit"]) == (pytest.approx(0.1), "degrees")
 
 
 def test_a_headline_that_ends_in_a_colon_has_the_first_reason():

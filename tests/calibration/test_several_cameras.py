@@ -25,7 +25,7 @@ def test_images_of_two_cameras_are_taken_apart(seed):
     smaller = min((0, 1), key=lambda k: (of == k).sum())
     names = [n for n, k in zip(block.images.ids, of, strict=True) if k == smaller]
     if (of == smaller).sum() < len(of) / 2:
-        assert f'own_camera="{"|".join(names)}"' in notice.message
+        assert [d.values["pattern"] for d in notice.details] == ["|".join(names)]
     after = adjusted(apart)
     c = [i.parameters["c"] for i in sorted(after.interior, key=lambda i: of[apart.images.camera.tolist().index(
         [k.id for k in apart.cameras].index(i.camera))])]  # fmt: skip

@@ -35,13 +35,13 @@ def test_a_single_ray_is_named():
     rows = np.flatnonzero(o.point == 7)
     keep = np.ones(len(o), bool)
     keep[rows[1:]] = False
-    with pytest.raises(InputError, match=f"a single ray to point {block.points.ids[7]}"):
+    with pytest.raises(InputError, match=rf"{block.points.ids[7]}.*tie_points\.too_few_rays"):
         adjust(with_rows(block, keep))
 
 
 def test_a_point_without_observation_is_named():
     block = observed()
-    with pytest.raises(InputError, match=f"no observation of point {block.points.ids[3]}"):
+    with pytest.raises(InputError, match=rf"{block.points.ids[3]}.*tie_points\.too_few_rays"):
         adjust(with_rows(block, block.observations.point != 3))
 
 
@@ -107,8 +107,8 @@ def square_views():
 def test_a_plane_photographed_squarely_leaves_c_open():
     result = adjust(square_views())
     assert result.not_determinable == ("c (camera 1)",)
-    message = next(n.message for n in result.notices if n.code == "not_determinable")
-    assert "converge" in message
+    notice = next(n for n in result.notices if n.code == "not_determinable")
+    assert notice.values["remedy"] == "converge"
     automatic = adjust(square_views(), AdjustmentOptions(estimate="auto"))
     assert "c (camera 1)" in automatic.not_determinable
     assert automatic.interior[0].parameters["c"].std is None
@@ -116,7 +116,7 @@ def test_a_plane_photographed_squarely_leaves_c_open():
 
 
 def test_no_datum_is_an_error_only_if_control_is_asked_for():
-    with pytest.raises(DatumDefect, match="Free: 7 of 7 datum parameters"):
+    with pytest.raises(DatumDefect, match=r"7 of 7[\s\S]*datum\.not_by_control"):
         adjust(observed(), AdjustmentOptions(datum="control"))
     result = adjust(observed())
     assert len(result.datum_defect) == result.constraints == 7
@@ -150,9 +150,10 @@ def test_unconnected_parts_are_named():
             xyz=np.vstack([a.points.xyz] * 2), sigma=np.vstack([a.points.sigma] * 2),
         ),
     )  # fmt: skip
-    with pytest.raises(DatumDefect, match="falls into 2 parts") as error:
+    with pytest.raises(DatumDefect, match=r"2 parts[\s\S]*block\.parts_without_datum") as error:
         adjust(two)
-    assert f"images b{a.images.ids[0]}" in str(error.value)
+    assert f"Images {a.images.ids[0]}" in str(error.value)
+    assert f"Images b{a.images.ids[0]}" in str(error.value)
 
 
 def wrong_control():
@@ -187,7 +188,7 @@ def test_an_image_with_two_points_is_named():
     rows = np.flatnonzero(block.observations.image == 4)
     keep = np.ones(len(block.observations), bool)
     keep[rows[2:]] = False
-    with pytest.raises(RankDefect, match=f"image {block.images.ids[4]}"):
+    with pytest.raises(RankDefect, match=rf"{block.images.ids[4]}[\s\S]*image\.too_few_points"):
         adjust(with_rows(block, keep))
 
 

@@ -124,4 +124,6 @@ def test_what_the_figures_call_systematic_is_a_caution():
     (notice,) = systematic_notices(wrong)
     assert notice.severity is Severity.CAUTION
     cells = cells_of(wrong)
-    assert f"camera {camera.id}: in {int(cells.significant.sum())} of {cells.tested} cells" in notice.message
+    (found,) = [d.values for d in notice.details]
+    assert (found["camera"], found["cells"]) == (camera.id, int(cells.significant.sum()))
+    assert found["tested"] == cells.tested

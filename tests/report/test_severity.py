@@ -42,7 +42,9 @@ def codes_in_the_source():
     kinds = {"Notice", *(c.name for c in classes if any(ast.unparse(b) == "Notice" for b in c.bases))}
     calls = [n for n in nodes if isinstance(n, ast.Call)]
     found |= {c.value for call in calls for c in codes_of(call, kinds) if isinstance(c, ast.Constant)}
-    return found
+    texts = {n.value for n in nodes if isinstance(n, ast.Constant) and isinstance(n.value, str)}
+    found |= {t for t in texts if t.partition(".")[0] in SEVERITY}  # codes chosen before the call
+    return {code.partition(".")[0] for code in found}
 
 
 def test_every_code_has_a_severity_and_no_severity_stands_without_its_code():
@@ -107,7 +109,7 @@ def test_residuals_three_times_too_large_are_a_fault_and_too_small_ones_a_remark
         (2 * upper, 1.4, Severity.CAUTION), (20 * upper, 4.5, Severity.FAULT), (0.5 * lower, 0.7, Severity.REMARK),
     ):  # fmt: skip
         changed = replace(a, global_test=(lower, value, upper), sigma0=sigma0)
-        (told,) = [n for n in notices_of(changed, None) if n.code == "global_test"]
+        (told,) = [n for n in notices_of(changed, None) if n.subject == "global_test"]
         assert told.severity is severity
 
 

@@ -255,7 +255,7 @@ def test_the_answer_does_not_depend_on_how_an_observation_touches_its_parameters
 def test_fixes_without_points_are_named_and_a_smoothness_prior_determines_them():
     free = CorrectionModel(attitude_curve=Fixes(count=14))
     axes = ("rx", "ry", "rz")
-    with pytest.raises(RankDefect, match=r"no observation touches r[xyz]_\d+ of camera ahead, "):
+    with pytest.raises(RankDefect, match=r"r[xyz]_\d+ of camera ahead[\s\S]*rank\.not_determined"):
         adjust_block(pair(free, {}, rows=700.0))
     smooth = dict(zip(axes, (1e-6, 1e-6, 1e-5), strict=True))
     block = MonteCarlo.of(pair(free, {}, smooth=smooth, rows=700.0)).noisy(np.random.default_rng(8))

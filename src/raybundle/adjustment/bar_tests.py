@@ -8,6 +8,7 @@ import numpy as np
 
 from raybundle.adjustment.components import differs
 from raybundle.adjustment.result import Adjustment, Notice
+from raybundle.errors import Value
 
 MOST = 40
 """Bars that are tried, those that fit worst."""
@@ -94,11 +95,8 @@ def _worse(square: float, r: float, total: tuple[float, float]) -> bool:
 
 def bar_notice(bar: WrongBar, limit: float, unit: str) -> Notice:
     """The fault of it."""
-    return Notice(
-        code="distance_suspect",
-        message=f"scale bar {bar.name} contradicts the control: its length is given as {bar.length:.6g} {unit}, and "
-        f"all else shows {bar.shown:.6g} {unit} (|w| {bar.w:.1f} against {limit:.1f}). Without this bar alone "
-        f"control and bars fit as stated (by a factor of {bar.after:.2g}, {bar.before:.2g} with it): check its length "
-        "and the names of its ends before anything of the control",
-        ids=(bar.name,),
-    )
+    values: dict[str, Value] = {
+        "name": bar.name, "length": bar.length, "shown": bar.shown, "unit": unit, "w": bar.w, "limit": limit,
+        "before": bar.before, "after": bar.after,
+    }  # fmt: skip
+    return Notice(code="distance_suspect.control", values=values, ids=(bar.name,))

@@ -10,6 +10,7 @@ import numpy as np
 from raybundle.adjustment.options import FEWEST_IMAGES
 from raybundle.adjustment.result import Adjustment, Notice
 from raybundle.block import Camera
+from raybundle.errors import Message, Value, message
 from raybundle.numerics.arrays import Array, Index, Mask
 
 FAMILY = 0.05
@@ -163,7 +164,7 @@ def between_images(cell: Index, image: Index, tests: Array, cells: int) -> Array
 def systematic_notices(result: Adjustment) -> list[Notice]:
     """One notice of the cameras whose mean residuals differ from zero in more than a tenth of their cells."""
     o, tests = result.given.observations, normalised_residuals(result)
-    told: list[str] = []
+    each: list[Message] = []
     ids: list[str] = []
     for k, camera in enumerate(result.given.cameras):
         mask = result.image_observations.used & (result.given.images.camera[o.image] == k)
@@ -174,25 +175,13 @@ def systematic_notices(result: Adjustment) -> list[Notice]:
             continue
         ids.append(camera.id)
         overall = math.sqrt(float(np.mean(result.image_observations.residuals_px[mask] ** 2)))
-        told.append(
-            f"camera {camera.id}: in {int(means.significant.sum())} of {means.tested} cells, by {means.rms_px:.2g} px "
-            f"rms ({100 * means.rms_px / overall:.0f} % of the residuals) and {means.largest_px:.2g} px at most"
-        )
-    if not told:
+        each.append(
+            message(
+                "systematic_residuals.camera", camera=camera.id, cells=int(means.significant.sum()),
+                tested=means.tested, rms_px=means.rms_px, share=means.rms_px / overall, largest_px=means.largest_px,
+            )
+        )  # fmt: skip
+    if not each:
         return []
-    white = result.noise.kind == "white"
-    contains = (
-        "standard deviations of independent errors do not contain (in few photographs smooth errors of single "
-        "ones look alike)"
-        if white
-        else "standard deviations do not contain: it is in all images"
-    )
-    return [
-        Notice(
-            code="systematic_residuals",
-            message="mean residuals over the format differ from zero: " + "; ".join(told) + ". The camera model "
-            f"leaves a systematic part, which {contains}; a calibration, or photographs that are rolled and converge, "
-            "would tell the lens better",
-            ids=tuple(ids),
-        )
-    ]
+    values: dict[str, Value] = {"n": len(ids), "independent": result.noise.kind == "white"}
+    return [Notice(code="systematic_residuals", values=values, ids=tuple(ids), details=tuple(each))]

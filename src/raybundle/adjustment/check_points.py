@@ -8,12 +8,12 @@ from dataclasses import replace
 import numpy as np
 from scipy.special import chdtri
 
-from raybundle.adjustment.datum import point_generators
+from raybundle.adjustment.datum import open_values, point_generators
 from raybundle.adjustment.result import Adjustment, Notice
 from raybundle.adjustment.severity import Severity
 from raybundle.block import Role
+from raybundle.errors import Message, Value, message
 from raybundle.numerics.arrays import Array, Index, Mask
-from raybundle.numerics.counting import counted
 
 LEVEL = 1e-3
 """Probability with which differences that are as stated are told, at most."""
@@ -67,12 +67,10 @@ def open_notice(a: Adjustment) -> Notice | None:
     if not lost.any():
         return None
     axes = [axis for axis, gone in zip("XYZ", lost, strict=True) if gone]
-    return Notice(
-        code="check_points_open",
-        message=f"check points are not compared in {', '.join(axes)}: nothing fixes {', '.join(a.datum_defect)}, and "
-        "coordinates that it moves are arbitrary",
-        ids=tuple(a.given.points.ids[k] for k in rows[:100]),
-    )
+    part, each = open_values(a.datum_defect)
+    values: dict[str, Value] = {"points": len(rows), "axes": axes, "n": len(a.datum_defect), "part": part}
+    ids = tuple(a.given.points.ids[k] for k in rows[:100])
+    return Notice(code="check_points_open", values=values, ids=ids, details=each)
 
 
 def check_notice(a: Adjustment) -> Notice | None:
@@ -92,7 +90,7 @@ def check_notice(a: Adjustment) -> Notice | None:
     given = np.nan_to_num(a.given.points.sigma[rows])
     with np.errstate(all="ignore"):
         ratio = difference / np.hypot(a.precision.object_point_std[rows], given)
-    told: list[str] = []
+    told: list[Message] = []
     limits = np.full(3, np.nan)
     severity = Severity.REMARK
     level = LEVEL / 3
@@ -107,21 +105,20 @@ def check_notice(a: Adjustment) -> Notice | None:
         certain = square > float(chdtri(1, level))
         severity = Severity.FAULT if certain else Severity.CAUTION if severity is Severity.REMARK else severity
         limits[k] = math.sqrt(float(chdtri(1, level / len(known))))
-        told.append(f"{axis} {math.sqrt(square):.2g} times (limit {math.sqrt(apart):.2g})")
+        told.append(message("check_points_apart.axis", axis=axis, factor=math.sqrt(square), limit=math.sqrt(apart)))
     if not told:
         return None
     beyond = _beyond(ratio, limits)
     ids = a.given.points.ids
-    named = [f"{ids[rows[k]]} in {'XYZ'[c]} {size:.2g} times (limit {limits[c]:.2g})" for k, c, size in beyond[:NAMED]]
-    more = f" and {len(beyond) - NAMED} more" if len(beyond) > NAMED else ""
-    where = f"beyond what single ones may reach: {', '.join(named)}{more}" if named else "no single one stands out"
+    named = [
+        message("check_points_apart.point", point=ids[rows[k]], axis="XYZ"[c], factor=size, limit=float(limits[c]))
+        for k, c, size in beyond[:NAMED]
+    ]
+    values: dict[str, Value] = {"n": len(rows), "beyond": len(beyond), "axes": [str(t.values["axis"]) for t in told]}
     return Notice(
-        code="check_points_apart",
-        message=f"{counted(len(rows), 'check point')}: differences are larger than the standard deviations of the "
-        f"result and of the given coordinates predict, in {', '.join(told)}; {where}. "
-        "The result is wrong, or the coordinates given are, or their names, axes, unit or system; the standard "
-        "deviations of the result are not to be relied upon until this is explained",
-        ids=tuple(ids[rows[k]] for k, _, _ in beyond[:NAMED]), measured=severity,
+        code="check_points_apart", values=values, measured=severity,
+        ids=tuple(ids[rows[k]] for k, _, _ in beyond[:NAMED]),
+        details=(*told, *(named or [message("check_points_apart.no_single_point")])),
     )  # fmt: skip
 
 

@@ -434,7 +434,8 @@ def result_of(
     limit = family_wise_tau(options.significance, tests, redundancy)
     told = found is not None and not brief
     if not solution.converged:
-        notices = (Notice(code="weak_convergence", message=solution.trouble), *notices)
+        ended = {"step_sigmas": float(solution.step), "iterations": solution.iterations}
+        notices = (Notice(code="weak_convergence", values=ended), *notices)
     adjustment = Adjustment(
         given=block,
         adjusted=adjusted_block(system, state),

@@ -10,8 +10,8 @@ from raybundle.adjustment.predict import predicted_px
 from raybundle.adjustment.result import Adjustment, Notice
 from raybundle.block.points import automatic
 from raybundle.block.rejection import RejectionKind
+from raybundle.errors import message
 from raybundle.numerics.arrays import Index
-from raybundle.numerics.counting import counted
 
 SHOWN = 5
 BLUNDERS = {RejectionKind.BLUNDER, RejectionKind.BLUNDER_NOT_LOCATED, RejectionKind.BEHIND_CAMERA}
@@ -33,23 +33,18 @@ def exchanged_notices(result: Adjustment) -> list[Notice]:
     matched = [(i, pair) for i, pair in found if unnamed[list(pair)].any()]
     notices = list[Notice]()
     if named:
-        message = (
-            f"rejected image points fit under each other's names: {_shown(result, named)}. Exchange the names in these "
-            "images"
-        )
-        values = {"pairs": len(named)}
-        notices.append(Notice(code="names_exchanged", message=message, ids=_names(result, named), values=values))
+        notices.append(_notice(result, "names_exchanged", named))
     if matched:
-        message = f"rejected tie points were matched with one another: {_shown(result, matched)}. They take no part"
-        values = {"pairs": len(matched)}
-        notices.append(Notice(code="ties_mismatched", message=message, ids=_names(result, matched), values=values))
+        notices.append(_notice(result, "ties_mismatched", matched))
     return notices
 
 
-def _shown(result: Adjustment, found: Sequence[tuple[int, tuple[int, int]]]) -> str:
+def _notice(result: Adjustment, code: str, found: Sequence[tuple[int, tuple[int, int]]]) -> Notice:
     ids, images = result.given.points.ids, result.given.images.ids
-    each = "; ".join(f"{ids[a]} and {ids[b]} in image {images[i]}" for i, (a, b) in found[:SHOWN])
-    return each + (f"; and {counted(len(found) - SHOWN, 'more pair')}" if len(found) > SHOWN else "")
+    each = tuple(
+        message("names_exchanged.pair", first=ids[a], second=ids[b], image=images[i]) for i, (a, b) in found[:SHOWN]
+    )
+    return Notice(code=code, values={"pairs": len(found)}, ids=_names(result, found), details=each)
 
 
 def _names(result: Adjustment, found: Sequence[tuple[int, tuple[int, int]]]) -> tuple[str, ...]:

@@ -9,8 +9,8 @@ import numpy as np
 from raybundle.adjustment.result import Notice
 from raybundle.adjustment.severity import Severity
 from raybundle.block import Block, Role
+from raybundle.errors import Message, message
 from raybundle.numerics.arrays import Array
-from raybundle.numerics.counting import counted
 
 APART = 5.0
 """Standard deviations of a difference beyond which it is one: by chance one of a million."""
@@ -101,26 +101,19 @@ def identical_notices(block: Block) -> list[Notice]:
         if mine:
             found.append(
                 Notice(
-                    code="control_identical",
-                    message=_words(mine, wrong=wrong),
+                    code="control_identical" if wrong else "control_identical.alike",
+                    values={"pairs": len(mine)},
                     ids=tuple(dict.fromkeys(name for p in mine for name in (p.first, p.second)))[:100],
                     measured=Severity.FAULT if wrong else Severity.CAUTION,
+                    details=tuple(map(_pair, mine[:SHOWN])),
                 )
             )
     return found
 
 
-def _words(pairs: list[Twins], *, wrong: bool) -> str:
-    names = ", ".join(
-        f"{p.first} and {p.second}" + (f" ({p.apart_px:.0f} px apart in image {p.image})" if wrong else "")
-        for p in pairs[:SHOWN]
-    ) + (f" and {counted(len(pairs) - SHOWN, 'more pair')}" if len(pairs) > SHOWN else "")
-    if wrong:
-        return (
-            f"control points with the same coordinates that are different points: {names}; was a line copied? Give "
-            "each point its own coordinates, or leave it out"
+def _pair(p: Twins) -> Message:
+    if p.apart_px > 0:
+        return message(
+            "control_identical.pair_apart", first=p.first, second=p.second, apart_px=p.apart_px, image=p.image
         )
-    return (
-        f"control points with the same coordinates within their standard deviation: {names}; if they are one point, "
-        "give it one name; if not, look at the standard deviations: these do not tell the points apart"
-    )
+    return message("control_identical.pair", first=p.first, second=p.second)

@@ -11,12 +11,11 @@ from dataclasses import replace
 import numpy as np
 from scipy.special import chdtri
 
-from raybundle.adjustment.result import Adjustment, InteriorResult, Notice
+from raybundle.adjustment.result import Adjustment, InteriorResult, Notice, ParameterResult
 from raybundle.adjustment.steady import CARRIED
 from raybundle.block import Camera, Relation
 from raybundle.block.known import known_before
-from raybundle.numerics.counting import counted
-from raybundle.settings import option
+from raybundle.errors import Message, Value, message
 
 NAMED_CAMERAS = 3
 """Cameras that a notice names; the rest are counted."""
@@ -75,22 +74,27 @@ def _untold(leaning: list[tuple[Camera, InteriorResult, dict[str, Relation]]]) -
     if not leaning:
         return []
     camera, interior, known = leaning[0]
-    values = [
-        f"{s} {_words(camera, r)}, found {_px(camera, interior.parameters[s].value)} +- "
-        f"{_px(camera, interior.parameters[s].std or 0.0)}"
-        for s, r in known.items()
-    ]
-    told = [f"camera {camera.id}: {', '.join(known)}" for camera, _, known in leaning[:NAMED_CAMERAS]]
-    more = len(leaning) - NAMED_CAMERAS
-    named = "; ".join(told) + (f"; and of {counted(more, 'more camera')} (listed under cameras)" if more > 0 else "")
-    verb = "is" if len(leaning) == len(known) == 1 else "are"
-    message = (
-        f"{named} {verb} not determinable and {verb} held by little but what was known before ({'; '.join(values)}"
-        f"{f', of camera {camera.id}' if len(leaning) > 1 else ''}). Orientations and coordinates lean on it; a "
-        "calibration says it"
-    )
+    each = [_prior(camera, s, r, interior.parameters[s]) for s, r in known.items()]
+    others = leaning[1:NAMED_CAMERAS]
+    each += [message("held_not_determinable.parameters", camera=c.id, symbols=[*of]) for c, _, of in others]
     ids = dict.fromkeys(i for camera, _, known in leaning for i in (camera.id, *known))
-    return [Notice(code="held_not_determinable", message=message, ids=tuple(ids))]
+    values: dict[str, Value] = {"cameras": len(leaning), "n": sum(len(of) for _, _, of in leaning)}
+    return [Notice(code="held_not_determinable.known_before", values=values, ids=tuple(ids), details=tuple(each))]
+
+
+def _prior(camera: Camera, symbol: str, known: Relation, found: ParameterResult) -> Message:
+    """What was known of a parameter, and what was found."""
+    found_px, sigma_px = _px(camera, found.value), _px(camera, found.std or 0.0)
+    if known.logarithm:
+        return message(
+            "held_not_determinable.factor", camera=camera.id, symbol=symbol,
+            known_px=_px(camera, float(np.exp(known.observed))), factor=float(np.exp(known.sigma)),
+            found_px=found_px, sigma_px=sigma_px,
+        )  # fmt: skip
+    return message(
+        "held_not_determinable.value", camera=camera.id, symbol=symbol, known_px=_px(camera, known.observed),
+        known_sigma_px=_px(camera, known.sigma), found_px=found_px, sigma_px=sigma_px,
+    )  # fmt: skip
 
 
 def _contradiction(result: Adjustment, camera: Camera, interior: InteriorResult) -> Notice | None:
@@ -115,21 +119,28 @@ def _contradiction(result: Adjustment, camera: Camera, interior: InteriorResult)
     if not squares > limit:
         return None
     known = {r.name: (s, r) for s, r in known_before(camera).items()}
-    told = list[str]()
+    told = list[Message]()
     for _, name in sorted(far, reverse=True):
         symbol, relation = known[name]
-        value = interior.parameters[symbol].value
-        told.append(f"{symbol} {_px(camera, value)} where {_words(camera, relation)} was known")
-    return Notice(
-        code="camera_contradicts",
-        message=f"camera {camera.id}: the interior orientation found is none that this camera can have: "
-        f"{'; '.join(told)} (chi-square {squares:.0f} of {len(far)}, limit {limit:.1f} at {100 * LEVEL:g} %). The "
-        "photographs hardly determine it, or are wrongly oriented: orientations and their standard deviations cannot "
-        f"be trusted. Calibrate the camera and give {option('calibration')}, or take convergent and rolled "
-        "photographs; of "
-        "cropped photographs or a lens far from the usual, a calibration says so",
-        ids=(camera.id,),
-    )
+        at = _px(camera, interior.parameters[symbol].value)
+        if relation.logarithm:
+            known_px, factor = _px(camera, float(np.exp(relation.observed))), float(np.exp(relation.sigma))
+            told.append(
+                message("camera_contradicts.factor", symbol=symbol, found_px=at, known_px=known_px, factor=factor)
+            )
+        else:
+            known_px, sigma = _px(camera, relation.observed), _px(camera, relation.sigma)
+            told.append(
+                message("camera_contradicts.value", symbol=symbol, found_px=at, known_px=known_px, known_sigma_px=sigma)
+            )
+    values: dict[str, Value] = {
+        "camera": camera.id,
+        "squares": squares,
+        "n": len(far),
+        "limit": limit,
+        "level_percent": 100 * LEVEL,
+    }
+    return Notice(code="camera_contradicts", values=values, ids=(camera.id,), details=tuple(told))
 
 
 def _found_by_photographs(camera: Camera, interior: InteriorResult) -> set[str]:
@@ -163,12 +174,5 @@ def _key(interior: InteriorResult) -> str:
     return interior.camera if interior.image is None else f"{interior.camera}/{interior.image}"
 
 
-def _px(camera: Camera, value: float) -> str:
-    return f"{value / camera.pixel_mm[0]:.0f} px"
-
-
-def _words(camera: Camera, known: Relation) -> str:
-    """What was known: "0 px +- 13 px", or "768 px, to a factor of 1.5"."""
-    if known.logarithm:
-        return f"{_px(camera, float(np.exp(known.observed)))} to a factor of {np.exp(known.sigma):.3g}"
-    return f"{_px(camera, known.observed)} +- {_px(camera, known.sigma)}"
+def _px(camera: Camera, value: float) -> float:
+    return value / camera.pixel_mm[0]

@@ -136,9 +136,6 @@ def masked_notices(result: Adjustment, found: Unmasked | None) -> list[Notice]:
         return [
             Notice(
                 code="snooping_masked",
-                message=f"blunders may mask one another: after {count} rejections sigma0 is still {sigma0:.3g}, "
-                f"{ratio:.2g} times the scale of the median residual, and no single test value is significant. Check "
-                "point numbers, approximate values and the standard deviations of the image points",
                 values={"rejected": count, "sigma0": sigma0, "ratio": ratio},
             )
         ]
@@ -147,8 +144,6 @@ def masked_notices(result: Adjustment, found: Unmasked | None) -> list[Notice]:
     return [
         Notice(
             code="snooping_robust",
-            message=f"{found.rejected} image observations rejected after a robust estimate: so many blunders "
-            "masked one another in the test of single observations",
             values={"rejected": found.rejected, "ratio": found.ratio},
         )
     ]

@@ -12,7 +12,7 @@ from raybundle.adjustment.bar_tests import bar_notice, wrong_bar
 from raybundle.adjustment.components import NAMES, differs, without_known_before, without_worst
 from raybundle.adjustment.control_notices import control_notices
 from raybundle.adjustment.control_tests import Contradiction, ControlTests
-from raybundle.adjustment.datum import ABOUT_LINE
+from raybundle.adjustment.datum import ABOUT_LINE, open_values
 from raybundle.adjustment.interior_notices import interior_notices
 from raybundle.adjustment.network import FEW as FIRM
 from raybundle.adjustment.network import weak_images
@@ -24,12 +24,10 @@ from raybundle.adjustment.wrong_images import wrong_image_notices
 from raybundle.block import Role
 from raybundle.block.frames import stored_ways
 from raybundle.block.points import automatic
-from raybundle.block.rejection import WORDS, RejectionKind, counts
-from raybundle.numerics.counting import counted, counted_are, grouped, significant
+from raybundle.block.rejection import RejectionKind, counts
+from raybundle.errors import Message, Value, message
 from raybundle.numerics.statistics import global_test
 
-LONG = 1e4
-"""From which on a number stands in groups of three digits"""
 UNCHECKED = 0.01
 """Redundancy number below which an observation is not checked by the others (Förstner 1987): an error of forty
 standard deviations may pass."""
@@ -51,9 +49,11 @@ def notices_of(result: Adjustment, redundancy_sum: RedundancySum | None) -> tupl
         found.append(
             Notice(
                 code="redundancy_sum",
-                message=f"the redundancy numbers sum to {redundancy_sum.sum:.6f} instead of {result.redundancy}, and "
-                f"rounding explains {redundancy_sum.limit:.2g}: standard deviations are not reliable; "
-                "please report this block",
+                values={
+                    "sum": redundancy_sum.sum,
+                    "redundancy": result.redundancy,
+                    "limit": float(redundancy_sum.limit),
+                },
             )
         )
     control = _control(result)
@@ -74,82 +74,52 @@ def _outside(result: Adjustment) -> list[Notice]:
         return []
     k = int(rows[beyond[rows].max(axis=1).argmax()])
     images = [block.images.ids[i] for i in dict.fromkeys(o.image[rows].tolist())]
-    some = ", ".join(images[:5]) + " ..." * (len(images) > 5)
     x, y = o.xy_px[k].tolist()
-    return [
-        Notice(
-            code="outside_format",
-            message=f"{counted_are(len(rows), 'image point')} outside the format, in {some}: the farthest is point "
-            f"{block.points.ids[o.point[k]]} at {x:.6g}, {y:.6g} px in {block.images.ids[o.image[k]]}, whose format is "
-            f"{size[k, 0]:g} x {size[k, 1]:g} px. Check width_px and height_px of its camera, the unit and the origin "
-            "of the image points (the outer corner of the first pixel, y down)",
-            ids=tuple(images[:100]),
-        )
-    ]
+    values: dict[str, Value] = {
+        "n": len(rows), "point": block.points.ids[o.point[k]], "image": block.images.ids[o.image[k]],
+        "x_px": x, "y_px": y, "width_px": int(size[k, 0]), "height_px": int(size[k, 1]),
+    }  # fmt: skip
+    return [Notice(code="outside_format", values=values, ids=tuple(images[:100]))]
 
 
 def _fit(result: Adjustment) -> list[Notice]:
     if result.redundancy == 0:
-        return [
-            Notice(
-                code="no_redundancy",
-                message="no redundancy: sigma0 cannot be estimated; standard deviations carry the a-priori sigma0 and "
-                "no blunder can be found. Add observations.",
-            )
-        ]
+        return [Notice(code="no_redundancy")]
     lower, value, upper = result.global_test
     if not value > upper and not value < lower:
         return []
     more = value > upper
     grave = Severity.FAULT if result.sigma0 > POOR_FIT else Severity.CAUTION
     grave = Severity.REMARK if result.sigma0 < NEARLY else grave
-    return [
-        Notice(
-            code="global_test",
-            measured=grave if more else Severity.REMARK,
-            message=f"sigma0 {result.sigma0:.3g} differs from 1 (weighted square sum {_sum(value)}, 95 % limits "
-            f"{_sum(lower)} .. {_sum(upper)}): {_meaning(result, more=more)}. Standard deviations carry the "
-            "a-posteriori sigma0.",
-        )
-    ]
-
-
-def _sum(squares: float) -> str:
-    """A sum of squares with five digits."""
-    return grouped(round(float(f"{squares:.5g}"))) if squares >= LONG else f"{squares:.5g}"
-
-
-def _meaning(result: Adjustment, *, more: bool) -> str:
-    """What a sigma0 other than 1 says of the observations."""
+    values: dict[str, Value] = {
+        "sigma0": result.sigma0, "percent": 100 * abs(result.sigma0 - 1), "square_sum": value, "lower": lower,
+        "upper": upper,
+    }  # fmt: skip
+    code = "global_test"
     if more and result.sigma0 < NEARLY:
-        return f"less than {100 * (NEARLY - 1):.0f} %, which so many observations show"
-    if more:
-        return "the observations are less precise than stated, or the model does not fit or blunders are left"
-    if result.options.weights == "residuals":
-        return "the residuals are smaller than when the weights were taken from them, no merit of the observations"
-    return "the observations are more precise than stated"
+        code = "global_test.nearly"
+        values["limit_percent"] = 100 * (NEARLY - 1)
+    elif not more:
+        estimated = result.options.weights == "residuals"
+        code = "global_test.estimated_weights" if estimated else "global_test.smaller"
+    return [Notice(code=code, measured=grave if more else Severity.REMARK, values=values)]
 
 
 def _behind(result: Adjustment, rows: Sequence[int]) -> Notice:
     """Points behind a camera: wrong numbers where somebody named them, else wrong matches, unless they are many."""
     o = result.given.observations
     pairs = _pairs(result, list(rows))
-    shown = ", ".join(f"point {p} in image {i}" for i, p in pairs[:5]) + (" ..." if len(pairs) > 5 else "")
+    values: dict[str, Value] = {"n": len(pairs), "pairs": [f"{p} ({i})" for i, p in pairs]}
     ids = tuple(p for _, p in pairs)
     if not automatic(ids).all():
-        return Notice(code="behind_camera", message=f"behind the camera: {shown}; check the point numbers", ids=ids)
+        return Notice(code="behind_camera", values=values, ids=ids)
     n = len(result.given.images)
     share = np.bincount(o.image[list(rows)], minlength=n) / np.maximum(np.bincount(o.image, minlength=n), 1)
     turned = [result.given.images.ids[k] for k in np.flatnonzero(share > TURNED)]
     if turned:
-        some = ", ".join(turned[:5]) + " ..." * (len(turned) > 5)
-        message = (
-            f"more than {TURNED:.0%} of the tie points of {some} lie behind the camera: photographs may be oriented on "
-            "the wrong side. Compare their positions with where they were taken"
-        )
-        return Notice(code="behind_camera", message=message, ids=tuple(turned))
-    message = f"{counted_are(len(pairs), 'image point')} left out, wrong matches behind the camera: {shown}"
-    return Notice(code="behind_camera", message=message, ids=ids, measured=Severity.REMARK)
+        values = {"n": len(turned), "limit": TURNED}
+        return Notice(code="behind_camera.photographs", values=values, ids=tuple(turned))
+    return Notice(code="behind_camera.matches", values=values, ids=ids, measured=Severity.REMARK)
 
 
 def _pairs(result: Adjustment, rows: list[int]) -> list[tuple[str, str]]:
@@ -167,13 +137,9 @@ def _rejected(result: Adjustment) -> list[Notice]:
     def rows(kind: RejectionKind) -> list[int]:
         return [i for i, r in enumerate(rejected) if r is not None and r.kind is kind]
 
-    each = ", ".join(f"{WORDS[kind]} ({grouped(n)})" for kind, n in kinds.items())
-    found = [
-        Notice(
-            code="rejected",
-            message=f"{grouped(sum(kinds.values()))} of {grouped(len(o))} image observations rejected: {each}",
-        )
-    ]
+    each = tuple(message("rejected.kind", kind=kind.value, n=n) for kind, n in kinds.items())
+    values: dict[str, Value] = {"n": sum(kinds.values()), "observations": len(o)}
+    found = [Notice(code="rejected", values=values, details=each)]
     lost = rows(RejectionKind.BLUNDER_NOT_LOCATED)
     if lost:
         points = np.unique(o.point[lost])
@@ -182,10 +148,7 @@ def _rejected(result: Adjustment) -> list[Notice]:
             Notice(
                 code="blunder_not_located",
                 measured=Severity.REMARK if automatic(names).all() else Severity.CAUTION,
-                message=f"{counted_are(len(names), 'point')} left out: one of "
-                f"{'their' if len(names) > 1 else 'its'} rays is wrong, and which one cannot be told "
-                f"(fewer than three rays would be left, or two rays explain it alike): {', '.join(names[:10])}"
-                f"{' ...' if len(names) > 10 else ''}. More rays to such points would save them",
+                values={"n": len(names)},
                 ids=tuple(names[:100]),
             )
         )
@@ -195,15 +158,7 @@ def _rejected(result: Adjustment) -> list[Notice]:
     diverging = rows(RejectionKind.RAYS_DIVERGE)
     if diverging:
         names = sorted({p for _, p in _pairs(result, diverging)})
-        found.append(
-            Notice(
-                code="rays_diverge",
-                message=f"{counted_are(len(names), 'point')} left out, the rays diverge: {', '.join(names[:10])}"
-                f"{' ...' if len(names) > 10 else ''}. The match is wrong, or the object is too far away "
-                "for these stations",
-                ids=tuple(names[:100]),
-            )
-        )
+        found.append(Notice(code="rays_diverge", values={"n": len(names)}, ids=tuple(names[:100])))
     return found
 
 
@@ -214,26 +169,16 @@ def _points(result: Adjustment) -> list[Notice]:
     rays = np.bincount(result.given.observations.point[used], minlength=len(points))
     lone = [points.ids[i] for i in np.flatnonzero((points.role == Role.CONTROL) & (rays == 1))]
     if lone and len(result.given.images) > 1:
-        found.append(
-            Notice(
-                code="one_ray_control", message=f"control points with a single ray: {', '.join(lone)}", ids=tuple(lone)
-            )
-        )
+        found.append(Notice(code="one_ray_control", values={"n": len(lone)}, ids=tuple(lone)))
     given = np.bincount(result.given.observations.point, minlength=len(points))
     silent = (points.role == Role.CONTROL) & (rays == 0)
-    for why, some in (
-        ("that no image shows", silent & (given == 0)),
-        ("whose image points were all rejected", silent & (given > 0)),
+    for code, some in (
+        ("control_not_observed", silent & (given == 0)),
+        ("control_not_observed.rejected", silent & (given > 0)),
     ):
         unseen = [points.ids[i] for i in np.flatnonzero(some)]
         if unseen:
-            found.append(
-                Notice(
-                    code="control_not_observed",
-                    message=f"control points {why}: {', '.join(unseen[:10])}; they take no part",
-                    ids=tuple(unseen),
-                )
-            )
+            found.append(Notice(code=code, values={"n": len(unseen)}, ids=tuple(unseen)))
     ends = result.given.distances
     cut = [
         f"{points.ids[a]} - {points.ids[b]}"
@@ -241,38 +186,20 @@ def _points(result: Adjustment) -> list[Notice]:
         if any(rays[k] == 0 and given[k] > 0 for k in (a, b))
     ]
     if cut:
-        found.append(
-            Notice(
-                code="distance_lost",
-                message=f"distances that take no part, as image points of their ends were rejected: "
-                f"{', '.join(cut[:10])}",
-                ids=tuple(cut[:100]),
-            )
-        )
+        found.append(Notice(code="distance_lost", values={"n": len(cut)}, ids=tuple(cut[:100])))
     lost = [points.ids[i] for i in np.flatnonzero((points.role == Role.CHECK) & (rays < 2))]
     if lost:
         found.append(
-            Notice(
-                code="check_unseen",
-                message=f"check points with fewer than two rays: {', '.join(lost[:10])}{' ...' * (len(lost) > 10)}; "
-                "they take no part and nothing is compared there",
-                ids=tuple(lost[:100]), measured=Severity.REMARK,
-            )
-        )  # fmt: skip
+            Notice(code="check_unseen", values={"n": len(lost)}, ids=tuple(lost[:100]), measured=Severity.REMARK)
+        )
     network = result.network
     if network is not None:
         flat = np.flatnonzero((network.rays > 1) & (network.intersection_angle < np.radians(1)))
         flat = [i for i in flat if not points.is_control[i].all()]
         if flat:
             names = [points.ids[i] for i in flat]
-            found.append(
-                Notice(
-                    code="small_angle",
-                    message=f"{counted_are(len(names), 'object point')} intersected at less than 1 degree: "
-                    f"{', '.join(names[:10])}{' ...' if len(names) > 10 else ''}; the depth is weak",
-                    ids=tuple(names[:100]),
-                )
-            )
+            values: dict[str, Value] = {"n": len(names), "limit_deg": 1.0}
+            found.append(Notice(code="small_angle", values=values, ids=tuple(names[:100])))
     return found
 
 
@@ -318,21 +245,22 @@ def _unchecked(result: Adjustment) -> list[Notice]:
                 unchecked.setdefault(g.component[k], []).append((g.ids[k], float(g.mdb[k])))
     if not unchecked:
         return []
-    told: list[str] = []
+    each: list[Message] = []
     for axis, points in sorted(unchecked.items()):
+        names = [name for name, _ in points]
         seen = [(mdb, name) for name, mdb in points if np.isfinite(mdb)]
-        least = f" ({min(seen)[0]:.2g} would just be found at {min(seen)[1]})" if seen else ""
-        names = ", ".join(name for name, _ in points[:5]) + " ..." * (len(points) > 5)
-        told.append(f"{axis} of {names}{least}")
-    return [
-        Notice(
-            code="control_unchecked",
-            message=f"control that the other observations hardly check: {'; '.join(told)}. They know it ten times "
-            "worse than stated or more, and smaller errors pass into the result unseen. More control, or check "
-            "points, would tell",
-            ids=tuple(dict.fromkeys(name for points in unchecked.values() for name, _ in points))[:100],
-        )
-    ]
+        if seen:
+            least, point = min(seen)
+            unit = result.given.length_unit
+            each.append(
+                message(
+                    "control_unchecked.axis", axis=axis, n=len(names), points=names, least=least, point=point, unit=unit
+                )
+            )
+        else:
+            each.append(message("control_unchecked.no_limit", axis=axis, n=len(names), points=names))
+    ids = tuple(dict.fromkeys(name for points in unchecked.values() for name, _ in points))
+    return [Notice(code="control_unchecked", values={"n": len(ids)}, ids=ids[:100], details=tuple(each))]
 
 
 KNOWN_BY = 2.0
@@ -360,9 +288,6 @@ def _photographs(result: Adjustment) -> list[Notice]:
                 code="weak_photographs",
                 measured=Severity.FAULT if grave else Severity.CAUTION,
                 values={"weak": len(weak), "photographs": len(used), "common": FIRM},
-                message=f"{counted(len(weak), 'photograph')} with fewer than 2 neighbours of {FIRM} common points: "
-                f"{', '.join(weak[:10])}{' ...' if len(weak) > 10 else ''}. Their orientation hangs on one connection "
-                "or few points; add photographs from positions between theirs and the next",
                 ids=tuple(weak[:100]),
             )
         )
@@ -370,30 +295,24 @@ def _photographs(result: Adjustment) -> list[Notice]:
     if r > 0:
         low, _, high = global_test(0.0, r)
         if high > KNOWN_BY**2 * low:
-            found.append(
-                Notice(
-                    code="little_redundancy",
-                    message=f"redundancy {r}: sigma0, and with it every standard deviation, is known to a factor of "
-                    f"{np.sqrt(high / low):.2g} only (95 % limits; {KNOWN_BY:g} is the least that tells anything), and "
-                    "a wrong orientation may fit as well. Add photographs with more overlap, or mark points",
-                )
-            )
+            values: dict[str, Value] = {"redundancy": r, "factor": float(np.sqrt(high / low)), "limit": KNOWN_BY}
+            found.append(Notice(code="little_redundancy", values=values))
     return found
 
 
 def _stored_ways(result: Adjustment) -> list[Notice]:
     """Files whose pixels are not those in which image points are told."""
-    return [
-        Notice(
-            code="stored_turned",
-            message=f"image points of {counted(len(way.images), 'photograph')} stored {way.words} "
-            f"({', '.join(way.images[:5])}{' ...' if len(way.images) > 5 else ''}) are told in the pixels of camera "
-            f"{result.given.cameras[way.camera].id}, not of the file: do not copy marks from observations.csv, measure "
-            "them in the file",
-            ids=way.images[:100],
-        )
-        for way in stored_ways(result.given)
-    ]
+    found: list[Notice] = []
+    for way in stored_ways(result.given):
+        camera = result.given.cameras[way.camera].id
+        values: dict[str, Value] = {"n": len(way.images), "camera": camera}
+        code = "stored_turned" if way.frame.turned else "stored_turned.size"
+        if way.frame.turned:
+            values["turned_deg"] = way.frame.turned
+        else:
+            values |= {"width_px": way.frame.width_px, "height_px": way.frame.height_px}
+        found.append(Notice(code=code, values=values, ids=way.images[:100]))
+    return found
 
 
 def _open_beside_given(result: Adjustment) -> list[Notice]:
@@ -406,31 +325,19 @@ def _open_beside_given(result: Adjustment) -> list[Notice]:
     if control and not centres and levelled(result).issuperset(control):
         return []  # what is open is how it lies tilted, which the notice of its unknown heights says
     names = control + centres
-    kinds = [("control", control), ("observed projection centres", centres)]
-    given = " and ".join(kind for kind, of in kinds if of)
-    listed = "; ".join(
-        f"{kind}: {', '.join(of[:10])}{' ...' if len(of) > 10 else ''}"
-        for kind, of in [("Control points", control), ("Projection centres", centres)]
-        if of
-    )
-    why = _why_open(result, centred=bool(centres))
-    return [
-        Notice(
-            code="control_leaves_open",
-            message=f"{given} leave{'s' * (not centres)} open: {', '.join(result.datum_defect)}; that they do "
-            f"not tell, or no better than errors of their stated size would: there the result stands arbitrarily, and "
-            f"coordinates in that direction mean nothing. {listed}: {why}",
-            ids=tuple(names[:100]),
-        )
-    ]
+    kind = "both" if control and centres else "control" if control else "centres"
+    code, values = _why_open(result)
+    part, each = open_values(result.datum_defect)
+    values |= {"n": len(result.datum_defect), "part": part, "kind": kind}
+    return [Notice(code=code, values=values, ids=tuple(names[:100]), details=each)]
 
 
-def _why_open(result: Adjustment, *, centred: bool) -> str:
-    """Why control or projection centres leave a part of the datum open, and what to do."""
+def _why_open(result: Adjustment) -> tuple[str, dict[str, Value]]:
+    """Why control or projection centres leave a part of the datum open, as a code and its values."""
     from scipy.special import chdtri  # noqa: PLC0415
 
     if ABOUT_LINE not in result.datum_defect:
-        return "measure more"
+        return "control_leaves_open", {}
     points, stations = result.given.points, result.given.stations
     fixed = points.is_control.any(axis=1)
     given = np.concatenate([points.xyz[fixed], stations.xyz])
@@ -438,17 +345,11 @@ def _why_open(result: Adjustment, *, centred: bool) -> str:
     given = given[np.isfinite(given).all(axis=1)]
     width = float(np.linalg.svd(given - given.mean(axis=0), compute_uv=False)[1]) if len(given) > 1 else 0.0
     width /= np.sqrt(max(len(given), 1))
-    unit = result.given.length_unit
     poor = float(np.nanmax(np.sqrt(np.nanmean(sigma**2, axis=0)))) if np.isfinite(sigma).any() else 0.0
     chance = np.sqrt(chdtri(len(given), LINE) / max(len(given), 1))  # how far errors alone put them off a line
     if width > chance * poor:
-        return (
-            f"they lie {significant(width, 2)} {unit} rms off one straight line, but standard deviations of "
-            f"{significant(poor, 2)} {unit} tell too little about a turn around it; measure them better, heights "
-            "above all"
-        )
-    beside = "measure control beside it" if centred else "measure one beside it"
-    return f"they lie on one straight line; {beside}"
+        return "control_leaves_open.imprecise", {"width": width, "sigma": poor, "unit": result.given.length_unit}
+    return "control_leaves_open.line", {}
 
 
 LINE = 0.01
@@ -460,16 +361,7 @@ def _unchecked_scale(result: Adjustment) -> list[Notice]:
     bars = next((g for g in result.groups if g.kind == "distance"), None)
     if bars is None or not len(bars.ids) or not (np.nan_to_num(bars.redundancy) < UNCONTROLLED).all():
         return []
-    names = ", ".join(bars.ids[:5])
-    return [
-        Notice(
-            code="scale_unchecked",
-            message=f"nothing controls the scale: it rests on {counted(len(bars.ids), 'scale bar')} "
-            f"({names}), and an error of its length goes into every length unseen. A "
-            "second bar, or a measured length between two points, would check it",
-            ids=bars.ids[:5],
-        )
-    ]
+    return [Notice(code="scale_unchecked", values={"n": len(bars.ids)}, ids=bars.ids[:5])]
 
 
 def _without_worst(result: Adjustment, g: ObservationGroup) -> bool:
@@ -482,18 +374,21 @@ def _without_worst(result: Adjustment, g: ObservationGroup) -> bool:
 def _group_notice(component: VarianceComponent, sigma0: float) -> Notice:
     return Notice(
         code="group_less_precise",
-        message=f"{component.kind}: less precise than stated by a factor of {component.ratio:.3g} (all together "
-        f"{sigma0:.3g}; {component.count} values, redundancy {component.redundancy:.1f}). Give them that much larger a "
-        "sigma, or look for what they have in common, as a wrong datum.",
         ids=(component.kind,),
         # a-priori standard deviations are guesses of a factor of two: below POOR_FIT what is stated is a little small
         measured=Severity.FAULT if component.ratio >= POOR_FIT else Severity.CAUTION,
-        values={"ratio": component.ratio, "count": component.count, "redundancy": component.redundancy},
+        values={
+            "kind": component.kind.replace(" ", "_"),
+            "ratio": component.ratio,
+            "sigma0": sigma0,
+            "count": component.count,
+            "redundancy": component.redundancy,
+        },
     )
 
 
 def with_group_notices(result: Adjustment) -> tuple[Notice, ...]:
     """The notices of a result whose variance components have changed since."""
     codes = {f"{kind}_suspect" for kind in NAMES} | {"group_less_precise", "control_unchecked"}
-    others = tuple(n for n in result.notices if n.code not in codes)
+    others = tuple(n for n in result.notices if n.subject not in codes)
     return (*others, *_control(replace(result, notices=others)))

@@ -14,6 +14,7 @@ from raybundle.adjustment.fields import COLUMNS, NEGLIGIBLE, TERMS
 from raybundle.adjustment.result import Adjustment, Notice
 from raybundle.adjustment.severity import POOR_FIT, Severity
 from raybundle.adjustment.wrong_images import SMOOTH, outlying
+from raybundle.errors import Value
 from raybundle.numerics.arrays import Array
 
 LARGE = 0.01
@@ -78,7 +79,7 @@ def own_field_notices(result: Adjustment) -> list[Notice]:
     rms = np.zeros(n)
     for f in tested:
         T[f.image], left[f.image], rms[f.image] = f.square, f.directions, f.rms_px
-    named = {i for notice in result.notices if notice.code == "image_contradicts" for i in notice.ids}
+    named = {i for notice in result.notices if notice.subject == "image_contradicts" for i in notice.ids}
     found: list[Notice] = []
     for k, camera in enumerate(result.given.cameras):
         mine = np.flatnonzero((result.given.images.camera == k) & (left >= SMOOTH))
@@ -91,12 +92,12 @@ def own_field_notices(result: Adjustment) -> list[Notice]:
 
 
 def _notice(name: str, camera: str, ratio: float, rms_px: float, limit_px: float) -> Notice:
-    return Notice(
-        code="image_contradicts",
-        message=f"image {name} contradicts the others: its residuals show an interior orientation of its own, "
-        f"{ratio:.3g} times as clearly as those of the other images of camera {camera} do (limit {POOR_FIT:g}), which "
-        f"displaces image points by {rms_px:.2g} px or more (rms; limit {limit_px:.2g}); measurements that showed more "
-        "may have been dropped before. It may be cropped, enlarged, stretched, zoomed, or of another camera. Give it "
-        "a camera of its own, or leave it out",
-        ids=(name,),
-    )
+    values: dict[str, Value] = {
+        "image": name,
+        "camera": camera,
+        "ratio": ratio,
+        "limit": POOR_FIT,
+        "rms_px": rms_px,
+        "limit_px": limit_px,
+    }
+    return Notice(code="image_contradicts.interior", values=values, ids=(name,))

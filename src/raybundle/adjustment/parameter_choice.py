@@ -9,6 +9,7 @@ noise.
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 from itertools import groupby
@@ -26,11 +27,10 @@ from raybundle.adjustment.result import Adjustment, InteriorResult, Notice, prin
 from raybundle.adjustment.severity import Severity
 from raybundle.block import Block, Camera
 from raybundle.block.rejection import Rejections
-from raybundle.errors import NoConvergence, NotSolvable, RankDefect
+from raybundle.errors import Message, NoConvergence, NotSolvable, RankDefect, Value, message
 from raybundle.numerics.progress import Progress
 from raybundle.numerics.statistics import fisher_tail
 from raybundle.sensors import sensor_models
-from raybundle.settings import option
 
 CHOICES = 30
 """Rounds of the choice of parameters, each with an adjustment."""
@@ -167,20 +167,18 @@ def choose(
     choices.notices.append(
         Notice(
             code="choice_unfinished",
-            message=f"the choice of parameters ended after {CHOICES} steps; {free} parameters stay free, "
-            f"some of them perhaps not significant. Name the parameters to hold ({option('hold')})",
             ids=tuple(automatic), values={"steps": CHOICES, "free": free, "cameras": len(automatic)},
         )
     )  # fmt: skip
     return block
 
 
-def _undetermined(result: Adjustment, automatic: list[str], choices: Decisions) -> list[tuple[str, str, str]]:
+def _undetermined(result: Adjustment, automatic: list[str], choices: Decisions) -> list[tuple[str, str, Message]]:
     """Camera, symbol and reason of what is not determinable, each beside those that are held before it.
 
     One of a camera: what is held at a known value changes sigma0, and with it what else is determinable.
     """
-    found = list[tuple[str, str, str]]()
+    found = list[tuple[str, str, Message]]()
     worst = _least_determinable(result, automatic, choices)
     joint = joint_interior(result, automatic, None) if worst is not None and len(automatic) > 1 else None
     rest, shown = automatic, result
@@ -289,15 +287,11 @@ def _confirmed(
     for g in groups:
         choices.not_significant += [*g.names]
         gain = len(g.symbols) * penalty - g.square - max(excess, 0.0) * len(g.symbols) / len(names)
-        choices.notices.append(
-            Notice(
-                code="not_significant",
-                message=f"camera {g.camera}: {', '.join(g.symbols)} left out: probability {g.probability:.2g} of such "
-                f"values by chance, "
-                f"BIC lower by {gain:.1f} without; they could move image points by {g.hidden_px:.2g} px at most",
-                ids=(g.camera, *g.symbols),
-            )
-        )
+        values: dict[str, Value] = {
+            "camera": g.camera, "n": len(g.symbols), "symbols": g.symbols, "p": g.probability, "bic": float(gain),
+            "effect_px": g.hidden_px,
+        }  # fmt: skip
+        choices.notices.append(Notice(code="not_significant", values=values, ids=(g.camera, *g.symbols)))
     return as_start(zeroed, without.adjusted), abs(excess) < LINEAR
 
 
@@ -320,19 +314,19 @@ def _camera(block: Block, name: str) -> Camera:
     return next(c for c in block.cameras if c.id == name)
 
 
-def _hold(choices: Decisions, camera: Camera, symbol: str, value: float, reason: str) -> None:
-    """Hold a parameter at a value, and say so."""
+def _hold(choices: Decisions, camera: Camera, symbol: str, value: float, reason: Message) -> None:
+    """Hold a parameter at a value, with a notice of it."""
     choices.free[camera.id] = tuple(s for s in choices.free[camera.id] if s != symbol)
     choices.not_determinable.append((camera.id, symbol))
     parameter = next(p for p in camera.sensor.parameters if p.symbol == symbol)
-    at = _in_unit(value, printed_unit(parameter.unit, ""), 4) if value else "0"
+    unit = printed_unit(parameter.unit, "") if value else ""
     choices.notices.append(
         Notice(
             code="held_not_determinable",
             measured=Severity.REMARK if not value and _is_refinement(camera, symbol) else Severity.CAUTION,
-            message=f"camera {camera.id}: {symbol} is not determinable and is held at {at}, as known before: "
-            f"{reason.rstrip('.')}. All that is stated holds for that value",
+            values={"camera": camera.id, "symbol": symbol, "at": value, "unit": unit},
             ids=(camera.id, symbol),
+            details=(reason,),
         )
     )
 
@@ -342,10 +336,6 @@ def _is_refinement(camera: Camera, symbol: str) -> bool:
     kinds = {p.symbol: p.kind for p in camera.sensor.parameters}
     first = next((s for s, kind in kinds.items() if kind == "radial"), "")
     return symbol != first and kinds[symbol] in ("radial", "decentring", "affinity")
-
-
-def _in_unit(value: float, unit: str, digits: int = 2) -> str:
-    return f"{value:.{digits}g} {unit}".rstrip()
 
 
 def hold_next(
@@ -367,12 +357,14 @@ def hold_next(
         return None
     _, _, _, camera, symbol = min(found)
     value = choices.known[camera][symbol]
-    _hold(choices, _camera(block, camera), symbol, value, str(error).splitlines()[0])
+    _hold(choices, _camera(block, camera), symbol, value, error.message or message("rank.not_determined"))
     return camera, {symbol: value}
 
 
-def _least_determinable(result: Adjustment, automatic: list[str], choices: Decisions) -> tuple[str, str, str] | None:
-    found: list[tuple[int, int, float, str, str, str]] = []
+def _least_determinable(
+    result: Adjustment, automatic: list[str], choices: Decisions
+) -> tuple[str, str, Message] | None:
+    found: list[tuple[int, int, float, str, str, Message]] = []
     for interior in result.interior:
         if interior.camera not in automatic:
             continue
@@ -382,12 +374,14 @@ def _least_determinable(result: Adjustment, automatic: list[str], choices: Decis
         for p in interior.parameters.values():
             kept = (interior.camera, p.symbol) in choices.kept_free
             if p.status == "not determinable" and kinds[p.symbol] in DROP_ORDER and not kept:
-                std = p.std_words(result.length_unit)
-                reason = f"its standard deviation is {std}, {p.effect_std_px or 0:.0f} px in the image"
+                reason = message(
+                    "held_not_determinable.sigma", sigma=math.nan if p.std is None else p.std,
+                    unit=printed_unit(p.unit, result.length_unit), effect_px=p.effect_std_px or 0.0,
+                )  # fmt: skip
                 effect = -(p.effect_std_px or 0)
                 place = DROP_ORDER.index(kinds[p.symbol]), -order[p.symbol], effect
                 found.append((*place, interior.camera, p.symbol, reason))
-    return None if not found else min(found)[3:]
+    return None if not found else min(found, key=lambda f: f[:5])[3:]
 
 
 def _candidates(interior: InteriorResult, result: Adjustment) -> list[tuple[str, ...]]:

@@ -15,6 +15,7 @@ import numpy as np
 from raybundle.adjustment.result import Adjustment, Notice
 from raybundle.adjustment.severity import Severity
 from raybundle.block import Camera
+from raybundle.errors import Value
 from raybundle.numerics.statistics import family_wise_t
 
 LIMIT = 1e-4
@@ -118,11 +119,8 @@ def _estimated(result: Adjustment, cameras: Sequence[str]) -> Iterator[tuple[Cam
 
 
 def _untold(camera: str, symbol: str, value: float, std: float, limit: float) -> Notice:
-    return Notice(
-        code="shape_held", ids=(camera, symbol),
-        message=f"camera {camera}: {symbol} left out: these photographs know it to {std:.0e} only ({value:.1e} would "
-        f"fit best), and sensors have less than {limit:.0e}",
-    )  # fmt: skip
+    values: dict[str, Value] = {"camera": camera, "symbol": symbol, "sigma": std, "found": value, "limit": limit}
+    return Notice(code="shape_held", ids=(camera, symbol), values=values)
 
 
 def under_its_noise(result: Adjustment) -> Adjustment:
@@ -160,14 +158,16 @@ def _notice(
 
     An affinity or a shear of that size does; the rest of the interior orientation is nonsense then, too.
     """
-    reason = (
-        f"the residuals ask for {'a shear' if shear else 'an affinity'} {symbol} of {value:.1e} ± {std:.0e}, which no "
-        f"sensor has (limit {limit:.0e}); it is held. Something else is not in the model, as motion during the "
-        "read-out or edges that uneven light moves, or the photographs say too little; standard deviations may be too "
-        "small. Of a scan or an old camera it is believed where it is asked for by name"
-    )
+    values: dict[str, Value] = {
+        "camera": camera,
+        "symbol": symbol,
+        "shear": shear,
+        "found": value,
+        "sigma": std,
+        "limit": limit,
+    }
     return ShapeNotice(
-        code="pixel_shape", message=f"camera {camera}: {reason}", ids=(camera, symbol), reason=reason, value=value,
+        code="pixel_shape", values=values, ids=(camera, symbol), value=value,
         std=std, limit=limit, critical=critical, shear=shear,
         measured=Severity.FAULT if abs(value) > UNTOLD else Severity.CAUTION,
     )  # fmt: skip

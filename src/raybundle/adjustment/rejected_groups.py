@@ -11,7 +11,6 @@ from raybundle.adjustment.result import Adjustment, Notice
 from raybundle.adjustment.severity import Severity
 from raybundle.block.rejection import RejectionKind
 from raybundle.numerics.arrays import Array
-from raybundle.numerics.counting import counted, some_of
 
 MOST = 0.5
 """Share of the observations of an image or of the rays of a control point: more are no blunders of single points."""
@@ -35,27 +34,16 @@ def rejected_group_notices(result: Adjustment) -> list[Notice]:
     bad = np.flatnonzero((count >= FEWEST_POINTS) & (share > MOST) & (share > TIMES * usual))
     if len(bad):
         names = tuple(block.images.ids[k] for k in bad)
-        message = (
-            f"{counted(len(names), 'image')} ({some_of(names)}): more than {MOST:.0%} of the image points rejected "
-            f"(median of all images {usual:.0%}). A whole image contradicts the others: of another camera, focus or "
-            "zoom, mirrored, cropped, or with exchanged names. Give it a camera of its own, correct its image points, "
-            "or leave it out"
-        )
         values = {"images": len(names), "limit": MOST, "median": usual}
-        found.append(Notice(code="image_contradicts", message=message, ids=names, values=values))
+        found.append(Notice(code="image_contradicts.rejected", ids=names, values=values))
     share, count = _shares(o.point, out, len(block.points))
     control = np.any(block.points.is_control, axis=1)
     bad = np.flatnonzero(control & (count >= 2) & (share > MOST))
     if len(bad) > 1 or (len(bad) == 1 and count[bad[0]] >= FEWEST_RAYS):
         names = tuple(block.points.ids[k] for k in bad)
-        message = (
-            f"{len(names)} of {counted(int(control.sum()), 'control point')} ({some_of(names)}): most of their image "
-            "points rejected. The control contradicts the photographs, or their names are exchanged. Check "
-            "coordinates, coordinate system, order and signs of the axes, unit and names"
-        )
         values = {"points": len(names), "control": int(control.sum()), "limit": MOST}
         found.append(
-            Notice(code="control_contradicts", message=message, ids=names[:100], measured=Severity.FAULT, values=values)
+            Notice(code="control_contradicts.rejected", ids=names[:100], measured=Severity.FAULT, values=values)
         )
     return found
 

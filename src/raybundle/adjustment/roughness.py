@@ -69,11 +69,7 @@ def relief_notices(result: Adjustment) -> list[Notice]:
     missing = [n for n, values in figures.items() if values is None]
     if result.precision is None or not missing or len(missing) == len(figures):
         return []
-    message = (
-        f"tie points without {' and '.join(missing)}: their standard deviations do not contain the relief within the "
-        "windows of matching. Take points.csv with all of its columns, or orient the photographs again"
-    )
-    return [Notice(code="relief_unknown", message=message, ids=tuple(missing))]
+    return [Notice(code="relief_unknown", values={"columns": missing}, ids=tuple(missing))]
 
 
 def widened(precision: Precision, roughness: Array) -> Precision:

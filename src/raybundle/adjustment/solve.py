@@ -94,14 +94,6 @@ class Solution:
     beyond: Index
     """Object points whose rays diverge (`far_points`)"""
 
-    @property
-    def trouble(self) -> str:
-        """What there is to say of an iteration that did not come to an end."""
-        return (
-            f"the iteration did not end: its steps stayed at {self.step:.1g} standard deviations after "
-            f"{self.iterations} iterations; something is hardly determined, see the standard deviations"
-        )
-
 
 def solve(
     normals: Equations,

@@ -10,6 +10,7 @@ import numpy as np
 from raybundle.adjustment.options import FEWEST_IMAGES
 from raybundle.adjustment.result import Adjustment, Noise, Notice
 from raybundle.adjustment.severity import NEARLY
+from raybundle.errors import Value, message
 from raybundle.numerics.arrays import Array
 from raybundle.numerics.rows import rows_of_each
 from raybundle.numerics.statistics import fisher_tail
@@ -21,7 +22,7 @@ MOST_POINTS = 4000
 NOTICED = 0.05
 """Correlation from which on it is worth a notice."""
 FEWEST_PAIRS = 500
-USUAL = "2.4 to 6"
+USUAL = (2.4, 6.0)
 """Factor of standard deviations by errors that are smooth within an image: the roots of 6 and 37, of real sets
 (docs/explanation/noise-of-photographs.md).  Neighbours alone show less of it, and a few photographs absorb more."""
 CELL = 0.04
@@ -173,15 +174,11 @@ def structure_notice(result: Adjustment) -> Notice | None:
     ids = result.given.images.ids
     worst = [ids[i] for i in np.argsort(-np.nan_to_num(found.images))[:3]]
     few = len(np.unique(result.given.observations.image[result.image_observations.used])) < FEWEST_IMAGES
-    larger = f" (in sets of {FEWEST_IMAGES} photographs or more, where it is estimated, of {USUAL})" if few else ""
-    return Notice(
-        code="residual_structure",
-        message=f"residuals of neighbouring image points agree (correlation {found.correlation:.2f}, most in "
-        f"{', '.join(worst)}): something is not in the model, as an interior orientation that was not the same in all "
-        f"images (stabilised lens, refocusing, zoom). Standard deviations are too small, by a factor of "
-        f"{found.factor:.1f} at least{larger}; look at the residuals in the report, and fix lens and focus next time",
-        ids=tuple(worst),
-    )
+    values: dict[str, Value] = {
+        "correlation": found.correlation, "factor": found.factor, "least_images": FEWEST_IMAGES,
+        "usual_low": USUAL[0], "usual_high": USUAL[1], "few": few,
+    }  # fmt: skip
+    return Notice(code="residual_structure", values=values, ids=tuple(worst))
 
 
 BY_CHANCE = 0.01
@@ -194,18 +191,18 @@ def shared_errors_notice(result: Adjustment, noise: Noise) -> Notice | None:
     noise  what the residuals of the same adjustment tell (`raybundle.adjustment.under_noise`)
     The mean square of the residuals in the directions of smooth fields is held against that of all (F test).
     """
-    wider = {"interior orientation": noise.ratio_interior, "object points": noise.ratio_points}
+    wider = {"interior": noise.ratio_interior, "points": noise.ratio_points}
     told = {what: ratio for what, ratio in wider.items() if math.isfinite(ratio)}
     if noise.kind == "white" or max(told.values(), default=1.0) <= NEARLY:
         return None
     if fisher_tail(noise.chi_square, noise.directions, max(result.redundancy, 1)) > BY_CHANCE:
         return None
-    parts = [f"smooth ones of {noise.tau_px:.2g} px that differ from image to image"] if noise.tau_px > 0 else []
-    parts += [f"a focus that wanders by {noise.focus_px:.2g} px"] if noise.focus_px > 0 else []
-    parts += [f"what neighbours share, {noise.phi:.2g} times the variance"] if noise.phi > 1 else []
-    times = ", ".join(f"{ratio:.2g} for {what}" for what, ratio in told.items())
-    return Notice(
-        code="residual_structure",
-        message=f"image points share errors that are not in the model ({', '.join(parts)}): standard deviations are "
-        f"too small, as the residuals tell it by these factors (medians): {times}",
-    )
+    parts = [message("residual_structure.fields", tau_px=noise.tau_px)] if noise.tau_px > 0 else []
+    parts += [message("residual_structure.focus", focus_px=noise.focus_px)] if noise.focus_px > 0 else []
+    parts += [message("residual_structure.neighbours", phi=noise.phi)] if noise.phi > 1 else []
+    parts += [message("residual_structure.times", object=what, factor=ratio) for what, ratio in told.items()]
+    values: dict[str, Value] = {
+        "tau_px": noise.tau_px, "focus_px": noise.focus_px, "phi": noise.phi, "ratio_interior": noise.ratio_interior,
+        "ratio_points": noise.ratio_points, "largest": max(told.values()),
+    }  # fmt: skip
+    return Notice(code="residual_structure.shared", values=values, details=tuple(parts))

@@ -11,6 +11,8 @@ import numpy as np
 
 from raybundle.adjustment.result import Adjustment, Notice, ObservationGroup
 from raybundle.adjustment.separability import SURE
+from raybundle.adjustment.severity import Severity
+from raybundle.errors import Value, message
 from raybundle.numerics.arrays import Array, Index
 from raybundle.numerics.counting import decimals_for
 from raybundle.numerics.statistics import DELTA0
@@ -19,6 +21,23 @@ from raybundle.observations import observation_kinds
 MOST = 40
 """Suspects of a group that are told from each other: each costs a solution of the normal equations."""
 MOST_DECIMALS = 9
+SUSPECTS = {
+    "plane": "plane_suspect",
+    "line": "line_suspect",
+    "plumb_line": "plumb_line_suspect",
+    "level": "level_suspect",
+    "attitude": "attitude_suspect",
+    "coordinate": "coordinate_suspect",
+    "deviation": "deviation_suspect",
+    "distance": "distance_suspect",
+    "parameter": "parameter_suspect",
+    "relation": "relation_suspect",
+    "station": "station_suspect",
+    "direction": "direction_suspect",
+    "zenith_angle": "zenith_angle_suspect",
+    "slope_distance": "slope_distance_suspect",
+}
+"""Codes of the notices of each kind of observation; of a kind that has none, "suspect.value" """
 LINEAR = 0.1
 """Share of a length up to which its error is linear: of a larger one the estimate may be any number, a negative too."""
 
@@ -51,24 +70,20 @@ def suspect_notices(result: Adjustment, g: ObservationGroup, limit: float) -> li
         beside = [g.ids[j] for j in rows.tolist() if k in explained.get(j, ()) and j not in by]
         off = factor * float(g.w[k] * g.mdb[k] / DELTA0)
         given, digits = factor * float(g.given[k]), decimals_for(abs(off), MOST_DECIMALS)
-        more = f"; {' or '.join(g.ids[j] for j in by)} may be wrong instead, which of them cannot be told" if by else ""
-        if beside:
-            more += f"; only beside it the test rejects {', '.join(beside)}"
-        far = g.kind == "distance" and abs(off) > LINEAR * given
-        shown = (
-            f"and all else contradicts it by more than {LINEAR:.0%} of it"
-            if far
-            else f"and all else shows {given + off:.{digits}f}{unit}: {off:+.2g}{unit}"
-        )
-        found.append(
-            Notice(
-                code=f"{g.kind}_suspect",
-                message=f"{g.kind} {g.ids[k]}, {g.component[k]}: given as {given:.{digits}f}{unit}, {shown}, at a "
-                f"sigma of {factor * g.sigma[k]:.3g}{unit} (|w| {abs(g.w[k]):.1f} against {limit:.1f}){more}. Check "
-                "this value",
-                ids=(g.ids[k],),
-            )
-        )
+        each = [message("suspect.others", names=[g.ids[j] for j in by])] if by else []
+        each += [message("suspect.beside", names=beside)] if beside else []
+        values: dict[str, Value] = {
+            "kind": observation_kinds[g.kind].key, "name": g.ids[k], "component": g.component[k],
+            "given": round(given, digits), "off": off, "sigma": factor * float(g.sigma[k]), "unit": unit.strip(),
+            "w": abs(float(g.w[k])), "limit": limit,
+        }  # fmt: skip
+        if g.kind == "distance" and abs(off) > LINEAR * given:
+            code = "distance_suspect.far"
+            values["share"] = LINEAR
+        else:
+            code = SUSPECTS.get(g.kind, "suspect.value")
+            values["shown"] = round(given + off, digits)
+        found.append(Notice(code=code, values=values, ids=(g.ids[k],), details=tuple(each), measured=Severity.FAULT))
     return found
 
 

@@ -31,11 +31,5 @@ def unusual_noise_notices(result: Adjustment) -> list[Notice]:
     smooth = smooth_px(result.noise.tau_px**2, result.noise.focus_px**2)
     if not (rms > USUAL_RMS_PX and smooth > USUAL_SMOOTH_PX):
         return []
-    message = (
-        f"unusually large errors: residuals {rms:.2g} px (limit {USUAL_RMS_PX:g}), smooth errors of single images "
-        f"{smooth:.2g} px (limit {USUAL_SMOOTH_PX:g}). Likely reasons: a wrong camera model (fisheye), several cameras "
-        "or zooms taken for one, a scene that moves, a rolling shutter, or edited photographs. Look at the residuals "
-        "of single images, and check a length or check points"
-    )
     values = {"rms_px": rms, "smooth_px": smooth, "limit_rms_px": USUAL_RMS_PX, "limit_smooth_px": USUAL_SMOOTH_PX}
-    return [Notice(code="unusual_errors", message=message, values=values)]
+    return [Notice(code="unusual_errors", values=values)]

@@ -17,8 +17,7 @@ from raybundle.adjustment.options import AdjustmentOptions
 from raybundle.adjustment.result import Adjustment, GroupFactor, Notice, VarianceComponent
 from raybundle.adjustment.severity import POOR_FIT, Severity
 from raybundle.block import Block
-from raybundle.errors import InputError
-from raybundle.numerics.counting import grouped
+from raybundle.errors import InputError, Message, message
 from raybundle.numerics.statistics import chi_square_tails
 
 SETTLED = 1e-3
@@ -78,7 +77,7 @@ def chance_to_see(factor: float, redundancy: float) -> float:
 def _one_explains(result: Adjustment, key: Key) -> bool:
     """Whether a single value makes a group contradict what was stated: a factor for all would hide it."""
     kind = next(k for k, name in NAMES.items() if name == key[0])
-    if not any(n.code == f"{kind}_suspect" for n in result.notices):
+    if not any(n.subject == f"{kind}_suspect" for n in result.notices):
         return False
     left = [without_worst(g) for g in result.groups if g.kind == kind]
     return any(r >= FEW and chi_square_tails(max(square, 0.0), r)[1] >= LEVEL / 2 for square, r in left)
@@ -125,12 +124,7 @@ def _settled(
 
 
 def _unsettled() -> Notice:
-    return Notice(
-        code="variance_groups",
-        measured=Severity.CAUTION,
-        message="groups of observations contradict each other so much that variance factors of their own do not "
-        "settle: all have one, which takes errors of one group for errors of all. Find out what contradicts what first",
-    )
+    return Notice(code="variance_groups.unsettled", measured=Severity.CAUTION)
 
 
 def _steps(result: Adjustment) -> dict[Key, VarianceComponent]:
@@ -184,11 +178,9 @@ def _contradictions(told: tuple[GroupFactor, ...]) -> tuple[Notice, ...]:
     """Of the groups outside the images that are less precise than stated."""
     return tuple(
         Notice(
-            code="group_less_precise",
+            code="group_less_precise.weighted",
             measured=Severity.FAULT if g.factor > POOR_FIT else Severity.CAUTION,
-            message=f"{g.kind}: less precise than stated by a factor of {g.factor:.3g} ({grouped(g.count)} values, "
-            f"redundancy {_redundancy(g.redundancy)}); their standard deviations were multiplied by it, which serves "
-            "random errors alone. Look for what they have in common, as a wrong datum or a bias of the positions",
+            values={"kind": g.kind.replace(" ", "_"), "ratio": g.factor, "count": g.count, "redundancy": g.redundancy},
             ids=(g.kind,),
         )
         for g in told
@@ -196,18 +188,17 @@ def _contradictions(told: tuple[GroupFactor, ...]) -> tuple[Notice, ...]:
     )
 
 
-def _redundancy(r: float) -> str:
-    return grouped(round(r)) if r >= 100 else f"{r:.1f}"
-
-
 def _notice(told: tuple[GroupFactor, ...]) -> tuple[Notice, ...]:
     if not told:
         return ()
-    words = [
-        f"{g.kind if g.group == 'all' else f'{g.kind} {g.group}'} "
-        + (f"times {g.factor:.3g}" if g.estimated else "as given")
-        + f" ({grouped(g.count)} values, redundancy {_redundancy(g.redundancy)})"
-        for g in told
-    ]
-    message = f"each group of observations has its own variance factor; standard deviations: {'; '.join(words)}"
-    return (Notice(code="variance_groups", message=message, measured=Severity.REMARK),)
+    each = tuple(map(_group, told))
+    return (Notice(code="variance_groups", values={"n": len(told)}, details=each, measured=Severity.REMARK),)
+
+
+def _group(g: GroupFactor) -> Message:
+    kind = g.kind.replace(" ", "_")
+    if g.estimated:
+        return message(
+            "variance_groups.group", kind=kind, group=g.group, factor=g.factor, count=g.count, redundancy=g.redundancy
+        )
+    return message("variance_groups.as_given", kind=kind, group=g.group, count=g.count, redundancy=g.redundancy)

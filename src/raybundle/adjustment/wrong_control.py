@@ -8,10 +8,12 @@ import numpy as np
 
 from raybundle.adjustment.control_notices import not_located
 from raybundle.adjustment.control_tests import ControlTests, WrongPoint
+from raybundle.adjustment.datum import open_values
 from raybundle.adjustment.engine import open_datum
 from raybundle.adjustment.result import Adjustment, Notice
 from raybundle.block import Block, Role
 from raybundle.block.rejection import Rejection, RejectionKind, Rejections
+from raybundle.errors import Value
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -21,6 +23,8 @@ class WrongControl:
     name: str
     w: float
     """test value of its coordinates together"""
+    limit: float
+    """of w"""
     others: tuple[str, ...] = ()
     """control points of which one that is wrong would explain that as well"""
     open: tuple[str, ...] = ()
@@ -57,7 +61,9 @@ def judged(
     block, _ = left_out(result.adjusted, suspect.name, reasons)
     after = open_datum(block, result.options, free, reasons)
     lost = after if len(after) > len(result.datum_defect) else ()
-    return WrongControl(name=suspect.name, w=suspect.w, others=suspect.others, open=lost, settled=result.converged)
+    return WrongControl(
+        name=suspect.name, w=suspect.w, limit=suspect.limit, others=suspect.others, open=lost, settled=result.converged
+    )
 
 
 def left_out(block: Block, name: str, reasons: Rejections) -> tuple[Block, Rejections]:
@@ -74,28 +80,16 @@ def left_out(block: Block, name: str, reasons: Rejections) -> tuple[Block, Rejec
 
 def rejected_notice(wrong: WrongControl) -> Notice:
     """The fault of a point that was left out."""
-    return Notice(
-        code="control_rejected",
-        message=f"control point {wrong.name} contradicts the rest (|w| {wrong.w:.1f}) and takes no part any more; "
-        "look at its coordinates and at its number in the images",
-        ids=(wrong.name,),
-    )
+    return Notice(code="control_rejected", values={"point": wrong.name, "w": wrong.w}, ids=(wrong.name,))
 
 
 def kept_notice(wrong: WrongControl) -> Notice:
     """The fault of a point that contradicts the rest and takes part, with why it does."""
     if wrong.others:
-        return not_located((wrong.name, *wrong.others), f"|w| {wrong.w:.1f}")
-    if wrong.open:
-        said = (
-            f"control point {wrong.name} contradicts the rest (|w| {wrong.w:.1f}) and takes part nevertheless: without "
-            f"it nothing determines {', '.join(wrong.open)}"
-        )
-        remedy = "Look at its coordinates and marks, and measure more control"
-    else:
-        said = (
-            f"control point {wrong.name} contradicts the rest (|w| {wrong.w:.1f}) in an adjustment that did not end, "
-            "and takes part"
-        )
-        remedy = "Look at its coordinates and marks"
-    return Notice(code="control_not_located", message=f"{said}. {remedy}", ids=(wrong.name,))
+        return not_located((wrong.name, *wrong.others), wrong.w, wrong.limit)
+    values: dict[str, Value] = {"point": wrong.name, "w": wrong.w}
+    if not wrong.open:
+        return Notice(code="control_not_located.unfinished", values=values, ids=(wrong.name,))
+    part, each = open_values(wrong.open)
+    values |= {"n": len(wrong.open), "part": part}
+    return Notice(code="control_not_located.datum", values=values, ids=(wrong.name,), details=each)

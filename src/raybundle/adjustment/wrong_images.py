@@ -119,11 +119,14 @@ def wrong_image_notices(result: Adjustment) -> list[Notice]:
     return [
         Notice(
             code="image_contradicts",
-            message=f"image {images.ids[w.image]} contradicts the others: its residuals are {w.ratio:.3g} times those "
-            f"of the other images of camera {camera[w.image]} (limit {POOR_FIT:g}; by chance "
-            f"with probability {w.probability:.1g}, limit {w.limit:.1g}), and spread over its points. It "
-            "may be of another camera, focus or zoom, be mirrored, turned or cropped, or its image points may be "
-            "exchanged. Give it a camera of its own, mend its image points, or leave the image out",
+            values={
+                "image": images.ids[w.image],
+                "camera": camera[w.image],
+                "ratio": w.ratio,
+                "limit": POOR_FIT,
+                "p": w.probability,
+                "limit_p": w.limit,
+            },
             ids=(images.ids[w.image],),
         )
         for w in wrong_images(result)

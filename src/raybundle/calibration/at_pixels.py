@@ -30,12 +30,12 @@ def projection_uncertainty(
     """
     found, free, covariance = interior_of(result, camera, image)
     if covariance is None:
-        raise InputError("the adjustment was made without statistics; adjust with AdjustmentOptions(statistics=True)")
+        raise InputError("adjustment.no_statistics")
     at = np.asarray(pixels, float)
     if at.ndim != 2 or at.shape[1] != 2:
-        raise InputError(f"pixels are pairs x, y: an array (n, 2), not {at.shape}")
+        raise InputError("pixels.shape", shape=[*at.shape])
     if distance is not None and not distance > 0:
-        raise InputError(f"a distance of {distance:g} is none; give one above 0, or None for infinitely far")
+        raise InputError("pixels.distance", distance=float(distance))
     if not free:
         return np.zeros((len(at), 2, 2))
     by = shifts_at(found, free, at, distance=distance)

@@ -21,7 +21,7 @@ from raybundle.adjustment.result import Adjustment, InteriorResult, Notice
 from raybundle.adjustment.severity import NEARLY, Severity
 from raybundle.block import Camera
 from raybundle.block.stored import joint_covariance
-from raybundle.errors import NotSolvable
+from raybundle.errors import Message, NotSolvable, Value, message, plain
 from raybundle.numerics.arrays import Array
 from raybundle.numerics.statistics import family_wise_normal, fisher_tail
 
@@ -63,13 +63,12 @@ def _contradicted(result: Adjustment, camera: Camera, interior: InteriorResult) 
     fields = result.noise.kind == "fields"
     if fields and not beyond:
         return []
-    smooth = "" if fields else ", or the errors of the photographs are smooth, which their weights do not know"
-    message = (
-        f"camera {camera.id}: the photographs contradict its calibration: {by}; chi-square of all {count} parameters "
-        f"{square:.0f}, limit {limit:.1f} at {100 * LEVEL:g} %. Focus, zoom or mounting was another{smooth}. Calibrate "
-        "under the conditions of the photographs, or hold the calibration (estimate = [])"
-    )
-    return [Notice(code="calibration_contradicted", message=message, ids=(camera.id, *(m.symbol for m in beyond)))]
+    values: dict[str, Value] = {
+        "camera": camera.id, "squares": square, "n": count, "limit": limit, "level_percent": 100 * LEVEL,
+        "smooth": not fields,
+    }  # fmt: skip
+    ids = (camera.id, *(m.symbol for m in beyond))
+    return [Notice(code="calibration_contradicted", values=values, ids=ids, details=by)]
 
 
 def held_notices(result: Adjustment, cameras: Sequence[str]) -> tuple[Notice, ...]:
@@ -104,27 +103,14 @@ def _contradicted_held(result: Adjustment, camera: Camera) -> Notice | None:
     farthest = float(free.centres.max(initial=0.0))
     allowed = float(fdtri(3, free.residuals, 1 - LEVEL / max(len(free.centres), 1)))
     suffers = farthest > allowed
-    message = (
-        f"camera {camera.id}: the photographs contradict its calibration, which is held: {by}; F of all "
-        f"{len(free.moved)} parameters {free.F:.3g}, limit {limit:.3g} at {100 * LEVEL:g} %. Held, it moves image "
-        f"points by up to {free.effect_px:.2g} px from where the calibration that fits has them, with a standard "
-        f"deviation of {free.sigma_px:.2g} px"
-    )
-    if suffers:
-        message += (
-            f", and projection centres beyond what photographs alone allow (F {farthest:.3g}, limit {allowed:.3g}). "
-            "Look whether the calibration belongs to this camera, focus, zoom and format; if so, give its standard "
-            'deviations (sigma, or its covariance), free it (estimate = "auto"), or leave it out'
-        )
-    else:
-        message += (
-            f". Projection centres move by no more than their standard deviations without it allow (F {farthest:.3g}, "
-            f"limit {allowed:.3g}): the calibration may be the better of the two. Compare check points or lengths"
-        )
     return Notice(
-        code="calibration_contradicted", message=message, ids=(camera.id, *(m.symbol for m in free.moved)),
+        code="calibration_contradicted.held" if suffers else "calibration_contradicted.harmless", details=by,
+        ids=(camera.id, *(m.symbol for m in free.moved)),
         measured=Severity.FAULT if suffers else Severity.CAUTION,
-        values={"F": free.F, "limit": limit, "centres": farthest, "centres_limit": allowed},
+        values={
+            "camera": camera.id, "F": free.F, "limit": limit, "n": len(free.moved), "level_percent": 100 * LEVEL,
+            "effect_px": free.effect_px, "sigma_px": free.sigma_px, "centres": farthest, "centres_limit": allowed,
+        },
     )  # fmt: skip
 
 
@@ -210,12 +196,11 @@ def _centres(result: Adjustment, free: Adjustment, camera: Camera) -> Array:
     return np.einsum("ni,ni->n", d, np.linalg.solve(C[mine], d[:, :, None])[:, :, 0]) / 3
 
 
-def _worded(camera: Camera, moved: list[_Moved], count: int) -> tuple[list[_Moved], str]:
-    """The parameters of `count` that moved beyond their limit, and words of them; of the first where none did."""
+def _worded(camera: Camera, moved: list[_Moved], count: int) -> tuple[list[_Moved], tuple[Message, ...]]:
+    """The parameters of `count` that moved beyond their limit, and a message each; of the first where none did."""
     critical = family_wise_normal(LEVEL, count)
     beyond = [m for m in moved if abs(m.w) > critical]
-    each = "; ".join(f"{m.words(camera)}, |w| {abs(m.w):.1f}" for m in beyond or moved[:1])
-    return beyond, f"{each} (limit {critical:.1f})" if beyond else f"{each} (limit {critical:.1f}: only all together)"
+    return beyond, tuple(m.message(camera, critical) for m in beyond or moved[:1])
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -235,15 +220,18 @@ class _Moved:
         """The difference by its standard deviation."""
         return (self.found - self.given) / self.std
 
-    def words(self, camera: Camera) -> str:
-        """Both values with as many digits as their difference has, and the unit."""
+    def message(self, camera: Camera, limit: float) -> Message:
+        """Both values with as many digits as their difference has, and the unit; limit  of |w|."""
         unit = next(p.unit for p in camera.sensor.parameters if p.symbol == self.symbol)
         digits = 3 + max(0, math.floor(math.log10(max(abs(self.given), self.std) / self.std)))
-        held = self.effect_px is not None
-        shown = f"{self.symbol} {'held' if held else 'given'} {self.given:.{digits}g}, found {self.found:.{digits}g}"
-        shown += f" ± {self.std:.2g}" if held else ""
-        shown = shown if unit == "1" else f"{shown} {unit}"
-        return f"{shown} ({self.effect_px:.2g} px)" if held else shown
+        values: dict[str, Value] = {
+            "symbol": self.symbol, "given": float(f"{self.given:.{digits}g}"),
+            "found": float(f"{self.found:.{digits}g}"), "sigma": self.std, "unit": "" if unit == "1" else unit,
+            "w": abs(self.w), "limit": limit, "alone": abs(self.w) > limit,
+        }  # fmt: skip
+        if self.effect_px is None:
+            return Message(code="calibration_contradicted.given", values=plain(values))
+        return Message(code="calibration_contradicted.moved", values=plain({**values, "effect_px": self.effect_px}))
 
 
 def _moved(result: Adjustment, camera: Camera, interior: InteriorResult) -> list[_Moved]:
@@ -282,17 +270,12 @@ def _wider(result: Adjustment) -> float:
 def _outweighed(result: Adjustment, camera: Camera, interior: InteriorResult, given: dict[str, float]) -> list[Notice]:
     """Parameters that the result states less precisely than the calibration did."""
     limit = _wider(result)
-    told: list[str] = []
+    told: list[Message] = []
     for symbol, before in given.items():
         after = interior.parameters[symbol].std if symbol in interior.parameters else None
         if after is not None and after > limit * before:
-            told.append(f"{symbol} {before:.2g} before, {after:.2g} now")
+            told.append(message("calibration_outweighed.parameter", symbol=symbol, before=float(before), after=after))
     if not told:
         return []
-    message = (
-        f"camera {camera.id}: the result knows it less precisely than the calibration that was given (standard "
-        f"deviations of {'; '.join(told)}; limit {limit:.2g} times): observations are weighted as if their errors were "
-        "independent, and draw it from values that are known better. To keep these, hold the calibration "
-        "(estimate = [])"
-    )
-    return [Notice(code="calibration_outweighed", message=message, ids=(camera.id, *given))]
+    values: dict[str, Value] = {"camera": camera.id, "n": len(told), "limit": limit}
+    return [Notice(code="calibration_outweighed", values=values, ids=(camera.id, *given), details=tuple(told))]

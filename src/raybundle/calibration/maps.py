@@ -157,7 +157,7 @@ def uncertainty_of(result: Adjustment, camera: str, *, distance: float | None = 
     """The uncertainty map of a camera of an adjustment; raises InputError where it has no estimated parameters."""
     interior = next((i for i in result.interior if i.camera == camera and i.image is None), None)
     if interior is None or result.precision is None or not interior.free:
-        raise InputError(f"camera {camera}: no parameter of its interior orientation was estimated with statistics")
+        raise InputError("calibration.not_estimated", camera=camera)
     adjusted = next(c for c in result.adjusted.cameras if c.id == camera)
     return projection_uncertainty(adjusted, interior.free, result.precision.interior[camera], distance=distance)
 
@@ -195,8 +195,9 @@ def calibration_difference(
     """
     if (first.width_px, first.height_px) != (second.width_px, second.height_px):
         raise InputError(
-            f"calibrations of {first.width_px} x {first.height_px} and {second.width_px} x {second.height_px} px "
-            "cannot be compared; scale one of them first"
+            "calibration.formats_differ",
+            first_px=[first.width_px, first.height_px],
+            second_px=[second.width_px, second.height_px],
         )
     xy, image = _grid(first, columns, rows)
     points = (sensor_models[first.model].ray(image, first.parameters) * (distance or 1.0)).T
@@ -244,8 +245,11 @@ def scaled(camera: Camera, width_px: int, height_px: int) -> Camera:
     """The same calibration for photographs reduced or enlarged as a whole; raises InputError for another shape."""
     if abs(width_px * camera.height_px - height_px * camera.width_px) > max(camera.width_px, camera.height_px):
         raise InputError(
-            f"{width_px} x {height_px} px is no reduced {camera.width_px} x {camera.height_px} px; "
-            "the format was cropped"
+            "calibration.cropped_format",
+            width_px=width_px,
+            height_px=height_px,
+            camera_width_px=camera.width_px,
+            camera_height_px=camera.height_px,
         )
     factor = camera.width_px / width_px
     pixel = (camera.pixel_mm[0] * factor, camera.pixel_mm[1] * camera.height_px / height_px)

@@ -18,11 +18,9 @@ from raybundle.adjustment.joint_interior import JointInterior, joint_interior, s
 from raybundle.adjustment.own_interiors import LEVEL, Groups, groups_of, own_interiors
 from raybundle.adjustment.result import Adjustment, Notice
 from raybundle.block import Block, Camera
-from raybundle.errors import NotSolvable
+from raybundle.errors import NotSolvable, Value, message
 from raybundle.numerics.arrays import Array
-from raybundle.numerics.counting import counted
 from raybundle.numerics.statistics import fisher_tail
-from raybundle.settings import option
 
 MOST_CAMERAS = 8
 """Cameras of a block up to which more are looked for."""
@@ -155,13 +153,11 @@ def _notice(
     probability: float, count: int,
 ) -> Notice:  # fmt: skip
     name = after.given.images.ids
-    patterns = " ".join(option("own_camera", "|".join(name[i] for i in groups.images[g].tolist())) for g in order[1:])
-    message = (
-        f"camera {camera.id}: its {counted(count, 'photograph')} fall into {len(ids)} groups with interior "
-        f"orientations of their own ({groups.symbol} differs by {spread:.2g} px, within a group by "
-        f"{groups.scatter_px:.2g} px; probability by chance {max(probability, groups.probability):.1g} or less). "
-        f"They are of several cameras, zooms or focus settings, and standard deviations are too small. Orient again "
-        f"with {patterns}"
+    own = tuple(
+        message("several_cameras.own", pattern="|".join(name[i] for i in groups.images[g].tolist())) for g in order[1:]
     )
-    values = {"spread_px": spread, "scatter_px": groups.scatter_px, "cameras": len(ids)}
-    return Notice(code="several_cameras", message=message, ids=tuple(ids), values=values)
+    values: dict[str, Value] = {
+        "camera": camera.id, "photographs": count, "cameras": len(ids), "symbol": groups.symbol, "spread_px": spread,
+        "scatter_px": groups.scatter_px, "p": max(probability, groups.probability),
+    }  # fmt: skip
+    return Notice(code="several_cameras", ids=tuple(ids), values=values, details=own)

@@ -106,7 +106,7 @@ def setting_of(result: Adjustment, camera: str, focal_mm: float, focus_m: float 
     """The setting that an adjustment has calibrated; raises InputError without estimated parameters or statistics."""
     interior = next((i for i in result.interior if i.camera == camera and i.image is None), None)
     if interior is None or result.precision is None or not interior.free:
-        raise InputError(f"camera {camera}: no parameter of its interior orientation was estimated with statistics")
+        raise InputError("calibration.not_estimated", camera=camera)
     return ZoomSetting(
         focal_mm=focal_mm,
         camera=next(c for c in result.adjusted.cameras if c.id == camera),
@@ -180,15 +180,11 @@ def _problem(settings: Sequence[ZoomSetting], slopes: Array, resolution: float) 
 
 def _check(settings: Sequence[ZoomSetting]) -> None:
     if len(settings) < FEWEST:
-        raise InputError(
-            f"{len(settings)} settings of a zoom lens are given, {FEWEST} are needed; both ends among them"
-        )
+        raise InputError("zoom.too_few_settings", n=len(settings), least=FEWEST)
     first = settings[0]
     for a, b in pairwise(settings):
         if not b.focal_mm > a.focal_mm:
-            raise InputError(
-                f"two calibrations are for the EXIF focal length {a.focal_mm:g} mm; adjust their photographs together"
-            )
+            raise InputError("zoom.setting_given_twice", focal_mm=a.focal_mm)
     for s in settings[1:]:
         mine, other = first.camera, s.camera
         same = (mine.model, mine.width_px, mine.height_px, mine.pixel_mm) == (
@@ -196,15 +192,11 @@ def _check(settings: Sequence[ZoomSetting]) -> None:
         )  # fmt: skip
         if not same or s.free != first.free:
             raise InputError(
-                f"the calibrations at {first.focal_mm:g} and {s.focal_mm:g} mm differ in format, sensor model or free "
-                f"parameters ({', '.join(first.free)}; {', '.join(s.free)}); calibrate all settings alike"
+                "zoom.settings_differ", first_mm=first.focal_mm, second_mm=s.focal_mm, first=first.free, second=s.free
             )
         held = [k for k, v in mine.values.items() if k not in first.free and other.values.get(k, v) != v]
         if held:
-            raise InputError(
-                f"{', '.join(held)} is held at different values at {first.focal_mm:g} and {s.focal_mm:g} mm; hold it "
-                "alike, or free it everywhere"
-            )
+            raise InputError("zoom.held_values_differ", parameters=held, first_mm=first.focal_mm, second_mm=s.focal_mm)
 
 
 def _selected(problem: _Problem, terms: Sequence[_Term], highest: int, significance: float) -> list[_Term]:

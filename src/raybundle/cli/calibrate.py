@@ -94,7 +94,9 @@ def lines(done: Calibration) -> list[str]:
         ))  # fmt: skip
         told.append(f"  in pixels: {in_pixels(camera, interior, sure=sure)}")
     reasons = {reason for q in done.quality for reason in q.reasons}
-    others = [n for n in done.adjustment.notices if n.reason not in reasons]  # those stand with their camera
+    others = [
+        n for n in done.adjustment.notices if (n.reason or n.text) not in reasons
+    ]  # those stand with their camera
     return told + noise_lines(done.adjustment.noise) + notice_lines(others)
 
 

@@ -26,7 +26,7 @@ from raybundle.block.points import automatic
 from raybundle.block.rejection import RejectionKind, known_wrong
 from raybundle.block.rigs import with_shared_orientation
 from raybundle.calibration.given import calibration_notices, held_notices
-from raybundle.errors import DatumDefect, InputError, NoConvergence, NoOrientation, NotSolvable, RankDefect
+from raybundle.errors import DatumDefect, InputError, NoConvergence, NoOrientation, NotSolvable, RankDefect, message
 from raybundle.numerics.arrays import Array, Index, Mask
 from raybundle.numerics.counting import counted, counted_are
 from raybundle.numerics.progress import Progress, in_rounds, silent
@@ -38,8 +38,7 @@ from raybundle.placing.conflicts import Conflict, conflict_notice, conflict_word
 from raybundle.placing.control_doubts import as_ties, doubted_control, notice, words
 from raybundle.placing.image_doubts import image_doubt_notices, origin_words, unit_words
 from raybundle.placing.mirrored_images import mirrored_image_notices
-from raybundle.settings import option
-from raybundle.workflows.noise_in_parts import in_parts, sample_words, without_fields
+from raybundle.workflows.noise_in_parts import in_parts, without_fields
 
 LOOKED_AT = 500_000
 """Image observations up to which residuals are looked at for structure, and held calibrations are tested, without being
@@ -75,7 +74,7 @@ def adjust(block: Block, options: AdjustmentOptions | None = None, progress: Pro
     bars: BarDoubt | None = None
     try:
         result = _adjusted(block, options, progress)
-        if result.sigma0 > POOR_FIT or OF_BARS & {n.code for n in result.notices}:
+        if result.sigma0 > POOR_FIT or OF_BARS & {n.subject for n in result.notices}:
             bars = _doubted_bars(block, options)
     except NotSolvable as error:
         bars = None if isinstance(error, DatumDefect) else _doubted_bars(block, options)
@@ -107,7 +106,7 @@ def adjust(block: Block, options: AdjustmentOptions | None = None, progress: Pro
         # it is the control that contradicts them, and that is said
         bent |= set() if doubt is None else {"image_contradicts", "control_not_located"}
         bent |= OF_CONTROL if doubt is not None and doubt.is_explained else set()
-        others = [n for n in result.notices if n.code not in bent]
+        others = [n for n in result.notices if n.subject not in bent]
         result = replace(result, notices=(*plain, *others))
     if not plain and bars is None and not _held(block) and (torn := _torn(block, result, options)) is not None:
         images = image_doubt_notices(block, torn, _solver(options))
@@ -115,9 +114,9 @@ def adjust(block: Block, options: AdjustmentOptions | None = None, progress: Pro
         bent = (
             {"not_determinable", "systematic_residuals", "pixel_shape", "image_contradicts"} if images else set[str]()
         )
-        result = replace(result, notices=(*images, *(n for n in result.notices if n.code not in bent)))
+        result = replace(result, notices=(*images, *(n for n in result.notices if n.subject not in bent)))
     if bars is not None:
-        others = [n for n in result.notices if bars.rest is not None or n.code not in OF_BARS]
+        others = [n for n in result.notices if bars.rest is not None or n.subject not in OF_BARS]
         result = replace(result, notices=(bar_doubt_notice(bars, block.length_unit), *others))
     elif not plain and (scale := start_scale_notices(block, result)):
         others = [n for n in result.notices if n.code != "approximate_values_replaced"]
@@ -194,21 +193,21 @@ def _structure(result: Adjustment, options: AdjustmentOptions) -> tuple[Notice, 
         return without_fields(result)
     if options.noise != "auto":
         return ()
-    more = f"Adjusted with noise fields ({option('noise', 'fields')}), as by `orient`, standard deviations contain it"
+    more = message("residual_structure.with_fields")
     if in_parts(result) or len(result.given.observations) > LOOKED_AT:
         found = sample_under_noise(result)
         shared = None if found is None else shared_errors_notice(found, found.noise)
         if found is None or shared is None:
             return ()
-        told = f". Seen in {sample_words(found)}"
-        return (replace(shared, message=f"{shared.message}{told}. {more}"),)
+        seen = message("residual_structure.sample", images=len(found.given.images))
+        return (replace(shared, details=(*shared.details, seen, more)),)
     if len(np.unique(result.given.observations.image[result.image_observations.used])) >= FEWEST_IMAGES:
         shared = shared_errors_notice(result, under_noise(result).noise)
-        return () if shared is None else (replace(shared, message=f"{shared.message}. {more}"),)
+        return () if shared is None else (replace(shared, details=(*shared.details, more)),)
     points = result.given.points.ids
     if 2 * automatic(points).sum() < len(points) or (found := structure_notice(result)) is None:
         return ()
-    return (replace(found, message=f"{found.message}. {more}"),)
+    return (replace(found, details=(*found.details, more)),)
 
 
 MANY = 0.05

@@ -9,6 +9,7 @@ import numpy as np
 
 from raybundle.calibration.cross_validation import CrossValidation
 from raybundle.calibration.quality import CalibrationQuality, Grade
+from raybundle.errors import Text
 from raybundle.report.chapters import Occasion, chapter
 from raybundle.report.parts import Fact, Facts, Heading, Paragraph, Part, Section, Statements, number, table, text
 from raybundle.report.text.numbers import NONE, fixed, grouped, per_cent, significant
@@ -103,6 +104,8 @@ def _prediction(validation: CrossValidation, *, unstable: bool) -> str:
 
 
 def _sentence(words: str) -> str:
+    if isinstance(words, Text):
+        return words
     first = words.partition(" ")[0]
     symbol = len(first) <= 2 and first not in {"a", "an"}  # c, x0, K1: their case is their meaning
     return f"{words if symbol else words[:1].upper() + words[1:]}."

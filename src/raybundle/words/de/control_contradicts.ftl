@@ -12,3 +12,7 @@ control_contradicts-scale = Die Passpunkte aus { $name } und die Maßstabsstreck
 control_contradicts-ambiguous = { $n } Passpunkte aus { $name } widersprechen den übrigen; welche falsch sind, ist nicht eindeutig.
     .why = Alle Passpunkte nehmen teil; eine falsche Koordinate verformt das Ergebnis.
     .do = Koordinaten und Namen von { $ids } prüfen oder Passpunkte ergänzen.
+
+control_contradicts-rejected = { $points } von { $control } Passpunkten: mehr als { PERCENT($limit) } % ihrer Bildpunkte sind verworfen: { $ids }.
+    .why = Die Passpunkte widersprechen den Aufnahmen, oder ihre Namen sind vertauscht.
+    .do = Koordinaten, Koordinatensystem, Reihenfolge und Vorzeichen der Achsen, Einheit und Namen prüfen.

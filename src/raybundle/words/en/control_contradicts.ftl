@@ -40,3 +40,11 @@ control_contradicts-scale = Control of { $name } and the scale bars differ in sc
 control_contradicts-ambiguous = { $n } control points of { $name } contradict the others; which points are wrong is ambiguous.
     .why = All control takes part, so a wrong coordinate distorts the result.
     .do = Check coordinates and names of { $ids }, or add control points.
+
+# $points = 3
+# $control = 5
+# $limit = 0.5
+# $ids = ["A", "B", "C"]
+control_contradicts-rejected = { $points } of { $control } control points have more than { PERCENT($limit) } % of their image points rejected: { $ids }.
+    .why = The control contradicts the photographs, or its names are exchanged.
+    .do = Check coordinates, coordinate system, order and signs of the axes, unit and names.

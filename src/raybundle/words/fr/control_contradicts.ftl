@@ -6,3 +6,5 @@ control_contradicts-scale = Les appuis de { $name } et les règles diffèrent en
      }.
 
 control_contradicts-ambiguous = { $n } points d'appui de { $name } contredisent les autres ; lesquels sont faux est ambigu.
+
+control_contradicts-rejected = { $points } points d'appui sur { $control } ont plus de { PERCENT($limit) } % de leurs points image rejetés : { $ids }.

@@ -1,0 +1,3 @@
+attitude_suspect = { suspect-value }
+    .why = { suspect-value.why }
+    .do = { suspect-value.do }

@@ -1,0 +1,20 @@
+behind_camera = { $n } { $n ->
+        [one] Bildpunkt liegt
+       *[other] Bildpunkte liegen
+     } hinter der Kamera und { $n ->
+        [one] nimmt
+       *[other] nehmen
+     } nicht teil: { $pairs }.
+    .do = Die Punktnummern prüfen.
+
+behind_camera-photographs = { $n } { $n ->
+        [one] Aufnahme hat
+       *[other] Aufnahmen haben
+     } mehr als { PERCENT($limit) } % der Verknüpfungspunkte hinter der Kamera: { $ids }.
+    .why = Diese Aufnahmen können auf der falschen Seite des Objekts orientiert sein.
+    .do = Ihre Positionen mit den wirklichen Standpunkten vergleichen.
+
+behind_camera-matches = { $n } falsche { $n ->
+        [one] Zuordnung
+       *[other] Zuordnungen
+     } hinter der Kamera nehmen nicht teil: { $pairs }.

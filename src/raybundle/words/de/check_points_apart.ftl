@@ -1,0 +1,12 @@
+check_points_apart = { $n } { $n ->
+        [one] Kontrollpunkt weicht
+       *[other] Kontrollpunkte weichen
+     } stärker ab, als die Standardabweichungen zulassen (in { $axes }).
+    .why = Die Standardabweichungen des Ergebnisses sind bis zur Klärung nicht verlässlich.
+    .do = Koordinaten, Namen, Achsen, Einheit und Koordinatensystem der Kontrollpunkte prüfen, dann die Orientierung.
+
+check_points_apart-axis = { $axis }: Differenzen vom { NUM($factor, digits: 2) }-Fachen ihrer Standardabweichungen (Grenze { NUM($limit, digits: 2) })
+
+check_points_apart-point = { $point }: { NUM($factor, digits: 2) } Standardabweichungen in { $axis } (Grenze { NUM($limit, digits: 2) })
+
+check_points_apart-no_single_point = Kein einzelner Punkt fällt auf.

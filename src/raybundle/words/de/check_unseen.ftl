@@ -1,0 +1,8 @@
+check_unseen = { $n } { $n ->
+        [one] Kontrollpunkt hat
+       *[other] Kontrollpunkte haben
+     } weniger als zwei Strahlen und { $n ->
+        [one] wird
+       *[other] werden
+     } nicht verglichen: { $ids }.
+    .do = Jeden Kontrollpunkt in mindestens zwei Aufnahmen messen.

@@ -1,0 +1,3 @@
+coordinate_suspect = { suspect-value }
+    .why = { suspect-value.why }
+    .do = { suspect-value.do }

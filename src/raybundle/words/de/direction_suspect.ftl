@@ -1,0 +1,3 @@
+direction_suspect = { suspect-value }
+    .why = { suspect-value.why }
+    .do = { suspect-value.do }

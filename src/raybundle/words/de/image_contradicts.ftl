@@ -1,0 +1,14 @@
+image_contradicts = Bild { $image } widerspricht den übrigen: Residuen vom { $ratio }-Fachen (Kamera { $camera }; Grenze { $limit }).
+    .why = Das ganze Bild ist betroffen (zufällig mit p { NUM($p, digits: 1) }, Grenze { NUM($limit_p, digits: 1) }): andere Kamera, Fokussierung oder Brennweite, gespiegelt, gedreht, beschnitten oder mit vertauschten Punkten.
+    .do = Ihm eine eigene Kamera geben, seine Bildpunkte berichtigen oder es weglassen.
+
+image_contradicts-interior = Bild { $image } widerspricht den übrigen: Es hat eine eigene innere Orientierung ({ NUM($rms_px, digits: 2) } px rms).
+    .why = Seine Residuen zeigen das { $ratio }-mal so deutlich wie die anderer Bilder der Kamera { $camera } (Grenzen { $limit } und { NUM($limit_px, digits: 2) } px); es kann beschnitten, vergrößert, verzerrt oder gezoomt sein.
+    .do = Ihm eine eigene Kamera geben oder es weglassen.
+
+image_contradicts-rejected = { $images ->
+        [one] In { $images } Bild sind
+       *[other] In { $images } Bildern sind
+     } mehr als { PERCENT($limit) } % der Bildpunkte verworfen (Median { PERCENT($median) } %): { $ids }.
+    .why = Das ganze Bild widerspricht den übrigen: andere Kamera, Fokussierung oder Brennweite, gespiegelt oder beschnitten, oder vertauschte Namen.
+    .do = Ihm eine eigene Kamera geben, seine Bildpunkte berichtigen oder es weglassen.

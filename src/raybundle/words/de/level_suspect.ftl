@@ -1,0 +1,3 @@
+level_suspect = { suspect-value }
+    .why = { suspect-value.why }
+    .do = { suspect-value.do }

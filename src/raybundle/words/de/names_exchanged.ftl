@@ -1,0 +1,7 @@
+names_exchanged = { $pairs } { $pairs ->
+        [one] Paar verworfener Bildpunkte passt
+       *[other] Paare verworfener Bildpunkte passen
+     } mit vertauschten Namen: { $ids }.
+    .do = In diesen Bildern die Namen vertauschen.
+
+names_exchanged-pair = { $first } und { $second } im Bild { $image }

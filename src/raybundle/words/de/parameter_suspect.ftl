@@ -1,0 +1,3 @@
+parameter_suspect = { suspect-value }
+    .why = { suspect-value.why }
+    .do = { suspect-value.do }

@@ -1,0 +1,3 @@
+plane_suspect = { suspect-value }
+    .why = { suspect-value.why }
+    .do = { suspect-value.do }

@@ -1,0 +1,3 @@
+plumb_line_suspect = { suspect-value }
+    .why = { suspect-value.why }
+    .do = { suspect-value.do }

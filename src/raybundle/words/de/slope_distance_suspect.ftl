@@ -1,0 +1,3 @@
+slope_distance_suspect = { suspect-value }
+    .why = { suspect-value.why }
+    .do = { suspect-value.do }

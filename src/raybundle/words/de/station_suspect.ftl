@@ -1,0 +1,3 @@
+station_suspect = { suspect-value }
+    .why = { suspect-value.why }
+    .do = { suspect-value.do }

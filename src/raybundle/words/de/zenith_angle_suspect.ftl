@@ -1,0 +1,3 @@
+zenith_angle_suspect = { suspect-value }
+    .why = { suspect-value.why }
+    .do = { suspect-value.do }

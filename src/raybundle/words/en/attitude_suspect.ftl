@@ -1,0 +1,14 @@
+# $kind = "distances"
+# $name = "M1-M2"
+# $component = ""
+# $given = 1.0003
+# $shown = 1.0123
+# $off = 0.012
+# $sigma = 0.0001
+# $unit = "m"
+# $w = 6.1
+# $limit = 4.2
+# $ids = ["M1-M2"]
+attitude_suspect = { suspect-value }
+    .why = { suspect-value.why }
+    .do = { suspect-value.do }

@@ -1,0 +1,9 @@
+# $camera = "d5100"
+# $n = 2
+# $symbols = ["A", "S"]
+# $p = 0.39
+# $bic = 21.0
+# $effect_px = 0.006
+# $ids = ["d5100", "A", "S"]
+not_significant = Camera { $camera }: { $symbols } fixed at 0, not significant (effect below { NUM($effect_px, digits: 2) } px).
+    .why = Such values occur by chance with probability { NUM($p, digits: 2) }; without them the BIC is lower by { NUM($bic, decimals: 1) }.

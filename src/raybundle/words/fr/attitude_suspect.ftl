@@ -1,0 +1,1 @@
+attitude_suspect = { suspect-value }

@@ -1,0 +1,1 @@
+choice_unfinished = Le choix des paramètres s'est arrêté après { $steps } étapes ; { $free } paramètres restent libres.

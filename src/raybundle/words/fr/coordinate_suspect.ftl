@@ -1,0 +1,1 @@
+coordinate_suspect = { suspect-value }

@@ -1,0 +1,1 @@
+deviation_suspect = { suspect-value }

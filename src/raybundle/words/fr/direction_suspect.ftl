@@ -1,0 +1,1 @@
+direction_suspect = { suspect-value }

@@ -1,0 +1,1 @@
+level_suspect = { suspect-value }

@@ -1,0 +1,1 @@
+no_redundancy = La compensation n'a aucune redondance.

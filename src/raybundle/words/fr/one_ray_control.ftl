@@ -1,0 +1,1 @@
+one_ray_control = { $n } point(s) d'appui avec un seul rayon : { $ids }.

@@ -1,0 +1,1 @@
+outside_format = { $n } point(s) image hors du format de { $ids }.

@@ -1,0 +1,1 @@
+plumb_line_suspect = { suspect-value }

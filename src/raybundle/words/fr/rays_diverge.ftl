@@ -1,0 +1,1 @@
+rays_diverge = { $n } point(s) aux rayons divergents écarté(s) : { $ids }.

@@ -1,0 +1,1 @@
+relation_suspect = { suspect-value }

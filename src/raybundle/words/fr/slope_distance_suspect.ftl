@@ -1,0 +1,1 @@
+slope_distance_suspect = { suspect-value }

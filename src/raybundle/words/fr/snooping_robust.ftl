@@ -1,0 +1,1 @@
+snooping_robust = { $rejected } observations image ont été rejetées après une estimation robuste.

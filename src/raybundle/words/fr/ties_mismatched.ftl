@@ -1,0 +1,1 @@
+ties_mismatched = { $pairs } paire(s) de points de liaison rejetés ont été confondues : { $ids }.

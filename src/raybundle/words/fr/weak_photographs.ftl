@@ -1,0 +1,1 @@
+weak_photographs = { $weak } photo(s) sur { $photographs } ont { $common } points communs avec moins de deux autres : { $ids }.

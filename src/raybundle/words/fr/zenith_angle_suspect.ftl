@@ -1,0 +1,1 @@
+zenith_angle_suspect = { suspect-value }
