@@ -25,3 +25,31 @@ block-no_camera = Der Block hat keine Kamera.
     .do = Für jede Kamera eine Tabelle [cameras.ID] ergänzen.
 
 block-no_scene = Block { $block } hat keine Satellitenszene; RPC werden nur für Szenen geschrieben.
+
+block-not_numbers = Block { $block }: { $name } enthält { $type }; nötig sind Zahlen.
+
+block-not_whole_numbers = Block { $block }: { $name } enthält { $type }; Positionen müssen ganze Zahlen sein.
+
+block-position_out_of_range = Block { $block }: { $name }[{ $row }] ist { $position }; Positionen gehen von 0 bis { $last }.
+
+block-shape = Block { $block }: { $name } muss ein Feld der Form ({ $shape }) sein.
+    .why = Der Typ ist { $type }, die Form ({ $found }).
+
+block-number_too_large = { $kind ->
+        [image] Bild { $image }
+        [point] Punkt { $point }
+       *[observation] Bild { $image }, Punkt { $point }
+     }: { $number } ist keine Zahl bis zum Betrag { $limit }.
+    .do = Die Einheit prüfen oder den Wert weglassen.
+
+block-single_image = Das Bild { $image } allein bestimmt die Objektpunkte { $points } nicht.
+    .why = Ohne genug Passpunkte sind auch seine äußere Orientierung und die Parameter der Kamera { $camera } ({ LIST($parameters, most: 20) }) unbestimmt.
+    .do = Bilder von anderen Standpunkten ergänzen oder Passpunkte für einen Rückwärtsschnitt angeben.
+
+block-parts_without_datum = Der Block hat { $parts } Teile ohne gemeinsame Verknüpfungspunkte; { $n } { $n ->
+        [one] hat
+       *[other] haben
+     } kein Datum.
+    .do = Punkte messen, die die Teile verbinden, jedem Teil Passpunkte geben oder die Teile einzeln ausgleichen.
+
+block-open_part = Bilder { LIST($images, most: 10) }: nicht bestimmt: { datum-part }

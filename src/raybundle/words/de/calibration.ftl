@@ -75,3 +75,12 @@ calibration-format_unclear = Die Datei könnte eines von mehreren Kalibrierforma
 
 calibration-format_not_recognised = Die Datei ist nicht als Kalibrierung erkennbar.
     .do = Ihr Format mit { OPTION("read_as", "FORMAT", flag: "from") } angeben: { LIST($known, most: 30) }.
+
+calibration-not_estimated = Kamera { $camera }: Kein Parameter der inneren Orientierung wurde mit Statistik geschätzt.
+    .do = Parameter schätzen und mit statistics=True ausgleichen.
+
+calibration-formats_differ = Kalibrierungen von { $first_px } px und { $second_px } px lassen sich nicht vergleichen.
+    .do = Eine auf das Format der anderen skalieren.
+
+calibration-cropped_format = { $width_px } × { $height_px } px ist keine Verkleinerung von { $camera_width_px } × { $camera_height_px } px.
+    .why = Das Format wurde beschnitten.

@@ -55,3 +55,63 @@ camera-pattern_without_photograph = Keine Aufnahme passt zum Muster { $pattern }
 
 camera-two_patterns = Die Aufnahme { $photograph } passt zu zwei Kameramustern, { $first } und { $second }.
     .do = Die Muster eindeutig machen.
+
+camera-no_turned_copy = Das Format der Kamera { $camera } ist nicht das um { $turned_deg }° gedrehte von { $other }.
+    .why = Sie haben { $width_px } x { $height_px } px und { $other_width_px } x { $other_height_px } px.
+    .do = Für diese Aufnahmen eine eigene Kamera verwenden.
+
+camera-scans_not_transformed = Kamera { $camera }: Ihre Dateien sind Scans, die in jeder Datei anders liegen.
+    .why = Andere Programme kennen keine affine innere Orientierung eines Bildes.
+    .do = Die Scans zuerst in das Kamerasystem transformieren.
+
+camera-turned_only_brown = Kamera { $camera }: Gedrehte Aufnahmen sind nur mit dem Modell brown möglich, nicht mit { $model }.
+    .do = Die Aufnahmen so verwenden, wie der Sensor sie gespeichert hat.
+
+camera-covariance_not_positive = Kamera { $camera }: Die Kovarianzmatrix der Kalibrierung ist nicht positiv definit.
+    .do = Die Kalibrierung erneut exportieren.
+
+camera-unknown_scene_parameter = Kamera { $camera }: Diese Szene hat keinen Parameter { $name }.
+    .do = Einen von { LIST($known, most: 20) } verwenden.
+
+camera-not_in_block = Kamera { $camera } ist nicht im Block.
+    .do = { $n ->
+        [0] Einen Block mit Kameras angeben
+       *[other] Eine von { LIST($known, most: 9) } verwenden
+     }.
+
+camera-no_parameter = Kamera { $camera } hat keinen Parameter { $name }.
+    .do = Einen von { LIST($known, most: 30) } verwenden.
+
+camera-constant_missing = Kamera { $camera }: Die Kamerakonstante { $parameter } ist 0; das Modell { $model } braucht einen Wert.
+    .do = Ihn in block.toml eintragen.
+
+camera-several = Das Ergebnis hat { $n } Kameras, und keine ist genannt.
+    .do = Eine von { LIST($cameras, most: 10) } nennen.
+
+camera-unknown = Es gibt keine Kamera { $camera }.
+    .do = Eine von { LIST($known, most: 10) } verwenden.
+
+camera-interior_per_image = Kamera { $camera }: Jedes Bild hat eine eigene innere Orientierung.
+    .do = Ein Bild nennen.
+
+camera-no_interior_of_image = Kamera { $camera }: Das Bild { $image } hat keine eigene innere Orientierung.
+    .do = Das Bild weglassen.
+
+camera-no_ray = Kamera { $camera }: Mit diesen Parametern hat ein Bildpunkt keinen eindeutigen Strahl.
+    .why = Ein Zeilensensor, der sich nicht bewegt (vy = 0), ist ein solcher Fall: { LIST($parameters, most: 30) }.
+    .do = Näherungswerte nahe den wahren Werten angeben.
+
+camera-parameters_of_image = Kamera { $camera }: Das Modell { $model } hat keine Parameter einzelner Bilder.
+    .do = per_image entfernen oder ein anderes Modell wählen.
+
+camera-too_many_turns = Kamera { $camera }: Das Format ({ NUM($width_mm, digits: 4) } mm) umfasst { $turns } Umdrehungen (Grenze { $limit }).
+    .why = Das folgt aus c = { NUM($c_mm, digits: 4) } mm.
+    .do = Für eine Umdrehung c = Breite / (2 pi) = { NUM($whole_turn_c_mm, digits: 4) } mm angeben.
+
+camera-no_read_out_time = Kamera { $camera }: Die Auslesezeit r ist 0.
+    .why = Keine Beobachtung bestimmt dann { $parameters }.
+    .do = r angeben (Auslesezeit durch Formathöhe, s/mm) oder das Modell ohne Rolling Shutter verwenden.
+
+camera-no_motion = Kamera { $camera }: Die Geschwindigkeit vy ist 0.
+    .why = Alle Zeilen eines Bildes zeigen dann dieselbe Linie des Objekts.
+    .do = vy angeben, die Länge am Objekt je Millimeter im Bild.

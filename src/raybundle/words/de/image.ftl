@@ -28,3 +28,22 @@ image-affine_singular = Bild { $image }: Die affine Transformation des Scans ist
 image-file_size_differs = Bild { $image }: Eine Datei von { NUM($width_px, digits: 6) } x { NUM($height_px, digits: 6) } px passt nicht zu { $camera_width_px } x { $camera_height_px } px.
     .why = Die Kamera hat dieses Format; die Datei ist um { $turned_deg }° gedreht.
     .do = Größe oder Drehung berichtigen.
+
+image-points_in_line = Alle Objektpunkte von { $n } { $n ->
+        [one] Bild
+       *[other] Bildern
+     } liegen auf einer Geraden: { LIST($images, most: 5) }.
+    .why = Innerhalb von { $limit_sigmas } Standardabweichungen kann sich das Bild um diese Gerade drehen.
+    .do = Punkte neben der Geraden messen, Projektionszentren beobachten oder das Bild weglassen.
+
+image-too_few_points = { $n } { $n ->
+        [one] Bild hat
+       *[other] Bilder haben
+     } zu wenige Bildpunkte: { $images }.
+    .why = Eine äußere Orientierung braucht mindestens drei.
+    .do = Dort mehr Punkte messen oder die Bilder weglassen.
+
+image-points_and_unknowns = { $images }: { $n } { $n ->
+        [one] Bildpunkt
+       *[other] Bildpunkte
+     } für { $unknowns } Unbekannte

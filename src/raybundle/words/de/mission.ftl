@@ -30,3 +30,66 @@ mission-columns = Die Spalten der Wegpunkte weichen von den nötigen ab.
 
 mission-line_unknown = Die Fluglinie { $line_number } gibt es nicht; definiert sind { $n }, ab 0 gezählt.
     .do = Die Nummer berichtigen.
+
+mission-unknown_pattern = Das Flugmuster { $pattern } ist unbekannt.
+    .do = Eines von { LIST($known, most: 20) } verwenden.
+
+mission-area_in_zones = Flugverbotszonen bedecken das ganze Gebiet der Befliegung.
+    .do = Die Zonen und ihr Koordinatensystem prüfen.
+
+mission-too_many_photographs = Die Befliegung braucht { $n } Aufnahmen; möglich sind höchstens { $most }.
+    .do = Eine größere Bodenauflösung ({ OPTION("gsd") }) verwenden oder das Gebiet teilen.
+
+mission-line_no_extent = Alle Punkte der Linie sind identisch.
+    .do = Mindestens zwei verschiedene Punkte angeben.
+
+mission-speed_of_vehicle = Eine Geschwindigkeit von { $speed_mps } m/s übersteigt die { $most_mps } m/s von { $vehicle }.
+    .do = Eine kleinere Geschwindigkeit angeben: { OPTION("speed") }.
+
+mission-camera_interval = Kamera { $camera } braucht { $interval_s } s zwischen Aufnahmen; die Befliegung hat { NUM($needed_s, decimals: 2) } s.
+    .why = Die Basis ist { NUM($base_m, decimals: 2) } m bei { $speed_mps } m/s.
+    .do = Höchstens { NUM($most_mps, decimals: 1) } m/s fliegen ({ OPTION("speed") }), höher oder mit weniger Überdeckung ({ OPTION("overlap") }).
+
+mission-battery = { $flight_line } ist mit einem Akku nicht erreichbar: Hin- und Rückweg dauern { NUM($needed_min, decimals: 1) } min.
+    .why = Nutzbar sind { NUM($usable_min, decimals: 1) } von { $minutes_min } min.
+    .do = Näher starten ({ OPTION("take_off") }) oder ein Fluggerät mit längerer Flugzeit verwenden ({ OPTION("battery") }).
+
+mission-no_stop = Wegpunkt { $waypoint } beginnt Aufnahmen, aber kein späterer beendet sie.
+    .do = Danach einen Halt der Aufnahmen ergänzen.
+
+mission-no_photographs = Die Befliegung hat keine Aufnahme: Kein Wegpunkt beginnt oder macht eine.
+    .do = Eine Befliegung mit Aufnahmen angeben.
+
+mission-base_not_positive = Wegpunkt { $waypoint }: Die Basis zwischen Aufnahmen ist { $base_m } m.
+    .do = Eine Basis über 0 angeben.
+
+mission-too_many_on_line = Wegpunkt { $waypoint } beginnt { $n } Aufnahmen, eine alle { $base_m } m; möglich sind höchstens { $most }.
+    .do = Eine längere Basis angeben.
+
+mission-view_to_horizon = Ein um { NUM($tilt_deg, decimals: 0) }° geneigter Blick mit { NUM($angle_deg, decimals: 0) }° Bildwinkel reicht bis zum Horizont.
+    .do = Eine Neigung unter { NUM($most_deg, decimals: 0) }° angeben: { OPTION("tilt") }.
+
+mission-too_many_parts = Die Befliegung braucht { $n } { $kind ->
+        [lines] Streifen
+        [rows] Reihen
+       *[photographs] Aufnahmen
+     }; möglich sind höchstens { $most }.
+    .do = Das Koordinatensystem des Gebiets und die Bodenauflösung in Metern ({ OPTION("gsd") }) prüfen.
+
+mission-heights_missing = Die Höhen des Objekts über Grund fehlen.
+    .do = { OPTION("heights", "LOW", "TOP") } angeben.
+
+mission-heights_order = Die Oberkante des Objekts, { $top_m } m, liegt nicht über der Unterkante, { $low_m } m.
+    .do = { OPTION("heights") } berichtigen.
+
+mission-vehicle_not_positive = Fluggerät { $vehicle }: { $entry } ist { $value }.
+    .do = Einen Wert über 0 angeben.
+
+mission-way_in_zone = Ein Weg { $end ->
+        [begins] beginnt
+       *[ends] endet
+     } in einer Flugverbotszone, bei { NUM($x, decimals: 1) }; { NUM($y, decimals: 1) }.
+    .do = Den Startplatz ({ OPTION("take_off") }) oder die Zone verlegen.
+
+mission-no_way = Kein Weg von { NUM($x, decimals: 1) }; { NUM($y, decimals: 1) } nach { NUM($to_x, decimals: 1) }; { NUM($to_y, decimals: 1) } umgeht die Flugverbotszonen.
+    .do = Auf derselben Seite der Zonen starten oder sie öffnen.

@@ -15,3 +15,6 @@ package-laspy_missing = LAS-Dateien brauchen das Paket laspy.
 
 package-rasterio_missing = Raster brauchen das Paket rasterio.
     .do = Ausführen: pip install 'raybundle[geo]'
+
+package-reportlab_missing = PDF zu schreiben braucht das Paket reportlab.
+    .do = pip install reportlab ausführen oder .svg schreiben.

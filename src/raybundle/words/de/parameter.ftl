@@ -12,3 +12,12 @@ parameter-sigma_not_positive = Die Standardabweichung von { $name } ist { $sigma
 
 parameter-sigma_of_fixed = { $name } hat eine Standardabweichung, ist aber festgehalten.
     .do = Ihn in estimate aufnehmen oder seine Standardabweichung löschen.
+
+parameter-unknown_camera = { $way ->
+        [free] { OPTION("free") }
+       *[hold] { OPTION("hold") }
+     }: Die Kamera { $camera } ist nicht im Block.
+    .do = Eine dieser Kameras angeben: { $known }.
+
+parameter-free_and_held = Der Parameter { $symbol } der Kamera { $camera } ist als frei und als festgehalten gewählt.
+    .do = Ihn aus { OPTION("free") } oder aus { OPTION("hold") } entfernen.

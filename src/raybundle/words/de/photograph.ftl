@@ -62,3 +62,31 @@ photograph-size_changed = Das Bild hat { $width_px } x { $height_px } px; sein K
 
 photograph-changed = Die Datei wurde während des Laufs durch eine andere ersetzt.
     .do = Den Lauf wiederholen.
+
+photograph-none_oriented = Noch ist keine Aufnahme orientiert.
+    .do = Die unten genannten Punkte messen.
+
+photograph-lacks_fiducials = Scan { $image }: { $n } Rahmenmarken sind gemessen; nötig sind { $least }.
+    .do = Weitere Rahmenmarken messen.
+
+photograph-film_contradicts = Scan { $image }: Die Rahmenmarken passen nicht ({ $detail }).
+    .do = Sie nochmals messen.
+
+photograph-lacks_marks = Aufnahme { $image }: { $n ->
+        [0] Kein Punkt ist darin markiert
+       *[other] Keiner ihrer { $n } Punkte ist in einer anderen markiert
+     }.
+    .do = { $least } Punkte in beiden markieren.
+
+photograph-lacks_common = Die Aufnahmen { $image } und { $other } haben { $n } gemeinsame Punkte; nötig sind { $least }.
+    .do = Mehr Punkte in beiden markieren.
+
+photograph-lacks_known = Aufnahme { $image } zeigt { $n } Punkte mit Koordinaten; nötig sind { $least }.
+    .do = Mehr Punkte mit Koordinaten markieren.
+
+photograph-lacks_base = Aufnahmen { $image } und { $other }: Die Strahlen zu ihren { $n } Punkten sind parallel.
+    .why = Sie wurden von einem Ort aufgenommen.
+    .do = Punkte in einer Aufnahme von einem anderen Ort markieren.
+
+photograph-lacks_fit = Aufnahme { $image }: Keine Orientierung passt zu ihren { $n } Punkten.
+    .do = Ihre Namen und Stellen prüfen und weitere markieren.

@@ -12,3 +12,9 @@ point-control_without_sigma = Passpunkt { $point } hat keine Koordinate mit Stan
 
 point-check_without_coordinate = Kontrollpunkt { $point } hat keine Koordinate.
     .do = Eine angeben oder seine Rolle in tie ändern.
+
+point-sigma_out_of_range = Punkt { $point }, { $axis }: { $sigma } ist keine Standardabweichung.
+    .do = 0 (festgehalten), eine Zahl über 0 oder NaN (genäherte Koordinate) angeben.
+
+point-no_coordinate = Passpunkt { $point } hat eine Standardabweichung ({ $sigma }), aber keine Koordinate { $axis }.
+    .do = Die Koordinate angeben oder NaN als Standardabweichung.

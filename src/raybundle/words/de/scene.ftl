@@ -18,3 +18,5 @@ scene-file_gone = Kamera { $camera }: Die Datei ihrer Szene ({ $scene }) fehlt; 
 
 scene-companion_gone = Kamera { $camera }: { $scene } verweist auf diese Datei, die fehlt.
     .do = Die Datei wiederherstellen.
+
+scene-length_unit = Satellitenszenen brauchen length_unit = "m", nicht "{ $unit }".

@@ -34,3 +34,29 @@ trajectory-no_crs = Die Datei hat Gitterkoordinaten ohne Koordinatensystem.
 
 trajectory-no_position = Die Datei enthält keine Position.
     .do = Prüfen, ob es die richtige Datei ist; eine Zeile ist NAME X Y Z oder NAME BREITE LÄNGE HÖHE.
+
+trajectory-count = Tabelle { $table }: { $times } Zeiten und { $n } Einträge.
+    .do = Von beiden gleich viele angeben, mindestens zwei.
+
+trajectory-not_finite = Die Tabelle { $table } hat eine Zeit oder einen Wert, der keine endliche Zahl ist.
+    .do = Die Tabelle berichtigen.
+
+trajectory-time_order = Tabelle { $table }: Zeit { $time_s } s (Eintrag { $entry }) folgt auf { $before_s } s.
+    .do = Die Einträge nach der Zeit ordnen und doppelte löschen.
+
+trajectory-zero_quaternion = Eine Quaternion der Lage hat die Länge null.
+    .do = Die Tabelle der Lagen berichtigen.
+
+trajectory-not_covered = Die Tabelle { $table } umfasst { $start_s } bis { $end_s } s, die Zeilen aber { $first_s } bis { $last_s } s.
+    .why = Die Tabelle ist abgeschnitten, oder ihre Anfangszeit gehört zu einer anderen Szene.
+    .do = Die vollständige Tabelle dieser Szene beschaffen.
+
+trajectory-gap = Die Tabelle { $table } hat im Bild eine Lücke von { $gap_s } s, von { $start_s } bis { $end_s } s.
+    .why = Der übliche Abstand ist { $usual_s } s.
+    .do = Eine vollständige Tabelle beschaffen.
+
+trajectory-degree = { $name } = { $degree } ist nicht möglich.
+    .do = 0, 1, 2 oder -1 für keine angeben.
+
+trajectory-parameter_count = Die Korrekturparameter haben die Form ({ $shape }); nötig sind { $needed }.
+    .do = Für jeden Parameter einen Wert angeben.

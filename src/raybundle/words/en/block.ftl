@@ -30,3 +30,61 @@ block-no_camera = The block has no camera.
 
 # $block = "pair"
 block-no_scene = Block { $block } has no satellite scene; RPCs are written for scenes only.
+
+# $block = "facade"
+# $name = "points.xyz"
+# $type = "<U4"
+block-not_numbers = Block { $block }: { $name } holds { $type }; it must hold numbers.
+
+# $block = "facade"
+# $name = "images.camera"
+# $type = "float64"
+block-not_whole_numbers = Block { $block }: { $name } holds { $type }; positions must be whole numbers.
+
+# $block = "facade"
+# $name = "images.camera"
+# $row = 3
+# $position = 9
+# $last = 1
+block-position_out_of_range = Block { $block }: { $name }[{ $row }] is { $position }; positions run from 0 to { $last }.
+
+# $block = "facade"
+# $name = "points.xyz"
+# $shape = [4, 3]
+# $type = "ndarray"
+# $found = [4, 2]
+block-shape = Block { $block }: { $name } must be an array of shape ({ $shape }).
+    .why = It is of type { $type } with shape ({ $found }).
+
+# $kind = "observation"
+# $image = "IMG_1"
+# $point = "P7"
+# $number = 1e+30
+# $limit = 1000000000000000.0
+block-number_too_large = { $kind ->
+        [image] Image { $image }
+        [point] Point { $point }
+       *[observation] Image { $image }, point { $point }
+     }: { $number } is not a number up to { $limit } in size.
+    .do = Check its unit, or leave it out.
+
+# $image = "IMG_1"
+# $points = ["P1", "P2"]
+# $camera = "d5100"
+# $parameters = ["c"]
+block-single_image = Image { $image } alone does not determine object points { $points }.
+    .why = Without enough control its exterior orientation and the parameters of camera { $camera } ({ LIST($parameters, most: 20) }) are not determined either.
+    .do = Add images from other stations, or give control points for a resection.
+
+# $parts = 2
+# $n = 1
+block-parts_without_datum = The block has { $parts } parts without common tie points; { $n } { $n ->
+        [one] has
+       *[other] have
+     } no datum.
+    .do = Measure points that join the parts, give each part control, or adjust the parts separately.
+
+# $images = ["IMG_1", "IMG_2"]
+# $n = 1
+# $part = "scale"
+block-open_part = Images { LIST($images, most: 10) }: not determined: { datum-part }

@@ -128,3 +128,19 @@ calibration-format_unclear = The file could be one of several calibration format
 # $known = ["colmap", "kalibr"]
 calibration-format_not_recognised = The file is not recognised as a calibration.
     .do = Give its format with { OPTION("read_as", "FORMAT", flag: "from") }: { LIST($known, most: 30) }.
+
+# $camera = "d5100"
+calibration-not_estimated = Camera { $camera }: no parameter of the interior orientation was estimated with statistics.
+    .do = Estimate parameters, and adjust with statistics=True.
+
+# $first_px = [4000, 3000]
+# $second_px = [2000, 1500]
+calibration-formats_differ = Calibrations of { $first_px } px and { $second_px } px cannot be compared.
+    .do = Scale one of them to the format of the other.
+
+# $width_px = 1900
+# $height_px = 1500
+# $camera_width_px = 4000
+# $camera_height_px = 3000
+calibration-cropped_format = { $width_px } × { $height_px } px is no reduction of { $camera_width_px } × { $camera_height_px } px.
+    .why = The format was cropped.

@@ -103,3 +103,106 @@ camera-pattern_without_photograph = No photograph matches the pattern { $pattern
 # $second = "*_01*"
 camera-two_patterns = Photograph { $photograph } matches two patterns of cameras, { $first } and { $second }.
     .do = Make the patterns exclusive.
+
+# $camera = "d5100-p"
+# $width_px = 4000
+# $height_px = 3000
+# $other = "d5100"
+# $other_width_px = 6000
+# $other_height_px = 4000
+# $turned_deg = 90
+camera-no_turned_copy = The format of camera { $camera } is not that of { $other } turned by { $turned_deg }°.
+    .why = They have { $width_px } x { $height_px } px and { $other_width_px } x { $other_height_px } px.
+    .do = Use a camera of its own for these photographs.
+
+# $camera = "rmk"
+camera-scans_not_transformed = Camera { $camera }: its files are scans with a different position in each file.
+    .why = Other programs have no affine interior orientation of an image.
+    .do = Transform the scans to the camera frame first.
+
+# $camera = "gopro"
+# $model = "fisheye"
+camera-turned_only_brown = Camera { $camera }: turned photographs are possible with model brown only, not { $model }.
+    .do = Use the photographs as the sensor stored them.
+
+# $camera = "d5100"
+camera-covariance_not_positive = Camera { $camera }: the covariance of its calibration is not positive definite.
+    .do = Export the calibration again.
+
+# $camera = "scene_1"
+# $name = "'K1'"
+# $known = ["A0", "B0"]
+camera-unknown_scene_parameter = Camera { $camera }: this scene has no parameter { $name }.
+    .do = Use one of { LIST($known, most: 20) }.
+
+# $camera = "d5200"
+# $known = ["d5100"]
+# $n = 1
+camera-not_in_block = Camera { $camera } is not in the block.
+    .do = { $n ->
+        [0] Give a block with cameras
+       *[other] Use one of { LIST($known, most: 9) }
+     }.
+
+# $camera = "d5100"
+# $name = "K9"
+# $known = ["c", "x0", "y0"]
+camera-no_parameter = Camera { $camera } has no parameter { $name }.
+    .do = Use one of { LIST($known, most: 30) }.
+
+# $camera = "gopro"
+# $parameter = "c"
+# $model = "omnidirectional"
+camera-constant_missing = Camera { $camera }: the camera constant { $parameter } is 0; model { $model } needs a value.
+    .do = Write it in block.toml.
+
+# $n = 2
+# $cameras = ["d5100", "d7200"]
+camera-several = The result has { $n } cameras and none is named.
+    .do = Name one of { LIST($cameras, most: 10) }.
+
+# $camera = "d3"
+# $known = ["d5100", "d7200"]
+camera-unknown = There is no camera { $camera }.
+    .do = Use one of { LIST($known, most: 10) }.
+
+# $camera = "d5100"
+camera-interior_per_image = Camera { $camera }: each image has an interior orientation of its own.
+    .do = Name an image.
+
+# $camera = "d5100"
+# $image = "IMG_1"
+camera-no_interior_of_image = Camera { $camera }: image { $image } has no interior orientation of its own.
+    .do = Leave the image out.
+
+# $camera = "line"
+# $parameters = ["c = 50", "vy = 0"]
+camera-no_ray = Camera { $camera }: with these parameters an image point has no definite ray.
+    .why = A pushbroom sensor that does not move (vy = 0) is such a case: { LIST($parameters, most: 30) }.
+    .do = Give approximate values near the true ones.
+
+# $camera = "d5100"
+# $model = "spline"
+camera-parameters_of_image = Camera { $camera }: model { $model } has no parameters of single images.
+    .do = Remove per_image, or choose another model.
+
+# $camera = "pano"
+# $width_mm = 700.0
+# $turns = 2.2
+# $c_mm = 50.0
+# $limit = 1.1
+# $whole_turn_c_mm = 111.4
+camera-too_many_turns = Camera { $camera }: the format ({ NUM($width_mm, digits: 4) } mm) spans { $turns } turns (limit { $limit }).
+    .why = This follows from c = { NUM($c_mm, digits: 4) } mm.
+    .do = For one turn, give c = width / (2 pi) = { NUM($whole_turn_c_mm, digits: 4) } mm.
+
+# $camera = "phone"
+# $parameters = ["vx", "vy"]
+camera-no_read_out_time = Camera { $camera }: the read-out time r is 0.
+    .why = No observation then determines { $parameters }.
+    .do = Give r (read-out time over the height of the format, s/mm), or use the model without rolling shutter.
+
+# $camera = "line"
+camera-no_motion = Camera { $camera }: the velocity vy is 0.
+    .why = All lines of an image then show the same line of the object.
+    .do = Give vy, the length on the ground per millimetre of the image.

@@ -50,3 +50,30 @@ image-affine_singular = Image { $image }: the affine transformation of the scan 
 image-file_size_differs = Image { $image }: a file of { NUM($width_px, digits: 6) } x { NUM($height_px, digits: 6) } px does not fit { $camera_width_px } x { $camera_height_px } px.
     .why = The camera has this format; the file is rotated by { $turned_deg }°.
     .do = Correct the size or the rotation.
+
+# $n = 1
+# $images = ["IMG_1"]
+# $limit_sigmas = 3.0
+image-points_in_line = All object points of { $n } { $n ->
+        [one] image
+       *[other] images
+     } lie on one straight line: { LIST($images, most: 5) }.
+    .why = Within { $limit_sigmas } standard deviations the image can rotate about this line.
+    .do = Measure points beside the line, observe projection centres, or leave the image out.
+
+# $n = 1
+# $images = ["IMG_1"]
+image-too_few_points = { $n } { $n ->
+        [one] image has
+       *[other] images have
+     } too few image points: { $images }.
+    .why = An exterior orientation needs at least three.
+    .do = Measure more points there, or leave the images out.
+
+# $images = ["IMG_1"]
+# $n = 2
+# $unknowns = 6
+image-points_and_unknowns = { $images }: { $n } image { $n ->
+        [one] point
+       *[other] points
+     } for { $unknowns } unknowns

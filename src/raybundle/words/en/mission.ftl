@@ -40,3 +40,108 @@ mission-columns = The columns of the way points differ from those needed.
 # $n = 5
 mission-line_unknown = Flight line { $line_number } does not exist; { $n } lines are defined, counted from 0.
     .do = Correct the number.
+
+# $pattern = "'spiral'"
+# $known = ["grid", "corridor", "facade"]
+mission-unknown_pattern = Pattern { $pattern } is unknown.
+    .do = Use one of { LIST($known, most: 20) }.
+
+mission-area_in_zones = No-go zones cover the whole area of the mission.
+    .do = Check the zones and their coordinate system.
+
+# $n = 150000
+# $most = 100000
+mission-too_many_photographs = The mission needs { $n } photographs; at most { $most } are possible.
+    .do = Use a larger ground sampling distance ({ OPTION("gsd") }), or divide the area.
+
+mission-line_no_extent = All points of the line are identical.
+    .do = Give at least two different points.
+
+# $speed_mps = 20.0
+# $most_mps = 15.0
+# $vehicle = "multirotor"
+mission-speed_of_vehicle = A speed of { $speed_mps } m/s exceeds the { $most_mps } m/s of { $vehicle }.
+    .do = Give a lower speed: { OPTION("speed") }.
+
+# $base_m = 5.25
+# $speed_mps = 12.0
+# $needed_s = 0.44
+# $camera = "phantom4"
+# $interval_s = 2.0
+# $most_mps = 2.6
+mission-camera_interval = Camera { $camera } needs { $interval_s } s between photographs; the mission has { NUM($needed_s, decimals: 2) } s.
+    .why = The base is { NUM($base_m, decimals: 2) } m at { $speed_mps } m/s.
+    .do = Fly at most { NUM($most_mps, decimals: 1) } m/s ({ OPTION("speed") }), higher, or with less overlap ({ OPTION("overlap") }).
+
+# $flight_line = "line 12"
+# $needed_min = 30.5
+# $usable_min = 20.0
+# $minutes_min = 25.0
+mission-battery = { $flight_line } is out of reach of one battery: the way there and back takes { NUM($needed_min, decimals: 1) } min.
+    .why = { NUM($usable_min, decimals: 1) } of { $minutes_min } min are usable.
+    .do = Take off nearer to it ({ OPTION("take_off") }), or use a vehicle with more endurance ({ OPTION("battery") }).
+
+# $waypoint = 12
+mission-no_stop = Waypoint { $waypoint } starts photographs, but no later one stops them.
+    .do = Add a stop after it.
+
+mission-no_photographs = The mission has no photograph: no waypoint starts or takes one.
+    .do = Give a mission with photographs.
+
+# $waypoint = 3
+# $base_m = 0.0
+mission-base_not_positive = Waypoint { $waypoint }: the base between photographs is { $base_m } m.
+    .do = Give a base above 0.
+
+# $waypoint = 3
+# $n = 200000
+# $base_m = 0.01
+# $most = 100000
+mission-too_many_on_line = Waypoint { $waypoint } starts { $n } photographs, one every { $base_m } m; at most { $most } are possible.
+    .do = Give a longer base.
+
+# $tilt_deg = 60.0
+# $angle_deg = 64.0
+# $most_deg = 53.0
+mission-view_to_horizon = A view tilted by { NUM($tilt_deg, decimals: 0) }° with a field of { NUM($angle_deg, decimals: 0) }° reaches the horizon.
+    .do = Give a tilt below { NUM($most_deg, decimals: 0) }°: { OPTION("tilt") }.
+
+# $kind = "rows"
+# $n = 2000000.0
+# $most = 100000
+mission-too_many_parts = The mission needs { $n } { $kind ->
+        [lines] lines
+        [rows] rows
+       *[photographs] photographs
+     }; at most { $most } are possible.
+    .do = Check the coordinate system of the area, and the ground sampling distance in metres ({ OPTION("gsd") }).
+
+mission-heights_missing = The heights of the object above ground are missing.
+    .do = Give { OPTION("heights", "LOW", "TOP") }.
+
+# $top_m = 2.0
+# $low_m = 5.0
+mission-heights_order = The top of the object, { $top_m } m, is not above its lower end, { $low_m } m.
+    .do = Correct { OPTION("heights") }.
+
+# $vehicle = "multirotor"
+# $entry = "climb"
+# $value = 0.0
+mission-vehicle_not_positive = Vehicle { $vehicle }: { $entry } is { $value }.
+    .do = Give a value above 0.
+
+# $end = "begins"
+# $x = 533000.5
+# $y = 5337000.2
+mission-way_in_zone = A way { $end ->
+        [begins] starts
+       *[ends] ends
+     } in a no-go zone, at { NUM($x, decimals: 1) }, { NUM($y, decimals: 1) }.
+    .do = Move the take-off ({ OPTION("take_off") }) or the zone.
+
+# $x = 533000.5
+# $y = 5337000.2
+# $to_x = 533100.5
+# $to_y = 5337100.2
+mission-no_way = No way from { NUM($x, decimals: 1) }, { NUM($y, decimals: 1) } to { NUM($to_x, decimals: 1) }, { NUM($to_y, decimals: 1) } avoids the no-go zones.
+    .do = Take off on the same side of the zones, or open them.

@@ -15,3 +15,6 @@ package-laspy_missing = LAS files need the package laspy.
 
 package-rasterio_missing = Rasters need the package rasterio.
     .do = Run: pip install 'raybundle[geo]'
+
+package-reportlab_missing = Writing a PDF needs the package reportlab.
+    .do = Run pip install reportlab, or write .svg.

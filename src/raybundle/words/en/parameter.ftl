@@ -21,3 +21,17 @@ parameter-sigma_not_positive = The standard deviation of { $name } is { $sigma }
 # $name = "x0"
 parameter-sigma_of_fixed = { $name } has a standard deviation, but is fixed.
     .do = Add it to estimate, or delete its standard deviation.
+
+# $way = "free"
+# $camera = "d3"
+# $known = ["d5100", "d7200"]
+parameter-unknown_camera = { $way ->
+        [free] { OPTION("free") }
+       *[hold] { OPTION("hold") }
+     }: camera { $camera } is not in the block.
+    .do = Use one of these cameras: { $known }.
+
+# $camera = "d5100"
+# $symbol = "K1"
+parameter-free_and_held = Parameter { $symbol } of camera { $camera } is selected as free and as held.
+    .do = Remove it from { OPTION("free") } or from { OPTION("hold") }.

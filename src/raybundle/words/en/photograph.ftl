@@ -91,3 +91,51 @@ photograph-size_changed = The image has { $width_px } x { $height_px } px; its h
 
 photograph-changed = The file was replaced by another one during the run.
     .do = Run again.
+
+photograph-none_oriented = No photograph is oriented yet.
+    .do = Measure the points listed below.
+
+# $image = "scan.tif"
+# $n = 2
+# $least = 3
+photograph-lacks_fiducials = Scan { $image }: { $n } fiducial marks are measured; { $least } are needed.
+    .do = Measure more fiducial marks.
+
+# $image = "scan.tif"
+# $detail = "marks 1 and 2 contradict each other"
+photograph-film_contradicts = Scan { $image }: its fiducial marks do not fit ({ $detail }).
+    .do = Measure them again.
+
+# $image = "left.jpg"
+# $n = 3
+# $least = 6
+photograph-lacks_marks = Photograph { $image }: { $n ->
+        [0] no point is marked in it
+       *[other] none of its { $n } points is marked in another photograph
+     }.
+    .do = Mark { $least } points in both.
+
+# $image = "left.jpg"
+# $other = "right.jpg"
+# $n = 3
+# $least = 6
+photograph-lacks_common = Photographs { $image } and { $other } have { $n } common points; { $least } are needed.
+    .do = Mark more points in both.
+
+# $image = "left.jpg"
+# $n = 3
+# $least = 4
+photograph-lacks_known = Photograph { $image } shows { $n } points with coordinates; { $least } are needed.
+    .do = Mark more points with coordinates.
+
+# $image = "left.jpg"
+# $other = "right.jpg"
+# $n = 8
+photograph-lacks_base = Photographs { $image } and { $other }: the rays to their { $n } points are parallel.
+    .why = They were taken from one place.
+    .do = Mark points in a photograph from another place.
+
+# $image = "left.jpg"
+# $n = 8
+photograph-lacks_fit = Photograph { $image }: no orientation fits its { $n } points.
+    .do = Check their names and places, and mark more.

@@ -19,3 +19,15 @@ point-control_without_sigma = Control point { $point } has no coordinate with a 
 # $point = "A1"
 point-check_without_coordinate = Check point { $point } has no coordinate.
     .do = Give one, or change its role to tie.
+
+# $point = "P7"
+# $axis = "X"
+# $sigma = -0.1
+point-sigma_out_of_range = Point { $point }, { $axis }: { $sigma } is no standard deviation.
+    .do = Give 0 (held), a number above 0, or NaN for an approximate coordinate.
+
+# $point = "P7"
+# $axis = "X"
+# $sigma = 0.1
+point-no_coordinate = Control point { $point } has a standard deviation ({ $sigma }) but no coordinate { $axis }.
+    .do = Give the coordinate, or NaN for its standard deviation.

@@ -26,3 +26,6 @@ scene-file_gone = Camera { $camera }: the file of its scene ({ $scene }) is miss
 # $scene = "scene.toml"
 scene-companion_gone = Camera { $camera }: { $scene } refers to this file, which is missing.
     .do = Restore the file.
+
+# $unit = "mm"
+scene-length_unit = Satellite scenes need length_unit = "m", not "{ $unit }".

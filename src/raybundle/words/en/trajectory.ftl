@@ -44,3 +44,51 @@ trajectory-no_crs = The file has grid coordinates without a coordinate system.
 
 trajectory-no_position = The file contains no position.
     .do = Check that it is the right file; a line is NAME X Y Z or NAME LATITUDE LONGITUDE HEIGHT.
+
+# $table = "ephemeris"
+# $times = 10
+# $n = 9
+trajectory-count = Table { $table }: { $times } times and { $n } entries.
+    .do = Give as many of both, at least two.
+
+# $table = "ephemeris"
+trajectory-not_finite = Table { $table } has a time or value that is not a finite number.
+    .do = Correct the table.
+
+# $table = "ephemeris"
+# $time_s = 12.0
+# $entry = 5
+# $before_s = 13.0
+trajectory-time_order = Table { $table }: time { $time_s } s (entry { $entry }) follows { $before_s } s.
+    .do = Sort the entries by time and delete repeated times.
+
+trajectory-zero_quaternion = A quaternion of the attitude has length zero.
+    .do = Correct the table of attitudes.
+
+# $table = "ephemeris"
+# $start_s = 0.0
+# $end_s = 10.0
+# $first_s = 5.0
+# $last_s = 15.0
+trajectory-not_covered = Table { $table } covers { $start_s } to { $end_s } s, but the lines { $first_s } to { $last_s } s.
+    .why = The table is cut off, or its start time belongs to another scene.
+    .do = Get the complete table of this scene.
+
+# $table = "attitude"
+# $gap_s = 12.0
+# $start_s = 4.0
+# $end_s = 16.0
+# $usual_s = 0.25
+trajectory-gap = Table { $table } has a gap of { $gap_s } s within the image, from { $start_s } to { $end_s } s.
+    .why = The usual interval is { $usual_s } s.
+    .do = Get a complete table.
+
+# $name = "position_degree"
+# $degree = 5
+trajectory-degree = { $name } = { $degree } is not possible.
+    .do = Give 0, 1, 2, or -1 for none.
+
+# $needed = 12
+# $shape = [9]
+trajectory-parameter_count = Correction parameters have shape ({ $shape }); { $needed } are needed.
+    .do = Give one value for each parameter.

@@ -17,3 +17,23 @@ block-observations_not_parquet = La table est lue d'un coup ; un bloc plus grand
 block-no_camera = Le bloc n'a pas de caméra.
 
 block-no_scene = Le bloc { $block } n'a pas de scène satellite ; les RPC ne sont écrits que pour des scènes.
+
+block-not_numbers = Bloc { $block } : { $name } contient { $type } ; il faut des nombres.
+
+block-not_whole_numbers = Bloc { $block } : { $name } contient { $type } ; les positions sont des entiers.
+
+block-position_out_of_range = Bloc { $block } : { $name }[{ $row }] vaut { $position } ; les positions vont de 0 à { $last }.
+
+block-shape = Bloc { $block } : { $name } doit être un tableau de forme ({ $shape }).
+
+block-number_too_large = { $kind ->
+        [image] Image { $image }
+        [point] Point { $point }
+       *[observation] Image { $image }, point { $point }
+     } : { $number } n'est pas un nombre jusqu'à { $limit }.
+
+block-single_image = L'image { $image } seule ne détermine pas les points objet { $points }.
+
+block-parts_without_datum = Le bloc a { $parts } parties sans points de liaison communs ; { $n } sans référence.
+
+block-open_part = Images { LIST($images, most: 10) } : non déterminé : { datum-part }

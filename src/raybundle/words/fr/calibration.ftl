@@ -49,3 +49,9 @@ calibration-no_covariance = Ce n'est pas une matrice de covariance : elle doit �
 calibration-format_unclear = Le fichier peut être de plusieurs formats d'étalonnage : { $names }.
 
 calibration-format_not_recognised = Le fichier n'est pas reconnu comme étalonnage.
+
+calibration-not_estimated = Caméra { $camera } : aucun paramètre de l'orientation interne n'a été estimé avec statistiques.
+
+calibration-formats_differ = Des étalonnages de { $first_px } px et { $second_px } px ne peuvent pas être comparés.
+
+calibration-cropped_format = { $width_px } × { $height_px } px n'est pas une réduction de { $camera_width_px } × { $camera_height_px } px.

@@ -34,3 +34,37 @@ camera-pixel_size_missing = La largeur et la hauteur d'un pixel sont nécessaire
 camera-pattern_without_photograph = Aucune photographie ne correspond au motif { $pattern } d'une caméra.
 
 camera-two_patterns = La photographie { $photograph } correspond à deux motifs, { $first } et { $second }.
+
+camera-no_turned_copy = Le format de la caméra { $camera } n'est pas celui de { $other } tourné de { $turned_deg }°.
+
+camera-scans_not_transformed = Caméra { $camera } : ses fichiers sont des scans non transformés dans le repère de la caméra.
+
+camera-turned_only_brown = Caméra { $camera } : les photos tournées demandent le modèle brown, pas { $model }.
+
+camera-covariance_not_positive = Caméra { $camera } : la covariance de son étalonnage n'est pas définie positive.
+
+camera-unknown_scene_parameter = Caméra { $camera } : cette scène n'a pas de paramètre { $name }.
+
+camera-not_in_block = La caméra { $camera } n'est pas dans le bloc.
+
+camera-no_parameter = La caméra { $camera } n'a pas de paramètre { $name }.
+
+camera-constant_missing = Caméra { $camera } : la distance principale { $parameter } est 0 ; le modèle { $model } demande une valeur.
+
+camera-several = Le résultat a { $n } caméras et aucune n'est nommée.
+
+camera-unknown = Il n'y a pas de caméra { $camera }.
+
+camera-interior_per_image = Caméra { $camera } : chaque image a sa propre orientation interne.
+
+camera-no_interior_of_image = Caméra { $camera } : l'image { $image } n'a pas d'orientation interne propre.
+
+camera-no_ray = Caméra { $camera } : avec ces paramètres, un point image n'a pas de rayon défini.
+
+camera-parameters_of_image = Caméra { $camera } : le modèle { $model } n'a pas de paramètres propres aux images.
+
+camera-too_many_turns = Caméra { $camera } : le format ({ NUM($width_mm, digits: 4) } mm) couvre { $turns } tours (limite { $limit }).
+
+camera-no_read_out_time = Caméra { $camera } : le temps de lecture r est 0.
+
+camera-no_motion = Caméra { $camera } : la vitesse vy est 0.

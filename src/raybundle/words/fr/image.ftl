@@ -17,3 +17,9 @@ image-scan_incomplete = Image { $image } : numérisation aux colonnes incomplèt
 image-affine_singular = Image { $image } : la transformation affine du scan n'est pas inversible.
 
 image-file_size_differs = Image { $image } : { NUM($width_px, digits: 6) } x { NUM($height_px, digits: 6) } px contre { $camera_width_px } x { $camera_height_px } px.
+
+image-points_in_line = Tous les points objet de { $n } image(s) sont alignés : { LIST($images, most: 5) }.
+
+image-too_few_points = { $n } image(s) ont trop peu de points image : { $images }.
+
+image-points_and_unknowns = { $images } : { $n } points image pour { $unknowns } inconnues

@@ -19,3 +19,46 @@ mission-no_table = Le fichier n'a pas de [way_points] ; ce n'est pas un plan de 
 mission-columns = Les colonnes des points de passage diffèrent.
 
 mission-line_unknown = La ligne de vol { $line_number } n'existe pas ; { $n } sont définies, à partir de 0.
+
+mission-unknown_pattern = Le motif { $pattern } est inconnu.
+
+mission-area_in_zones = Les zones interdites couvrent toute la zone de la mission.
+
+mission-too_many_photographs = La mission demande { $n } photos ; le maximum est { $most }.
+
+mission-line_no_extent = Tous les points de la ligne sont identiques.
+
+mission-speed_of_vehicle = Une vitesse de { $speed_mps } m/s dépasse les { $most_mps } m/s de { $vehicle }.
+
+mission-camera_interval = La caméra { $camera } demande { $interval_s } s entre deux photos ; la mission prévoit { NUM($needed_s, decimals: 2) } s.
+
+mission-battery = { $flight_line } est hors de portée d'une batterie : l'aller-retour dure { NUM($needed_min, decimals: 1) } min.
+
+mission-no_stop = Le point de passage { $waypoint } démarre des photos, mais aucun suivant ne les arrête.
+
+mission-no_photographs = La mission n'a aucune photo.
+
+mission-base_not_positive = Point de passage { $waypoint } : la base entre photos est { $base_m } m.
+
+mission-too_many_on_line = Le point de passage { $waypoint } démarre { $n } photos, une tous les { $base_m } m ; le maximum est { $most }.
+
+mission-view_to_horizon = Une visée inclinée de { NUM($tilt_deg, decimals: 0) }° avec { NUM($angle_deg, decimals: 0) }° de champ atteint l'horizon.
+
+mission-too_many_parts = La mission demande { $n } { $kind ->
+        [lines] lignes
+        [rows] rangées
+       *[photographs] photos
+     } ; le maximum est { $most }.
+
+mission-heights_missing = Les hauteurs de l'objet au-dessus du sol manquent.
+
+mission-heights_order = Le haut de l'objet, { $top_m } m, n'est pas au-dessus du bas, { $low_m } m.
+
+mission-vehicle_not_positive = Véhicule { $vehicle } : { $entry } vaut { $value }.
+
+mission-way_in_zone = Un trajet { $end ->
+        [begins] commence
+       *[ends] finit
+     } dans une zone interdite, à { NUM($x, decimals: 1) } ; { NUM($y, decimals: 1) }.
+
+mission-no_way = Aucun trajet de { NUM($x, decimals: 1) } ; { NUM($y, decimals: 1) } à { NUM($to_x, decimals: 1) } ; { NUM($to_y, decimals: 1) } n'évite les zones interdites.

@@ -9,3 +9,5 @@ package-pyogrio_missing = L'écriture d'un GeoPackage demande le paquet pyogrio.
 package-laspy_missing = Les fichiers LAS demandent le paquet laspy.
 
 package-rasterio_missing = Les rasters demandent le paquet rasterio.
+
+package-reportlab_missing = Écrire un PDF demande le paquet reportlab.

@@ -33,3 +33,22 @@ photograph-thumbnail = L'image est une vignette de { $width_px } x { $height_px 
 photograph-size_changed = L'image a { $width_px } x { $height_px } px ; son en-tête donne { $header_width_px } x { $header_height_px }.
 
 photograph-changed = Le fichier a été remplacé pendant l'exécution.
+
+photograph-none_oriented = Aucune photo n'est encore orientée.
+
+photograph-lacks_fiducials = Scan { $image } : { $n } repères sont mesurés ; il en faut { $least }.
+
+photograph-film_contradicts = Scan { $image } : ses repères ne concordent pas ({ $detail }).
+
+photograph-lacks_marks = Photo { $image } : { $n ->
+        [0] aucun point n'y est marqué
+       *[other] aucun de ses { $n } points n'est marqué dans une autre photo
+     }.
+
+photograph-lacks_common = Les photos { $image } et { $other } ont { $n } points communs ; il en faut { $least }.
+
+photograph-lacks_known = La photo { $image } montre { $n } points avec coordonnées ; il en faut { $least }.
+
+photograph-lacks_base = Photos { $image } et { $other } : les rayons vers leurs { $n } points sont parallèles.
+
+photograph-lacks_fit = Photo { $image } : aucune orientation ne convient à ses { $n } points.

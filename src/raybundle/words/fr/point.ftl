@@ -7,3 +7,7 @@ point-tie_with_sigma = Point de liaison { $point } : a un écart-type.
 point-control_without_sigma = Point d'appui { $point } : aucune coordonnée avec écart-type.
 
 point-check_without_coordinate = Point de contrôle { $point } : aucune coordonnée.
+
+point-sigma_out_of_range = Point { $point }, { $axis } : { $sigma } n'est pas un écart-type.
+
+point-no_coordinate = Le point d'appui { $point } a un écart-type ({ $sigma }) mais pas de coordonnée { $axis }.

@@ -11,3 +11,5 @@ scene-no_rigorous_model = { $scene } n'a pas de modèle rigoureux pris en charge
 scene-file_gone = Caméra { $camera } : le fichier de sa scène ({ $scene }) manque ; le bloc ne peut être écrit.
 
 scene-companion_gone = Caméra { $camera } : { $scene } renvoie à ce fichier, qui manque.
+
+scene-length_unit = Les scènes satellitaires demandent length_unit = "m", pas "{ $unit }".

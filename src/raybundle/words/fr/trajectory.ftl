@@ -23,3 +23,19 @@ trajectory-north_needs_frame = Les attitudes par rapport au nord vrai demandent 
 trajectory-no_crs = Le fichier a des coordonnées de grille sans système de coordonnées.
 
 trajectory-no_position = Le fichier ne contient aucune position.
+
+trajectory-count = Table { $table } : { $times } temps et { $n } entrées.
+
+trajectory-not_finite = La table { $table } a un temps ou une valeur qui n'est pas un nombre fini.
+
+trajectory-time_order = Table { $table } : le temps { $time_s } s (entrée { $entry }) suit { $before_s } s.
+
+trajectory-zero_quaternion = Un quaternion de l'attitude est de longueur nulle.
+
+trajectory-not_covered = La table { $table } couvre { $start_s } à { $end_s } s, mais les lignes { $first_s } à { $last_s } s.
+
+trajectory-gap = La table { $table } a une lacune de { $gap_s } s dans l'image, de { $start_s } à { $end_s } s.
+
+trajectory-degree = { $name } = { $degree } n'est pas possible.
+
+trajectory-parameter_count = Les paramètres de correction sont de forme ({ $shape }) ; il en faut { $needed }.

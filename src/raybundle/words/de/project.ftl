@@ -1,0 +1,38 @@
+project-folder_not_empty = Der Ordner existiert und ist weder leer noch ein Projekt.
+    .do = Ein anderes { OPTION("out") } wählen.
+
+project-not_readable = Die Projektdatenbank ist nicht lesbar ({ $detail }).
+    .why = { $damaged ->
+        [yes] Merkmale gehen nicht verloren; Paare werden neu zugeordnet.
+       *[no] Ein anderes Programm benutzt vielleicht das Projekt.
+     }
+    .do = { $damaged ->
+        [yes] Diese Datei löschen und denselben Befehl erneut ausführen
+       *[no] Andere Programme schließen, die das Projekt benutzen, oder ein anderes { OPTION("out") } wählen
+     }.
+
+project-schema = Das Projekt wurde von einer anderen Version geschrieben (Schema { $found }; diese Version liest { $read }).
+    .do = In einen neuen Ordner orientieren.
+
+project-no_database = Das ist kein Projektordner: project.db fehlt.
+    .do = Ein Projekt mit raybundle orient beginnen.
+
+project-in_use = Ein anderer Lauf ist in diesem Projekt aktiv.
+    .do = Auf ihn warten oder ein anderes { OPTION("out") } wählen.
+
+project-table_not_writable = Die Tabelle [{ $table }] lässt sich nicht schreiben, ohne eine andere zu ändern.
+    .do = Sie von Hand schreiben, mit einfachen Überschriften und einzeiligen Texten.
+
+project-no_run = Das ist kein Projektordner, oder darin wurde kein Lauf begonnen.
+    .do = Zuerst den Befehl ausführen, der die Aufgaben beginnt.
+
+project-not_writable = In den Ordner lässt sich nicht schreiben ({ $detail }).
+    .why = { $kept ->
+        [yes] Fertige Produkte bleiben erhalten; der Lauf wird dort fortgesetzt.
+       *[no] Noch ist kein Produkt fertig.
+     }
+    .do = { $cause ->
+        [full] Speicherplatz freigeben und denselben Befehl erneut ausführen
+        [occupied] Die Datei oder den Ordner dieses Namens verlegen und denselben Befehl erneut ausführen
+       *[other] Einen Ordner mit Schreibrecht wählen
+     }.

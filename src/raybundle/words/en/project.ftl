@@ -1,0 +1,46 @@
+project-folder_not_empty = The folder exists and is neither empty nor a project.
+    .do = Choose another { OPTION("out") }.
+
+# $detail = "database disk image is malformed"
+# $damaged = true
+project-not_readable = The project database cannot be read ({ $detail }).
+    .why = { $damaged ->
+        [yes] Features are not lost; pairs are matched again.
+       *[no] Another program may use the project.
+     }
+    .do = { $damaged ->
+        [yes] Delete this file and run the same command again
+       *[no] Close other programs that use the project, or choose another { OPTION("out") }
+     }.
+
+# $found = "2"
+# $read = 3
+project-schema = The project was written by another version (schema { $found }; this version reads { $read }).
+    .do = Orient into a new folder.
+
+project-no_database = This is not a project folder: project.db is missing.
+    .do = Start a project with raybundle orient.
+
+project-in_use = Another run is active in this project.
+    .do = Wait for it, or choose another { OPTION("out") }.
+
+# $table = "orient"
+project-table_not_writable = Table [{ $table }] cannot be written without changing another one.
+    .do = Write it by hand, with plain headers and texts of one line.
+
+project-no_run = This is not a project folder, or no run was started in it.
+    .do = Run the command that starts the tasks first.
+
+# $cause = "full"
+# $detail = "No space left on device"
+# $kept = true
+project-not_writable = The folder cannot be written ({ $detail }).
+    .why = { $kept ->
+        [yes] Finished products remain; the run continues there.
+       *[no] No product is finished yet.
+     }
+    .do = { $cause ->
+        [full] Free disk space and run the same command again
+        [occupied] Move the file or folder of this name elsewhere, and run the same command again
+       *[other] Choose a folder with write permission
+     }.

@@ -1,0 +1,1 @@
+product-gone = Un produit de l'étape { $stage } est endommagé ou manque.

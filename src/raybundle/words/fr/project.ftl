@@ -1,0 +1,15 @@
+project-folder_not_empty = Le dossier existe et n'est ni vide ni un projet.
+
+project-not_readable = La base du projet n'est pas lisible ({ $detail }).
+
+project-schema = Le projet a été écrit par une autre version (schéma { $found } ; celle-ci lit { $read }).
+
+project-no_database = Ce n'est pas un dossier de projet : project.db manque.
+
+project-in_use = Une autre exécution est active dans ce projet.
+
+project-table_not_writable = La table [{ $table }] ne peut pas être écrite sans en changer une autre.
+
+project-no_run = Ce n'est pas un dossier de projet, ou aucune exécution n'y a commencé.
+
+project-not_writable = Le dossier ne peut pas être écrit ({ $detail }).

@@ -1,0 +1,15 @@
+task-cycle = { $n } tâches dépendent les unes des autres : { $names }.
+
+task-shards_waiting = { $n } tâches attendent des lots (shards), dans { $file_name }.
+
+task-list_not_readable = La liste des tâches n'est pas lisible ({ $detail }).
+
+task-list_damaged = La liste des tâches est endommagée ({ $detail }).
+
+task-list_no_task = Cette ligne de la liste n'est pas une tâche ({ $detail }).
+
+task-list_no_key = { $name } n'est pas une clé de produit.
+
+task-list_count = La liste a { $n } tâches ; { $needed } ont été écrites.
+
+task-list_checksum = La somme de contrôle de la liste des tâches est fausse.
