@@ -212,7 +212,7 @@ def test_the_result_is_not_written_into_something_else(orient, photos, tmp_path)
     (full / "letter.txt").write_text("dear")
     told = orient(photos, out=full)
     assert told.status == 2
-    assert "neither empty nor a project folder" in told.err
+    assert "[project.folder_not_empty]" in told.err
     assert [p.name for p in full.iterdir()] == ["letter.txt"]
     told = orient(photos, out=photos)
     assert told.status == 2
@@ -267,7 +267,7 @@ def test_status_of_something_else_is_an_error_and_makes_nothing(capsys, tmp_path
     for folder in (tmp_path, tmp_path / "nowhere"):
         status = main(["status", str(folder)])
         assert status == 2
-        assert "is no project folder" in capsys.readouterr().err
+        assert "[project.no_database]" in capsys.readouterr().err
     assert list(tmp_path.iterdir()) == []
 
 

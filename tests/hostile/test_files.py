@@ -63,7 +63,7 @@ def test_a_folder_of_somebody_else_is_no_project(tmp_path, names):
         if not name.endswith("/"):
             place.write_text("[tool]\nmine = 1\n")
     before = sorted(str(p) for p in tmp_path.rglob("*"))
-    with pytest.raises(InputError, match="neither empty nor a project folder"):
+    with pytest.raises(InputError, match=r"project\.folder_not_empty"):
         Project.open(tmp_path / "p")
     assert sorted(str(p) for p in tmp_path.rglob("*")) == before
 

@@ -149,7 +149,7 @@ def test_tasks_that_wait_for_each_other_are_named(store):
         Task(key=a.key, function=a.function, options=a.options, after=(b.key,), name="a"),
         Task(key=b.key, function=b.function, options=b.options, after=(a.key,), name="b"),
     ]
-    with pytest.raises(InputError, match="2 tasks wait for each other: a, b"):
+    with pytest.raises(InputError, match=r"2.*task\.cycle"):
         list(Threads(1).run(circle, store))
 
 

@@ -133,7 +133,7 @@ def test_the_same_bits_as_in_a_folder(tmp_path, expected, url, executor, copies)
 def test_in_the_memory_of_one_process(tmp_path, expected):
     store = Folder(tmp_path / "s", "memory://site")
     assert done_by(Threads(2), tasks_of(LEAVES), store) == expected
-    with pytest.raises(InputError, match="memory://site: lies in the memory of this process, which others do not see"):
+    with pytest.raises(InputError, match=r"store\.in_memory"):
         list(Processes(2).run(tasks_of(2), store))
 
 
@@ -168,7 +168,7 @@ def test_a_copy_that_is_damaged_is_got_again_and_an_object_is_made_again(tmp_pat
     for data in (altered, whole[:-30], b"a letter", b""):
         there.write_bytes(data)
         copy.unlink()
-        with pytest.raises(ProductGone, match="of the test stage is damaged or gone"):
+        with pytest.raises(ProductGone, match=r"product\.gone"):
             store.wanted(KEY)
         assert not there.exists()
         store.makers[KEY] = lambda: store.store(KEY, PRODUCT)
@@ -182,13 +182,13 @@ def test_what_is_not_ours_is_told_and_stays(tmp_path, url):
     at = tmp_path / "objects/site/test" / f"{KEY}.npz"
     at.mkdir(parents=True)
     (at / "mine").write_text("mine")
-    with pytest.raises(InputError, match="something else stands at .*; move it away and run the same command again"):
+    with pytest.raises(InputError, match=r"store\.occupied"):
         store.store(KEY, PRODUCT)
     assert (at / "mine").read_text() == "mine"
     other = Folder(tmp_path / "t", f"{(tmp_path / 'other').as_uri()}")
     (tmp_path / "other").mkdir()
     (tmp_path / "other/token").write_text("a letter")
-    with pytest.raises(InputError, match="something else stands there under the name token; choose another place"):
+    with pytest.raises(InputError, match=r"store\.foreign_token"):
         other.place.check()
 
 
@@ -210,16 +210,16 @@ def test_what_fails_is_tried_three_times(flaky, copies):
 @pytest.mark.parametrize(
     ("error", "told"),
     [
-        (OSError("Could not connect to host"), "cannot be reached .Could not connect to host.; see whether"),
-        (PermissionError("Access Denied"), "access is refused, or there are no credentials .Access"),
-        (RuntimeError("Unable to locate credentials"), "access is refused, or there are no credentials"),
+        (OSError("Could not connect to host"), r"store\.lost"),
+        (PermissionError("Access Denied"), r"store\.lost"),
+        (RuntimeError("Unable to locate credentials"), r"store\.lost"),
     ],
 )
 def test_what_fails_three_times_stops_everything_and_says_what_to_do(flaky, error, told, copies):
     shutil.rmtree(copies)
     flaky.place.damaged(KEY, again=False, which=None)
     Flaky.plan = [error] * 3
-    with pytest.raises(StoreLost, match=rf"^flaky://bucket/site: {told}.*It was tried 3 times; what is finished is"):
+    with pytest.raises(StoreLost, match=r"bucket/site.*3.*store\.lost"):
         flaky.has(KEY)
     Flaky.plan = [error] * 3
     with pytest.raises(StoreLost, match=told):
@@ -234,7 +234,7 @@ def test_what_fails_three_times_stops_everything_and_says_what_to_do(flaky, erro
 def test_an_object_of_which_a_part_comes_each_time_is_no_damaged_one(flaky, copies):
     flaky.place.damaged(KEY, again=False, which=None)
     Flaky.plan = [1.0, 0.5, 0.5, 0.5]
-    with pytest.raises(StoreLost, match="cannot be reached ..* of .* bytes came"):
+    with pytest.raises(StoreLost, match=r"store\.lost"):
         flaky.load(KEY)
     assert flaky.has(KEY)
 
@@ -247,7 +247,7 @@ def test_a_store_that_is_lost_costs_no_photograph(flaky):
         seen.append(done)
         Flaky.plan = [ConnectionError("cut")] * 99
 
-    with pytest.raises(InputError, match="flaky://bucket/site: cannot be reached"):
+    with pytest.raises(InputError, match=r"flaky://bucket/site: .*store\.lost"):
         [*map(cut, Threads(1).run(tasks, flaky))]
     assert not any(d.failed for d in seen)
     Flaky.plan = []
@@ -257,11 +257,11 @@ def test_a_store_that_is_lost_costs_no_photograph(flaky):
 @pytest.mark.parametrize(
     ("where", "told"),
     [
-        ("nowhere://b/c", "nowhere:// is no kind of store; known are .*; as s3://bucket/folder"),
-        ("s3://", "names no bucket|a package is missing: Install s3fs"),
-        ("ftp://me:secret@host/p", "ftp://host/p: ftp:// is no kind of store"),
-        ("s3://me:secret@host/p", "s3://host/p: holds a secret, which others would read"),
-        ("products", "products: is no URL; as s3://bucket/folder"),
+        ("nowhere://b/c", r"s3.*store\.unknown_scheme"),
+        ("s3://", r"store\.no_bucket_name"),
+        ("ftp://me:secret@host/p", r"host/p.*store\.unknown_scheme"),
+        ("s3://me:secret@host/p", r"s3.*host/p.*store\.secret"),
+        ("products", r"s3.*bucket/folder.*store\.no_url"),
     ],
 )
 def test_urls_that_are_none(tmp_path, where, told):
@@ -276,7 +276,7 @@ def test_no_such_bucket(tmp_path, monkeypatch):
 
     for name in ("info", "put_file", "pipe_file", "cat_file"):
         monkeypatch.setattr(Flaky, name, nowhere)
-    with pytest.raises(StoreLost, match="flaky://none: there is no such bucket, or nothing can be written into it"):
+    with pytest.raises(StoreLost, match=r"store\.no_bucket"):
         Folder(tmp_path / "s", "flaky://none").place.check()
 
 
@@ -294,7 +294,7 @@ def test_copies_take_no_more_than_they_may_and_the_last_used_stay(tmp_path, url,
     held = [store.held(k) for k in keys]  # what is mapped stays, whoever takes the copy away
     assert [int(h["k"]) for h in held] == [*range(12)]
     monkeypatch.setenv("RAYBUNDLE_PRODUCTS_GB", "much")
-    with pytest.raises(InputError, match="RAYBUNDLE_PRODUCTS_GB = 'much' is no number of gigabytes"):
+    with pytest.raises(InputError, match=r"store\.copies_size"):
         store.store(keys[0], PRODUCT)
 
 
@@ -343,7 +343,7 @@ def test_a_disk_of_copies_that_is_full(tmp_path, url, monkeypatch):
         for k, key in enumerate(keys):
             store.store(key, {**PRODUCT, "k": np.array(k)})
         assert [int(store.load(k)["k"]) for k in keys] == [*range(20)]
-        with pytest.raises(StoreLost, match="no space is left; free space, or name another folder by RAYBUNDLE_PRODUC"):
+        with pytest.raises(StoreLost, match=r"store\.copies_not_writable"):
             store.store(key_of("test", "large"), {"a": np.ones(100_000)})
         assert not list(disk.rglob(".*"))
         assert not store.has(key_of("test", "large"))
@@ -472,7 +472,7 @@ def test_shards_need_the_url_alone(tmp_path, url, expected, capsys, monkeypatch)
 
 
 def test_a_shard_in_the_memory_of_one_process_is_refused():
-    with pytest.raises(InputError, match="memory://x: lies in the memory of this process"):
+    with pytest.raises(InputError, match=r"store\.in_memory"):
         do_shard("memory://x", 0, 1)
 
 

@@ -104,7 +104,7 @@ def test_what_fails_in_a_shard_is_told_by_the_run_and_tried_again_by_the_next(tm
         }  # fmt: skip
     finally:
         project.close()
-    assert "2 tasks to be done" in asked(tmp_path / "p", tasks)[0]
+    assert "task.shards_waiting" in asked(tmp_path / "p", tasks)[0]
 
 
 def test_little_is_not_given_to_shards(tmp_path):
@@ -113,26 +113,26 @@ def test_little_is_not_given_to_shards(tmp_path):
     said, found = asked(tmp_path / "p", one)
     assert (said, len(found)) == ("", 64)
     assert not (tmp_path / "p/cache/tasks.jsonl").exists()
-    assert "1 task to be done" in asked(tmp_path / "long", [replace(one[0], cost=61.0)])[0]
+    assert "task.shards_waiting" in asked(tmp_path / "long", [replace(one[0], cost=61.0)])[0]
     assert asked(tmp_path / "short", tasks_of(4, cost=0.05))[0] == ""
 
 
 @pytest.mark.parametrize(
     ("damage", "line", "said"),
     [
-        (lambda _: "", 1, "is empty"),
-        (lambda _: "[1]\n", 1, "does not say what the list is"),
-        (lambda text: text[: len(text) - 40], 16, "is no task"),
-        (lambda text: "\n".join(text.splitlines()[:-2]) + "\n", 14, "13 tasks, and 15 were written"),
-        (lambda text: text.replace("graph:leaf", "graph:none", 1), 2, "names no function"),
+        (lambda _: "", 1, "[task.list_damaged]"),
+        (lambda _: "[1]\n", 1, "[task.list_damaged]"),
+        (lambda text: text[: len(text) - 40], 16, "[task.list_no_task]"),
+        (lambda text: "\n".join(text.splitlines()[:-2]) + "\n", 14, "[task.list_count]"),
+        (lambda text: text.replace("graph:leaf", "graph:none", 1), 2, "[task.list_no_task]"),
         (lambda text: text.replace("tests.pipeline.graph:leaf", "os:system", 1), 2, "'os:system' is no function of"),
         (lambda text: text.replace("tests.pipeline.graph:leaf", "no.such:thing", 1), 2, "is no function of tasks"),
-        (lambda text: text.replace('"key":"', '"key":"../../x', 1), 2, "is no key of a product"),
-        (lambda text: text.replace('"number":0', '"number":7', 1), 2, "what follows is not what was written"),
+        (lambda text: text.replace('"key":"', '"key":"../../x', 1), 2, "[task.list_no_key]"),
+        (lambda text: text.replace('"number":0', '"number":7', 1), 2, "[task.list_checksum]"),
         (
             lambda text: "\n".join([text.splitlines()[0], *text.splitlines()[2:], text.splitlines()[2]]),
             2,
-            "what follows",
+            "[task.list_checksum]",
         ),
     ],
 )
@@ -144,7 +144,7 @@ def test_a_damaged_list_is_named_by_its_line_and_nothing_is_done(tmp_path, capsy
     told = capsys.readouterr().err
     assert f"{file}:{line}: " in told or f"{file}, line {line}: " in told, told
     assert said in told
-    assert "the list is damaged and nothing of it is done" in told
+    assert "[task.list_" in told
     assert not list((tmp_path / "p/cache").glob("*/*.npz"))
 
 
@@ -152,8 +152,8 @@ def test_what_is_no_project_is_said(tmp_path, capsys):
     pytest.importorskip("fsspec", reason="the extra [cluster] is not installed")
     (tmp_path / "empty/cache").mkdir(parents=True)
     for where, said in (
-        (tmp_path / "empty", "is no project folder"),
-        (f"file://{tmp_path}/bucket", "holds no products"),
+        (tmp_path / "empty", "[project.no_run]"),
+        (f"file://{tmp_path}/bucket", "[store.no_products]"),
     ):
         assert main(["worker", str(where), "--shard", "0/1"]) == 2
         assert said in capsys.readouterr().err
@@ -182,7 +182,7 @@ def test_a_list_of_another_version_is_refused(tmp_path):
     asked(tmp_path / "p", tasks_of(2))
     file = tmp_path / "p/cache/tasks.jsonl"
     file.write_text(file.read_text().replace("raybundle 0", "raybundle 9", 1))
-    with pytest.raises(InputError, match=r"tasks\.jsonl: is of raybundle 9.*, this is raybundle 0.*; install the same"):
+    with pytest.raises(InputError, match=r"tasks\.jsonl.*9.*0.*cluster\.other_version"):
         do_shard(tmp_path / "p", 0, 1)
 
 
@@ -196,13 +196,13 @@ def test_a_list_of_another_version_is_refused(tmp_path):
         (["--cluster", "c", "--shard", "0/1"], "give --cluster FOLDER or --shard I/N, one of them"),
         (["p", "--shard", "0/99999999999"], "is a share of more jobs than an array has, 9999999 at most"),
         (["p", "--shard", f"0/{'9' * 5000}"], "is a share of more jobs than an array has"),
-        (["p", "--shard", "0/1"], "is no project folder, or no run has begun in it"),
+        (["p", "--shard", "0/1"], "[project.no_run]"),
         (
             ["--cluster", "tcp://10.0.0.5:8786"],
-            "is on another machine, and an address alone says nothing of certificates",
+            "[cluster.other_machine]",
         ),
-        (["--cluster", "tls://127.0.0.1:8786"], "needs certificates; give the folder in which they are"),
-        (["--cluster", "tcp://localhost"], "is no address of a scheduler, as tcp://127.0.0.1:8786"),
+        (["--cluster", "tls://127.0.0.1:8786"], "[cluster.needs_certificates]"),
+        (["--cluster", "tcp://localhost"], "[cluster.no_address]"),
     ],
 )
 def test_what_is_asked_wrongly_is_named(tmp_path, monkeypatch, capsys, words, said):

@@ -33,27 +33,27 @@ def test_what_is_no_store_is_refused_with_the_option_as_typed(tmp_path, monkeypa
     (tmp_path / "file").write_text("x")
     (tmp_path / "photos").mkdir()
     cases = {
-        "Project": "is no URL",
-        "s3//bucket": "is no URL",
-        "s3://[x": "is no URL",
-        "memory://x": "keeps nothing",
-        "http://host/x": "nothing can be kept by http",
-        "s3://name:secret@host/x": "was given with a secret",
-        "nosuch://x": "nosuch:// is no kind of store",
-        "file:///": "names no folder",
-        "file://": "names no folder",
-        "local:////": "names no folder",
-        f"file://{tmp_path}/a%20b/y": "%20 would be part of the folder's name",
-        "file://bucket%20x/y": "%20 would be part of the folder's name",
-        "s3:///y": "names no bucket",
-        "gs://": "names no bucket",
-        f"file://{tmp_path}/file": "is a file",
-        f"file://{tmp_path}/file/x": "cannot be made: Not a directory",
-        "file:///proc/x": "cannot be made",
-        f"file://{tmp_path}/out": "lies in the folder of the result",
-        f"file://{tmp_path}/out/cache": "lies in the folder of the result",
-        f"local://{tmp_path}/out/result/x": "lies in the folder of the result",
-        f"file://{tmp_path}/photos/store": "lies in the folder of what the run reads",
+        "Project": "store.",
+        "s3//bucket": "store.",
+        "s3://[x": "store.",
+        "memory://x": "store.in_memory",
+        "http://host/x": "store.web_page",
+        "s3://name:secret@host/x": "store.secret",
+        "nosuch://x": "store.unknown_scheme",
+        "file:///": "store.no_folder_name",
+        "file://": "store.no_folder_name",
+        "local:////": "store.no_folder_name",
+        f"file://{tmp_path}/a%20b/y": "store.escaped",
+        "file://bucket%20x/y": "store.escaped",
+        "s3:///y": "store.no_bucket_name",
+        "gs://": "store.no_bucket_name",
+        f"file://{tmp_path}/file": "store.is_a_file",
+        f"file://{tmp_path}/file/x": "store.not_writable",
+        "file:///proc/x": "store.not_writable",
+        f"file://{tmp_path}/out": "store.not_separate",
+        f"file://{tmp_path}/out/cache": "store.not_separate",
+        f"local://{tmp_path}/out/result/x": "store.not_separate",
+        f"file://{tmp_path}/photos/store": "store.not_separate",
     }
     for url, why in cases.items():
         with pytest.raises(InputError, match=re.escape(why)) as error:
@@ -79,7 +79,7 @@ def test_a_photograph_in_the_store_itself_is_refused_and_beside_it_is_not(tmp_pa
     photo = tmp_path / "in/a.jpg"
     photo.parent.mkdir()
     photo.write_bytes(b"")
-    with pytest.raises(InputError, match="what the run reads"):
+    with pytest.raises(InputError, match=r"store\.not_separate"):
         check_store(f"file://{tmp_path}/in", out=tmp_path / "out", apart=(photo,))
     check_store(f"file://{tmp_path}/in/store", out=tmp_path / "out", apart=(photo,))
 
@@ -116,10 +116,10 @@ def test_an_adjustment_refuses_a_store_at_once_where_nothing_is_cut(tmp_path, ca
 def test_copies_in_a_file_are_refused(tmp_path, monkeypatch):
     (tmp_path / "file").write_text("x")
     monkeypatch.setenv("RAYBUNDLE_PRODUCTS", str(tmp_path / "file"))
-    with pytest.raises(InputError, match=r"RAYBUNDLE_PRODUCTS = .*file is a file; name a folder"):
+    with pytest.raises(InputError, match=r"store\.copies_no_folder"):
         check_store(f"file://{tmp_path}/s", out=tmp_path / "out")
     monkeypatch.setenv("RAYBUNDLE_PRODUCTS", str(tmp_path / "file/below"))
-    with pytest.raises(InputError, match="is a file"):
+    with pytest.raises(InputError, match="store.is_a_file"):
         check_copies()
 
 

@@ -88,7 +88,7 @@ def test_processes_and_a_store_elsewhere(half, here, tmp_path, capsys):
 
 
 def test_a_store_that_cannot_be_is_refused_before_anything_is_measured(half, tmp_path, capsys, monkeypatch):
-    for url, told in (("nowhere", "is no URL"), (f"file://{tmp_path}/s/work/x", "lies in the folder of the result")):
+    for url, told in (("nowhere", "[store.no_url]"), (f"file://{tmp_path}/s/work/x", "[store.not_separate]")):
         assert main(words(half, tmp_path / "s", "--store", url)) == 2
         assert told in capsys.readouterr().err
     monkeypatch.setattr("raybundle.measuring.session.adjusted_again", lambda *_: pytest.fail("adjusted before"))
@@ -131,7 +131,7 @@ def test_shards(half, here, tmp_path, capsys, monkeypatch):
         if status == 0:
             break
         assert status == 5
-        assert "to be done by shards" in capsys.readouterr().err
+        assert "task.shards_waiting" in capsys.readouterr().err
         rounds += 1
         for k in (1, 0):
             shard = subprocess.run(

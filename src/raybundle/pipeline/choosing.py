@@ -10,7 +10,6 @@ from raybundle.numerics.progress import Progress, silent
 from raybundle.pipeline.clusters import cluster_at
 from raybundle.pipeline.executors import Executor, Staying, Threads
 from raybundle.pipeline.shards import Shards
-from raybundle.settings import option
 
 SHARDS = "shards"
 
@@ -40,10 +39,7 @@ def staying_for(cluster: str, jobs: int, memory: float, progress: Progress = sil
     raises   InputError as `executor_for`, and for shards: there are dozens of sweeps
     """
     if cluster == SHARDS:
-        raise InputError(
-            f"{option('cluster', SHARDS)} is for tasks that do not wait for each other, and an adjustment has dozens "
-            "of sweeps, one behind the other; start a scheduler and workers as jobs, and give their folder"
-        )
+        raise InputError("cluster.no_shards")
     return executor_for(cluster, jobs, memory, progress) if cluster else Staying(jobs, memory)
 
 
@@ -60,4 +56,4 @@ def on_dask(module: str = "on_dask") -> ModuleType:
         return import_module(f"raybundle.pipeline.{module}")  # an extra, and a second to load
     except ImportError as error:
         missing = error.name or "distributed"
-        raise InputError(f"a cluster needs the package {missing}: pip install 'raybundle[cluster]'") from None
+        raise InputError("cluster.package_missing", package=missing) from None

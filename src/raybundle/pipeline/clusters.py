@@ -42,16 +42,15 @@ APPEAR_S = 60.0
 """Within which a file that one machine wrote is seen by another: NFS asks again after at most so long (acdirmax)."""
 MATTERS = ("numpy", "scipy", "opencv-python-headless", "poselib")
 """Distributions beside raybundle by which results may differ in their last digits."""
-ANEW = "start the scheduler again, which makes new ones, and then the workers"
-RENEW = f"delete {', '.join(CERTIFICATES)} there, {ANEW}"
 
 
 class NoScheduler(InputError):
     """No scheduler is there, or it does not answer: one may come."""
 
-    def __init__(self, why: str, remedy: str, *, file: Path | str) -> None:
-        super().__init__(f"{why}{remedy}", file=file)
-        self.why = f"{file}: {why}"
+    @property
+    def why(self) -> str:
+        """What is wrong, in one line, after its place."""
+        return self.headline
 
 
 @dataclass(frozen=True, slots=True)
@@ -76,34 +75,27 @@ def cluster_at(where: str) -> Cluster:
         try:
             host = urlsplit(where).hostname or ""
         except ValueError:
-            raise InputError("is no address of a scheduler, as tcp://127.0.0.1:8786", file=where) from None
+            raise InputError("cluster.no_address", address=where, file=where) from None
         if not _is_loopback(host):
             raise InputError(
-                "is on another machine, and an address alone says nothing of certificates; "
-                "give the cluster's folder, which `raybundle scheduler FOLDER` makes",
+                "cluster.other_machine",
                 file=where,
             )
         if not where.startswith("tcp://"):
-            raise InputError("needs certificates; give the folder in which they are", file=where)
+            raise InputError("cluster.needs_certificates", file=where)
         return _checked(Cluster(where), where)
     folder = Path(where)
     file = folder / SCHEDULER
     if not file.is_file():
-        raise NoScheduler(
-            f"has no {SCHEDULER}: no scheduler was started there", f"; `raybundle scheduler {folder}` starts one",
-            file=folder,
-        )  # fmt: skip
+        raise NoScheduler("cluster.no_scheduler", file_name=SCHEDULER, folder=str(folder), file=folder)
     tree = read_json(file)
     found = Cluster(tree.get("address").text(), folder, tree.get("raybundle").text() if tree.has("raybundle") else "")
     missing = [f.name for f in found.files if not f.is_file()]
     if missing:
         others = [name for name in CERTIFICATES if name not in missing]
-        first = f"delete {', '.join(others)} there, " if others else ""
-        raise InputError(
-            f"lacks {', '.join(missing)}: without certificates nothing goes over a network; {first}{ANEW}", file=folder
-        )
+        raise InputError("cluster.certificates_missing", names=missing, others=others, n=len(others), file=folder)
     if not found.address.startswith("tls://"):
-        raise InputError(f"{found.address} is not encrypted (tls://); start the scheduler again", file=file)
+        raise InputError("cluster.not_encrypted", address=found.address, file=file)
     return _checked(found, str(file))
 
 
@@ -115,7 +107,7 @@ def _checked(cluster: Cluster, where: str) -> Cluster:
             return cluster
     except ValueError:
         pass
-    raise InputError(f"{cluster.address} is no address of a scheduler, as tcp://127.0.0.1:8786", file=where)
+    raise InputError("cluster.no_address", address=cluster.address, file=where)
 
 
 def _is_loopback(host: str) -> bool:
@@ -145,9 +137,9 @@ def check_certificates(folder: Path) -> None:
         try:
             until = load_pem_x509_certificate((folder / name).read_bytes()).not_valid_after_utc
         except (OSError, ValueError):
-            raise InputError(f"holds no certificate; {RENEW}", file=folder / name) from None
+            raise InputError("cluster.no_certificate", file=folder / name) from None
         if until < dt.datetime.now(dt.UTC):
-            raise InputError(f"the certificates ended on {until:%Y-%m-%d}; {RENEW}", file=folder)
+            raise InputError("cluster.certificates_expired", date=f"{until:%Y-%m-%d}", file=folder)
     _context(Cluster("", folder))
 
 
@@ -156,7 +148,7 @@ def check_answers(cluster: Cluster) -> None:
     parts = urlsplit(cluster.address)
     if cluster.folder is not None:
         check_certificates(cluster.folder)
-    comes, where = False, cluster.folder or cluster.address
+    where = cluster.folder or cluster.address
     try:
         with ExitStack() as stack:
             line: socket.socket = stack.enter_context(
@@ -167,21 +159,18 @@ def check_answers(cluster: Cluster) -> None:
             if not line.recv(1):  # a scheduler speaks first
                 raise ConnectionResetError
     except ssl.SSLCertVerificationError as error:
-        what = f"the scheduler at {cluster.address} has a certificate that is not of this cluster ({error.reason})"
+        raise InputError(
+            "cluster.foreign_certificate", address=cluster.address, detail=str(error.reason), file=where
+        ) from None
     except ssl.SSLError as error:
-        what = f"the scheduler at {cluster.address} does not take the certificates in this folder ({error.reason})"
+        raise InputError(
+            "cluster.certificate_refused", address=cluster.address, detail=str(error.reason), file=where
+        ) from None
     except TimeoutError:
-        what = f"the scheduler at {cluster.address} does not answer within {ANSWER_S:g} s; is it one with certificates?"
-        comes = True
+        raise NoScheduler("cluster.timeout", address=cluster.address, wait_s=ANSWER_S, file=where) from None
     except OSError as error:
-        comes = True
-        what = f"no scheduler answers at {cluster.address} ({error.strerror or type(error).__name__})"
-    else:
-        return
-    remedy = ". Start one, or go on without it: what is finished is kept"
-    if comes:
-        raise NoScheduler(what, remedy, file=where)
-    raise InputError(f"{what}{remedy}", file=where)
+        detail = error.strerror or type(error).__name__
+        raise NoScheduler("cluster.no_answer", address=cluster.address, detail=detail, file=where) from None
 
 
 def _context(cluster: Cluster) -> ssl.SSLContext:
@@ -194,7 +183,8 @@ def _context(cluster: Cluster) -> ssl.SSLContext:
         context.load_cert_chain(cert, key)
     except (OSError, ssl.SSLError) as error:
         raise InputError(
-            f"certificates cannot be used: {getattr(error, 'strerror', None) or error}; {RENEW}",
+            "cluster.certificates_not_usable",
+            detail=str(getattr(error, "strerror", None) or error),
             file=cluster.folder,
         ) from None
     return context

@@ -19,7 +19,6 @@ from raybundle.io.reading.trees import read_json
 from raybundle.io.user_folders import settings_folder
 from raybundle.pipeline.objects import shown_url
 from raybundle.pipeline.store import whole_url
-from raybundle.settings import option
 
 FILE = "stores.json"
 WORKER = "raybundle worker"
@@ -54,9 +53,9 @@ def check_confirmed(url: str, named_in: Path) -> None:
     if not is_confirmed(url):
         shown = shown_url(url)
         raise InputError(
-            f"names the store {shown}, which has not been used from this machine. If it is yours, confirm it once: "
-            f"{option('store', shown)} with the command, or the URL in place of the project for `{WORKER}`. "
-            f"Otherwise give {option('store', 'project')} to use the folder itself",
+            "store.not_confirmed",
+            url=shown,
+            worker=WORKER,
             file=named_in,
         )
 

@@ -43,8 +43,7 @@ def check_copies() -> None:
     folder = copies_folder()
     stands = next(p for p in (folder, *folder.absolute().parents) if p.exists())
     if not stands.is_dir():
-        what = f"{VARIABLE} = {os.environ[VARIABLE]}" if os.environ.get(VARIABLE) else f"{folder}, for copies,"
-        raise InputError(f"{what}: {stands} is a file; name a folder by {VARIABLE}")
+        raise InputError("store.copies_no_folder", folder=str(folder), place=str(stands), variable=VARIABLE)
 
 
 def bytes_given() -> float | None:
@@ -57,7 +56,7 @@ def bytes_given() -> float | None:
     except ValueError:
         found = -1.0
     if not found >= 0.0:
-        raise InputError(f"{VARIABLE_GB} = {text!r} is no number of gigabytes")
+        raise InputError("store.copies_size", variable=VARIABLE_GB, value=repr(text))
     return found
 
 
@@ -133,10 +132,11 @@ class Copies:
             raise
         except OSError as error:
             full = error.errno in FULL
-            what = "no space is left" if full else error.strerror or str(error)
             raise StoreLost(
-                f"copies of products cannot be written: {what}; free space, or name another folder by {VARIABLE} and "
-                "run the same command again. What is finished is kept",
+                "store.copies_not_writable",
+                variable=VARIABLE,
+                full=full,
+                detail=error.strerror or str(error),
                 file=self.folder,
             ) from None
 

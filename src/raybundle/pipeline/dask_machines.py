@@ -30,7 +30,6 @@ from raybundle.pipeline.clusters import (
 )
 from raybundle.pipeline.on_dask import COUNTS, LOOK_S, PATIENCE_S, quiet, security_of
 from raybundle.pipeline.store import writing
-from raybundle.settings import option
 
 TELL_S = 60.0
 """Between two lines of a worker that say what it has done."""
@@ -64,7 +63,7 @@ def schedule(folder: Path, host: str, port: int, tell: Callable[[str], None]) ->
     if made:
         make_certificates(folder)
     elif missing:
-        raise InputError(f"lacks {', '.join(missing)}; put them there, or delete the other certificates", file=folder)
+        raise InputError("cluster.certificates_incomplete", names=missing, file=folder)
     quiet()
     try:
         check_certificates(folder)
@@ -87,7 +86,8 @@ def _refuse_second(folder: Path) -> None:
     except InputError:
         return
     raise InputError(
-        f"a scheduler is at work for it already ({found.address}); one does for all, or choose another folder",
+        "cluster.second_scheduler",
+        address=found.address,
         file=folder,
     )
 
@@ -104,11 +104,7 @@ async def _schedule(folder: Path, host: str, port: int, tell: Callable[[str], No
     except (OSError, ValueError, RuntimeError) as error:  # Dask says the last one, with the reason behind it
         why = error.__cause__ if isinstance(error, RuntimeError) and error.__cause__ is not None else error
         said = getattr(why, "strerror", None) or str(why)
-        where = f"{host or 'this machine'}, port {port or 'any'}"
-        raise InputError(
-            f"the scheduler cannot listen at {where}: {said}; give {option('host')} by which the others reach this "
-            f"machine, and {option('port')} that is free, or none"
-        ) from None
+        raise InputError("cluster.cannot_listen", host=host or "-", port=port, detail=said) from None
     try:
         write_scheduler(folder, scheduler.address)
         tell(f"scheduler: {scheduler.address} ({signature()})")
@@ -189,8 +185,9 @@ async def _there(where: str, telling: _Telling, waited_for: type[InputError]) ->
                 until = time.monotonic() + FOLDER_S
             elif time.monotonic() > until:
                 raise InputError(
-                    f"there is no such folder, and none came within {FOLDER_S:g} s; `raybundle scheduler {where}` "
-                    "makes it, and all machines have to see it under this path",
+                    "cluster.no_folder",
+                    wait_s=FOLDER_S,
+                    folder=where,
                     file=where,
                 ) from None
             else:
@@ -235,7 +232,9 @@ def _checked_version(cluster: Cluster, where: str) -> None:
     """Raise InputError where the scheduler is of another version: nobody would give this worker a task."""
     if cluster.runs and cluster.runs != signature():
         raise InputError(
-            f"the scheduler runs {cluster.runs}, this is {signature()}; install the same version on all machines",
+            "cluster.other_version",
+            found=cluster.runs,
+            version=signature(),
             file=where,
         )
 

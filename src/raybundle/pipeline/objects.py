@@ -23,7 +23,7 @@ from threading import Lock
 from typing import Any, TypeVar
 from urllib.parse import urlsplit
 
-from raybundle.errors import InputError
+from raybundle.errors import InputError, Message, message
 from raybundle.pipeline.archives import write_archive
 from raybundle.pipeline.copies import Copies, copies_folder
 from raybundle.pipeline.store import FULL, FileMark, Product, StoreLost, kind_of
@@ -158,7 +158,7 @@ class Objects:
                 _check_length(fs, path, size)
                 return
             if fs.isdir(path):
-                raise InputError(f"something else stands at {path}; move it away and run the same command again")
+                raise InputError("store.occupied", place=path)
             folder, _, name = path.rpartition("/")
             beside = f"{folder}/.{name}.{uuid.uuid4().hex[:8]}"
             fs.makedirs(folder, exist_ok=True)
@@ -175,7 +175,7 @@ class Objects:
             self._tried(put)
         except FileNotFoundError:
             raise StoreLost(
-                "there is no such bucket, or nothing can be written into it; create it, or choose another place",
+                "store.no_bucket",
                 file=self.url,
             ) from None
 
@@ -276,9 +276,7 @@ class Objects:
             if token is None:
                 return None
             if not TOKENS.fullmatch(token):
-                raise InputError(
-                    "something else stands there under the name token; choose another place", file=self.url
-                )
+                raise InputError("store.foreign_token", file=self.url)
             self._copies = Copies(copies_folder(), token)
         return self._copies
 
@@ -304,17 +302,12 @@ class Objects:
         """What is wrong, and what to do."""
         said = _said(error)
         if isinstance(error, PermissionError) or REFUSED.search(f"{type(error).__name__} {said}"):
-            what = (
-                f"access is refused, or there are no credentials ({said}); give those of this service as its own tools "
-                "take them"
-            )
+            cause = "refused"
         elif isinstance(error, OSError) and error.errno in FULL:
-            what = f"no space is left there ({said}); free space"
+            cause = "full"
         else:
-            what = f"cannot be reached ({said}); see whether this machine is online, and whether the address is right"
-        return StoreLost(
-            f"{what}. It was tried {TRIES} times; what is finished is kept, the same command goes on", file=self.url
-        )
+            cause = "other"
+        return StoreLost("store.lost", cause=cause, n=TRIES, detail=said, file=self.url)
 
 
 def _said(error: Exception) -> str:
@@ -345,28 +338,24 @@ def _opened(url: str) -> tuple[Any, str]:
     try:
         import fsspec.core  # noqa: PLC0415  (an extra)
     except ImportError:
-        raise InputError("a store at a URL needs the package fsspec: pip install 'raybundle[cluster]'") from None
+        raise InputError("store.package_missing", package="fsspec") from None
     if urlsplit(url).password:
         raise InputError(
-            "holds a secret, which others would read in what is kept and said of a run; give it as the tools of this "
-            "service take it",
+            "store.secret",
             file=urlsplit(url)._replace(netloc=urlsplit(url).hostname or "").geturl(),
         )
     try:
         fs, root = fsspec.core.url_to_fs(url, use_listings_cache=False)  # others write there
     except ImportError as error:
         package = PACKAGES.get(urlsplit(url).scheme, "")
-        remedy = f"; pip install {package}" if package else ""
-        raise StoreLost(f"a package is missing: {_said(error)}{remedy}", file=url) from None
+        raise StoreLost("store.service_package", detail=_said(error), package=package or "-", file=url) from None
     except ValueError as error:
-        raise StoreLost(
-            f"{_said(error)}; a store is as s3://bucket/folder, gs://, az:// or file:///folder", file=url
-        ) from None
+        raise StoreLost("store.invalid_url", detail=_said(error), file=url) from None
     except Exception as error:  # noqa: BLE001  (some ask their service already)
-        raise StoreLost(f"cannot be reached ({_said(error)})", file=url) from None
+        raise StoreLost("store.not_reachable", detail=_said(error), file=url) from None
     root = root.rstrip("/")
     if not root and not url.startswith("memory:"):
-        raise InputError("names no bucket or folder; as s3://bucket/folder", file=url)
+        raise InputError("store.no_bucket_name", file=url)
     return fs, root
 
 
@@ -379,24 +368,24 @@ def shown_url(url: str) -> str:
         return url
 
 
-def refused_url(url: str) -> str:
-    """Why a URL can be no store, by its text alone; empty: it can."""
+def refused_url(url: str) -> Message | None:
+    """Why a URL can be no store, by its text alone; None: it can."""
     scheme = url.partition("://")[0]
     if "::" in url:
-        return "chains file systems (::), which a store cannot do"
+        return message("store.chained")
     if scheme in {"http", "https"}:
-        return f"nothing can be kept by {scheme}"
+        return message("store.web_page", scheme=scheme)
     if scheme not in SCHEMES:
-        return f"{scheme}:// is no kind of store; known are {', '.join(sorted(SCHEMES - {'memory', 'local'}))}"
-    return ""
+        return message("store.unknown_scheme", scheme=scheme, known=sorted(SCHEMES - {"memory", "local"}))
+    return None
 
 
 @lru_cache
 def objects_at(url: str) -> Objects:
     """The place at a URL, the same one for all stores of this process."""
     if "://" not in url:
-        raise InputError("is no URL; as s3://bucket/folder, gs://, az:// or file:///folder", file=url)
+        raise InputError("store.no_url", file=url)
     refusal = refused_url(url)
     if refusal:
-        raise InputError(f"{refusal}; as s3://bucket/folder, gs://, az:// or file:///folder", file=shown_url(url))
+        raise InputError(refusal, file=shown_url(url))
     return Objects(url.rstrip("/") if not url.endswith("://") else url)

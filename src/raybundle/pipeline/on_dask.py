@@ -150,7 +150,12 @@ class _Workers:
                 self.cluster.address, security=security_of(self.cluster), timeout=30, set_as_default=False,
             )  # fmt: skip
         except (OSError, TimeoutError) as error:
-            raise InputError(self._gone(str(error).partition("\n")[0]), file=self.cluster.address) from None
+            raise InputError(
+                "cluster.connection_lost",
+                detail=str(error).partition("\n")[0],
+                folder=str(self.store.path.parent),
+                file=self.cluster.address,
+            ) from None
 
     def room(self) -> int:
         """How many tasks may be in work or wait for it."""
@@ -225,11 +230,11 @@ class _Workers:
     def _checked(self, task: Task, done: Done, host: str, refused: str) -> Done:
         """What became of a task; raises InputError where its worker does not see what this machine sees."""
         if refused:
-            what = "store" if self.store.url else "folder"
-            remedy = "give it access" if self.store.url else "mount it there under the same path"
             raise InputError(
-                f"the worker on {host} does not see this {what} as this machine does ({refused}); "
-                f"{remedy}, or stop that worker",
+                "cluster.worker_blind",
+                host=host,
+                url=bool(self.store.url),
+                detail=refused,
                 file=self.store.place.name,
             )
         if not done.failed or done.lost or done.trouble or done.stop:
@@ -238,10 +243,7 @@ class _Workers:
         if not here.failed:
             self.blind += 1
             if self.blind >= BLIND:
-                raise InputError(
-                    f"the worker on {host} could not do {BLIND} tasks that this machine can do ({done.failed}); let it "
-                    f"see the photographs under the same path, or stop it"
-                )
+                raise InputError("cluster.worker_fails", host=host, n=BLIND, detail=done.failed)
         return here
 
     def _connected(self) -> None:
@@ -250,7 +252,12 @@ class _Workers:
         while self.client.status != "running":
             waited = time.monotonic() - began
             if self.client.status in {"closed", "closing"} or waited > self.patience:
-                raise InputError(self._gone("the connection was lost"), file=self.cluster.address)
+                raise InputError(
+                    "cluster.connection_lost",
+                    detail=str(self.client.status),
+                    folder=str(self.store.path.parent),
+                    file=self.cluster.address,
+                )
             self._say_waiting("the scheduler does not answer any more", waited)
             time.sleep(LOOK_S / 5)
 
@@ -261,12 +268,6 @@ class _Workers:
             self.told = now
             left = max(self.patience - waited, 0.0)
             self.progress(f"{why}: waiting for up to {left:.0f} s more", Remark())
-
-    def _gone(self, why: str) -> str:
-        return (
-            f"the scheduler does not answer any more ({why}). What is finished is kept in {self.store.path.parent}: "
-            "start a scheduler and run the same command again, or run it without one"
-        )
 
     def _look(self) -> None:
         """See which workers there are; raises InputError where none can do our tasks for long."""
@@ -288,10 +289,11 @@ class _Workers:
             self.seen = self.looked
         elif self.looked > self.seen + self.patience:
             others = sorted({f"{w['host']}: {', '.join(w['resources']) or 'no raybundle'}" for w in workers.values()})
-            seen = f"none of {len(workers)} has {signature()} ({'; '.join(others)})" if workers else "there is none"
             raise InputError(
-                f"no worker can do the tasks: {seen}. Start `raybundle worker` with the same version as here; what is "
-                "finished is kept",
+                "cluster.no_worker",
+                n=len(workers),
+                version=signature(),
+                others=others,
                 file=self.cluster.folder or self.cluster.address,
             )
         else:

@@ -42,7 +42,6 @@ from raybundle.io.reading.trees import json_of, read_json, read_toml
 from raybundle.numerics.arrays import Array
 from raybundle.pipeline.keys import key_of
 from raybundle.pipeline.store import Folder, Product, kind_of, writing
-from raybundle.settings import option
 
 SCHEMA = 1
 HERE = "project"
@@ -138,9 +137,7 @@ class Project:
         if not create:
             return cls(folder, _opened(file, _connection_to_read), store=store)
         if not file.exists() and folder.exists() and not _begun(folder):
-            raise InputError(
-                f"exists and is neither empty nor a project folder; choose another {option('out')}", file=folder
-            )
+            raise InputError("project.folder_not_empty", file=folder)
         with writing(folder):
             folder.mkdir(parents=True, exist_ok=True)
             lock = _locked(folder)
@@ -307,11 +304,8 @@ def _reading(file: Path, *, writes: bool = False) -> Generator[None]:
         text = "malformed text" if isinstance(error, UnicodeDecodeError) else str(error)
         if isinstance(error, sqlite3.OperationalError) and writes and "locked" not in text and "malformed" not in text:
             raise  # nothing can be written: for `writing` to say
-        if any(word in text for word in ("malformed", "not a database", "encrypted", "corrupt")):
-            advice = "delete this file and run the same command again: features are kept, pairs are matched again"
-        else:
-            advice = f"close other programs that use the project, or choose another {option('out')}"
-        raise InputError(f"cannot be read: {text}; {advice}", file=file) from None
+        damaged = any(word in text for word in ("malformed", "not a database", "encrypted", "corrupt"))
+        raise InputError("project.not_readable", detail=text, damaged=damaged, file=file) from None
 
 
 def _opened(file: Path, connect: Callable[[Path], sqlite3.Connection]) -> sqlite3.Connection:
@@ -327,7 +321,9 @@ def _opened(file: Path, connect: Callable[[Path], sqlite3.Connection]) -> sqlite
     if schema != str(SCHEMA):
         db.close()
         raise InputError(
-            f"was written by another version (schema {schema}, this program reads {SCHEMA}); orient into a new folder",
+            "project.schema",
+            found=schema,
+            read=SCHEMA,
             file=file.parent,
         )
     return db
@@ -351,7 +347,7 @@ def _connection_to_read(file: Path) -> sqlite3.Connection:
     """A connection that changes nothing, also where the folder cannot be written."""
     if not file.is_file():
         raise InputError(
-            "is no project folder (project.db is missing); begin one with `raybundle orient`",
+            "project.no_database",
             file=file.parent,
         )
     running = file.with_name("project.db-wal").exists()
@@ -416,9 +412,7 @@ def _locked(folder: Path) -> int | None:
         fcntl.flock(number, fcntl.LOCK_EX | fcntl.LOCK_NB)
     except BlockingIOError:
         os.close(number)
-        raise InputError(
-            f"another run works in this project; wait for it, or choose another {option('out')}", file=folder
-        ) from None
+        raise InputError("project.in_use", file=folder) from None
     except OSError:  # a file system without locks
         os.close(number)
         return None

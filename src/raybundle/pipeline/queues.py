@@ -177,5 +177,4 @@ def drive(tasks: Sequence[Task], hands: Hands, store: Folder, memory: float) -> 
                 yield done
                 yield from lost
     if queue.waiting:
-        names = ", ".join(t.name or t.key for t, _ in [*queue.waiting.values()][:5])
-        raise InputError(f"{len(queue.waiting)} tasks wait for each other: {names}")
+        raise InputError("task.cycle", n=len(queue.waiting), names=[t.name or t.key for t, _ in queue.waiting.values()])

@@ -92,8 +92,8 @@ def with_table(path: Path, name: str, text: str) -> str:
     done = "\n\n".join(t for t in every.values() if t) + "\n"
     if _others(done, name) != (_others(read_text(path, TOML_BYTES), name) if path.is_file() else {}):
         raise InputError(
-            f"table [{name}] cannot be written without changing another one; write it by hand, with plain headers and "
-            "texts of one line",
+            "project.table_not_writable",
+            table=name,
             file=path,
         )
     return done

@@ -22,7 +22,6 @@ import numpy as np
 
 from raybundle.errors import InputError, TasksWaiting
 from raybundle.numerics.arrays import Array
-from raybundle.numerics.counting import counted
 from raybundle.numerics.progress import Counted, Progress, silent
 from raybundle.pipeline.clusters import TOKEN, signature
 from raybundle.pipeline.executors import Processes, Threads
@@ -31,7 +30,7 @@ from raybundle.pipeline.project import products_of
 from raybundle.pipeline.queues import Queue
 from raybundle.pipeline.store import Folder
 from raybundle.pipeline.tasks import Done, Task, read_task, written
-from raybundle.settings import option, read_with_flags, with_flags
+from raybundle.settings import read_with_flags, with_flags
 
 TASKS = "tasks.jsonl"
 HANDED = "handed"
@@ -80,11 +79,7 @@ class Shards:
         lines = [json.dumps(facts), *lines]
         file = store.place.keep_text(TASKS, "\n".join(lines) + "\n")
         project = store.url or store.path.parent
-        raise TasksWaiting(
-            f"{counted(len(wanted), 'task')} to be done by shards, in {file}.\n"
-            f"  Run `raybundle worker {option('shard', 'I/N')} {project}` for each I from 0 to N - 1, in any order, "
-            "then the same command again."
-        )
+        raise TasksWaiting("task.shards_waiting", n=len(wanted), file_name=str(file), project=str(project))
 
 
 def _little(tasks: Collection[Task]) -> bool:
@@ -181,35 +176,35 @@ def _listed(store: Folder, project: Path | None) -> list[Task] | None:
     """
     file = f"{store.place.name}/{TASKS}"
     if project is not None and not (project / "project.db").is_file():
-        raise InputError("is no project folder, or no run has begun in it", file=project)
+        raise InputError("project.no_run", file=project)
     try:
         text = store.place.text(TASKS)
         if text is None and project is None and store.place.text(TOKEN) is None:
-            raise InputError("holds no products of a project: no run has begun there", file=store.url)
+            raise InputError("store.no_products", file=store.url)
     except (OSError, UnicodeDecodeError) as error:
-        raise InputError(f"cannot be read: {getattr(error, 'strerror', None) or error}", file=file) from None
+        raise InputError(
+            "task.list_not_readable", detail=str(getattr(error, "strerror", None) or error), file=file
+        ) from None
     if text is None:
         return None
     first, *lines = text.splitlines() or [""]
     facts = _facts(first, file)
     if facts.raybundle != signature():
-        raise InputError(
-            f"is of {facts.raybundle}, this is {signature()}; install the same version on all machines", file=file
-        )
+        raise InputError("cluster.other_version", found=facts.raybundle, version=signature(), file=file)
     found: list[Task] = []
     for k, line in enumerate(lines, start=2):
         try:
             task = read_task(line.encode())
         except (ValueError, TypeError) as error:
-            raise _damaged(f"is no task ({error})", file, k) from None
+            raise InputError("task.list_no_task", detail=str(error), file=file, line=k) from None
         for key in (task.key, *task.inputs, *task.after):
             if not KEY.fullmatch(key):
-                raise _damaged(f"{key!r} is no key of a product", file, k)
+                raise InputError("task.list_no_key", name=repr(key), file=file, line=k)
         found.append(task)
     if len(found) != facts.tasks:
-        raise _damaged(f"{len(found)} tasks, and {facts.tasks} were written", file, len(lines) + 1)
+        raise InputError("task.list_count", n=len(found), needed=facts.tasks, file=file, line=len(lines) + 1)
     if _sum(lines) != facts.sum:
-        raise _damaged("what follows is not what was written", file, 2)
+        raise InputError("task.list_checksum", file=file, line=2)
     with suppress(OSError):  # where it is not, the files were given with their whole paths, or are named as missing
         os.chdir(facts.folder)
     read_with_flags(facts.flags)
@@ -238,15 +233,7 @@ def _facts(line: str, file: str) -> _Facts:
     try:
         return msgspec.json.decode(line, type=_Facts)
     except ValueError as error:
-        raise _damaged(f"does not say what the list is ({error})" if line else "is empty", file, 1) from None
-
-
-def _damaged(what: str, file: str, line: int) -> InputError:
-    return InputError(
-        f"{what}; the list is damaged and nothing of it is done. Run the command again that wrote it",
-        file=file,
-        line=line,
-    )
+        raise InputError("task.list_damaged", detail=str(error) if line else "-", file=file, line=1) from None
 
 
 def _keys_handed(store: Folder) -> set[str]:

@@ -54,19 +54,12 @@ class ProductGone(InputError):
     """A product that was there is damaged or gone: the folder was changed meanwhile."""
 
     def __init__(self, key: str, where: str) -> None:
-        super().__init__(
-            f"a product of the {kind_of(key)} stage is damaged or gone; run the same command again", file=where
-        )
+        super().__init__("product.gone", stage=kind_of(key), file=where)
         self.key = key
 
 
 class StoreLost(InputError):
     """Products can be neither read nor written any more: no task can be done, and none is to blame."""
-
-    def __init__(self, what: str, *, file: Path | str) -> None:
-        super().__init__(what, file=file)
-        self.what = what
-        """the same without the place"""
 
 
 class Place(Protocol):
@@ -323,8 +316,7 @@ class Folder:
         """Raise InputError where other processes do not see it."""
         if not self.place.shared:
             raise InputError(
-                "lies in the memory of this process, which others do not see; let threads of it do all tasks, or "
-                "choose another place",
+                "store.in_memory",
                 file=self.place.name,
             )
 
@@ -374,7 +366,8 @@ class Folder:
             except DAMAGED as error:
                 if isinstance(error, OSError) and error.errno in SHORT:
                     raise StoreLost(
-                        f"cannot be read: {error.strerror}; end other programs and run the same command again",
+                        "store.not_readable",
+                        detail=error.strerror or str(error),
                         file=self.place.name,
                     ) from None
                 self.place.damaged(key, damaged, which)
@@ -465,12 +458,9 @@ def writing(folder: Path) -> Generator[None]:
         yield
     except (OSError, sqlite3.OperationalError) as error:
         full = getattr(error, "errno", None) in FULL or "full" in str(error)
-        what = "no space is left" if full else str(getattr(error, "strerror", None) or error)
-        advice = "free space and run the same command again" if full else "choose a folder that can be written"
+        detail = str(getattr(error, "strerror", None) or error)
+        cause = "full" if full else "other"
         if isinstance(error, IsADirectoryError | NotADirectoryError | FileExistsError):
-            what = f"something else stands at {error.filename2 or error.filename} ({what})"
-            advice = "move it away and run the same command again"
+            cause, detail = "occupied", f"{error.filename2 or error.filename}: {detail}"
         kept = folder.is_dir() and any(folder.rglob("*.npz"))
-        more = ". What is finished is kept, the run continues there" if kept else ""
-        text = f"cannot be written: {what}; {advice}{more}"
-        raise InputError(text, file=folder) from None
+        raise InputError("project.not_writable", cause=cause, detail=detail, kept=kept, file=folder) from None

@@ -34,23 +34,18 @@ def check_store(given: str, *, out: Path, apart: Sequence[Path] = (), lasting: b
     """
     named = option("store", shown_url(given))
     if "://" not in given:
-        raise InputError(f"{named} is no URL; {KINDS}")
+        raise InputError("store.no_url", file=named)
     try:
         scheme, secret = urlsplit(given).scheme, urlsplit(given).password
     except ValueError as error:
-        raise InputError(f"{named} is no URL ({error}); {KINDS}") from None
+        raise InputError("store.invalid_url", detail=str(error), file=named) from None
     if secret:
-        raise InputError(
-            f"{named} was given with a secret, which others would read in what is kept and said of a run; give it as "
-            "the tools of this service take it"
-        )
+        raise InputError("store.secret", file=named)
     refusal = refused_url(given)
     if refusal:
-        raise InputError(f"{named}: {refusal}; give an object store, {KINDS}")
+        raise InputError(refusal, file=named)
     if scheme == "memory":
-        raise InputError(
-            f"{named} keeps nothing: it lies in the memory of this process and is gone with it; give a place, {KINDS}"
-        )
+        raise InputError("store.in_memory", file=named)
     _check_place(given, named, scheme)
     try:
         place = objects_at(whole_url(given))
@@ -61,7 +56,7 @@ def check_store(given: str, *, out: Path, apart: Sequence[Path] = (), lasting: b
         _check_written(place, lasting=lasting)
         confirm_store(given)
     except StoreLost as error:
-        raise InputError(f"{named}: {error.what}") from None
+        raise error.at(named) from None
 
 
 def _check_place(given: str, named: str, scheme: str) -> None:
@@ -69,36 +64,33 @@ def _check_place(given: str, named: str, scheme: str) -> None:
     place = given.partition("://")[2]
     if scheme in LOCAL:
         if not place.strip("/"):
-            raise InputError(f"{named} names no folder; give one for this project alone, {KINDS}")
+            raise InputError("store.no_folder_name", file=named)
         if escaped := ESCAPED.search(place):
-            raise InputError(
-                f"{named}: a path stands there as it is, and {escaped[0]} would be part of the folder's name; write "
-                "the sign itself, and quote the URL in the shell"
-            )
+            raise InputError("store.escaped", text=escaped[0], file=named)
     elif not urlsplit(given).netloc:
-        raise InputError(f"{named} names no bucket: behind :// stands its name, then the folder in it; {KINDS}")
+        raise InputError("store.no_bucket_name", file=named)
 
 
 def _check_folder(named: str, folder: Path, out: Path, apart: Sequence[Path]) -> None:
     """Raise InputError for a folder on this machine that holds something else, or cannot be made."""
     if folder.exists() and not folder.is_dir():
-        raise InputError(f"{named} is a file; give a folder")
+        raise InputError("store.is_a_file", file=named)
     place = Path(os.path.realpath(folder))
-    for other, what in ((out, "the result"), *((p, "what the run reads") for p in apart)):
+    for other, what in ((out, "result"), *((p, "input") for p in apart)):
         at = Path(os.path.realpath(other))
         inside = at == place or at in place.parents if at.is_dir() or other == out else at.parent == place
         if inside:
-            raise InputError(f"{named} lies in the folder of {what} ({other}); give a folder of its own")
+            raise InputError("store.not_separate", kind=what, place=str(other), file=named)
     try:
         folder.mkdir(parents=True, exist_ok=True)
     except OSError as error:
-        raise InputError(f"{named} cannot be made: {error.strerror or error}; give a folder that can") from None
+        raise InputError("store.not_writable", detail=error.strerror or str(error), file=named) from None
     probe = folder / f".probe.{secrets.token_hex(4)}"
     try:
         probe.write_bytes(b"")
         probe.unlink()
     except OSError as error:
-        raise InputError(f"{named} cannot be written: {error.strerror or error}; give a folder that can") from None
+        raise InputError("store.not_writable", detail=error.strerror or str(error), file=named) from None
 
 
 def _check_written(place: Objects, *, lasting: bool) -> None:
