@@ -137,7 +137,7 @@ def test_contradictions_are_refused_or_follow_the_rule(flights, change, subject,
     second = change(first)
     with pytest.raises(InputError, match=message) as told:
         merge_blocks([first, second])
-    assert f"prefer={{'{subject}': 0}}" in str(told.value)
+    assert f"prefer=dict({subject}=0)" in str(told.value)
     with pytest.raises(InputError):
         merge_blocks([first, second], prefer={s: 0 for s in SUBJECTS if s != subject})
     for k, stands in enumerate((first, second)):

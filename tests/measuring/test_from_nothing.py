@@ -104,7 +104,7 @@ def test_it_is_said_what_is_lacking(tmp_path):
     for point in range(5):
         assert scene.click(photos, 0, point, rng)
         assert scene.click(photos, 1, point, rng)
-    with pytest.raises(NoOrientation, match=r"old_1\.jpg.*old_2\.jpg.*5.*6.*photograph\.none_oriented"):
+    with pytest.raises(NoOrientation, match=r"(?s)old_1\.jpg.*old_2\.jpg.*5.*6.*photograph\.none_oriented"):
         rb.adjust_marks(photos)
     done = CliRunner().invoke(cli, ["mark", "adjust", str(photos)], standalone_mode=False)
     assert isinstance(done.exception, NoOrientation)

@@ -25,15 +25,15 @@ NOTCHED = np.array([[0.0, 0], [10, 0], [10, 10], [5, 3], [0, 10]])
 def test_what_is_no_area_is_refused():
     bow = [[0.0, 0], [10, 10], [10, 0], [0, 10]]
     with pytest.raises(InputError, match=r"1.*5\.0.*flight_area\.crosses_itself"):
-        checked_ring(np.array(bow), "the area")
+        checked_ring(np.array(bow), "area")
     with pytest.raises(InputError, match=r"flight_area\.no_area"):
-        checked_ring(np.array([[0.0, 0], [5, 5], [10, 10]]), "the area")
+        checked_ring(np.array([[0.0, 0], [5, 5], [10, 10]]), "area")
     with pytest.raises(InputError, match=r"2.*flight_area\.too_few_corners"):
-        checked_ring(np.array([[0.0, 0], [5, 5], [5, 5]]), "the area")
+        checked_ring(np.array([[0.0, 0], [5, 5], [5, 5]]), "area")
 
 
 def test_corners_run_counter_clockwise_and_once():
-    ring = checked_ring(np.array([[0.0, 0], [0, 10], [10, 10], [10, 10], [10, 0]]), "the area")
+    ring = checked_ring(np.array([[0.0, 0], [0, 10], [10, 10], [10, 10], [10, 0]]), "area")
     assert len(ring) == 4
     assert signed_area(ring) == pytest.approx(100)
 
@@ -69,10 +69,10 @@ def test_outlines_of_thirty_thousand_corners_are_checked_in_seconds():
     far = 1200 + 100 * np.sin(900 * turn)
     ring = np.stack([far * np.cos(turn), far * np.sin(turn)], axis=1)
     begin = process_time()
-    assert len(checked_ring(ring, "the area")) == 30_000
+    assert len(checked_ring(ring, "area")) == 30_000
     ring[20_000] *= -1
     with pytest.raises(InputError, match=r"flight_area\.crosses_itself"):
-        checked_ring(ring, "the area")
+        checked_ring(ring, "area")
     assert process_time() - begin < 30
 
 
@@ -90,8 +90,8 @@ def test_crossings_are_those_of_all_pairs_of_edges():
                 if first is None and 0 <= t <= 1 and 0 <= s <= 1:
                     first = i, j
         assert first is not None
-        with pytest.raises(InputError, match=r"1.*3.*flight_area\.crosses_itself"):
-            checked_ring(ring, "the area")
+        with pytest.raises(InputError, match=rf"\b{first[0] + 1} and {first[1] + 1}\b.*flight_area\.crosses_itself"):
+            checked_ring(ring, "area")
 
 
 @pytest.mark.parametrize("inner", [False, True])

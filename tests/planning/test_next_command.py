@@ -142,7 +142,7 @@ def test_blocks_that_cannot_be_asked(field, tmp_path, capsys):
     own = replace(block.cameras[0], interior="per_image", estimate=())
     write_block(replace(block, cameras=(own,)), tmp_path / "own")
     for source, word in (
-        (tmp_path, "no block.toml"),
+        (tmp_path, "[session.no_project]"),
         (tmp_path / "unoriented", "is not adjusted yet"),
         (tmp_path / "own", "[plan.no_frame_camera]"),
     ):

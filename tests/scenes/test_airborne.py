@@ -313,7 +313,7 @@ def test_fixes_at_given_times_go_through_block_folders(tmp_path):
     assert "attitude_fixes = [0.0, 1.5, 2.0, 4.5, 7.0, 9.9]" in written
     assert read_block(tmp_path / "again").cameras[0].scene.corrections == block.cameras[0].scene.corrections
 
-    with pytest.raises(InputError, match=r"1,?002.*orientation_fix\.count"):  # a hundred a second
+    with pytest.raises(InputError, match=r"1\D?002.*orientation_fix\.count"):  # a hundred a second
         one_strip(tmp_path, BLOCK.format(fixes='position_fixes = "table"'))
     with_own_attitudes(tmp_path, "one", every=20)
     camera = one_strip(tmp_path, BLOCK.format(fixes='attitude_fixes = "table"')).cameras[0]
