@@ -8,10 +8,10 @@ join-too_few_common = { $name } und { $base } haben { $n } { $n ->
     .do = Mehr gemeinsame Punkte in beiden Blöcken messen.
 
 join-control_contradicts = Punkt { $point }: Gegebene Koordinaten in { $name } und { $base } unterscheiden sich um { $apart } { $unit } (Grenze { $limit } { $unit }).
-    .why = Die Grenze folgt aus den Standardabweichungen. { $others ->
-        [0] { "" }
-        [one] 1 weiterer Punkt widerspricht ebenfalls.
-       *[other] { $others } weitere Punkte widersprechen ebenfalls.
+    .why = { $others ->
+        [0] Die Grenze folgt aus den Standardabweichungen.
+        [one] Die Grenze folgt aus den Standardabweichungen. 1 weiterer Punkt widerspricht ebenfalls.
+       *[other] Die Grenze folgt aus den Standardabweichungen. { $others } weitere Punkte widersprechen ebenfalls.
      }
     .do = Die Koordinaten berichtigen oder beide Blöcke in ein Koordinatensystem transformieren.
 

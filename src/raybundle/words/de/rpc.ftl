@@ -18,9 +18,9 @@ rpc-zero_denominator = RPC: Der Nenner der { $axis ->
     .do = Die Datei neu beschaffen; sie ist beschädigt.
 
 rpc-no_ground_point = Der Bildpunkt Zeile { NUM($image_line, decimals: 2) }, Spalte { NUM($sample, decimals: 2) } hat keinen Geländepunkt in der Höhe { $height_m } m.
-    .why = Das RPC gilt für Höhen von { $low_m } bis { $high_m } m. { $others ->
-        [0] { "" }
-       *[other] { $others } weitere Punkte von { $n } haben auch keinen.
+    .why = { $others ->
+        [0] Das RPC gilt für Höhen von { $low_m } bis { $high_m } m.
+       *[other] Das RPC gilt für Höhen von { $low_m } bis { $high_m } m. { $others } weitere Punkte von { $n } haben auch keinen.
      }
     .do = Eine Höhe in diesem Bereich angeben.
 

@@ -3,9 +3,9 @@ scene_control-height_unit = Die Passpunkthöhen sind wohl in { $unit } statt in 
     .do = Die Höhen in Metern angeben ({ $unit } mal { NUM($factor, digits: 10) }).
 
 scene_control-image_axes = Die Passpunkte drehen oder strecken das Bild um { PERCENT($share) } % mit dem Bias { $model } (Grenze { PERCENT($limit) } %).
-    .why = So falsch ist kein RPC. { $cause ->
-        [none] { "" }
-       *[other] Mit der folgenden Berichtigung passen die Punkte auf { $rms_px } px.
+    .why = { $cause ->
+        [none] Ein RPC hat keinen solchen Fehler.
+       *[other] Ein RPC hat keinen solchen Fehler. Mit der folgenden Berichtigung passen die Punkte auf { $rms_px } px.
      }
     .do = { $cause ->
         [exchanged] x_px und y_px tauschen

@@ -20,10 +20,10 @@ join-too_few_common = { $name } and { $base } have { $n } common { $n ->
 # $limit = 0.02
 # $unit = "m"
 join-control_contradicts = Point { $point }: given coordinates in { $name } and { $base } differ by { $apart } { $unit } (limit { $limit } { $unit }).
-    .why = The limit follows from the standard deviations. { $others ->
-        [0] { "" }
-        [one] 1 other point contradicts too.
-       *[other] { $others } other points contradict too.
+    .why = { $others ->
+        [0] The limit follows from the standard deviations.
+        [one] The limit follows from the standard deviations. 1 other point contradicts too.
+       *[other] The limit follows from the standard deviations. { $others } other points contradict too.
      }
     .do = Correct the coordinates, or transform both blocks into one coordinate system.
 

@@ -35,9 +35,9 @@ rpc-zero_denominator = RPC: the { $axis ->
 # $low_m = 0.0
 # $high_m = 500.0
 rpc-no_ground_point = Image point line { NUM($image_line, decimals: 2) }, sample { NUM($sample, decimals: 2) } has no ground point at height { $height_m } m.
-    .why = The RPC is valid for heights from { $low_m } to { $high_m } m. { $others ->
-        [0] { "" }
-       *[other] { $others } other points of { $n } have none either.
+    .why = { $others ->
+        [0] The RPC is valid for heights from { $low_m } to { $high_m } m.
+       *[other] The RPC is valid for heights from { $low_m } to { $high_m } m. { $others } other points of { $n } have no ground point either.
      }
     .do = Give a height within this range.
 

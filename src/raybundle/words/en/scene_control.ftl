@@ -14,9 +14,9 @@ scene_control-height_unit = Control heights seem to be in { $unit }, not in metr
 # $cause = "exchanged"
 # $rms_px = 1.2
 scene_control-image_axes = Control points turn or stretch the image by { PERCENT($share) } % with bias { $model } (limit { PERCENT($limit) } %).
-    .why = No RPC is so wrong. { $cause ->
-        [none] { "" }
-       *[other] With the correction below, the points fit to { $rms_px } px.
+    .why = { $cause ->
+        [none] Such an error is impossible in an RPC.
+       *[other] Such an error is impossible in an RPC. With the correction below, the points fit to { $rms_px } px.
      }
     .do = { $cause ->
         [exchanged] Exchange x_px and y_px
