@@ -387,7 +387,7 @@ def test_a_scheduler_that_cannot_be_says_why_and_leaves_nothing(machines, tmp_pa
     facts = (machines.folder / "scheduler.json").read_text()
     status, said = ended(tmp_path, "scheduler", machines.folder, "--host", "127.0.0.1")
     assert status == 2
-    assert f"a scheduler is at work for it already (tls://127.0.0.1:{machines.port})" in said
+    assert f"(tls://127.0.0.1:{machines.port}). [cluster.second_scheduler]" in said
     assert (machines.folder / "scheduler.json").read_text() == facts
 
 
