@@ -15,7 +15,7 @@ def check_asked(block: Block, options: AdjustmentOptions) -> None:
             if camera not in known:
                 raise InputError("parameter.unknown_camera", way=name, camera=camera, known=[*known])
             if symbol not in known[camera]:
-                raise InputError("parameter.unknown", way=name, camera=camera, symbol=symbol, known=known[camera])
+                raise InputError("parameter.not_of_camera", way=name, camera=camera, symbol=symbol, known=known[camera])
     for camera, symbol in sorted(set(options.free) & set(options.hold)):
         raise InputError("parameter.free_and_held", camera=camera, symbol=symbol)
 

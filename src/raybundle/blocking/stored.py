@@ -129,7 +129,9 @@ def _adjusted(run: _Run) -> StoredAdjustment:
         start = solve(normals, start, options, huber=HUBER, tolerance=1e-2, approximate=True, progress=progress).state
     solution = solve(normals, start, options, progress=progress)
     if not solution.converged and not solution.step < UNENDING:
-        raise NoConvergence(solution.trouble)
+        raise NoConvergence(
+            "adjustment.no_convergence", iterations=solution.iterations, step_sigmas=float(solution.step)
+        )
     _refuse_astray(run, solution)
     return _stated(run, solution)
 

@@ -21,3 +21,9 @@ parameter-unknown_camera = { $way ->
 
 parameter-free_and_held = Der Parameter { $symbol } der Kamera { $camera } ist als frei und als festgehalten gewählt.
     .do = Ihn aus { OPTION("free") } oder aus { OPTION("hold") } entfernen.
+
+parameter-not_of_camera = { $way ->
+        [free] { OPTION("free") }
+       *[hold] { OPTION("hold") }
+     }: Die Kamera { $camera } hat keinen Parameter { $symbol }.
+    .do = Einen von { LIST($known, most: 20) } angeben.

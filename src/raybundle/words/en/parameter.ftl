@@ -35,3 +35,13 @@ parameter-unknown_camera = { $way ->
 # $symbol = "K1"
 parameter-free_and_held = Parameter { $symbol } of camera { $camera } is selected as free and as held.
     .do = Remove it from { OPTION("free") } or from { OPTION("hold") }.
+
+# $way = "free"
+# $camera = "d5100"
+# $symbol = "K9"
+# $known = ["c", "x0", "y0"]
+parameter-not_of_camera = { $way ->
+        [free] { OPTION("free") }
+       *[hold] { OPTION("hold") }
+     }: camera { $camera } has no parameter { $symbol }.
+    .do = Use one of { LIST($known, most: 20) }.

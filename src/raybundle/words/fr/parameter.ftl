@@ -14,3 +14,8 @@ parameter-unknown_camera = { $way ->
      } : la caméra { $camera } n'est pas dans le bloc.
 
 parameter-free_and_held = Le paramètre { $symbol } de la caméra { $camera } est choisi libre et fixe à la fois.
+
+parameter-not_of_camera = { $way ->
+        [free] { OPTION("free") }
+       *[hold] { OPTION("hold") }
+     } : la caméra { $camera } n'a pas de paramètre { $symbol }.
