@@ -36,7 +36,7 @@ def test_a_wrong_bar_is_named_and_control_is_not(error):
     block, (name,) = with_bars([error])
     result = decide(block, OPTIONS)
     (first,) = faults(result)
-    assert (first.code, first.ids) == ("distance_suspect.control", (name,))
+    assert (first.data.code, first.ids) == ("distance_suspect.control", (name,))
     assert first.values["before"] > first.values["after"]
     bar = wrong_bar(result, result.critical_w)
     assert bar.length - bar.shown == pytest.approx(error, abs=0.1)

@@ -43,7 +43,7 @@ def test_only_the_wrong_group_is_significant_and_it_is_told_once():
     assert kinds == {"control"}
     told = [n for n in result.notices if n.code == "group_less_precise"]
     assert [n.ids for n in told] == [("control",)]
-    assert not [n for n in result.notices if n.subject == "control_suspect"]
+    assert not [n for n in result.notices if n.code == "control_suspect"]
 
 
 def test_a_single_wrong_value_stays_a_suspect_of_its_own():
@@ -53,7 +53,7 @@ def test_a_single_wrong_value_stays_a_suspect_of_its_own():
     xyz = p.xyz.copy()
     xyz[k, 2] += 0.05
     result = adjust(replace(block, points=replace(p, xyz=xyz)), OPTIONS)
-    assert p.ids[k] in {i for n in result.notices if n.subject == "control_suspect" for i in n.ids}
+    assert p.ids[k] in {i for n in result.notices if n.code == "control_suspect" for i in n.ids}
 
 
 def test_right_groups_are_not_flagged():

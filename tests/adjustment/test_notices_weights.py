@@ -22,8 +22,8 @@ def too_small(weights):
 def test_residuals_below_weights_that_were_taken_from_them_are_no_merit():
     for weights, praised in (("given", True), ("residuals", False)):
         result = too_small(weights)
-        (notice,) = (n for n in result.notices if n.subject == "global_test")
-        assert notice.code == ("global_test.smaller" if praised else "global_test.estimated_weights")
+        (notice,) = (n for n in result.notices if n.code == "global_test")
+        assert notice.data.code == ("global_test.smaller" if praised else "global_test.estimated_weights")
         told = verdict(view_of(result))
         text = " ".join([told.headline, *(words for _, words in told.statements)])
         assert ("more precise than stated" in text) is praised

@@ -130,6 +130,6 @@ def test_a_block_adjusted_with_white_noise_is_told_of_shared_errors(block, name,
     ids = tuple(f"{name}{k + 1}" for k in range(len(block.points)))
     found = replace(block, observations=replace(o, xy_px=xy), points=replace(block.points, ids=ids))
     result = adjust(found, AdjustmentOptions(jobs=1, tolerance=1e-3, noise=noise))
-    notices = [n.text for n in result.notices if n.subject == "residual_structure"]
+    notices = [n.text for n in result.notices if n.code == "residual_structure"]
     assert bool(notices) is told
     assert not told or 'noise="fields"' in notices[0]

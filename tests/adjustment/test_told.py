@@ -71,7 +71,7 @@ def test_what_lies_behind_the_camera_is_a_fault_of_names_a_wrong_match_or_a_turn
     assert match.code == "behind_camera.matches"
     assert turned.severity == "fault"
     assert turned.ids == (named.given.images.ids[0],)
-    assert turned.code == "behind_camera.photographs"
+    assert turned.data.code == "behind_camera.photographs"
 
 
 def test_control_that_nothing_checks_is_named_with_the_least_error_that_would_be_found():

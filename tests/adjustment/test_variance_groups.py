@@ -47,9 +47,7 @@ def test_each_group_gets_the_factor_by_which_it_was_stated_wrongly():
     for r in found:
         assert r.sigma0 == pytest.approx(1, abs=2e-3)
         assert not any(n.code == "global_test" for n in r.notices)
-        assert [n.severity for n in r.notices if n.subject == "group_less_precise"] == [
-            "fault"
-        ]  # four times is no guess
+        assert [n.severity for n in r.notices if n.code == "group_less_precise"] == ["fault"]  # four times is no guess
 
 
 def test_what_the_residuals_do_not_contradict_stays_as_given():
@@ -115,7 +113,7 @@ def test_image_points_that_are_thousands_of_times_less_precise_are_said_to_be():
 @pytest.mark.parametrize(("stated", "severity"), [(1 / 2, "caution"), (1 / 5, "fault")])
 def test_a_group_that_is_less_precise_than_stated_is_said_to_be(stated, severity):
     result = adjust(restated(survey(), control=stated), GROUPS)
-    (notice,) = [n for n in result.notices if n.subject == "group_less_precise"]
+    (notice,) = [n for n in result.notices if n.code == "group_less_precise"]
     assert notice.severity == severity
     assert notice.ids == ("control",)
     assert notice.values["ratio"] == factor(result, "control").factor

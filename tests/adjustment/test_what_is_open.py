@@ -71,11 +71,11 @@ def test_a_shift_is_determined_however_badly():
 @pytest.mark.parametrize(("bend", "told"), [(0.0, True), (0.5, False)])
 def test_what_projection_centres_leave_open_is_a_caution_as_for_control(bend, told):
     result = adjust(straight_flight(bend), AdjustmentOptions(jobs=1))
-    said = [n for n in result.notices if n.subject == "control_leaves_open"]
+    said = [n for n in result.notices if n.code == "control_leaves_open"]
     assert bool(said) == told
     for notice in said:
         assert notice.severity.value == "caution"
-        assert notice.code == "control_leaves_open.line"
+        assert notice.data.code == "control_leaves_open.line"
         assert (notice.values["kind"], notice.values["part"]) == ("centres", "about_line")
         assert notice.ids == tuple(result.given.images.ids)
 

@@ -37,7 +37,7 @@ def network(places, sigma=0.02, wrong=None, seed=1, strips=2):
 
 
 def told(result, code):
-    return [n for n in result.notices if n.subject == code]
+    return [n for n in result.notices if n.code == code]
 
 
 def test_a_wrong_one_of_many_is_left_out_by_name():
@@ -68,7 +68,7 @@ def test_a_point_without_which_the_datum_is_open_stays():
     assert result.datum_defect == ()
     (kept,) = told(result, "control_not_located")
     assert kept.ids == (names[5],)
-    assert (kept.code, kept.values["part"]) == ("control_not_located.datum", "about_line")
+    assert (kept.data.code, kept.values["part"]) == ("control_not_located.datum", "about_line")
 
 
 def test_right_control_is_kept_and_nothing_said():

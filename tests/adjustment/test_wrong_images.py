@@ -32,7 +32,7 @@ def wrong(block, image, change):
 
 
 def accused(result):
-    return [i for n in result.notices if n.subject == "image_contradicts" for i in n.ids]
+    return [i for n in result.notices if n.code == "image_contradicts" for i in n.ids]
 
 
 def test_an_image_of_another_focus_is_named(block):
@@ -97,7 +97,7 @@ def test_what_is_left_of_a_wrong_image_tells_by_its_pattern(block, change):
     assert result.noise.kind == "fields"
     (told,) = own_field_notices(replace(result, notices=()))
     assert told.ids == (block.images.ids[3],)
-    assert told.code == "image_contradicts.interior"
+    assert told.data.code == "image_contradicts.interior"
     assert accused(result) == [block.images.ids[3]], "named once, whichever test tells"
 
 

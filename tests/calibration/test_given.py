@@ -127,7 +127,7 @@ def test_a_held_value_that_the_photographs_contradict_is_a_fault(block, noise, s
     result = adjust(held(with_fields(block, 0.05), **{symbol: off}), AdjustmentOptions(jobs=1, noise=noise))
     (notice,) = held_notices(result, ["1"])
     assert notice.severity == "fault"
-    assert notice.code == "calibration_contradicted.held"
+    assert notice.data.code == "calibration_contradicted.held"
     moved = {d.values["symbol"]: d.values for d in notice.details}
     assert moved[symbol]["unit"] in {"mm", "mm^-2"}
     assert moved[symbol]["effect_px"] > 0
@@ -150,9 +150,9 @@ def test_a_held_calibration_is_tested_when_a_block_is_adjusted(block, noise):
     assert not codes(adjust(right, options))
     values = {**camera.values, "c": 1.02 * camera.values["c"]}
     result = adjust(replace(block, cameras=(replace(camera, values=values, estimate=()),)), options)
-    (notice,) = [n for n in result.notices if n.subject == "calibration_contradicted"]
+    (notice,) = [n for n in result.notices if n.code == "calibration_contradicted"]
     assert notice.severity == "fault"
-    assert notice.code == "calibration_contradicted.held"
+    assert notice.data.code == "calibration_contradicted.held"
     assert notice.details[0].values["given"] == pytest.approx(20.8, abs=0.05)
     # what says it is the test: the same camera, free, is not contradicted
     assert not codes(adjust(replace(block, cameras=(replace(camera, values=values),)), options))

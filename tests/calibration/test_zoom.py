@@ -125,14 +125,14 @@ def test_beyond_the_range_it_is_refused(exact):
 
 
 def test_settings_that_do_not_belong_together_are_refused(exact):
-    with pytest.raises(InputError, match="2 settings of a zoom lens are given, 3 are needed"):
+    with pytest.raises(InputError, match=r"2.*3.*zoom\.too_few_settings"):
         calibrate_zoom(exact[:2])
-    with pytest.raises(InputError, match="two calibrations are for the EXIF focal length"):
+    with pytest.raises(InputError, match=r"EXIF.*zoom\.setting_given_twice"):
         calibrate_zoom([exact[0], exact[0], exact[1], exact[2]])
-    with pytest.raises(InputError, match="differ in format, sensor model or free parameters"):
+    with pytest.raises(InputError, match=r"zoom\.settings_differ"):
         calibrate_zoom([exact[0], exact[1], replace(exact[2], free=exact[2].free[:-1])])
     other = replace(exact[2].camera, values={**exact[2].camera.values, "K3": 1e-12})
-    with pytest.raises(InputError, match="K3 is held at different values"):
+    with pytest.raises(InputError, match=r"K3.*zoom\.held_values_differ"):
         calibrate_zoom([exact[0], exact[1], replace(exact[2], camera=other)])
 
 

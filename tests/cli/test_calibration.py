@@ -109,7 +109,7 @@ def test_compare_prints_the_map(ours, tmp_path, capsys):
     assert "is of 300 x 200 px" in printed
     assert "covariances" not in printed  # none is known
     (tmp_path / "crop.toml").write_text(TEXT.replace("400", "300"))
-    with pytest.raises(InputError, match="cropped"):
+    with pytest.raises(InputError, match=r"calibration\.cropped_format"):
         run("compare", ours, tmp_path / "crop.toml")
 
 

@@ -70,7 +70,7 @@ def test_bad_input_is_2_and_names_the_place(field, tmp_path, capsys):
     assert run("adjust", bad, "--out", tmp_path / "r") == 2
     out, err = capsys.readouterr()
     assert out == ""
-    assert err.startswith(f"InputError: {bad / 'observations.csv'}, line 7: ")
+    assert err.startswith(f"error: {bad / 'observations.csv'}, line 7: ")
     assert "Traceback" not in err
     assert not (tmp_path / "r").exists()
 
@@ -304,7 +304,7 @@ def test_compare_refuses_bad_targets(out, tmp_path, capsys, monkeypatch):
     monkeypatch.setitem(sys.modules, "raybundle.report.compare", fake)
     (tmp_path / "folder").mkdir()
     assert run("compare", "a", "b", "--out", tmp_path / out) == 2
-    assert capsys.readouterr().err.startswith("InputError: ")
+    assert capsys.readouterr().err.startswith(("InputError: ", "error: "))
 
 
 def test_compare_needs_result_folders(field, tmp_path, capsys, monkeypatch):

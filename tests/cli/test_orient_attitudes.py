@@ -75,7 +75,7 @@ def test_options_that_do_not_fit(tmp_path, capsys):
 @pytest.mark.parametrize(
     ("more", "words"),
     [
-        (["--crs", "EPSG:999999"], "is no coordinate system that pyproj knows"),
+        (["--crs", "EPSG:999999"], "[crs.unknown]"),
         (["--lever-arm", "1", "1", "1", "0"], "a lever arm is asked for, and no photograph has a position"),
         (["--no-gps", "--relative", "shift"], "relative aerial control is asked for, and --no-gps leaves"),
     ],

@@ -78,7 +78,7 @@ def test_the_camera_library(tmp_path):
     assert found.best is None
     assert [m.fits for m in found.matches] == [False]
     assert not (tmp_path / "best.toml").exists()
-    with pytest.raises(InputError, match="model= and focal="):
+    with pytest.raises(InputError, match=r"library\.no_key"):
         rb.keep_calibration(tmp_path / "result", library=tmp_path / "a")
 
 

@@ -250,7 +250,7 @@ def test_a_setting_of_ones_own_needs_nothing_else():
 
 
 def test_python_says_what_the_command_line_says(tmp_path):
-    with pytest.raises(InputError, match="does not exist|no such"):
+    with pytest.raises(InputError, match=r"file\.missing"):
         rb.orient(tmp_path / "absent", tmp_path / "project")
     assert not (tmp_path / "project").exists()
     with pytest.raises(InputError):
@@ -269,7 +269,7 @@ def test_a_conversion_from_python_is_that_of_the_command_line(tmp_path):
     assert done.files == 3
     assert contents(tmp_path / "python") == contents(tmp_path / "line") != {}
     assert len(done.block.observations) == len(block.observations)
-    with pytest.raises(InputError, match="unknown format 'colmapp'"):
+    with pytest.raises(InputError, match=r"format\.unknown"):
         rb.convert(tmp_path / "block", tmp_path / "other", to="colmapp")
     with pytest.raises(InputError, match="crsystem is no setting"):
         rb.convert(tmp_path / "block", tmp_path / "other", to="ply", crsystem="EPSG:25832")

@@ -89,4 +89,4 @@ def test_what_cannot_be_combined(settings, tmp_path, capsys):
     assert main(["calibration", "zoom", *settings, "--out", str(tmp_path)]) == 2
     assert "[folder.exists]" in capsys.readouterr().err
     assert main(["calibration", "zoom", *settings, "--focal", "30", "--focal", "30", "--out", str(tmp_path / "l")]) == 2
-    assert "two calibrations are for the EXIF focal length 30 mm" in capsys.readouterr().err
+    assert "[zoom.setting_given_twice]" in capsys.readouterr().err

@@ -109,7 +109,7 @@ def test_residuals_three_times_too_large_are_a_fault_and_too_small_ones_a_remark
         (2 * upper, 1.4, Severity.CAUTION), (20 * upper, 4.5, Severity.FAULT), (0.5 * lower, 0.7, Severity.REMARK),
     ):  # fmt: skip
         changed = replace(a, global_test=(lower, value, upper), sigma0=sigma0)
-        (told,) = [n for n in notices_of(changed, None) if n.subject == "global_test"]
+        (told,) = [n for n in notices_of(changed, None) if n.code == "global_test"]
         assert told.severity is severity
 
 

@@ -185,7 +185,7 @@ def test_a_run_that_fails_says_what_the_command_says(client, project):
     client.post("/api/run", json={})
     failed = until(client, lambda r: r["outcome"] != "running")
     assert failed["outcome"] == "failed"
-    assert failed["words"].startswith("InputError: ")
+    assert failed["words"].startswith(("InputError: ", "error: "))
     assert "nowhere" in failed["words"]
     assert client.get("/api/overview").status_code == 200
 

@@ -44,7 +44,7 @@ def through_the_door(block: Block, *, clean: bool = False) -> list[Adjustment]:
 
 def as_told(block: Block, result: Adjustment) -> Block | None:
     """The block with what the result says of it: scale bars that are wrong left out, else groups weighted anew."""
-    bars = {name for n in result.notices if n.subject == "distance_suspect" for name in n.ids}
+    bars = {name for n in result.notices if n.code == "distance_suspect" for name in n.ids}
     d, ids = block.distances, block.points.ids
     good = np.array([f"{ids[a]}-{ids[b]}" not in bars for a, b in zip(d.start, d.end, strict=True)], bool)
     if not good.all():

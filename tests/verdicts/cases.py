@@ -216,7 +216,7 @@ def verdict(name: str, seed: int = 0) -> Verdict:
         result = adjust(perturbed(make(), seed), options)
     except RaybundleError as error:
         return Verdict(error.exit_status, (type(error).__name__,), _plain(str(error)))
-    said = sorted({n.subject for n in result.notices if n.subject in SAID})
+    said = sorted({n.code for n in result.notices if n.code in SAID})
     return Verdict(0, tuple(sorted(result.not_determinable)), " ".join((*said, *result.datum_defect)))
 
 

@@ -123,7 +123,7 @@ def smooth_errors():
 
 def factors(notice):
     """What standard deviations of object points are to be multiplied by."""
-    if notice.subject == "residual_structure":
+    if notice.code == "residual_structure":
         return notice.values["ratio_points"]
     return float(re.search(r"([\d.]+) for object points", notice.message)[1])
 
@@ -135,9 +135,9 @@ def test_in_parts_errors_that_image_points_share_are_told_by_a_sample(tmp_path, 
     one = adjust(block, replace(OPTIONS, noise="auto"))
     few, room = within(block, options, tmp_path / "result", 0.01)
     assert room.parts
-    (whole,) = (n for n in one.notices if n.subject == "residual_structure")
+    (whole,) = (n for n in one.notices if n.code == "residual_structure")
     code = "residual_structure" if noise == "auto" else "noise_in_parts"
-    (part,) = (n for n in few.notices if n.subject == code)
+    (part,) = (n for n in few.notices if n.code == code)
     sample = "residual_structure.sample" in {d.code for d in part.details}
     assert sample or re.search(r"a part of \d+ images that was adjusted by itself", part.message)
     assert part.severity is Severity.CAUTION

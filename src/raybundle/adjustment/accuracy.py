@@ -91,7 +91,7 @@ class ObjectAxes:
 
 def levelled(a: Adjustment) -> frozenset[str]:
     """Names of the control points whose heights only level the block: nobody gave them."""
-    return frozenset(name for n in a.notices if n.subject == "levelled" for name in n.ids)
+    return frozenset(name for n in a.notices if n.code == "levelled" for name in n.ids)
 
 
 def required_check_points(area_km2: float) -> int:

@@ -18,7 +18,7 @@ def control_notices(result: Adjustment, found: Contradiction) -> list[Notice]:
 
     Points of which a notice of the result already says why they take part are not named again.
     """
-    told = {i for n in result.notices if n.subject == "control_not_located" for i in n.ids}
+    told = {i for n in result.notices if n.code == "control_not_located" for i in n.ids}
     wrong = [p for p in found.wrong if p.name not in told]
     located = [p for p in wrong if not p.others]
     notices = [_located(result, located, found.swayed)] if located else []

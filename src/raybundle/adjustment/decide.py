@@ -190,7 +190,7 @@ def _snoop(
                 continue
             back = [i for i in innocent(result) if i not in returned]
             if not back:
-                choices.notices = [n for n in choices.notices if n.subject not in OF_THE_END]
+                choices.notices = [n for n in choices.notices if n.code not in OF_THE_END]
                 choices.notices += [] if wrong is None else [kept_notice(wrong)]
                 choices.notices += [*masked_notices(result, tried), *rejected_group_notices(result)]
                 choices.notices += exchanged_notices(result)

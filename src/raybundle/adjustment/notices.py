@@ -390,5 +390,5 @@ def _group_notice(component: VarianceComponent, sigma0: float) -> Notice:
 def with_group_notices(result: Adjustment) -> tuple[Notice, ...]:
     """The notices of a result whose variance components have changed since."""
     codes = {f"{kind}_suspect" for kind in NAMES} | {"group_less_precise", "control_unchecked"}
-    others = tuple(n for n in result.notices if n.subject not in codes)
+    others = tuple(n for n in result.notices if n.code not in codes)
     return (*others, *_control(replace(result, notices=others)))

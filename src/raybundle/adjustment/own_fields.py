@@ -79,7 +79,7 @@ def own_field_notices(result: Adjustment) -> list[Notice]:
     rms = np.zeros(n)
     for f in tested:
         T[f.image], left[f.image], rms[f.image] = f.square, f.directions, f.rms_px
-    named = {i for notice in result.notices if notice.subject == "image_contradicts" for i in notice.ids}
+    named = {i for notice in result.notices if notice.code == "image_contradicts" for i in notice.ids}
     found: list[Notice] = []
     for k, camera in enumerate(result.given.cameras):
         mine = np.flatnonzero((result.given.images.camera == k) & (left >= SMOOTH))

@@ -55,11 +55,6 @@ class Notice:
             object.__setattr__(self, "variant", variant)
 
     @property
-    def subject(self) -> str:
-        """The code without its variant: "control_suspect" of "control_suspect.held"."""
-        return self.code.partition(".")[0]
-
-    @property
     def severity(self) -> Severity:
         """fault, caution or remark."""
         return self.measured or severity_of(self.code)

@@ -77,7 +77,7 @@ def chance_to_see(factor: float, redundancy: float) -> float:
 def _one_explains(result: Adjustment, key: Key) -> bool:
     """Whether a single value makes a group contradict what was stated: a factor for all would hide it."""
     kind = next(k for k, name in NAMES.items() if name == key[0])
-    if not any(n.subject == f"{kind}_suspect" for n in result.notices):
+    if not any(n.code == f"{kind}_suspect" for n in result.notices):
         return False
     left = [without_worst(g) for g in result.groups if g.kind == kind]
     return any(r >= FEW and chi_square_tails(max(square, 0.0), r)[1] >= LEVEL / 2 for square, r in left)

@@ -135,8 +135,8 @@ def calibration_quality(
     error = _projection(adjusted, interior, result, _doubt(validation, structure), repeated, reach)
     rolls, convergence = _views(result, images)
     couplings = _couplings(result, interior)
-    doubtful = [n for n in result.notices if n.subject in UNSTEADY and camera in n.ids]
-    unstable = any(n.subject == UNSTABLE for n in doubtful)
+    doubtful = [n for n in result.notices if n.code in UNSTEADY and camera in n.ids]
+    unstable = any(n.code == UNSTABLE for n in doubtful)
     # knots of surfaces in corners that no point reaches say nothing, and are none the worse for it
     surfaces = adjusted.sensor.local_width > 0
     lacking = () if surfaces else tuple(s for s, p in interior.parameters.items() if p.status == "not determinable")

@@ -80,7 +80,7 @@ def write_pages(
     write_network_page(done.adjustment, out / IN_3D, title=title, language=settings.language, cloud=cloud)
     told = as_told(n for n in rests.view.adjustment.notices if n.severity is not Severity.REMARK)
     rank = {code: k for k, code in enumerate(OF_ALL)}
-    told.sort(key=lambda n: (n.severity is not Severity.FAULT, rank.get(n.subject, len(OF_ALL))))
+    told.sort(key=lambda n: (n.severity is not Severity.FAULT, rank.get(n.code, len(OF_ALL))))
     return SurfacePages(
         files=(*pages, out / IN_3D), summary=summary, verdict=verdict_sentence(rests), warnings=tuple(told)
     )

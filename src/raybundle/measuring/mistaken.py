@@ -115,8 +115,8 @@ def _told(result: Adjustment, tested: Adjustment, found: Sequence[Wrong]) -> Adj
         return result
     took_part = tested is not result
     notices = tuple(_notice(w, took_part=took_part) for w in found)
-    said = {n.subject for n in tested.notices}
-    others = tuple(n for n in result.notices if n.subject not in BENT or n.subject in said)
+    said = {n.code for n in tested.notices}
+    others = tuple(n for n in result.notices if n.code not in BENT or n.code in said)
     return replace(result, notices=(*notices, *others))
 
 

@@ -143,10 +143,10 @@ def of_a_tool(result: Adjustment, test: LengthTest | None) -> Adjustment:
     """
     found: list[Notice] = []
     for n in result.notices:
-        if n.subject == "correlation":
+        if n.code == "correlation":
             contained = message("correlation.contained")
             found.append(replace(n, details=(*n.details, contained), measured=Severity.REMARK))
-        elif n.subject == "scale_unchecked" and test is not None and test.controlled.any():
+        elif n.code == "scale_unchecked" and test is not None and test.controlled.any():
             found += [] if test.contradicts else [_scale_checked(n, test)]
         else:
             found.append(n)

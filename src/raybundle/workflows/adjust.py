@@ -74,7 +74,7 @@ def adjust(block: Block, options: AdjustmentOptions | None = None, progress: Pro
     bars: BarDoubt | None = None
     try:
         result = _adjusted(block, options, progress)
-        if result.sigma0 > POOR_FIT or OF_BARS & {n.subject for n in result.notices}:
+        if result.sigma0 > POOR_FIT or OF_BARS & {n.code for n in result.notices}:
             bars = _doubted_bars(block, options)
     except NotSolvable as error:
         bars = None if isinstance(error, DatumDefect) else _doubted_bars(block, options)
@@ -106,7 +106,7 @@ def adjust(block: Block, options: AdjustmentOptions | None = None, progress: Pro
         # it is the control that contradicts them, and that is said
         bent |= set() if doubt is None else {"image_contradicts", "control_not_located"}
         bent |= OF_CONTROL if doubt is not None and doubt.is_explained else set()
-        others = [n for n in result.notices if n.subject not in bent]
+        others = [n for n in result.notices if n.code not in bent]
         result = replace(result, notices=(*plain, *others))
     if not plain and bars is None and not _held(block) and (torn := _torn(block, result, options)) is not None:
         images = image_doubt_notices(block, torn, _solver(options))
@@ -114,9 +114,9 @@ def adjust(block: Block, options: AdjustmentOptions | None = None, progress: Pro
         bent = (
             {"not_determinable", "systematic_residuals", "pixel_shape", "image_contradicts"} if images else set[str]()
         )
-        result = replace(result, notices=(*images, *(n for n in result.notices if n.subject not in bent)))
+        result = replace(result, notices=(*images, *(n for n in result.notices if n.code not in bent)))
     if bars is not None:
-        others = [n for n in result.notices if bars.rest is not None or n.subject not in OF_BARS]
+        others = [n for n in result.notices if bars.rest is not None or n.code not in OF_BARS]
         result = replace(result, notices=(bar_doubt_notice(bars, block.length_unit), *others))
     elif not plain and (scale := start_scale_notices(block, result)):
         others = [n for n in result.notices if n.code != "approximate_values_replaced"]

@@ -31,7 +31,7 @@ def names_of(
     for i in adjustment.interior:
         yield from i.parameters
     for n in adjustment.notices:
-        if n.subject in NAMING:
+        if n.code in NAMING:
             yield from n.ids
     if photographs is not None:
         for p in photographs.photographs:

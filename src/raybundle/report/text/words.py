@@ -148,8 +148,8 @@ def _state(view: View, grade: Grade) -> str:
         )
     if grade == "attention":
         return f"{counted(serious, 'matter')} to settle before it is used: see the warnings."
-    systematic = {n.subject for n in a.notices} & {"systematic_residuals", "residual_structure", "noise_in_parts"}
-    scale = any(n.subject == "scale_unchecked" for n in a.notices)
+    systematic = {n.code for n in a.notices} & {"systematic_residuals", "residual_structure", "noise_in_parts"}
+    scale = any(n.code == "scale_unchecked" for n in a.notices)
     alone = " The scale rests on lengths that nothing controls." if scale else ""
     if systematic:
         return f"But the residuals have a systematic part, which these figures leave out: see the warnings.{alone}"
@@ -288,7 +288,7 @@ def _accuracy(view: View) -> str:
     expected = expected_check_std(view)
     ratio = rms(difference / expected)
     if math.isfinite(ratio):
-        apart = any(n.subject == "check_points_apart" for n in view.adjustment.notices)
+        apart = any(n.code == "check_points_apart" for n in view.adjustment.notices)
         count = int(np.isfinite(difference).sum())
         meaning = f"within chance of {counted(count, 'value')}"
         if apart:
