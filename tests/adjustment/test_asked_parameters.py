@@ -50,7 +50,7 @@ def test_free_and_not_determinable_is_told_not_held():
     [
         ({"free": (("other", "K1"),)}, r"parameter\.unknown_camera"),
         ({"hold": (("", "K1"),)}, r"parameter\.unknown_camera"),
-        ({"hold": (("camera", "K9"),)}, r"K9.*x0.*parameter\.unknown"),
+        ({"hold": (("camera", "K9"),)}, r"K9.*x0.*parameter\.not_of_camera"),
         ({"hold": (("camera", "K1"),), "free": (("camera", "K1"),)}, r"parameter\.free_and_held"),
     ],
 )

@@ -64,7 +64,12 @@ WRONG = {
 
 @pytest.mark.parametrize("name", OPTIONS)
 def test_options_that_mean_nothing_are_refused(name):
-    with pytest.raises(InputError, match=r"adjustment\.option_choice"_is_named(case):
+    with pytest.raises(InputError, match=rf"{name}.*adjustment\.option_(choice|range|not_names|not_bool)"):
+        adjust(BLOCK, AdjustmentOptions(**{name: OPTIONS[name]}))
+
+
+@pytest.mark.parametrize("case", WRONG)
+def test_what_is_wrong_in_a_block_is_named(case):
     table, name, change, words = WRONG[case]
     with pytest.raises(InputError, match=words):
         adjust(changed(table, name, change))

@@ -68,8 +68,8 @@ def test_pixels_that_are_not_square_are_named(ratio):
     other = replace(camera, pixel_mm=(camera.pixel_mm[0], camera.pixel_mm[1] * ratio))
     notice = fault(replace(block, cameras=(other,)))
     assert notice.code == "camera_contradicts"
-    assert "another height of the pixels" in notice.message
-    found = float(notice.message.split("camera 1: ")[1].split(" ")[0])
+    assert "another height of the pixels" in notice.text
+    found = float(notice.text.split("camera 1: ")[1].split(" ")[0])
     assert found == pytest.approx(1 / ratio, rel=2e-3)
 
 
@@ -90,7 +90,7 @@ def test_image_points_in_mm_are_named(origin):
     size = np.array([camera.width_px, camera.height_px])
     xy = (o.xy_px - origin * size) * np.array(camera.pixel_mm)
     found = fault(replace(block, observations=replace(o, xy_px=xy)))
-    assert "are they in mm?" in (found if isinstance(found, str) else found.message)
+    assert "are they in mm?" in (found if isinstance(found, str) else found.text)
 
 
 AXES = {
@@ -115,7 +115,7 @@ def counted_otherwise(block, images, way):
 def test_images_counted_from_their_middle_are_named_all_of_them(kind, way, images):
     block = counted_otherwise(simulated(kind), images, way)
     found = fault(block)
-    words = found if isinstance(found, str) else found.message
+    words = found if isinstance(found, str) else found.text
     assert "origin seems to be the middle of the image" in words
     names = [block.images.ids[k] for k in images]
     assert f"{len(names)} image{'s' * (len(names) > 1)} ({', '.join(names)})" in words
@@ -123,7 +123,6 @@ def test_images_counted_from_their_middle_are_named_all_of_them(kind, way, image
 
 @pytest.mark.parametrize("way", AXES)
 def test_an_image_with_other_axes_that_cannot_be_oriented_names_them(way):
-    named = way if "middle" in way or "exchanged" in way else "y counted upward or x to the left"
     with pytest.raises(NotSolvable, match=r"orientation\.not_found"):
         approximate_values(counted_otherwise(simulated(orientation="absent"), [1], way))
 

@@ -68,7 +68,7 @@ def test_what_lies_behind_the_camera_is_a_fault_of_names_a_wrong_match_or_a_turn
     assert fault.severity == "fault"
     assert fault.code == "behind_camera"
     assert match.severity == "remark"
-    assert match.code == "behind_camera.matches"
+    assert match.data.code == "behind_camera.matches"
     assert turned.severity == "fault"
     assert turned.ids == (named.given.images.ids[0],)
     assert turned.data.code == "behind_camera.photographs"

@@ -141,7 +141,7 @@ def test_positions_that_share_an_error_make_a_fault():
     n = len(block.images)
     stations = Stations(image=np.arange(n, dtype=np.int32), xyz=centre + place, sigma=np.full((n, 3), 0.02))
     result = adjust(block.adding(stations), GROUPS)
-    assert any(n.severity == "fault" for n in result.notices), [n.message for n in result.notices]
+    assert any(n.severity == "fault" for n in result.notices), [n.text for n in result.notices]
 
 
 @pytest.mark.parametrize(("bars", "least"), [(2, 0.35), (3, 0.5)])

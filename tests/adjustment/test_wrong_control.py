@@ -100,7 +100,7 @@ def test_a_redundancy_number_that_is_rounding_tests_nothing():
 )
 def test_why_it_takes_part_is_said(wrong, code):
     assert not wrong.may_go
-    assert kept_notice(wrong).code == code
+    assert kept_notice(wrong).data.code == code
 
 
 SIX = (*CORNERS, (0.0, 0.0), (0.0, 1.0))
@@ -172,7 +172,7 @@ def test_that_one_of_three_is_wrong_is_said_once(sigma, shift, reject):
     result = adjust(block, replace(OPTIONS, reject=reject))
     faults = [n for n in result.notices if n.severity == "fault" and n.code.startswith("control_")]
     assert [set(n.ids) for n in faults] == [set(names)]
-    assert faults[0].code == "control_not_located" or "which one cannot be told" in faults[0].message
+    assert faults[0].code == "control_not_located" or "which one cannot be told" in faults[0].text
     assert all(r is None for r in result.image_observations.rejected)
 
 

@@ -152,7 +152,7 @@ def test_the_command_merges_results(whole, tmp_path, capsys):
     assert "caution" not in told
     assert main(["adjust", both, "--datum", "inner", "--no-report", "--out", result]) == 0
     assert main(["merge", *sources, "--out", both]) != 0
-    assert "stands there already" in capsys.readouterr().err
+    assert "[folder.exists]" in capsys.readouterr().err
 
 
 def test_a_target_that_is_another_one_is_found_by_the_congruence_test(whole, tmp_path, capsys):

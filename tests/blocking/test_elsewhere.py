@@ -59,7 +59,7 @@ def numbers(result):
     o = result.image_observations
     parts = [o.residuals_px, o.redundancy, o.t, o.external, result.adjusted.points.xyz, result.precision.object_points]
     parts += [result.precision.images, *result.precision.interior.values()]
-    return [np.asarray(p).tobytes() for p in parts], o.rejected, [n.message for n in result.notices]
+    return [np.asarray(p).tobytes() for p in parts], o.rejected, [n.text for n in result.notices]
 
 
 class Counting:

@@ -88,7 +88,7 @@ def test_an_open_datum_under_datum_control_is_3(tmp_path, capsys):
     survey = Survey(orientation="approximate", points="approximate")
     write_block(simulate(field_scene(TargetField(stations=4, frontal=0)), survey).observed, tmp_path / "free")
     assert run("adjust", tmp_path / "free", "--out", tmp_path / "r", "--datum", "control") == 3
-    assert capsys.readouterr().err.startswith("DatumDefect: ")
+    assert capsys.readouterr().err.startswith("error: ")
     assert list(tmp_path.iterdir()) == [tmp_path / "free"]
 
 
@@ -197,7 +197,7 @@ def test_a_reader_that_goes_away_is_no_error():
 def test_points_without_rays_enough_are_named_and_no_others(name, tmp_path, capsys):
     expected = json.loads((BLOCKS / name / "expected.json").read_text())["must_be_named"]["points"]
     assert run("adjust", BLOCKS / name, "--out", tmp_path / "r") == 2
-    message = capsys.readouterr().err.split(";")[0]
+    message = "".join(capsys.readouterr().err.splitlines()[2:])  # the points stand in lines of their own
     points = set(read_block(BLOCKS / name).points.ids)
     assert points & set(message.replace(",", " ").replace(".", " ").split()) == set(expected)
     assert not (tmp_path / "r").exists()

@@ -359,4 +359,4 @@ def test_a_limit_of_file_sizes_is_named(photos, tmp_path, limit):
     told = apart(photos, tmp_path / "project", preexec_fn=bounded)
     assert told.status == 2, told.all
     assert "[project.not_writable]" in told.err
-    assert "choose a" in told.err
+    assert "Choose a" in told.err

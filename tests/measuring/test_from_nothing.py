@@ -203,7 +203,7 @@ def test_adjusting_names_a_mistaken_mark_in_place_of_the_camera(tmp_path):
     assert notice.ids == ("P7", "old_3.jpg")
     assert notice.severity == "fault"
     assert 75 < notice.wrong.size_px < 85
-    assert f"by {notice.wrong.size_px:.2g} px" in notice.message
+    assert f"by {notice.wrong.size_px:.2g} px" in notice.text
     assert notice is result.notices[0]
     assert not {"camera_contradicts", "pixel_shape"} & {n.code for n in result.notices}
     left, _ = rb.adjust_marks(photos, reject="snooping")

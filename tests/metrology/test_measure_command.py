@@ -442,7 +442,7 @@ def test_correlated_parameters_of_a_camera_are_a_remark_here():
     (told,) = of_a_tool(replace(result, notices=(notice,)), None).notices
     assert told.severity is Severity.REMARK
     assert [d.code for d in told.details] == ["correlation.contained"]
-    assert told.message.startswith("camera 1: x0 and P1 correlate by 0.95.")
+    assert told.text.startswith("camera 1: x0 and P1 correlate by 0.95.")
 
 
 @pytest.mark.long

@@ -164,7 +164,7 @@ def test_a_gross_error_is_named_though_the_network_hides_it():
     worst = int(np.nanargmax(np.abs(g.w)))
     assert (g.ids[worst], g.component[worst]) == (block.points.ids[KNOWN[3]], "Y")
     (suspect,) = [n for n in result.notices if n.code == "coordinate_suspect"]
-    assert block.points.ids[KNOWN[3]] in suspect.message
+    assert block.points.ids[KNOWN[3]] in suspect.text
 
 
 def test_it_stands_in_folders(tmp_path):

@@ -179,7 +179,7 @@ def test_a_gross_error_is_named(kind):
     (g,) = [g for g in result.groups if g.kind == kind]
     worst = int(np.nanargmax(np.abs(g.w)))
     assert g.item[worst] == (2 if kind == "difference" else 3)
-    assert any(n.code == f"{kind}_suspect" and g.ids[worst] in n.message for n in result.notices)
+    assert any(n.code == f"{kind}_suspect" and g.ids[worst] in n.text for n in result.notices)
 
 
 def test_where_the_circle_begins_does_not_matter():

@@ -47,7 +47,7 @@ def test_points_far_off_cost_no_observation(seed, metres):
     told = [n for n in result.notices if n.code == "approximate_values_replaced"]
     assert bad.any()
     assert [n.severity for n in told] == [Severity.REMARK]
-    assert "points.csv" in told[0].message
+    assert "points.csv" in told[0].text
 
 
 def test_points_near_their_rays_are_kept_also_where_orientations_are_rough():
@@ -117,4 +117,4 @@ def test_a_minimum_in_which_cameras_look_away_is_doubted(monkeypatch):
     assert result.sigma0 == pytest.approx(whole.sigma0, rel=1e-6)
     assert all(r is None for r in result.image_observations.rejected)
     (told,) = (n for n in result.notices if n.code == "approximate_values_replaced")
-    assert f"{-(-len(o) // 20)} image points behind the cameras" in told.message
+    assert f"{-(-len(o) // 20)} image points behind the cameras" in told.text

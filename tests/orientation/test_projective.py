@@ -76,7 +76,7 @@ def test_blunders_do_not_bend_it():
 def test_images_of_different_unknown_cameras_are_oriented():
     block, cameras = unknown(own=True, seed=4)
     start = approximate_values(block)
-    assert all("projective model" in n.message for n in start.notices if n.code == "camera_constant")
+    assert all("projective model" in n.text for n in start.notices if n.code == "camera_constant")
     np.testing.assert_allclose(constants(start.block.cameras), constants(cameras), rtol=0.05)
 
 

@@ -118,7 +118,7 @@ def test_warnings_stay_however_many_they_are(case):
     for measure in (None, Measure(rows=0, figures=frozenset())):
         body = arranged(made, measure)[0].sections[0].section
         told = [row[1] for p in body.parts if p.kind == "table" for row in p.rows]
-        assert told == [n.message for n in notices]
+        assert told == [n.text for n in notices]
 
 
 def test_figures_that_come_first_stay_longest():

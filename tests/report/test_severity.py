@@ -66,8 +66,8 @@ def test_many_notices_of_one_kind_are_read_as_one(case):
     three = tuple(Notice(code="small_angle", message=f"m{k}", ids=(f"i{k}",)) for k in range(3))
     told = as_told((*three, *many, REMARK))
     assert [n.code for n in told] == ["not_determinable", *["small_angle"] * 3, REMARK.code]
-    assert told[0].message.startswith("camera 1: u00 is open. The same of 68 more: 1: u01, 1: u02, ")
-    assert told[0].message.endswith("1: u10, ...")
+    assert told[0].text.startswith("camera 1: u00 is open. The same of 68 more: 1: u01, 1: u02, ")
+    assert told[0].text.endswith("1: u10, ...")
     assert len(told[0].ids) == 70
     a = replace(case("rich"), notices=(*many, REMARK))
     assert sum("u0" in line for line in summary_lines(a)) == 1

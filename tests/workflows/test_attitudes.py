@@ -105,7 +105,7 @@ def written(flight, path, rng, name="rpy", **how):
 
 
 def codes(done):
-    return {n.code: n.message for n in done.notices}
+    return {n.code: n.text for n in done.notices}
 
 
 @pytest.mark.parametrize("name", ["rpy", "opk"])

@@ -156,7 +156,7 @@ def test_zoom_moved_halfway(tmp_path):
     first, second = done.adjustment.adjusted.cameras
     assert second.values["c"] / first.values["c"] == pytest.approx(1.04, abs=0.005)
     (told,) = [n for n in done.adjustment.notices if n.code == "two_cameras"]
-    assert "6 photographs (up to left06.png)" in told.message
+    assert "6 photographs (up to left06.png)" in told.text
     assert done.adjustment.given.images.camera.tolist() == [0] * 6 + [1] * 7
 
 
@@ -220,7 +220,7 @@ def test_coded_targets_and_two_cameras_mixed():
     chosen = [p for start in ("043", "671") for p in [q for q in photos if q.name.startswith(start)][:9]]
     done = calibrate(chosen, CalibrateOptions(targets=("aicon14",)))
     assert len(done.adjustment.adjusted.cameras) == 2
-    assert any(n.code == "two_cameras" and "names beginning with" in n.message for n in done.adjustment.notices)
+    assert any(n.code == "two_cameras" and "names beginning with" in n.text for n in done.adjustment.notices)
     assert {c.model for c in done.adjustment.adjusted.cameras} == {"brown_harmonic"}  # fourfold, the same in both
     assert all(0.005 < q.image_sigma_px < 0.0105 for q in done.quality)
     assert 0.005 < done.largest_eccentricity_px < 0.05
@@ -281,5 +281,5 @@ def test_fewer_than_five_photographs_have_the_caution_of_orient(board):
     done = calibrate(sorted(BOARD.glob("*.jpg"))[:4], WANTED)
     (told,) = [n for n in done.adjustment.notices if n.code == "errors_independent"]
     assert told.severity == "caution"
-    assert told.message.startswith("4 photographs: standard deviations take the errors of all image points as")
+    assert told.text.startswith("4 photographs: standard deviations take the errors of all image points as")
     assert not [n for n in board.adjustment.notices if n.code == "errors_independent"]

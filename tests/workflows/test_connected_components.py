@@ -113,7 +113,7 @@ def test_control_in_both_parts_joins_them(flight):
     assert placed.block.images.oriented.all()
     (told,) = joined_notice(placed.joined, placed.block)
     assert told.code == "parts_joined"
-    assert told.message.startswith("the photographs fall into 2 parts (")
+    assert told.text.startswith("the photographs fall into 2 parts (")
     # of photographs that the adjustment leaves out nothing is said
     images, (first, second) = placed.block.images, placed.joined
     kept = np.array([n in first for n in images.ids])
@@ -138,12 +138,12 @@ def test_a_part_without_control_stays_apart_and_is_told(flight):
     assert apart[0].block.images.oriented.tolist() == [False] * 5 + [True] * 5
     assert not apart[0].fixed
     told = apart_notice(placed.block, apart, ["result-2"])
-    assert "2 parts" in told.message
-    assert told.message.startswith(
+    assert "2 parts" in told.text
+    assert told.text.startswith(
         "the photographs fall into 2 parts that nothing joins: 5 photographs are in this result, 5 photographs in "
         "result-2 ("
     )
-    assert told.message.endswith("or mark three control points in each part")
+    assert told.text.endswith("or mark three control points in each part")
     assert set(told.ids) == set(flight.truth.images.ids[5:])
     decide(apart[0].block, AdjustmentOptions(jobs=1))
 

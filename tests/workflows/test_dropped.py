@@ -24,7 +24,7 @@ def test_the_reasons_add_up():
     assert d.share == pytest.approx(11_744 / 17_044)
     told = d.notice(5_300)
     assert told.severity is Severity.CAUTION
-    assert "Left are" not in told.message
+    assert "Left are" not in told.text
     assert "Left are 5 300; marks" in d.notice(5_410).message
     for words in (
         "69 % of the image points",
@@ -32,7 +32,7 @@ def test_the_reasons_add_up():
         "10 900 that least-squares matching did not measure",
         "given 5 300 image observations",
     ):
-        assert words in told.message
+        assert words in told.text
 
 
 def test_without_least_squares_matching_only_what_contradicts_is_dropped():

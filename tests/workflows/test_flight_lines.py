@@ -79,10 +79,10 @@ def test_lines_with_constants_of_their_own_fit_by_their_differences():
     assert _relative(placed, shots, "") is placed
     found = _relative(placed, shots, "shift")
     (notice,) = found.notices
-    assert notice.message.startswith(
+    assert notice.text.startswith(
         "relative aerial control: the positions of 15 photographs on 3 flight lines are used by their differences"
     )
-    assert "No control tells the place in X, Y, Z" in notice.message
+    assert "No control tells the place in X, Y, Z" in notice.text
     result = adjust_block(found.block)
     assert result.global_test[0] < result.global_test[1] < result.global_test[2]
     lines = [r.parameters["sx"] for r in result.interior if r.camera.startswith("line")]

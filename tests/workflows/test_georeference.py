@@ -65,7 +65,7 @@ def test_a_bar_of_another_unit_beside_control_is_named_and_left_out(flight, fact
     placed = georeference(flight.free, flight.photos, Given(control=(control(flight),), scale_bars=bars))
     (notice,) = [n for n in placed.notices if n.code == "distance_suspect"]
     assert (notice.ids, notice.severity) == (("A", "C"), "fault")
-    assert words in notice.message
+    assert words in notice.text
     assert placed.block.distances.length.tolist() == [lengths[1]]
 
 
@@ -94,7 +94,7 @@ def test_a_wrong_mark_is_named_with_the_point_that_stands_there(flight):
     (notice,) = [n for n in placed.notices if n.code == "mark_rejected"]
     assert notice.ids == ("E", marks.image[a])
     if len(others):
-        assert NAMES[marks.point[others[0]]] in notice.message
+        assert NAMES[marks.point[others[0]]] in notice.text
     assert error(flight, placed) < 0.5
 
 
@@ -114,7 +114,7 @@ def test_a_mark_under_another_name_is_told_with_the_point_that_is_there(flight):
     placed = georeference(flight.free, flight.photos, Given(control=(control(flight, marks=wrong),)))
     (notice,) = [n for n in placed.notices if n.code == "mark_rejected"]
     assert notice.ids == (NAMES[marks.point[a]], image[a])
-    assert re.search(rf"it lies [0-9.]+ px from where point {NAMES[marks.point[b]]} is", notice.message)
+    assert re.search(rf"it lies [0-9.]+ px from where point {NAMES[marks.point[b]]} is", notice.text)
 
 
 def test_plan_control_levels_by_the_view(flight):

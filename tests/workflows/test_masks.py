@@ -131,7 +131,7 @@ def test_masks_are_found_by_the_names_of_colmap_and_metashape(photos, tmp_path, 
     assert list(masks.files) == ["a.jpg"]
     assert masks.missing == ("b.jpg",)
     (told,) = mask_notices(masks)
-    assert "1 without a mask are used whole (b.jpg)" in told.message
+    assert "1 without a mask are used whole (b.jpg)" in told.text
     method = feature_method("rootsift")
     found = detected(method, photos[0], 300, masks)
     assert len(found) > 50
@@ -235,7 +235,7 @@ def test_it_is_said_where_nothing_tells_how_a_mask_lies(photos, tmp_path, orient
     assert not masks.of(photos[1])[:, :160].any()  # as stored
     told = mask_notices(masks)[1]
     assert (told.code, told.ids) == ("mask_orientation", ("b.jpg",))
-    assert f"EXIF orientation {orientation}" in told.message
+    assert f"EXIF orientation {orientation}" in told.text
 
 
 @pytest.mark.parametrize(("of_photo", "of_mask", "hidden"), [
@@ -284,7 +284,7 @@ def test_a_mask_that_is_of_one_value_is_named(photos, tmp_path, left, word):
     mask(tmp_path / "masks/a.png", left=left)
     told = mask_notices(find_masks(tmp_path / "masks", photos))[-1]
     assert (told.code, told.ids) == ("mask_uniform", ("a.jpg",))
-    assert word in told.message
+    assert word in told.text
 
 
 def test_masks_that_leave_nothing_are_refused_at_once(photos, tmp_path):
@@ -310,7 +310,7 @@ def test_a_damaged_mask_costs_itself_alone(photos, tmp_path, damage):
     masks = find_masks(tmp_path / "masks", photos)
     assert list(masks.files) == ["b.jpg"]
     told, refused = mask_notices(masks)
-    assert told.message.startswith("1 of 2 photographs have a mask")
+    assert told.text.startswith("1 of 2 photographs have a mask")
     assert refused.code == "mask_refused"
     assert "a.jpg used whole" in refused.message
     assert len(detected(feature_method("rootsift"), photos[0], 300, masks)) > 50

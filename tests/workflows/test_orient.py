@@ -286,4 +286,4 @@ def test_the_camera_library_is_asked(project, photos, tmp_path):
     add_entry(LibraryEntry(key=key_of(taken), camera=held, date="2026-05-01"), tmp_path / "library")
     result = orient([photos], project, replace(QUICK, library=tmp_path / "library"))
     assert result.adjustment.adjusted.cameras[0].values["c"] == held.values["c"]
-    assert any("of the camera library, kept on 2026-05-01, is held" in n.message for n in result.adjustment.notices)
+    assert any("of the camera library, kept on 2026-05-01, is held" in n.text for n in result.adjustment.notices)

@@ -418,7 +418,7 @@ def test_rigorous_scenes_without_an_rpc(terrain, tmp_path, monkeypatch):
     assert np.isfinite(used[:, 0]).mean() > 0.9
     assert np.abs(np.median(error[:, 2])) < np.nanmedian(used[:, 2])
     assert np.std(error[:, 2]) < 0.2
-    assert any("no RPC; the attitude" in n.message for n in result.adjustment.notices)
+    assert any("no RPC; the attitude" in n.text for n in result.adjustment.notices)
 
 
 def geographic(result):

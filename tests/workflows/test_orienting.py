@@ -92,7 +92,7 @@ def test_a_stage_of_ones_own_is_one_value(photos, tmp_path, monkeypatch):
     told = {r.name: r.summary for r in done.stages}
     assert [r.name for r in done.stages].index("counted") == 3 + 1
     assert told["counted"].endswith(" points")
-    assert [n.message for n in done.adjustment.notices if n.code == "count"] == [told["counted"]]
+    assert [n.text for n in done.adjustment.notices if n.code == "count"] == [told["counted"]]
 
 
 @needs_portal

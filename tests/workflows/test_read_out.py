@@ -82,7 +82,7 @@ def test_a_rolling_shutter_that_is_told_stands_in_the_model():
     plain = adjusted(block)
     found = rolling_shutters(plain, block, photographs(when))
     assert [n.code for n in found.notices] == ["read_out"]
-    assert "33 ms" in found.notices[0].message  # what others have measured with such a camera
+    assert "33 ms" in found.notices[0].text  # what others have measured with such a camera
     assert found.block.cameras[0].model == "brown_rolling"
     result = adjusted(found.block)
     r = next(i.parameters["r"] for i in result.interior if i.image is None)
@@ -121,11 +121,11 @@ def test_a_known_read_out_that_is_of_no_use_says_why():
     block, when = flight(SECONDS)
     (notice,) = rolling_shutters(adjusted(block), block, photographs(when), SECONDS).notices
     assert notice.code == "read_out_unused"
-    assert "nothing fixes the scale" in notice.message
+    assert "nothing fixes the scale" in notice.text
     (notice,) = rolling_shutters(
         adjusted(placed(block)), placed(block), photographs(dict.fromkeys(when)), SECONDS
     ).notices
-    assert "state no times" in notice.message
+    assert "state no times" in notice.text
 
 
 @pytest.mark.parametrize(
@@ -155,7 +155,7 @@ def test_a_rolling_shutter_is_named_with_its_read_out_time():
     assert "rolling_shutter" in codes
     assert "pixel_shape" not in codes
     notice = told.notices[codes.index("rolling_shutter")]
-    assert "photographs with the times" in notice.message
+    assert "photographs with the times" in notice.text
     assert notice.severity in {Severity.FAULT, Severity.CAUTION}
 
 

@@ -52,7 +52,7 @@ def test_the_same_result_comes_of_the_block_alone(first):
     assert before.precision is not None
     np.testing.assert_allclose(after.precision.object_points, before.precision.object_points, rtol=1e-3, atol=1e-12)
     (told,) = [n for n in after.notices if n.code == "given_rejected"]
-    assert told.message.startswith(f"{known_wrong(block).sum()} image observations are known as wrong")
+    assert told.text.startswith(f"{known_wrong(block).sum()} image observations are known as wrong")
     assert {r.kind for r in after.image_observations.rejected if r} <= {RejectionKind.GIVEN, RejectionKind.SINGLE_RAY}
 
 

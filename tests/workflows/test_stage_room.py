@@ -88,7 +88,7 @@ def test_what_is_little_is_made_in_one_piece(means, monkeypatch):
     assert re.fullmatch(
         r"memory= allows adjustments 0\.001 GB, and one of them took 0\.15\d* GB: up to 0\.2 GB they are made in one "
         r"piece, whatever is allowed, as the program itself takes 0\.15 GB of it",
-        told.message,
+        told.text,
     )
     with room_of(replace(means, adjusting=1e9), len(block.observations)) as room:
         adjusted(block)

@@ -67,7 +67,7 @@ def measured(half, warned):
 
 def test_notices_of_a_result_are_those_of_its_adjustment_made_again(warned):
     again = as_its_result(rb.adjust(read_block(warned / "block")), warned)
-    assert [n.message for n in again.notices if n.severity is Severity.FAULT] == [FAULT]
+    assert [n.text for n in again.notices if n.severity is Severity.FAULT] == [FAULT]
     assert sum(n.severity is Severity.CAUTION for n in again.notices) == 5
 
 

@@ -65,7 +65,7 @@ def test_remarks_of_several_cameras_are_one_notice():
         for p, s in (("a.jpg", "1"), ("b.jpg", "1"), ("c.jpg", "2"))
     ]
     notices = camera_notices(camera_groups(photos))
-    copies = [n for n in notices if "a copy" in n.message]
+    copies = [n for n in notices if "a copy" in n.text]
     assert len(copies) == 1
     assert copies[0].message.startswith("3 photographs (cameras x-5mm, ")
     assert len(copies[0].ids) == 2

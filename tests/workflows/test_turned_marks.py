@@ -62,8 +62,8 @@ def test_marks_as_a_viewer_shows_them_are_taken_turned_back(flight, tag, every):
     placed = placed_with(turned, inside(turned, shown(turned)))
     (notice,) = [n for n in placed.notices if n.code == "marks_turned"]
     assert notice.severity == "caution"
-    assert f"EXIF orientation {tag} (shown turned by" in notice.message
-    assert "taken turned back" in notice.message
+    assert f"EXIF orientation {tag} (shown turned by" in notice.text
+    assert "taken turned back" in notice.text
     assert "mark_rejected" not in codes(placed)
     assert error(turned, placed) < 0.5
 
@@ -76,7 +76,7 @@ def test_marks_that_the_stored_format_cannot_hold_are_turned(flight, tag):
     check_marks(turned.photos, Given(control=(control(turned, marks=marks),)))
     placed = placed_with(turned, marks)
     (notice,) = [n for n in placed.notices if n.code == "marks_turned"]
-    assert "as stored cannot hold them" in notice.message
+    assert "as stored cannot hold them" in notice.text
     assert error(turned, placed) < 0.5
 
 
@@ -121,4 +121,4 @@ def test_what_so_few_marks_do_not_decide_is_a_fault_and_stays(flight):
     placed = placed_with(turned, only(replace(marks, xy_px=xy), kept))
     (notice,) = [n for n in placed.notices if n.code == "marks_turned"]
     assert notice.severity == "fault"
-    assert "do not decide: they stay as they are" in notice.message
+    assert "do not decide: they stay as they are" in notice.text

@@ -109,7 +109,7 @@ def test_noise_fields_need_one_piece_and_that_is_said(tmp_path):
     assert few.noise.reason == "the normal equations were reduced in parts, and fields need them in one piece"
     (told,) = (n for n in few.notices if n.code == "noise_in_parts")
     assert told.severity is Severity.CAUTION
-    assert "standard deviations rest on white noise" in told.message
+    assert "standard deviations rest on white noise" in told.text
 
 
 def smooth_errors():
@@ -125,7 +125,7 @@ def factors(notice):
     """What standard deviations of object points are to be multiplied by."""
     if notice.code == "residual_structure":
         return notice.values["ratio_points"]
-    return float(re.search(r"([\d.]+) for object points", notice.message)[1])
+    return float(re.search(r"([\d.]+) for object points", notice.text)[1])
 
 
 @pytest.mark.parametrize("noise", ["auto", "fields"])
@@ -159,9 +159,9 @@ def test_the_command_says_what_it_did(tmp_path):
     write_block(flight(), tmp_path / "block")
     done = run_adjust(AdjustSettings(block=tmp_path / "block", out=tmp_path / "out", memory=0.1, report=False))
     told = next(n for n in done.notices if n.code == "in_parts")
-    assert "in one piece the adjustment would take" in told.message
-    assert "and 0.1 GB were allowed (memory=)" in told.message
-    assert "So many image points take about" in told.message
+    assert "in one piece the adjustment would take" in told.text
+    assert "and 0.1 GB were allowed (memory=)" in told.text
+    assert "So many image points take about" in told.text
     assert done.converged
 
 

@@ -46,6 +46,8 @@ class Notice:
     details: tuple[Message, ...] = ()
     variant: str = ""
     """Which of several messages of this code: "turned" of "behind_camera.turned"."""
+    words: str = ""
+    """The code whose words it has, where it shares those of other codes."""
 
     def __post_init__(self) -> None:
         """Take the variant off the code."""
@@ -63,7 +65,7 @@ class Notice:
     def data(self) -> Message:
         """The message as data."""
         values: dict[str, Value] = {**({"ids": self.ids} if self.ids else {}), **self.values}
-        code = f"{self.code}.{self.variant}" if self.variant else self.code
+        code = self.words or (f"{self.code}.{self.variant}" if self.variant else self.code)
         return Message(code=code, values=plain(values), severity=self.severity, details=self.details)
 
     @property

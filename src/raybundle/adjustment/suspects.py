@@ -37,7 +37,7 @@ SUSPECTS = {
     "zenith_angle": "zenith_angle_suspect",
     "slope_distance": "slope_distance_suspect",
 }
-"""Codes of the notices of each kind of observation; of a kind that has none, "suspect.value" """
+"""Codes of notices that have words of their own; others have those of "suspect.value"."""
 LINEAR = 0.1
 """Share of a length up to which its error is linear: of a larger one the estimate may be any number, a negative too."""
 
@@ -81,9 +81,14 @@ def suspect_notices(result: Adjustment, g: ObservationGroup, limit: float) -> li
             code = "distance_suspect.far"
             values["share"] = LINEAR
         else:
-            code = SUSPECTS.get(g.kind, "suspect.value")
+            code = SUSPECTS.get(g.kind, f"{g.kind}_suspect")
             values["shown"] = round(given + off, digits)
-        found.append(Notice(code=code, values=values, ids=(g.ids[k],), details=tuple(each), measured=Severity.FAULT))
+        shared = "" if code.partition(".")[0] in SUSPECTS.values() else "suspect.value"
+        found.append(
+            Notice(
+                code=code, words=shared, values=values, ids=(g.ids[k],), details=tuple(each), measured=Severity.FAULT
+            )
+        )  # fmt: skip
     return found
 
 

@@ -118,7 +118,7 @@ def figures_of_result(result: ResultFolder) -> Figures:
 def quantity_of(name: str) -> Quantity:
     """The quantity of a name; raises InputError."""
     if name not in CRITERIA:
-        raise InputError("selection.unknown_quantity", quantity=repr(name), known=list(CRITERIA))
+        raise InputError("selection.unknown_quantity", quantity=str(name), known=list(CRITERIA))
     return cast("Quantity", name)
 
 

@@ -130,7 +130,7 @@ def snap(
 
 def _check(grey: Array, x: float, y: float, kind: str, reach_px: float) -> None:
     if kind not in ("ellipse", "corner", "cross", "patch", "auto"):
-        raise InputError("snap.unknown_kind", kind=repr(kind))
+        raise InputError("snap.unknown_kind", kind=str(kind))
     if grey.ndim != 2 or str(grey.dtype) not in {"uint8", "uint16"}:
         raise InputError("snap.image_type", kind=str(grey.dtype), shape=grey.shape)
     if not (0 <= x <= grey.shape[1] and 0 <= y <= grey.shape[0]):

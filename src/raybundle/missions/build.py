@@ -78,7 +78,7 @@ def plan_mission(task: Task) -> Mission:
             the camera can, a battery that does not reach
     """
     if task.pattern not in patterns:
-        raise InputError("mission.unknown_pattern", pattern=repr(task.pattern), known=sorted(patterns))
+        raise InputError("mission.unknown_pattern", pattern=str(task.pattern), known=sorted(patterns))
     pattern = patterns[task.pattern]
     outline = checked_outline(task.outline, pattern.shape)
     zones = tuple(checked_ring(z, "zone", str(k + 1)) for k, z in enumerate(task.no_go))

@@ -82,7 +82,7 @@ def mission_forecast(mission: Mission, ground: Ground, asked: Asked | None = Non
     """
     asked = asked or Asked()
     if patterns[mission.pattern].shape == "place":
-        raise InputError("plan.mission_pattern", pattern=repr(mission.pattern))
+        raise InputError("plan.mission_pattern", pattern=str(mission.pattern))
     every = exposures(mission)
     chosen = _middle(every.xyz)
     part = every.rows(chosen)

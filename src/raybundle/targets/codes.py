@@ -129,7 +129,7 @@ def register(family: RingFamily) -> RingFamily:
 def family_named(name: str) -> RingFamily:
     """The registered family of this name; raises InputError."""
     if name not in registry:
-        raise InputError("target.unknown_ring_family", name=repr(name), known=sorted(registry))
+        raise InputError("target.unknown_ring_family", name=str(name), known=sorted(registry))
     return registry[name]
 
 

@@ -118,7 +118,7 @@ class Sheet:
 def paper_size(name: str, orientation: Orientation = "upright") -> tuple[float, float]:
     """Width and height [mm]; raises InputError."""
     if name.upper() not in PAPERS:
-        raise InputError("sheet.unknown_paper", name=repr(name), known=list(PAPERS))
+        raise InputError("sheet.unknown_paper", name=str(name), known=list(PAPERS))
     w, h = PAPERS[name.upper()]
     return (float(h), float(w)) if orientation == "lying" else (float(w), float(h))
 

@@ -153,7 +153,7 @@ def target(family: str | Target) -> Target:
         if made is not None:
             return made
     near = nearest(name, [n for kind in kinds.values() for n in kind.names(name)])
-    raise InputError("target.unknown_family", name=repr(family), near=near, n=len(near), known=forms())
+    raise InputError("target.unknown_family", name=str(family), near=near, n=len(near), known=forms())
 
 
 def nearest(text: str, names: Sequence[str]) -> list[str]:

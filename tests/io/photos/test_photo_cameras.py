@@ -153,7 +153,7 @@ def test_a_stored_calibration_far_from_the_metadata_is_remarked():
     (group,) = camera_groups([photo()], [stored("mine", c=50.0)])
     assert "the calibration is taken" in group.remarks[0]
     (notice,) = camera_notices([group])
-    assert "the calibration is taken" in notice.message
+    assert "the calibration is taken" in notice.text
     assert notice.severity is Severity.CAUTION
     plain = replace(group, stored=None)
     assert [n.severity for n in camera_notices([plain])] == [Severity.REMARK]

@@ -72,7 +72,7 @@ def kind_of(path: Path, head: bytes) -> Kind:
     if (other := other_kind(path.suffix, head)) is not None:
         raise Unusable(other)
     shown = "".join(chr(b) if 32 <= b < 127 else "." for b in head[:12])
-    raise Unusable("photograph.kind_unknown", begin=repr(shown))
+    raise Unusable("photograph.kind_unknown", begin=str(shown))
 
 
 def other_kind(suffix: str, head: bytes = b"") -> Message | None:

@@ -144,14 +144,14 @@ def _make(name: str) -> Target | None:
         return None
     match = NAME.fullmatch(name)
     if match is None:
-        raise InputError("board.charuco_name", name=repr(name))
+        raise InputError("board.charuco_name", name=str(name))
     columns, rows = (whole_of(match[k]) or 0 for k in (1, 2))
     ratio = RATIO if match[4] is None else number_of(match[4]) or 0.0
     if min(columns, rows) < 3 or not 0.3 <= ratio <= 0.95:
-        raise InputError("board.charuco_size", name=repr(name))
+        raise InputError("board.charuco_size", name=str(name))
     capacity = len(dictionary(_dictionary(match[3])).bytesList)
     if columns * rows // 2 > capacity:
-        raise InputError("board.charuco_tags", name=repr(name), n=columns * rows // 2, tags=match[3], most=capacity)
+        raise InputError("board.charuco_tags", name=str(name), n=columns * rows // 2, tags=match[3], most=capacity)
     return Charuco(columns=columns, rows=rows, tags=match[3], ratio=ratio)
 
 

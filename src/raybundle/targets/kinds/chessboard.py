@@ -241,10 +241,10 @@ def _make(name: str) -> Target | None:
         return None
     match = NAME.fullmatch(name)
     if match is None:
-        raise InputError("board.chessboard_name", name=repr(name))
+        raise InputError("board.chessboard_name", name=str(name))
     columns, rows = (whole_of(match[k]) or 0 for k in (1, 2))
     if min(columns, rows) < FEWEST or max(columns, rows) > MOST:
-        raise InputError("board.chessboard_size", name=repr(name))
+        raise InputError("board.chessboard_size", name=str(name))
     return Chessboard(columns=columns, rows=rows)
 
 

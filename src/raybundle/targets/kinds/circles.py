@@ -133,10 +133,10 @@ def _make(name: str) -> Target | None:
         return None
     match = NAME.fullmatch(name)
     if match is None:
-        raise InputError("board.dots_name", name=repr(name))
+        raise InputError("board.dots_name", name=str(name))
     columns, rows = (whole_of(match[k]) or 0 for k in (2, 3))
     if min(columns, rows) < 3 or max(columns, rows) > 200:
-        raise InputError("board.dots_size", name=repr(name))
+        raise InputError("board.dots_size", name=str(name))
     return Circles(columns=columns, rows=rows, staggered=bool(match[1]))
 
 

@@ -45,7 +45,7 @@ def dictionary(name: str) -> Any:
     known = dictionaries()
     if name not in known:
         near = nearest(name, [*known])
-        raise InputError("target.unknown_tags", name=repr(name), near=near, n=len(near), known=sorted(known))
+        raise InputError("target.unknown_tags", name=str(name), near=near, n=len(near), known=sorted(known))
     return cv2.aruco.getPredefinedDictionary(known[name])
 
 
