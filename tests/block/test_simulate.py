@@ -149,9 +149,9 @@ def test_points_with_too_few_rays_are_left_out():
 
 def test_a_scene_that_shows_too_little_is_an_error():
     scene = replace(SCENES["field"], rotation=-SCENES["field"].rotation * [[1], [1], [-1]])
-    with pytest.raises(InputError, match="only 0 points"):
+    with pytest.raises(InputError, match=r"0.*simulation\.too_few_points"):
         simulate(replace(scene, centre=scene.centre * [1, 1, -10]), Survey())
-    with pytest.raises(InputError, match="500 control"):
+    with pytest.raises(InputError, match=r"500.*simulation\.too_few_points"):
         simulate(SCENES["field"], Survey(control=500))
 
 

@@ -388,7 +388,7 @@ def test_what_cannot_be_answered_is_told():
         plan_next(result, "worst", 99, Conditions(reach=Reach(most=30)))
     with pytest.raises(InputError, match=r"plan\.nothing_seen_again"):
         plan_next(result, "worst", 1, Conditions(depth=(1e-3, 2e-3)))
-    with pytest.raises(InputError, match="statistics"):
+    with pytest.raises(InputError, match=r"adjustment\.no_statistics"):
         plan_next(decide(result.given, replace(TIGHT, statistics=False)), "worst", 1)
     low = plan_next(adjusted(), "worst", 1, Conditions(reach=Reach(heights=(0.0, 2.0))))
     assert low.vertical == pytest.approx([0, 0, 1])  # who gives heights knows which way is up

@@ -339,9 +339,9 @@ def test_fixes_at_given_times_go_through_block_folders(tmp_path):
 @pytest.mark.parametrize(
     ("fixes", "message"),
     [
-        ("[1.0]", r"block.toml, line \d+, column cameras.one.attitude_fixes: 1 orientation fixes; from 2"),
-        ("[1.0, 2.0, 2.0]", "fix 3 does not follow fix 2"),
-        ("[100.0, 200.0]", "all of them lie before the first line or after the last"),
+        ("[1.0]", r"block\.toml.*cameras\.one\.attitude_fixes.*1.*2.*orientation_fix\.count"),
+        ("[1.0, 2.0, 2.0]", r"3.*2.*orientation_fix\.time_order"),
+        ("[100.0, 200.0]", r"orientation_fix\.outside_image"),
         ('["a", 2.0]', r"value\.not_a_number"),
         ('"none.csv"', "none.csv"),
     ],

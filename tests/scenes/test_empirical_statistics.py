@@ -120,7 +120,7 @@ def test_the_command(tmp_path, capsys):
     )
     assert len(head) == 81
     assert main(["empirical", file, "--image-sigma", "0.3", "--out", str(tmp_path / "out")]) == 2
-    assert "stands there already" in capsys.readouterr().err
+    assert "[folder.exists]" in capsys.readouterr().err
     assert main(["empirical", file, "--model", "affine", "--image-sigma", "0.3"]) == 3
     assert "affine is not adequate" in capsys.readouterr().out
     assert main(["empirical", file, "--model", "dlt-brown", "--without", "K3", "--image-sigma", "0.3"]) in {0, 3}

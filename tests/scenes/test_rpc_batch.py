@@ -74,7 +74,7 @@ def test_a_folder(folder, control, rpc, tmp_path, capsys):
         shifts = [float(row["A0_px"]), float(row["B0_px"])]
         assert written.image_offset - rpc.image_offset == pytest.approx(shifts, abs=2 * told)
     assert main(words) == 2
-    assert "stands there already" in capsys.readouterr().err
+    assert "[folder.exists]" in capsys.readouterr().err
 
 
 def test_pictures_and_the_same_from_python(folder, control, tmp_path):

@@ -176,7 +176,7 @@ def test_without_a_picture_or_the_library(rpc, picture, tmp_path, monkeypatch):
     with pytest.raises(InputError, match="the scene was given without a picture"):
         write_rpc(rpc, tmp_path / "a.tif")
     monkeypatch.setitem(sys.modules, "rasterio", None)
-    with pytest.raises(InputError, match=r"not installed: pip install 'raybundle\[geo\]'"):
+    with pytest.raises(InputError, match=r"package\.rasterio_missing"):
         write_rpc(rpc, tmp_path / "a.tif", picture)
 
 
@@ -386,7 +386,7 @@ def test_rpc_of_gdal_as_xml_and_json(rpc, picture, tmp_path):
         assert (found.rpc.err_bias_m, found.rpc.err_rand_m) == (1.5, 0.25), name
     broken = {**values, "SAMP_OFF": "east"}
     (tmp_path / "own.json").write_text(json.dumps({"metadata": {"RPC": broken}}))
-    with pytest.raises(InputError, match="SAMP_OFF.*east"):
+    with pytest.raises(InputError, match=r"SAMP_OFF.*value\.not_finite"):
         read_scene(tmp_path / "own.json")
     del values["LAT_SCALE"], values["LINE_DEN_COEFF"]
     (tmp_path / "own.json").write_text(json.dumps({"metadata": {"RPC": values}}))

@@ -104,6 +104,6 @@ def test_a_damaged_journal_in_such_a_folder_is_named(project, photo_folders, tmp
 
 
 def test_a_journal_that_may_be_written_is_opened_as_ever(desk, project):
-    assert desk.journal.read_only == ""
+    assert not desk.journal.read_only
     with Journal.open_or_look(journal_path(project), desk.journal.known) as again:
-        assert again.read_only == ""
+        assert not again.read_only

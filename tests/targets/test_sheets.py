@@ -144,7 +144,7 @@ def test_beside_a_sheet(tmp_path):
     ("text", "message"),
     [
         ("family = ", r"toml\.invalid"),
-        ('family = "aicon12"', "no family, or no"),
+        ('family = "aicon12"', r"sheet\.no_sidecar"),
         ('family = "aicon12"\npages = [1]', r"pages\.0.*value\.no_table"),
         ('family = "aicon12"\npages = [{targets = [{x_mm = 1}]}]', r"pages\.0\.targets\.0.*value\.key_missing"),
         ('family = "a"\npages = [{targets = [{name = "1", x_mm = "2"}]}]', r"2.*value\.not_finite"),

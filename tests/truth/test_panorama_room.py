@@ -74,7 +74,7 @@ def test_a_neglected_eccentricity_is_noticed():
     result = adjust_block(replace(noisy, cameras=(without,)))
     _, statistic, upper = result.global_test
     assert statistic > 5 * upper
-    assert any("the model does not fit" in n.text for n in result.notices)
+    assert any(n.code == "global_test" and n.severity != "remark" for n in result.notices)
     assert np.abs(result.image_observations.residuals_px).max() > 2
 
 
@@ -85,12 +85,10 @@ def test_one_panorama_without_control_is_called_not_determinable():
         block,
         points=replace(points, role=np.full_like(points.role, Role.TIE), sigma=np.full_like(points.sigma, np.nan)),
     )
-    with pytest.raises(
-        RankDefect, match=r"not determinable .*object points 1, 2.*c, y0, K1, K2, e, d.* of camera panorama"
-    ):
+    with pytest.raises(RankDefect, match=r"1.*2.*y0.*K1.*block\.single_image"):
         adjust(free)
 
 
 def test_one_panorama_with_little_control_names_its_parameters():
-    with pytest.raises(RankDefect, match=r"(?s)do not determine.*[A-Za-z0-9]+ of camera panorama"):
+    with pytest.raises(RankDefect, match=r"A.*adjustment\.too_few_observations"):
         adjust(room(stations=1))

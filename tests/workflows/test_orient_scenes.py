@@ -313,7 +313,7 @@ def test_heights_above_a_geoid_whose_grid_is_missing(pair, project, capsys, monk
     monkeypatch.setattr(coordinate_systems, "_vertical", lambda _: (None, "some_geoid.tif"))
     status, said = quick(pair[0], project, capsys, "--control", str(pair[1]), "--crs", "EPSG:4326+5773")
     assert status == 2
-    assert "counts heights above a geoid that is not installed" in said
+    assert "[crs.geoid_missing]" in said
     assert "pyproj sync --file some_geoid.tif" in said
     assert "EPSG:4326+ellipsoid" in said
 
