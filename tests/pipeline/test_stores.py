@@ -1,5 +1,7 @@
 """Which stores are refused, before anything is computed or remembered."""
 
+import re
+
 import pytest
 
 from raybundle.cli.main import main
@@ -54,7 +56,7 @@ def test_what_is_no_store_is_refused_with_the_option_as_typed(tmp_path, monkeypa
         f"file://{tmp_path}/photos/store": "store.not_separate",
     }
     for url, why in cases.items():
-        with pytest.raises(InputError, match=r"store\.invalid_url|store\.no_url") as error:
+        with pytest.raises(InputError, match=re.escape(why)) as error:
             check_store(url, out=tmp_path / "out", apart=(tmp_path / "photos",))
         said = str(error.value)
         assert said.startswith(f'store="{url}"') or "secret" in url, said

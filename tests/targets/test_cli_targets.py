@@ -156,10 +156,10 @@ def test_a_table_of_ones_own_goes_with_its_sheet(tmp_path, capsys):
     [
         (("bits = 8", "bits = 30"), "value.not_whole"),
         (("ring_radii_mm = [10.0, 15.0]", "ring_radii_mm = [15.0]"), "value.count"),
-        (("ring_radii_mm = [10.0, 15.0]", "ring_radii_mm = [15.0, 10.0]"), "do not go with a dot of 5 mm radius"),
+        (("ring_radii_mm = [10.0, 15.0]", "ring_radii_mm = [15.0, 10.0]"), "[sheet.ring_radii]"),
         (("ring_radii_mm = [10.0, 15.0]", 'ring_radii_mm = "wide"'), "value.no_list"),
         (("code = 51", "code = 256"), "value.not_whole"),
-        (("code = 51", "code = 30"), "two targets have the same ring"),
+        (("code = 51", "code = 30"), "[sheet.same_ring]"),
     ],
 )
 def test_damaged_codes_beside_a_sheet(tmp_path, change, message):
