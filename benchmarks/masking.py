@@ -51,8 +51,8 @@ def run(network: str, share: float, size_px: float, seed: int) -> dict:
     wrong = simulation.gross
     left = int((wrong & used).sum())
     done = left <= 0.05 * wrong.sum() and result.sigma0 < 1.5
-    said = any(n.subject in SAID for n in result.notices)
-    end = "found" if done else "named" if said else "hidden" if result.sigma0 < 1.5 else "silent"
+    found = any(n.subject in SAID for n in result.notices)
+    end = "found" if done else "named" if found else "hidden" if result.sigma0 < 1.5 else "silent"
     return {
         **row, "end": end, "sigma0": round(result.sigma0, 3),
         "left": left, "good": int((~wrong).sum()), "good_lost": int((~wrong & ~used).sum()),

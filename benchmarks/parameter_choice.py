@@ -153,9 +153,9 @@ def wandering(draws: int, wander_px: float) -> dict:
             difference, V = own.difference_px.ravel()[at], own.covariance[np.ix_(at, at)]
             own_px.append(float(np.median(np.sqrt(np.diagonal(V)))))
             values, vectors = np.linalg.eigh(V)
-            told = values > 1e-6 * values[-1]
-            square = float((((vectors.T @ difference) ** 2)[told] / values[told]).sum())
-            shown += chi_square_tails(square, int(told.sum()))[1] < 0.01
+            parts = values > 1e-6 * values[-1]
+            square = float((((vectors.T @ difference) ** 2)[parts] / values[parts]).sum())
+            shown += chi_square_tails(square, int(parts.sum()))[1] < 0.01
         found[name] = {
             "draws": draws, "centres": float(np.sqrt(np.mean(squares))), "own_px": float(np.median(own_px)),
             "shown": shown / draws,

@@ -12,7 +12,8 @@ import raybundle as rb
 from raybundle import commands
 from raybundle.cli.main import main
 from raybundle.errors import InputError
-from raybundle.settings import on_the_command_line, option, settings_of
+from raybundle.settings import option, settings_of
+from raybundle.words import COMMAND_LINE, reading
 
 SOURCE = Path(__file__).resolve().parents[1] / "src/raybundle"
 LAYERS = ("adjustment", "orientation", "workflows", "block", "scenes", "report")
@@ -120,7 +121,7 @@ def test_a_setting_is_spelt_as_its_reader_writes_it():
     assert option("gps", False, flag="no-gps") == "gps=False"
     assert option("read_out", 25.0) == "read_out=25"
     assert option("control") == "control="
-    with on_the_command_line():
+    with reading(COMMAND_LINE):
         assert option("size", "WIDTH", "HEIGHT") == "--size WIDTH HEIGHT"
         assert option("crs", "EPSG:25832") == "--crs EPSG:25832"
         assert option("gps", False, flag="no-gps") == "--no-gps"

@@ -18,7 +18,7 @@ the number against its limit, and what to do next.  What else a program needs of
 Exit status of the command line:
 
     0    what was asked for is written.  Of an adjustment: there is a result, not that it is good; its faults are
-         printed and stand in result.json (`warnings`, severity "fault"), and `converged` there says whether the
+         printed and stand in result.json (`warnings`, severity "fault"), and `converged` there states whether the
          iteration came to an end
     1    an internal error, to be reported
     2    bad input or usage (InputError); nothing is written

@@ -10,7 +10,6 @@ import json
 import math
 import re
 from collections.abc import Iterator, Mapping, Sequence
-from contextlib import AbstractContextManager
 from dataclasses import MISSING, dataclass, field
 from functools import cache
 from os import PathLike
@@ -19,7 +18,6 @@ from typing import Any, Literal, TypeVar, cast, get_args, get_origin, get_type_h
 
 from raybundle import words
 from raybundle.errors import InputError
-from raybundle.words import Reader
 from raybundle.words.options import option_words
 
 T = TypeVar("T")
@@ -53,28 +51,13 @@ METRES = Range(low=0, high=1e6, above=True)
 Part = Range | Literal["text"]
 
 
-def with_flags() -> bool:
-    """Whether messages are read on the command line, where a setting is a flag."""
-    return words.reader().flags
-
-
-def read_with_flags(flags: bool) -> None:  # noqa: FBT001  (what a process begins with)
-    """Set for all threads of this process where its messages are read."""
-    words.read_by(Reader(flags=flags))
-
-
-def on_the_command_line() -> AbstractContextManager[None]:
-    """Messages made meanwhile name settings by their flags."""
-    return words.reading(Reader(flags=True))
-
-
 def option(name: str, *values: object, flag: str = "") -> str:
     """A setting as the reader of a message writes it: a flag with values, or `size=(WIDTH, HEIGHT)` in Python.
 
     values  what to give it; words in capitals stand for values of the reader's own, True and False for a flag alone
     flag    its name on the command line, where that is not the field's: option("gps", False, flag="no-gps")
     """
-    return option_words(name, *values, flag=flag, flags=with_flags())
+    return option_words(name, *values, flag=flag, flags=words.reader().flags)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

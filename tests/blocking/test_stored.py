@@ -111,7 +111,7 @@ def test_what_is_done_is_not_done_again(tmp_path):
 
 def test_an_open_datum_and_what_is_not_determined_are_told():
     block = flight(control=0, observed=False, bar=False)
-    with pytest.raises(DatumDefect, match=r"X.*datum\.not_by_control"):
+    with pytest.raises(DatumDefect, match=r"(?s)X.*datum\.not_by_control"):
         adjust_columns(InMemory(block), replace(OPTIONS, datum="control"), free_of(block), Memory(), Serial(), leaf=60)
     camera = replace(block.cameras[0], estimate=("c", "x0", "y0", "affinity", "shear"))
     flat = replace(block.points, xyz=np.where([True, True, False], block.points.xyz, 0.0))

@@ -60,7 +60,8 @@ from raybundle.commands.target_settings import ChooseSettings, DetectSettings, S
 from raybundle.errors import InputError
 from raybundle.planning.scenes import TargetField, field_scene
 from raybundle.planning.simulate import Survey, simulate
-from raybundle.settings import made, on_the_command_line, other_than_usual, setting, settings_of, toml_lines
+from raybundle.settings import made, other_than_usual, setting, settings_of, toml_lines
+from raybundle.words import COMMAND_LINE, reading
 
 PHOTOS = {"photos": (Path("a"),), "out": Path("b")}
 COMMANDS = [
@@ -119,7 +120,7 @@ PYTHON_ALONE = {
 def test_every_setting_is_an_option_with_help_and_every_option_a_setting(kind, command, asked):
     options = {p.name: p for p in command.params if isinstance(p, click.Option)}
     for s in settings_of(kind):
-        with on_the_command_line():
+        with reading(COMMAND_LINE):
             assert (options[s.name].help or "") == s.help
         assert len(s.help) > 6 or (kind, s.name) in EXPLAINED_BY_THEIR_WORDS
     named = {s.name for s in settings_of(kind)}

@@ -18,9 +18,9 @@ from raybundle.cli.outputs import Output
 from raybundle.cli.settings_file import defaults_of
 from raybundle.errors import InputError
 from raybundle.results.contents import clean
-from raybundle.settings import on_the_command_line
+from raybundle.words import COMMAND_LINE, reading
 
-with on_the_command_line():
+with reading(COMMAND_LINE):
     COMMANDS = dict(commands())
 
 

@@ -10,11 +10,11 @@ import pytest
 
 import raybundle as rb
 from raybundle.cli.main import main
-from raybundle.metrology.notices import p_words
 from raybundle.numerics.natural import natural
 from raybundle.planning.scenes import TargetField, field_scene
 from raybundle.planning.simulate import Survey, simulate
 from raybundle.report.write import write_result
+from raybundle.words.numbers import probability
 
 MOVED = {"5": (0.0, 0.004, 0.0), "17": (0.003, 0.0, -0.003)}
 
@@ -176,8 +176,8 @@ def test_measurements_that_are_not_to_be_used_yet_are_told(epochs, tmp_path, cap
 
 
 def test_a_probability_of_nothing_is_a_bound():
-    assert p_words(0.0) == "p < 1e-16"
-    assert p_words(0.031) == "p 0.031"
+    assert probability(0.0) == "p < 1e-16"
+    assert probability(0.031) == "p 0.031"
 
 
 def in_axes_of(epochs, file, out, capsys, *more):

@@ -14,7 +14,8 @@ from raybundle.pipeline.executors import Processes, Threads
 from raybundle.pipeline.keys import key_of
 from raybundle.pipeline.store import Folder
 from raybundle.pipeline.tasks import Task, do_written, function_of, read_task, written
-from raybundle.settings import on_the_command_line, option
+from raybundle.settings import option
+from raybundle.words import COMMAND_LINE, reading
 from tests.barriers import DEADLINE_S
 from tests.pipeline.graph import executions, tasks_of
 
@@ -118,7 +119,7 @@ def test_processes_are_others_and_use_one_thread(store, monkeypatch):
 
 def test_messages_of_processes_name_settings_as_those_of_their_parent(store):
     for flags in (False, True):
-        with on_the_command_line() if flags else nullcontext():
+        with reading(COMMAND_LINE) if flags else nullcontext():
             (done,) = Processes(1).run([task(1, function="named", small=True)], store)
         assert str(done.product["control"]) == ("--control" if flags else "control=")
 

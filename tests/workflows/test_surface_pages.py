@@ -19,7 +19,7 @@ from raybundle.io.geo.told_systems import system_with_heights
 from raybundle.report.write import write_result
 from raybundle.results.notices import as_its_result
 from raybundle.results.record import Record
-from raybundle.settings import on_the_command_line
+from raybundle.words import COMMAND_LINE, reading
 from raybundle.workflows.rectify import grid_over
 from raybundle.workflows.surface_grids import Grids, area_of_points
 from tests.workflows.half_portal import half_portal
@@ -202,7 +202,7 @@ def test_points_beside_the_area_of_the_heights_are_counted_with_the_extent_that_
     wide = grid_over(area, whole.grid.pixel)
     lost, _ = area_of_points(done, replace(whole, grid=wide))
     assert lost < 0.01 * len(done)
-    with on_the_command_line():
+    with reading(COMMAND_LINE):
         (told,) = outside_told(done_with(done, few), Grids(heights=few))
     assert f"{outside // 1000}" in told
     assert f"--extent {area[0]:.6g}"[:12] in told

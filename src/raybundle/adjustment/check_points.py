@@ -90,7 +90,7 @@ def check_notice(a: Adjustment) -> Notice | None:
     given = np.nan_to_num(a.given.points.sigma[rows])
     with np.errstate(all="ignore"):
         ratio = difference / np.hypot(a.precision.object_point_std[rows], given)
-    told: list[Message] = []
+    found: list[Message] = []
     limits = np.full(3, np.nan)
     severity = Severity.REMARK
     level = LEVEL / 3
@@ -105,8 +105,8 @@ def check_notice(a: Adjustment) -> Notice | None:
         certain = square > float(chdtri(1, level))
         severity = Severity.FAULT if certain else Severity.CAUTION if severity is Severity.REMARK else severity
         limits[k] = math.sqrt(float(chdtri(1, level / len(known))))
-        told.append(message("check_points_apart.axis", axis=axis, factor=math.sqrt(square), limit=math.sqrt(apart)))
-    if not told:
+        found.append(message("check_points_apart.axis", axis=axis, factor=math.sqrt(square), limit=math.sqrt(apart)))
+    if not found:
         return None
     beyond = _beyond(ratio, limits)
     ids = a.given.points.ids
@@ -114,11 +114,11 @@ def check_notice(a: Adjustment) -> Notice | None:
         message("check_points_apart.point", point=ids[rows[k]], axis="XYZ"[c], factor=size, limit=float(limits[c]))
         for k, c, size in beyond[:NAMED]
     ]
-    values: dict[str, Value] = {"n": len(rows), "beyond": len(beyond), "axes": [str(t.values["axis"]) for t in told]}
+    values: dict[str, Value] = {"n": len(rows), "beyond": len(beyond), "axes": [str(t.values["axis"]) for t in found]}
     return Notice(
         code="check_points_apart", values=values, measured=severity,
         ids=tuple(ids[rows[k]] for k, _, _ in beyond[:NAMED]),
-        details=(*told, *(named or [message("check_points_apart.no_single_point")])),
+        details=(*found, *(named or [message("check_points_apart.no_single_point")])),
     )  # fmt: skip
 
 

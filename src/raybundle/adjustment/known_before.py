@@ -119,18 +119,18 @@ def _contradiction(result: Adjustment, camera: Camera, interior: InteriorResult)
     if not squares > limit:
         return None
     known = {r.name: (s, r) for s, r in known_before(camera).items()}
-    told = list[Message]()
+    parts = list[Message]()
     for _, name in sorted(far, reverse=True):
         symbol, relation = known[name]
         at = _px(camera, interior.parameters[symbol].value)
         if relation.logarithm:
             known_px, factor = _px(camera, float(np.exp(relation.observed))), float(np.exp(relation.sigma))
-            told.append(
+            parts.append(
                 message("camera_contradicts.factor", symbol=symbol, found_px=at, known_px=known_px, factor=factor)
             )
         else:
             known_px, sigma = _px(camera, relation.observed), _px(camera, relation.sigma)
-            told.append(
+            parts.append(
                 message("camera_contradicts.value", symbol=symbol, found_px=at, known_px=known_px, known_sigma_px=sigma)
             )
     values: dict[str, Value] = {
@@ -140,7 +140,7 @@ def _contradiction(result: Adjustment, camera: Camera, interior: InteriorResult)
         "limit": limit,
         "level_percent": 100 * LEVEL,
     }
-    return Notice(code="camera_contradicts", values=values, ids=(camera.id,), details=tuple(told))
+    return Notice(code="camera_contradicts", values=values, ids=(camera.id,), details=tuple(parts))
 
 
 def _found_by_photographs(camera: Camera, interior: InteriorResult) -> set[str]:

@@ -99,16 +99,16 @@ def as_told(notices: Iterable[Notice], many: int = MANY) -> list[Notice]:
     kinds: dict[tuple[str, Severity], list[Notice]] = {}
     for n in gravest_first(notices):
         kinds.setdefault((n.code, n.severity), []).append(n)
-    told: list[Notice] = []
+    found: list[Notice] = []
     for group in kinds.values():
         if len(group) <= many or not all(n.ids for n in group):
-            told += list({n.text: n for n in group}.values())
+            found += list({n.text: n for n in group}.values())
             continue
         # a parameter stands behind its camera
         names = [": ".join(n.ids) if len(n.ids) == 2 else n.ids[0] for n in group[1:]]
         ids = tuple(dict.fromkeys(i for n in group for i in n.ids))
-        told.append(_with_others(group[0], names, ids))
-    return told
+        found.append(_with_others(group[0], names, ids))
+    return found
 
 
 def _with_others(notice: Notice, names: Sequence[str], ids: tuple[str, ...]) -> Notice:

@@ -192,17 +192,17 @@ def shared_errors_notice(result: Adjustment, noise: Noise) -> Notice | None:
     The mean square of the residuals in the directions of smooth fields is held against that of all (F test).
     """
     wider = {"interior": noise.ratio_interior, "points": noise.ratio_points}
-    told = {what: ratio for what, ratio in wider.items() if math.isfinite(ratio)}
-    if noise.kind == "white" or max(told.values(), default=1.0) <= NEARLY:
+    found = {what: ratio for what, ratio in wider.items() if math.isfinite(ratio)}
+    if noise.kind == "white" or max(found.values(), default=1.0) <= NEARLY:
         return None
     if fisher_tail(noise.chi_square, noise.directions, max(result.redundancy, 1)) > BY_CHANCE:
         return None
     parts = [message("residual_structure.fields", tau_px=noise.tau_px)] if noise.tau_px > 0 else []
     parts += [message("residual_structure.focus", focus_px=noise.focus_px)] if noise.focus_px > 0 else []
     parts += [message("residual_structure.neighbours", phi=noise.phi)] if noise.phi > 1 else []
-    parts += [message("residual_structure.times", object=what, factor=ratio) for what, ratio in told.items()]
+    parts += [message("residual_structure.times", object=what, factor=ratio) for what, ratio in found.items()]
     values: dict[str, Value] = {
         "tau_px": noise.tau_px, "focus_px": noise.focus_px, "phi": noise.phi, "ratio_interior": noise.ratio_interior,
-        "ratio_points": noise.ratio_points, "largest": max(told.values()),
+        "ratio_points": noise.ratio_points, "largest": max(found.values()),
     }  # fmt: skip
     return Notice(code="residual_structure.shared", values=values, details=tuple(parts))

@@ -21,23 +21,6 @@ from raybundle.observations import observation_kinds
 MOST = 40
 """Suspects of a group that are told from each other: each costs a solution of the normal equations."""
 MOST_DECIMALS = 9
-SUSPECTS = {
-    "plane": "plane_suspect",
-    "line": "line_suspect",
-    "plumb_line": "plumb_line_suspect",
-    "level": "level_suspect",
-    "attitude": "attitude_suspect",
-    "coordinate": "coordinate_suspect",
-    "deviation": "deviation_suspect",
-    "distance": "distance_suspect",
-    "parameter": "parameter_suspect",
-    "relation": "relation_suspect",
-    "station": "station_suspect",
-    "direction": "direction_suspect",
-    "zenith_angle": "zenith_angle_suspect",
-    "slope_distance": "slope_distance_suspect",
-}
-"""Codes of notices that have words of their own; others have those of "suspect.value"."""
 LINEAR = 0.1
 """Share of a length up to which its error is linear: of a larger one the estimate may be any number, a negative too."""
 
@@ -78,15 +61,15 @@ def suspect_notices(result: Adjustment, g: ObservationGroup, limit: float) -> li
             "w": abs(float(g.w[k])), "limit": limit,
         }  # fmt: skip
         if g.kind == "distance" and abs(off) > LINEAR * given:
-            code = "distance_suspect.far"
+            words = "distance_suspect.far"
             values["share"] = LINEAR
         else:
-            code = SUSPECTS.get(g.kind, f"{g.kind}_suspect")
+            words = "suspect.value"
             values["shown"] = round(given + off, digits)
-        shared = "" if code.partition(".")[0] in SUSPECTS.values() else "suspect.value"
         found.append(
             Notice(
-                code=code, words=shared, values=values, ids=(g.ids[k],), details=tuple(each), measured=Severity.FAULT
+                code=f"{g.kind}_suspect", words=words, values=values, ids=(g.ids[k],), details=tuple(each),
+                measured=Severity.FAULT,
             )
         )  # fmt: skip
     return found

@@ -190,12 +190,12 @@ class _Merge:
         speaks = role != Role.TIE
         chosen = rows.first(speaks)
         stands = chosen[rows.of]
-        told = replace(whole, xyz=np.where(given, whole.xyz, np.nan))
-        for name, c in told.columns():
-            code = codes(c, getattr(told, name), count)
+        parts = replace(whole, xyz=np.where(given, whole.xyz, np.nan))
+        for name, c in parts.columns():
+            code = codes(c, getattr(parts, name), count)
             for k in np.flatnonzero(speaks & (code != code[stands]))[:1].tolist():
                 one, two = (
-                    Role(int(role[j])).word if name == "role" else _entry(told, name, j) for j in (int(stands[k]), k)
+                    Role(int(role[j])).word if name == "role" else _entry(parts, name, j) for j in (int(stands[k]), k)
                 )
                 label = f"{whole.ids[k]}: {name}"
                 self.refuse_rows("point", label, rows, (int(stands[k]), one), (k, two))

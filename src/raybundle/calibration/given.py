@@ -270,12 +270,12 @@ def _wider(result: Adjustment) -> float:
 def _outweighed(result: Adjustment, camera: Camera, interior: InteriorResult, given: dict[str, float]) -> list[Notice]:
     """Parameters that the result states less precisely than the calibration did."""
     limit = _wider(result)
-    told: list[Message] = []
+    found: list[Message] = []
     for symbol, before in given.items():
         after = interior.parameters[symbol].std if symbol in interior.parameters else None
         if after is not None and after > limit * before:
-            told.append(message("calibration_outweighed.parameter", symbol=symbol, before=float(before), after=after))
-    if not told:
+            found.append(message("calibration_outweighed.parameter", symbol=symbol, before=float(before), after=after))
+    if not found:
         return []
-    values: dict[str, Value] = {"camera": camera.id, "n": len(told), "limit": limit}
-    return [Notice(code="calibration_outweighed", values=values, ids=(camera.id, *given), details=tuple(told))]
+    values: dict[str, Value] = {"camera": camera.id, "n": len(found), "limit": limit}
+    return [Notice(code="calibration_outweighed", values=values, ids=(camera.id, *given), details=tuple(found))]

@@ -21,7 +21,7 @@ from raybundle.cli.command import command_words
 from raybundle.cli.failures import silence, told_failure
 from raybundle.cli.lazy import LazyGroup
 from raybundle.errors import RaybundleError
-from raybundle.settings import on_the_command_line
+from raybundle.words import COMMAND_LINE, reading
 
 TASKS: dict[str, dict[str, str]] = {
     "Plan": {
@@ -119,7 +119,7 @@ def main(argv: Sequence[str] | None = None) -> int:
             setattr(sys, name, os.fdopen(os.open(os.devnull, os.O_WRONLY), "w", encoding="utf-8"))
         _printable(getattr(sys, name))
     try:
-        with on_the_command_line():
+        with reading(COMMAND_LINE):
             status = cli.main(arguments, prog_name="raybundle", standalone_mode=False)
         if sys.stdout is not None:
             sys.stdout.flush()
@@ -147,7 +147,7 @@ def _failed(arguments: Sequence[str], error: Exception) -> int:
     if "--traceback" in arguments:
         with contextlib.suppress(OSError, ValueError):
             traceback.print_exception(error)
-    with on_the_command_line():
+    with reading(COMMAND_LINE):
         text, status = told_failure(error)
     _say(text)
     data = error.json() if isinstance(error, RaybundleError) else {}
@@ -165,9 +165,9 @@ def _as_json(arguments: Sequence[str], text: str, status: int, data: Mapping[str
     """An error as an object on stdout, with `--json`: its text, and its code, values and place as data."""
     if "--json" in arguments:
         words = " ".join(command_words(cli, arguments))
-        told = json.dumps({"command": words, "exit_status": status, "error": text, **(data or {})}, ensure_ascii=False)
+        found = json.dumps({"command": words, "exit_status": status, "error": text, **(data or {})}, ensure_ascii=False)
         with contextlib.suppress(OSError, ValueError):
-            click.echo(told)
+            click.echo(found)
 
 
 def _say(text: str) -> None:

@@ -104,8 +104,8 @@ def lines(done: Measured) -> list[str]:
 def _fit_lines(f: BestFit) -> list[str]:
     import numpy as np  # noqa: PLC0415
 
-    from raybundle.metrology.notices import p_words  # noqa: PLC0415
     from raybundle.report.text.metrology_words import tolerances_told  # noqa: PLC0415
+    from raybundle.words.numbers import probability  # noqa: PLC0415
 
     scale = "" if not f.scale_sigma else f", scale {f.transform.scale:.7f} ± {f.scale_sigma:.1g}"
     rms, largest = significant(1000 * f.rms, 2), significant(1000 * float(f.length.max()), 2)
@@ -120,7 +120,7 @@ def _fit_lines(f: BestFit) -> list[str]:
         std = np.sqrt(np.maximum(np.diagonal(f.covariance[k]), 0))
         each = zip("XYZ", f.deviation[k], std, strict=True)
         d = ", ".join(f"{a} {1000 * v:+.3g} ± {1000 * u:.2g}" for a, v, u in each)
-        text.append(f"{f.ids[k]}: {1000 * f.length[k]:.3g} mm ({d}), {p_words(float(f.p_value[k]))}")
+        text.append(f"{f.ids[k]}: {1000 * f.length[k]:.3g} mm ({d}), {probability(float(f.p_value[k]))}")
     if np.isfinite(f.tolerance).any():
         text.append(f"tolerances: {tolerances_told(f)} by the uncertainty (ISO 14253-1, two standard deviations)")
     return text
@@ -129,7 +129,7 @@ def _fit_lines(f: BestFit) -> list[str]:
 def _length_lines(t: LengthTest) -> list[str]:
     import numpy as np  # noqa: PLC0415
 
-    from raybundle.metrology.notices import p_words  # noqa: PLC0415
+    from raybundle.words.numbers import probability  # noqa: PLC0415
 
     k = t.largest_at
     largest, rms = significant(1000 * t.largest, 2), significant(1000 * t.rms, 2)
@@ -141,7 +141,7 @@ def _length_lines(t: LengthTest) -> list[str]:
         what += f" that took no part (beside {others} that served as scale bars)" if t.independent else (
             ", all of which served as scale bars: no test"
         )  # fmt: skip
-    text = [f"{what}: {error}; {share}, together F {t.whole[0]:.2f} ({p_words(t.whole[1])})"]
+    text = [f"{what}: {error}; {share}, together F {t.whole[0]:.2f} ({probability(t.whole[1])})"]
     if t.kept is not None:
         over = int((np.abs(t.error) > t.allowed).sum())
         verb = "error is" if over == 1 else "errors are"

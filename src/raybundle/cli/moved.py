@@ -65,8 +65,8 @@ def words_of(done: Congruence) -> list[str]:
     import numpy as np  # noqa: PLC0415
 
     from raybundle.adjustment.severity import Severity  # noqa: PLC0415
-    from raybundle.metrology.notices import p_words  # noqa: PLC0415
     from raybundle.report.text.summary import line_of  # noqa: PLC0415
+    from raybundle.words.numbers import probability  # noqa: PLC0415
 
     n, moved = len(done.ids), int(done.moved.sum())
     least = 1000 * np.quantile(done.detectable[np.isfinite(done.detectable)], [0.5, 1.0])
@@ -75,7 +75,7 @@ def words_of(done: Congruence) -> list[str]:
     lines = [
         *(line_of(n) for n in done.told if n.severity is not Severity.REMARK),
         f"{told}, at {100 * done.significance:g} % for any false alarm",
-        f"as if none had moved F {F0:.2f} ({p_words(p0)}); those that stayed F {F1:.2f} ({p_words(p1)})",
+        f"as if none had moved F {F0:.2f} ({probability(p0)}); those that stayed F {F1:.2f} ({probability(p1)})",
     ]
     if done.after[1] < done.significance:
         lines.append(
@@ -94,7 +94,9 @@ def words_of(done: Congruence) -> list[str]:
         j = int(np.linalg.norm(done.displacement[:, k], axis=1).argmax())
         d, s = 1000 * done.displacement[j, k], 1000 * std[j, k]
         by = ", ".join(f"{a} {v:+.3g} ± {u:.2g}" for a, v, u in zip("XYZ", d, s, strict=True))
-        lines.append(f"{done.ids[k]} moved by {1000 * length[k]:.3g} mm ({by} mm), {p_words(float(done.p_value[k]))}")
+        lines.append(
+            f"{done.ids[k]} moved by {1000 * length[k]:.3g} mm ({by} mm), {probability(float(done.p_value[k]))}"
+        )
     if moved > LINES:
         lines.append(f"and {moved - LINES} more, in points.csv")
     extent = 1000 * float(np.linalg.norm(np.ptp(done.xyz, axis=0)))

@@ -11,7 +11,8 @@ import click
 
 from raybundle.cli.common import FOLDER
 from raybundle.cli.numbers import Number
-from raybundle.settings import Part, Range, Setting, on_the_command_line, settings_of
+from raybundle.settings import Part, Range, Setting, settings_of
+from raybundle.words import COMMAND_LINE, reading
 
 
 def options_of(kind: type, *names: str, **types: click.ParamType) -> Callable[[Callable[..., Any]], Callable[..., Any]]:
@@ -32,7 +33,7 @@ def options_of(kind: type, *names: str, **types: click.ParamType) -> Callable[[C
 def _option(s: Setting, own: click.ParamType | None) -> Callable[[Callable[..., Any]], Callable[..., Any]]:
     flag = f"--{s.flag}"
     names = flag, *(f"--{n}" for n in s.about.also), s.name
-    with on_the_command_line():
+    with reading(COMMAND_LINE):
         words = s.help
     if s.kind is bool:
         # a flag says the opposite of the default

@@ -20,13 +20,6 @@ FEW = 5
 """Lengths or bars that a notice lists with their figures"""
 
 
-def p_words(p: float) -> str:
-    """A probability behind its letter: "p 0.35", "p < 1e-16"."""
-    from raybundle.words.values import probability  # noqa: PLC0415  (Fluent is loaded with it)
-
-    return probability(p)
-
-
 def bar_notices(test: BarTest | None) -> tuple[Notice, ...]:
     """A fault where scale bars contradict each other, with what each of them makes of the others."""
     if test is None or not test.contradict:

@@ -103,8 +103,8 @@ async def _schedule(folder: Path, host: str, port: int, tell: Callable[[str], No
         await scheduler
     except (OSError, ValueError, RuntimeError) as error:  # Dask says the last one, with the reason behind it
         why = error.__cause__ if isinstance(error, RuntimeError) and error.__cause__ is not None else error
-        said = getattr(why, "strerror", None) or str(why)
-        raise InputError("cluster.cannot_listen", host=host or "-", port=str(port), detail=said) from None
+        found = getattr(why, "strerror", None) or str(why)
+        raise InputError("cluster.cannot_listen", host=host or "-", port=str(port), detail=found) from None
     try:
         write_scheduler(folder, scheduler.address)
         tell(f"scheduler: {scheduler.address} ({signature()})")

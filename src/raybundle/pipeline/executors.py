@@ -17,10 +17,10 @@ from queue import SimpleQueue
 from threading import Thread
 from typing import Protocol
 
+from raybundle import words
 from raybundle.pipeline.queues import drive
 from raybundle.pipeline.store import Folder, store_at
 from raybundle.pipeline.tasks import Done, Task, do, do_written, written
-from raybundle.settings import read_with_flags, with_flags
 
 AHEAD = 4
 """Tasks handed over for each worker, so that none waits and what is held in memory stays bounded."""
@@ -108,7 +108,7 @@ def _processes(jobs: int) -> _Pool:
     """So many processes of their own."""
     return _Pool(
         AHEAD * jobs,
-        lambda: ProcessPoolExecutor(jobs, get_context("spawn"), initializer=_begin, initargs=(with_flags(),)),
+        lambda: ProcessPoolExecutor(jobs, get_context("spawn"), initializer=_begin, initargs=(words.reader().flags,)),
         lambda pool, task, store: pool.submit(_elsewhere, written(task), str(store.path), store.url),
     )
 
@@ -116,7 +116,7 @@ def _processes(jobs: int) -> _Pool:
 def _begin(flags: bool) -> None:  # noqa: FBT001  (what a process begins with)
     """What a process of its own does first: an interrupt is its parent's affair, and it does not outlive that one."""
     signal.signal(signal.SIGINT, signal.SIG_IGN)
-    read_with_flags(flags)
+    words.read_by(words.Reader(flags=flags))
     Thread(target=_end_with_parent, daemon=True).start()
 
 

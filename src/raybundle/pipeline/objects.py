@@ -300,14 +300,14 @@ class Objects:
 
     def _lost(self, error: Exception) -> StoreLost:
         """What is wrong, and what to do."""
-        said = _said(error)
-        if isinstance(error, PermissionError) or REFUSED.search(f"{type(error).__name__} {said}"):
+        found = _said(error)
+        if isinstance(error, PermissionError) or REFUSED.search(f"{type(error).__name__} {found}"):
             cause = "refused"
         elif isinstance(error, OSError) and error.errno in FULL:
             cause = "full"
         else:
             cause = "other"
-        return StoreLost("store.lost", cause=cause, n=TRIES, detail=said, file=self.url)
+        return StoreLost("store.lost", cause=cause, n=TRIES, detail=found, file=self.url)
 
 
 def _said(error: Exception) -> str:

@@ -23,6 +23,7 @@ from dask import config
 from distributed import Client, Future, Security
 from distributed import Worker as DaskWorker
 
+from raybundle import words
 from raybundle.errors import InputError
 from raybundle.numerics.counting import counted
 from raybundle.numerics.progress import Progress, Remark, silent
@@ -37,7 +38,6 @@ from raybundle.pipeline.executors import ONE_THREAD
 from raybundle.pipeline.queues import drive
 from raybundle.pipeline.store import Folder, store_at
 from raybundle.pipeline.tasks import Done, Task, do, do_written, written
-from raybundle.settings import read_with_flags, with_flags
 
 AHEAD_BY_DASK = 16
 """Tasks handed over for each worker: several go over the network at once, and none waits for the next."""
@@ -177,7 +177,7 @@ class _Workers:
             return
         keys = [f"{m[0].key}-{self.name}-{self.count + k}" for k, m in enumerate(messages)]
         self.count += len(messages)
-        about = (str(self.store.path.absolute()), self.store.url, self.token, with_flags(), str(Path.cwd()))
+        about = (str(self.store.path.absolute()), self.store.url, self.token, words.reader().flags, str(Path.cwd()))
         futures: Any = self.client.map(
             _elsewhere, [[written(t) for t in m] for m in messages], *([part] * len(messages) for part in about),
             key=keys, resources={signature(): 1}, pure=False,
@@ -322,7 +322,7 @@ def _elsewhere(
     here: str,
 ) -> tuple[list[Done], str, str]:
     """Do tasks in a worker: what became of each, the machine, and why it does not see the store (empty: it does)."""
-    read_with_flags(flags)
+    words.read_by(words.Reader(flags=flags))
     refused = unseen(folder, url, token)
     if refused:
         nothing = Done(task=Task(key="", function="", options=None))

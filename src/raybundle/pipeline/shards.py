@@ -20,6 +20,7 @@ from pathlib import Path
 import msgspec
 import numpy as np
 
+from raybundle import words
 from raybundle.errors import InputError, TasksWaiting
 from raybundle.numerics.arrays import Array
 from raybundle.numerics.progress import Counted, Progress, silent
@@ -30,7 +31,6 @@ from raybundle.pipeline.project import products_of
 from raybundle.pipeline.queues import Queue
 from raybundle.pipeline.store import Folder
 from raybundle.pipeline.tasks import Done, Task, read_task, written
-from raybundle.settings import read_with_flags, with_flags
 
 TASKS = "tasks.jsonl"
 HANDED = "handed"
@@ -73,7 +73,7 @@ class Shards:
             return
         lines = [written(t).decode() for t in wanted.values()]
         facts = {
-            "raybundle": signature(), "tasks": len(wanted), "flags": with_flags(), "folder": str(Path.cwd()),
+            "raybundle": signature(), "tasks": len(wanted), "flags": words.reader().flags, "folder": str(Path.cwd()),
             "sum": _sum(lines),
         }  # fmt: skip
         lines = [json.dumps(facts), *lines]
@@ -207,7 +207,7 @@ def _listed(store: Folder, project: Path | None) -> list[Task] | None:
         raise InputError("task.list_checksum", file=file, line=2)
     with suppress(OSError):  # where it is not, the files were given with their whole paths, or are named as missing
         os.chdir(facts.folder)
-    read_with_flags(facts.flags)
+    words.read_by(words.Reader(flags=facts.flags))
     return found
 
 

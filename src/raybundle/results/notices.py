@@ -18,8 +18,8 @@ def as_its_result(adjustment: Adjustment, folder: Path) -> Adjustment:
 
     folder  the result; one without a result.json, as of a block, has none but the adjustment's own
     """
-    told = _told(folder)
-    return adjustment if told is None else replace(adjustment, notices=tuple(notice_of(n) for n in notices_in(told)))
+    found = _told(folder)
+    return adjustment if found is None else replace(adjustment, notices=tuple(notice_of(n) for n in notices_in(found)))
 
 
 def lost_accuracy(folder: Path) -> bool:

@@ -47,10 +47,10 @@ def faults_of(folder: Path) -> tuple[str, ...]:
     What it does not tell: whether a folder without a result, as a block, has any.
     """
     try:
-        told = read_json(folder / "result.json").value
+        found = read_json(folder / "result.json").value
     except InputError:
         return ()
-    return tuple(notice_of(n).text for n in _faults(told)) if isinstance(told, dict) else ()
+    return tuple(notice_of(n).text for n in _faults(found)) if isinstance(found, dict) else ()
 
 
 def lost(result: Mapping[str, Any]) -> bool:
@@ -79,12 +79,12 @@ def severity_of(notice: Mapping[str, Any]) -> Severity:
     return Severity(told) if told in [s.value for s in Severity] else Severity.REMARK
 
 
-def notice_of(told: Mapping[str, Any]) -> Notice:
+def notice_of(stored: Mapping[str, Any]) -> Notice:
     """A notice of result.json; with its text where this version lacks the code, or an older one wrote no values."""
-    code, values = ".".join(filter(None, (told.get("code"), told.get("variant")))), told.get("values") or {}
-    ids = tuple(str(i) for i in told.get("ids") or ())
+    code, values = ".".join(filter(None, (stored.get("code"), stored.get("variant")))), stored.get("values") or {}
+    ids = tuple(str(i) for i in stored.get("ids") or ())
     known = code in words.codes() and {*words.examples(code)} <= {*values, *(["ids"] if ids else [])}
     return Notice(
-        code=code, message="" if known else str(told.get("message", "")), measured=severity_of(told), ids=ids,
-        values=values, details=tuple(map(message_of, told.get("details") or ())),
+        code=code, message="" if known else str(stored.get("message", "")), measured=severity_of(stored), ids=ids,
+        values=values, details=tuple(map(message_of, stored.get("details") or ())),
     )  # fmt: skip

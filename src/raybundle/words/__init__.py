@@ -9,9 +9,20 @@ is read in English.
 from __future__ import annotations
 
 from raybundle.words.catalogue import ENGLISH, codes, examples, languages
-from raybundle.words.render import PYTHON, Reader, action, headline, read_by, reader, reading, sentences, why
+from raybundle.words.render import (
+    COMMAND_LINE,
+    PYTHON,
+    Reader,
+    action,
+    headline,
+    read_by,
+    reader,
+    reading,
+    sentences,
+    why,
+)
 
 __all__ = [
-    "ENGLISH", "PYTHON", "Reader", "action", "codes", "examples", "headline", "languages", "read_by", "reader",
-    "reading", "sentences", "why",
+    "COMMAND_LINE", "ENGLISH", "PYTHON", "Reader", "action", "codes", "examples", "headline", "languages", "read_by",
+    "reader", "reading", "sentences", "why",
 ]  # fmt: skip

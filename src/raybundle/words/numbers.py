@@ -4,6 +4,9 @@ from __future__ import annotations
 
 import math
 
+LEAST_P = 1e-16
+"""Probabilities below are those of no distribution of real errors: they are written as a bound"""
+
 
 def grouped(number: int) -> str:
     """A whole number in groups of three digits: 18 803."""
@@ -31,3 +34,8 @@ def short(value: float, digits: int = 3) -> str:
     if 10**digits <= abs(value) < 1e15:
         return grouped(round(value))
     return f"{value:.{digits}g}"
+
+
+def probability(p: float) -> str:
+    """A probability behind its letter: "p 0.35", "p < 1e-16"."""
+    return f"p {short(float(p), 2)}" if p >= LEAST_P else f"p < {LEAST_P:g}"

@@ -30,7 +30,7 @@ class Reader:
     """whether a setting is a flag of the command line, or an argument in Python"""
 
 
-PYTHON = Reader()
+PYTHON, COMMAND_LINE = Reader(), Reader(flags=True)
 _readers = [PYTHON]
 
 

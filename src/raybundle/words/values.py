@@ -20,12 +20,10 @@ from fluent.runtime import FluentBundle
 from fluent.runtime.resolver import CurrentEnvironment, Pattern, ResolverEnvironment
 from fluent.runtime.types import FluentType
 
-from raybundle.words.numbers import grouped, short
+from raybundle.words.numbers import grouped, probability, short
 from raybundle.words.options import option_words
 
-LEAST_P = 1e-16
-"""Probabilities below are those of no distribution of real errors: they are written as a bound"""
-NAME = 120
+NAME = 1000
 """Characters of a name that a message shows"""
 MOST = 5
 """Names of a list that a message shows"""
@@ -117,11 +115,6 @@ def number(v: float, digits: int = 3, decimals: int | None = None) -> FluentType
 def percent(v: float, digits: int = 2) -> FluentType:
     """PERCENT."""
     return number(100 * float(v), digits)
-
-
-def probability(v: float) -> str:
-    """P."""
-    return f"p {short(float(v), 2)}" if v >= LEAST_P else f"p < {LEAST_P:g}"
 
 
 def names(v: Names, most: int = MOST) -> FluentType:

@@ -71,7 +71,7 @@ def test_each_bad_file_costs_that_file_only(tmp_path):
     why = reasons(found)
     codes = {name: reason.messages[0].code for name, reason in why.items()}
     assert codes["empty.jpg"] == "photograph.empty"
-    assert "'dear diary, '" in why["text.jpg"]
+    assert "dear diary, " in why["text.jpg"]
     for name in ("cut.jpg", "cut.png", "cut.tif", "cut.webp"):
         assert codes[name] in {"photograph.pixels_unreadable", "photograph.header_unreadable"}, why[name]
     assert codes["thumb.jpg"] == "photograph.thumbnail"

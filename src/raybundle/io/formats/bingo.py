@@ -223,10 +223,10 @@ def _read_geoin(path: Path) -> tuple[Known, Known, Known]:
             continue
         control[name] = place
         if len(line.words) >= 2 + 2 * len(axes):
-            told = line.values(2 + len(axes), [f"s{a}" for a in axes])
-            if min(told) < 0:
-                line.fail("cell.negative_sigma", "sX", value=quoted(min(told)))
-            sigma[name] = _spread(axes, told)
+            found = line.values(2 + len(axes), [f"s{a}" for a in axes])
+            if min(found) < 0:
+                line.fail("cell.negative_sigma", "sX", value=quoted(min(found)))
+            sigma[name] = _spread(axes, found)
     return control, sigma, check
 
 

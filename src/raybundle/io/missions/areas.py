@@ -199,10 +199,10 @@ def _ogr(path: Path, crs: str) -> Iterator[Shape]:
     try:
         about, _, geometry, _ = reader.read(path, columns=[], force_2d=True)
     except Exception as error:  # noqa: BLE001  (GDAL's drivers raise what they like on damaged files)
-        said = str(error).splitlines()[0] if path.suffix.lower() not in {".wkt", ".txt", ".csv"} else ""
+        found = str(error).splitlines()[0] if path.suffix.lower() not in {".wkt", ".txt", ".csv"} else ""
         raise InputError(
             "area.not_readable",
-            detail=said or path.suffix,
+            detail=found or path.suffix,
             file=path,
         ) from None
     own = str(about.get("crs") or crs)

@@ -73,16 +73,16 @@ def plane_file_of(picture: Path) -> PlaneFile:
     NAME.toml as `rectify` writes it; else a world file with square pixels that are not turned, and NAME.SUFFIX.aux.xml
     for the system of a map.
     """
-    told = picture.with_suffix(".toml")
-    if told.is_file():
-        return read_plane(told)
+    found = picture.with_suffix(".toml")
+    if found.is_file():
+        return read_plane(found)
     suffix = picture.suffix.lower()
     names = (WORLD.get(suffix, ".wld"), ".wld", f"{suffix}w")
     world = next((f for n in names if (f := picture.with_suffix(n)).is_file()), None)
     if world is None:
         raise InputError(
             "picture.no_scale",
-            plane=told.name,
+            plane=found.name,
             world=picture.with_suffix(names[0]).name,
             file=picture,
         )

@@ -114,9 +114,9 @@ def steps_left(o: Occasion) -> int:
 def _steps(o: Occasion) -> tuple[tuple[str, str], ...]:
     """Faults, what to photograph next for a calibration, cautions."""
     say = o.language.text
-    told = [(n.severity, _sentence(say(unbroken(n.text)))) for n in as_told(o.view.adjustment.notices, many=1)]
+    found = [(n.severity, _sentence(say(unbroken(n.text)))) for n in as_told(o.view.adjustment.notices, many=1)]
     next_ = [("next", _sentence(say(f"camera {q.camera}: {q.advice[0].words}"))) for q in o.qualities if q.advice]
-    faults, cautions = ([(s.value, w) for s, w in told if s is of] for of in (Severity.FAULT, Severity.CAUTION))
+    faults, cautions = ([(s.value, w) for s, w in found if s is of] for of in (Severity.FAULT, Severity.CAUTION))
     return (*faults, *next_, *cautions)
 
 

@@ -48,10 +48,10 @@ def summary_lines(adjustment: Adjustment) -> list[str]:
 
 def notice_lines(notices: Sequence[Notice]) -> list[str]:
     """Notices with their severity, the gravest first; how many are not shown."""
-    told = as_told(notices)
-    lines = [line_of(n) for n in told[:SHOWN]]
-    if len(told) > SHOWN:
-        lines.append(f"and {counted(len(told) - SHOWN, 'more notice')}, see result.json")
+    found = as_told(notices)
+    lines = [line_of(n) for n in found[:SHOWN]]
+    if len(found) > SHOWN:
+        lines.append(f"and {counted(len(found) - SHOWN, 'more notice')}, see result.json")
     return lines
 
 

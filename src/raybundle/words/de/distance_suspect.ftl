@@ -5,7 +5,3 @@ distance_suspect-control = Maßstabsstrecke { $name } widerspricht den Passpunkt
 distance_suspect-far = Maßstabsstrecke { $name } widerspricht den übrigen Beobachtungen um mehr als { PERCENT($share) } % ihrer Länge.
     .why = Angegeben: { NUM($given, digits: 12) } { $unit } (Sigma { $sigma } { $unit }, |w| { NUM($w, decimals: 1) }, Grenze { NUM($limit, decimals: 1) }).
     .do = Länge, Einheit und Endpunkte prüfen.
-
-distance_suspect = { suspect-value }
-    .why = { suspect-value.why }
-    .do = { suspect-value.do }

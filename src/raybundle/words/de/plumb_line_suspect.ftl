@@ -1,3 +1,0 @@
-plumb_line_suspect = { suspect-value }
-    .why = { suspect-value.why }
-    .do = { suspect-value.do }

@@ -1,3 +1,0 @@
-relation_suspect = { suspect-value }
-    .why = { suspect-value.why }
-    .do = { suspect-value.do }

@@ -1,3 +1,0 @@
-slope_distance_suspect = { suspect-value }
-    .why = { suspect-value.why }
-    .do = { suspect-value.do }

@@ -1,3 +1,0 @@
-zenith_angle_suspect = { suspect-value }
-    .why = { suspect-value.why }
-    .do = { suspect-value.do }

@@ -1,1 +1,0 @@
-attitude_suspect = { suspect-value }

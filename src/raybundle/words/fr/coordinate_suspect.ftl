@@ -1,1 +1,0 @@
-coordinate_suspect = { suspect-value }

@@ -1,1 +1,0 @@
-deviation_suspect = { suspect-value }

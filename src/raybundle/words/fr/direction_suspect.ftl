@@ -1,1 +1,0 @@
-direction_suspect = { suspect-value }

@@ -1,1 +1,0 @@
-parameter_suspect = { suspect-value }

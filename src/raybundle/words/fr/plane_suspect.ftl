@@ -1,1 +1,0 @@
-plane_suspect = { suspect-value }

@@ -1,1 +1,0 @@
-plumb_line_suspect = { suspect-value }

@@ -1,1 +1,0 @@
-relation_suspect = { suspect-value }

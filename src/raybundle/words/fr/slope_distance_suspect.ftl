@@ -1,1 +1,0 @@
-slope_distance_suspect = { suspect-value }

@@ -1,1 +1,0 @@
-station_suspect = { suspect-value }

@@ -1,1 +1,0 @@
-zenith_angle_suspect = { suspect-value }
