@@ -224,4 +224,4 @@ def _kept(done: Calibration, q: CalibrationQuality, out: Path) -> str:
     try:
         return f"kept in the camera library: {add_entry(entry)}"
     except InputError as error:
-        return f"camera {q.camera} is not kept in the library: {error}"
+        return f"camera {q.camera} is not kept in the library: {error.text()}"

@@ -117,7 +117,7 @@ def _fitted(s: EmpiricalSettings, points: ControlPoints) -> tuple[EmpiricalFit, 
             return fit_empirical(s.model, *given, sigma_px=s.image_sigma, without=s.without), None
         advice = choose_empirical(points.xyz[use], points.xy_px[use], sigma_px=s.image_sigma)
     except InputError as error:
-        raise InputError(str(error), file=s.points) from None
+        raise error.at(s.points) from None
     chosen = advice.advised.fit if advice.advised is not None else None
     fit = chosen or min((c for c in advice.candidates if c.fit), key=lambda c: c.left_out_rms_px).fit
     assert fit is not None

@@ -93,7 +93,7 @@ def fitted_to(points: PointSet, nominal: Nominal, path: Path, **how: Any) -> Bes
     try:
         return best_fit(points, nominal, **how)
     except InputError as error:
-        raise InputError(str(error), file=path) from None
+        raise error.at(path) from None
 
 
 def check_unit(points: PointSet, nominal: Nominal, path: Path) -> None:

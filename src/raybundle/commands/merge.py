@@ -136,7 +136,7 @@ def _carriers(
         progress("testing common points", 0.0)
         base.shape  # noqa: B018  (adjusted once, for all)
     except (InputError, NotSolvable) as error:
-        told = f"common points were not tested, as {base.name} cannot be adjusted by itself: {error}"
+        told = f"common points were not tested, as {base.name} cannot be adjusted by itself: {error.text()}"
         return found, [told], []
     for k, member in enumerate(members):
         if k == first:

@@ -121,7 +121,7 @@ def stayed_of(base: Member, member: Member, significance: float) -> Congruence |
             return f"{member.name} has fewer than {LEAST} points in common with {base.name}: none is tested"
         tested = congruence([base.shape, replace(member.shape, free_scale=True)], significance=significance)
     except (InputError, NotSolvable) as error:
-        return f"common points of {member.name} were not tested: {error}"
+        return f"common points of {member.name} were not tested: {error.text()}"
     moved = int(tested.moved.sum())
     if 2 * moved > len(tested.ids):
         raise InputError(
@@ -150,7 +150,7 @@ def check_frames(base: Member, member: Member, stayed: Sequence[str]) -> list[st
         both = set(one.ids) & set(other.ids)
         found = between(one, other, [i for i in stayed if i in both], placed=whole and other_whole)
     except (InputError, NotSolvable) as error:
-        return [f"the scales of {base.name} and {member.name} were not tested: {error}"]
+        return [f"the scales of {base.name} and {member.name} were not tested: {error.text()}"]
     if is_other_unit(found.factor):
         raise InputError(_other_unit(base, member, found))
     if found.scale[1] < LEVEL:
@@ -199,7 +199,7 @@ def check_cameras(base: Member, member: Member) -> list[str]:
             {i.camera: i for i in m.as_free.interior if i.image is None} for m in (member, base)
         )  # fmt: skip
     except (InputError, NotSolvable) as error:
-        return [f"cameras of {member.name} and {base.name} were not compared: {error}"]
+        return [f"cameras of {member.name} and {base.name} were not compared: {error.text()}"]
     cautions: list[str] = []
     for camera in [c for c in mine if c in theirs]:
         a, b = theirs[camera], mine[camera]

@@ -111,7 +111,9 @@ def store_of(project: Path, given: str, apart: Sequence[Path]) -> str:
             if not remembered:
                 raise
             other = f"or give {option('store', 'URL')}, or {option('store', HERE)} for its folder"
-            raise InputError(f"{error}; so the last run was told: {other}", file=project / "project.toml") from None
+            raise InputError(
+                f"{error.text()}; so the last run was told: {other}", file=project / "project.toml"
+            ) from None
     return whole_url(url)
 
 

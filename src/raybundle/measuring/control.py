@@ -77,7 +77,7 @@ def control_of_text(text: str, file: str) -> tuple[GiveControl, tuple[str, ...]]
             read = read_control(table)
         except InputError as error:
             if error.message is None:
-                raise InputError(str(error).replace(str(table), file)) from None
+                raise InputError(error.text().replace(str(table), file)) from None
             raise InputError(error.message, file=file, line=error.line, column=error.column) from None
         except csv.Error as error:
             raise InputError("control_table.not_readable", table=file, detail=str(error)) from None

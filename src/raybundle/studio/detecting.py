@@ -120,7 +120,7 @@ class Detecting:
             try:
                 self._one(image, text)
             except RaybundleError as error:
-                trouble = self._failed[image, text] = f"{image}: {error}"
+                trouble = self._failed[image, text] = f"{image}: {error.text()}"
             except Exception as error:  # noqa: BLE001  (a thread of its own: whoever waits must hear of it)
                 what = f"a fault of the program: {type(error).__name__}: {error}"
                 trouble = self._failed[image, text] = f"{image}: {what}"

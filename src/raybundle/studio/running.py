@@ -188,7 +188,7 @@ class Running:
         try:
             self.work.read_anew(words, run.what.command)
         except RaybundleError as error:
-            run.outcome, run.words = "failed", f"the new result cannot be read: {error}"
+            run.outcome, run.words = "failed", f"the new result cannot be read: {error.text()}"
 
     def _tell(self, run: Run) -> None:
         self._told = time.time()

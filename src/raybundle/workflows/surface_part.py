@@ -34,7 +34,7 @@ def region_asked(
         except InputError as error:
             if error.file is not None:
                 raise
-            raise InputError(f"{option('region')}: {given!r}: {error}") from None
+            raise InputError(f"{option('region')}: {given!r}: {error.text()}") from None
     found = SurfaceRegion.of(plane, areas_in(wkt, [], extent) if extent is not None else areas)
     left, bottom, right, top = found.extent.tolist()
     if min(right - left, top - bottom) < apart:

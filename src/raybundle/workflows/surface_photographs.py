@@ -63,7 +63,7 @@ def _photograph(block: Block, i: int, folders: Sequence[Path]) -> Photo | str:
     try:
         photo = read_photo(path, name=name)
     except InputError as error:
-        return str(error).removeprefix(f"{path}: ")
+        return error.text().removeprefix(f"{path}: ")
     frame = block.images.frames.get(i, camera)
     if (photo.width_px, photo.height_px) != (frame.width_px, frame.height_px):
         return f"of {photo.width_px} x {photo.height_px} px, its camera of {frame.width_px} x {frame.height_px}"

@@ -179,7 +179,7 @@ def _one(s: RpcBatchSettings, file: Path, control: SceneControl, folder: Path, t
         assert found.corrected is not None
         write_rpc(found.corrected, target, given.picture)
     except RaybundleError as error:
-        return BatchScene(name=file.name, problem=str(error).replace("\n", " "))
+        return BatchScene(name=file.name, problem=error.text().replace("\n", " "))
     return BatchScene(name=file.name, correction=found, file=target, remarks=given.remarks)
 
 

@@ -51,7 +51,7 @@ def check_near(s: Scene, rpc: Rpc, geographic: Array, ids: Sequence[str]) -> Non
     try:
         rpc.check_near(geographic[:, :3], ids)
     except InputError as error:
-        raise InputError(str(error), file=s.file) from None
+        raise error.at(s.file) from None
 
 
 def beyond(rpc: Rpc, ground: Array, rows: Iterable[int], *, only_heights: bool = False) -> dict[int, str]:

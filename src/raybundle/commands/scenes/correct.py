@@ -270,7 +270,7 @@ def check_correction(found: Correction, s: ControlSettings, *, writes: bool) -> 
         check_fit(found.advice, found.fit)
     except NotSolvable as error:
         where = "" if file is None else f"{file}: "
-        raise NotSolvable(f"{where}{error}{'; nothing is written' if writes else ''}") from None
+        raise NotSolvable(f"{where}{error.text()}{'; nothing is written' if writes else ''}") from None
 
 
 def with_corrected(found: Correction, heights: tuple[float, float] | None) -> Correction:

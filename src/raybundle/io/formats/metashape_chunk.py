@@ -492,7 +492,7 @@ def _in_object_space(chunk: Element, control: Control, found: Reading) -> Contro
         frame = local_frame(reference.content.strip(), control.xyz[whole][0]) if whole.any() else None
     except InputError as error:
         frame = None
-        found.remarks.append(f"the coordinate system of the chunk is not read: {error}")
+        found.remarks.append(f"the coordinate system of the chunk is not read: {error.text()}")
     lost = given & ~whole if frame is not None else given
     xyz[lost], sigma[lost], role[lost] = np.nan, np.nan, Role.TIE
     enter("<reference> of <marker>", int(lost.sum()))

@@ -93,7 +93,7 @@ def _placed(path: Path, format_: SceneFormat) -> Scene:
     except InputError as error:
         if error.file is not None:
             raise
-        raise InputError(str(error), file=path) from None
+        raise error.at(path) from None
     if scene.rpc is None and scene.line is None:
         reasons = "; ".join(scene.remarks) or "neither an RPC nor an orbit stands in it"
         raise InputError(f"no geometry can be taken from it: {reasons}", file=path)
@@ -163,9 +163,9 @@ def check_denominators(rpc: Rpc, file: Path | str) -> None:
             ground = rpc.localise(grid, float(rpc.ground_offset[2]))
             xy = rpc.project(ground)
         except Exception:  # noqa: BLE001  (whatever fails along the rays, the first reason is the clearer one)
-            raise InputError(str(error), file=file) from None
+            raise error.at(file) from None
         if (np.abs(ground - rpc.ground_offset) > BEYOND * rpc.ground_scale).any():
-            raise InputError(str(error), file=file) from None
+            raise error.at(file) from None
     if not np.isfinite(xy).all():
         raise InputError("RPC: its projection is not finite inside the scene; the file is damaged", file=file)
 

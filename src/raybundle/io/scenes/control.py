@@ -492,7 +492,7 @@ def geographic_of(
         frame = local_frame(crs, xyz.mean(axis=0), undulation_m=undulation)
         geographic = frame.wgs84_from_local(frame.local_from_crs(xyz))
     except InputError as error:
-        raise InputError(str(error), file=file) from None
+        raise error.at(file) from None
     if not np.isfinite(sigma).any():
         return geographic, None
     covariance = np.nan_to_num(sigma)[:, :, None] ** 2 * np.eye(3)

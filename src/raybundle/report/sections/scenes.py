@@ -366,7 +366,7 @@ def _jitter(camera: Camera) -> Part | None:
         xy = np.stack([a.ravel() for a in np.meshgrid(xs, lines)], axis=1)
         miss = (xy - fit.rpc.project(localise(xy, np.full(len(xy), middle)))).reshape(LINES, COLUMNS, 2).mean(axis=1)
     except RaybundleError as error:
-        return Paragraph(text=f"No RPC stands for this scene, and no jitter plot is drawn: {error}", note=True)
+        return Paragraph(text=f"No RPC stands for this scene, and no jitter plot is drawn: {error.text()}", note=True)
     size = [rms(miss[:, k]) for k in (0, 1)]
     if max(size) < SMOOTH_PX:
         return Paragraph(

@@ -59,7 +59,9 @@ def match(i: Inputs, means: Means) -> Matched:
         if still is None:
             raise
         told = still.notice(masked=i.masked).message
-        raise NoOrientation(f"{error}\n  Or: {told}", images=error.images, undetermined=error.undetermined) from error
+        raise NoOrientation(
+            f"{error.text()}\n  Or: {told}", images=error.images, undetermined=error.undetermined
+        ) from error
     notices: list[Notice] = []
     if _stands_still(pairs):
         still = static_background(i.photos, i.features, i.method)

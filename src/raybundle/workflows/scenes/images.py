@@ -106,7 +106,7 @@ def find_scenes(inputs: Sequence[Path]) -> FoundScenes:
         try:
             scene = read_scene_image(path, model)
         except InputError as error:
-            refused.append((shown(path).name, str(error).removeprefix(f"{path}: ")))
+            refused.append((shown(path).name, error.text().removeprefix(f"{path}: ")))
             continue
         if scene.sha256 in first:
             refused.append((scene.name, f"the same content as {first[scene.sha256]}, byte for byte"))

@@ -188,7 +188,7 @@ def check_marks(block: Block, images: Sequence[SceneImage], first: int, mark_px:
                 ids = [p.ids[k] for k in o.point[rows].tolist()]
                 sensor.rpc.check_near(sensor.place.geographic_from_block(p.xyz[o.point[rows]]), ids)
             except InputError as error:
-                raise InputError(f"control marked in it: {error}", file=image.path) from None
+                raise InputError(f"control marked in it: {error.text()}", file=image.path) from None
         seen = sensor.observe(p.xyz[o.point[rows]], sensor.defaults)
         apart = o.xy_px[rows] - seen.xy_px
         own = np.sqrt(mark_px**2 + ((seen.by_point * p.sigma[o.point[rows]][:, None]) ** 2).sum(axis=2))
