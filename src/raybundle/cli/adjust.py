@@ -9,8 +9,9 @@ import click
 
 from raybundle.cli.common import FOLDER, NEW_FOLDER, Command, common_options, told_outcome
 from raybundle.cli.settings import options_of, values_of
+from raybundle.cli.summary import of_adjustment, report
 from raybundle.commands.adjust import AdjustSettings, accuracy_outcome, run_adjust
-from raybundle.commands.pages import pages_told
+from raybundle.commands.pages import page_files
 from raybundle.settings import made
 
 
@@ -37,7 +38,6 @@ def command(block: Path, out: Path, progress: str, **given: Any) -> int:
       raybundle adjust camcal21 --out free --datum inner --estimate auto --reject snooping
     """  # noqa: D301
     from raybundle.cli.progress import reporting  # noqa: PLC0415  (what computes is loaded after the help)
-    from raybundle.report.text.summary import summary_lines  # noqa: PLC0415
     from raybundle.workflows.left import left_beside  # noqa: PLC0415
 
     settings = made(AdjustSettings, {"block": block, "out": out, **values_of(AdjustSettings, given)})
@@ -51,6 +51,5 @@ def command(block: Path, out: Path, progress: str, **given: Any) -> int:
         at = " and ".join(where for left in kept for where in (str(left.folder), *left.stores))
         click.echo(f"interrupted; what is finished is kept in {at}, the same command continues there", err=True)
         return 130
-    click.echo("\n".join(summary_lines(adjustment)))
-    click.echo(f" result: {out}{pages_told(out, settings)}")
+    report(of_adjustment(adjustment, [out, *page_files(out, settings)]))
     return told_outcome(accuracy_outcome(settings, adjustment))

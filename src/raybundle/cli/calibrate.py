@@ -8,16 +8,19 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from raybundle.cli.common import FOLDER, NEW_FOLDER, Command, common_options, counted
+from raybundle.cli.common import FOLDER, NEW_FOLDER, Command, common_options
 from raybundle.cli.numbers import Length
 from raybundle.cli.settings import options_of, values_of
+from raybundle.cli.summary import Summary, report
 from raybundle.commands.calibrate import CalibrateSettings, run_calibrate
-from raybundle.commands.pages import pages_told
+from raybundle.commands.pages import page_files
 from raybundle.settings import made
 
 if TYPE_CHECKING:
     from raybundle.adjustment.result import InteriorResult
     from raybundle.block import Camera
+    from raybundle.calibration.quality import CalibrationQuality
+    from raybundle.errors import Message
     from raybundle.workflows.calibrate import Calibration
 
 MOST_PARAMETERS = 16
@@ -57,47 +60,62 @@ def command(photos: tuple[Path, ...], out: Path, progress: str, **given: Any) ->
     except KeyboardInterrupt:
         click.echo(f"interrupted; what is finished is kept in {out}, the same command continues there", err=True)
         return 130
-    told = [f" {line}" for line in lines(done)]
-    told += [f" {words}" for words in done.kept]
-    told.append(" seconds: " + ", ".join(f"{stage} {s:.2f}" for stage, s in done.seconds.items()))
-    pages = pages_told(out, settings, network="")
-    told.append(f" result: {out}, calibration: {out / 'calibration.toml'}{pages}")
-    click.echo("\n".join(told))
+    files = [out, out / "calibration.toml", *page_files(out, settings, network="")]
+    report(_summary(done, files))
     return 0
 
 
-def lines(done: Calibration) -> list[str]:
-    """What the command prints."""
-    from raybundle.report.text.summary import noise_lines, notice_lines  # noqa: PLC0415
+def _summary(done: Calibration, files: list[Path]) -> Summary:
+    """What the command reports."""
+    from raybundle.adjustment.result import as_told  # noqa: PLC0415  (what computes is loaded after the help)
+    from raybundle.report.text.summary import details, note  # noqa: PLC0415
 
     read = sum(int(m.named.sum()) for sets in done.marks for m in sets)
-    extra = f", {done.completed} without a readable code found by prediction" if done.completed else ""
-    extra += f", {done.dots} dots without a code" if done.dots else ""
-    what = ", ".join(t.title for t in done.targets)
-    points = f"{read} points of {what} read{extra}" if what else f"{len(done.adjustment.given.points)} natural points"
-    given = counted(len(done.photos) + len(done.refused), "photograph")
-    told = [f"{done.used} of {given} used, {points}"]
-    told += [f"  {name}: {reason}" for name, reason in (*done.refused, *done.not_used)]
-    for q in done.quality:
-        told += [f"camera {q.camera}: {q.headline}"]
-        told += [f"  {reason}" for reason in q.reasons]
-        if q.advice and q.grade != "good":
-            told.append("  what to photograph next, and the largest uncertainty then:")
-            told += [f"  {k + 1}. {p.words}: {_then(p.uncertainty_px)}" for k, p in enumerate(q.advice)]
-        camera = next(c for c in done.adjustment.adjusted.cameras if c.id == q.camera)
-        interior = next(i for i in done.adjustment.interior if i.camera == q.camera)
-        # beside what could not be determined the others' standard deviations are conditional
-        sure = q.grade != "not determinable"
-        told.append(f"  model {camera.model}: " + ", ".join(
-            p.in_unit(f"{p.symbol} {p.value:.6g}" + (f" ± {p.std:.2g}" if p.std and sure else ""))
-            for p in list(interior.parameters.values())[:MOST_PARAMETERS] if p.std or p.value
-        ))  # fmt: skip
-        told.append(f"  in pixels: {in_pixels(camera, interior, sure=sure)}")
+    points = read or len(done.adjustment.given.points)
+    used = note("calibration.used", used=done.used, of=len(done.photos) + len(done.refused), points=points,
+                natural=not done.targets)  # fmt: skip
     reasons = {reason for q in done.quality for reason in q.reasons}
-    others = [
-        n for n in done.adjustment.notices if (n.reason or n.text) not in reasons
-    ]  # those stand with their camera
-    return told + noise_lines(done.adjustment.noise) + notice_lines(others)
+    notices = [n for n in as_told(done.adjustment.notices) if (n.reason or n.text) not in reasons]
+    lacking = [q for q in done.quality if q.advice and q.grade != "good"]
+    next_step = note("calibration.photograph_next", n=sum(len(q.advice) for q in lacking)) if lacking else None
+    return Summary(
+        done=[used, *map(_grade, done.quality)], notices=notices, next_step=next_step, files=files,
+        details=[*_points(done), *(line for q in done.quality for line in _camera(done, q)),
+                 *details(done.adjustment), *done.kept],
+    )  # fmt: skip
+
+
+def _grade(q: CalibrationQuality) -> Message:
+    """How good a camera is calibrated."""
+    from raybundle.report.text.summary import note  # noqa: PLC0415
+
+    grade = q.grade.replace(" ", "_")
+    typical, largest = (v if math.isfinite(v) else 0.0 for v in (q.typical_px, q.uncertainty_px))
+    return note("calibration.grade", camera=q.camera, grade=grade, typical_px=typical, largest_px=largest)
+
+
+def _points(done: Calibration) -> list[str]:
+    """Targets that were read, and photographs that were not used."""
+    found = [", ".join(t.title for t in done.targets)] if done.targets else []
+    found += [f"{done.completed} targets completed by prediction"] if done.completed else []
+    found += [f"{done.dots} dots without a code"] if done.dots else []
+    return found + [f"{name}: {reason}" for name, reason in (*done.refused, *done.not_used)]
+
+
+def _camera(done: Calibration, q: CalibrationQuality) -> list[str]:
+    """Verdict, proposals and parameters of a camera."""
+    found = [f"camera {q.camera}: {q.headline}", *(f"  {reason}" for reason in q.reasons)]
+    if q.advice and q.grade != "good":
+        found += [f"  photograph {k + 1}. {p.words}: {_then(p.uncertainty_px)}" for k, p in enumerate(q.advice)]
+    camera = next(c for c in done.adjustment.adjusted.cameras if c.id == q.camera)
+    interior = next(i for i in done.adjustment.interior if i.camera == q.camera)
+    # beside what could not be determined the others' standard deviations are conditional
+    sure = q.grade != "not determinable"
+    found.append(f"  model {camera.model}: " + ", ".join(
+        p.in_unit(f"{p.symbol} {p.value:.6g}" + (f" ± {p.std:.2g}" if p.std and sure else ""))
+        for p in list(interior.parameters.values())[:MOST_PARAMETERS] if p.std or p.value
+    ))  # fmt: skip
+    return [*found, f"  in pixels: {in_pixels(camera, interior, sure=sure)}"]
 
 
 def _then(px: float) -> str:

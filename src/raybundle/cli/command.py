@@ -13,11 +13,12 @@ from typing import Any
 import click
 
 from raybundle.cli.outputs import Output
+from raybundle.cli.summary import SUMMARY, data, lines, loud
 from raybundle.cli.trade_words import command_of
 from raybundle.errors import InputError
 
 COMMAND_SETTINGS = {"help_option_names": ["-h", "--help"], "max_content_width": 110}
-FACTS, JSON, QUIET = (f"raybundle.{word}" for word in ("facts", "json", "quiet"))
+FACTS, JSON, QUIET, VERBOSE = (f"raybundle.{word}" for word in ("facts", "json", "quiet", "verbose"))
 GRAVE = {"fault": "faults", "caution": "cautions", "remark": "remarks", "left out": "left_out"}
 """Words with which a line begins that says what is wrong, and their names in JSON"""
 NOT_KEPT = 4
@@ -47,21 +48,24 @@ class Command(click.Command):
         _check_apart(ctx)
         if ctx.meta.get(QUIET) and "progress" in ctx.params:
             ctx.params["progress"] = "none"
-        own_json = bool(ctx.params.get("as_json"))
-        as_json = bool(ctx.meta.get(JSON))
-        if own_json or not (as_json or ctx.meta.get(QUIET)):
-            return super().invoke(ctx)
-        said = io.StringIO()
-        with contextlib.redirect_stdout(said):
+        as_json, quiet = (bool(ctx.meta.get(name)) for name in (JSON, QUIET))
+        if ctx.params.get("as_json") or not (as_json or quiet):
             status = super().invoke(ctx)
+            if (summary := ctx.meta.get(SUMMARY)) is not None:
+                _echo(lines(summary, verbose=bool(ctx.meta.get(VERBOSE))))
+            return status
+        printed = io.StringIO()
+        with contextlib.redirect_stdout(printed):
+            status = super().invoke(ctx)
+        summary = ctx.meta.get(SUMMARY)
         if as_json:
             from raybundle.results.contents import clean  # noqa: PLC0415  (NumPy is loaded with it)
 
-            click.echo(json.dumps(clean(_object(ctx, status, said.getvalue())), ensure_ascii=False, default=str))
-        else:
-            for line in said.getvalue().splitlines():
-                if status or line.strip().startswith(ALOUD):
-                    click.echo(line, err=True)
+            found = clean(_object(ctx, status, printed.getvalue()))
+            click.echo(json.dumps(found, ensure_ascii=False, default=str))
+            return status
+        wrong = [] if summary is None else loud(summary)
+        _echo(wrong + [w for w in printed.getvalue().splitlines() if status or w.strip().startswith(ALOUD)], err=True)
         return status
 
 
@@ -128,6 +132,10 @@ def shared_options(*, files: bool) -> list[click.Option]:
         ["--quiet"], is_flag=True, expose_value=False, callback=_kept(QUIET),
         help="Print only what is wrong; files and the exit status hold the rest.",
     )  # fmt: skip
+    verbose = click.Option(
+        ["--verbose"], is_flag=True, expose_value=False, callback=_kept(VERBOSE),
+        help="Print notes, all warnings and further figures too.",
+    )  # fmt: skip
     as_json = click.Option(
         ["--json"], is_flag=True, expose_value=False, callback=_kept(JSON),
         help="What it found as one JSON object, in place of words.",
@@ -144,7 +152,7 @@ def shared_options(*, files: bool) -> list[click.Option]:
     traceback = click.Option(
         ["--traceback"], is_flag=True, expose_value=False, help="After an error, show where in the program it arose."
     )
-    return [*([overwrite] if files else []), settings, as_json, quiet, traceback]
+    return [*([overwrite] if files else []), settings, as_json, quiet, verbose, traceback]
 
 
 def command_words(group: click.Group, arguments: Sequence[str]) -> list[str]:
@@ -165,6 +173,11 @@ def facts(**values: Any) -> None:
     context = click.get_current_context(silent=True)
     if context is not None:
         context.meta.setdefault(FACTS, {}).update(values)
+
+
+def _echo(texts: Sequence[str], *, err: bool = False) -> None:
+    for text in texts:
+        click.echo(text, err=err)
 
 
 def _check_apart(ctx: click.Context) -> None:
@@ -211,18 +224,20 @@ def _name(ctx: click.Context) -> str:
     return ctx.command_path.partition(" ")[2]
 
 
-def _object(ctx: click.Context, status: Any, said: str) -> dict[str, Any]:
-    """What a command found and said."""
+def _object(ctx: click.Context, status: Any, printed: str) -> dict[str, Any]:
+    """What a command found and printed."""
     found: dict[str, Any] = {
         "command": _name(ctx), "exit_status": status if isinstance(status, int) else 0,
-        **{name: list[str]() for name in GRAVE.values()}, "said": list[str](),
+        **{name: list[str]() for name in GRAVE.values()}, "lines": list[str](),
     }  # fmt: skip
-    for line in filter(None, map(str.strip, said.splitlines())):
+    for line in filter(None, map(str.strip, printed.splitlines())):
         kind, _, words = line.partition(": ")
         if words and kind in GRAVE:
             found[GRAVE[kind]].append(words)
         else:
-            found["said"].append(line)
+            found["lines"].append(line)
+    if (summary := ctx.meta.get(SUMMARY)) is not None:
+        found |= data(summary)
     found |= {"out": ctx.params.get("out"), **ctx.meta.get(FACTS, {})}
     done = found["exit_status"] in {0, NOT_KEPT}  # else what stands there may be of another run
     return found | (_written(found["out"]) if done and isinstance(found["out"], Path) else {})

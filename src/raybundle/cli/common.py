@@ -17,7 +17,7 @@ if TYPE_CHECKING:
 
 __all__ = [
     "FOLDER", "NEW_FILE", "NEW_FILE_OR_FOLDER", "NEW_FOLDER", "NEW_PAGE", "NOT_KEPT", "Command", "Group", "Output",
-    "SeveralNames", "common_options", "counted", "facts", "grouped", "significant", "store_told", "told_outcome",
+    "SeveralNames", "common_options", "counted", "facts", "grouped", "significant", "store_lines", "told_outcome",
 ]  # fmt: skip
 FOLDER = click.Path(path_type=Path)
 
@@ -33,12 +33,12 @@ def common_options(function: Callable[..., Any]) -> Callable[..., Any]:
     )(function)
 
 
-def store_told(project: Path) -> list[str]:
+def store_lines(project: Path) -> list[str]:
     """A line that names the URL at which the products of a run lie; none if they lie in its folder."""
     from raybundle.pipeline.project import HERE, store_given  # noqa: PLC0415  (loaded after the help)
 
     store = store_given(project)
-    return [f" products: {store}"] if store not in {"", HERE} else []
+    return [f"products: {store}"] if store not in {"", HERE} else []
 
 
 def told_outcome(outcome: Outcome | None) -> int:

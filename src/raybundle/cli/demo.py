@@ -10,11 +10,14 @@ from typing import TYPE_CHECKING
 
 import click
 
-from raybundle.cli.common import NEW_FOLDER, Command, common_options, counted, facts, significant
+from raybundle.cli.common import NEW_FOLDER, Command, common_options, facts
+from raybundle.cli.summary import of_adjustment, report
 from raybundle.commands.demonstrations import make_set, set_names
 
 if TYPE_CHECKING:
     from raybundle.adjustment.result import Adjustment
+    from raybundle.block import Block
+    from raybundle.errors import Message
     from raybundle.numerics.arrays import Array
     from raybundle.planning.simulate import Simulation
 
@@ -58,7 +61,7 @@ def command(out: Path, photographs: str | None, seed: int, progress: str) -> Non
         return
     from raybundle.planning.scenes import TargetField, field_scene  # noqa: PLC0415
     from raybundle.planning.simulate import Survey, simulate  # noqa: PLC0415  (what computes is loaded after the help)
-    from raybundle.report.text.summary import summary_lines  # noqa: PLC0415
+    from raybundle.report.text.summary import note  # noqa: PLC0415
     from raybundle.report.write import write_result  # noqa: PLC0415
     from raybundle.results.folder import check_target  # noqa: PLC0415
     from raybundle.workflows.adjust import adjust  # noqa: PLC0415
@@ -68,15 +71,18 @@ def command(out: Path, photographs: str | None, seed: int, progress: str) -> Non
     result = out / "result"
     check_target(result)
     _write_input(simulation, out)
-    click.echo("\n".join(_given(simulation, survey.scale_bar_sigma)))
     with reporting(progress) as tell:
         adjustment = adjust(simulation.observed, progress=tell)
         write_result(adjustment, result, progress=tell)
-    click.echo("\n".join(["", *_interior(simulation, adjustment), "", *_points(simulation, adjustment), ""]))
-    click.echo("\n".join(summary_lines(adjustment)))
     facts(block=out / "block", truth=out / "truth", result=result)
-    click.echo(f" block: {out / 'block'}, truth: {out / 'truth'}")
-    click.echo(f" result: {result}, report: {result / 'report.html'}")
+    given = simulation.observed
+    sigma_px = math.sqrt(float(given.observations.cov_px2[0, 0]))
+    simulated = note("demo.simulated", images=len(given.images), n=len(given.points), sigma_px=sigma_px)
+    report(of_adjustment(
+        adjustment, [result, result / "report.html", out / "block", out / "truth"],
+        done=[simulated, *interior_errors(simulation.truth, adjustment), *_point_errors(simulation, adjustment)],
+        details=[_given(simulation, survey.scale_bar_sigma), *_interior(simulation, adjustment)],
+    ))  # fmt: skip
 
 
 def _write_input(simulation: Simulation, out: Path) -> None:
@@ -97,22 +103,30 @@ def _write_input(simulation: Simulation, out: Path) -> None:
             raise InputError("holds another block, which is not overwritten; choose another --out", file=folder)
 
 
-def _given(simulation: Simulation, sigma: float) -> list[str]:
-    block = simulation.observed
-    length = float(block.distances.length[0])
-    std = math.sqrt(float(block.observations.cov_px2[0, 0]))
-    return [
-        (
-            f" simulated: {counted(len(block.images), 'image')} of {counted(len(block.points), 'target')}, "
-            f"{counted(len(block.observations), 'image observation')} with sigma {std:g} px"
-        ),
-        f" given besides: one scale bar, {length:.4f} m with sigma {sigma * 1000:g} mm; c {_start(simulation)}",
-    ]
+def _given(simulation: Simulation, sigma: float) -> Message:
+    """What the adjustment begins from."""
+    from raybundle.report.text.summary import note  # noqa: PLC0415
 
-
-def _start(simulation: Simulation) -> str:
+    length = float(simulation.observed.distances.length[0])
     start, truth = (block.cameras[0].values["c"] for block in (simulation.observed, simulation.truth))
-    return f"= {start:g} mm ({100 * (start / truth - 1):+.1f} %), no distortion, no orientation, no coordinates"
+    return note("demo.given", length_m=length, sigma_mm=sigma * 1000, c_mm=start, error=start / truth - 1)
+
+
+def interior_errors(truth: Block, a: Adjustment) -> list[Message]:
+    """The largest error of an interior orientation in units of its standard deviation."""
+    from raybundle.report.text.summary import note  # noqa: PLC0415
+
+    true = truth.cameras[0].values
+    ratios = {
+        p.symbol: (p.value - true[p.symbol]) / p.std
+        for interior in a.interior
+        for p in interior.parameters.values()
+        if p.std is not None and p.std > 0
+    }
+    if not ratios:
+        return []
+    worst = max(ratios, key=lambda symbol: abs(ratios[symbol]))
+    return [note("demo.interior", n=len(ratios), ratio=abs(ratios[worst]), symbol=worst)]
 
 
 def _interior(simulation: Simulation, adjustment: Adjustment) -> list[str]:
@@ -138,22 +152,18 @@ def together(values: tuple[float, ...], std: float) -> tuple[str, ...]:
     return tuple(f"{v / 10.0**exponent:.{max(decimals + exponent, 0)}f}e{exponent:+03d}" for v in values)
 
 
-def _points(simulation: Simulation, adjustment: Adjustment) -> list[str]:
+def _point_errors(simulation: Simulation, adjustment: Adjustment) -> list[Message]:
+    """Errors of object points after a rigid motion onto the truth, beside what is stated."""
     import numpy as np  # noqa: PLC0415
 
-    estimate, truth = adjustment.adjusted.points.xyz, simulation.truth.points.xyz
-    error, turn = rigid_difference(estimate, truth)
-    lines = [" object points, after a rigid motion onto the truth (a free network stands in a frame of its own)"]
-    rms = 1000 * np.sqrt((error**2).mean(axis=0))
-    lines.append(
-        "   rms error    " + "  ".join(f"{a} {significant(v)}" for a, v in zip("XYZ", rms, strict=True)) + " mm"
-    )
-    if adjustment.precision is not None:
-        covariance = turn @ adjustment.precision.object_points @ turn.T
-        std = 1000 * np.sqrt(np.diagonal(covariance, axis1=1, axis2=2).mean(axis=0))
-        text = "  ".join(f"{a} {significant(v)}" for a, v in zip("XYZ", std, strict=True))
-        lines.append(f"   stated sigma {text} mm (rms)")
-    return lines
+    from raybundle.report.text.summary import note  # noqa: PLC0415
+
+    if adjustment.precision is None:
+        return []
+    error, _ = rigid_difference(adjustment.adjusted.points.xyz, simulation.truth.points.xyz)
+    std = np.sqrt(np.trace(adjustment.precision.object_points, axis1=1, axis2=2).mean() / 3)
+    rms = 1000 * float(np.sqrt((error**2).mean()))
+    return [note("demo.points", kind="targets", rms_mm=rms, stated_mm=1000 * float(std))]
 
 
 def rigid_difference(estimate: Array, truth: Array) -> tuple[Array, Array]:

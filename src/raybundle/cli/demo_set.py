@@ -6,15 +6,15 @@ import math
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-import click
-
-from raybundle.cli.common import counted, facts, significant
+from raybundle.cli.common import facts, significant
 from raybundle.cli.demo import rigid_difference, together
+from raybundle.cli.summary import of_adjustment, report
 from raybundle.commands.demonstrations import set_names
 
 if TYPE_CHECKING:
     from raybundle.adjustment.result import Adjustment
     from raybundle.block import Block
+    from raybundle.errors import Message
     from raybundle.numerics.arrays import Array
     from raybundle.placing.marks import Given
 
@@ -29,7 +29,7 @@ def run(folder: Path, out: Path, progress: str) -> None:
     from raybundle.errors import InputError  # noqa: PLC0415
     from raybundle.io.block.folder import read_block  # noqa: PLC0415
     from raybundle.pipeline.project import PHOTOGRAPHS_IN  # noqa: PLC0415
-    from raybundle.report.text.summary import summary_lines  # noqa: PLC0415
+    from raybundle.report.text.summary import note  # noqa: PLC0415
     from raybundle.results.folder import check_target  # noqa: PLC0415
     from raybundle.workflows.orient import orient  # noqa: PLC0415
 
@@ -43,19 +43,22 @@ def run(folder: Path, out: Path, progress: str) -> None:
     check_target(result)
     given = given_of(folder, truth)
     bars = ", ".join(f"{b.length:.4f} m with sigma {b.sigma * 1000:g} mm" for b in given.scale_bars)
-    click.echo(f" given: {counted(len(truth.images), 'photograph')} and one scale bar, {bars}")
     with reporting(progress) as tell:
         done = orient([folder / "photos"], out, given=given, progress=tell)
         with report_stage(out, done.stages):
             known = {PHOTOGRAPHS_IN: [str((folder / "photos").resolve())]}  # what is made of the result asks for them
             write_orientation(done, result, report="html", progress=tell, additions=known)
     a = done.adjustment
-    click.echo("\n".join(["", *interior_lines(truth, a), "", *place_lines(truth, a), ""]))
-    click.echo(f" {done.oriented} of {counted(len(done.photos), 'photograph')} oriented")
-    click.echo("\n".join(summary_lines(a)))
-    click.echo(f" image points: sigma {done.sigma_px:.3f} px (rms of a coordinate, from the residuals)")
     facts(oriented=done.oriented, photographs=len(done.photos), result=result)
-    click.echo(f" result: {result}, report: {result / 'report.html'}")
+    points = len(a.given.points)
+    oriented = note("summary.oriented", oriented=done.oriented, of=len(done.photos), points=points, parts=0)
+    bars = [note("demo.scale_bar", length_m=b.length, sigma_mm=b.sigma * 1000) for b in given.scale_bars]
+    report(of_adjustment(
+        a, [result, result / "report.html"], done=[oriented, *compared(truth, a)],
+        next_step=note("summary.next_surface", project=str(out)),
+        details=[*bars, *interior_lines(truth, a), *place_lines(truth, a),
+                 note("summary.image_points", sigma_px=done.sigma_px)],
+    ))  # fmt: skip
 
 
 def given_of(folder: Path, truth: Block) -> Given:
@@ -82,6 +85,17 @@ def given_of(folder: Path, truth: Block) -> Given:
         for a, b, length, sigma in zip(d.start, d.end, d.length, d.sigma, strict=True)
     )
     return Given(control=(control,), scale_bars=bars, gps=False, mark_px=0.05)
+
+
+def compared(truth: Block, a: Adjustment) -> list[Message]:
+    """Errors against the truth: of the interior orientation and of the targets."""
+    from raybundle.cli.demo import interior_errors  # noqa: PLC0415
+    from raybundle.report.text.summary import note  # noqa: PLC0415
+
+    name, error, covariance = errors(truth, a)[0]
+    rms = 1000 * math.sqrt(float((error**2).mean()))
+    std = 1000 * math.sqrt(float(covariance.diagonal(axis1=1, axis2=2).mean()))
+    return [*interior_errors(truth, a), note("demo.points", kind=name, rms_mm=rms, stated_mm=std)]
 
 
 def interior_lines(truth: Block, a: Adjustment) -> list[str]:

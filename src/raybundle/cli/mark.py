@@ -16,6 +16,7 @@ from raybundle.cli.marking_areas import control, mask, unmask
 from raybundle.cli.marks_shown import shown
 from raybundle.cli.numbers import NUMBER, PIXELS, POSITIVE, Number
 from raybundle.cli.settings import options_of, values_of
+from raybundle.cli.summary import of_adjustment, report
 from raybundle.commands.begin_settings import BeginSettings
 from raybundle.commands.marks_settings import RejectSettings
 from raybundle.commands.pages import LANGUAGE_HELP
@@ -440,7 +441,7 @@ def adjust_(
     from raybundle.commands.marks import adjust_marks  # noqa: PLC0415
     from raybundle.measuring.journal import measured_result  # noqa: PLC0415
     from raybundle.pipeline.project import PHOTOGRAPHS_IN, photographs_of  # noqa: PLC0415
-    from raybundle.report.text.summary import summary_lines  # noqa: PLC0415
+    from raybundle.report.text.summary import adjusted, note  # noqa: PLC0415
     from raybundle.report.write import write_result  # noqa: PLC0415
     from raybundle.results.folder import check_target  # noqa: PLC0415
 
@@ -458,7 +459,8 @@ def adjust_(
             additions={PHOTOGRAPHS_IN: known} if known else None,
         )  # fmt: skip
     facts(out=target)
-    click.echo("\n".join(summary_lines(adjustment)))
-    for name, why in left_out.items():
-        click.echo(f" left out: {name}: {why}")
-    click.echo(f" result: {target}")
+    names = [note("summary.marks_left_out", n=len(left_out), names=list(left_out))] if left_out else []
+    report(of_adjustment(
+        adjustment, [target], done=[adjusted(adjustment), *names],
+        details=[f"{name}: {why}" for name, why in left_out.items()],
+    ))  # fmt: skip

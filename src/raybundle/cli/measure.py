@@ -13,15 +13,16 @@ from raybundle.cli.common import (
     NOT_KEPT,
     SeveralNames,
     common_options,
-    counted,
-    significant,
 )
 from raybundle.cli.settings import options_of, values_of
+from raybundle.cli.summary import Summary, report
 from raybundle.commands.measure import LENGTHS, LIST, NOMINAL, MeasureSettings, run_measure
 from raybundle.settings import made
+from raybundle.words.numbers import probability
 
 if TYPE_CHECKING:
     from raybundle.commands.measure import Measured
+    from raybundle.errors import Message
     from raybundle.metrology.best_fit import BestFit
     from raybundle.metrology.lengths import LengthTest
 
@@ -57,10 +58,9 @@ def command(photos: tuple[Path, ...], progress: str, **given: Any) -> int:
     settings = made(MeasureSettings, {"photos": photos, **values_of(MeasureSettings, given)})
     with reporting(progress) as tell:
         done = run_measure(settings, tell)
-    click.echo("\n".join(f" {line}" for line in lines(done)))
     files = [LIST, *([NOMINAL] if done.fit else []), *([LENGTHS] if done.lengths else [])]
     files += [name for name, wanted in (("report.html", settings.report), ("report.pdf", settings.pdf)) if wanted]
-    click.echo(f" {settings.out}: {', '.join(files)}")
+    report(_summary(done, [settings.out / name for name in files]))
     return 0 if kept(done) else NOT_KEPT
 
 
@@ -70,80 +70,97 @@ def kept(done: Measured) -> bool:
     return not beyond and (done.lengths is None or done.lengths.kept is not False)
 
 
-def lines(done: Measured) -> list[str]:
-    """What is told of a measurement."""
+def _summary(done: Measured, files: list[Path]) -> Summary:
+    """What the command reports."""
     import numpy as np  # noqa: PLC0415
 
     from raybundle.adjustment.result import as_told  # noqa: PLC0415  (what computes is loaded after the help)
-    from raybundle.adjustment.severity import Severity  # noqa: PLC0415
-    from raybundle.report.text.summary import line_of  # noqa: PLC0415
+    from raybundle.report.text.summary import details, note  # noqa: PLC0415
 
     a, s = done.adjustment, 1000 * done.points.sigma
     images = len(np.unique(a.given.observations.image))
-    of = "" if images == done.given else f" of {done.given}"
-    unit = "of a scale that nothing measured" if done.points.free_scale else "mm"
-    rms, worst = significant(float(np.sqrt(np.mean(s**2))), 2), significant(float(s.max()), 2)
-    weakest = done.points.ids[int(s.max(axis=1).argmax())]
-    where = f"{counted(len(done.points.ids), 'point')} in {images}{of} photograph{'s' * (done.given != 1)}"
-    text = [
-        f"{where}, sigma0 {a.sigma0:.3g}, redundancy {a.redundancy}",
-        f"standard deviation of a coordinate: {rms} {unit} rms, {worst} at worst (point {weakest})",
-    ]
-    grave = [n for n in as_told(a.notices) if n.severity in {Severity.FAULT, Severity.CAUTION}]
-    first = [n for n in grave if n.code in UNFIT]
-    text = [*map(line_of, first), *text]
-    grave = [n for n in grave if n.code not in UNFIT]
+    weakest = int(s.max(axis=1).argmax())
+    first = [
+        note("measurement.points", points=len(done.points.ids), images=images, of=done.given),
+        note(
+            "measurement.precision", rms=float(np.sqrt(np.mean(s**2))), largest=float(s.max()),
+            point=done.points.ids[weakest], free_scale=done.points.free_scale,
+        ),
+    ]  # fmt: skip
+    notices = sorted(as_told(a.notices), key=lambda n: n.code not in UNFIT)
+    more: list[Message | str] = []
     if done.fit is not None:
-        text += _fit_lines(done.fit)
+        first += _fit(done.fit)
+        more += _deviations(done.fit)
     if done.lengths is not None:
-        text += _length_lines(done.lengths)
-    text += map(line_of, grave[:SHOWN])
-    return text + ["more stands in the report, and in result.json"] * (len(grave) > SHOWN)
+        first += _lengths(done.lengths)
+        more += _test_of_lengths(done.lengths)
+    return Summary(done=first, notices=notices, files=files, details=[*details(a), *more])
 
 
-def _fit_lines(f: BestFit) -> list[str]:
+def _fit(f: BestFit) -> list[Message]:
+    """How well the points fit the nominal ones, and whether tolerances are met."""
     import numpy as np  # noqa: PLC0415
 
-    from raybundle.report.text.metrology_words import tolerances_told  # noqa: PLC0415
-    from raybundle.words.numbers import probability  # noqa: PLC0415
+    from raybundle.report.text.summary import note  # noqa: PLC0415
 
-    scale = "" if not f.scale_sigma else f", scale {f.transform.scale:.7f} ± {f.scale_sigma:.1g}"
-    rms, largest = significant(1000 * f.rms, 2), significant(1000 * float(f.length.max()), 2)
-    by, farthest = counted(int(f.fitted.sum()), "point"), f.ids[int(f.length.argmax())]
-    text = [f"fitted to nominal by {by}{scale}: rms {rms} mm, largest {largest} mm (point {farthest})"]
+    n, largest = int(f.significant.sum()), int(f.length.argmax())
+    found = [
+        note(
+            "measurement.fit", n=int(f.fitted.sum()), rms_mm=1000 * f.rms, largest_mm=1000 * float(f.length[largest]),
+            point=f.ids[largest], significant=n, of=len(f.ids),
+        )
+    ]  # fmt: skip
+    if np.isfinite(f.tolerance).any():
+        beyond, undecided = (f.verdict.count(v) for v in ("beyond", "undecided"))
+        within = int(np.isfinite(f.tolerance).sum()) - beyond - undecided
+        found.append(note("measurement.tolerances", within=within, beyond=beyond, undecided=undecided))
+    return found
+
+
+def _deviations(f: BestFit) -> list[Message | str]:
+    """Scale, and the significant deviations."""
+    import numpy as np  # noqa: PLC0415
+
+    from raybundle.report.text.summary import note  # noqa: PLC0415
+
+    found: list[Message | str] = []
+    if f.scale_sigma:
+        found.append(note("measurement.scale", scale=f.transform.scale, sigma=f.scale_sigma))
     off = np.flatnonzero(f.significant)
-    verb = "is" if len(off) == 1 else "are"
-    share = f"{len(off)} of {len(f.ids)} deviations {verb} more than errors of measurement explain"
-    text.append(share if len(off) else "no deviation is more than errors of measurement explain")
     for k in off[np.argsort(-f.length[off])][:SHOWN].tolist():
         # a length may be less than twice its deviation, and one component far beyond its own: that one is to be seen
         std = np.sqrt(np.maximum(np.diagonal(f.covariance[k]), 0))
         each = zip("XYZ", f.deviation[k], std, strict=True)
         d = ", ".join(f"{a} {1000 * v:+.3g} ± {1000 * u:.2g}" for a, v, u in each)
-        text.append(f"{f.ids[k]}: {1000 * f.length[k]:.3g} mm ({d}), {probability(float(f.p_value[k]))}")
-    if np.isfinite(f.tolerance).any():
-        text.append(f"tolerances: {tolerances_told(f)} by the uncertainty (ISO 14253-1, two standard deviations)")
-    return text
+        found.append(f"{f.ids[k]}: {1000 * f.length[k]:.3g} mm ({d}), {probability(float(f.p_value[k]))}")
+    return found
 
 
-def _length_lines(t: LengthTest) -> list[str]:
+def _lengths(t: LengthTest) -> list[Message]:
+    """Errors of known lengths."""
     import numpy as np  # noqa: PLC0415
 
-    from raybundle.words.numbers import probability  # noqa: PLC0415
+    from raybundle.report.text.summary import note  # noqa: PLC0415
 
-    k = t.largest_at
-    largest, rms = significant(1000 * t.largest, 2), significant(1000 * t.rms, 2)
-    error = f"largest error {largest} mm ({t.known[k].start} - {t.known[k].end}), rms {rms} mm"
-    share = f"{100 * t.within:.0f} % within two standard deviations"
-    what = counted(int(t.compared.sum()), "length")
-    if t.served.any():
-        others = int(t.served.sum())
-        what += f" that took no part (beside {others} that served as scale bars)" if t.independent else (
-            ", all of which served as scale bars: no test"
-        )  # fmt: skip
-    text = [f"{what}: {error}; {share}, together F {t.whole[0]:.2f} ({probability(t.whole[1])})"]
+    k, over = t.largest_at, 0
     if t.kept is not None:
         over = int((np.abs(t.error) > t.allowed).sum())
-        verb = "error is" if over == 1 else "errors are"
-        text.append("all errors are within what is allowed" if t.kept else f"{over} {verb} beyond what is allowed")
-    return text
+    judged = "none" if t.kept is None else "met" if t.kept else "exceeded"
+    return [
+        note(
+            "measurement.lengths", n=int(t.compared.sum()), rms_mm=1000 * t.rms, largest_mm=1000 * t.largest,
+            start=t.known[k].start, end=t.known[k].end, judged=judged, over=over,
+        )
+    ]  # fmt: skip
+
+
+def _test_of_lengths(t: LengthTest) -> list[Message]:
+    """Whether the lengths are a test, and its result."""
+    from raybundle.report.text.summary import note  # noqa: PLC0415
+
+    F, p = t.whole
+    found = [note("measurement.length_test", within=t.within, F=F, p=p)]
+    if t.served.any():
+        found.append(note("measurement.lengths_served", n=int(t.served.sum()), independent=t.independent))
+    return found

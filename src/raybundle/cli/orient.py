@@ -7,13 +7,15 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from raybundle.cli.common import FOLDER, NEW_FOLDER, Command, common_options, counted, store_told, told_outcome
+from raybundle.cli.common import FOLDER, NEW_FOLDER, Command, common_options, store_lines, told_outcome
 from raybundle.cli.settings import options_of, values_of
+from raybundle.cli.summary import Summary, of_adjustment, report
 from raybundle.commands.orient import OrientSettings, accuracy_outcome, run_orient
-from raybundle.commands.pages import pages_told
+from raybundle.commands.pages import page_files
 from raybundle.settings import made
 
 if TYPE_CHECKING:
+    from raybundle.errors import Message
     from raybundle.workflows.orient import Orientation
 
 
@@ -69,36 +71,43 @@ def command(photos: tuple[Path, ...], out: Path, progress: str, **given: Any) ->
     except KeyboardInterrupt:
         click.echo(f"interrupted; what is finished is kept in {out}, the same command continues there", err=True)
         return 130
-    click.echo("\n".join(_lines(done, settings)))
-    outcome = accuracy_outcome(settings, done)
-    return told_outcome(outcome)
+    report(_summary(done, settings))
+    return told_outcome(accuracy_outcome(settings, done))
 
 
-def _lines(done: Orientation, settings: OrientSettings) -> list[str]:
-    """What the command prints."""
-    from raybundle.report.text.summary import summary_lines  # noqa: PLC0415
+def _summary(done: Orientation, settings: OrientSettings) -> Summary:
+    """What the command reports."""
+    from raybundle.report.text.summary import note  # noqa: PLC0415  (what computes is loaded after the help)
     from raybundle.workflows.orient import component_folder  # noqa: PLC0415
 
-    result = settings.out / "result"
-    told = [f" {_oriented(done)}"] if done.photos or not done.scenes else []
+    result, other = settings.out / "result", done.other_components
+    lost = {n for n, _ in done.not_oriented}
+    apart = sum(len(set(part.photographs) - lost) for part in other)
+    points = len(done.adjustment.given.points)
+    first = [note("summary.oriented", oriented=done.oriented - apart, of=len(done.photos), points=points,
+                  parts=len(other))]  # fmt: skip
+    if not done.photos:
+        first = []
     if done.scenes:
-        told.append(f" {done.oriented_scenes} of {counted(len(done.scenes), 'scene')} in the block")
-    told += [f"   {name}: {reason}" for name, reason in (*done.refused, *done.not_oriented)]
+        first.append(note("summary.scenes", oriented=done.oriented_scenes, of=len(done.scenes)))
+    parts = [
+        note("summary.part", n=len(part.photographs), folder=str(settings.out / component_folder(k)))
+        for k, part in enumerate(other)
+    ]
+    files = [result, *page_files(result, settings)]
+    return of_adjustment(
+        done.adjustment, files, done=[*first, *parts],
+        next_step=note("summary.next_surface", project=str(settings.out)),
+        details=[*_without_orientation(done, settings), note("summary.image_points", sigma_px=done.sigma_px),
+                 *store_lines(settings.out)],
+    )  # fmt: skip
+
+
+def _without_orientation(done: Orientation, settings: OrientSettings) -> list[Message | str]:
+    """Photographs that are not in the result, and why."""
+    from raybundle.report.text.summary import note  # noqa: PLC0415  (loaded after the help)
+
+    found: list[Message | str] = [f"{name}: {reason}" for name, reason in (*done.refused, *done.not_oriented)]
     if done.oriented < len(done.photos) and settings.features == "rootsift":
-        told.append("   --features xfeat matches photographs from farther apart (pip install 'raybundle[learned]')")
-    for k, part in enumerate(done.other_components):
-        n = counted(len(part.photographs), "photograph")
-        told.append(f"   {n} in a part of its own: {settings.out / component_folder(k)}")
-    told += summary_lines(done.adjustment)
-    told.append(f" image points: sigma {done.sigma_px:.3f} px (rms of a coordinate, from the residuals)")
-    return [*told, *store_told(settings.out), f" result: {result}{pages_told(result, settings)}"]
-
-
-def _oriented(done: Orientation) -> str:
-    """How many photographs are oriented, and where, in words."""
-    whole = counted(len(done.photos), "photograph")
-    apart = sum(len(set(part.photographs) - {n for n, _ in done.not_oriented}) for part in done.other_components)
-    if not apart:
-        return f"{done.oriented} of {whole} oriented"
-    others = f"{len(done.other_components)} others" if len(done.other_components) > 1 else "another"
-    return f"{done.oriented - apart} of {whole} oriented in this result, {apart} in {others}"
+        found.append(note("summary.try_xfeat"))
+    return found

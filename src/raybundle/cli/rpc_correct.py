@@ -7,8 +7,9 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from raybundle.cli.common import FOLDER, NEW_FILE, Command, counted, facts, significant
+from raybundle.cli.common import FOLDER, NEW_FILE, Command, facts
 from raybundle.cli.settings import options_of, values_of
+from raybundle.cli.summary import Summary, report
 from raybundle.commands.scenes.correct import (
     RpcCorrectSettings,
     check_outputs,
@@ -18,9 +19,9 @@ from raybundle.commands.scenes.correct import (
 from raybundle.settings import made
 
 if TYPE_CHECKING:
-    from raybundle.commands.scenes.correct import Checked, Correction
-    from raybundle.scenes.bias_choice import BiasAdvice, BiasFit
-    from raybundle.scenes.rpc import Rpc
+    from raybundle.commands.scenes.correct import Correction
+    from raybundle.errors import Message, Value
+    from raybundle.scenes.bias_choice import BiasAdvice
 
 
 @click.command("correct", cls=Command)
@@ -44,88 +45,102 @@ def correct(scene: Path, points: Path, **given: Any) -> None:
     settings = made(RpcCorrectSettings, asked)
     check_outputs(settings)
     found = correction_of(settings)
-    for remark in found.remarks:
-        click.echo(f" remark: {remark}")
-    for k, note in found.beyond.items():
-        click.echo(f" caution: {found.ids[k]}: {note}")
-    _tell_advice(found.advice, found.ids)
-    if found.fit is not None:
-        _tell_fit(found.advice, found.fit, found.rpc)
-    if found.checked is not None:
-        _tell_checked(found.checked)
     done = write_correction(settings, found)
     kind = "none" if done.fit is None else done.fit.kind
     facts(bias=kind, parameters=None if done.fit is None else done.fit.values, errors=done.errors, written=done.written)
     facts(points=found.ids, set_aside=[found.ids[k] for k in found.advice.set_aside], checked=found.checked)
-    _tell_errors(done)
-    if done.refitted is not None:
-        largest = float(done.refitted.largest_px.max())
-        click.echo(f" refitted: at most {significant(largest)} px from the corrected RPC")
-    for k, path in enumerate(done.written):
-        what = f"RPC with {done.fit.kind} built in" if k == 0 and done.fit is not None else "the former RPC"
-        click.echo(f" {what}: {path}")
+    report(_summary(found, done))
 
 
-def _tell_checked(checked: Checked) -> None:
-    x, y = checked.rms_px.tolist()
-    click.echo(
-        f" {counted(len(checked.ids), 'check point')}: rms {x:.3f}, {y:.3f} px, {significant(checked.rms_m)} m on the "
-        "ground along an axis"
-    )
+def _summary(found: Correction, done: Correction) -> Summary:
+    """What the command reports."""
+    from raybundle.report.text.summary import note  # noqa: PLC0415  (what computes is loaded after the help)
+
+    advice, fit = found.advice, found.fit
+    used = len(found.ids) - len(advice.set_aside)
+    first: list[Message] = []
+    if fit is not None:
+        x, y = fit.rms.tolist()
+        first.append(note("rpc.corrected", kind=fit.kind, n=used, x_px=x, y_px=y))
+    if found.checked is not None:
+        c = found.checked
+        x, y = c.rms_px.tolist()
+        first.append(note("rpc.check_points", n=len(c.ids), x_px=x, y_px=y, rms_m=c.rms_m))
+    if done.errors is not None:
+        e = done.errors
+        rand = 0.0 if e.err_rand_m is None else e.err_rand_m
+        first.append(note("rpc.ground_errors", bias_m=e.err_bias_m, rand_known=e.err_rand_m is not None, rand_m=rand))
+    texts = [str(r) for r in found.remarks]
+    texts += [f"{found.ids[k]}: {why}" for k, why in found.beyond.items()]
+    return Summary(
+        done=first, notices=_cautions(found), files=done.written,
+        details=[*texts, *_models(advice), *_terms(found), *_errors(done)],
+    )  # fmt: skip
 
 
-def _tell_errors(done: Correction) -> None:
-    """ERR_BIAS and ERR_RAND, and what heights have to do with them."""
-    e = done.errors
-    if e is None or done.fit is None:
-        return
-    share = f", of it {significant(e.height_share_m)} m by the heights of the points" if e.height_share_m else ""
-    known = "as the vendor states it"
-    if e.measured_rand:
-        known = "the scatter of the points, their measurement included"
-    rand = "not known" if e.err_rand_m is None else f"{significant(e.err_rand_m)} m ({known})"
-    click.echo(f" on the ground along an axis (68 %): ERR_BIAS {significant(e.err_bias_m)} m{share}; ERR_RAND {rand}")
-    east, north = e.per_height.tolist()
-    click.echo(f" a height wrong by 1 m moves a ground point by {east:+.2f} m east, {north:+.2f} m north, besides")
+def _cautions(found: Correction) -> list[Message]:
+    """What the points have against the correction."""
+    from raybundle.errors import Message, Severity  # noqa: PLC0415
+
+    advice, fit = found.advice, found.fit
+
+    def caution(code: str, **values: Value) -> Message:
+        return Message(code=code, values=values, severity=Severity.CAUTION)
+
+    notices: list[Message] = []
+    if advice.set_aside:
+        names = [found.ids[k] for k in advice.set_aside]
+        largest = float(abs(advice.set_aside_px).max())
+        notices.append(
+            caution("rpc.points_contradict", n=len(names), of=len(found.ids), names=names, largest_px=largest)
+        )
+    if found.beyond:
+        names = [found.ids[k] for k in found.beyond]
+        notices.append(caution("rpc.points_outside", n=len(names), names=names))
+    if advice.is_far and advice.prior_ratio is not None:
+        notices.append(caution("rpc.shift_large", ratio=advice.prior_ratio))
+    if fit is not None and fit.misfit > 1:
+        notices.append(caution("rpc.residuals_large", ratio=fit.misfit, sigma_px=advice.sigma_px))
+    if fit is not None and fit.redundancy == 0:
+        notices.append(caution("rpc.no_redundancy", n=len(found.ids)))
+    return notices
 
 
-def _tell_advice(advice: BiasAdvice, ids: tuple[str, ...]) -> None:
-    click.echo(f" {'bias':8}{'parameters':>12}{'rms x, y [px]':>20}{'left out x, y [px]':>22}")
+def _models(advice: BiasAdvice) -> list[str]:
+    """Models of the bias, as rows of a table, and the reason of the choice."""
+    rows = [f"{'bias':8}{'parameters':>12}{'rms x, y [px]':>20}{'left out x, y [px]':>22}"]
     for f in advice.fits:
         rms, out = (", ".join(f"{v:.3f}" for v in pair) for pair in (f.rms, f.left_out_rms))
-        click.echo(f" {f.kind:8}{len(f.values):12d}{rms:>20}{out:>22}")
-    if advice.set_aside:
-        away = ", ".join(
-            f"{ids[k]} ({x:+.2f}, {y:+.2f} px)"
-            for k, (x, y) in zip(advice.set_aside, advice.set_aside_px.tolist(), strict=True)
-        )
-        verb = "contradicts" if len(advice.set_aside) == 1 else "contradict"
-        click.echo(
-            f" caution: {counted(len(advice.set_aside), 'point')} of {len(ids)} {verb} the others and took no part; "
-            f"look at coordinates, height and measurement: {away}"
-        )
-    click.echo(f" advised: {advice.reason}")
-    if advice.prior_ratio is not None:
-        caution = "caution: " if advice.is_far else ""
-        click.echo(f" {caution}that shift is {advice.prior_ratio:.2g} times the bias that the vendor states")
+        rows.append(f"{f.kind:8}{len(f.values):12d}{rms:>20}{out:>22}")
+    return [*rows, f"advised: {advice.reason}"]
 
 
-def _tell_fit(advice: BiasAdvice, fit: BiasFit, rpc: Rpc) -> None:
-    """The correction that is advised, or was asked for: every term that is built in."""
+def _terms(found: Correction) -> list[str]:
+    """Every term of the correction that is built in."""
     from raybundle.scenes.bias import BIAS_PARAMETERS  # noqa: PLC0415
 
-    if fit.kind != "none":
-        named = zip(BIAS_PARAMETERS[fit.kind], fit.values, fit.sigma, strict=True)
-        values = ", ".join(f"{symbol} {v:+.3f} +- {s:.3f}" for symbol, v, s in named)
-        click.echo(f" {fit.kind}, to be added to the RPC's image points: {values} px")
-        if fit.kind != "shift":
-            (x0, y0), (u, v) = rpc.image_offset, rpc.image_scale
-            scaled = f"u = (x - {x0:g}) / {u:g}, v = (y - {y0:g}) / {v:g}"
-            click.echo(f"   x: A0 + A1 u + A2 v, y: B0 + B1 u + B2 v, {scaled}")
-    if fit.redundancy == 0:
-        click.echo(" remark: no redundancy: a wrong point would not be noticed; measure one more")
-    if fit.misfit > 1:
-        click.echo(
-            f" caution: residuals are {fit.misfit:.3g} times the stated sigma of {advice.sigma_px:g} px; standard "
-            "deviations are enlarged by it"
+    fit = found.fit
+    if fit is None or fit.kind == "none":
+        return []
+    named = zip(BIAS_PARAMETERS[fit.kind], fit.values, fit.sigma, strict=True)
+    rows = [f"{symbol} {v:+.3f} ± {s:.3f} px" for symbol, v, s in named]
+    if fit.kind != "shift":
+        (x0, y0), (u, v) = found.rpc.image_offset, found.rpc.image_scale
+        rows.append(f"x: A0 + A1 u + A2 v, y: B0 + B1 u + B2 v, u = (x - {x0:g}) / {u:g}, v = (y - {y0:g}) / {v:g}")
+    return rows
+
+
+def _errors(done: Correction) -> list[Message]:
+    """What ERR_BIAS and ERR_RAND rest on, and the effect of wrong heights."""
+    from raybundle.report.text.summary import note  # noqa: PLC0415
+
+    found: list[Message] = []
+    if done.errors is not None:
+        e = done.errors
+        east, north = e.per_height.tolist()
+        found.append(
+            note("rpc.error_sources", height_m=e.height_share_m, measured=e.measured_rand, east=east, north=north)
         )
+    if done.refitted is not None:
+        found.append(note("rpc.refitted", largest_px=float(done.refitted.largest_px.max())))
+    return found

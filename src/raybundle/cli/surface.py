@@ -8,18 +8,18 @@ from typing import TYPE_CHECKING, Any
 
 import click
 
-from raybundle.cli.common import FOLDER, NEW_FOLDER, Command, common_options, counted, facts, significant, store_told
+from raybundle.cli.common import FOLDER, NEW_FOLDER, Command, common_options, facts, store_lines
 from raybundle.cli.settings import options_of, values_of
+from raybundle.cli.summary import Summary, report
 from raybundle.commands.surface import WORK, SurfaceSettings, run_surface
 from raybundle.settings import made
 
 if TYPE_CHECKING:
     from raybundle.commands.surface import MeasuredSurface
+    from raybundle.errors import Message
 
 MOST_LEFT_OUT = 8
 """Photographs and pairs without a part that are named."""
-MOST_CAUTIONS = 3
-"""Of the adjustment, that are printed; all faults are."""
 
 
 @click.command("surface", cls=Command)
@@ -55,47 +55,45 @@ def command(source: Path, progress: str, **given: Any) -> int:
         median_along_ray=done.median_along_ray, verdict=done.pages.verdict, file=str(done.points),
     )  # fmt: skip
     work = (settings.out or source / "surface") / WORK
-    click.echo("\n".join([*(f" {line}" for line in _lines(done)), *store_told(work)]))
+    report(_summary(done, work))
     return 0
 
 
-def _lines(done: MeasuredSurface) -> list[str]:
-    """What the command prints."""
-    told = [_points(done)]
-    if len(done.surface):
-        told.append(_precision(done))
-    told += [f"{w.files[0]}: {line}" for name, w in done.written if name for line in w.told]
-    told += [*done.remarks, *_lost(done), *_without_part(done), *_adjustment(done)]
-    words = ("report", "PDF", "in 3D") if len(done.pages.files) > 2 else ("report", "in 3D")
-    told.append(", ".join(f"{word}: {path}" for word, path in zip(words, done.pages.files, strict=True)))
-    return told
+def _summary(done: MeasuredSurface, work: Path) -> Summary:
+    """What the command reports."""
+    from raybundle.errors import Message, Severity  # noqa: PLC0415  (what computes is loaded after the help)
+    from raybundle.report.text.summary import note  # noqa: PLC0415
 
-
-def _points(done: MeasuredSurface) -> str:
-    """How many, and of how many maps."""
     s, written = done.surface, done.pages.summary.written
-    maps = f"from {counted(sum(1 for n in s.counts if n), 'depth map')}"
-    thinned = f", thinned from {counted(len(s), 'point')}" if written else ""
-    return f"{done.points}: {counted(written or len(s), 'point')} {maps}{thinned}"
+    points = note("surface.points", n=written or len(s), maps=sum(1 for n in s.counts if n), measured=len(s))
+    lost = {"n": len(s.lost), "of": int(s.block.images.oriented.sum()), "names": [one.name for one in s.lost]}
+    missing = Message(code="surface.photographs_missing", values=lost, severity=Severity.CAUTION)
+    others = Message(code="surface.other_photographs", severity=Severity.CAUTION)
+    products = [f"{w.files[0]}: {line}" for name, w in done.written if name for line in w.told]
+    return Summary(
+        done=[points, *_precision(done)[:1]],
+        notices=[*([missing] if s.lost else []), *([others] if s.others else []), *done.pages.warnings],
+        files=[done.points, *(w.files[0] for name, w in done.written if name), *done.pages.files],
+        details=[*_precision(done)[1:], *products, *done.remarks, *_without_part(done), *store_lines(work)],
+    )  # fmt: skip
 
 
-def _precision(done: MeasuredSurface) -> str:
+def _precision(done: MeasuredSurface) -> list[Message]:
     """How good points are in the datum, and by what their errors along the ray come about."""
     from raybundle.numerics.length_units import precision_unit  # noqa: PLC0415  (loaded after the help)
+    from raybundle.report.text.summary import note  # noqa: PLC0415
 
-    factor, of = precision_unit(done.median_sigma, done.unit)
-    unit = f" {of}" if of else " (the scale is free)"
+    if not len(done.surface):
+        return []
+    factor, unit = precision_unit(done.median_sigma, done.unit)
+    x, y, z = (factor * float(v[0]) for _, v in zip("XYZ", done.pages.summary.axes, strict=True))
     noise, rough, orientation = whole_shares(done.shares)
-    each = ", ".join(
-        f"{a} {significant(factor * float(v[0]), 2)}" for a, v in zip("XYZ", done.pages.summary.axes, strict=True)
-    )  # fmt: skip
-    whole, along = (significant(factor * v, 2) for v in (done.median_sigma, done.median_along_ray))
-    along = f"{along} {of}".rstrip()
-    return (
-        f"standard deviation of a point {whole}{unit} in the median ({each}); along its ray {along}, "
-        f"of whose square {noise} % are noise of grey values, {rough} % roughness, {orientation} % orientation and "
-        "calibration"
-    )
+    free = not unit
+    return [
+        note("surface.precision", median=factor * done.median_sigma, unit=unit, free_scale=free),
+        note("surface.precision_of_axes", x=x, y=y, z=z, along_ray=factor * done.median_along_ray, unit=unit),
+        note("surface.shares", noise=noise, roughness=rough, orientation=orientation),
+    ]  # fmt: skip
 
 
 def whole_shares(shares: Sequence[float]) -> list[int]:
@@ -106,15 +104,6 @@ def whole_shares(shares: Sequence[float]) -> list[int]:
     for k in left[: 100 - sum(found)]:
         found[k] += 1
     return found
-
-
-def _lost(done: MeasuredSurface) -> list[str]:
-    """That photographs which were adjusted are not there, do not fit, or are others under their names."""
-    from raybundle.workflows.surface_photographs import lost_words  # noqa: PLC0415  (loaded after the help)
-
-    s = done.surface
-    told = [lost_words(s.lost, int(s.block.images.oriented.sum()))] if s.lost else []
-    return [f"caution: {words}" for words in (*told, s.others) if words]
 
 
 def _without_part(done: MeasuredSurface) -> list[str]:
@@ -133,18 +122,3 @@ def _without_part(done: MeasuredSurface) -> list[str]:
     if len(whys) > MOST_LEFT_OUT:
         told.append(f"left out: {sum(len(n) for n in list(whys.values())[MOST_LEFT_OUT:])} more")
     return told
-
-
-def _adjustment(done: MeasuredSurface) -> list[str]:
-    """What is to be said of what the points rest on: its verdict, every fault, and the gravest cautions."""
-    from raybundle.adjustment.severity import Severity  # noqa: PLC0415  (what computes is loaded after the help)
-    from raybundle.report.text.summary import line_of  # noqa: PLC0415
-
-    told = done.pages.warnings
-    faults = [n for n in told if n.severity is Severity.FAULT]
-    cautions = [n for n in told if n.severity is Severity.CAUTION]
-    lines = [f"the adjustment behind it: {done.pages.verdict}"]
-    lines += map(line_of, (*faults, *cautions[:MOST_CAUTIONS]))
-    if len(cautions) > MOST_CAUTIONS:
-        lines.append(f"and {counted(len(cautions) - MOST_CAUTIONS, 'more caution')}, see {done.pages.files[0].name}")
-    return lines

@@ -44,11 +44,10 @@ def check_pages(settings: Pages) -> None:
         check_typesetter()
 
 
-def pages_told(folder: Path, settings: Pages, network: str = "network.html") -> str:
-    """What was written for people, as a command prints it behind the name of the result.
+def page_files(folder: Path, settings: Pages, network: str = "network.html") -> list[Path]:
+    """What was written for people into the folder of a result.
 
-    network  the page in three dimensions; empty: it is not named
+    network  the page in three dimensions; empty: there is none
     """
-    pages = [f", report: {folder / 'report.html'}"] if settings.report else []
-    pages += [f", in 3D: {folder / network}"] if settings.report and network else []
-    return "".join([*pages, *([f", PDF: {folder / 'report.pdf'}"] if settings.pdf else [])])
+    names = [*(["report.html", network] if settings.report else []), *(["report.pdf"] if settings.pdf else [])]
+    return [folder / name for name in names if name]

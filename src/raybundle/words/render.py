@@ -87,7 +87,7 @@ def _formatted(code: str, part: Part, values: Mapping[str, Any], reader: Reader)
         message = bundle.get_message(name)
         pattern = message.attributes.get(part) if part else message.value
         if pattern is not None:
-            return without_controls(bundle.written(pattern, values)[0])
+            return without_controls(bundle.written(pattern, values)[0]).strip()
     return ""
 
 

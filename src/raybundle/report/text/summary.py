@@ -1,9 +1,8 @@
-"""A result in a few lines, as commands print it."""
+"""A result in a few messages, as commands print it."""
 
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
 
 import numpy as np
 
@@ -11,139 +10,140 @@ from raybundle.adjustment.check_points import check_differences
 from raybundle.adjustment.counts import counts
 from raybundle.adjustment.fields import Noise
 from raybundle.adjustment.network import classed
-from raybundle.adjustment.result import Adjustment, Notice, as_told
+from raybundle.adjustment.result import Adjustment
 from raybundle.adjustment.roughness import doubled
 from raybundle.adjustment.spread import few_hold
 from raybundle.block import Block
+from raybundle.errors import Message, Severity, Value, plain
 from raybundle.io.photos.start import NOMINAL_PIXEL_MM
 from raybundle.numerics.arrays import Array
-from raybundle.numerics.counting import counted, grouped, significant
-from raybundle.report.text.words import left_out
 from raybundle.report.view import length_unit, printed_lengths
 
-SHOWN = 15
-"""Notices that are printed."""
+
+def note(code: str, /, **values: Value) -> Message:
+    """What was done or chosen, as a message."""
+    return Message(code=code, values=plain(values), severity=Severity.REMARK)
 
 
-def summary_lines(adjustment: Adjustment) -> list[str]:
-    """Counts, sigma0, relative precision, check points and warnings, a line each."""
-    a = adjustment
+def adjusted(a: Adjustment) -> Message:
+    """How much was adjusted."""
     n = counts(a)
-    tail = f"; {grouped(n.rejected)} rejected (listed in observations.csv)" if n.rejected else ""
-    took_part = (
-        (n.images_used, n.images_given, "image"),
-        (n.points_used, n.points_given, "object point"),
-        (n.image_observations_used, n.image_observations_given, "image observation"),
-    )
-    lines = [
-        ", ".join(counted(u, noun) + (f" (of {grouped(g)})" if g != u else "") for u, g, noun in took_part) + tail,
-        f"sigma0 {_sigma0(a)} (a priori {a_priori(a.given)}), redundancy {grouped(a.redundancy)}",
-        f"datum: {a.datum}",
-    ]
-    lines += _precision(a) + noise_lines(a.noise) + _relief(a)
-    lines += _check_points(a)
-    lines += notice_lines(a.notices)
-    return [f" {line}" for line in lines]
+    return note(
+        "summary.adjusted", images=n.images_used, points=n.points_used, observations=n.image_observations_used,
+        rejected=n.rejected,
+    )  # fmt: skip
 
 
-def notice_lines(notices: Sequence[Notice]) -> list[str]:
-    """Notices with their severity, the gravest first; how many are not shown."""
-    found = as_told(notices)
-    lines = [line_of(n) for n in found[:SHOWN]]
-    if len(found) > SHOWN:
-        lines.append(f"and {counted(len(found) - SHOWN, 'more notice')}, see result.json")
-    return lines
+def accuracy(a: Adjustment) -> Message:
+    """How good it is, in one number: at check points where there are any, else the precision of object points."""
+    check, difference = check_differences(a)
+    factor, unit = printed_lengths(a)
+    if np.isfinite(difference).any():
+        rms = factor * float(np.sqrt(np.nanmean(difference**2)))
+        return note("summary.accuracy_of_check_points", rms=rms, unit=unit, n=len(check))
+    std = _free_std(a)
+    if a.precision is None:
+        return note("summary.no_statistics")
+    if std is None:
+        return note("summary.no_object_points")
+    rms = factor * float(np.sqrt((std**2).mean()))
+    median = factor * float(np.median(std))
+    return note("summary.precision", rms=rms, median=median, unit=unit, n=len(std), free_scale=a.free_scale)
 
 
-def line_of(notice: Notice) -> str:
-    """A notice with its severity and what happened; its code leads to the rest (`raybundle explain`, the report)."""
-    if notice.message:
-        return f"{notice.severity.value}: {notice.message}"
-    others = f" (+{len(notice.also)})" if notice.also else ""
-    return f"{notice.severity.value}: {notice.data.headline()}{others} [{notice.data.code}]"
+def details(a: Adjustment) -> list[Message]:
+    """Counts, sigma0, datum, precision, noise and check points."""
+    return [_counts(a), _sigma0(a), note("summary.datum", datum=a.datum), *_precision(a), *noise_messages(a.noise), *_relief(a),
+            *_check_points(a)]  # fmt: skip
 
 
-def _sigma0(a: Adjustment) -> str:
-    return f"{a.sigma0:.4g}" if math.isfinite(a.sigma0) else "cannot be estimated"
+def _counts(a: Adjustment) -> Message:
+    n = counts(a)
+    return note(
+        "summary.counts", images=n.images_used, images_given=n.images_given, points=n.points_used,
+        points_given=n.points_given, observations=n.image_observations_used,
+        observations_given=n.image_observations_given, rejected=n.rejected,
+    )  # fmt: skip
 
 
-def a_priori(block: Block) -> str:
-    """The standard deviation of an image coordinate as given: "0.30 um = 0.06 px"; the median where they differ.
+def _sigma0(a: Adjustment) -> Message:
+    px, um, one = a_priori(a.given)
+    return note(
+        "summary.sigma0", known=math.isfinite(a.sigma0), sigma0=a.sigma0 if math.isfinite(a.sigma0) else 0.0,
+        sigma_px=px, sized=um is not None, sigma_um=um or 0.0, one=one, redundancy=a.redundancy,
+    )  # fmt: skip
 
-    In pixels alone where those of no camera have a size: of scenes, and of photographs that do not tell it.
+
+def a_priori(block: Block) -> tuple[float, float | None, bool]:
+    """The standard deviation of an image coordinate as given [px], the same [um], and whether all are the same.
+
+    The median where they differ; None where those of no camera have a size: of scenes, and of photographs that do not
+    state it.
     """
     std = np.sqrt(block.observations.cov_px2[:, :2])
     pixel = np.array([c.pixel_mm for c in block.cameras])[block.images.camera[block.observations.image]]
     px, um = float(np.median(std)), float(np.median(std * pixel * 1000))
     nominal = (NOMINAL_PIXEL_MM, NOMINAL_PIXEL_MM)
     sized = any(not c.is_scene and tuple(c.pixel_mm) != nominal for c in block.cameras)
-    lengths = f"{um:.2g} um = " if sized else ""
-    return f"{lengths}{px:.2g} px" + ("" if np.ptp(std) <= 1e-3 * px else ", median")
+    return px, um if sized else None, bool(np.ptp(std) <= 1e-3 * px)
 
 
-def _precision(a: Adjustment) -> list[str]:
+def _free_std(a: Adjustment) -> Array | None:
+    """Standard deviations (n, 3) of object points that are not held; None without any."""
     if a.precision is None:
-        return ["no standard deviations (statistics are off)"]
+        return None
     std: Array = a.precision.object_point_std
     free = np.isfinite(std).all(axis=1) & (std > 0).any(axis=1)
-    if not free.any():
-        return []
+    return std[free] if free.any() else None
+
+
+def _precision(a: Adjustment) -> list[Message]:
+    std = _free_std(a)
+    if std is None:
+        return [accuracy(a)] if a.precision is None else []
     factor, unit = printed_lengths(a)
-    scale = " of a scale that is arbitrary" if a.free_scale else ""
-    mean = np.sqrt((std[free] ** 2).mean(axis=0)) * factor
-    each = ", ".join(f"{axis} {significant(m)}" for axis, m in zip("XYZ", mean, strict=True))
-    lines = [f"standard deviation of object points (rms): {each} {unit}{scale}"]
-    if (few := few_hold(std[free])) is not None:
-        middle = ", ".join(f"{axis} {significant(m * factor)}" for axis, m in zip("XYZ", few.median, strict=True))
-        lines[0] += (
-            f"; median {middle} {unit}: {grouped(few.points)} of {counted(few.of, 'point')} "
-            f"hold{'s' * (few.points == 1)} {100 * few.share:.0f} % of the variance"
-        )
-    if a.network is not None and math.isfinite(a.network.relative_precision):
-        n = round(float(f"{a.network.relative_precision:.2g}"))
-        meaning = f"(mean standard deviation {significant(a.network.mean_std * factor)} {unit} / largest extent "
-        meaning += f"{significant(a.network.extent)} {length_unit(a)}{left_out(a.network)})"
-        of_class = f"; {a.network.precision_class}" if classed(a.given) else ""
-        lines.append(f"relative precision 1 : {grouped(n)} {meaning}{of_class}")
-    return lines
+    x, y, z = (np.sqrt((std**2).mean(axis=0)) * factor).tolist()
+    found = [note("summary.precision_of_axes", x=x, y=y, z=z, unit=unit, free_scale=a.free_scale)]
+    if (few := few_hold(std)) is not None:
+        x, y, z = (factor * few.median).tolist()
+        found.append(note("summary.few_points", n=few.points, of=few.of, share=few.share, x=x, y=y, z=z, unit=unit))
+    network = a.network
+    if network is not None and math.isfinite(network.relative_precision):
+        found.append(note(
+            "summary.relative_precision", n=round(float(f"{network.relative_precision:.2g}")),
+            std=network.mean_std * factor, std_unit=unit, extent=network.extent, extent_unit=length_unit(a),
+            omitted=1 - network.mean_share, class_name=network.precision_class if classed(a.given) else "none",
+        ))  # fmt: skip
+    return found
 
 
-def noise_lines(noise: Noise) -> list[str]:
+def noise_messages(noise: Noise) -> list[Message]:
     """What standard deviations rest on, where it is not white noise or was to be something else."""
     if noise.kind == "white":
-        return [f"noise taken as white: {noise.reason}"] if noise.reason else []
-    ratios = (
-        ("the interior orientation", noise.ratio_interior), ("projection centres", noise.ratio_images),
-        ("object points", noise.ratio_points),
-    )  # fmt: skip
-    wider = ", ".join(f"{ratio:.2g} for {what}" for what, ratio in ratios if math.isfinite(ratio))
-    parts: list[str] = []
+        return [note("summary.noise_white", reason=noise.reason)] if noise.reason else []
+    found = [note("summary.noise_neighbours", factor=noise.phi)]
     if noise.tau_px > 0:
-        parts.append(f"smooth errors of {noise.tau_px:.2g} px that differ from image to image")
+        found.append(note("summary.noise_smooth", sigma_px=noise.tau_px))
     if noise.focus_px > 0:
-        parts.append(f"a focus that wanders by {noise.focus_px:.2g} px")
-    parts.append(f"errors that neighbouring points share (variance times {noise.phi:.2g})")
-    return [f"standard deviations contain {', '.join(parts)}; times those of white noise (medians): {wider}"]
+        found.append(note("summary.noise_focus", sigma_px=noise.focus_px))
+    ratios = (
+        ("interior", noise.ratio_interior), ("centres", noise.ratio_images), ("points", noise.ratio_points)
+    )  # fmt: skip
+    return [*found, *(note("summary.noise_factor", kind=k, factor=r) for k, r in ratios if math.isfinite(r))]
 
 
-def _relief(a: Adjustment) -> list[str]:
+def _relief(a: Adjustment) -> list[Message]:
     """For how many tie points relief within the window counts most."""
     wide, of = doubled(a.precision)
-    if not of:
-        return []
-    return [
-        f"standard deviations of {wide / of:.0%} of the tie points are more than doubled by relief in their windows"
-    ]
+    return [note("summary.relief", share=wide / of)] if of else []
 
 
-def _check_points(a: Adjustment) -> list[str]:
+def _check_points(a: Adjustment) -> list[Message]:
     check, difference = check_differences(a)
-    if not np.isfinite(difference).any():
+    known = np.asarray(np.isfinite(difference).any(axis=0))
+    if not known.any():
         return []
     factor, unit = printed_lengths(a)
-    rms: list[str] = []
-    for axis, column in zip("XYZ", difference.T, strict=True):
-        known = column[np.isfinite(column)]
-        if len(known):
-            rms.append(f"{axis} {significant(float(np.sqrt((known**2).mean())) * factor)}")
-    return [f"{counted(len(check), 'check point')}, rms difference: {', '.join(rms)} {unit}"]
+    rms = factor * np.sqrt(np.nanmean(difference[:, known] ** 2, axis=0))
+    axes = [axis for axis, there in zip("XYZ", known.tolist(), strict=True) if there]
+    return [note("summary.check_points", axes=axes, rms=rms.tolist(), n=len(check), unit=unit)]

@@ -84,3 +84,23 @@ calibration-formats_differ = Kalibrierungen von { $first_px } px und { $second_p
 
 calibration-cropped_format = { $width_px } × { $height_px } px ist keine Verkleinerung von { $camera_width_px } × { $camera_height_px } px.
     .why = Das Format wurde beschnitten.
+
+calibration-used = Kalibriert: { $used } von { $of } Aufnahmen, { $points } { $natural ->
+        [yes] Objektpunkte
+        *[no] Zielmarkenpunkte
+    }.
+
+calibration-grade = Kamera { $camera }: { $grade ->
+        [not_determinable] nicht bestimmbar; nicht für andere Aufnahmen verwenden.
+        [good] gut
+        [usable] brauchbar
+        *[other] schwach
+    }{ $grade ->
+        [not_determinable] {""}
+        *[other] , Abbildung { NUM($typical_px, digits: 2) } px (Median über das Format; höchstens { NUM($largest_px, digits: 2) } px).
+    }
+
+calibration-photograph_next = { $n } weitere { $n ->
+        [one] Aufnahme
+        *[other] Aufnahmen
+    } machen: Liste mit { OPTION("verbose", "True") }.

@@ -34,3 +34,18 @@ epochs-points_in_line = Die { $n } gemeinsamen Punkte liegen in { $epoch } auf e
 epochs-same_observations = { $first } und { $second } sind dieselbe Messung (Differenzen { NUM($apart_mm, digits: 2) } mm, Sigma { NUM($sigma_mm, digits: 2) } mm).
     .why = Eine Messung, mit sich selbst verglichen, zeigt keine Verschiebung.
     .do = Das Ergebnis einer anderen Epoche angeben.
+
+epochs-faulty = { $name } hat selbst { $n } { $n ->
+        [one] Fehler
+        *[other] Fehler
+    }.
+    .why = Verschiebungen dagegen sind nicht verlässlich.
+    .do = Zuerst die Fehler von { $name } beheben.
+
+epochs-stable_points_differ = Stabile Punkte weichen um mehr als ihre Standardabweichungen ab ({ P($p) }).
+    .why = Die Standardabweichungen sind zu klein, oder viele Punkte haben sich wenig verschoben.
+    .do = Die stabilen Punkte mit { OPTION("datum_points", "A", "B", "C") } angeben.
+
+epochs-free_scale = Der Maßstab von { $names } ist nicht festgelegt: ein Wachsen aller Punkte bleibt unentdeckt ({ $scale_ppm } ppm).
+    .why = Passpunkte sind in diesem Test frei; Längen sind die der ersten Epoche.
+    .do = In jeder Epoche eine Maßstabsstrecke messen.

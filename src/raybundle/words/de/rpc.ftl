@@ -56,3 +56,57 @@ rpc-inaccurate_fit = Das beste RPC weicht um { $misfit_px } px von diesem Modell
     .do = Das strenge Modell oder einen Teil des Bildes verwenden.
 
 rpc-scene_localisation = Szene { $scene }: Ein Bildpunkt hat keinen Geländepunkt.
+
+rpc-corrected = RPC { $kind ->
+        [none] nicht korrigiert
+        [shift] um Verschiebung korrigiert
+        [drift] um Drift korrigiert
+        *[other] affin korrigiert
+    }: Residuen { NUM($x_px, digits: 2) }, { NUM($y_px, digits: 2) } px (RMS, { $n } { $n ->
+        [one] Passpunkt
+        *[other] Passpunkte
+    }).
+
+rpc-check_points = { $n } { $n ->
+        [one] Kontrollpunkt
+        *[other] Kontrollpunkte
+    }: { NUM($rms_m, digits: 2) } m am Boden ({ NUM($x_px, digits: 2) }, { NUM($y_px, digits: 2) } px RMS).
+
+rpc-ground_errors = Genauigkeit am Boden (68 %, je Achse): ERR_BIAS { NUM($bias_m, digits: 2) } m, ERR_RAND { $rand_known ->
+        [yes] { NUM($rand_m, digits: 2) } m
+        *[no] unbekannt
+    }.
+
+rpc-points_contradict = { $n } von { $of } Passpunkten widersprechen den anderen: { $names } (bis { NUM($largest_px, digits: 2) } px).
+    .why = Sie werden nicht verwendet.
+    .do = Koordinaten, Höhen und Bildmessungen prüfen.
+
+rpc-points_outside = { $n } { $n ->
+        [one] Passpunkt liegt
+        *[other] Passpunkte liegen
+    } außerhalb des Bildes oder der Höhen des RPC: { $names }.
+    .why = Der RPC gilt dort nicht.
+    .do = Höhen und Bildkoordinaten prüfen.
+
+rpc-shift_large = Die Verschiebung ist das { NUM($ratio, digits: 2) }-fache des vom Anbieter angegebenen Fehlers.
+    .why = Passpunkte oder RPC gehören vielleicht zu einer anderen Szene oder einem anderen Datum.
+    .do = Koordinatensystem und Höhenbezug der Passpunkte prüfen.
+
+rpc-residuals_large = Die Residuen sind das { NUM($ratio, digits: 2) }-fache des angegebenen Sigma von { $sigma_px } px.
+    .why = Die Standardabweichungen sind um diesen Faktor vergrößert.
+    .do = Angegebenes Sigma und Messungen prüfen.
+
+rpc-no_redundancy = { $n } { $n ->
+        [one] Passpunkt lässt
+        *[other] Passpunkte lassen
+    } keine Redundanz.
+    .why = Ein falscher Punkt bleibt unentdeckt.
+    .do = Einen weiteren Passpunkt messen.
+
+rpc-error_sources = 1 m Höhenfehler verschiebt einen Punkt um { NUM($east, digits: 2) } m nach Osten, { NUM($north, digits: 2) } m nach Norden.
+    .why = Höhen der Passpunkte tragen { NUM($height_m, digits: 2) } m zu ERR_BIAS bei; ERR_RAND ist { $measured ->
+            [yes] die Streuung der Punkte
+            *[no] vom Anbieter angegeben
+        }.
+
+rpc-refitted = Neu angepasster RPC: höchstens { NUM($largest_px, digits: 2) } px vom korrigierten.

@@ -144,3 +144,27 @@ calibration-formats_differ = Calibrations of { $first_px } px and { $second_px }
 # $camera_height_px = 3000
 calibration-cropped_format = { $width_px } × { $height_px } px is no reduction of { $camera_width_px } × { $camera_height_px } px.
     .why = The format was cropped.
+
+# $used = 20
+# $of = 21
+# $points = 2069
+# $natural = false
+calibration-used = Calibrated: { $used } of { $of } photographs, { $points } { $natural ->
+        [yes] object points
+        *[no] target points
+    }.
+
+# $camera = "d5100"
+# $grade = "usable"
+# $typical_px = 0.12
+# $largest_px = 0.45
+calibration-grade = Camera { $camera }: { $grade ->
+        [not_determinable] not determinable; do not use it for other photographs.
+        *[other] { $grade }, projection { NUM($typical_px, digits: 2) } px (median over the format; largest { NUM($largest_px, digits: 2) } px).
+    }
+
+# $n = 3
+calibration-photograph_next = Take { $n } further { $n ->
+        [one] photograph
+        *[other] photographs
+    }: { OPTION("verbose", "True") } lists them.

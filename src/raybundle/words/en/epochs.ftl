@@ -84,3 +84,23 @@ epochs-points_in_line = The { $n } common points lie in one line, or are one poi
 epochs-same_observations = { $first } and { $second } are the same measurement (differences { NUM($apart_mm, digits: 2) } mm, sigma { NUM($sigma_mm, digits: 2) } mm).
     .why = A measurement compared with itself shows no displacement.
     .do = Give the result of another epoch.
+
+# $name = "spring-result"
+# $n = 2
+epochs-faulty = { $name } has { $n } { $n ->
+        [one] fault
+        *[other] faults
+    } of its own.
+    .why = Displacements against it are not reliable.
+    .do = Settle the faults of { $name } first.
+
+# $p = 0.001
+epochs-stable_points_differ = Stable points differ by more than their standard deviations ({ P($p) }).
+    .why = The standard deviations are too small, or many points moved a little.
+    .do = Give the stable points with { OPTION("datum_points", "A", "B", "C") }.
+
+# $names = ["autumn"]
+# $scale_ppm = [120.0]
+epochs-free_scale = The scale of { $names } is not fixed: a growth of all points is not detected ({ $scale_ppm } ppm).
+    .why = Control is free in this test; lengths are those of the first epoch.
+    .do = Measure a scale bar in each epoch.

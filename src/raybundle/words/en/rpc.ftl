@@ -99,3 +99,81 @@ rpc-inaccurate_fit = The best RPC deviates from this model by { $misfit_px } px 
 
 # $scene = "scene.tif"
 rpc-scene_localisation = Scene { $scene }: an image point has no ground point.
+
+# $kind = "shift"
+# $n = 8
+# $x_px = 0.31
+# $y_px = 0.42
+rpc-corrected = RPC { $kind ->
+        [none] not corrected
+        *[other] corrected by { $kind }
+    }: residuals { NUM($x_px, digits: 2) }, { NUM($y_px, digits: 2) } px (rms, { $n } { $n ->
+        [one] control point
+        *[other] control points
+    }).
+
+# $n = 3
+# $x_px = 0.3
+# $y_px = 0.4
+# $rms_m = 0.6
+rpc-check_points = { $n } { $n ->
+        [one] check point
+        *[other] check points
+    }: { NUM($rms_m, digits: 2) } m on the ground ({ NUM($x_px, digits: 2) }, { NUM($y_px, digits: 2) } px rms).
+
+# $bias_m = 0.2
+# $rand_known = true
+# $rand_m = 0.3
+rpc-ground_errors = Ground accuracy (68 %, per axis): ERR_BIAS { NUM($bias_m, digits: 2) } m, ERR_RAND { $rand_known ->
+        [yes] { NUM($rand_m, digits: 2) } m
+        *[no] unknown
+    }.
+
+# $n = 1
+# $of = 8
+# $names = ["P3"]
+# $largest_px = 4.2
+rpc-points_contradict = { $n } of { $of } control points contradict the others: { $names } (up to { NUM($largest_px, digits: 2) } px).
+    .why = They are not used.
+    .do = Check their coordinates, heights and image measurements.
+
+# $n = 2
+# $names = ["P3", "P5"]
+rpc-points_outside = { $n } { $n ->
+        [one] control point is
+        *[other] control points are
+    } outside the picture or the heights of the RPC: { $names }.
+    .why = The RPC is not valid there.
+    .do = Check their heights and image coordinates.
+
+# $ratio = 5.1
+rpc-shift_large = The shift is { NUM($ratio, digits: 2) } times the bias that the vendor states.
+    .why = Control points or RPC may be of another scene or datum.
+    .do = Check the coordinate system and the vertical datum of the control points.
+
+# $ratio = 2.3
+# $sigma_px = 0.4
+rpc-residuals_large = Residuals are { NUM($ratio, digits: 2) } times the stated sigma of { $sigma_px } px.
+    .why = Standard deviations are enlarged by this factor.
+    .do = Check the stated sigma and the measurements.
+
+# $n = 1
+rpc-no_redundancy = { $n } control { $n ->
+        [one] point leaves
+        *[other] points leave
+    } no redundancy.
+    .why = A wrong point is not detected.
+    .do = Measure one more control point.
+
+# $height_m = 0.1
+# $measured = true
+# $east = 0.3
+# $north = -0.1
+rpc-error_sources = 1 m of wrong height moves a ground point { NUM($east, digits: 2) } m east, { NUM($north, digits: 2) } m north.
+    .why = Heights of control contribute { NUM($height_m, digits: 2) } m to ERR_BIAS; ERR_RAND is { $measured ->
+            [yes] the scatter of the points
+            *[no] stated by the vendor
+        }.
+
+# $largest_px = 0.02
+rpc-refitted = Refitted RPC: at most { NUM($largest_px, digits: 2) } px from the corrected one.

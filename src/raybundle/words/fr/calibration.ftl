@@ -55,3 +55,17 @@ calibration-not_estimated = Caméra { $camera } : aucun paramètre de l'orientat
 calibration-formats_differ = Des étalonnages de { $first_px } px et { $second_px } px ne peuvent pas être comparés.
 
 calibration-cropped_format = { $width_px } × { $height_px } px n'est pas une réduction de { $camera_width_px } × { $camera_height_px } px.
+
+calibration-used = Étalonnage : { $used } photographies sur { $of }, { $points } points.
+
+calibration-grade = Caméra { $camera } : { $grade ->
+        [not_determinable] non déterminable.
+        [good] bonne
+        [usable] utilisable
+        *[other] faible
+    }{ $grade ->
+        [not_determinable] {""}
+        *[other] , projection { NUM($typical_px, digits: 2) } px (médiane sur le format).
+    }
+
+calibration-photograph_next = Prendre { $n } photographies supplémentaires : liste avec { OPTION("verbose", "True") }.

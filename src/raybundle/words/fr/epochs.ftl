@@ -17,3 +17,9 @@ epochs-other_unit = Les distances dans { $first } valent { NUM($factor, digits: 
 epochs-points_in_line = Les { $n } points communs sont alignés ou confondus dans { $epoch }.
 
 epochs-same_observations = { $first } et { $second } sont la même mesure.
+
+epochs-faulty = { $name } a lui-même { $n } fautes.
+
+epochs-stable_points_differ = Les points stables diffèrent de plus que leurs écarts-types ({ P($p) }).
+
+epochs-free_scale = L'échelle de { $names } n'est pas fixée : une dilatation de tous les points n'est pas détectée ({ $scale_ppm } ppm).

@@ -29,3 +29,29 @@ rpc-no_fit = Aucun RPC sans zéro dans un dénominateur ne convient à ce modèl
 rpc-inaccurate_fit = Le meilleur RPC s'écarte de ce modèle de { $misfit_px } px (limite { $limit_px } px).
 
 rpc-scene_localisation = Scène { $scene } : un point image n'a pas de point terrain.
+
+rpc-corrected = RPC { $kind ->
+        [none] non corrigé
+        *[other] corrigé ({ $kind })
+    } : résidus { NUM($x_px, digits: 2) }, { NUM($y_px, digits: 2) } px (EMQ, { $n } points d'appui).
+
+rpc-check_points = { $n } points de contrôle : { NUM($rms_m, digits: 2) } m au sol ({ NUM($x_px, digits: 2) }, { NUM($y_px, digits: 2) } px EMQ).
+
+rpc-ground_errors = Exactitude au sol (68 %, par axe) : ERR_BIAS { NUM($bias_m, digits: 2) } m, ERR_RAND { $rand_known ->
+        [yes] { NUM($rand_m, digits: 2) } m
+        *[no] inconnue
+    }.
+
+rpc-points_contradict = { $n } points d'appui sur { $of } contredisent les autres : { $names } (jusqu'à { NUM($largest_px, digits: 2) } px).
+
+rpc-points_outside = { $n } points d'appui hors de l'image ou des hauteurs du RPC : { $names }.
+
+rpc-shift_large = Le décalage vaut { NUM($ratio, digits: 2) } fois le biais annoncé par le fournisseur.
+
+rpc-residuals_large = Les résidus valent { NUM($ratio, digits: 2) } fois le sigma annoncé de { $sigma_px } px.
+
+rpc-no_redundancy = { $n } points d'appui ne laissent aucune redondance.
+
+rpc-error_sources = 1 m d'erreur de hauteur déplace un point de { NUM($east, digits: 2) } m à l'est, { NUM($north, digits: 2) } m au nord.
+
+rpc-refitted = RPC réajusté : au plus { NUM($largest_px, digits: 2) } px du RPC corrigé.

@@ -1,0 +1,130 @@
+"""What a command reports at its end: what was done, how good it is, what is wrong, the next step, and the files."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any, Protocol
+
+import click
+
+from raybundle.errors import Message
+
+if TYPE_CHECKING:
+    from raybundle.adjustment.result import Adjustment
+SUMMARY = "raybundle.summary"
+SHOWN = 3
+"""Faults and warnings that a terminal shows"""
+
+
+class Coded(Protocol):
+    """A notice: a message, and other objects of which the same holds."""
+
+    @property
+    def data(self) -> Message: ...  # noqa: D102
+    @property
+    def also(self) -> tuple[str, ...]: ...  # noqa: D102
+
+
+@dataclass(frozen=True, slots=True, kw_only=True)
+class Summary:
+    """What a command reports."""
+
+    done: Sequence[Message]
+    """What was done and how good it is: a line each."""
+    notices: Sequence[Message | Coded] = ()
+    """Faults, warnings and notes, the gravest first."""
+    next_step: Message | None = None
+    """What to do where nothing is wrong; else that is the remedy of the gravest notice."""
+    files: Sequence[object] = ()
+    """Files and folders that were written."""
+    details: Sequence[Message | str] = ()
+    """Further figures, and rows of tables, for --verbose."""
+
+
+def report(summary: Summary) -> None:
+    """Hand a summary to the command that runs, which prints it in the end."""
+    click.get_current_context().meta[SUMMARY] = summary
+
+
+def of_adjustment(
+    a: Adjustment, files: Sequence[object], *, done: Sequence[Message] = (), next_step: Message | None = None,
+    details: Sequence[Message | str] = (),
+) -> Summary:  # fmt: skip
+    """The summary of an adjustment; `done` in the place of how much was adjusted, `details` after its own."""
+    from raybundle.adjustment.result import as_told  # noqa: PLC0415  (what computes is loaded after the help)
+    from raybundle.report.text import summary  # noqa: PLC0415
+
+    if a.free_scale:
+        next_step = summary.note("summary.next_scale")
+    return Summary(
+        done=(*(done or (summary.adjusted(a),)), summary.accuracy(a)), notices=as_told(a.notices), next_step=next_step,
+        files=files, details=(*summary.details(a), *details),
+    )  # fmt: skip
+
+
+def lines(summary: Summary, *, verbose: bool) -> list[str]:
+    """What a terminal shows, at most eight lines without --verbose."""
+    from raybundle.words import headline  # noqa: PLC0415  (Fluent is loaded with it)
+
+    grave = list(_grave(summary.notices))
+    shown = grave if verbose else grave[:SHOWN]
+    found = [m.headline() for m in summary.done]
+    if verbose:
+        found += [f"  {d if isinstance(d, str) else d.text()}" for d in summary.details]
+    found += [_line(n) for n in shown]
+    if len(grave) > len(shown):
+        found.append(headline("summary.more", {"n": len(grave) - len(shown)}))
+    if verbose:
+        found += [_line(n) for n in summary.notices if _message(n).severity == "remark"]
+    step = _remedy(grave) or (summary.next_step.headline() if summary.next_step else "")
+    if step:
+        found.append(headline("summary.next", {"step": step}))
+    if summary.files:
+        found.append(headline("summary.files", {"files": [str(f) for f in summary.files]}))
+    return found
+
+
+def loud(summary: Summary) -> list[str]:
+    """What a quiet command prints: faults and warnings."""
+    return [_line(n) for n in _grave(summary.notices)]
+
+
+def data(summary: Summary) -> dict[str, Any]:
+    """The same for JSON: messages as code, values and text."""
+    found: dict[str, Any] = {"summary": [_object(m) for m in summary.done]}
+    for name, severity in (("faults", "fault"), ("warnings", "caution"), ("notes", "remark")):
+        found[name] = [_object(n) for n in summary.notices if _message(n).severity == severity]
+    found["details"] = [_object(d) for d in summary.details if not isinstance(d, str)]
+    if summary.next_step:
+        found["next"] = _object(summary.next_step)
+    return found
+
+
+def _message(notice: Message | Coded) -> Message:
+    return notice if isinstance(notice, Message) else notice.data
+
+
+def _grave(notices: Iterable[Message | Coded]) -> Iterable[Message | Coded]:
+    return (n for n in notices if _message(n).severity != "remark")
+
+
+def _line(notice: Message | Coded) -> str:
+    """Severity, what happened and the code, which leads to the rest."""
+    message, also = _message(notice), getattr(notice, "also", ())
+    others = f" (+{len(also)})" if also else ""
+    return f"{message.severity.value}: {message.headline()}{others} [{message.code}]"
+
+
+def _remedy(grave: Sequence[Message | Coded]) -> str:
+    """What to do about the gravest notice that has a remedy."""
+    from raybundle.words import action  # noqa: PLC0415
+
+    found = (action(m.code, m.values) for m in map(_message, grave))
+    return next(filter(None, found), "")
+
+
+def _object(notice: Message | Coded) -> Mapping[str, Any]:
+    message = _message(notice)
+    also = getattr(notice, "also", ())
+    return {**message.json(), **({"also": list(also)} if also else {}), "text": message.text()}

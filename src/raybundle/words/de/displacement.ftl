@@ -1,0 +1,18 @@
+displacement-points = { $moved ->
+        [0] Keiner
+        *[other] { $moved }
+    } von { $n } gemeinsamen Punkten verschoben ({ $epochs }; Irrtumswahrscheinlichkeit { PERCENT($error_rate) } %).
+
+displacement-level_of_detection = Nachweisgrenze (Testgüte 80 %): { NUM($median_mm, digits: 2) } mm (Median), { NUM($largest_mm, digits: 2) } mm (größte).
+
+displacement-no_level_of_detection = Manche Verschiebungen sind nicht nachweisbar: zu wenige Punkte sind stabil.
+
+displacement-tests = Kongruenz aller Punkte F = { $F } ({ P($p) }), der stabilen F = { $F_stable } ({ P($p_stable) }).
+
+displacement-by_place = { $n } { $n ->
+        [one] Punkt ist
+        *[other] Punkte sind
+    } über den Ort identifiziert, nicht über den Namen.
+    .why = Ein Punkt, der sich um mehr als den halben Abstand verschiebt, gilt als ein anderer.
+
+displacement-axes = Achsen X, Y, Z: die von { $file_name }, eingepasst über { $points }.
