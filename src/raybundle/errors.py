@@ -130,6 +130,11 @@ def message(code: str, /, *, details: Iterable[Message] = (), **values: Value) -
     return Message(code=code, values=plain(values), details=tuple(details))
 
 
+def note(code: str, /, **values: Value) -> Message:
+    """What was done, found or chosen, as a message."""
+    return Message(code=code, values=plain(values), severity=Severity.REMARK)
+
+
 def content(code: str | Message, values: Mapping[str, Value]) -> str | Message:
     """The message of a code and its values; a text as it stands."""
     if isinstance(code, str) and _CODE.fullmatch(code):
@@ -183,6 +188,11 @@ class Text(str):
     def by(self, reader: Reader) -> str:
         """The same for another reader."""
         return " ".join(m.text(reader) for m in self.messages)
+
+
+def phrase(code: str, /, **values: Value) -> Text:
+    """A text of a report, of the catalogue's entry and its values, for whatever reader."""
+    return Text.of(note(code, **values))
 
 
 def printable(text: str) -> str:

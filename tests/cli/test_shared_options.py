@@ -98,7 +98,8 @@ def test_json_is_one_object_with_what_was_found(ring, tmp_path, capsys):
     told = json.loads(capsys.readouterr().out)
     assert (told["command"], told["exit_status"], told["out"]) == ("adjust", 0, str(tmp_path / "r"))
     assert told["result"] == json.loads((tmp_path / "r" / "result.json").read_text())
-    assert any(line.startswith("sigma0") for line in told["said"])
+    assert [m["code"] for m in told["summary"]] == ["summary.adjusted", "summary.precision"]
+    assert "summary.sigma0" in {m["code"] for m in told["details"]}
     assert main(["convert", str(tmp_path / "r"), "--to", "ply", "--out", str(tmp_path / "p.ply"), "--json"]) == 0
     told = json.loads(capsys.readouterr().out)
     assert told["files"] == {"ply": str(tmp_path / "p.ply")}

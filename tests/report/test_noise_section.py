@@ -10,7 +10,7 @@ from raybundle.adjustment.options import AdjustmentOptions
 from raybundle.adjustment.structure import structure_notice
 from raybundle.planning.scenes import TargetField, field_scene
 from raybundle.planning.simulate import Survey, simulate
-from raybundle.report.text.summary import summary_lines
+from raybundle.report.text.summary import details
 from raybundle.report.write import write_result
 from tests.adjustment.test_noise import with_fields
 
@@ -46,13 +46,14 @@ def test_white_noise_has_no_section_and_one_standard_deviation(result, tmp_path)
     assert told["noise"]["kind"] == "white"
     assert all(p["std"] == p["std_white"] for p in told["cameras"]["1"].values())
     assert "Noise of the image coordinates" not in (tmp_path / "r/report.html").read_text()
-    assert not any("noise" in line for line in summary_lines(white))
+    assert not any("noise" in m.code for m in details(white))
 
 
 def test_the_summary_says_how_much_wider_standard_deviations_are(result):
-    line = next(line for line in summary_lines(result) if "noise" in line)
-    assert "differ from image to image" in line
-    assert "projection centres" in line
+    found = {m.code: m.values for m in details(result)}
+    assert found["summary.noise_smooth"]["sigma_px"] == result.noise.tau_px
+    centres = [m.values for m in details(result) if m.values.get("kind") == "centres"]
+    assert centres == [{"kind": "centres", "factor": result.noise.ratio_images}]
 
 
 def test_a_reason_is_told_where_noise_stays_white(result, tmp_path):
@@ -60,7 +61,8 @@ def test_a_reason_is_told_where_noise_stays_white(result, tmp_path):
     told = replace(result, noise=noise)
     write_result(told, tmp_path / "r")
     assert "share the exterior orientation of a rig" in (tmp_path / "r/report.html").read_text()
-    assert any("share the exterior orientation of a rig" in line for line in summary_lines(told))
+    (reason,) = [m.values["cause"] for m in details(told) if m.code == "summary.noise_white"]
+    assert reason == noise.reason
 
 
 def test_structure_of_residuals_is_noticed_for_white_noise_alone(result):

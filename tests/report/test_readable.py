@@ -12,7 +12,7 @@ from raybundle.report.figures.photographs import KEY_CHARACTER, colour_key
 from raybundle.report.figures.svg import CHARACTER, labels_apart
 from raybundle.report.sections.control import control_section
 from raybundle.report.text.numbers import plain
-from raybundle.report.text.summary import summary_lines
+from raybundle.report.text.summary import accuracy
 from raybundle.report.view import FREE_UNIT, view_of
 
 BOX = (0.0, 0.0, 300.0, 200.0)
@@ -70,10 +70,9 @@ def test_lengths_without_a_scale_have_no_metres(case, tmp_path):
     assert FREE_UNIT in precision
     assert ">mm<" not in precision
     assert view_of(case("one_scale_bar")).unit == "mm"
-    (line,) = [t for t in summary_lines(case("free")) if "standard deviation of object points" in t]
-    assert f" {FREE_UNIT} of a scale that is arbitrary" in line
-    assert " mm" not in line
-    assert any("object points (rms)" in t and t.endswith(" mm") for t in summary_lines(case("one_scale_bar")))
+    free, scaled = (accuracy(case(name)).values for name in ("free", "one_scale_bar"))
+    assert (free["unit"], free["free_scale"]) == (FREE_UNIT, True)
+    assert (scaled["unit"], scaled["free_scale"]) == ("mm", False)
 
 
 def test_control_that_was_taken_out_is_shown_with_its_differences(case):

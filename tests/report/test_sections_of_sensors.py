@@ -19,7 +19,7 @@ from raybundle.report.sections.panoramas import panorama_section
 from raybundle.report.sections.result import result_section
 from raybundle.report.sections.scenes import scene_section, strip_section
 from raybundle.report.sections.trajectories import trajectory_section
-from raybundle.report.text.summary import summary_lines
+from raybundle.report.text.summary import details
 from raybundle.report.text.words import verdict
 from raybundle.report.view import view_of
 from tests.adjustment.test_antennas import SHIFT, flight
@@ -210,19 +210,24 @@ def flat(parts):
     return [q for p in parts for q in (flat(p.parts) if p.kind == "folded" else [p])]
 
 
+def figures(result):
+    return {name: value for m in details(result) for name, value in m.values.items()}
+
+
 def test_scenes_are_not_compared_with_photographs():
     for result in (scenes(), flown()):
         view = view_of(result)
         facts = next(p for p in result_section(view, verdict(view)).parts if p.kind == "facts").facts
         assert facts[0].remark.startswith("mean standard deviation")
         assert "class" not in dict(verdict(view).statements)["Precision"]
-        assert " um" not in " ".join(summary_lines(result))
-        assert result.network.precision_class not in " ".join(summary_lines(result))
+        found = figures(result)
+        assert not found["sized"]
+        assert found["class_name"] == "none"
     view = view_of(free())
     facts = next(p for p in result_section(view, verdict(view)).parts if p.kind == "facts").facts
     assert facts[0].remark.startswith(view.adjustment.network.precision_class)
     assert "class" in dict(verdict(view).statements)["Precision"]
-    assert " um = " in " ".join(summary_lines(free()))
+    assert figures(free())["sized"]
 
 
 def test_observed_parameters_have_the_units_of_the_report():

@@ -12,8 +12,8 @@ from raybundle.adjustment.components import NAMES
 from raybundle.adjustment.notices import notices_of
 from raybundle.adjustment.result import Notice, as_told, gravest_first
 from raybundle.adjustment.severity import SEVERITY, Severity
+from raybundle.cli.summary import SHOWN, lines, of_adjustment
 from raybundle.report.sections.result import result_section
-from raybundle.report.text.summary import SHOWN, summary_lines
 from raybundle.report.text.words import verdict
 from raybundle.report.view import view_of
 from raybundle.results.contents import result_json
@@ -70,7 +70,7 @@ def test_many_notices_of_one_kind_are_read_as_one(case):
     assert told[0].text.endswith("1: u10, ...")
     assert len(told[0].ids) == 70
     a = replace(case("rich"), notices=(*many, REMARK))
-    assert sum("u0" in line for line in summary_lines(a)) == 1
+    assert sum("not_determinable" in line for line in lines(of_adjustment(a, []), verbose=True)) == 1
     assert sum("u0" in w["message"] for w in result_json(a)["warnings"]) == 10
 
 
@@ -78,8 +78,9 @@ def test_report_command_line_and_file_show_the_gravest_first(case):
     a = replace(case("rich"), notices=(REMARK, CAUTION, FAULT))
     shown = next(p for p in result_section(view_of(a), verdict(view_of(a))).parts if p.kind == "table")
     assert [row[0].text if hasattr(row[0], "text") else row[0] for row in shown.rows] == ["fault", "caution", "remark"]
-    printed = [line.strip() for line in summary_lines(a)][-3:]
-    assert printed == ["fault: the fault", "caution: the caution", "remark: the remark"]
+    printed = [line.partition(": ")[0] for line in lines(of_adjustment(a, []), verbose=True)]
+    assert [word for word in printed if word in set(Severity)] == ["fault", "caution", "remark"]
+    assert not any(line.startswith("remark") for line in lines(of_adjustment(a, []), verbose=False))
     written = json.loads(json.dumps(result_json(a)["warnings"]))
     assert [(w["severity"], w["code"]) for w in written] == [
         ("fault", "control_suspect"), ("caution", "small_angle"), ("remark", "not_significant"),
@@ -87,8 +88,10 @@ def test_report_command_line_and_file_show_the_gravest_first(case):
 
 
 def test_a_fault_is_printed_however_many_remarks_stand_before_it(case):
-    lines = summary_lines(replace(case("rich"), notices=(*[REMARK] * (2 * SHOWN), FAULT)))
-    assert any("the fault" in line for line in lines)
+    many = replace(case("rich"), notices=(*[REMARK] * (2 * SHOWN), *[CAUTION] * (2 * SHOWN), FAULT))
+    printed = lines(of_adjustment(many, []), verbose=False)
+    assert sum(line.startswith("fault") for line in printed) == 1
+    assert sum(line.startswith(("fault", "caution")) for line in printed) <= SHOWN
 
 
 @pytest.mark.parametrize(

@@ -9,44 +9,44 @@ import pytest
 
 from raybundle import adjust
 from raybundle.adjustment.result import WHITE, Noise
-from raybundle.cli.calibrate import lines
+from raybundle.cli.calibrate import camera_lines
 from raybundle.io.photos.start import NOMINAL_PIXEL_MM
 from raybundle.planning.scenes import TargetField, field_scene
 from raybundle.planning.simulate import Survey, simulate
 from raybundle.report.chapters import Occasion
 from raybundle.report.delivery import delivery_of
 from raybundle.report.sections.front import glance_parts
-from raybundle.report.text.summary import a_priori, noise_lines
+from raybundle.report.text.summary import a_priori, noise_messages
 from raybundle.report.text.words import verdict
 from raybundle.report.view import view_of
 from tests.report.conftest import made
 
 
 @pytest.mark.parametrize(
-    ("tau", "focus", "told"),
-    [
-        (0.09, 0.0, "contain smooth errors of 0.09 px that differ from image to image, errors that"),
-        (0.0, 0.42, "contain a focus that wanders by 0.42 px, errors that"),
-        (0.0, 0.0, "contain errors that neighbouring points share (variance times 2.4); times those of white noise"),
-    ],
+    ("tau", "focus", "found"), [(0.09, 0.0, {"smooth": 0.09}), (0.0, 0.42, {"focus": 0.42}), (0.0, 0.0, {})]
 )
-def test_the_noise_is_told_by_what_standard_deviations_contain(tau, focus, told):
+def test_the_noise_is_stated_by_what_standard_deviations_contain(tau, focus, found):
     noise = Noise(
         kind="fields", phi=2.4, tau_px=tau, focus_px=focus, share=0.5, images=12, directions=3, reason="",
         ratio_interior=1.6, ratio_images=float("nan"), ratio_points=1.0,
     )  # fmt: skip
-    (line,) = noise_lines(noise)
-    assert told in line
-    assert line.endswith("(medians): 1.6 for the interior orientation, 1 for object points")
-    assert noise_lines(WHITE) == []
+    messages = noise_messages(noise)
+    sizes = {m.code.removeprefix("summary.noise_"): m.values["sigma_px"] for m in messages if "sigma_px" in m.values}
+    assert sizes == found
+    factors = {m.values.get("kind"): m.values["factor"] for m in messages if "factor" in m.values}
+    assert factors == {None: 2.4, "interior": 1.6, "points": 1.0}
+    assert noise_messages(WHITE) == []
 
 
-@pytest.mark.parametrize(("pixel_mm", "told"), [(0.005, "1.5 um = 0.3 px"), (NOMINAL_PIXEL_MM, "0.3 px")])
-def test_micrometres_are_told_where_pixels_have_a_size(pixel_mm, told):
+@pytest.mark.parametrize(("pixel_mm", "size_um"), [(0.005, 1.5), (NOMINAL_PIXEL_MM, None)])
+def test_micrometres_are_stated_where_pixels_have_a_size(pixel_mm, size_um):
     """Photographs that do not tell theirs are given pixels of a micrometre: 0.3 um is nothing that is known of them."""
     block = simulate(field_scene(TargetField()), Survey(image_sigma_px=0.3)).observed
     cameras = tuple(replace(c, pixel_mm=(pixel_mm, pixel_mm)) for c in block.cameras)
-    assert a_priori(replace(block, cameras=cameras)) == told
+    px, um, one = a_priori(replace(block, cameras=cameras))
+    assert px == pytest.approx(0.3)
+    assert um == (size_um and pytest.approx(size_um))
+    assert one
 
 
 def test_the_headline_and_the_key_figure_of_points_are_one_number():
@@ -70,10 +70,7 @@ def test_what_calibrate_prints_of_a_model_has_units():
     survey = Survey(points="exact", orientation="exact", interior="exact")
     result = adjust(simulate(field_scene(TargetField()), survey).observed)
     quality = SimpleNamespace(camera="1", headline="", reasons=(), advice=(), grade="good")
-    done = SimpleNamespace(
-        marks=(), completed=0, dots=0, targets=(), adjustment=result, photos=(), refused=(), not_used=(), used=0,
-        quality=(quality,),
-    )  # fmt: skip
-    (model,) = [line for line in lines(done) if line.startswith("  model brown")]
+    done = SimpleNamespace(adjustment=result)
+    (model,) = [line for line in camera_lines(done, quality) if line.startswith("  model brown")]
     assert re.search(r": c 20\.\d+ ± \S+ mm, ", model)
     assert re.search(r"K1 \S+ ± \S+ mm\^-2", model)

@@ -14,7 +14,7 @@ from raybundle.io.photos.photo import Photo
 from raybundle.placing.told_positions import camera_notices, with_relative_precision
 from raybundle.planning.scenes import AerialStrips, aerial_scene
 from raybundle.planning.simulate import Survey, simulate
-from raybundle.report.text.summary import summary_lines
+from raybundle.report.text.summary import details
 
 
 def flight(real, stated, shift=0.0):
@@ -77,5 +77,6 @@ def test_classes_of_precision_are_those_of_targets():
     natural = replace(block, points=replace(block.points, ids=tuple(f"t{k + 1}" for k in range(len(block.points)))))
     assert not classed(natural)
     result = adjust_block(block)
-    assert result.network.precision_class in " ".join(summary_lines(result))
-    assert result.network.precision_class not in " ".join(summary_lines(adjust_block(natural)))
+    for adjusted, found in ((result, result.network.precision_class), (adjust_block(natural), "none")):
+        (line,) = [m.values for m in details(adjusted) if m.code == "summary.relative_precision"]
+        assert line["class_name"] == found

@@ -14,13 +14,13 @@ from raybundle.cli.settings import options_of, values_of
 from raybundle.cli.summary import Summary, report
 from raybundle.commands.calibrate import CalibrateSettings, run_calibrate
 from raybundle.commands.pages import page_files
+from raybundle.errors import Message, note
 from raybundle.settings import made
 
 if TYPE_CHECKING:
     from raybundle.adjustment.result import InteriorResult
     from raybundle.block import Camera
     from raybundle.calibration.quality import CalibrationQuality
-    from raybundle.errors import Message
     from raybundle.workflows.calibrate import Calibration
 
 MOST_PARAMETERS = 16
@@ -68,7 +68,7 @@ def command(photos: tuple[Path, ...], out: Path, progress: str, **given: Any) ->
 def _summary(done: Calibration, files: list[Path]) -> Summary:
     """What the command reports."""
     from raybundle.adjustment.result import as_told  # noqa: PLC0415  (what computes is loaded after the help)
-    from raybundle.report.text.summary import details, note  # noqa: PLC0415
+    from raybundle.report.text.summary import details  # noqa: PLC0415
 
     read = sum(int(m.named.sum()) for sets in done.marks for m in sets)
     points = read or len(done.adjustment.given.points)
@@ -80,15 +80,13 @@ def _summary(done: Calibration, files: list[Path]) -> Summary:
     next_step = note("calibration.photograph_next", n=sum(len(q.advice) for q in lacking)) if lacking else None
     return Summary(
         done=[used, *map(_grade, done.quality)], notices=notices, next_step=next_step, files=files,
-        details=[*_points(done), *(line for q in done.quality for line in _camera(done, q)),
+        details=[*_points(done), *(line for q in done.quality for line in camera_lines(done, q)),
                  *details(done.adjustment), *done.kept],
     )  # fmt: skip
 
 
 def _grade(q: CalibrationQuality) -> Message:
     """How good a camera is calibrated."""
-    from raybundle.report.text.summary import note  # noqa: PLC0415
-
     grade = q.grade.replace(" ", "_")
     typical, largest = (v if math.isfinite(v) else 0.0 for v in (q.typical_px, q.uncertainty_px))
     return note("calibration.grade", camera=q.camera, grade=grade, typical_px=typical, largest_px=largest)
@@ -102,7 +100,7 @@ def _points(done: Calibration) -> list[str]:
     return found + [f"{name}: {reason}" for name, reason in (*done.refused, *done.not_used)]
 
 
-def _camera(done: Calibration, q: CalibrationQuality) -> list[str]:
+def camera_lines(done: Calibration, q: CalibrationQuality) -> list[str]:
     """Verdict, proposals and parameters of a camera."""
     found = [f"camera {q.camera}: {q.headline}", *(f"  {reason}" for reason in q.reasons)]
     if q.advice and q.grade != "good":

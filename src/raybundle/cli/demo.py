@@ -13,11 +13,11 @@ import click
 from raybundle.cli.common import NEW_FOLDER, Command, common_options, facts
 from raybundle.cli.summary import of_adjustment, report
 from raybundle.commands.demonstrations import make_set, set_names
+from raybundle.errors import InputError, Message, note
 
 if TYPE_CHECKING:
     from raybundle.adjustment.result import Adjustment
     from raybundle.block import Block
-    from raybundle.errors import Message
     from raybundle.numerics.arrays import Array
     from raybundle.planning.simulate import Simulation
 
@@ -61,7 +61,6 @@ def command(out: Path, photographs: str | None, seed: int, progress: str) -> Non
         return
     from raybundle.planning.scenes import TargetField, field_scene  # noqa: PLC0415
     from raybundle.planning.simulate import Survey, simulate  # noqa: PLC0415  (what computes is loaded after the help)
-    from raybundle.report.text.summary import note  # noqa: PLC0415
     from raybundle.report.write import write_result  # noqa: PLC0415
     from raybundle.results.folder import check_target  # noqa: PLC0415
     from raybundle.workflows.adjust import adjust  # noqa: PLC0415
@@ -87,7 +86,6 @@ def command(out: Path, photographs: str | None, seed: int, progress: str) -> Non
 
 def _write_input(simulation: Simulation, out: Path) -> None:
     """Write block and truth; those of an earlier demo stay if they are the same."""
-    from raybundle.errors import InputError  # noqa: PLC0415
     from raybundle.io.block.folder import write_block, write_block_files  # noqa: PLC0415
 
     for name, block in (("block", simulation.observed), ("truth", simulation.truth)):
@@ -105,8 +103,6 @@ def _write_input(simulation: Simulation, out: Path) -> None:
 
 def _given(simulation: Simulation, sigma: float) -> Message:
     """What the adjustment begins from."""
-    from raybundle.report.text.summary import note  # noqa: PLC0415
-
     length = float(simulation.observed.distances.length[0])
     start, truth = (block.cameras[0].values["c"] for block in (simulation.observed, simulation.truth))
     return note("demo.given", length_m=length, sigma_mm=sigma * 1000, c_mm=start, error=start / truth - 1)
@@ -114,8 +110,6 @@ def _given(simulation: Simulation, sigma: float) -> Message:
 
 def interior_errors(truth: Block, a: Adjustment) -> list[Message]:
     """The largest error of an interior orientation in units of its standard deviation."""
-    from raybundle.report.text.summary import note  # noqa: PLC0415
-
     true = truth.cameras[0].values
     ratios = {
         p.symbol: (p.value - true[p.symbol]) / p.std
@@ -155,8 +149,6 @@ def together(values: tuple[float, ...], std: float) -> tuple[str, ...]:
 def _point_errors(simulation: Simulation, adjustment: Adjustment) -> list[Message]:
     """Errors of object points after a rigid motion onto the truth, beside what is stated."""
     import numpy as np  # noqa: PLC0415
-
-    from raybundle.report.text.summary import note  # noqa: PLC0415
 
     if adjustment.precision is None:
         return []

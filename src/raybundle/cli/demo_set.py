@@ -10,11 +10,11 @@ from raybundle.cli.common import facts, significant
 from raybundle.cli.demo import rigid_difference, together
 from raybundle.cli.summary import of_adjustment, report
 from raybundle.commands.demonstrations import set_names
+from raybundle.errors import InputError, Message, note
 
 if TYPE_CHECKING:
     from raybundle.adjustment.result import Adjustment
     from raybundle.block import Block
-    from raybundle.errors import Message
     from raybundle.numerics.arrays import Array
     from raybundle.placing.marks import Given
 
@@ -26,10 +26,8 @@ def run(folder: Path, out: Path, progress: str) -> None:
     """
     from raybundle.cli.progress import reporting  # noqa: PLC0415
     from raybundle.commands.orient import report_stage, write_orientation  # noqa: PLC0415
-    from raybundle.errors import InputError  # noqa: PLC0415
     from raybundle.io.block.folder import read_block  # noqa: PLC0415
     from raybundle.pipeline.project import PHOTOGRAPHS_IN  # noqa: PLC0415
-    from raybundle.report.text.summary import note  # noqa: PLC0415
     from raybundle.results.folder import check_target  # noqa: PLC0415
     from raybundle.workflows.orient import orient  # noqa: PLC0415
 
@@ -90,7 +88,6 @@ def given_of(folder: Path, truth: Block) -> Given:
 def compared(truth: Block, a: Adjustment) -> list[Message]:
     """Errors against the truth: of the interior orientation and of the targets."""
     from raybundle.cli.demo import interior_errors  # noqa: PLC0415
-    from raybundle.report.text.summary import note  # noqa: PLC0415
 
     name, error, covariance = errors(truth, a)[0]
     rms = 1000 * math.sqrt(float((error**2).mean()))

@@ -20,7 +20,7 @@ from raybundle.cli.summary import of_adjustment, report
 from raybundle.commands.begin_settings import BeginSettings
 from raybundle.commands.marks_settings import RejectSettings
 from raybundle.commands.pages import LANGUAGE_HELP
-from raybundle.errors import InputError
+from raybundle.errors import InputError, note
 from raybundle.report.languages import checked_language
 from raybundle.report.paper.needed import check_typesetter
 
@@ -441,7 +441,7 @@ def adjust_(
     from raybundle.commands.marks import adjust_marks  # noqa: PLC0415
     from raybundle.measuring.journal import measured_result  # noqa: PLC0415
     from raybundle.pipeline.project import PHOTOGRAPHS_IN, photographs_of  # noqa: PLC0415
-    from raybundle.report.text.summary import adjusted, note  # noqa: PLC0415
+    from raybundle.report.text.summary import adjusted  # noqa: PLC0415
     from raybundle.report.write import write_result  # noqa: PLC0415
     from raybundle.results.folder import check_target  # noqa: PLC0415
 

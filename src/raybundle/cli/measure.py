@@ -17,12 +17,12 @@ from raybundle.cli.common import (
 from raybundle.cli.settings import options_of, values_of
 from raybundle.cli.summary import Summary, report
 from raybundle.commands.measure import LENGTHS, LIST, NOMINAL, MeasureSettings, run_measure
+from raybundle.errors import Message, note
 from raybundle.settings import made
 from raybundle.words.numbers import probability
 
 if TYPE_CHECKING:
     from raybundle.commands.measure import Measured
-    from raybundle.errors import Message
     from raybundle.metrology.best_fit import BestFit
     from raybundle.metrology.lengths import LengthTest
 
@@ -75,7 +75,7 @@ def _summary(done: Measured, files: list[Path]) -> Summary:
     import numpy as np  # noqa: PLC0415
 
     from raybundle.adjustment.result import as_told  # noqa: PLC0415  (what computes is loaded after the help)
-    from raybundle.report.text.summary import details, note  # noqa: PLC0415
+    from raybundle.report.text.summary import details  # noqa: PLC0415
 
     a, s = done.adjustment, 1000 * done.points.sigma
     images = len(np.unique(a.given.observations.image))
@@ -102,8 +102,6 @@ def _fit(f: BestFit) -> list[Message]:
     """How well the points fit the nominal ones, and whether tolerances are met."""
     import numpy as np  # noqa: PLC0415
 
-    from raybundle.report.text.summary import note  # noqa: PLC0415
-
     n, largest = int(f.significant.sum()), int(f.length.argmax())
     found = [
         note(
@@ -122,8 +120,6 @@ def _deviations(f: BestFit) -> list[Message | str]:
     """Scale, and the significant deviations."""
     import numpy as np  # noqa: PLC0415
 
-    from raybundle.report.text.summary import note  # noqa: PLC0415
-
     found: list[Message | str] = []
     if f.scale_sigma:
         found.append(note("measurement.scale", scale=f.transform.scale, sigma=f.scale_sigma))
@@ -141,8 +137,6 @@ def _lengths(t: LengthTest) -> list[Message]:
     """Errors of known lengths."""
     import numpy as np  # noqa: PLC0415
 
-    from raybundle.report.text.summary import note  # noqa: PLC0415
-
     k, over = t.largest_at, 0
     if t.kept is not None:
         over = int((np.abs(t.error) > t.allowed).sum())
@@ -157,8 +151,6 @@ def _lengths(t: LengthTest) -> list[Message]:
 
 def _test_of_lengths(t: LengthTest) -> list[Message]:
     """Whether the lengths are a test, and its result."""
-    from raybundle.report.text.summary import note  # noqa: PLC0415
-
     F, p = t.whole
     found = [note("measurement.length_test", within=t.within, F=F, p=p)]
     if t.served.any():

@@ -11,11 +11,11 @@ from raybundle.cli.common import FOLDER, NEW_FOLDER, SeveralNames, common_option
 from raybundle.cli.settings import options_of, values_of
 from raybundle.cli.summary import Summary, report
 from raybundle.commands.moved import MovedSettings, faults_in, run_moved
+from raybundle.errors import Message, Severity, note
 from raybundle.settings import made
 from raybundle.words.numbers import probability
 
 if TYPE_CHECKING:
-    from raybundle.errors import Message
     from raybundle.metrology.congruence import Congruence
 
 LINES = 20
@@ -52,8 +52,6 @@ def _summary(done: Congruence, settings: MovedSettings, files: list[Path]) -> Su
     """What the command reports."""
     import numpy as np  # noqa: PLC0415
 
-    from raybundle.report.text.summary import note  # noqa: PLC0415  (what computes is loaded after the help)
-
     n, moved = len(done.ids), int(done.moved.sum())
     least = 1000 * np.quantile(done.detectable[np.isfinite(done.detectable)], [0.5, 1.0])
     extent = 1000 * float(np.linalg.norm(np.ptp(done.xyz, axis=0)))
@@ -76,8 +74,6 @@ def _summary(done: Congruence, settings: MovedSettings, files: list[Path]) -> Su
 
 def _faults(epochs: tuple[Path, ...]) -> list[Message]:
     """Measurements that are not to be used yet, by their own result."""
-    from raybundle.errors import Message, Severity  # noqa: PLC0415
-
     return [
         Message(code="epochs.faulty", values={"name": name, "n": len(messages)}, severity=Severity.FAULT)
         for name, messages in faults_in(epochs).items()
@@ -86,8 +82,6 @@ def _faults(epochs: tuple[Path, ...]) -> list[Message]:
 
 def _cautions(done: Congruence) -> list[Message]:
     """What the tests object to."""
-    from raybundle.errors import Message, Severity  # noqa: PLC0415
-
     found: list[Message] = []
     if done.after[1] < done.significance:
         values = {"p": float(done.after[1])}

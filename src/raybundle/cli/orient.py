@@ -12,10 +12,10 @@ from raybundle.cli.settings import options_of, values_of
 from raybundle.cli.summary import Summary, of_adjustment, report
 from raybundle.commands.orient import OrientSettings, accuracy_outcome, run_orient
 from raybundle.commands.pages import page_files
+from raybundle.errors import Message, note
 from raybundle.settings import made
 
 if TYPE_CHECKING:
-    from raybundle.errors import Message
     from raybundle.workflows.orient import Orientation
 
 
@@ -77,7 +77,6 @@ def command(photos: tuple[Path, ...], out: Path, progress: str, **given: Any) ->
 
 def _summary(done: Orientation, settings: OrientSettings) -> Summary:
     """What the command reports."""
-    from raybundle.report.text.summary import note  # noqa: PLC0415  (what computes is loaded after the help)
     from raybundle.workflows.orient import component_folder  # noqa: PLC0415
 
     result, other = settings.out / "result", done.other_components
@@ -105,8 +104,6 @@ def _summary(done: Orientation, settings: OrientSettings) -> Summary:
 
 def _without_orientation(done: Orientation, settings: OrientSettings) -> list[Message | str]:
     """Photographs that are not in the result, and why."""
-    from raybundle.report.text.summary import note  # noqa: PLC0415  (loaded after the help)
-
     found: list[Message | str] = [f"{name}: {reason}" for name, reason in (*done.refused, *done.not_oriented)]
     if done.oriented < len(done.photos) and settings.features == "rootsift":
         found.append(note("summary.try_xfeat"))

@@ -16,11 +16,11 @@ from raybundle.commands.scenes.correct import (
     correction_of,
     write_correction,
 )
+from raybundle.errors import Message, Severity, Value, note
 from raybundle.settings import made
 
 if TYPE_CHECKING:
     from raybundle.commands.scenes.correct import Correction
-    from raybundle.errors import Message, Value
     from raybundle.scenes.bias_choice import BiasAdvice
 
 
@@ -54,8 +54,6 @@ def correct(scene: Path, points: Path, **given: Any) -> None:
 
 def _summary(found: Correction, done: Correction) -> Summary:
     """What the command reports."""
-    from raybundle.report.text.summary import note  # noqa: PLC0415  (what computes is loaded after the help)
-
     advice, fit = found.advice, found.fit
     used = len(found.ids) - len(advice.set_aside)
     first: list[Message] = []
@@ -80,8 +78,6 @@ def _summary(found: Correction, done: Correction) -> Summary:
 
 def _cautions(found: Correction) -> list[Message]:
     """What the points have against the correction."""
-    from raybundle.errors import Message, Severity  # noqa: PLC0415
-
     advice, fit = found.advice, found.fit
 
     def caution(code: str, **values: Value) -> Message:
@@ -132,14 +128,12 @@ def _terms(found: Correction) -> list[str]:
 
 def _errors(done: Correction) -> list[Message]:
     """What ERR_BIAS and ERR_RAND rest on, and the effect of wrong heights."""
-    from raybundle.report.text.summary import note  # noqa: PLC0415
-
     found: list[Message] = []
     if done.errors is not None:
         e = done.errors
         east, north = e.per_height.tolist()
         found.append(
-            note("rpc.error_sources", height_m=e.height_share_m, measured=e.measured_rand, east=east, north=north)
+            note("rpc.error_sources", height_m=e.height_share_m, by_points=e.measured_rand, east=east, north=north)
         )
     if done.refitted is not None:
         found.append(note("rpc.refitted", largest_px=float(done.refitted.largest_px.max())))

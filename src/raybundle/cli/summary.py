@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any, Protocol
 
 import click
 
-from raybundle.errors import Message
+from raybundle.errors import Message, note
 
 if TYPE_CHECKING:
     from raybundle.adjustment.result import Adjustment
@@ -56,7 +56,7 @@ def of_adjustment(
     from raybundle.report.text import summary  # noqa: PLC0415
 
     if a.free_scale:
-        next_step = summary.note("summary.next_scale")
+        next_step = note("summary.next_scale")
     return Summary(
         done=(*(done or (summary.adjusted(a),)), summary.accuracy(a)), notices=as_told(a.notices), next_step=next_step,
         files=files, details=(*summary.details(a), *details),

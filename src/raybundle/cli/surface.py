@@ -12,11 +12,11 @@ from raybundle.cli.common import FOLDER, NEW_FOLDER, Command, common_options, fa
 from raybundle.cli.settings import options_of, values_of
 from raybundle.cli.summary import Summary, report
 from raybundle.commands.surface import WORK, SurfaceSettings, run_surface
+from raybundle.errors import Message, Severity, note
 from raybundle.settings import made
 
 if TYPE_CHECKING:
     from raybundle.commands.surface import MeasuredSurface
-    from raybundle.errors import Message
 
 MOST_LEFT_OUT = 8
 """Photographs and pairs without a part that are named."""
@@ -61,11 +61,8 @@ def command(source: Path, progress: str, **given: Any) -> int:
 
 def _summary(done: MeasuredSurface, work: Path) -> Summary:
     """What the command reports."""
-    from raybundle.errors import Message, Severity  # noqa: PLC0415  (what computes is loaded after the help)
-    from raybundle.report.text.summary import note  # noqa: PLC0415
-
     s, written = done.surface, done.pages.summary.written
-    points = note("surface.points", n=written or len(s), maps=sum(1 for n in s.counts if n), measured=len(s))
+    points = note("surface.points", n=written or len(s), maps=sum(1 for n in s.counts if n))
     lost = {"n": len(s.lost), "of": int(s.block.images.oriented.sum()), "names": [one.name for one in s.lost]}
     missing = Message(code="surface.photographs_missing", values=lost, severity=Severity.CAUTION)
     others = Message(code="surface.other_photographs", severity=Severity.CAUTION)
@@ -81,7 +78,6 @@ def _summary(done: MeasuredSurface, work: Path) -> Summary:
 def _precision(done: MeasuredSurface) -> list[Message]:
     """How good points are in the datum, and by what their errors along the ray come about."""
     from raybundle.numerics.length_units import precision_unit  # noqa: PLC0415  (loaded after the help)
-    from raybundle.report.text.summary import note  # noqa: PLC0415
 
     if not len(done.surface):
         return []

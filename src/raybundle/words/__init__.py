@@ -8,7 +8,7 @@ is read in English.
 
 from __future__ import annotations
 
-from raybundle.words.catalogue import ENGLISH, codes, examples, languages
+from raybundle.words.catalogue import ENGLISH, codes, examples, languages, text_codes
 from raybundle.words.render import (
     COMMAND_LINE,
     PYTHON,
@@ -24,5 +24,5 @@ from raybundle.words.render import (
 
 __all__ = [
     "COMMAND_LINE", "ENGLISH", "PYTHON", "Reader", "action", "codes", "examples", "headline", "languages", "read_by",
-    "reader", "reading", "sentences", "why",
+    "reader", "reading", "sentences", "text_codes", "why",
 ]  # fmt: skip

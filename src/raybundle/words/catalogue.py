@@ -11,6 +11,8 @@ from typing import Any
 
 ENGLISH = "en"
 FOLDER = Path(__file__).parent
+TEXTS = "texts"
+"""Folder of a language for texts that are no messages"""
 _BEGIN = re.compile(r"(-?[a-zA-Z][\w-]*) *=")
 _EXAMPLE = re.compile(r"# \$(\w+) = (.+)")
 
@@ -40,8 +42,8 @@ def languages() -> tuple[str, ...]:
 def entries(language: str) -> Mapping[str, Entry]:
     """The entries of a language by name; raises ValueError where a name stands twice."""
     found: dict[str, Entry] = {}
-    for file in sorted((FOLDER / language).glob("*.ftl")):
-        for entry in _cut(file.read_text(encoding="utf-8"), f"{language}/{file.name}"):
+    for file in sorted((FOLDER / language).rglob("*.ftl")):
+        for entry in _cut(file.read_text(encoding="utf-8"), file.relative_to(FOLDER).as_posix()):
             if entry.name in found:
                 raise ValueError(f"{entry.file}, line {entry.line}: {entry.name} is in {found[entry.name].file}, too")
             found[entry.name] = entry
@@ -80,8 +82,19 @@ def code_of(entry: str) -> str:
 
 @cache
 def codes() -> tuple[str, ...]:
-    """All codes, in order."""
-    return tuple(sorted(code_of(e) for e in entries(ENGLISH) if not e.startswith("-")))
+    """Codes of all messages, in order."""
+    return _codes(texts=False)
+
+
+@cache
+def text_codes() -> tuple[str, ...]:
+    """Codes of texts of reports and summaries, in order; no message has them."""
+    return _codes(texts=True)
+
+
+def _codes(*, texts: bool) -> tuple[str, ...]:
+    found = entries(ENGLISH).items()
+    return tuple(sorted(code_of(n) for n, e in found if not n.startswith("-") and (f"/{TEXTS}/" in e.file) == texts))
 
 
 def examples(code: str) -> dict[str, Any]:

@@ -14,15 +14,10 @@ from raybundle.adjustment.result import Adjustment
 from raybundle.adjustment.roughness import doubled
 from raybundle.adjustment.spread import few_hold
 from raybundle.block import Block
-from raybundle.errors import Message, Severity, Value, plain
+from raybundle.errors import Message, note
 from raybundle.io.photos.start import NOMINAL_PIXEL_MM
 from raybundle.numerics.arrays import Array
 from raybundle.report.view import length_unit, printed_lengths
-
-
-def note(code: str, /, **values: Value) -> Message:
-    """What was done or chosen, as a message."""
-    return Message(code=code, values=plain(values), severity=Severity.REMARK)
 
 
 def adjusted(a: Adjustment) -> Message:
@@ -53,8 +48,10 @@ def accuracy(a: Adjustment) -> Message:
 
 def details(a: Adjustment) -> list[Message]:
     """Counts, sigma0, datum, precision, noise and check points."""
-    return [_counts(a), _sigma0(a), note("summary.datum", datum=a.datum), *_precision(a), *noise_messages(a.noise), *_relief(a),
-            *_check_points(a)]  # fmt: skip
+    return [
+        _counts(a), _sigma0(a), note("summary.datum", datum=a.datum), *_precision(a), *noise_messages(a.noise),
+        *_relief(a), *_check_points(a),
+    ]  # fmt: skip
 
 
 def _counts(a: Adjustment) -> Message:
@@ -120,7 +117,7 @@ def _precision(a: Adjustment) -> list[Message]:
 def noise_messages(noise: Noise) -> list[Message]:
     """What standard deviations rest on, where it is not white noise or was to be something else."""
     if noise.kind == "white":
-        return [note("summary.noise_white", reason=noise.reason)] if noise.reason else []
+        return [note("summary.noise_white", cause=noise.reason)] if noise.reason else []
     found = [note("summary.noise_neighbours", factor=noise.phi)]
     if noise.tau_px > 0:
         found.append(note("summary.noise_smooth", sigma_px=noise.tau_px))

@@ -104,7 +104,7 @@ rpc-no_redundancy = { $n } { $n ->
     .do = Einen weiteren Passpunkt messen.
 
 rpc-error_sources = 1 m Höhenfehler verschiebt einen Punkt um { NUM($east, digits: 2) } m nach Osten, { NUM($north, digits: 2) } m nach Norden.
-    .why = Höhen der Passpunkte tragen { NUM($height_m, digits: 2) } m zu ERR_BIAS bei; ERR_RAND ist { $measured ->
+    .why = Höhen der Passpunkte tragen { NUM($height_m, digits: 2) } m zu ERR_BIAS bei; ERR_RAND ist { $by_points ->
             [yes] die Streuung der Punkte
             *[no] vom Anbieter angegeben
         }.

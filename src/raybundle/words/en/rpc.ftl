@@ -166,11 +166,11 @@ rpc-no_redundancy = { $n } control { $n ->
     .do = Measure one more control point.
 
 # $height_m = 0.1
-# $measured = true
+# $by_points = true
 # $east = 0.3
 # $north = -0.1
 rpc-error_sources = 1 m of wrong height moves a ground point { NUM($east, digits: 2) } m east, { NUM($north, digits: 2) } m north.
-    .why = Heights of control contribute { NUM($height_m, digits: 2) } m to ERR_BIAS; ERR_RAND is { $measured ->
+    .why = Heights of control contribute { NUM($height_m, digits: 2) } m to ERR_BIAS; ERR_RAND is { $by_points ->
             [yes] the scatter of the points
             *[no] stated by the vendor
         }.

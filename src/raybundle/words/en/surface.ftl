@@ -1,6 +1,5 @@
 # $n = 812345
 # $maps = 11
-# $measured = 1200000
 surface-points = Surface: { $n } points from { $maps } { $maps ->
         [one] depth map
         *[other] depth maps

@@ -101,8 +101,8 @@ summary-relative_precision = Relative precision 1 : { $n } (mean standard deviat
             *[other] The { PERCENT($omitted) } % least precise points are not in the mean.
         }
 
-# $reason = "rig"
-summary-noise_white = White noise is assumed: { $reason }.
+# $cause = "rig"
+summary-noise_white = White noise is assumed: { $cause }.
 
 # $factor = 1.8
 summary-noise_neighbours = Standard deviations contain errors that neighbouring points share (variance times { NUM($factor, digits: 2) }).

@@ -55,7 +55,7 @@ summary-relative_precision = Relative Genauigkeit 1 : { $n } (mittlere Standarda
             *[other] Ohne die { PERCENT($omitted) } % der ungenauesten Punkte.
         }
 
-summary-noise_white = Weißes Rauschen wird angenommen: { $reason }.
+summary-noise_white = Weißes Rauschen wird angenommen: { $cause }.
 
 summary-noise_neighbours = Die Standardabweichungen enthalten Fehler, die benachbarte Punkte teilen (Varianz mal { NUM($factor, digits: 2) }).
 

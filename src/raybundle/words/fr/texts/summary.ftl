@@ -26,7 +26,7 @@ summary-few_points = { $n } points sur { $of } portent { PERCENT($share) } % de 
 
 summary-relative_precision = Précision relative 1 : { $n } (écart-type moyen { $std } { $std_unit }, plus grande étendue { $extent } { $extent_unit }).
 
-summary-noise_white = Bruit blanc supposé : { $reason }.
+summary-noise_white = Bruit blanc supposé : { $cause }.
 
 summary-noise_neighbours = Les écarts-types contiennent des erreurs communes aux points voisins (variance multipliée par { NUM($factor, digits: 2) }).
 
