@@ -60,7 +60,7 @@ test-versions: setup-dev
 wheel: setup-dev
 	$(BIN)/python tools/wheel.py $(WHEEL)
 
-check: format lint types layers generated docs
+check: format lint types layers generated writing docs
 
 format: setup-dev
 	$(BIN)/ruff format --check .
@@ -78,6 +78,10 @@ generated: setup-dev
 	$(BIN)/python tools/generate_kernels.py --check
 	$(BIN)/python tools/public_api.py --check
 	PYTHONPATH=benchmarks $(BIN)/python -m ledger --page --check
+
+writing: setup-dev
+	$(BIN)/python tools/check_writing.py
+	$(BIN)/codespell README.md docs src
 
 docs: setup-dev
 	$(BIN)/python tools/generate_docs.py --check

@@ -275,7 +275,13 @@ def test_what_is_like_nothing_is_told_as_before(capsys):
 
 def test_groups_and_commands_are_of_one_kind():
     assert isinstance(cli, Group)
-    assert {o.opts[0] for o in shared_options(files=False)} == {"--settings", "--json", "--quiet", "--traceback"}
+    assert {o.opts[0] for o in shared_options(files=False)} == {
+        "--settings",
+        "--json",
+        "--quiet",
+        "--verbose",
+        "--traceback",
+    }
 
 
 def test_the_page_shows_the_file_that_its_commands_use():

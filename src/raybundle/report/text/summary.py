@@ -43,7 +43,8 @@ def accuracy(a: Adjustment) -> Message:
         return note("summary.no_object_points")
     rms = factor * float(np.sqrt((std**2).mean()))
     median = factor * float(np.median(std))
-    return note("summary.precision", rms=rms, median=median, unit=unit, n=len(std), free_scale=a.free_scale)
+    few = few_hold(std) is not None
+    return note("summary.precision", rms=rms, median=median, few=few, unit=unit, free_scale=a.free_scale)
 
 
 def details(a: Adjustment) -> list[Message]:

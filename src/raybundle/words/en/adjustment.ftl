@@ -85,5 +85,5 @@ adjustment-not_finite = No convergence: after { $iterations } iterations the nor
 # $iterations = 50
 # $step_sigmas = 12.5
 adjustment-no_convergence = No convergence after { $iterations } iterations (last step { NUM($step_sigmas, digits: 2) } standard deviations).
-    .why = Gross errors or poor approximate values are the usual cause.
+    .why = Blunders or poor approximate values are the usual cause.
     .do = Use { OPTION("robust_start", "True") } with { OPTION("reject", "snooping") }, and check names of marks and approximate values.

@@ -110,7 +110,7 @@ calibration-no_camera = The file contains no camera.
 # $width_px = 6000.0
 # $height_px = 0.0
 # $distance_px = -1200.0
-calibration-size_or_distance = Format { NUM($width_px, digits: 8) } x { NUM($height_px, digits: 8) } px or principal distance { $distance_px } px is not possible.
+calibration-size_or_distance = Format { NUM($width_px, digits: 8) } x { NUM($height_px, digits: 8) } px or camera constant { $distance_px } px is not possible.
     .do = Correct the value.
 
 # $n = 2

@@ -65,7 +65,7 @@ camera-equirectangular_size = Camera { $camera }: parameters { $parameters } dif
 # $camera = "1"
 # $fx_px = -1200.0
 # $fy_px = 1200.0
-camera-principal_distance = Camera { $camera }: the principal distance is { $fx_px }, { $fy_px } px.
+camera-principal_distance = Camera { $camera }: the camera constant is { $fx_px }, { $fy_px } px.
     .do = Give values above 0.
 
 # $camera = "1"

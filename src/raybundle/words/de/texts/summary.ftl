@@ -11,7 +11,10 @@ summary-accuracy_of_check_points = Genauigkeit an { $n } { $n ->
         *[other] Kontrollpunkten
     }: { NUM($rms, digits: 2) } { $unit } (RMS einer Koordinate).
 
-summary-precision = Standardabweichung der Objektpunkte: { NUM($rms, digits: 2) } { $unit } (RMS einer Koordinate){ $free_scale ->
+summary-precision = Standardabweichung der Objektpunkte: { $few ->
+        [yes] { NUM($median, digits: 2) } { $unit } (Median einer Koordinate; RMS { NUM($rms, digits: 2) })
+        *[no] { NUM($rms, digits: 2) } { $unit } (RMS einer Koordinate)
+    }{ $free_scale ->
         [yes] , Maßstab willkürlich
         *[no] {""}
     }.

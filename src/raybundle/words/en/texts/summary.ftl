@@ -20,10 +20,13 @@ summary-accuracy_of_check_points = Accuracy at { $n } { $n ->
 
 # $rms = 0.84
 # $median = 0.62
+# $few = false
 # $unit = "mm"
-# $n = 231
 # $free_scale = false
-summary-precision = Standard deviation of object points: { NUM($rms, digits: 2) } { $unit } (rms of a coordinate){ $free_scale ->
+summary-precision = Standard deviation of object points: { $few ->
+        [yes] { NUM($median, digits: 2) } { $unit } (median of a coordinate; rms { NUM($rms, digits: 2) })
+        *[no] { NUM($rms, digits: 2) } { $unit } (rms of a coordinate)
+    }{ $free_scale ->
         [yes] , scale arbitrary
         *[no] {""}
     }.

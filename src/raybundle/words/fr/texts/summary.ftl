@@ -2,7 +2,10 @@ summary-adjusted = Compensation : { $images } images, { $points } points objet, 
 
 summary-accuracy_of_check_points = Exactitude sur { $n } points de contrôle : { NUM($rms, digits: 2) } { $unit } (EMQ d'une coordonnée).
 
-summary-precision = Écart-type des points objet : { NUM($rms, digits: 2) } { $unit } (EMQ d'une coordonnée){ $free_scale ->
+summary-precision = Écart-type des points objet : { $few ->
+        [yes] { NUM($median, digits: 2) } { $unit } (médiane d'une coordonnée ; EMQ { NUM($rms, digits: 2) })
+        *[no] { NUM($rms, digits: 2) } { $unit } (EMQ d'une coordonnée)
+    }{ $free_scale ->
         [yes] , échelle arbitraire
         *[no] {""}
     }.
