@@ -104,7 +104,7 @@ def docstrings() -> Iterator[tuple[str, str]]:
         thing = getattr(raybundle, name)
         text = inspect.getdoc(thing) if callable(thing) else None
         if text:
-            yield f"docstring of {name}", re.sub(r"^\w[\w, *]*\s{2,}", "", text, flags=re.M)
+            yield f"docstring of {name}", re.sub(r"^\w[\w, *]*\s{2,}", "\n\n", text, flags=re.M)
 
 
 def pages() -> Iterator[tuple[str, str]]:

@@ -18,7 +18,7 @@ from raybundle.adjustment.behind_cameras import meeting_before_cameras
 from raybundle.adjustment.cell_means import systematic_notices
 from raybundle.adjustment.components import Found, settled_components, variance_components
 from raybundle.adjustment.control_notices import precise_control_notices
-from raybundle.adjustment.datum import Datum, analyse, hold_minimal, open_names
+from raybundle.adjustment.datum import NAMES, SHORT, Datum, analyse, hold_minimal, open_names
 from raybundle.adjustment.factoring import around
 from raybundle.adjustment.handle import EMPTY, Handle
 from raybundle.adjustment.interior import interior_results
@@ -60,9 +60,8 @@ from raybundle.adjustment.work import Work
 from raybundle.block import Block, Camera, Instrument
 from raybundle.block.rejection import Rejection, RejectionKind, Rejections
 from raybundle.block.rigs import at_stations_of
-from raybundle.errors import DatumDefect, NoConvergence, RankDefect, TooFewObservations
+from raybundle.errors import DatumDefect, NoConvergence, RankDefect, Text, TooFewObservations, phrase
 from raybundle.numerics.arrays import Array, Mask
-from raybundle.numerics.counting import grouped
 from raybundle.numerics.progress import Progress, silent
 from raybundle.numerics.statistics import family_wise_normal, family_wise_tau, global_test
 
@@ -508,20 +507,19 @@ def _name(camera: str, image: str | None) -> str:
     return f"camera {camera}" if image is None else f"camera {camera}, image {image}"
 
 
-def _datum_words(datum: Datum, options: AdjustmentOptions) -> str:
+def _datum_words(datum: Datum, options: AdjustmentOptions) -> Text:
     if datum.defect == 0:
-        return "control"
-    names = ", ".join(datum.open_names)
+        return phrase("datum.control")
+    parts = "all" if datum.defect == 7 else "some"
+    names = [SHORT[NAMES.index(name)] if name in NAMES else name for name in datum.open_names]
     if datum.kind == "minimal":
-        return f"minimal: {datum.defect} coordinates of well-spread object points held ({names})"
-    over = "all object points"
+        return phrase("datum.minimal", n=datum.defect, names=names)
+    over, n = "all", 0
     if options.datum_points:
-        over = f"{len(options.datum_points)} chosen object points"
+        over, n = "chosen", len(options.datum_points)
     elif options.datum_over == "good":
-        over = f"the {grouped(int(datum.carriers.sum()))} object points that are well determined"
-    if datum.defect == 7:
-        return f"inner constraints over {over}"
-    return f"inner constraints over {over} for {names}"
+        over, n = "good", int(datum.carriers.sum())
+    return phrase("datum.inner", over=over, n=n, parts=parts, names=names)
 
 
 def adjusted_block(system: System, state: State) -> Block:

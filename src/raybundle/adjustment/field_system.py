@@ -17,6 +17,7 @@ from raybundle.adjustment.assemble import InteriorRow, State, System
 from raybundle.adjustment.fields import WithFields
 from raybundle.adjustment.normals import Normals
 from raybundle.adjustment.twin_images import inverse2
+from raybundle.errors import phrase
 from raybundle.numerics.arrays import Array, Index
 from raybundle.platforms.station import sensor_from_object
 
@@ -90,11 +91,11 @@ def reason_against(system: System) -> str:
     nodes = system.image_node[system.images_used]
     nodes = nodes[nodes >= 0]
     if len(np.unique(nodes)) < len(nodes):
-        return "images share the exterior orientation of a rig"
+        return phrase("noise.rig")
     images = np.flatnonzero(system.images_used)
     names = sorted({_model(system, int(i)).name for i in images if not _carries(system, int(i))})
     if names and not any(_carries(system, int(i)) for i in images):
-        return f"image coordinates of the sensor model {', '.join(names)} are no places on one plane format"
+        return phrase("noise.no_format", models=names)
     return ""
 
 

@@ -42,6 +42,7 @@ from raybundle.adjustment.normals import Normals
 from raybundle.adjustment.own_fields import OwnField, own_fields
 from raybundle.adjustment.precision import Cofactors
 from raybundle.adjustment.transformation import Transformation, transformation
+from raybundle.errors import phrase
 from raybundle.numerics.arrays import Array, Index
 
 WHOLE = 150
@@ -194,13 +195,12 @@ def noise_of(
     variance  sigma0^2
     returns   white noise with its reason and the cofactors as they are where fields cannot be told
     """
-    in_parts = "the normal equations were reduced in parts, and fields need them in one piece"
-    reason = reason_against(normals.system) if normals.one_piece else in_parts
+    reason = reason_against(normals.system) if normals.one_piece else phrase("noise.in_parts")
     if reason:
         return replace(WHITE, reason=reason), found, None
     fields = field_system(normals, state)
     if not fields.is_finite:
-        return replace(WHITE, reason="some image points tell nothing of their object points by themselves"), found, None
+        return replace(WHITE, reason=phrase("noise.singular_points")), found, None
     told, of_images = components(fields, variance)
     noise = Noise(
         kind="fields", phi=told.phi, tau_px=float(np.sqrt(told.tau_square)),
@@ -208,8 +208,8 @@ def noise_of(
         images=len(fields.images), sampled=len(of_images),
     )  # fmt: skip
     if told.directions < FEWEST_DIRECTIONS:
-        words = f"the residuals tell of {told.directions} directions of fields only, {FEWEST_DIRECTIONS} are needed"
-        return replace(WHITE, reason=words), found, None
+        few = phrase("noise.few_directions", n=told.directions, least=FEWEST_DIRECTIONS)
+        return replace(WHITE, reason=few), found, None
     spread = spread_of(fields, found, told.phi, told.root(variance))
     spread.own_fields = of_images
     return noise, spread_in_datum(spread, found, datum), spread

@@ -25,6 +25,7 @@ from raybundle.adjustment.result import (
     Precision,
 )
 from raybundle.adjustment.work import Work
+from raybundle.errors import phrase
 from raybundle.numerics.arrays import Array
 from raybundle.numerics.statistics import correlation
 
@@ -37,9 +38,9 @@ def under_noise(result: Adjustment) -> Adjustment:
     work: Work | None = result.handle.work
     white = result.precision
     if work is None or work.found is None or white is None:
-        return replace(result, noise=replace(WHITE, reason="the adjustment was made without statistics"))
+        return replace(result, noise=replace(WHITE, reason=phrase("noise.no_statistics")))
     if result.redundancy <= 0:
-        return replace(result, noise=replace(WHITE, reason="without redundancy the residuals tell nothing"))
+        return replace(result, noise=replace(WHITE, reason=phrase("noise.no_redundancy")))
     variance = result.variance_factor
     noise, found, spread = noise_of(work.normals, work.state, work.found, work.datum, variance)
     if spread is None:

@@ -1,0 +1,16 @@
+noise-in_parts = the normal equations are reduced in parts
+
+noise-singular_points = some image points do not determine their object points
+
+# $n = 3
+# $least = 10
+noise-few_directions = the residuals determine { $n } directions of smooth errors only ({ $least } needed)
+
+noise-no_statistics = statistics are off
+
+noise-no_redundancy = there is no redundancy
+
+noise-rig = images share the exterior orientation of a rig
+
+# $models = ["rpc"]
+noise-no_format = the sensor model { $models } has no plane format
