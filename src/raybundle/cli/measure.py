@@ -112,7 +112,8 @@ def _fit(f: BestFit) -> list[Message]:
     if np.isfinite(f.tolerance).any():
         beyond, undecided = (f.verdict.count(v) for v in ("beyond", "undecided"))
         within = int(np.isfinite(f.tolerance).sum()) - beyond - undecided
-        found.append(note("measurement.tolerances", within=within, beyond=beyond, undecided=undecided))
+        names = [i for i, verdict in zip(f.ids, f.verdict, strict=True) if verdict == "beyond"]
+        found.append(note("measurement.tolerances", within=within, beyond=beyond, names=names, undecided=undecided))
     return found
 
 

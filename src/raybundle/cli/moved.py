@@ -55,8 +55,10 @@ def _summary(done: Congruence, settings: MovedSettings, files: list[Path]) -> Su
     n, moved = len(done.ids), int(done.moved.sum())
     least = 1000 * np.quantile(done.detectable[np.isfinite(done.detectable)], [0.5, 1.0])
     extent = 1000 * float(np.linalg.norm(np.ptp(done.xyz, axis=0)))
+    length = np.linalg.norm(done.displacement, axis=2).max(axis=0)
+    names = [done.ids[k] for k in sorted(np.flatnonzero(done.moved).tolist(), key=lambda k: -length[k])]
     first = [
-        note("displacement.points", n=n, moved=moved, epochs=list(done.epochs), error_rate=done.significance),
+        note("displacement.points", n=n, moved=moved, names=names, error_rate=done.significance),
         note("displacement.level_of_detection", median_mm=float(least[0]), largest_mm=float(least[1]))
         if least[1] < extent
         else note("displacement.no_level_of_detection"),

@@ -1,7 +1,7 @@
 displacement-points = { $moved ->
-        [0] Keiner
-        *[other] { $moved }
-    } von { $n } gemeinsamen Punkten verschoben ({ $epochs }; Irrtumswahrscheinlichkeit { PERCENT($error_rate) } %).
+        [0] Keiner von { $n } gemeinsamen Punkten verschoben
+        *[other] { $moved } von { $n } gemeinsamen Punkten verschoben: { $names }
+    } (Irrtumswahrscheinlichkeit { PERCENT($error_rate) } %).
 
 displacement-level_of_detection = Nachweisgrenze (Testgüte 80 %): { NUM($median_mm, digits: 2) } mm (Median), { NUM($largest_mm, digits: 2) } mm (größte).
 

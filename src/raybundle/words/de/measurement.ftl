@@ -19,7 +19,10 @@ measurement-precision = Standardabweichung einer Koordinate: { NUM($rms, digits:
 
 measurement-fit = Abweichungen von den Sollwerten: { NUM($rms_mm, digits: 2) } mm (RMS), größte { NUM($largest_mm, digits: 2) } mm ({ $point }); { $significant } von { $of } signifikant.
 
-measurement-tolerances = Toleranzen (ISO 14253-1): { $within } eingehalten, { $beyond } überschritten, { $undecided } unentschieden.
+measurement-tolerances = Toleranzen (ISO 14253-1): { $within } eingehalten, { $beyond } überschritten{ $beyond ->
+        [0] {""}
+        *[other] {" "}({ $names })
+    }, { $undecided } unentschieden.
 
 measurement-scale = Maßstab der Einpassung: { NUM($scale, decimals: 7) } ± { NUM($sigma, digits: 1) }.
 

@@ -1,11 +1,11 @@
 # $n = 40
 # $moved = 2
-# $epochs = ["spring", "autumn"]
+# $names = ["17", "5"]
 # $error_rate = 0.05
 displacement-points = { $moved ->
-        [0] No
-        *[other] { $moved }
-    } of { $n } common points displaced ({ $epochs }; false-alarm rate { PERCENT($error_rate) } %).
+        [0] None of { $n } common points displaced
+        *[other] { $moved } of { $n } common points displaced: { $names }
+    } (false-alarm rate { PERCENT($error_rate) } %).
 
 # $median_mm = 0.2
 # $largest_mm = 0.5

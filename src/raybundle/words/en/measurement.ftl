@@ -42,8 +42,12 @@ measurement-fit = Deviations from nominal: { NUM($rms_mm, digits: 2) } mm (rms),
 
 # $within = 70
 # $beyond = 1
+# $names = ["12"]
 # $undecided = 2
-measurement-tolerances = Tolerances (ISO 14253-1): { $within } met, { $beyond } exceeded, { $undecided } undecided.
+measurement-tolerances = Tolerances (ISO 14253-1): { $within } met, { $beyond } exceeded{ $beyond ->
+        [0] {""}
+        *[other] {" "}({ $names })
+    }, { $undecided } undecided.
 
 # $scale = 1.00001
 # $sigma = 0.000002

@@ -1,7 +1,7 @@
 displacement-points = { $moved ->
-        [0] Aucun
-        *[other] { $moved }
-    } des { $n } points communs déplacés ({ $epochs } ; taux de fausse alarme { PERCENT($error_rate) } %).
+        [0] Aucun des { $n } points communs déplacé
+        *[other] { $moved } des { $n } points communs déplacés : { $names }
+    } (taux de fausse alarme { PERCENT($error_rate) } %).
 
 displacement-level_of_detection = Seuil de détection (puissance 80 %) : { NUM($median_mm, digits: 2) } mm (médiane), { NUM($largest_mm, digits: 2) } mm (maximum).
 

@@ -13,7 +13,10 @@ measurement-precision = Écart-type d'une coordonnée : { NUM($rms, digits: 2) }
 
 measurement-fit = Écarts aux valeurs nominales : { NUM($rms_mm, digits: 2) } mm (EMQ), maximum { NUM($largest_mm, digits: 2) } mm ({ $point }) ; { $significant } significatifs sur { $of }.
 
-measurement-tolerances = Tolérances (ISO 14253-1) : { $within } respectées, { $beyond } dépassées, { $undecided } indécises.
+measurement-tolerances = Tolérances (ISO 14253-1) : { $within } respectées, { $beyond } dépassées{ $beyond ->
+        [0] {""}
+        *[other] {" "}({ $names })
+    }, { $undecided } indécises.
 
 measurement-scale = Échelle de l'ajustement : { NUM($scale, decimals: 7) } ± { NUM($sigma, digits: 1) }.
 
