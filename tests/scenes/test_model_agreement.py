@@ -9,7 +9,7 @@ import pytest
 
 from raybundle.cli.main import main
 from raybundle.io.block.folder import read_block
-from raybundle.io.scenes import agreement_of, read_scene
+from raybundle.io.scenes import agreement_of, read_scene, remarks_of
 from raybundle.scenes.model_agreement import ModelsContradict
 from raybundle.scenes.rpc_fit import fit_rpc
 from tests.scenes.conftest import make_scene
@@ -109,7 +109,7 @@ def test_the_unit_of_the_angle_is_found_by_the_rpc(tmp_path, angle, written, att
     assert agreement.rms_px < 0.2
     assert agreement.stated
     radians = not attribute and written not in {180.0, 0.0} and abs(angle - written) < 1e-3
-    assert any("is in radians" in r for r in found.remarks) == radians
+    assert any(r.code == "maxar.radians_by_rpc" for r in found.remarks) == radians
 
 
 @pytest.mark.parametrize(("angle", "written"), [(np.pi, np.pi), (np.pi, 180.0), (-np.pi, -np.pi), (0.0, 0.0)])
@@ -125,7 +125,7 @@ def test_without_an_rpc_the_place_of_the_array_decides(tmp_path, angle, written)
 def test_without_an_rpc_a_small_angle_is_reported(tmp_path):
     file = tmp_path / "scene.xml"
     file.write_text(isd(line_of(0.01), 0.01, 0.01))
-    assert any("taken as degrees: no unit is stated" in r for r in read_scene(file).remarks)
+    assert any(r.code == "maxar.degrees_assumed" for r in read_scene(file).remarks)
 
 
 @pytest.mark.parametrize(
@@ -154,9 +154,10 @@ def test_models_that_contradict_each_other_are_a_fault(tmp_path, capsys, wrong, 
     assert main(["rpc", "info", str(file)]) == 3
     assert main(["rpc", "fit", str(file), "--out", str(out)]) == 3
     assert main(["rpc", "project", str(file), str(points), "--out", str(tmp_path / "o.csv")]) == 3
-    assert "contradicts the vendor's RPC" in capsys.readouterr().err
+    assert "[scene.models_contradict]" in capsys.readouterr().err
     assert not out.exists()
     assert main(["rpc", "project", str(file), str(points), "--model", "rpc", "--out", str(tmp_path / "o.csv")]) == 0
+    [preferred] = [r for r in remarks_of(read_scene(file)) if r.code == "scene.rpc_preferred"]
     control = tmp_path / "control.csv"
     control.write_text("point,lon_deg,lat_deg,h_m,x_px,y_px\n" + control_rows(rpc))
     for words, to in (
@@ -165,8 +166,8 @@ def test_models_that_contradict_each_other_are_a_fault(tmp_path, capsys, wrong, 
     ):
         capsys.readouterr()
         assert main(["rpc", *words, "--out", str(tmp_path / to)]) == 0
-        assert "contradicts the vendor's RPC" in capsys.readouterr().out
-    with pytest.raises(ModelsContradict, match="contradicts the vendor's RPC"):
+        assert preferred.text() in capsys.readouterr().out
+    with pytest.raises(ModelsContradict, match=r"scene\.models_contradict"):
         read_block(scene_block(tmp_path / "block", file, "linescan"))
     assert read_block(scene_block(tmp_path / "other", file, "rpc")).cameras
 

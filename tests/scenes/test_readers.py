@@ -62,7 +62,7 @@ def test_rpc00a_is_brought_to_the_order_of_rpc00b(rpc, tmp_path):
     path.write_text(rpb(old, "RPC00A"))
     scene = read_scene(path)
     same(scene.rpc, rpc)
-    assert "RPC00A" in scene.remarks[0]
+    assert [r.code for r in scene.remarks] == ["rpc.terms_reordered"]
 
 
 def test_order_of_rpc00a():
@@ -171,24 +171,27 @@ def written(rpc, tmp_path):
 
 
 TEXT = {
-    "a key missing": (lambda t: t.replace("LAT_OFF", "LAT_OF"), "LAT_OFF is missing"),
-    "a coefficient missing": (lambda t: t.replace("LINE_DEN_COEFF_20:", "#"), "LINEDENCOEF: 19 of 20"),
+    "a key missing": (lambda t: t.replace("LAT_OFF", "LAT_OF"), r"LAT_OFF.*rpc\.keys_missing"),
+    "a coefficient missing": (
+        lambda t: t.replace("LINE_DEN_COEFF_20:", "#"),
+        r"LINEDENCOEF.*19.*20.*rpc\.coefficient_count",
+    ),
     "a word for a number": (
         lambda t: t.replace("LINE_OFF: ", "LINE_OFF: x"),
-        r"line 1, column LINE_OFF: .* is not a number",
+        r"1.*LINE_OFF.*value\.not_a_number",
     ),
-    "feet for metres": (lambda t: t.replace("meters", "feet"), "unit 'feet' where pixels|unit 'feet' where"),
-    "radians": (lambda t: t.replace("degrees", "rad"), "unit 'rad' where degrees are needed"),
+    "feet for metres": (lambda t: t.replace("meters", "feet"), r"'feet'.*rpc\.unit"),
+    "radians": (lambda t: t.replace("degrees", "rad"), r"'rad'.*degrees.*rpc\.unit"),
     "a scale of zero": (lambda t: t.replace("HEIGHT_SCALE: 500.0", "HEIGHT_SCALE: 0"), r"rpc\.not_positive"),
     "a pole in the scene": (
         lambda t: "\n".join("LINE_DEN_COEFF_3: 3" if r.startswith("LINE_DEN_COEFF_3:") else r for r in t.split("\n")),
-        "line denominator is",
+        r"rpc\.small_denominator",
     ),
     "infinite": (lambda t: t.replace("LAT_SCALE: ", "LAT_SCALE: 1e999 "), "LAT_SCALE"),
-    "a key twice": (lambda t: f"{t}\nLINE_OFF: 1\n", r"column LINE_OFF: 1\S*, and \S+ in line 1; delete one"),
-    "a key twice, spelt otherwise": (lambda t: f"{t}\nline_off = 1\n", r"column line_off: 1\S*, and \S+ in line 1"),
-    "a coefficient twice": (lambda t: f"{t}\nSAMP_NUM_COEFF_3: 7\n", r"column SAMP_NUM_COEFF_3: 7\S*, and "),
-    "a list beside coefficients": (lambda t: f"{t}\nlineNumCoef = (7, 8);\n", "in line .*; delete one"),
+    "a key twice": (lambda t: f"{t}\nLINE_OFF: 1\n", r"LINE_OFF.*1.*line 1.*rpc\.two_values"),
+    "a key twice, spelt otherwise": (lambda t: f"{t}\nline_off = 1\n", r"line_off.*1.*line 1.*rpc\.two_values"),
+    "a coefficient twice": (lambda t: f"{t}\nSAMP_NUM_COEFF_3: 7\n", r"SAMP_NUM_COEFF_3.*7.*rpc\.two_values"),
+    "a list beside coefficients": (lambda t: f"{t}\nlineNumCoef = (7, 8);\n", r"rpc\.two_values"),
 }
 
 
@@ -211,7 +214,7 @@ def test_bad_text_names_the_place(rpc, tmp_path, what):
         ('<!DOCTYPE x SYSTEM "file:///etc/passwd"><isd/>', "DOCTYPE"),
         ("<isd><IMD>", r"xml\.invalid"),
         ("<isd><IMD></IMD></isd>", r"xml\.element_missing"),
-        ("<Dimap_Document></Dimap_Document>", "neither Rational_Function_Model"),
+        ("<Dimap_Document></Dimap_Document>", r"dimap\.no_model"),
         ("<isd>&a;</isd>", r"xml\.invalid"),
     ],
 )
@@ -234,17 +237,17 @@ def test_truncated_xml_of_a_vendor(sensors, tmp_path):
 ISD = {
     "an entry missing": (
         lambda t: t.replace(t[t.index("<EPHEMLIST>") : t.index("</EPHEMLIST>") + 12], "", 1),
-        "839 entries EPHEMLIST where NUMPOINTS says 840",
+        r"EPHEMLIST.*839.*840.*maxar\.entry_count",
     ),
-    "a gap": (lambda t: t.replace("<ATTLIST>4.0", "<ATTLIST>5.0", 1), "follows entry .* gap"),
-    "kilometres": (lambda t: t.replace("e+06 ", "e+03 "), "positions must be in metres"),
+    "a gap": (lambda t: t.replace("<ATTLIST>4.0", "<ATTLIST>5.0", 1), r"maxar\.gap"),
+    "kilometres": (lambda t: t.replace("e+06 ", "e+03 "), r"scene\.not_an_orbit"),
     "another start": (
         lambda t: t.replace("<TLCTIME>1959-11-25T17:39:48", "<TLCTIME>1959-11-25T18:39:48"),
-        "covers .* the lines",
+        r"trajectory\.not_covered",
     ),
-    "no time": (lambda t: t.replace("<TLCTIME>1959-11-25T17", "<TLCTIME>1959-11-25 ?17"), "is not a time"),
-    "no rows": (lambda t: t.replace("<NUMROWS>23708", "<NUMROWS>0"), "whole number of pixels"),
-    "another image": (lambda t: t.replace("<NUMCOLUMNS>35170", "<NUMCOLUMNS>99170"), "do not belong together"),
+    "no time": (lambda t: t.replace("<TLCTIME>1959-11-25T17", "<TLCTIME>1959-11-25 ?17"), r"value\.no_time"),
+    "no rows": (lambda t: t.replace("<NUMROWS>23708", "<NUMROWS>0"), r"scene\.pixel_count"),
+    "another image": (lambda t: t.replace("<NUMCOLUMNS>35170", "<NUMCOLUMNS>99170"), r"rpc\.other_image"),
 }
 
 
@@ -270,16 +273,17 @@ def test_isd_without_rpc_and_without_orbit(sensors, tmp_path):
     path.write_text(text.replace("<EPH>", "<EPX>").replace("</EPH>", "</EPX>"))
     scene = read_scene(path)
     assert scene.line is None
-    assert "only its RPC" in " ".join(scene.remarks)
+    assert "maxar.no_rigorous_model" in [r.code for r in scene.remarks]
 
 
 def test_image_and_rpc_that_do_not_belong_together(rpc):
     check_image(rpc, 8000, 7000, "a")
     check_image(rpc, 4100, 3600, "a")  # a part
     for size in ((20000, 7000), (8000, 30000)):
-        with pytest.raises(InputError, match=f"image of {size[0]} x {size[1]} px .* do not belong together"):
+        with pytest.raises(InputError, match=r"rpc\.other_image") as raised:
             check_image(rpc, *size, "a")
-    with pytest.raises(InputError, match="do not belong together"):
+        assert (raised.value.message.values["width_px"], raised.value.message.values["height_px"]) == size
+    with pytest.raises(InputError, match=r"rpc\.other_image"):
         check_image(rpc.shifted(np.array([20000.0, 0.0])), 4000, 4000, "a")
 
 
@@ -287,16 +291,16 @@ def test_image_and_rpc_that_do_not_belong_together(rpc):
     ("data", "message"),
     [
         (lambda r: tiff(r)[:60], r"tiff\.ends_early"),
-        (lambda r: tiff(r, values=doubles(r)[:40]), "40 numbers, 92"),
-        (lambda r: tiff(r, values=np.full(92, np.nan)), "not finite"),
-        (lambda r: tiff(r).replace(struct.pack("<H", 50844), struct.pack("<H", 50845)), "no RPC"),
+        (lambda r: tiff(r, values=doubles(r)[:40]), r"40.*92.*rpc\.tag_count"),
+        (lambda r: tiff(r, values=np.full(92, np.nan)), r"rpc\.not_finite"),
+        (lambda r: tiff(r).replace(struct.pack("<H", 50844), struct.pack("<H", 50845)), r"rpc\.no_tag"),
         (lambda _: b"II*\0" + b"\xff" * 30, r"tiff\.ends_early"),
-        (lambda r: nitf(r, success="0"), "says itself that it failed"),
-        (lambda r: nitf(r)[:-400], "cut off"),
-        (lambda r: nitf(r, name="RPC00X"), "no RPC00B"),
-        (lambda r: nitf(r).replace(b"000388001", b"000388000"), "holds no image"),
+        (lambda r: nitf(r, success="0"), r"nitf\.rpc_invalid"),
+        (lambda r: nitf(r)[:-400], r"nitf\.rpc_invalid"),
+        (lambda r: nitf(r, name="RPC00X"), r"RPC00B.*nitf\.no_rpc"),
+        (lambda r: nitf(r).replace(b"000388001", b"000388000"), r"nitf\.no_image"),
         (lambda r: nitf(r).replace(b"0003.50", b"000x.50"), r"value\.not_finite"),
-        (lambda _: b"NITF02.10" + b" " * 400, "field HL"),
+        (lambda _: b"NITF02.10" + b" " * 400, r"HL.*nitf\.field"),
     ],
 )
 def test_bad_images(rpc, tmp_path, data, message):
@@ -309,13 +313,13 @@ def test_bad_images(rpc, tmp_path, data, message):
 def test_unknown_and_absent_files(tmp_path):
     path = tmp_path / "a.txt"
     path.write_text("once upon a time")
-    with pytest.raises(InputError, match="no scene format is recognised .* Maxar"):
+    with pytest.raises(InputError, match=r"Maxar.*scene\.format_unknown"):
         read_scene(path)
     with pytest.raises(InputError, match=r"file\.missing"):
         read_scene(tmp_path / "b")
     for nothing in (b"", b" \n\n"):
         path.write_bytes(nothing)
-        with pytest.raises(InputError, match=r"a.txt: the file is empty; get"):
+        with pytest.raises(InputError, match=r"a\.txt.*file\.empty"):
             read_scene(path)
     assert set(scene_formats) == {
         "airborne",

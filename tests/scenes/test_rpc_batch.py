@@ -61,7 +61,7 @@ def test_a_folder(folder, control, rpc, tmp_path, capsys):
     for name, row in rows.items():
         if name == "d_RPC.TXT":
             assert row["bias"] == row["file"] == row["A0_px"] == ""
-            assert "the RPC is not complete" in row["problem"]
+            assert "0 of 20" in row["problem"]
             continue
         shift = SHIFTS[name[0]]
         assert (row["bias"], row["points"], row["check_points"], row["problem"]) == ("shift", "7", "2", "")
@@ -89,12 +89,12 @@ def test_pictures_and_the_same_from_python(folder, control, tmp_path):
 
 def test_what_costs_a_scene_and_what_costs_all(folder, control, tmp_path):
     done = rb.rpc_batch([folder / "c_RPC.TXT", folder / "dem.tif"], control, tmp_path / "out", to="rpb")
-    assert "no RPC (tag 50844) stands in it" in done.failed[0].problem
+    assert "50844" in done.failed[0].problem
     with pytest.raises(InputError, match="none of 1 scene could be corrected:\n  d_RPC.TXT: "):
         rb.rpc_batch(folder / "d_RPC.TXT", control, tmp_path / "none")
     assert not (tmp_path / "none").exists()
     done = rb.rpc_batch([folder / "a.tif", folder / "c_RPC.TXT"], control, tmp_path / "tif", to="tif")
-    assert "the scene was given without a picture" in done.failed[0].problem
+    assert "GeoTIFF" in done.failed[0].problem
     twice = rb.rpc_batch([folder / "a.tif", folder / "a.tif"], control, tmp_path / "twice")
     assert "another scene is called a_RPC" in twice.failed[0].problem
     text = control.read_text().replace("a.tif", "")

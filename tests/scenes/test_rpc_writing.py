@@ -139,7 +139,7 @@ def test_an_rpc_in_a_file_beside_goes_before_the_tag(rpc, picture, tmp_path):
         if stale != aux:
             write_rpc(rpc, tmp_path / ("x" + stale.suffix.upper().replace("TXT", "txt")))
             (tmp_path / ("x" + stale.suffix.upper().replace("TXT", "txt"))).rename(stale)
-        with pytest.raises(InputError, match=f"{stale.name} stands beside it, whose RPC GDAL would take"):
+        with pytest.raises(InputError, match=rf"{stale.name}.*rpc\.file_precedes_tag"):
             write_rpc(rpc, tmp_path / "a.tif", picture)
         stale.unlink()
     assert not (tmp_path / "a.tif").exists()
@@ -173,7 +173,7 @@ def test_pictures_that_tell_their_rpc_in_other_ways(rpc, tmp_path, driver, name)
 
 
 def test_without_a_picture_or_the_library(rpc, picture, tmp_path, monkeypatch):
-    with pytest.raises(InputError, match="the scene was given without a picture"):
+    with pytest.raises(InputError, match=r"rpc\.geotiff_needs_picture"):
         write_rpc(rpc, tmp_path / "a.tif")
     monkeypatch.setitem(sys.modules, "rasterio", None)
     with pytest.raises(InputError, match=r"package\.rasterio_missing"):
@@ -390,7 +390,7 @@ def test_rpc_of_gdal_as_xml_and_json(rpc, picture, tmp_path):
         read_scene(tmp_path / "own.json")
     del values["LAT_SCALE"], values["LINE_DEN_COEFF"]
     (tmp_path / "own.json").write_text(json.dumps({"metadata": {"RPC": values}}))
-    with pytest.raises(InputError, match="LINE_DEN_COEFF: 0 of 20"):
+    with pytest.raises(InputError, match=r"LINE_DEN_COEFF.*0.*20.*rpc\.coefficient_count"):
         read_scene(tmp_path / "own.json")
 
 
@@ -430,7 +430,7 @@ def test_rpc_of_orthority_as_yaml(rpc, tmp_path):
     assert found.rpc.image_offset == pytest.approx(rpc.image_offset, abs=1e-9)
     (tmp_path / "two.yaml").write_text(orthority({"a.tif": replace(rpc, err_bias_m=1.0, err_rand_m=1.0)} | {
         "b.tif": replace(rpc, err_bias_m=1.0, err_rand_m=1.0)}))  # fmt: skip
-    with pytest.raises(InputError, match=r"it holds 2 RPC \(a.tif, b.tif\)"):
+    with pytest.raises(InputError, match=r"2.*a\.tif.*b\.tif.*rpc\.not_one"):
         read_scene(tmp_path / "two.yaml")
 
 

@@ -28,7 +28,6 @@ from raybundle.blocking.similarity import onto
 from raybundle.blocking.tasks import Store
 from raybundle.errors import NoConvergence, NotSolvable, RankDefect, TooFewObservations
 from raybundle.numerics.arrays import Array, Index, Mask
-from raybundle.numerics.counting import counted
 from raybundle.numerics.progress import Progress, silent
 from raybundle.pipeline.executors import Executor
 
@@ -67,8 +66,7 @@ class Astray(NotSolvable):
     def __init__(self, behind: Index, gone: Index) -> None:
         rows = np.unique(np.concatenate([behind, gone]))
         super().__init__(
-            f"of {counted(len(behind), 'image observation')} the object point lies behind the camera, of {len(gone)} "
-            f"it has run away, as rows {', '.join(str(r + 1) for r in rows[:5])} of the observations; leave them out"
+            "observations.astray", behind=len(behind), diverging=len(gone), rows=[int(r) + 1 for r in rows[:5]]
         )
         self.behind, self.gone = behind, gone
 
@@ -122,9 +120,11 @@ def _adjusted(run: _Run) -> StoredAdjustment:
     assert isinstance(start, PartsState)
     datum = _described(run, start)
     if normals.unknowns - datum.defect > normals.observations:
+        unknowns = normals.unknowns - datum.defect
         raise TooFewObservations(
-            f"{normals.observations} observations do not determine {normals.unknowns - datum.defect} unknowns"
-        )
+            "adjustment.too_few_observations", n=normals.observations, unknowns=unknowns,
+            missing=unknowns - normals.observations, parameters=[], free=0,
+        )  # fmt: skip
     if options.robust_start:
         start = solve(normals, start, options, huber=HUBER, tolerance=1e-2, approximate=True, progress=progress).state
     solution = solve(normals, start, options, progress=progress)
@@ -182,7 +182,7 @@ def _described(run: _Run, state: PartsState) -> Datum:
         xyz, rays = np.vstack([f["xyz"] for f in found]), np.concatenate([f["rays"] for f in found])
         which, axis, firm = well_spread(xyz, rays, np.zeros((len(xyz), 3), bool), datum)
         if firm < 1e-9:
-            raise RankDefect("the object points lie so that they cannot carry the datum")
+            raise RankDefect("datum.points_in_line")
         held[np.concatenate([f["candidates"] for f in found])[which], axis] = True
     run.held, run.described = held, found
     return datum
@@ -198,10 +198,10 @@ def _stated(run: _Run, solution: Solution) -> StoredAdjustment:
     normals.hold(run.held)
     _, _, weak = normals.reduce(state)
     if normals.failed() >= 0 or weak:
-        raise RankDefect("the observations do not determine all unknowns; no standard deviation can be given")
+        raise RankDefect("rank.not_determined")
     share, _ = normals.least_share()
     if share < defects.SHARE:
-        raise RankDefect("the observations do not determine all unknowns; no standard deviation can be given")
+        raise RankDefect("rank.not_determined")
     inverse = normals.selected_inverse()
     told, stated, change, redundancy_sum = _cofactors(run, state, datum)
     redundancy = normals.observations - normals.unknowns + datum.defect

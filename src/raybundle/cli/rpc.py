@@ -68,7 +68,7 @@ def info(scene: Path) -> None:
     if s.line is not None:
         _tell_line(s, s.line)
     for remark in s.remarks:
-        click.echo(f" remark: {remark}")
+        click.echo(f" remark: {remark.text()}")
     _tell_agreement(s)
 
 

@@ -42,8 +42,8 @@ from raybundle.numerics.arrays import Array, Index
 PARQUET = ".parquet"
 PIECE_BYTES = 1 << 22
 LINE_BYTES = 1 << 20
-LISTED, MOST_LISTED = 12, 100
-"""Columns that a message lists, and that it has as data"""
+MOST_LISTED = 100
+"""Columns of a message"""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -293,14 +293,6 @@ def _check_header(path: Path, line: str, columns: Sequence[Column], dialect: Dia
 def holds_values(header: Sequence[str]) -> bool:
     """Whether the first line of a table is one of its rows: most of its cells are numbers."""
     return 2 * sum(number_of(name) is not None for name in header) > len(header)
-
-
-def columns_words(header: Sequence[str]) -> str:
-    """Which columns a table has, or that its first line names none."""
-    names = ",".join(quoted(name)[1:-1] for name in header[:LISTED]) + (",..." if len(header) > LISTED else "")
-    if holds_values(header):
-        return f"the first line holds values ({names}), not the names of columns"
-    return f"its columns are {names}"
 
 
 def _check_names(path: Path, names: Sequence[str], columns: Sequence[Column], at: int = 1) -> list[Column]:

@@ -29,7 +29,6 @@ from raybundle.readable import readable, without_controls
 from raybundle.results.contents import clean, result_json
 from raybundle.results.digits import result_digits
 from raybundle.results.tables import ALWAYS, LATER, TABLES, result_table
-from raybundle.settings import option
 
 PROJECT = "project"
 """Folder in a result folder where `raybundle calibrate` keeps what is finished"""
@@ -86,20 +85,22 @@ def check_target(path: str | Path) -> None:
     if not folder.exists():
         return
     if not folder.is_dir():
-        raise InputError("stands there already and is no folder; choose another name for the result", file=folder)
+        raise InputError("result.not_a_folder", file=folder)
     present = names_in(folder)
     if (folder / PROJECT / "project.db").is_file():
         present -= {PROJECT}  # of a run that is to be continued, or of one that ended
     if not present:
         return
     if "result.json" not in present or not _is_ours(folder / "result.json"):
-        raise InputError("is not a result folder and is not overwritten; choose another name", file=folder)
+        raise InputError("result.other_folder", file=folder)
     inner = names_in(folder / "block") if (folder / "block").is_dir() else set[str]()
     tables = {f"{name}{suffix}" for name in TABLES for suffix in SUFFIXES}
     foreign = sorted(present - ENTRIES - tables) + sorted(f"block/{name}" for name in inner - block_files())
     if foreign:
         raise InputError(
-            f"holds files that no adjustment wrote ({', '.join(foreign[:3])}); move them, or choose another name",
+            "result.foreign_files",
+            names=foreign,
+            n=len(foreign),
             file=folder,
         )
 
@@ -175,11 +176,9 @@ def read_result(path: str | Path) -> ResultFolder:
     """A result folder's tables and result.json; raises InputError where it is not one."""
     folder = Path(path)
     if not (folder / "result.json").is_file():
-        raise InputError(
-            f"is not a result folder, it holds no result.json; give what {option('out')} named", file=folder
-        )
+        raise InputError("result.no_result", file=folder)
     if not _is_ours(folder / "result.json"):
-        raise InputError("is not the result.json of an adjustment; adjust again", file=folder / "result.json")
+        raise InputError("result.not_of_adjustment", file=folder / "result.json")
     result = cast("dict[str, Any]", read_json(folder / "result.json").value)
     block = read_block(folder / "block")
     known = {"image": frozenset(block.images.ids), "point": frozenset(block.points.ids)}
@@ -211,5 +210,11 @@ def _check_ids(path: Path, column: str, ids: Sequence[str], known: frozenset[str
     """Raise where a table names what the block beside it does not hold."""
     for row, id_ in enumerate(ids):
         if id_ not in known:
-            message = f"{quoted(id_)} does not stand in block/{column}s.csv; the result is damaged: adjust again"
-            raise InputError(message, file=path, line=row + 2, column=column)
+            raise InputError(
+                "result.unknown_id",
+                id=quoted(id_),
+                table=f"block/{column}s.csv",
+                file=path,
+                line=row + 2,
+                column=column,
+            )

@@ -38,7 +38,7 @@ def write_matrices(matrices: Matrices, path: str | Path) -> None:
     from scipy.io import mmwrite  # noqa: PLC0415  (needed only here)
 
     if not path.parent.is_dir():
-        raise InputError("its folder does not exist; make it first", file=path)
+        raise InputError("folder.missing", file=path)
     path.mkdir()
     names = ("design.mtx", "weights.mtx", "residuals.txt", "observations.txt", "unknowns.txt")
     with new_files(*(path / n for n in names)) as (design, weights, residuals, observations, unknowns):

@@ -77,7 +77,7 @@ def record_from(tree: Json) -> Record:
     found: dict[str, str] = {}
     for name, value in tree.get(RECORD).mapping().items():
         if name not in NAMES:
-            value.fail(f"there is no such entry; there are {', '.join(NAMES)}")
+            value.fail("record.unknown_entry", known=list(NAMES))
         found[name] = checked(name, str(value.value) if isinstance(value.value, str) else _plain(value))
     return Record(**found)
 
@@ -85,14 +85,14 @@ def record_from(tree: Json) -> Record:
 def _plain(value: Json) -> str:
     """A number or a date as it was typed: an inventory number needs no quotation marks."""
     if isinstance(value.value, dict | list | bool):
-        value.fail("an entry of the record is a text")
+        value.fail("record.not_a_text")
     return str(value.value)
 
 
 def checked(name: str, words: str) -> str:
     """An entry as it is kept: lines stay, all else that cannot be seen becomes a blank; raises InputError."""
     if len(words) > LONGEST:
-        raise InputError(f"entry {name} of the record has {len(words)} letters, {LONGEST} are the limit")
+        raise InputError("record.too_long", name=name, n=len(words), most=LONGEST)
     kept = "".join(c if c.isprintable() or c == "\n" else " " for c in words.replace("\r\n", "\n"))
     return kept.encode("utf-8", "replace").decode().strip()
 

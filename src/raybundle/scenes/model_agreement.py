@@ -12,7 +12,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from raybundle.errors import NotSolvable, RaybundleError
+from raybundle.errors import Message, NotSolvable, RaybundleError, Value
 from raybundle.numerics.arrays import Array
 from raybundle.scenes.linescan import LineScene
 from raybundle.scenes.rpc import Rpc
@@ -43,6 +43,15 @@ class ModelAgreement:
         return float(np.sqrt(np.sum(self.mean_px**2 + self.std_px**2)))
 
     @property
+    def values(self) -> dict[str, Value]:
+        """Those of messages."""
+        rms = self.rms_px
+        return {
+            "meets": bool(np.isfinite(rms)), "rms_px": rms if np.isfinite(rms) else None, "limit_px": self.limit_px,
+            "stated": self.stated,
+        }  # fmt: skip
+
+    @property
     def contradicts(self) -> bool:
         """Whether the two models cannot be those of one image."""
         return not self.rms_px <= self.limit_px
@@ -52,15 +61,8 @@ class ModelsContradict(NotSolvable):
     """Rigorous model and RPC of one file are further apart than the RPC's stated error; carries the figures."""
 
     def __init__(self, file: object, agreement: ModelAgreement) -> None:
-        kind = "stated error of the RPC" if agreement.stated else "aberration and refraction together"
-        self.difference = (
-            f"the rigorous model contradicts the vendor's RPC: {agreement.rms_px:.4g} px apart (rms), limit "
-            f"{agreement.limit_px:.3g} px ({kind})"
-        )
-        super().__init__(
-            f"{file}: {self.difference}.\n"
-            "  One of them is wrong, or is read wrongly.  Get the file again, or use the RPC alone (model rpc)."
-        )
+        values: dict[str, Value] = {"scene": str(file), **agreement.values}
+        super().__init__(Message(code="scene.models_contradict", values=values))
         self.agreement = agreement
 
 

@@ -48,7 +48,7 @@ def contours(height: Array, interval: float) -> tuple[Contour, ...]:
         return ()
     first, last = (int(f(v / interval)) for f, v in ((np.ceil, height[known].min()), (np.floor, height[known].max())))
     if last - first + 1 > MOST_LEVELS:
-        raise InputError(f"{last - first + 1} levels of height, more than {MOST_LEVELS}; choose a larger interval")
+        raise InputError("contour.too_many_levels", n=last - first + 1, most=MOST_LEVELS)
     made = library.contour_generator(z=np.ma.masked_invalid(height.astype(float)), name="serial")
     found = list[Contour]()
     for k in range(first, last + 1):
@@ -95,6 +95,4 @@ def _contourpy() -> Any:
     try:
         return import_module("contourpy")
     except ImportError:
-        raise InputError(
-            "contour lines are drawn by contourpy, which is not installed: pip install 'raybundle[geo]'"
-        ) from None
+        raise InputError("package.contourpy_missing") from None

@@ -212,14 +212,14 @@ def depth_map(
     """
     o = options or DepthOptions()
     if o.density not in (1, 2, 4):
-        raise InputError(f"density {o.density}: a depth at every pixel, every second or every fourth: 1, 2 or 4")
+        raise InputError("depth_map.density", density=o.density)
     if not chosen.sources:
-        raise InputError(f"image {block.images.ids[chosen.reference]}: no other photograph is of use with it")
+        raise InputError("depth_map.no_source", image=block.images.ids[chosen.reference])
     rays = ReferenceRays.of(block, chosen.reference)
     t_range = depth_range(block, rays, chosen.reference)
     shown = None if region is None else shown_part(rays, t_range, region)
     if region is not None and shown is None:
-        raise InputError(f"image {block.images.ids[chosen.reference]}: shows nothing of the region")
+        raise InputError("depth_map.outside_region", image=block.images.ids[chosen.reference])
     box = None if shown is None else shown.box_around(AROUND)
     tables = [transfer(block, rays, j, t_range, box) for j in chosen.sources]
     reference, photographs = greys(chosen.reference), [greys(j) for j in chosen.sources]
@@ -253,7 +253,7 @@ def depth_range(block: Block, rays: ReferenceRays, reference: int) -> tuple[floa
     sure, t = t[before & (seen >= RAYS)], t[before]
     if len(t) < FEWEST_POINTS:
         name = block.images.ids[reference]
-        raise InputError(f"image {name}: {len(t)} tie points tell no range of depths, {FEWEST_POINTS} are needed")
+        raise InputError("depth_map.too_few_points", image=name, n=len(t), least=FEWEST_POINTS)
     low, high = (float(q) for q in np.quantile(t, [OUTER, 1 - OUTER]))
     if len(sure) >= 2 * THINGS:
         ends = np.sort(sure)

@@ -140,7 +140,7 @@ class HeightModel:
         used = weights != 0
         if (used & ~self.known).any():
             count = int((used & ~self.known).sum())
-            raise InputError(f"{count} of {int(used.sum())} cells have no height; leave them out, or fill them")
+            raise InputError("height_grid.void_cells", n=count, total=int(used.sum()))
         value = float((weights[used] * h.height[used].astype(float)).sum())
         return SumOfHeights(value=value, local=np.sqrt(self._local(weights, used)), moved=self._moved(weights))
 

@@ -326,14 +326,23 @@ class _Work:
     ) -> _Work:
         side = 2 * LAG + 1
         if not 1 <= len(sources) <= MOST_SOURCES:
-            raise InputError(
-                f"{len(sources)} sources of a reference; there can be 1 to {MOST_SOURCES}: choose the best"
-            )
+            raise InputError("depth_map.source_count", n=len(sources), most=MOST_SOURCES)
         if autocovariance is not None and autocovariance.shape != (len(sources) + 1, side, side):
-            raise InputError(f"autocovariances are {autocovariance.shape}, not ({len(sources) + 1}, {side}, {side})")
+            raise InputError(
+                "depth_map.array_shape",
+                array="autocovariances",
+                shape=list(autocovariance.shape),
+                needed=[len(sources) + 1, side, side],
+            )
         last = grid.y0 + (grid.rows - 1) * grid.stride, grid.x0 + (grid.columns - 1) * grid.stride
         if min(grid.x0, grid.y0) < 0 or last[0] >= reference.shape[0] or last[1] >= reference.shape[1]:
-            raise InputError(f"pixels up to {last[::-1]} lie beyond a reference of {reference.shape[::-1]} px")
+            raise InputError(
+                "depth_map.grid_outside",
+                x_px=last[1],
+                y_px=last[0],
+                width_px=reference.shape[1],
+                height_px=reference.shape[0],
+            )
         plain = [Source(grey=np.ascontiguousarray(s.grey, np.float32), transfer=s.transfer) for s in sources]
         cov = None if autocovariance is None else np.ascontiguousarray(autocovariance, np.float32)
         grey = np.ascontiguousarray(reference, np.float32)
@@ -347,7 +356,7 @@ def _empty(work: _Work, start: Array, *, response: bool) -> Refined:
     sources = work.sources
     shape = (work.grid.rows, work.grid.columns)
     if start.shape != (3, *shape):
-        raise InputError(f"starts are {start.shape}, not {(3, *shape)} as the grid of pixels")
+        raise InputError("depth_map.array_shape", array="starts", shape=list(start.shape), needed=[3, *shape])
     numbers = np.full((len(NUMBERS), *shape), np.nan, np.float32)
     numbers[:3] = start
     side = 2 * work.options.half + 1

@@ -69,10 +69,7 @@ def reduction_for(width: int, height: int, moved: float, memory_bytes: float, le
     for scale in range(least, 17):
         if rows_at_once(width // scale, levels_of(moved / scale), memory_bytes) >= min(height // scale, 4 * HALO):
             return scale
-    raise InputError(
-        f"depths of {width} x {height} px take more than {memory_bytes / 1e9:.2g} GB; give it more memory, or reduce "
-        "the photographs"
-    )
+    raise InputError("depth_map.memory", width_px=width, height_px=height, memory_gb=memory_bytes / 1e9)
 
 
 def rows_at_once(width: int, levels: int, memory_bytes: float) -> int:
@@ -119,7 +116,7 @@ def swept(
     is; it errs by a third of a reduced pixel at best.
     """
     if not sources:
-        raise InputError("a surface needs two photographs of the same part at least")
+        raise InputError("depth_map.single_photograph")
     small = _reduced(reference, scale)
     reduced = [_reduced(s, scale) for s in sources]
     h, w = small.shape

@@ -131,7 +131,7 @@ def transfer(
     """
     low, high = t_range
     if not 0 < low < high < np.inf:
-        raise InputError(f"depth parameters from {low:g} to {high:g} are no range of depths")
+        raise InputError("depth_map.depth_range", low=low, high=high)
     box = box or (0.0, 0.0, float(rays.camera.width_px), float(rays.camera.height_px))
     width, height = box[2] - box[0], box[3] - box[1]
     step, levels = min(float(COARSEST_PX), width / (NODES - 1), height / (NODES - 1)), FEWEST_LEVELS
@@ -151,8 +151,10 @@ def transfer(
         nodes = width * height / step**2 * levels
         if step < FINEST_PX or levels > MOST_LEVELS or nodes > MOST_NODES:
             raise InputError(
-                f"image {block.images.ids[source]}: a table of its projection errs by {max(across, along):.3g} px "
-                f"(limit {tolerance_px:g} px); leave it out as a source"
+                "depth_map.projection_table",
+                image=block.images.ids[source],
+                error_px=max(across, along),
+                limit_px=tolerance_px,
             )
 
 

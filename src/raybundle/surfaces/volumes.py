@@ -58,7 +58,7 @@ def volume(model: HeightModel, covered: Array, base: float | Sequence[Array]) ->
     """
     used = covered > 0
     if not used.any():
-        raise InputError("the outline holds no cell of the surface")
+        raise InputError("outline.no_cell")
     b = _level(model, float(base)) if isinstance(base, int | float) else _rim_plane(model, base)
     area = model.cell**2
     d = np.where(used, np.nan_to_num(model.heights.height.astype(float)) - b.plane, 0.0)
@@ -105,10 +105,7 @@ def _rim_plane(model: HeightModel, rings: Sequence[Array]) -> _Base:
     good = np.isfinite(height)
     x, y = place[good].T
     if len(x) < FEWEST or np.linalg.matrix_rank(np.stack([np.ones(len(x)), x - x.mean(), y - y.mean()])) < FEWEST:
-        raise InputError(
-            f"{len(x)} of {len(place)} places along the outline have a height, too few for a plane; give the height of "
-            "the base"
-        )
+        raise InputError("outline.too_few_heights", n=len(x), total=len(place))
     rows, columns = np.mgrid[: model.shape[0], : model.shape[1]] + 0.5
     middle = np.array([x.mean(), y.mean()])
     every = np.stack([np.ones(model.shape), columns - middle[0], rows - middle[1]], axis=-1)

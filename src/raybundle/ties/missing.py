@@ -18,9 +18,12 @@ from raybundle.adjustment.predict import predicted_px
 from raybundle.adjustment.result import Notice
 from raybundle.adjustment.severity import Severity
 from raybundle.block import Block
+from raybundle.errors import Value, message
 from raybundle.matching.verify import FEWEST
 from raybundle.numerics.arrays import Array, Index, Mask
 
+SHOWN = 4
+"""Groups that a notice lists, and photographs of each."""
 GRID = 8
 """Cells of the format each way in which two photographs are compared."""
 IN_CELL = 3
@@ -180,17 +183,13 @@ def missing_notices(block: Block) -> tuple[Notice, ...]:
     scattered = sum(len(g) == 1 for g in found) > len(found) / 2 > 1
     grave = Severity.CAUTION if scattered or (np.isnan(usual) and not near) else Severity.FAULT
     named = [[block.images.ids[i] for i in g] for g in found]
-    shown = "; ".join(", ".join(n[:3]) + (f" and {len(n) - 3} more" if len(n) > 3 else "") for n in named[:4])
-    message = (
-        f"repeated structure: {len(found)} groups of photographs ({shown}) agree in some points, but in "
-        f"{share:.0%} of the places around these where both show the same surface no point is "
-        f"common (limit {BARREN:.0%}): they may show different parts which look alike, one put upon the other. "
-        "Compare their positions with where they were taken; take photographs that show the way from one part to the "
-        "other, or put up coded targets"
-    )
+    each = tuple(message("repeated_structure.group", n=len(names), names=names[:SHOWN]) for names in named[:SHOWN])
     ids = tuple(n for names in named[1:] for n in names)
-    values = {"groups": len(found), "barren": share, "limit": BARREN, "within": usual}
-    return (Notice(code="repeated_structure", message=message, ids=ids, measured=grave, values=values),)
+    known = bool(np.isfinite(usual))
+    values: dict[str, Value] = {
+        "groups": len(found), "barren": share, "limit": BARREN, "within": usual if known else None, "known": known,
+    }  # fmt: skip
+    return (Notice(code="repeated_structure.groups", ids=ids, measured=grave, values=values, details=each),)
 
 
 def usual_share(block: Block, found: tuple[Index, ...]) -> tuple[float, bool]:

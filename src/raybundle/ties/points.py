@@ -263,12 +263,7 @@ def match_pairs(
     result = beyond_chance(verified_pairs(means, photos, store, method, pairs))
     good = sum(1 for p in result if len(p.matches))
     if good and from_one_spot(result, photos, store):
-        raise NoOrientation(
-            f"the {good} pairs of photographs that match differ by a turn of the camera only: they were taken from "
-            "one spot, and without a base there is no depth.\n"
-            "  Take the photographs from different places: move sideways between them, by a tenth of the distance "
-            "to the object or more."
-        )
+        raise NoOrientation("tie_points.no_base", n=good)
     # a copy of a photograph, or one more from the same place: points that only these two show have no depth
     return [replace(p, matches=p.matches[:0]) if p.geometry == "rotation" else p for p in result]
 

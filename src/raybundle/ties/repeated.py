@@ -19,13 +19,15 @@ from raybundle.adjustment.result import Notice
 from raybundle.adjustment.severity import Severity
 from raybundle.block import Block, Observations
 from raybundle.block.points import automatic_name
-from raybundle.errors import NoOrientation
+from raybundle.errors import NoOrientation, Value
 from raybundle.matching.tracks import Tracks
 from raybundle.matching.verify import FEWEST, VerifiedPair
 from raybundle.numerics.arrays import Array, Index, Mask
 from raybundle.platforms.station import sensor_from_object
 from raybundle.ties.block import TieBlock
 
+SHOWN = 4
+"""Pairs that a notice lists."""
 CONTRADICTED = 0.04
 """Share of matches that would give a track two places in one image, from which on pairs are doubted.
 
@@ -190,34 +192,11 @@ def _meets(block: Block, image: Index, point: Index, xy: Array, limit_px: Array)
 
 
 def _notices(left: Sequence[VerifiedPair], images: Sequence[str], before: float, after: float) -> tuple[Notice, ...]:
-    """What is told: the pairs that are left out, and whether contradictions remain."""
-    names = [f"{images[p.first]} and {images[p.second]}" for p in left]
-    shown = "; ".join(names[:4]) + (f"; {len(names) - 4} more" if len(names) > 4 else "")
-    parts = (
-        f"repeated structure: {before:.0%} of all matches contradict others (limit {CONTRADICTED:.0%}), "
-        "as equal windows or bays make them"
-    )
-    if left:
-        one = len(left) == 1
-        parts += (
-            f". {len(left)} pair{'s' * (not one)} of photographs that show{'s' * one} different parts which look alike "
-            f"{'is' if one else 'are'} left out: {shown}"
-        )
+    """The pairs that are left out, and whether contradictions remain."""
+    names = [f"{images[p.first]} - {images[p.second]}" for p in left]
+    values: dict[str, Value] = {
+        "before": before, "limit": CONTRADICTED, "after": after, "pairs": len(left), "names": names[:SHOWN],
+    }  # fmt: skip
     if after > CONTRADICTED:
-        return (
-            Notice(
-                code="repeated_structure",
-                message=f"{parts}. {after:.0%} still contradict: which are right cannot be told, and photographs may "
-                "be oriented at the wrong part. Compare their positions with where they were taken; take "
-                "them closer together, with something in them that is nowhere else, or put up coded targets",
-                measured=Severity.FAULT,
-            ),
-        )
-    return (
-        Notice(
-            code="repeated_structure",
-            message=f"{parts}. {after:.1%} still contradict, which is usual. Compare the positions of the photographs "
-            "with where they were taken",
-            measured=Severity.CAUTION,
-        ),
-    )
+        return (Notice(code="repeated_structure.ambiguous", values=values, measured=Severity.FAULT),)
+    return (Notice(code="repeated_structure", values=values, measured=Severity.CAUTION),)

@@ -18,6 +18,8 @@ from raybundle.matching.verify import VerifiedPair
 from raybundle.ties.points import FeatureStore
 from raybundle.ties.static_background import still_and_moving
 
+SHOWN = 3
+"""Photographs that a notice lists."""
 APART_PX = 0.5
 """Median length between the places of a point up to which two photographs may be one picture: that of identical images
 of a block.  Pixels that a program saves anew stay where they are; a camera in the hand moves by many."""
@@ -74,10 +76,8 @@ def _apart_px(pair: VerifiedPair, photos: Sequence[Photo], store: FeatureStore) 
 
 def same_picture_notice(repeats: dict[int, int], photos: Sequence[Photo]) -> Notice:
     """What there is to say of photographs that repeat others and are left out."""
-    named = [f"{photos[i].name} as {photos[k].name}" for i, k in sorted(repeats.items())]
-    shown = ", ".join(named[:3]) + (f" and {len(named) - 3} more" if len(named) > 3 else "")
-    message = (
-        f"{shown}: the same picture at the same places of the format, a copy or an exposure without any base. A copy "
-        "repeats the noise of its original and would make standard deviations too good: it is left out"
-    )
-    return Notice(code="identical_images", message=message, ids=tuple(photos[i].name for i in sorted(repeats)))
+    named = [f"{photos[i].name} ({photos[k].name})" for i, k in sorted(repeats.items())]
+    return Notice(
+        code="identical_images.copies", ids=tuple(photos[i].name for i in sorted(repeats)),
+        values={"n": len(named), "names": named[:SHOWN]},
+    )  # fmt: skip

@@ -190,11 +190,7 @@ def kept_part(block: Block, rows: Index, failed: dict[str, str]) -> tuple[Block,
     keep = _connected(block, failed)
     block, rows = with_rows(block, keep), rows[keep]
     if len(np.unique(block.observations.image)) < 2:
-        raise NoOrientation(
-            "no two photographs could be oriented to each other: too few points are common to them.\n"
-            "  Take photographs that overlap by 60 % or more and differ little in direction, and look whether "
-            "they are sharp."
-        )
+        raise NoOrientation("tie_points.too_few_common")
     return block, rows
 
 
@@ -212,7 +208,7 @@ def cleaned(raw: Block, found: Found, threads: int, progress: Progress) -> Found
         block, rows = with_rows(block, keep), rows[keep]
     names = {block.images.ids[i] for i in np.unique(block.observations.image)}
     if len(names) < 2:
-        raise NoOrientation("no two photographs hold together once wrong matches are left out: too few points fit")
+        raise NoOrientation("tie_points.none_after_cleaning")
     out = np.array([n not in names for n in block.images.ids])
     for name in raw.images.ids:
         if name not in names:

@@ -17,7 +17,6 @@ from raybundle.io.photos.photo import Photo, upright_from_stored
 from raybundle.matching.features import Described, FeatureMethod
 from raybundle.matching.verify import limit_px, verify
 from raybundle.numerics.arrays import Array
-from raybundle.settings import option
 from raybundle.ties.points import FeatureStore
 
 STILL_PX = 1.0
@@ -47,14 +46,10 @@ class StaticBackground:
 
     def notice(self, *, masked: bool) -> Notice:
         """What there is to say of it."""
-        n = len(self.photographs)
-        remedy = "Their masks leave parts of it free" if masked else f"Give masks of it: {option('masks', 'DIR')}"
-        message = (
-            f"in {n} of the photographs that were looked at {self.share:.0%} of the matches stand at the same pixels "
-            "while others move: a background that does not turn with the object, a watermark or a date. The result "
-            f"follows one of the two. {remedy}, or photograph before something without texture"
-        )
-        return Notice(code="static_background", message=message, ids=self.photographs)
+        return Notice(
+            code="static_background", ids=self.photographs,
+            values={"n": len(self.photographs), "share": self.share, "masked": masked},
+        )  # fmt: skip
 
 
 def static_background(

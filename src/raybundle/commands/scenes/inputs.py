@@ -7,7 +7,7 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from raybundle.errors import InputError
+from raybundle.errors import InputError, Text
 from raybundle.settings import option
 
 if TYPE_CHECKING:
@@ -34,7 +34,7 @@ class SceneInput:
         """What is to be known of the scene where its RPC is used."""
         from raybundle.io.scenes import remarks_of  # noqa: PLC0415  (what computes is loaded after the help)
 
-        return remarks_of(self.scene)
+        return tuple(Text.of(r) for r in remarks_of(self.scene))
 
 
 def is_object(given: object) -> bool:

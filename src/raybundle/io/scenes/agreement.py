@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from raybundle.errors import RaybundleError
+from raybundle.errors import Message, RaybundleError, remark
 from raybundle.io.scenes.base import Scene, read_scene
 from raybundle.scenes.model_agreement import ModelAgreement, ModelsContradict, model_agreement
 from raybundle.scenes.rpc import Rpc
@@ -25,12 +25,12 @@ def check_agreement(scene: Scene) -> None:
         raise ModelsContradict(scene.file, agreement)
 
 
-def remarks_of(scene: Scene) -> tuple[str, ...]:
+def remarks_of(scene: Scene) -> tuple[Message, ...]:
     """Remarks on a scene whose RPC is used: those of its reader, and a rigorous model that contradicts the RPC."""
     try:
         check_agreement(scene)
     except ModelsContradict as contradiction:
-        return (*scene.remarks, f"{contradiction.difference}; the RPC is used")
+        return (*scene.remarks, remark("scene.rpc_preferred", **contradiction.agreement.values))
     return scene.remarks
 
 

@@ -40,6 +40,7 @@ import numpy as np
 from raybundle.errors import InputError
 from raybundle.io.block.toml import Section, read_toml
 from raybundle.io.geo.coordinate_systems import local_frame
+from raybundle.io.reading.words import quoted
 from raybundle.io.scenes.base import Scene, SceneFormat, register
 from raybundle.io.tables import Column, Table, read_table, times_in_order
 from raybundle.io.trajectories.angle_csv import GEOGRAPHIC, GRID, SIGMA, UNITS
@@ -95,7 +96,7 @@ def _beside(section: Section, key: str) -> Path:
     """The file of a key, which must stand beside this one, so that both can be copied together."""
     name = section.text(key, "")
     if not name or Path(name).name != name:
-        section.fail(key, f"{name!r} is not the name of a file beside this one; put it there and give its name alone")
+        section.fail(key, "scene.file_elsewhere", name=quoted(name))
     return section.file.parent / name
 
 
@@ -103,7 +104,7 @@ def _either(section: Section, key: str, others: tuple[str, ...]) -> bool:
     """Whether the key of a table stands there; raises where others do as well."""
     for other in others:
         if key in section.values and other in section.values:
-            section.fail(other, f"{key!r} says this already; take one of the two away")
+            section.fail(other, "scene.keys_exclusive", other=key)
     return key in section.values
 
 
@@ -118,7 +119,9 @@ def _look(lens: Section, width: int) -> tuple[Array, Array]:
         if not (np.diff(x) > 0).all():
             k = int(np.flatnonzero(np.diff(x) <= 0)[0])
             raise InputError(
-                f"{x[k + 1]:g} does not follow {x[k]:g}; sort it",
+                "table.not_increasing",
+                value=x[k + 1],
+                before=x[k],
                 file=file,
                 line=k + table.first_line + 1,
                 column="x_px",
@@ -126,7 +129,7 @@ def _look(lens: Section, width: int) -> tuple[Array, Array]:
     else:
         pixel = lens.number("pixel_mm")
         if pixel == 0:
-            lens.fail("pixel_mm", "the width of an element is 0")
+            lens.fail("pixel_mm", "value.zero")
         x = np.array([0.0, float(width)])
         along = (x - width / 2) * pixel - lens.number("x0_mm", 0.0)
         plane = np.stack([along, np.full(2, lens.number("y0_mm", 0.0))], axis=1)
@@ -145,8 +148,15 @@ def _lines(lines: Section, height: int) -> tuple[Array, Array]:
         values = table.number[name]
         if not (np.diff(values) > 0).all():
             k = int(np.flatnonzero(np.diff(values) <= 0)[0])
-            message = f"{values[k + 1]:.10g} does not follow {values[k]:.10g}; sort the table, take doubles out"
-            raise InputError(message, file=file, line=k + table.first_line + 1, column=name)
+
+            raise InputError(
+                "table.not_increasing",
+                value=values[k + 1],
+                before=values[k],
+                file=file,
+                line=k + table.first_line + 1,
+                column=name,
+            )
     return table.number["y_px"], table.number["time_s"]
 
 
@@ -154,15 +164,15 @@ def _trajectory(section: Section) -> tuple[Path3d, tuple[float | None, float | N
     """Positions of the projection centre and rotations of the image, geocentric; the usual standard deviations."""
     section.allow(("file", "attitudes", "crs", "lever_arm_m", "boresight_deg"))
     if "file" not in section.values:
-        section.fail("file", "key 'file' is missing; give the table of positions and attitudes")
+        section.fail("file", "value.key_missing", name=quoted("file"))
     file = _beside(section, "file")
     apart = _beside(section, "attitudes") if "attitudes" in section.values else None
     given = _table(file, "both" if apart is None else "positions")
     crs = section.text("crs", "") or given.crs
     if given.crs is not None and crs != given.crs:
-        section.fail("crs", "the table has longitude and latitude, which need no coordinate system; take the key away")
+        section.fail("crs", "scene.crs_superfluous")
     if crs is None:
-        section.fail("crs", 'positions X, Y, Z need their coordinate system: crs = "EPSG:25832"')
+        section.fail("crs", "scene.crs_missing")
     frame = local_frame(crs, given.xyz[len(given) // 2])
     centre, to_local = frame.geocentric
     turned = given if apart is None else _at_times_of(_table(apart, "attitudes"), given)
@@ -198,7 +208,7 @@ def _usual(sigma: Array | None) -> float | None:
 def _three(section: Section, key: str) -> Array:
     value = section.values.get(key, [0.0, 0.0, 0.0])
     if not isinstance(value, list) or len(cast("list[Any]", value)) != 3:
-        section.fail(key, f"give three numbers: {key} = [0.0, 0.0, 0.0]")
+        section.fail(key, "value.count", n=len(cast("list[Any]", value)) if isinstance(value, list) else 1, needed=3)
     return np.array([section.checked(key, v) for v in cast("list[Any]", value)])
 
 
@@ -215,11 +225,11 @@ def _table(file: Path, holds: Literal["both", "positions", "attitudes"]) -> Traj
     table = read_table(file, columns, least_rows=2)
     places = [names for names in (GRID, GEOGRAPHIC) if all(n in table.number for n in names)]
     full = [(names, unit) for names, unit in choices if all(f"{n}_{unit}" in table.number for n in names)]
-    what = "a position (X, Y, Z or longitude_deg, latitude_deg, height_m)"
-    angles = "three angles (omega_deg, phi_deg, kappa_deg or roll_deg, pitch_deg, yaw_deg; also _gon, _rad)"
-    if (holds != "attitudes" and len(places) != 1) or (holds != "positions" and len(full) != 1):
-        needed = {"both": f"{what} and {angles}", "positions": what, "attitudes": angles}[holds]
-        raise InputError(f"time_s, {needed} are needed, of one kind each", file=file, line=1)
+    if holds != "attitudes" and len(places) != 1:
+        raise InputError("table.one_position", grid=list(GRID), geographic=list(GEOGRAPHIC), file=file, line=1)
+    if holds != "positions" and len(full) != 1:
+        angles = [" ".join(f"{n}_deg" for n in names) for names in ANGLES]
+        raise InputError("table.three_angles", choices=angles, file=file, line=1)
     times_in_order(table, file)
     return _given(file, table, places[0] if places else (), full[0] if full else None)
 

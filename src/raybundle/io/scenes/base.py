@@ -8,7 +8,7 @@ from pathlib import Path
 
 import numpy as np
 
-from raybundle.errors import InputError
+from raybundle.errors import InputError, Message, remark
 from raybundle.io.reading.files import as_utf8, guarded, opened
 from raybundle.io.reading.xml import Element
 from raybundle.numerics.arrays import Array
@@ -37,7 +37,7 @@ class Scene:
     sensor: str = ""
     time: str = ""
     """Of the first line, as the file writes it."""
-    remarks: tuple[str, ...] = ()
+    remarks: tuple[Message, ...] = ()
     """What was assumed, converted or left out."""
 
 
@@ -70,12 +70,12 @@ def read_scene(path: str | Path) -> Scene:
     with opened(path) as file:
         head = as_utf8(file.read(HEAD_BYTES), whole=False)
     if not head.strip():
-        raise InputError("the file is empty; get the scene's metadata or RPC again", file=path)
+        raise InputError("file.empty", file=path)
     for format_ in scene_formats.values():
         if format_.recognises(path, head):
             return _placed(path, format_)
-    titles = "; ".join(f.title for f in scene_formats.values())
-    raise InputError(f"no scene format is recognised in it; known: {titles}", file=path)
+
+    raise InputError("scene.format_unknown", formats=[f.title for f in scene_formats.values()], file=path)
 
 
 def is_scene(path: Path) -> bool:
@@ -95,8 +95,7 @@ def _placed(path: Path, format_: SceneFormat) -> Scene:
             raise
         raise error.at(path) from None
     if scene.rpc is None and scene.line is None:
-        reasons = "; ".join(scene.remarks) or "neither an RPC nor an orbit stands in it"
-        raise InputError(f"no geometry can be taken from it: {reasons}", file=path)
+        raise InputError("scene.no_geometry", details=scene.remarks, file=path)
     if scene.rpc is not None and scene.width_px and scene.height_px:
         rpc = rpc_of_image(scene.rpc, scene.width_px, scene.height_px, path)
         if rpc is not scene.rpc:
@@ -104,10 +103,7 @@ def _placed(path: Path, format_: SceneFormat) -> Scene:
     return scene
 
 
-CUT_OUT = (
-    "the offsets of the RPC are not the range of the image, which was cut out of a scene; its polynomials reach it, "
-    "and were rewritten for the image's own range (exactly)"
-)
+CUT_OUT = remark("scene.rpc_range_adapted")
 
 
 def rpc_of_image(rpc: Rpc, width_px: int, height_px: int, file: Path | str) -> Rpc:
@@ -142,9 +138,13 @@ def check_image(rpc: Rpc, width_px: int, height_px: int, file: Path | str) -> No
     covered = np.minimum(high, size) - np.maximum(low, 0)
     if (size > WIDER * (high - low)).any() or (covered <= 0).any():
         raise InputError(
-            f"an image of {width_px} x {height_px} px and an RPC for columns {low[0]:.0f} to {high[0]:.0f} and rows "
-            f"{low[1]:.0f} to {high[1]:.0f} do not belong together; give the RPC of this image (for a reduced or cut "
-            "image one with scaled or shifted offsets)",
+            "rpc.other_image",
+            width_px=width_px,
+            height_px=height_px,
+            first_column=round(float(low[0])),
+            last_column=round(float(high[0])),
+            first_row=round(float(low[1])),
+            last_row=round(float(high[1])),
             file=file,
         )
 
@@ -167,7 +167,7 @@ def check_denominators(rpc: Rpc, file: Path | str) -> None:
         if (np.abs(ground - rpc.ground_offset) > BEYOND * rpc.ground_scale).any():
             raise error.at(file) from None
     if not np.isfinite(xy).all():
-        raise InputError("RPC: its projection is not finite inside the scene; the file is damaged", file=file)
+        raise InputError("rpc.projection_not_finite", file=file)
 
 
 def element_text(root: Element, *names: str) -> str:

@@ -22,7 +22,7 @@ from typing import Any
 import numpy as np
 
 from raybundle.block import Role
-from raybundle.errors import InputError
+from raybundle.errors import InputError, Text, remark
 from raybundle.io.geo.control_files import (
     COLUMNS,
     DEFAULTS,
@@ -37,9 +37,8 @@ from raybundle.io.reading.files import check_regular
 from raybundle.io.reading.trees import Json, read_json
 from raybundle.io.reading.words import number_of, quoted
 from raybundle.io.scenes.wkb import points_of
-from raybundle.io.tables import Column, Table, columns_words, read_table
+from raybundle.io.tables import Column, Table, header_shown, holds_values, read_table
 from raybundle.numerics.arrays import Array, Mask
-from raybundle.settings import option
 
 GEOGRAPHIC = ("lon_deg", "lat_deg", "h_m")
 XYZ, SIGMA, SIGMA_ENU = ("X", "Y", "Z"), ("sX", "sY", "sZ"), ("sE_m", "sN_m", "sU_m")
@@ -95,10 +94,9 @@ class SceneControl:
             return self.rows(rows)
         others = list(dict.fromkeys(self.image))
         if alone and len(others) == 1:
-            remark = f"the image points of {self.file.name} are of {others[0]}; taken for those of {names[0]}"
-            return replace(self, remarks=(*self.remarks, remark))
-        told = ", ".join(others)[:200]
-        raise InputError(f"holds no point of {names[0]}; its image points are of {told}", file=self.file)
+            assumed = remark("scene_control.image_assumed", name=self.file.name, image=others[0], scene=names[0])
+            return replace(self, remarks=(*self.remarks, Text.of(assumed)))
+        raise InputError("scene_control.other_images", scene=names[0], others=others, file=self.file)
 
 
 def scene_key(name: str) -> str:
@@ -142,8 +140,8 @@ def read_scene_control(
         if "lon_deg" in header:
             if crs is not None or undulation is not None:
                 raise InputError(
-                    f"its columns {', '.join(GEOGRAPHIC)} are WGS 84 with ellipsoidal heights; call them X, Y, Z for "
-                    f"{option('crs')} or {option('undulation')}",
+                    "scene_control.geographic_columns",
+                    columns=list(GEOGRAPHIC),
                     file=path,
                 )
             return _geographic_table(path, image_points)
@@ -163,10 +161,11 @@ def _check_columns(path: Path, header: Sequence[str], image_points: Path | None)
     forms = [("point", *place, "x_px", "y_px") for place in (GEOGRAPHIC, XYZ)]
     if any(names.issuperset(form) for form in forms):
         return
+    if holds_values(header):
+        raise InputError("table.no_header", header=header_shown(header), needed=list(forms[0]), file=path, line=1)
     raise InputError(
-        f"{columns_words(header)}; needed are {' or '.join(map(','.join, forms))}; a table {','.join(IMAGE_POINTS)} "
-        f"beside ground points is given by {option('image_points', 'FILE.csv')}",
-        file=path, line=1,
+        "scene_control.columns_missing", header=header_shown(header), geographic=list(forms[0]), grid=list(forms[1]),
+        image_points=list(IMAGE_POINTS), file=path, line=1,
     )  # fmt: skip
 
 
@@ -212,7 +211,7 @@ def _check_mask(path: Path, roles: Sequence[str], first_line: int = 2) -> Mask:
     for k, role in enumerate(roles):
         if role not in {"", "control", "check"}:
             raise InputError(
-                f"{quoted(role)} is not one of control, check", file=path,
+                "value.not_supported", value=quoted(role), known=["control", "check"], file=path,
                 line=k + first_line if path.suffix.lower() in LISTS else None, column="role",
             )  # fmt: skip
     return np.array([r == "check" for r in roles], bool)
@@ -221,8 +220,8 @@ def _check_mask(path: Path, roles: Sequence[str], first_line: int = 2) -> Mask:
 def _none_beside(path: Path, image_points: Path | None) -> None:
     if image_points is not None:
         raise InputError(
-            f"it holds image points itself; leave out {option('image_points', str(image_points))} or its columns x_px, "
-            "y_px",
+            "scene_control.image_points_twice",
+            table=str(image_points),
             file=path,
         )
 
@@ -237,8 +236,8 @@ def _of_control_file(path: Path, image_points: Path | None) -> _Rows:
     m = control.measurements
     if not len(m):
         raise InputError(
-            f"tells no image point; give columns x_px, y_px, or a table {','.join(IMAGE_POINTS)} "
-            f"({option('image_points', 'FILE.csv')})",
+            "scene_control.no_image_point",
+            columns=list(IMAGE_POINTS),
             file=path,
         )
     return _marked(control, list(m.image), m.point.tolist(), m.xy_px)
@@ -269,7 +268,7 @@ class _Feature:
 def _features(path: Path, image_points: Path | None) -> _Rows:
     crs, features = _geojson(path) if path.suffix.lower() in JSON else _ogr(path, geometry=True)
     if not features:
-        raise InputError("holds no point", file=path)
+        raise InputError("scene_control.no_point", file=path)
     ids = [_name(f, k, path) for k, f in enumerate(features)]
     xyz = np.array([(*f.xyz[:2], _height(f, path)) for f in features])
     sigma = np.array([[_number(f, n, path) for n in SIGMA] for f in features])
@@ -280,7 +279,7 @@ def _features(path: Path, image_points: Path | None) -> _Rows:
             image=[next((w for n in IMAGES if (w := _word(f, n))), "") for f in features], sigma=sigma, role=roles,
         )  # fmt: skip
     if twice := sorted({n for n in ids if ids.count(n) > 1}):
-        raise InputError(f"point {quoted(twice[0])} stands twice", file=path)
+        raise InputError("scene_control.point_twice", point=twice[0], file=path)
     if image_points.suffix.lower() == ".csv":
         m = read_measurements(image_points, ids, str(path))
         images, points, xy = list(m.image), m.point.tolist(), m.xy_px
@@ -299,7 +298,7 @@ def _marks_of(
     rows = table[1]
     lacking = sorted({w for f in rows if (w := _word(f, "point")) not in known})
     if lacking:
-        raise InputError(f"point {quoted(lacking[0])} is not in {path.name}", file=file)
+        raise InputError("scene_control.point_missing", point=lacking[0], table=path.name, file=file)
     xy = np.array([_image_point(f, file) for f in rows]).reshape(-1, 2)
     return [_word(f, "image") for f in rows], [known[_word(f, "point")] for f in rows], xy
 
@@ -317,14 +316,16 @@ def _number(feature: _Feature, name: str, path: Path) -> float:
         return float("nan")
     found = number_of(value) if isinstance(value, str) else float(value) if isinstance(value, int | float) else None
     if found is None:
-        raise InputError(f"{name} is {quoted(value)}, no number", file=path, column=feature.where)
+        raise InputError(
+            "scene_control.attribute_not_a_number", name=name, value=quoted(value), file=path, column=feature.where
+        )
     return found
 
 
 def _name(feature: _Feature, k: int, path: Path) -> str:
     found = next((w for n in NAMES if (w := _word(feature, n))), "")
     if not found.isprintable():
-        raise InputError(f"{quoted(found)} is no name of a point", file=path, column=feature.where)
+        raise InputError("name.unprintable", name=quoted(found), file=path, column=feature.where)
     return found or f"point {k + 1}"
 
 
@@ -342,9 +343,8 @@ def _image_point(feature: _Feature, path: Path) -> tuple[float, float]:
     x, y = _number(feature, "x_px", path), _number(feature, "y_px", path)
     if not (np.isfinite(x) and np.isfinite(y)):
         raise InputError(
-            f"has no attributes x_px and y_px (there are {', '.join(list(feature.values)[:12]) or 'none'}); add them, "
-            f"or give a table {','.join(IMAGE_POINTS)} ({option('image_points', 'FILE.csv')})",
-            file=path, column=feature.where,
+            "scene_control.no_image_attributes", names=list(feature.values)[:12], n=len(feature.values),
+            columns=list(IMAGE_POINTS), file=path, column=feature.where,
         )  # fmt: skip
     return x, y
 
@@ -360,10 +360,10 @@ def _geojson(path: Path) -> tuple[str | None, list[_Feature]]:
     for k, feature in enumerate(top.get("features").items()):
         geometry = feature.get("geometry")
         if geometry.get("type").text() != "Point":
-            geometry.get("type").fail(f"a {geometry.get('type').text()[:40]} where a Point is needed")
+            geometry.get("type").fail("scene_control.not_a_point", kind=quoted(geometry.get("type").text()))
         numbers = [n.number() for n in geometry.get("coordinates").items()]
         if len(numbers) < 2:
-            geometry.get("coordinates").fail("two or three coordinates are needed")
+            geometry.get("coordinates").fail("scene_control.coordinate_count", n=len(numbers))
         values = dict(_values(feature))
         xyz = (numbers[0], numbers[1], numbers[2] if len(numbers) > 2 else float("nan"))
         found.append(_Feature(xyz=xyz, values=values, where=f"features.{k}"))
@@ -402,9 +402,9 @@ def _ogr(path: Path, *, geometry: bool) -> tuple[str | None, list[_Feature]]:
                 ]
                 return info.get("crs") or None, rows
     except (library.errors.DataSourceError, library.errors.DataLayerError) as error:
-        raise InputError(f"cannot be read: {str(error).splitlines()[0][:200]}", file=path) from None
-    wanted = "points" if geometry else f"columns {', '.join(IMAGE_POINTS)}"
-    raise InputError(f"has no layer with {wanted}", file=path)
+        raise InputError("file.not_readable", detail=str(error).splitlines()[0][:200], file=path) from None
+
+    raise InputError("scene_control.no_layer", points=geometry, columns=list(IMAGE_POINTS), file=path)
 
 
 def _plain(value: Any) -> Any:
@@ -419,8 +419,7 @@ def _pyogrio(path: Path) -> Any:
         import_module("pyogrio.raw")
     except ImportError:
         raise InputError(
-            "this format is read by pyogrio, which is not installed: pip install 'raybundle[geo]'; or save the control "
-            "as GeoJSON or CSV",
+            "package.pyogrio_reading",
             file=path,
         ) from None
     return library
@@ -432,8 +431,7 @@ def _placed(rows: _Rows, crs: str | None, undulation: float | None) -> SceneCont
     unknown = [k for k in range(len(rows.ids)) if not np.isfinite(rows.xyz[k]).all()]
     if unknown:
         raise InputError(
-            f"point {quoted(rows.ids[unknown[0]])} has no height ({len(unknown)} of {len(rows.ids)} points); an RPC "
-            "needs one: give a column Z, or points with three coordinates",
+            "scene_control.no_height", n=len(unknown), total=len(rows.ids), point=rows.ids[unknown[0]],
             file=rows.file, line=rows.lines[unknown[0]] if rows.lines else None,
         )  # fmt: skip
     geographic, sigma = geographic_of(rows.xyz, system, undulation, rows.sigma, rows.file)
@@ -455,8 +453,9 @@ def _system(rows: _Rows, crs: str | None) -> tuple[str, tuple[str, ...]]:
         own, given = (_plan(c) for c in (rows.crs, crs))
         if not own.equals(given, ignore_axis_order=True):
             raise InputError(
-                f"it stands in {own.name}, {option('crs', crs)} says {given.name}; leave that out, or name the same "
-                "system with its heights",
+                "scene_control.other_system",
+                own=own.name,
+                system=given.name,
                 file=rows.file,
             )
         return crs, ()
@@ -467,11 +466,13 @@ def _system(rows: _Rows, crs: str | None) -> tuple[str, tuple[str, ...]]:
         k = int(np.argmax(plan.max(axis=1)))
         x, y = rows.xyz[k, :2]
         raise InputError(
-            f"the coordinates of point {quoted(rows.ids[k])} ({x:.10g}, {y:.10g}) are no longitude and latitude in "
-            f"degrees; say in which system they are: {option('crs', 'EPSG:CODE')}",
+            "scene_control.not_degrees",
+            point=rows.ids[k],
+            x=x,
+            y=y,
             file=rows.file,
         )
-    return WGS84, ("the control names no coordinate system: longitude, latitude, ellipsoidal height in WGS 84",)
+    return WGS84, (Text.of(remark("scene_control.wgs84_assumed")),)
 
 
 def _plan(crs: str) -> Any:

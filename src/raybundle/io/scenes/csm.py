@@ -13,8 +13,9 @@ from pathlib import Path
 
 import numpy as np
 
-from raybundle.errors import InputError
+from raybundle.errors import InputError, Message, remark
 from raybundle.io.reading.trees import Json, read_json
+from raybundle.io.reading.words import quoted
 from raybundle.io.scenes import rpc_json, rpc_keys
 from raybundle.io.scenes.base import Scene, SceneFormat, register
 from raybundle.io.scenes.csm_distortion import undistorted
@@ -29,12 +30,8 @@ LOOK_NODES = 257
 PAUSE_LINES = 1.0
 """Time between two rows of the table of line times, beyond what their lines take, that counts as a contradiction: to
 a line the writers round."""
-OTHERS = {
-    "FRAME": "a frame camera, whose photograph is oriented like any other (raybundle orient), with its camera constant "
-    "and distortion in a calibration",
-    "PUSH_FRAME": "a push-frame camera, whose framelets are small frames, not lines",
-    "SAR": "a radar, which measures ranges, not directions",
-}
+SENSORS = {"FRAME": "frame", "PUSH_FRAME": "push_frame", "SAR": "radar"}
+"""Of other models, by the middle of their names"""
 KEYS_SHOWN = 6
 """Of a JSON file that is something else, in the message."""
 
@@ -62,19 +59,14 @@ def read(path: Path) -> Scene:
         aberration=False,
         refraction=False,
     )
-    remarks = ["CSM: neither aberration nor refraction is applied, as in USGSCSM", *remarks]
+    remarks = [remark("isd.no_aberration"), *remarks]
     if not group.has("unit"):
         far = float(np.linalg.norm(trajectory.positions, axis=1).min())
-        remarks.append(
-            f"no unit stands at the positions; taken as km, as ALE writes them: {far / 1000:.6g} km from the centre of "
-            f"a body of radius {ellipsoid.a / 1000:.6g} km"
-        )
+        remarks.append(remark("isd.kilometres_assumed", distance_km=far / 1000, radius_km=ellipsoid.a / 1000))
     P, d = line.rays(np.array([[columns / 2, rows / 2]]))
     if P[0] @ d[0] > 0:
         line = _turned(line)
-        remarks.append(
-            "the detector's third axis points away from the body; it looks along the other way, as in USGSCSM"
-        )
+        remarks.append(remark("isd.detector_turned"))
     remarks += _reversals(line)
     return Scene(
         file=path,
@@ -91,34 +83,19 @@ def _check_line_scanner(root: Json) -> None:
     """Raise where the file is no ISD, or one of another sensor, or of an image that is a map."""
     if not root.has("name_model"):
         keys = list(root.mapping()) if isinstance(root.value, dict) else []
-        found = f"its keys are {', '.join(map(repr, keys[:KEYS_SHOWN]))}" if keys else "it has no keys"
-        root.fail(
-            f"a JSON file, but no image support data of the Community Sensor Model: 'name_model' is missing; {found}. "
-            "Give the description that ALE writes for the image (isd_generate)"
-        )
+        root.fail("isd.no_model", n=len(keys), names=keys[:KEYS_SHOWN])
     model = root.get("name_model").text()
     if "LINE_SCANNER" not in model:
         kind = model.removeprefix("USGS_ASTRO_").removesuffix("_SENSOR_MODEL")
-        what = f", {OTHERS[kind]}" if kind in OTHERS else ""
-        root.get("name_model").fail(f"{model}{what}; only line scanners (..._LINE_SCANNER_SENSOR_MODEL) are read here")
+        root.get("name_model").fail("isd.no_line_scanner", model=quoted(model), sensor=SENSORS.get(kind, "other"))
     if root.has("projection"):
-        root.get("projection").fail(
-            "the image has been projected onto a map: its rows are not the lines of the scan, to which this "
-            "description belongs; give the image as it was taken, and its description without 'projection'"
-        )
+        root.get("projection").fail("isd.map_projected")
 
 
-def _reversals(line: LineScene) -> list[str]:
-    """What is to be said where the scan comes back over ground that it has seen."""
+def _reversals(line: LineScene) -> list[Message]:
+    """A remark where the scan comes back over ground that it has seen."""
     at = line.reversals()
-    if not at.size:
-        return []
-    lines = ", ".join(f"{y:.0f}" for y in at[:KEYS_SHOWN]) + (", ..." if at.size > KEYS_SHOWN else "")
-    said = (
-        f"the scan reverses at line {lines}: ground near there is seen twice, and a point of it has two image points; "
-        "a projection finds the one nearer to its start (the measured point, or the middle of the image)"
-    )
-    return [said]
+    return [remark("isd.scan_reverses", lines=[round(float(y)) for y in at])] if at.size else []
 
 
 def _turned(line: LineScene) -> LineScene:
@@ -134,7 +111,7 @@ def _unit(group: Json) -> float:
         return METRES["km"]
     unit = group.get("unit").text().lower()
     if unit not in METRES:
-        group.get("unit").fail(f"unit {unit!r} is not m or km")
+        group.get("unit").fail("value.unit_unknown", unit=quoted(unit), known=list(METRES))
     return METRES[unit]
 
 
@@ -144,7 +121,7 @@ def _ellipsoid(radii: Json) -> Ellipsoid:
     try:
         return Ellipsoid(a, b)
     except InputError as error:
-        radii.fail(str(error))
+        raise error.at(radii.file, column=radii.at or None) from None
 
 
 def _line_times(root: Json, rows: int) -> tuple[Array, Array]:
@@ -156,15 +133,18 @@ def _line_times(root: Json, rows: int) -> tuple[Array, Array]:
     table = np.array([r.numbers(3) for r in place.items()]).reshape(-1, 3)
     steps = table[:, 2]
     if len(table) == 0 or not ((steps > 0).all() or (steps < 0).all()) or (np.diff(table[:, 0]) <= 0).any():
-        place.fail("lines must increase and each needs a time per line that is not zero, all of one sign")
+        place.fail("isd.line_times")
     y = table[:, 0] - 0.5
     pause = (np.diff(table[:, 1]) - steps[:-1] * np.diff(y)) / steps[:-1]
     if (np.abs(pause) > PAUSE_LINES).any():
         k = int(np.argmax(np.abs(pause)))
         place.fail(
-            f"line {table[k + 1, 0]:g} starts at {table[k + 1, 1]:.6g} s, {pause[k]:.1f} line times off from the lines "
-            f"before it ({table[k, 1]:.6g} s and {steps[k]:.6g} s a line); the table contradicts itself: write the "
-            "description again with a current version of ALE"
+            "isd.line_times_contradict",
+            line_number=table[k + 1, 0],
+            time_s=table[k + 1, 1],
+            off_lines=pause[k],
+            before_s=table[k, 1],
+            step_s=steps[k],
         )
     end = max(float(rows), y[-1] + 1)
     return np.append(y, end), np.append(table[:, 1], table[-1, 1] + steps[-1] * (end - y[-1]))
@@ -174,15 +154,15 @@ def _detector(root: Json, columns: int) -> tuple[Array, Array]:
     """Elements [px] and their viewing directions: focal plane coordinates [mm] over the camera constant [mm]."""
     summing = [root.optional(f"detector_{k}_summing", 1.0) for k in ("line", "sample")]
     if any(s <= 0 for s in summing):
-        root.fail(f"detector summing {summing} must be positive")
+        root.fail("isd.summing", summing=summing)
     start = [root.optional(f"starting_detector_{k}") for k in ("line", "sample")]
     centre = [root.get("detector_center").get(k).number() for k in ("line", "sample")]
     to_pixel = np.stack([root.get(f"focal2pixel_{k}").numbers(3) for k in ("lines", "samples")])
     if abs(np.linalg.det(to_pixel[:, 1:])) < 1e-12:
-        root.get("focal2pixel_lines").fail("the map from focal plane to pixels cannot be inverted")
+        root.get("focal2pixel_lines").fail("isd.focal_plane")
     f = root.get("focal_length_model").get("focal_length").number()
     if f == 0:
-        root.get("focal_length_model").fail("the focal length is zero")
+        root.get("focal_length_model").fail("value.zero")
     x = np.linspace(0, columns, LOOK_NODES if root.has("optical_distortion") else 2)
     pixels = np.stack([np.full(len(x), start[0]), x * summing[1] + start[1]]) - np.array(centre)[:, None]
     plane = np.linalg.solve(to_pixel[:, 1:], pixels - to_pixel[:, :1])

@@ -19,6 +19,7 @@ from collections.abc import Callable
 import numpy as np
 
 from raybundle.io.reading.trees import Json
+from raybundle.io.reading.words import quoted
 from raybundle.numerics.arrays import Array
 
 STEPS = 30
@@ -39,15 +40,13 @@ def undistorted(optics: Json, plane: Array, f: float) -> Array:
         if name in KINDS:
             return KINDS[name](kind, plane, f)
         if not _all_zero(kind):
-            why = LEFT_OUT.get(name, f"known: {', '.join(sorted(KINDS))}")
-            kind.fail(f"optical distortion of the kind {name!r} is not known; {why}")
+            incomplete = name in INCOMPLETE
+            kind.fail("isd.distortion_unknown", name=quoted(name), incomplete=incomplete, known=sorted(KINDS))
     return plane
 
 
-LEFT_OUT = {
-    "legendre": "ISIS corrects it further by coefficients that the description does not contain, so that its lines of "
-    "sight are not determined"
-}
+INCOMPLETE = ("legendre",)
+"""Kinds with coefficients that the description does not contain"""
 
 
 def _all_zero(kind: Json) -> bool:
@@ -61,7 +60,7 @@ def _coefficients(kind: Json, count: int, key: str = "coefficients") -> Array:
     """(count,) coefficients; those left out at the end are zero."""
     given = np.array([v.number() for v in kind.get(key).items()])
     if len(given) > count:
-        kind.get(key).fail(f"{len(given)} coefficients, at most {count} belong to this kind of distortion")
+        kind.get(key).fail("isd.coefficient_count", n=len(given), most=count)
     return np.append(given, np.zeros(count - len(given)))
 
 
@@ -81,11 +80,7 @@ def _check_unfolded(kind: Json, k: Array, r_max: float) -> None:
     slope = 1 - k[0] - 3 * k[1] * r**2 - 5 * k[2] * r**4
     if (slope <= 0).any():
         at, factor = r[np.argmax(slope <= 0)], 1 - (k[0] + r_max**2 * (k[1] + r_max**2 * k[2]))
-        kind.fail(
-            f"the coefficients {', '.join(f'{v:g}' for v in k)} fold the focal plane over at {at:.3g} mm from the axis "
-            f"(the detector reaches {r_max:.3g} mm, which they multiply by {factor:.3g}): they are not of mm, or of "
-            "another camera; get a description with the right ones"
-        )
+        kind.fail("isd.distortion_folds", coefficients=k[:3].tolist(), radius_mm=at, detector_mm=r_max, factor=factor)
 
 
 def _radial(kind: Json, plane: Array, _: float) -> Array:
@@ -109,7 +104,7 @@ def _lro(kind: Json, plane: Array, _: float) -> Array:
     x, y = plane
     below = 1 + k * y * y
     if (1 - k * y * y <= 0).any() or (below <= 0).any():
-        kind.fail(f"the coefficient {k:g} folds a detector that reaches {np.abs(y).max():.3g} mm from its middle")
+        kind.fail("isd.distortion_folds_detector", coefficient=k, detector_mm=np.abs(y).max())
     return np.stack([x, y / below])
 
 
@@ -117,7 +112,7 @@ def _shadowcam(kind: Json, plane: Array, _: float) -> Array:
     k = _coefficients(kind, 1)[0]
     x, y = plane
     if (1 + 3 * k * y * y <= 0).any():
-        kind.fail(f"the coefficient {k:g} folds a detector that reaches {np.abs(y).max():.3g} mm from its middle")
+        kind.fail("isd.distortion_folds_detector", coefficient=k, detector_mm=np.abs(y).max())
     return np.stack([x, y * (1 + k * y * y)])
 
 
@@ -126,7 +121,7 @@ def _themis(kind: Json, plane: Array, _: float) -> Array:
     x, y = plane
     inside = (1 + a1) ** 2 + 4 * a2 * y
     if k == 0 or (inside <= 0).any():
-        kind.fail(f"the coefficients {a1:g}, {a2:g}, {k:g} cannot be inverted over the detector")
+        kind.fail("isd.distortion_no_inverse", n=3, coefficients=[a1, a2, k])
     return np.stack([x / k, 2 * y / (1 + a1 + np.sqrt(inside))])
 
 
@@ -145,7 +140,7 @@ def _inverse(kind: Json, plane: Array, distort: Callable[[Array], Array]) -> Arr
         if np.abs(du).max(initial=0.0) < ROUNDING_MM * (1 + np.abs(u).max(initial=0.0)):
             break
     if not np.abs(distort(u) - plane).max(initial=0.0) < ROUNDED_MM:
-        kind.fail("this distortion cannot be inverted over the detector; its coefficients do not belong to it")
+        kind.fail("isd.distortion_no_inverse", n=0, coefficients=[])
     return u
 
 

@@ -11,6 +11,7 @@ from typing import Any
 
 import numpy as np
 
+from raybundle.errors import Message, Value, remark
 from raybundle.io.reading.trees import Json
 from raybundle.numerics.arrays import Array
 from raybundle.numerics.geodesy import Ellipsoid
@@ -24,7 +25,9 @@ UNKNOWN_PX = 1.0
 """Pointing across a gap that is not known to a pixel is no rigorous model any more."""
 
 
-def body_trajectory(root: Json, ellipsoid: Ellipsoid, metres: float, pixel_rad: float) -> tuple[Trajectory, list[str]]:
+def body_trajectory(
+    root: Json, ellipsoid: Ellipsoid, metres: float, pixel_rad: float
+) -> tuple[Trajectory, list[Message]]:
     """The sensor's path and attitude in the axes of the body, and what is to be said of them.
 
     metres     of a unit of the positions
@@ -35,10 +38,7 @@ def body_trajectory(root: Json, ellipsoid: Ellipsoid, metres: float, pixel_rad: 
     positions = np.array([r.numbers(3) for r in group.get("positions").items()]).reshape(-1, 3) * metres
     radius = np.linalg.norm(positions, axis=1)
     if len(radius) == 0 or radius.min() <= ellipsoid.b:
-        group.fail(
-            f"a position is {radius.min(initial=0):.6g} m from the centre of a body of radius {ellipsoid.a:.6g} m; the "
-            "units of positions and radii do not agree"
-        )
+        group.fail("isd.position_inside_body", distance_m=radius.min(initial=0), radius_m=ellipsoid.a)
     times = _times(root, group, "ephemeris", len(positions))
     position_times, positions = _equal_steps(group, times, positions, metres)
     body_times, body = _rotations(root, "body_rotation")
@@ -60,13 +60,13 @@ def _times(root: Json, group: Json, name: str, count: int) -> Array:
     if group.has("ephemeris_times"):
         times = group.get("ephemeris_times").items()
         if len(times) != count:
-            group.get("ephemeris_times").fail(f"{len(times)} times for {count} entries of the table")
+            group.get("ephemeris_times").fail("isd.time_count", n=len(times), entries=count)
         found = np.array([t.number() for t in times]) - root.get("center_ephemeris_time").number()
     else:
         found = root.get(f"t0_{name}").number() + root.get(f"dt_{name}").number() * np.arange(count)
     if (np.diff(found) <= 0).any():
         k = int(np.argmin(np.diff(found)))
-        group.fail(f"time {found[k + 1]:.6g} s (entry {k + 2}) does not follow {found[k]:.6g} s")
+        group.fail("isd.time_order", entry=k + 2, time_s=found[k + 1], before_s=found[k])
     return found
 
 
@@ -75,7 +75,7 @@ def _rotations(root: Json, key: str) -> tuple[Array, Array]:
     group = root.get(key)
     q = np.array([r.numbers(4) for r in group.get("quaternions").items()]).reshape(-1, 4)
     if len(q) == 0 or (np.linalg.norm(q, axis=1) < 1e-6).any():
-        group.get("quaternions").fail("a quaternion of length zero, or none")
+        group.get("quaternions").fail("isd.quaternion_zero", n=len(q))
     R = rotation_from_quaternion(q[:, [1, 2, 3, 0]])
     if group.has("constant_rotation"):
         R = group.get("constant_rotation").numbers(9).reshape(3, 3) @ R
@@ -93,7 +93,7 @@ def _equal_steps(group: Json, times: Array, positions: Array, metres: float) -> 
 
     velocities = np.array([r.numbers(3) for r in group.get("velocities").items()]).reshape(-1, 3) * metres
     if len(velocities) != len(times):
-        group.get("velocities").fail(f"{len(velocities)} velocities for {len(times)} positions")
+        group.get("velocities").fail("isd.velocity_count", n=len(velocities), positions=len(times))
     at = np.linspace(times[0], times[-1], max(NODES, len(times)))
     return at, CubicHermiteSpline(times, positions, velocities)(at)
 
@@ -119,7 +119,7 @@ def slerp(times: Array, R: Array, at: Array) -> Array:
     return R[k] @ Rotation.from_rotvec(share[:, None] * turns[k]).as_matrix()
 
 
-def _bridged(group: Json, times: Array, R: Array, pixel_rad: float) -> tuple[Array, Array, list[str]]:
+def _bridged(group: Json, times: Array, R: Array, pixel_rad: float) -> tuple[Array, Array, list[Message]]:
     """Times and rotations at equal steps, where those of a table are unequal by half or more; as given otherwise.
 
     raises  InputError where the pointing inside the widest gap is not known to a pixel
@@ -131,26 +131,18 @@ def _bridged(group: Json, times: Array, R: Array, pixel_rad: float) -> tuple[Arr
     if step.max() <= GAP * usual and step.min() >= usual / 2:
         return times, R, []
     widest = int(np.argmax(step))
-    remarks = []
+    remarks: list[Message] = []
     if step[widest] > GAP * usual:
         error = _hidden(times, R, float(step[widest]), usual)
         gaps = int((step > GAP * usual).sum())
-        what = (
-            f"the attitudes have {gaps} gap{'s' * (gaps > 1)}, the widest of {step[widest] / usual:.1f} steps from "
-            f"{times[widest]:.3f} to {times[widest + 1]:.3f} s"
-        )
-        if not np.isfinite(error) or error > UNKNOWN_PX * pixel_rad:
-            by = (
-                f"elsewhere the attitude strays by {error / pixel_rad:.2f} px from a great circle within such a time "
-                f"(root mean square), more than {UNKNOWN_PX:g} px"
-                if np.isfinite(error)
-                else "the rest of the table is too short to tell how steady the attitude is within such a time"
-            )
-            group.fail(f"{what}; {by}: get a complete table")
-        remarks.append(
-            f"{what}; bridged on great circles, from which the attitude strays by {error / pixel_rad:.3f} px "
-            "elsewhere within such a time (root mean square)"
-        )
+        measured = bool(np.isfinite(error))
+        values: dict[str, Value] = {
+            "n": gaps, "steps": float(step[widest] / usual), "from_s": float(times[widest]),
+            "to_s": float(times[widest + 1]), "error_px": float(error / pixel_rad) if measured else None,
+        }  # fmt: skip
+        if not measured or error > UNKNOWN_PX * pixel_rad:
+            group.fail("isd.attitude_gap", **values, measured=measured, limit_px=UNKNOWN_PX)
+        remarks.append(remark("isd.attitude_gap_bridged", **values))
     at = np.linspace(times[0], times[-1], len(times))
     return at, slerp(times, R, at), remarks
 

@@ -10,6 +10,7 @@ from pathlib import Path
 
 import numpy as np
 
+from raybundle.errors import remark
 from raybundle.io.reading.files import read_bytes
 from raybundle.io.reading.xml import Element, read_xml
 from raybundle.io.scenes.base import HEAD_BYTES, Scene, SceneFormat, check_denominators, element_text, register
@@ -31,10 +32,7 @@ def read(path: Path) -> Scene:
         return _product(path, root)
     model = root.find("Rational_Function_Model", "Global_RFM")
     if model is None:
-        root.fail(
-            "neither Rational_Function_Model/Global_RFM nor Geometric_Data/Refined_Model stands in it; give the file "
-            "RPC_*.XML or DIM_*.XML of the product"
-        )
+        root.fail("dimap.no_model")
     validity = model.get("RFM_Validity")
     first, size = _image(root, validity)
     values = model.find("GroundtoImage_Values") or model.get("Inverse_Model")
@@ -87,7 +85,7 @@ def _phr(path: Path) -> Scene:
     return _rpc_scene(path, root, rpc, size)
 
 
-NO_PRIOR = "DIMAP states how well its RPC fits the orbit, not how well the orbit is known: no prior for the bias"
+NO_PRIOR = remark("dimap.no_bias_prior")
 
 
 def _image(root: Element, validity: Element) -> tuple[Array, tuple[int | None, int | None]]:
@@ -107,7 +105,7 @@ def _image(root: Element, validity: Element) -> tuple[Array, tuple[int | None, i
     last = np.array([domain.number("LAST_COL"), domain.number("LAST_ROW")])
     size = np.round(last - first).astype(int) + 1
     if (size < 2).any():
-        domain.fail(f"an image of {size[0]} x {size[1]} px; rows or columns are exchanged")
+        domain.fail("dimap.image_size", width_px=int(size[0]), height_px=int(size[1]))
     if number is not None and (first != number).any():
         return np.full(2, number), (None, None)
     return first, (int(size[0]), int(size[1]))

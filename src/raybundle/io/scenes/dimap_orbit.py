@@ -17,6 +17,8 @@ from datetime import datetime
 
 import numpy as np
 
+from raybundle.errors import Message, remark
+from raybundle.io.reading.words import quoted
 from raybundle.io.reading.xml import Element
 from raybundle.io.scenes.base import element_text, numbers_of
 from raybundle.numerics.arrays import Array
@@ -34,7 +36,7 @@ MARGIN_S = 0.5
 """How far beyond the image."""
 
 
-def line_scene(root: Element) -> tuple[LineScene, tuple[str, ...]]:
+def line_scene(root: Element) -> tuple[LineScene, tuple[Message, ...]]:
     """The scene of a product file, and what was assumed; raises InputError with the line of what is missing."""
     refined = root.get("Geometric_Data", "Refined_Model")
     size = root.get("Raster_Data", "Raster_Dimensions")
@@ -44,18 +46,15 @@ def line_scene(root: Element) -> tuple[LineScene, tuple[str, ...]]:
     stamp = time.get("Time_Stamp", "LINE_PERIOD")
     unit = stamp.attributes.get("unit", "").lower()
     if unit not in SECONDS:
-        stamp.fail(f"unit {unit!r} is not one of {', '.join(u for u in SECONDS if u)}")
+        stamp.fail("value.unit_unknown", unit=quoted(unit), known=[u for u in SECONDS if u])
     period = float(stamp.numbers(1)[0]) * SECONDS[unit]
     if not period > 0:
-        stamp.fail(f"{period:g} s for a line; it must be positive")
+        stamp.fail("value.not_above", value=period, limit=0)
     position_times, positions = _ephemeris(refined.get("Ephemeris", "Point_List"), start)
     attitude_times, quaternions = _attitudes(refined.get("Attitudes"), start, rows * period)
     x, look, remarks = _look(refined.get("Geometric_Calibration"), columns)
     refraction, aberration = (_setting(root, k) for k in ("ATMOSPHERIC_REFRACTION_SETTING", "LIGHT_SPEED_SETTING"))
-    words = [
-        f"{name} is {'applied' if on else 'left out'}"
-        for name, on in (("refraction", refraction), ("aberration", aberration))
-    ]
+    corrections = remark("dimap.corrections", refraction=refraction, aberration=aberration)
     return LineScene(
         width_px=columns,
         height_px=rows,
@@ -71,7 +70,7 @@ def line_scene(root: Element) -> tuple[LineScene, tuple[str, ...]]:
         ),
         aberration=aberration,
         refraction=refraction,
-    ), (*remarks, f"{' and '.join(words)}, as the file's settings say")
+    ), (*remarks, corrections)
 
 
 def _setting(root: Element, name: str) -> bool:
@@ -83,7 +82,7 @@ def _setting(root: Element, name: str) -> bool:
 def _whole(group: Element, name: str) -> int:
     value = group.number(name)
     if value != int(value) or not 1 <= value <= 10_000_000:
-        group.get(name).fail(f"{value:g} is not a whole number of pixels")
+        group.get(name).fail("scene.pixel_count", value=value)
     return int(value)
 
 
@@ -92,7 +91,7 @@ def _time(element: Element) -> datetime:
     try:
         return datetime.fromisoformat(text).replace(tzinfo=None)
     except ValueError:
-        element.fail(f"{text[:40]!r} is not a time like 2021-11-07T10:29:11.950343Z")
+        element.fail("value.no_time", value=quoted(text))
 
 
 def _seconds(element: Element, start: datetime) -> float:
@@ -103,13 +102,13 @@ def _ephemeris(group: Element, start: datetime) -> tuple[Array, Array]:
     """Seconds after the first line (n,) and positions (n, 3) [m]."""
     points = list(group.all("Point"))
     if len(points) < 4:
-        group.fail(f"{len(points)} positions; at least 4 are needed")
+        group.fail("scene.position_count", n=len(points), least=4)
     times = np.array([_seconds(p.get("TIME"), start) for p in points])
     P = np.array([p.get("LOCATION_XYZ").numbers(3) for p in points])
     radius = np.linalg.norm(P, axis=1)
     bad = np.flatnonzero((radius < ORBIT_M[0]) | (radius > ORBIT_M[1]))
     if len(bad):
-        points[int(bad[0])].fail(f"a position {radius[bad[0]]:.6g} m from the earth's centre; it must be in metres")
+        points[int(bad[0])].fail("scene.not_an_orbit", distance_m=radius[bad[0]], least_m=ORBIT_M[0], most_m=ORBIT_M[1])
     return times, P
 
 
@@ -119,18 +118,18 @@ def _attitudes(group: Element, start: datetime, duration: float) -> tuple[Array,
     if table is not None:
         entries = list(table.all("Quaternion"))
         if len(entries) < 4:
-            table.fail(f"{len(entries)} attitudes; at least 4 are needed")
+            table.fail("scene.attitude_count", n=len(entries), least=4)
         times = np.array([_seconds(q.get("TIME"), start) for q in entries])
         return times, np.array([[q.number(k) for k in ("Q1", "Q2", "Q3", "Q0")] for q in entries])
     polynomials = group.find("Polynomial_Quaternions")
     if polynomials is None:
-        group.fail("neither Quaternion_List nor Polynomial_Quaternions stands in it")
+        group.fail("dimap.no_attitude")
     midnight = start.replace(hour=0, minute=0, second=0, microsecond=0)
     offset = polynomials.number("OFFSET") - (start - midnight).total_seconds()
     offset -= DAY_S * np.round(offset / DAY_S)  # the day may have ended meanwhile
     scale = polynomials.number("SCALE")
     if scale == 0:
-        polynomials.get("SCALE").fail("the scale of the time is 0")
+        polynomials.get("SCALE").fail("value.zero")
     times = np.arange(-MARGIN_S, duration + MARGIN_S + STEP_S, STEP_S)
     q = [
         np.polynomial.polynomial.polyval((times - offset) / scale, numbers_of(polynomials.get(k, "COEFFICIENTS")))
@@ -139,24 +138,24 @@ def _attitudes(group: Element, start: datetime, duration: float) -> tuple[Array,
     return times, np.stack(q, axis=1)
 
 
-def _look(group: Element, columns: int) -> tuple[Array, Array, tuple[str, ...]]:
+def _look(group: Element, columns: int) -> tuple[Array, Array, tuple[Message, ...]]:
     """Elements x [px], the tangents of their viewing directions, and what was assumed."""
     bands = list(group.all("Instrument_Calibration"))
     if not bands:
-        group.fail("Instrument_Calibration is missing: no viewing directions stand in the file")
+        group.fail("scene.no_look_angles", element="Instrument_Calibration")
     polynomial = bands[0].find("Polynomial_Look_Angles")
     if polynomial is None:
-        bands[0].fail("Polynomial_Look_Angles is missing; viewing directions in another form are not understood")
+        bands[0].fail("scene.no_look_angles", element="Polynomial_Look_Angles")
     first = bands[0].find("Swath_Range")
     begin = 1.0 if first is None else first.number("FIRST_COL", 1.0)
     along, across = (_coefficients(polynomial, name) for name in ("YLOS", "XLOS"))
     x = np.linspace(0.0, float(columns), 2 if max(len(along), len(across)) <= 2 else 257)
     column = x - 0.5 + begin - 1  # from the first one of the detector
     value = [np.polynomial.polynomial.polyval(column, c) for c in (along, -across)]
-    remarks: list[str] = []
+    remarks: list[Message] = []
     if len(bands) > 1:
-        name = element_text(bands[0], "BAND_ID") or "the first"
-        remarks.append(f"{len(bands)} bands; the viewing directions of {name} are used")
+        name = element_text(bands[0], "BAND_ID") or "1"
+        remarks.append(remark("scene.one_band", n=len(bands), band=name))
     return x, np.stack(value, axis=1), tuple(remarks)
 
 

@@ -11,6 +11,7 @@ from pathlib import Path
 
 import numpy as np
 
+from raybundle.errors import Message, remark
 from raybundle.io.reading.words import whole_of
 from raybundle.io.reading.xml import Element, read_xml
 from raybundle.io.scenes.base import Scene, SceneFormat, check_denominators, element_text, register
@@ -24,9 +25,7 @@ def read(path: Path) -> Scene:
     root = read_xml(path, "level_X")
     bands = list(root.get("product", "navigation", "RPC").all("bandID"))
     if not bands:
-        root.get("product", "navigation", "RPC").fail(
-            "no RPC of a band (bandID) stands in it; orthorectified products (level 1C, 2A) need none"
-        )
+        root.get("product", "navigation", "RPC").fail("enmap.no_rpc")
     rpc = _rpc(bands[0])
     check_denominators(rpc, path)
     width, height = (_whole(root, k) for k in ("widthOfScene", "heightOfScene"))
@@ -45,7 +44,7 @@ def _whole(root: Element, name: str) -> int | None:
     return whole_of(element_text(root, "specific", name))
 
 
-def _others(rpc: Rpc, bands: list[Element]) -> str:
+def _others(rpc: Rpc, bands: list[Element]) -> Message:
     """How far the RPC of the other bands are from that of the first, at the middle of the scene and its edges."""
     steps = np.array([-0.8, 0.0, 0.8])
     inside = np.stack([a.ravel() for a in np.meshgrid(steps, steps, steps[1:2])], axis=1)
@@ -53,9 +52,7 @@ def _others(rpc: Rpc, bands: list[Element]) -> str:
     first = rpc.project(ground)
     apart = [float(np.abs(_rpc(b).project(ground) - first).max()) for b in bands[1:]]
     name = bands[0].attributes.get("number", "1")
-    if not apart:
-        return f"the RPC of band {name}, the only one"
-    return f"the RPC of band {name} of {len(bands)}; those of other bands differ by up to {max(apart):.2f} px"
+    return remark("enmap.one_band", band=name, n=len(bands), apart_px=max(apart, default=0.0))
 
 
 def _rpc(band: Element) -> Rpc:

@@ -11,6 +11,8 @@ from pathlib import Path
 
 import numpy as np
 
+from raybundle.errors import Message, remark
+from raybundle.io.reading.words import quoted
 from raybundle.io.reading.xml import Element, read_xml
 from raybundle.io.scenes.base import Scene, SceneFormat, check_denominators, element_text, numbers_of, register
 from raybundle.io.scenes.maxar_detector import chosen_angle, read_mounting
@@ -31,7 +33,7 @@ def read(path: Path) -> Scene:
     root = read_xml(path, "isd")
     image = root.get("IMD", "IMAGE")
     rows, columns = (_whole(root.get("IMD", k)) for k in ("NUMROWS", "NUMCOLUMNS"))
-    remarks: list[str] = []
+    remarks: list[Message] = []
     rpc = None
     if root.find("RPB") is not None:
         rpc, more = _rpc(root.get("RPB"))
@@ -42,7 +44,7 @@ def read(path: Path) -> Scene:
         line, more = _line(root, rows, columns, rpc)
         remarks += more
     else:
-        remarks.append("no ephemeris, attitude and camera stand in the file; only its RPC is used")
+        remarks.append(remark("maxar.no_rigorous_model"))
     return Scene(
         file=path,
         format="maxar",
@@ -59,20 +61,20 @@ def read(path: Path) -> Scene:
 def _whole(element: Element) -> int:
     value = float(element.numbers(1)[0])
     if value != int(value) or not 1 <= value <= 10_000_000:
-        element.fail(f"{value:g} is not a whole number of pixels")
+        element.fail("scene.pixel_count", value=value)
     return int(value)
 
 
-def _rpc(group: Element) -> tuple[Rpc, list[str]]:
+def _rpc(group: Element) -> tuple[Rpc, list[Message]]:
     image = group.get("IMAGE")
     specification = element_text(group, "SPECID")
-    remarks: list[str] = []
+    remarks: list[Message] = []
     order = list(range(20))
     if specification == "RPC00A":
         order = list(RPC00A_IN_B)
-        remarks.append("RPC00A: terms were brought to the order of RPC00B")
+        remarks.append(remark("rpc.terms_reordered"))
     elif specification != "RPC00B":
-        remarks.append(f"RPC of specification {specification or 'none'}, taken as RPC00B")
+        remarks.append(remark("rpc.specification_assumed", specification=specification or "none"))
     coefficients = np.zeros((4, 20))
     for k, name in enumerate(("LINENUMCOEF", "LINEDENCOEF", "SAMPNUMCOEF", "SAMPDENCOEF")):
         coefficients[k, order] = image.get(f"{name}List", name).numbers(20)
@@ -91,11 +93,11 @@ def _rpc(group: Element) -> tuple[Rpc, list[str]]:
     ), remarks
 
 
-def _line(root: Element, rows: int, columns: int, rpc: Rpc | None) -> tuple[LineScene | None, list[str]]:
+def _line(root: Element, rows: int, columns: int, rpc: Rpc | None) -> tuple[LineScene | None, list[Message]]:
     geo, image = root.get("GEO"), root.get("IMD", "IMAGE")
     distortion = geo.find("OPTICAL_DISTORTION")
     if distortion is not None and any(np.any(numbers_of(e)) for e in _lists(distortion)):
-        return None, ["optical distortion other than zero; the rigorous model is left out"]
+        return None, [remark("maxar.distortion_not_supported")]
     start = _time(root.get("EPH", "STARTTIME"))
     ephemeris = _table(root.get("EPH"), "EPHEMLIST", 7)
     attitude = _table(root.get("ATT"), "ATTLIST", 5)
@@ -153,7 +155,7 @@ def _line_times(image: Element, start: datetime, rows: int) -> tuple[Array, Arra
     offset = (_time(image.get("TLCTIME")) - start).total_seconds()
     table = np.array([e.numbers(2) for e in image.get("TLCLISTList").all("TLCLIST")]).reshape(-1, 2)
     if len(table) == 0:
-        image.get("TLCLISTList").fail("the table of line times is empty")
+        image.get("TLCLISTList").fail("maxar.no_line_times")
     if len(table) == 1:
         sign = -1.0 if element_text(image, "SCANDIRECTION").lower() == "reverse" else 1.0
         last = table[0] + [rows, sign * rows / image.number("AVGLINERATE")]
@@ -166,18 +168,16 @@ def _table(group: Element, name: str, least: int) -> Array:
     entries = list(group.get(f"{name}List").all(name))
     announced = int(group.number("NUMPOINTS", float(len(entries))))
     if len(entries) != announced or announced < 2:
-        group.fail(f"{len(entries)} entries {name} where NUMPOINTS says {announced}; the file is not complete")
+        group.fail("maxar.entry_count", n=len(entries), name=name, announced=announced)
     rows = [numbers_of(e) for e in entries]
     for k, row in enumerate(rows):
         if len(row) < least or len(row) != len(rows[0]):
-            entries[k].fail(f"{len(row)} numbers, {max(least, len(rows[0]))} are needed")
+            entries[k].fail("value.count", n=len(row), needed=max(least, len(rows[0])))
     table = np.stack(rows)
     step = np.diff(table[:, 0])
     if (step != 1).any():
         k = int(np.flatnonzero(step != 1)[0])
-        entries[k + 1].fail(
-            f"entry {table[k + 1, 0]:g} follows entry {table[k, 0]:g}: the table has a gap; get a complete file"
-        )
+        entries[k + 1].fail("maxar.gap", entry=table[k + 1, 0], before=table[k, 0])
     return table
 
 
@@ -186,10 +186,7 @@ def _check_orbit(group: Element, positions: Array) -> None:
     bad = np.flatnonzero((radius < ORBIT_M[0]) | (radius > ORBIT_M[1]))
     if len(bad):
         k = int(bad[0])
-        group.fail(
-            f"position {k + 1} is {radius[k]:.6g} m from the earth's centre (limits {ORBIT_M[0]:.3g} to "
-            f"{ORBIT_M[1]:.3g}); positions must be in metres"
-        )
+        group.fail("scene.not_an_orbit", distance_m=radius[k], least_m=ORBIT_M[0], most_m=ORBIT_M[1])
 
 
 def _time(element: Element) -> datetime:
@@ -197,7 +194,7 @@ def _time(element: Element) -> datetime:
     try:
         time = datetime.fromisoformat(text)
     except ValueError:
-        element.fail(f"{text[:40]!r} is not a time like 2013-05-08T00:03:30.536775Z")
+        element.fail("value.no_time", value=quoted(text))
     return time.replace(tzinfo=None)
 
 

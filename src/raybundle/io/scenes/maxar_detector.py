@@ -12,7 +12,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from raybundle.errors import RaybundleError
+from raybundle.errors import Message, RaybundleError, remark
+from raybundle.io.reading.words import quoted
 from raybundle.io.reading.xml import Element
 from raybundle.io.scenes.base import element_text
 from raybundle.numerics.arrays import Array
@@ -57,7 +58,7 @@ class Mounting:
         """(n, 2) tangents of the viewing directions in the satellite's axes."""
         d = np.concatenate([self.place(x, angle), np.full((len(x), 1), self.distance)], axis=1) @ self.rotation.T
         if not (d[:, 2] > 0).all():
-            self.element.fail("the camera looks backwards (negative third axis); the mounting is not understood")
+            self.element.fail("maxar.camera_backwards")
         return d[:, :2] / d[:, 2:]
 
 
@@ -67,7 +68,7 @@ def read_mounting(root: Element, geo: Element) -> Mounting:
     band = element_text(root, "IMD", "BANDID")
     group = mounting.find(f"BAND_{band}") or (mounting.children[-1] if mounting.children else None)
     if group is None:
-        mounting.fail("no band stands in it")
+        mounting.fail("maxar.no_band")
     array = group.get("DETECTOR_ARRAY")
     camera = geo.get("CAMERA_ATTITUDE")
     q = np.array([[camera.number(f"QCS{k}") for k in (1, 2, 3, 4)]])
@@ -87,19 +88,19 @@ def _stated(element: Element) -> str:
         if name.lower() in {"unit", "units", "uom"}:
             unit = UNITS.get(value.strip().lower())
             if unit is None:
-                element.fail(f"unit {value[:40]!r} is not one of {', '.join(UNITS)}")
+                element.fail("value.unit_unknown", unit=quoted(value), known=list(UNITS))
             return unit
     return ""
 
 
 def chosen_angle(
     mounting: Mounting, columns: int, scene: Callable[[float], LineScene], rpc: Rpc | None
-) -> tuple[float, list[str]]:
+) -> tuple[float, list[Message]]:
     """The rotation angle [rad], and a remark where its unit was not stated and matters."""
     angles = {"degrees": float(np.radians(mounting.angle)), "radians": mounting.angle}
     if mounting.unit:
         return angles[mounting.unit], []
-    written = f"DETROTANGLE {mounting.angle:g}"
+
     ends = [mounting.place(np.array([0.5, float(columns)]), a) for a in angles.values()]
     apart = float(np.linalg.norm(ends[0] - ends[1], axis=1).max()) / mounting.pitch
     if apart < SAME_PX:
@@ -109,20 +110,21 @@ def chosen_angle(
         unit = min(rms, key=lambda u: rms[u])
         if unit == "degrees":
             return angles[unit], []
-        other = "no ray meets the ground" if np.isinf(rms["degrees"]) else f"{rms['degrees']:.4g} px"
-        return angles[unit], [f"{written} is in radians: rigorous minus RPC is {rms[unit]:.3g} px, in degrees {other}"]
+        finite = bool(np.isfinite(rms["degrees"]))
+        compared = remark(
+            "maxar.radians_by_rpc", angle=mounting.angle, rms_px=rms[unit], meets=finite,
+            rms_degrees_px=rms["degrees"] if finite else None,
+        )  # fmt: skip
+        return angles[unit], [compared]
     middle = np.array([columns / 2])
     off = {u: float(np.linalg.norm(mounting.place(middle, a))) / mounting.pitch for u, a in angles.items()}
     nearer, other = sorted(off, key=lambda u: off[u])
     if off[other] > CLEARER * off[nearer] and off[other] - off[nearer] > columns / CLEARER:
         if nearer == "degrees":
             return angles[nearer], []
-        off_px = f"{off[nearer]:.4g} px off the optical axis, in degrees {off[other]:.4g} px"
-        return angles[nearer], [f"{written} is in radians: the array's middle is {off_px}"]
-    reason = "no unit is stated, and no RPC to compare with"
-    return angles["degrees"], [
-        f"{written} is taken as degrees: {reason}; in radians image points move by up to {apart:.4g} px"
-    ]
+        nearest = remark("maxar.radians_by_axis", angle=mounting.angle, off_px=off[nearer], off_degrees_px=off[other])
+        return angles[nearer], [nearest]
+    return angles["degrees"], [remark("maxar.degrees_assumed", angle=mounting.angle, apart_px=apart)]
 
 
 def _rms(scene: Callable[[float], LineScene], angle: float, rpc: Rpc) -> float:

@@ -96,7 +96,7 @@ class RasterPicture:
                 seen = self.raster.dataset_mask(window=window, out_shape=shape) > 0
         except self.library.errors.RasterioError as error:
             raise InputError(
-                f"its pixels cannot be read: {str(error).splitlines()[0][:200]}", file=self.raster.name
+                "raster.not_readable", detail=str(error).splitlines()[0][:200], file=self.raster.name
             ) from None
         return np.moveaxis(values, 0, 2), seen
 
@@ -175,7 +175,7 @@ def opened_picture(path: Path | None, opened: Any = None) -> Generator[Picture]:
     elif opened is not None:
         yield RasterPicture(opened, raster_library())
     elif path is None:
-        raise InputError("the scene was given without a picture; give the raster as the scene")
+        raise InputError("scene.no_picture")
     else:
         with opened_raster(path) as raster:
             yield RasterPicture(raster, raster_library())

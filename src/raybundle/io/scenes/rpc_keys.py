@@ -57,7 +57,7 @@ def scene_of_keys(values: Mapping[str, Any], path: Path, format_: str, size: tup
 
 def _number(values: Mapping[str, Any], key: str, path: Path) -> float:
     if values.get(key) is None:
-        raise InputError(f"{key} is missing; the RPC is not complete", file=path)
+        raise InputError("rpc.keys_missing", names=[key], file=path)
     value = values[key]
     words = value.split() if isinstance(value, str) else []
     found = number_of(words[0]) if words else finite(value)  # "4089.5 pixels"
@@ -73,7 +73,7 @@ def _twenty(values: Mapping[str, Any], key: str, path: Path) -> list[float]:
     words = value.split() if isinstance(value, str) else value
     if not isinstance(words, list) or len(words) != 20 or any(w is None for w in words):
         count = len([w for w in words if w is not None]) if isinstance(words, list) else 1
-        raise InputError(f"{key}: {count} of 20 coefficients; the RPC is not complete", file=path)
+        raise InputError("rpc.coefficient_count", name=key, n=count, file=path)
     numbers = [number_of(w) if isinstance(w, str) else finite(w) for w in words]
     known = [n for n in numbers if n is not None]
     if len(known) != 20:
@@ -90,7 +90,7 @@ def read_gdal_xml(path: Path) -> Scene:
         if metadata.attributes.get("domain") == "RPC":
             values = {m.attribute("key"): m.content.strip() for m in metadata.all("MDI")}
             return scene_of_keys(values, path, "gdal-xml", _size_of(root))
-    return root.fail('<Metadata domain="RPC"> does not stand in it, but deeper; give the file that tells the RPC')
+    return root.fail("rpc.metadata_below")
 
 
 def _size_of(root: Element) -> tuple[int, int] | None:
@@ -106,7 +106,7 @@ def read_gdal_json(path: Path) -> Scene:
     if root.has("size") and isinstance(root.get("size").value, list):
         sides = root.get("size").items()
         if len(sides) != 2:
-            root.get("size").fail("width and height are needed")
+            root.get("size").fail("value.count", n=len(sides), needed=2)
         size = sides[0].whole(), sides[1].whole()
     return scene_of_keys(_group(root).value, path, "gdal-json", size)
 
@@ -131,10 +131,7 @@ def read_orthority(path: Path) -> Scene:
 
     found = list(_rpcs_below(read_yaml(path)))
     if len(found) != 1:
-        names = ", ".join(name for name, _ in found)
-        raise InputError(
-            f"it holds {len(found)} RPC{f' ({names[:200]})' if names else ''}; give a file of one image", file=path
-        )
+        raise InputError("rpc.not_one", n=len(found), names=[name for name, _ in found], file=path)
     return scene_of_keys(found[0][1].value, path, "orthority")
 
 

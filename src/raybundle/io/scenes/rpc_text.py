@@ -10,7 +10,7 @@ from pathlib import Path
 
 import numpy as np
 
-from raybundle.errors import InputError
+from raybundle.errors import InputError, Message, remark
 from raybundle.io.digits import exact
 from raybundle.io.folders import new_files
 from raybundle.io.reading.files import as_utf8, read_bytes
@@ -59,7 +59,7 @@ def read(path: Path) -> Scene:
     needed = [k for k in SCALARS if not k.startswith("err_")]
     lacking = [k.upper() for k in needed if k not in scalars]
     if lacking:
-        raise InputError(f"{', '.join(lacking)} is missing; the RPC is not complete", file=path)
+        raise InputError("rpc.keys_missing", names=lacking, file=path)
 
     def pick(*keys: str) -> Array:
         return np.array([scalars[k] for k in keys])
@@ -118,7 +118,10 @@ def _check_once(
     before, old = stated.setdefault(plain, (line, value))
     if old != value:
         raise InputError(
-            f"{exact(value)}, and {exact(old)} in line {before}; delete one of the two",
+            "rpc.two_values",
+            value=exact(value),
+            other=exact(old),
+            other_line=before,
             file=path,
             line=line,
             column=key,
@@ -141,27 +144,31 @@ def _check_unreadable(path: Path, row: str, line: int, spelling: dict[str, str])
     key, separator, value = row.replace("=", ":", 1).partition(":")
     plain = key.strip().replace("_", "").lower()
     if separator and plain in spelling:
-        raise InputError(f"{quoted(value.strip())} is not a number", file=path, line=line, column=key.strip())
+        raise InputError("value.not_a_number", value=quoted(value.strip()), file=path, line=line, column=key.strip())
 
 
 def _check_unit(path: Path, key: str, unit: str, line: int) -> None:
     kind = key if key in UNITS else key.replace("_scale", "_off")
     if unit and kind in UNITS and unit.lower() not in UNITS[kind]:
         raise InputError(
-            f"unit {unit!r} where {UNITS[kind][0]} are needed; convert the RPC",
+            "rpc.unit",
+            unit=quoted(unit),
+            needed=UNITS[kind][0],
             file=path,
             line=line,
             column=key.upper(),
         )
 
 
-def _coefficients(path: Path, polynomials: dict[str, dict[int, float]], text: str) -> tuple[Array, tuple[str, ...]]:
+def _coefficients(path: Path, polynomials: dict[str, dict[int, float]], text: str) -> tuple[Array, tuple[Message, ...]]:
     result = np.zeros((4, 20))
     for k, name in enumerate(POLYNOMIALS):
         found = polynomials.get(name, {})
         if sorted(found) != list(range(20)):
             raise InputError(
-                f"{name.upper()}: {len(found)} of 20 coefficients; the RPC is not complete or not in the form RPC00B",
+                "rpc.coefficient_count",
+                name=name.upper(),
+                n=len(found),
                 file=path,
             )
         result[k] = [found[i] for i in range(20)]
@@ -173,8 +180,8 @@ def _coefficients(path: Path, polynomials: dict[str, dict[int, float]], text: st
 
         ordered = np.zeros((4, 20))
         ordered[:, list(RPC00A_IN_B)] = result
-        return ordered, ("RPC00A: terms were brought to the order of RPC00B",)
-    return result, (f"RPC of specification {specification[1]}, taken as RPC00B",)
+        return ordered, (remark("rpc.terms_reordered"),)
+    return result, (remark("rpc.specification_assumed", specification=specification[1]),)
 
 
 def write_rpb(rpc: Rpc, path: Path) -> None:

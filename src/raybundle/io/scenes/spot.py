@@ -12,6 +12,8 @@ from pathlib import Path
 
 import numpy as np
 
+from raybundle.errors import Message, remark
+from raybundle.io.reading.words import quoted
 from raybundle.io.reading.xml import Element, read_xml
 from raybundle.io.scenes.base import Scene, SceneFormat, element_text, register
 from raybundle.numerics.arrays import Array
@@ -61,45 +63,50 @@ def _time(element: Element) -> datetime:
     try:
         return datetime.fromisoformat(element.content.strip()).replace(tzinfo=None)
     except ValueError:
-        element.fail(f"{element.content.strip()[:40]!r} is not a time like 2008-03-04T12:31:39.349737")
+        element.fail("value.no_time", value=quoted(element.content.strip()))
 
 
 def _vector(element: Element) -> Array:
     return np.array([element.number(k) for k in "XYZ"])
 
 
-def _look(group: Element, columns: int) -> tuple[Array, tuple[str, ...]]:
+def _look(group: Element, columns: int) -> tuple[Array, tuple[Message, ...]]:
     """psi_X, psi_Y [rad] (m, 2) of the detectors 1, 2, ... of the first band."""
     bands = list(group.all("Instrument_Look_Angles"))
     if not bands:
-        group.fail("no viewing directions stand in it")
+        group.fail("scene.no_look_angles", element="Instrument_Look_Angles")
     entries = list(bands[0].get("Look_Angles_List").all("Look_Angles"))
     if len(entries) < columns:
-        bands[0].fail(f"{len(entries)} viewing directions, the image has {columns} columns; the file is cut off")
+        bands[0].fail("scene.look_angle_count", n=len(entries), columns=columns)
     wrong = next((e for k, e in enumerate(entries, 1) if e.number("DETECTOR_ID") != k), None)
     if wrong is not None:
-        wrong.fail(f"detector {wrong.number('DETECTOR_ID'):g} out of order; the table has a gap")
+        wrong.fail("scene.detector_order", number=wrong.number("DETECTOR_ID"))
     psi = np.array([[e.number("PSI_X"), e.number("PSI_Y")] for e in entries])
-    return psi, () if len(bands) == 1 else (f"{len(bands)} bands; the viewing directions of the first are used",)
+    return psi, () if len(bands) == 1 else (remark("scene.one_band", n=len(bands), band="1"),)
 
 
 def _trajectory(strip: Element, centre: datetime) -> Trajectory:
     points = list(strip.get("Ephemeris", "Points").all("Point"))
     if len(points) < 4:
-        strip.get("Ephemeris", "Points").fail(f"{len(points)} positions; at least 4 are needed")
+        strip.get("Ephemeris", "Points").fail("scene.position_count", n=len(points), least=4)
     times = np.array([(_time(p.get("TIME")) - centre).total_seconds() for p in points])
     P, V = (np.array([_vector(p.get(k)) for p in points]) for k in ("Location", "Velocity"))
     radius = np.linalg.norm(P, axis=1)
     if radius.min() < ORBIT_M[0] or radius.max() > ORBIT_M[1]:
-        strip.get("Ephemeris").fail(f"positions {radius.min():.6g} m from the earth's centre; they must be in metres")
+        strip.get("Ephemeris").fail(
+            "scene.not_an_orbit",
+            distance_m=radius.min() if radius.min() < ORBIT_M[0] else radius.max(),
+            least_m=ORBIT_M[0],
+            most_m=ORBIT_M[1],
+        )
     angles = list(strip.get("Satellite_Attitudes", "Corrected_Attitudes", "Corrected_Attitude").all("Angles"))
     if len(angles) < 4:
-        strip.get("Satellite_Attitudes").fail(f"{len(angles)} attitudes; at least 4 are needed")
+        strip.get("Satellite_Attitudes").fail("scene.attitude_count", n=len(angles), least=4)
     at = np.array([(_time(a.get("TIME")) - centre).total_seconds() for a in angles])
     turn = np.array([[a.number(k) for k in ("PITCH", "ROLL", "YAW")] for a in angles])
     order = np.argsort(times)
     if (np.diff(times[order]) <= 0).any():
-        strip.get("Ephemeris", "Points").fail("two positions have the same time")
+        strip.get("Ephemeris", "Points").fail("scene.same_time")
     orbit, speed = lagrange(times[order], P[order]), lagrange(times[order], V[order])
     return Trajectory(
         position_times=times[order],

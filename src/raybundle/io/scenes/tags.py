@@ -10,9 +10,9 @@ from pathlib import Path
 
 import numpy as np
 
-from raybundle.errors import InputError
+from raybundle.errors import InputError, remark
 from raybundle.io.reading.tiff import tiff_tags
-from raybundle.io.reading.words import no_number, number_of, numbers_of, whole_of
+from raybundle.io.reading.words import no_number, number_of, numbers_of, quoted, whole_of
 from raybundle.io.scenes.base import Scene, SceneFormat, check_denominators, register
 from raybundle.io.scenes.maxar import RPC00A_IN_B
 from raybundle.numerics.arrays import Array
@@ -29,12 +29,10 @@ def read_tiff(path: Path) -> Scene:
     """The RPC in the tag of a GeoTIFF or BigTIFF, first image of the file."""
     _, tags = tiff_tags(path, frozenset({RPC_TAG, WIDTH_TAG, HEIGHT_TAG}))
     if RPC_TAG not in tags:
-        raise InputError(
-            "no RPC (tag 50844) stands in this TIFF; give the file that came with it (_RPC.TXT, .RPB, .XML)", file=path
-        )
+        raise InputError("rpc.no_tag", file=path)
     values = np.array(tags[RPC_TAG], float)
     if len(values) != 92:
-        raise InputError(f"the RPC tag holds {len(values)} numbers, 92 are needed", file=path)
+        raise InputError("rpc.tag_count", n=len(values), file=path)
     rpc = _rpc(values[:12], values[12:].reshape(4, 20), path)
     width, height = (int(tags[t][0]) if t in tags else None for t in (WIDTH_TAG, HEIGHT_TAG))
     return Scene(file=path, format="geotiff", rpc=rpc, width_px=width, height_px=height)
@@ -43,7 +41,7 @@ def read_tiff(path: Path) -> Scene:
 def _rpc(scalars: Array, coefficients: Array, path: Path) -> Rpc:
     """From ERR_BIAS, ERR_RAND, then line, sample, latitude, longitude, height: offsets, and scales."""
     if not np.isfinite(scalars).all():
-        raise InputError("RPC: a number is not finite; the file is damaged", file=path)
+        raise InputError("rpc.not_finite", file=path)
     _, _, line, sample, lat, lon, height, line_s, sample_s, lat_s, lon_s, height_s = scalars
     bias, rand = (float(v) if v > 0 else None for v in scalars[:2])
     rpc = rpc_of(
@@ -65,7 +63,7 @@ def read_nitf(path: Path) -> Scene:
         head = file.read(380)
         length, images = _digits(path, head, 354, 6, "HL"), _digits(path, head, 360, 3, "NUMI")
         if images == 0:
-            raise InputError("this NITF file holds no image", file=path)
+            raise InputError("nitf.no_image", file=path)
         size = _digits(path, head, 363, 6, "LISH001")
         file.seek(length)
         subheader = file.read(min(size, SUBHEADER_BYTES))
@@ -74,7 +72,7 @@ def read_nitf(path: Path) -> Scene:
         if at >= 0:
             return _nitf_scene(path, name, subheader, subheader[at + 11 : at + 11 + NITF_LENGTH])
     raise InputError(
-        "no RPC00B stands in the first image subheader of this NITF; give the file that came with it (.XML, .RPB)",
+        "nitf.no_rpc",
         file=path,
     )
 
@@ -82,7 +80,7 @@ def read_nitf(path: Path) -> Scene:
 def _nitf_scene(path: Path, name: str, subheader: bytes, data: bytes) -> Scene:
     text = data.decode("latin-1")
     if len(text) < NITF_LENGTH or text[0] != "1":
-        raise InputError(f"{name} is cut off, or says itself that it failed (SUCCESS {text[:1]!r})", file=path)
+        raise InputError("nitf.rpc_invalid", name=name, success=quoted(text[:1]), file=path)
     ends = np.cumsum((1, *NITF_FIELDS, *([12] * 80)))
     words = [text[a:b] for a, b in pairwise(ends.tolist())]
     values = numbers_of(w.strip() for w in words)
@@ -93,7 +91,7 @@ def _nitf_scene(path: Path, name: str, subheader: bytes, data: bytes) -> Scene:
     if name == "RPC00A":
         ordered = np.zeros((4, 20))
         ordered[:, list(RPC00A_IN_B)] = coefficients
-        coefficients, remarks = ordered, ("RPC00A: terms were brought to the order of RPC00B",)
+        coefficients, remarks = ordered, (remark("rpc.terms_reordered"),)
     rows, columns = (_digits(path, subheader, at, 8, key) for at, key in ((333, "NROWS"), (341, "NCOLS")))
     return Scene(
         file=path,
@@ -109,7 +107,7 @@ def _digits(path: Path, data: bytes, at: int, count: int, key: str) -> int:
     word = data[at : at + count]
     value = whole_of(word.decode("latin-1")) if len(word) == count else None
     if value is None or value < 0:
-        raise InputError(f"NITF field {key} is {word!r}, not {count} digits; the file is damaged", file=path)
+        raise InputError("nitf.field", name=key, value=quoted(word.decode("latin-1")), n=count, file=path)
     return value
 
 

@@ -24,7 +24,7 @@ def points_of(shapes: Sequence[Any], path: Path) -> Array:
     for k, data in enumerate(shapes):
         values = _point(b"" if data is None else bytes(data))
         if values is None:
-            raise InputError("its geometry is no point", file=path, column=f"row {k + 1}")
+            raise InputError("scene_control.not_points", file=path, column=f"row {k + 1}")
         found[k, : len(values)] = values
     return found
 

@@ -34,21 +34,19 @@ def check_rpc_name(path: Path, picture: Path | None = None) -> None:
     if suffix in RASTERS:
         if picture is None:
             raise InputError(
-                "a GeoTIFF is the picture of the scene with its RPC, and the scene was given without a picture; give "
-                "the raster as the scene, or write NAME_RPC.TXT, NAME.RPB or NAME.geom",
+                "rpc.geotiff_needs_picture",
                 file=path,
             )
         raster_library(path)
         stale = [f for f in files_before_the_tag(path) if f.exists() and is_scene(f)]
         if stale:
             raise InputError(
-                f"{stale[0].name} stands beside it, whose RPC GDAL would take in place of that in the tag; move it "
-                "away, or choose another name",
+                "rpc.file_precedes_tag",
+                name=stale[0].name,
                 file=path,
             )
     elif suffix not in TEXTS:
-        ending = f"ends in {path.suffix}" if path.suffix else "has no ending"
-        raise InputError(f"the name {ending}, which says no format of RPC that is written; give {NAMES}", file=path)
+        raise InputError("rpc.name_ending", ending=path.suffix or "blank", file=path)
 
 
 def write_rpc(rpc: Rpc, path: Path, picture: Path | None = None) -> None:
@@ -87,9 +85,7 @@ def _write_raster(rpc: Rpc, path: Path, picture: Path) -> None:
             with library.open(file, "r+") as raster:
                 raster.rpcs = rasterio_from_rpc(rpc)
         except library.errors.RasterioError as error:
-            raise InputError(
-                f"its pixels could not be written as GeoTIFF: {str(error).splitlines()[0][:200]}", file=picture
-            ) from None
+            raise InputError("picture.not_geotiff", detail=str(error).splitlines()[0][:200], file=picture) from None
         _check_written(rpc, file, path)
 
 
@@ -98,4 +94,4 @@ def _check_written(rpc: Rpc, file: Path, path: Path) -> None:
     found = read_tiff(file).rpc
     parts = ("coefficients", "ground_offset", "ground_scale", "image_scale")
     if found is None or not all(np.array_equal(getattr(found, p), getattr(rpc, p)) for p in parts):
-        raise InputError("the tag that GDAL wrote is not the RPC that it was given; nothing is written", file=path)
+        raise InputError("rpc.tag_differs", file=path)

@@ -39,7 +39,7 @@ class ReferenceRays(ABC):
         """Those of an oriented image.  Raises InputError for an image without orientation."""
         camera = block.camera_of(image)
         if not block.images.oriented[image]:
-            raise InputError(f"image {block.images.ids[image]}: has no orientation; orient it first")
+            raise InputError("image.not_oriented", image=block.images.ids[image])
         kind = next(k for k in ReferenceRays.kinds if k.takes(camera))
         return kind.made(camera, block.images.rotation[image], block.images.centre[image])
 

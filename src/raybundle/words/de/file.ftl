@@ -38,7 +38,7 @@ file-control_character = Die Datei enthält das Steuerzeichen { $byte }; sie ist
     .do = Prüfen, ob die Datei beschädigt ist.
 
 file-not_utf8 = Das Byte { $byte } ist nicht UTF-8{ $utf16 ->
-        [yes]  (die Datei scheint UTF-16 zu sein)
+        [yes] { " " }(die Datei scheint UTF-16 zu sein)
        *[no] { "" }
      }.
     .do = Die Datei in der Kodierung UTF-8 speichern.

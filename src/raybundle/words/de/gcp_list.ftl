@@ -12,7 +12,7 @@ gcp_list-name_missing = Diese Zeile hat keinen Punktnamen, andere aber haben ein
 
 gcp_list-coordinates_differ = Punkt { $point } hat in Zeile { $earlier } andere Koordinaten.
     .do = Eine der beiden Zeilen berichtigen{ $blanks ->
-        [yes]  oder Spalten durch Tabulatoren trennen: Als Bild wurde { $image } gelesen
+        [yes] { " " }oder Spalten durch Tabulatoren trennen: Als Bild wurde { $image } gelesen
        *[no] { "" }
      }.
 

@@ -10,3 +10,6 @@ height_grid-empty = Das Höhenraster enthält keine Höhe: Alle Zellen sind leer
 height_grid-no_four_cells = Höhenraster { $name }: Keine vier benachbarten Zellen haben Höhen.
     .why = Es lässt sich keine Fläche interpolieren.
     .do = Ein Raster mit weniger leeren Zellen angeben.
+
+height_grid-void_cells = { $n } von { $total } Zellen haben keine Höhe.
+    .do = Diese Zellen weglassen oder füllen.

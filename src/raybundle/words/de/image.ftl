@@ -47,3 +47,6 @@ image-points_and_unknowns = { $images }: { $n } { $n ->
         [one] Bildpunkt
        *[other] Bildpunkte
      } für { $unknowns } Unbekannte
+
+image-not_oriented = Bild { $image } hat keine äußere Orientierung.
+    .do = Es zuerst orientieren.

@@ -27,3 +27,7 @@ observations-kind = { $kind ->
         [slope_distances] Schrägstrecken
        *[other] { $kind }
      }
+
+observations-astray = Bildbeobachtungen hinter der Kamera: { $behind }; von Punkten, die ins Unendliche laufen: { $diverging }.
+    .why = Sie stehen in den Zeilen { LIST($rows, most: 5) } der Beobachtungen.
+    .do = Die Punktnummern prüfen oder diese Beobachtungen weglassen.

@@ -12,3 +12,9 @@ outline-no_pair = { $text } ist kein Zahlenpaar.
 
 outline-empty = Die Datei enthält keine Koordinaten.
     .do = In jede Zeile X und Y schreiben.
+
+outline-no_cell = Der Umriss enthält keine Zelle der Oberfläche.
+    .do = Seine Koordinaten und deren System prüfen.
+
+outline-too_few_heights = { $n } von { $total } Stellen entlang des Umrisses haben eine Höhe; zu wenige für eine Ebene.
+    .do = Die Höhe der Bezugsfläche angeben.

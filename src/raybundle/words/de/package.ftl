@@ -18,3 +18,9 @@ package-rasterio_missing = Raster brauchen das Paket rasterio.
 
 package-reportlab_missing = PDF zu schreiben braucht das Paket reportlab.
     .do = pip install reportlab ausführen oder .svg schreiben.
+
+package-pyogrio_reading = Dieses Format zu lesen erfordert das Paket pyogrio.
+    .do = pip install 'raybundle[geo]' ausführen oder die Passpunkte als GeoJSON oder CSV speichern.
+
+package-contourpy_missing = Höhenlinien erfordern das Paket contourpy.
+    .do = pip install 'raybundle[geo]' ausführen.

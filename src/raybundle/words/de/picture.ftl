@@ -10,3 +10,6 @@ picture-earlier_adjustment = Das Bild gehört zu einer früheren Ausgleichung: D
 
 picture-suffix = Der Name des Bildes endet nicht auf { LIST($known, most: 8) }.
     .do = Einen Namen mit einer dieser Endungen angeben.
+
+picture-not_geotiff = Das Bild lässt sich nicht als GeoTIFF schreiben ({ $detail }).
+    .do = Ein Raster angeben, das GDAL liest, oder NAME_RPC.TXT, NAME.RPB oder NAME.geom schreiben.

@@ -67,3 +67,6 @@ table-three_angles = Drei Winkel einer Art und einer Einheit sind nötig.
 
 table-one_position = Die Tabelle braucht entweder { $grid } oder { $geographic }.
     .do = Genau eine dieser Spaltengruppen angeben.
+
+table-not_increasing = { NUM($value, digits: 10) } folgt auf { NUM($before, digits: 10) }; die Spalte muss ansteigen.
+    .do = Die Zeilen nach dieser Spalte sortieren und wiederholte Werte löschen.

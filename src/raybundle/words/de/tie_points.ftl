@@ -7,3 +7,13 @@ tie_points-too_few_rays = { $n } { $n ->
 tie_points-no_ray = Kein Strahl: { LIST($points, most: 10) }
 
 tie_points-single_ray = Ein einziger Strahl: { LIST($points, most: 10) }
+
+tie_points-no_base = Die { $n } passenden Paare von Aufnahmen haben keine Basis: Sie unterscheiden sich nur durch eine Drehung.
+    .why = Aufnahmen von einer Stelle ergeben keine Tiefe.
+    .do = Zwischen Aufnahmen seitlich gehen, um ein Zehntel der Entfernung zum Objekt oder mehr.
+
+tie_points-too_few_common = Keine zwei Aufnahmen haben genug gemeinsame Verknüpfungspunkte für eine relative Orientierung.
+    .do = Scharfe Aufnahmen mit 60 % Überdeckung oder mehr und kleinen Richtungsunterschieden machen.
+
+tie_points-none_after_cleaning = Nach dem Ausschluss falscher Zuordnungen haben keine zwei Aufnahmen genug gemeinsame Verknüpfungspunkte.
+    .do = Scharfe Aufnahmen mit 60 % Überdeckung oder mehr und kleinen Richtungsunterschieden machen.

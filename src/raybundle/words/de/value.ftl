@@ -37,3 +37,12 @@ value-list_empty = Die Liste ist leer.
 
 value-not_above = { $value } ist nicht größer als { $limit }.
     .do = Den Wert berichtigen.
+
+value-zero = Der Wert ist 0.
+    .do = Einen Wert ungleich 0 angeben.
+
+value-unit_unknown = Die Einheit { $unit } wird nicht unterstützt.
+    .do = Eine von { LIST($known, most: 9) } verwenden.
+
+value-no_time = { $value } ist keine Datums- und Zeitangabe.
+    .do = Sie wie 2021-11-07T10:29:11.950343Z schreiben.

@@ -46,7 +46,7 @@ file-control_character = The file contains control character { $byte }; it is no
 # $byte = "0xff"
 # $utf16 = false
 file-not_utf8 = Byte { $byte } is not UTF-8{ $utf16 ->
-        [yes]  (the file seems to be UTF-16)
+        [yes] { " " }(the file seems to be UTF-16)
        *[no] { "" }
      }.
     .do = Save the file with the encoding UTF-8.

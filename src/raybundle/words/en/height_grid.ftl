@@ -15,3 +15,8 @@ height_grid-empty = The height grid contains no height: every cell is void.
 height_grid-no_four_cells = Height grid { $name }: no four neighbouring cells have heights.
     .why = No surface can be interpolated.
     .do = Give a grid with fewer void cells.
+
+# $n = 12
+# $total = 4000
+height_grid-void_cells = { $n } of { $total } cells have no height.
+    .do = Leave these cells out, or fill them.

@@ -77,3 +77,7 @@ image-points_and_unknowns = { $images }: { $n } image { $n ->
         [one] point
        *[other] points
      } for { $unknowns } unknowns
+
+# $image = "IMG_1"
+image-not_oriented = Image { $image } has no exterior orientation.
+    .do = Orient it first.

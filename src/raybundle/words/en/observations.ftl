@@ -32,3 +32,10 @@ observations-kind = { $kind ->
         [slope_distances] slope distances
        *[other] { $kind }
      }
+
+# $behind = 3
+# $diverging = 1
+# $rows = [7, 12, 40]
+observations-astray = Image observations behind the camera: { $behind }; of points that diverge to infinity: { $diverging }.
+    .why = They are in rows { LIST($rows, most: 5) } of the observations.
+    .do = Check the point numbers, or leave these observations out.

@@ -18,3 +18,11 @@ outline-no_pair = { $text } is not a pair of numbers.
 
 outline-empty = The file contains no coordinates.
     .do = Write X and Y in each line.
+
+outline-no_cell = The outline contains no cell of the surface.
+    .do = Check its coordinates and their system.
+
+# $n = 2
+# $total = 40
+outline-too_few_heights = { $n } of { $total } places along the outline have a height; too few for a plane.
+    .do = Give the height of the base.

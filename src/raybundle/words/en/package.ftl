@@ -18,3 +18,9 @@ package-rasterio_missing = Rasters need the package rasterio.
 
 package-reportlab_missing = Writing a PDF needs the package reportlab.
     .do = Run pip install reportlab, or write .svg.
+
+package-pyogrio_reading = Reading this format needs the package pyogrio.
+    .do = Run pip install 'raybundle[geo]', or save the control as GeoJSON or CSV.
+
+package-contourpy_missing = Contour lines need the package contourpy.
+    .do = Run pip install 'raybundle[geo]'.

@@ -19,3 +19,7 @@ picture-earlier_adjustment = The picture belongs to an earlier adjustment: photo
 # $known = [".jpg", ".tif"]
 picture-suffix = The name of the picture has another ending than { LIST($known, most: 8) }.
     .do = Give a name with one of these endings.
+
+# $detail = "Permission denied"
+picture-not_geotiff = The picture cannot be written as GeoTIFF ({ $detail }).
+    .do = Give a raster that GDAL reads, or write NAME_RPC.TXT, NAME.RPB or NAME.geom.

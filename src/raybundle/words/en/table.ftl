@@ -104,3 +104,8 @@ table-three_angles = Three angles of one kind and one unit are needed.
 # $geographic = ["longitude_deg", "latitude_deg", "height_m"]
 table-one_position = The table needs either { $grid } or { $geographic }.
     .do = Give exactly one of these groups of columns.
+
+# $value = 12.5
+# $before = 13.0
+table-not_increasing = { NUM($value, digits: 10) } follows { NUM($before, digits: 10) }; the column must increase.
+    .do = Sort the rows by this column and delete repeated values.

@@ -54,3 +54,15 @@ value-list_empty = The list is empty.
 # $limit = 0.0
 value-not_above = { $value } is not greater than { $limit }.
     .do = Correct the value.
+
+value-zero = The value is 0.
+    .do = Give a value other than 0.
+
+# $unit = "'ft'"
+# $known = ["m", "km"]
+value-unit_unknown = The unit { $unit } is not supported.
+    .do = Use one of { LIST($known, most: 9) }.
+
+# $value = "'7 November'"
+value-no_time = { $value } is not a date and time.
+    .do = Write it like 2021-11-07T10:29:11.950343Z.

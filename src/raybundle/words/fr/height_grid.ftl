@@ -5,3 +5,5 @@ height_grid-no_cell_area = Les cellules de la grille d'altitudes sont sans surfa
 height_grid-empty = La grille d'altitudes ne contient aucune altitude.
 
 height_grid-no_four_cells = Grille d'altitudes { $name } : il n'y a pas quatre cellules voisines avec altitude.
+
+height_grid-void_cells = { $n } cellules sur { $total } n'ont pas d'altitude.

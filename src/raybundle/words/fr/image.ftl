@@ -23,3 +23,5 @@ image-points_in_line = Tous les points objet de { $n } image(s) sont alignés : 
 image-too_few_points = { $n } image(s) ont trop peu de points image : { $images }.
 
 image-points_and_unknowns = { $images } : { $n } points image pour { $unknowns } inconnues
+
+image-not_oriented = L'image { $image } n'a pas d'orientation externe.

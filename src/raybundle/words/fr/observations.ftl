@@ -24,3 +24,5 @@ observations-kind = { $kind ->
         [slope_distances] distances inclinées
        *[other] { $kind }
      }
+
+observations-astray = Observations image derrière la caméra : { $behind } ; de points divergeant à l'infini : { $diverging }.

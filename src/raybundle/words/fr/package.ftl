@@ -11,3 +11,7 @@ package-laspy_missing = Les fichiers LAS demandent le paquet laspy.
 package-rasterio_missing = Les rasters demandent le paquet rasterio.
 
 package-reportlab_missing = Écrire un PDF demande le paquet reportlab.
+
+package-pyogrio_reading = La lecture de ce format exige le paquet pyogrio.
+
+package-contourpy_missing = Les courbes de niveau exigent le paquet contourpy.

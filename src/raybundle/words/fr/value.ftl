@@ -25,3 +25,9 @@ value-no_truth_value = { $value } n'est ni true ni false.
 value-list_empty = La liste est vide.
 
 value-not_above = { $value } n'est pas supérieur à { $limit }.
+
+value-zero = La valeur est 0.
+
+value-unit_unknown = L'unité { $unit } n'est pas prise en charge.
+
+value-no_time = { $value } n'est pas une date avec heure.

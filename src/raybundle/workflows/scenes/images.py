@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from raybundle.errors import InputError
+from raybundle.errors import InputError, Place, Text
 from raybundle.io.photos.container import SUFFIXES, decode, kind_of, read_header
 from raybundle.io.photos.photo import LIMIT_PIXELS, shown
 from raybundle.io.photos.windows import Windows
@@ -115,7 +115,7 @@ def find_scenes(inputs: Sequence[Path]) -> FoundScenes:
         else:
             first[scene.sha256] = scene.name
             scenes.append(scene)
-    remarks = [f"{s.name}: {r}" for s in scenes for r in remarks_of(s.scene)]
+    remarks = [Text.of(replace(r, place=Place(s.name))) for s in scenes for r in remarks_of(s.scene)]
     return FoundScenes(scenes=tuple(scenes), refused=tuple(refused), files=frozenset(taken), remarks=tuple(remarks))
 
 
