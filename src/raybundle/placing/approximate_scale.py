@@ -6,7 +6,7 @@ import numpy as np
 
 from raybundle.adjustment.result import Adjustment, Notice
 from raybundle.block import Block
-from raybundle.errors import InputError
+from raybundle.errors import InputError, Value
 from raybundle.numerics.arrays import Array
 from raybundle.numerics.length_units import factor_unit
 from raybundle.numerics.transform import similarity
@@ -63,16 +63,7 @@ def start_scale_notices(block: Block, result: Adjustment) -> list[Notice]:
     start = factor_unit(factor, own, near)
     if not (bars or start):
         return []
-    asked = (
-        f"Are the lengths in {bars} in place of {own}?"
-        if bars
-        else f"Are the approximate values in {start}, not {own}?"
-    )
-    return [
-        Notice(
-            code="approximate_scale",
-            message=f"the scale bars make the block {1 / factor:.5g} times as large as the approximate values do "
-            f"(± {100 * std:.2g} %), and nothing else fixes the scale. {asked}",
-            values={"factor": 1 / factor, "std": std},
-        )
-    ]
+    values: dict[str, Value] = {
+        "factor": 1 / factor, "std": std, "of": "bars" if bars else "start", "likely": bars or start, "unit": own,
+    }  # fmt: skip
+    return [Notice(code="approximate_scale", values=values)]

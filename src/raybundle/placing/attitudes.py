@@ -15,13 +15,12 @@ import numpy as np
 
 from raybundle.block import Block, Instrument
 from raybundle.block.block import Attitudes
-from raybundle.errors import InputError
+from raybundle.errors import InputError, Message, Text, message, remark
 from raybundle.io.geo.coordinate_systems import LocalFrame
 from raybundle.io.photos.photo import Photo
 from raybundle.io.trajectories import PhotoAttitudes, Trajectory, attitudes_of_file, attitudes_of_gimbals
 from raybundle.numerics.arrays import Array, Index
 from raybundle.numerics.attitude import rotation_from_gimbal, rotation_from_opk, rotation_from_pok, rotation_from_rpy
-from raybundle.numerics.counting import counted
 from raybundle.numerics.deviations import CORRELATED, deviations_of
 from raybundle.numerics.rotation import (
     angle_derivatives,
@@ -32,7 +31,6 @@ from raybundle.numerics.rotation import (
 )
 from raybundle.placing.marks import Given, Placing
 from raybundle.platforms.imu import Imu
-from raybundle.settings import option
 
 Convention = Literal["auto", "none", "opk", "rpy-ned", "gimbal"]
 GROSS, LEAST, MOST = 6.0, np.radians(3.0), np.radians(15.0)
@@ -54,29 +52,23 @@ ACROSS, NOMINAL = 10.0, float(np.radians(1.0))
 and what the mounting of the camera is then taken to be good to."""
 
 READINGS: dict[str, Callable[[Array], Array]] = {
-    "omega, phi, kappa": rotation_from_opk,
-    "phi, omega, kappa with phi the primary angle": lambda a: rotation_from_pok(a[:, [1, 0, 2]]),
-    "omega, phi, kappa of the inverse rotation (camera to object)": lambda a: np.swapaxes(rotation_from_opk(a), 1, 2),
-    "omega, phi, kappa with omega and phi reversed": lambda a: rotation_from_opk(a * [-1, -1, 1]),
-    "omega, phi, kappa with kappa reversed": lambda a: rotation_from_opk(a * [1, 1, -1]),
-    "roll, pitch, yaw against north, east, down": rotation_from_rpy,
-    "roll, pitch, yaw with roll reversed": lambda a: rotation_from_rpy(a * [-1, 1, 1]),
-    "roll, pitch, yaw with pitch reversed": lambda a: rotation_from_rpy(a * [1, -1, 1]),
-    "roll, pitch, yaw with roll and pitch reversed": lambda a: rotation_from_rpy(a * [-1, -1, 1]),
-    "pitch, roll, yaw (the first two exchanged)": lambda a: rotation_from_rpy(a[:, [1, 0, 2]]),
-    "roll, pitch, yaw with yaw counted from east, counterclockwise": lambda a: rotation_from_rpy(
-        np.stack([a[:, 0], a[:, 1], np.pi / 2 - a[:, 2]], axis=1)
-    ),
-    "yaw, pitch, roll of the camera (gimbal)": rotation_from_gimbal,
-    "yaw, pitch, roll of the aircraft": lambda a: rotation_from_rpy(a[:, ::-1]),
-    "roll, pitch, yaw of the camera (gimbal)": lambda a: rotation_from_gimbal(a[:, ::-1]),
+    "opk": rotation_from_opk,
+    "phi_primary": lambda a: rotation_from_pok(a[:, [1, 0, 2]]),
+    "opk_inverse": lambda a: np.swapaxes(rotation_from_opk(a), 1, 2),
+    "opk_omega_phi_reversed": lambda a: rotation_from_opk(a * [-1, -1, 1]),
+    "opk_kappa_reversed": lambda a: rotation_from_opk(a * [1, 1, -1]),
+    "rpy": rotation_from_rpy,
+    "rpy_roll_reversed": lambda a: rotation_from_rpy(a * [-1, 1, 1]),
+    "rpy_pitch_reversed": lambda a: rotation_from_rpy(a * [1, -1, 1]),
+    "rpy_roll_pitch_reversed": lambda a: rotation_from_rpy(a * [-1, -1, 1]),
+    "pry": lambda a: rotation_from_rpy(a[:, [1, 0, 2]]),
+    "rpy_yaw_from_east": lambda a: rotation_from_rpy(np.stack([a[:, 0], a[:, 1], np.pi / 2 - a[:, 2]], axis=1)),
+    "gimbal": rotation_from_gimbal,
+    "ypr": lambda a: rotation_from_rpy(a[:, ::-1]),
+    "gimbal_rpy": lambda a: rotation_from_gimbal(a[:, ::-1]),
 }
-"""What three angles may mean besides what they are called, in words."""
-CALLED = {
-    "opk": "omega, phi, kappa",
-    "rpy-ned": "roll, pitch, yaw against north, east, down",
-    "gimbal": "yaw, pitch, roll of the camera (gimbal)",
-}
+"""What three angles may mean besides their convention; `attitudes_contradict.reading` has the words."""
+CALLED = {"opk": "opk", "rpy-ned": "rpy", "gimbal": "gimbal"}
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -129,21 +121,16 @@ def find_attitudes(
         found = attitudes_of_gimbals(photos, sigma=sigma)
     if found is None:
         if use != "auto" or sigma is not None:
-            raise InputError(
-                f"attitudes are asked for, and neither {option('positions')} nor the photographs have any; give a CSV "
-                "with "
-                "omega_deg, phi_deg, kappa_deg or roll_deg, pitch_deg, yaw_deg"
-            )
+            raise InputError("attitude.missing")
         return None, ()
     if use not in {"auto", found.convention}:
         raise InputError(
-            f"{found.source} has attitudes as {found.convention}, not as {use}; give {option('attitudes', 'auto')}"
+            "attitude.other_convention", source=found.source, convention=found.convention, expected=str(use)
         )
     if found.stated == 0:
-        told = f"{found.source} has attitudes without standard deviations"
         if use != "auto":
-            raise InputError(f"{told}; give {option('attitude_sigma', 'TILT', 'HEADING')} [deg]")
-        return None, (f"{told}: they are not used. {option('attitude_sigma', 'TILT', 'HEADING')} observes them",)
+            raise InputError("attitude.no_sigma", source=found.source)
+        return None, (Text.of(remark("attitude.no_sigma_unused", source=found.source)),)
     return _with_covariance(found), ()
 
 
@@ -186,12 +173,7 @@ def observe_attitudes(state: Placing, photos: Sequence[Photo], given: Given, fra
             used.append(mounted)
             _tell_convergence(state, block, part, mounted, frame)
     if used and nominal:
-        state.tell(
-            "attitudes_nominal",
-            "the positions lie in a line and no control tells how the block is turned about it: the attitudes do, with "
-            f"a camera taken to be mounted as stated to {np.degrees(NOMINAL):g} deg; fly a line across, or give "
-            "control",
-        )
+        state.tell("attitudes_nominal", sigma_deg=float(np.degrees(NOMINAL)))
     _observe(state, part, image, used, imus if given.misalignment else [])
 
 
@@ -222,10 +204,7 @@ def _observe(state: Placing, told: PhotoAttitudes, image: Index, used: list[_Mou
     steep = np.abs(np.cos(angles[:, 1])) < STEEP
     if steep.any():
         names = [told.names[k] for k in rows[steep]]
-        state.tell(
-            "attitudes_steep", f"attitudes of {_listed(names)} are not used: they look along the X axis, where omega "
-            "and kappa turn about one axis", *names,
-        )  # fmt: skip
+        state.tell("attitudes_steep", *names, n=len(names))
     order = np.flatnonzero(~steep)[np.argsort(image[rows[~steep]], kind="stable")]
     rows, turn, imu, R, angles = rows[order], turn[order], imu[order], R[order], angles[order]
     D = angle_derivatives(R) @ turn
@@ -240,10 +219,7 @@ def _observe(state: Placing, told: PhotoAttitudes, image: Index, used: list[_Mou
             imu=imu.astype(np.int32) if imus else None,
         )
     )
-    message = (
-        f"the attitudes of {counted(len(rows), 'photograph')} are observed ({told.convention}, from {told.source})"
-    )
-    state.tell("attitudes", message + (f", with the misalignment of {counted(len(imus), 'camera')}" if imus else ""))
+    state.tell("attitudes", n=len(rows), convention=told.convention, source=told.source, cameras=len(imus))
 
 
 def _mounted(state: Placing, told: PhotoAttitudes, rows: Index, R: Array, imu: int) -> _Mounted:
@@ -258,46 +234,39 @@ def _mounted(state: Placing, told: PhotoAttitudes, rows: Index, R: Array, imu: i
     doubt = other is not None and (fit.scatter > DOUBT * sigma or fit.askew > MOUNTED)
     alone = fit.askew > MOUNTED and (fit.scatter > DOUBT * sigma or _one_heading(told, rows))
     if fit.scatter > limit or doubt or alone:
-        state.tell("attitudes_contradict", _contradiction(told, fit, sigma, other))
+        _tell_contradiction(state, told, fit, sigma, other)
         return nothing
     turn = fit.mount if fit.askew > MOUNTED else fit.quarters
     if fit.askew > MOUNTED or fit.quarter:
-        state.tell("attitudes_mount", _mounting(told, rows, fit))
+        quarter = fit.askew <= MOUNTED
+        angle = 90.0 * fit.quarter if quarter else float(np.degrees(np.linalg.norm(_vector(fit.mount))))
+        alike = _one_heading(told, rows)
+        state.tell("attitudes_mount", source=told.source, angle_deg=angle, quarter=quarter, alike=alike)
     far = fit.apart > max(SINGLE * sigma, LEAST)
     if far.any():
         names = [told.names[k] for k in rows[far]]
         state.tell(
-            "attitude_wrong", f"attitudes of {_listed(names)} are left out: they miss the photographs by "
-            f"{np.degrees(fit.apart[far].max()):.1f} deg where the others scatter by {np.degrees(fit.scatter):.2f} deg",
-            *names,
+            "attitude_wrong", *names, n=len(names), off_deg=float(np.degrees(fit.apart[far].max())),
+            scatter_deg=float(np.degrees(fit.scatter)),
         )  # fmt: skip
     return _Mounted(rows=rows[~far], imu=imu, turn=turn, misalignment=_vector(fit.mount @ turn.T))
 
 
-def _mounting(told: PhotoAttitudes, rows: Index, fit: Fit) -> str:
-    angle = np.linalg.norm(_vector(fit.mount))
-    turned = f"{90 * fit.quarter} deg about its view" if fit.askew <= MOUNTED else f"{np.degrees(angle):.0f} deg"
-    return (
-        f"the camera is turned by {turned} against the attitudes of {told.source}; that is taken for its mounting"
-        + ("; all headings are alike, so that a wrong yaw would look the same" if _one_heading(told, rows) else "")
-    )
-
-
-def _contradiction(told: PhotoAttitudes, fit: Fit, sigma: float, other: tuple[str, Fit] | None) -> str:
-    message = (
-        f"the attitudes of {told.source}, read as {CALLED[told.convention]}, contradict the photographs and are left "
-        f"out: after the best mounting of the camera they scatter by {np.degrees(fit.scatter):.2f} deg (median), their "
-        f"standard deviation is {np.degrees(sigma):.2g} deg"
-    )
+def _tell_contradiction(
+    state: Placing, told: PhotoAttitudes, fit: Fit, sigma: float, other: tuple[str, Fit] | None
+) -> None:
+    """Add the fault of attitudes that contradict the photographs, and how they would fit better."""
+    details: list[Message] = []
     if fit.askew > MOUNTED and fit.scatter < MOST:
-        message += f", and the mounting is {np.degrees(fit.askew):.0f} deg away from a whole number of quarter turns"
+        details.append(message("attitudes_contradict.mounting", off_deg=float(np.degrees(fit.askew))))
     if other is not None:
         name, found = other
-        return f"{message}. Read as {name} they scatter by {np.degrees(found.scatter):.2f} deg: name the columns so"
-    return (
-        f"{message}. Look at their convention, at the times of the exposures, and whether the rows belong to these "
-        "photographs"
-    )
+        scatter = float(np.degrees(found.scatter))
+        details.append(message("attitudes_contradict.reading", reading=name, scatter_deg=scatter))
+    state.tell(
+        "attitudes_contradict", details=tuple(details), source=told.source, reading=CALLED[told.convention],
+        scatter_deg=float(np.degrees(fit.scatter)), sigma_deg=float(np.degrees(sigma)), other=other is not None,
+    )  # fmt: skip
 
 
 def fit_mount(R: Array, told: Array) -> Fit:
@@ -358,10 +327,7 @@ def _tell_convergence(state: Placing, block: Block, told: PhotoAttitudes, mounte
     tolerance = max(3 * sigma, np.radians(0.05))
     if abs(convergence) > 3 * tolerance and abs(abs(about) - abs(convergence)) < tolerance:
         state.tell(
-            "attitudes_convergence",
-            f"the attitudes are turned by {np.degrees(about):+.2f} deg about the vertical, which is what grid north "
-            f"and true north differ by here in UTM ({np.degrees(convergence):+.2f} deg): look to which of the two they "
-            "refer; the misalignment has taken the difference",
+            "attitudes_convergence", about_deg=float(np.degrees(about)), convergence_deg=float(np.degrees(convergence))
         )
 
 
@@ -378,10 +344,6 @@ def _in_a_line(block: Block) -> bool:
         return False
     across = np.linalg.svd(xyz[known] - xyz[known].mean(axis=0), compute_uv=False)[1] / np.sqrt(known.sum())
     return bool(across < ACROSS * np.sqrt(np.mean(sigma[known] ** 2)))
-
-
-def _listed(names: Sequence[str]) -> str:
-    return ", ".join(names[:5]) + (f" and {len(names) - 5} more" if len(names) > 5 else "")
 
 
 def _imu(name: str, misalignment: Array, sigma: float | None) -> Instrument:

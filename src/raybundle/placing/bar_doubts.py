@@ -14,8 +14,8 @@ import numpy as np
 from raybundle.adjustment.result import Adjustment, Notice
 from raybundle.adjustment.severity import POOR_FIT
 from raybundle.block import Block, Distances
+from raybundle.errors import Value, message
 from raybundle.numerics.arrays import Array, Index
-from raybundle.numerics.counting import counted
 from raybundle.numerics.length_units import factor_unit
 from raybundle.placing.approximate_scale import scale_of_start
 
@@ -86,26 +86,22 @@ def doubted_bars(block: Block, solved: Callable[[Block], Adjustment | None]) -> 
 
 def bar_doubt_notice(doubt: BarDoubt, unit: str) -> Notice:
     """The fault of a result without these bars, or of one that they bend."""
-    more = f"; and {len(doubt.names) - SHOWN} more" if len(doubt.names) > SHOWN else ""
     rows = list(zip(doubt.names, doubt.given, doubt.shown, strict=True))[:SHOWN]
+    values: dict[str, Value] = {"bars": len(doubt.names), "given": doubt.given[0], "shown": doubt.shown[0]}
     if doubt.rest is None:
         first = doubt.given[0] / doubt.shown[0]
-        each = "; ".join(f"{name} ({given:.6g} {unit}): factor {given / own / first:.5g}" for name, given, own in rows)
-        message = (
-            f"scale bars contradict each other: {each}{more}. The block without bars fits, and fixes their ratios. "
-            "Check their lengths, units and the names of their ends; a further length would show which one is wrong"
+        each = tuple(
+            message("distance_suspect.factor", name=name, given=given, unit=unit, factor=given / own / first)
+            for name, given, own in rows
         )
-    else:
-        each = "; ".join(
-            f"{name}: {given:.6g} {unit} given, {own:.6g} {unit} in the block" for name, given, own in rows
-        )
-        asked = f" Is the unit {doubt.unit}?" if doubt.unit else ""
-        message = (
-            f"{counted(len(doubt.names), 'scale bar')} in contradiction to all else, left out: {each}{more}.{asked} "
-            "Check length, unit and names of the ends"
-        )
-    values: dict[str, float | int | str] = {"bars": len(doubt.names), "given": doubt.given[0], "shown": doubt.shown[0]}
-    return Notice(code="distance_suspect", message=message, ids=doubt.names[:100], values=values)
+        return Notice(code="distance_suspect.contradict", ids=doubt.names[:100], values=values, details=each)
+    each = tuple(
+        message("distance_suspect.bar", name=name, given=given, shown=own, unit=unit) for name, given, own in rows
+    )
+    likely = doubt.unit or "none"
+    return Notice(
+        code="distance_suspect.left_out", ids=doubt.names[:100], values={**values, "likely": likely}, details=each
+    )
 
 
 def _lengths(block: Block, adjusted: Block) -> Array:

@@ -7,6 +7,7 @@ import numpy as np
 from raybundle.adjustment.result import Notice
 from raybundle.block import Block
 from raybundle.block.block import Distances
+from raybundle.errors import Value
 from raybundle.numerics.arrays import Mask
 from raybundle.numerics.length_units import BEYOND, unit_of
 
@@ -28,22 +29,22 @@ def without_strange_bars(block: Block) -> tuple[Block, list[Notice]]:
     ids = block.points.ids
     found = [
         Notice(
-            code="distance_suspect",
-            message=f"scale bar {ids[d.start[k]]} - {ids[d.end[k]]} is left out: its length is given as "
-            f"{d.length[k]:.6g} m, and the photographs show {shown[k]:.4g} m in the system of the control, "
-            f"a factor of {ratio[k]:.4g} (limit {BEYOND:g}, either way){_unit(float(ratio[k]))}",
-            ids=(ids[d.start[k]], ids[d.end[k]]),
+            code="distance_suspect.beside_control", ids=(ids[d.start[k]], ids[d.end[k]]),
+            values={
+                "start": ids[d.start[k]], "end": ids[d.end[k]], "given_m": float(d.length[k]),
+                "measured_m": float(shown[k]), "ratio": float(ratio[k]), "limit": BEYOND, **_unit(float(ratio[k])),
+            },
         )
         for k in np.flatnonzero(wrong)
-    ]
+    ]  # fmt: skip
     keep = ~wrong
     kept = Distances(start=d.start[keep], end=d.end[keep], length=d.length[keep], sigma=d.sigma[keep])
     return block.having(kept), found
 
 
-def _unit(ratio: float) -> str:
-    """What may explain a factor: the unit in which the bar, or the control, was given."""
-    for what, of in (("the bar's length is", ratio), ("the control's coordinates are", 1 / ratio)):
-        if name := unit_of(of):
-            return f": {what} in {name}, it seems; give metres"
-    return "; look at its length, at the names of its ends and at the unit of the control"
+def _unit(ratio: float) -> dict[str, Value]:
+    """The unit in which the bar, or the control, was likely given."""
+    for of, factor in (("bar", ratio), ("control", 1 / ratio)):
+        if name := unit_of(factor):
+            return {"of": of, "likely": name}
+    return {"of": "none", "likely": ""}

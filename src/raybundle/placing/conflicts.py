@@ -14,8 +14,8 @@ import numpy as np
 from raybundle.adjustment.result import Adjustment, Notice
 from raybundle.adjustment.severity import POOR_FIT, Severity
 from raybundle.block import Block, Distances, Stations
+from raybundle.errors import Message, Text, message
 from raybundle.numerics.arrays import Array
-from raybundle.numerics.counting import counted
 from raybundle.numerics.length_units import factor_unit
 
 NEAR = 0.01
@@ -31,7 +31,7 @@ class Conflict:
     """A group of given values without which the block is adjusted well."""
 
     group: str
-    """scale bars, control points, positions"""
+    """bars, control, positions"""
     count: int
     sigma0: float
     """without the group"""
@@ -52,11 +52,11 @@ def conflicts(block: Block, solved: Callable[[Block], Adjustment | None], withou
     control = int(block.points.is_control.any(axis=1).sum())
     tries: list[tuple[str, int, Block]] = []
     if len(block.distances):
-        tries.append(("scale bars", len(block.distances), block.having(Distances.empty())))
+        tries.append(("bars", len(block.distances), block.having(Distances.empty())))
     if len(block.stations.image):
         tries.append(("positions", len(block.stations.image), block.having(Stations.empty())))
     if control:
-        tries.append(("control points", control, without_control))
+        tries.append(("control", control, without_control))
     if len(tries) < 2 and not control:
         return []
     found: list[Conflict] = []
@@ -65,7 +65,7 @@ def conflicts(block: Block, solved: Callable[[Block], Adjustment | None], withou
         if result is None or not result.sigma0 <= POOR_FIT:
             continue
         factor, unit, other = float("nan"), "", ""
-        if group == "scale bars":
+        if group == "bars":
             factor = _of_lengths(block, result.adjusted)
             unit = factor_unit(factor, block.length_unit, NEAR, kilometres=True)
             other = factor_unit(1 / factor, block.length_unit, NEAR)
@@ -77,36 +77,35 @@ def conflicts(block: Block, solved: Callable[[Block], Adjustment | None], withou
     return found
 
 
+def conflict_message(found: list[Conflict], sigma0: float) -> Message:
+    """The groups that contradict each other; sigma0 NaN where there is no solution with everything."""
+    others = [c.group for c in found if c.group != "bars"]
+    solved = bool(np.isfinite(sigma0))
+    return message(
+        "groups_contradict", groups=len(found), solved=solved, sigma0=sigma0 if solved else None,
+        details=[_group_message(c, others[0] if others else "none") for c in found],
+    )  # fmt: skip
+
+
 def conflict_words(found: list[Conflict], sigma0: float) -> str:
-    """What contradicts what, and what to do; sigma0 NaN where there is no solution with everything."""
-    groups = " and ".join(counted(c.count, c.group.removesuffix("s")) for c in found)
-    every = f"sigma0 {sigma0:.3g} with all of them" if np.isfinite(sigma0) else "no solution with all of them"
-    each = ", ".join(f"{c.sigma0:.3g} without the {c.group}" for c in found)
-    others = [c.group for c in found if c.group != "scale bars"]
-    named = [words for c in found if (words := _factor_words(c, others[0] if others else ""))]
-    verb = "contradict each other" if len(found) > 1 else "contradict the other observations"
-    todo = " ".join(named) or "Check their unit, coordinate system and names"
-    return f"{groups} {verb}: {every}, sigma0 {each}. {todo}"
+    """The text of `conflict_message`."""
+    return Text.of(conflict_message(found, sigma0))
 
 
 def conflict_notice(found: list[Conflict], sigma0: float) -> Notice:
     """The fault of a result."""
-    values: dict[str, float | int | str] = {"sigma0": sigma0}
-    for c in found:
-        values |= {f"{c.group}: count": c.count, f"{c.group}: sigma0 without": c.sigma0}
-        values |= {f"{c.group}: factor": c.factor, f"{c.group}: unit": c.unit} if c.unit else {}
-    return Notice(
-        code="groups_contradict", message=conflict_words(found, sigma0), measured=Severity.FAULT, values=values
-    )
+    m = conflict_message(found, sigma0)
+    return Notice(code="groups_contradict", measured=Severity.FAULT, values=m.values, details=m.details)
 
 
-def _factor_words(conflict: Conflict, other: str) -> str:
-    """The question for the unit, "" without one; `other` is what contradicts the bars as well as they do it."""
-    if conflict.unit == "degrees":
-        return "The positions lie within the range of longitude and latitude: degrees in place of metres?"
-    asked = [f"are they in {conflict.unit}"] if conflict.unit else []
-    asked += [f"are the {other} in {conflict.other_unit}"] if other and conflict.other_unit else []
-    return f"Given lengths are {conflict.factor:.5g} times those adjusted: {', or '.join(asked)}?" if asked else ""
+def _group_message(conflict: Conflict, other: str) -> Message:
+    """A group and the units that explain it; `other` is what contradicts the bars as well as they do it."""
+    known = bool(np.isfinite(conflict.factor)) and bool(conflict.unit or (conflict.other_unit and other != "none"))
+    return message(
+        "groups_contradict.group", group=conflict.group, n=conflict.count, sigma0=conflict.sigma0,
+        factor=conflict.factor if known else None, unit=conflict.unit or "none",
+        other=other if conflict.other_unit else "none", other_unit=conflict.other_unit,
+    )  # fmt: skip
 
 
 def _of_lengths(block: Block, adjusted: Block) -> float:

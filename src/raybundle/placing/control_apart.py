@@ -32,11 +32,7 @@ def check_apart(given: Given) -> None:
     if (apart > ROUNDING * np.nan_to_num(np.abs(xyz)).max(axis=0)).any():
         return
     names = [name for name, _, _ in control]
-    some = ", ".join(names[:SHOWN]) + (" ..." if len(names) > SHOWN else "")
-    at = ", ".join(f"{v:.12g}" for v in xyz[0][np.isfinite(xyz[0])])
     raise InputError(
-        f"all {len(names)} control points have the same coordinates ({at}): {some}. Control in one place tells neither "
-        "direction nor scale; was a line copied? Give each point its own coordinates, make one name of points that are "
-        "one, or leave the control out",
+        "control.one_place", n=len(names), names=names, coordinates=[f"{v:.12g}" for v in xyz[0][np.isfinite(xyz[0])]],
         file=control[0][2].path,
-    )
+    )  # fmt: skip

@@ -14,11 +14,11 @@ from raybundle.adjustment.result import Adjustment, Notice
 from raybundle.adjustment.severity import POOR_FIT, Severity
 from raybundle.block import Block, Role, Stations
 from raybundle.block.select import with_rows
-from raybundle.errors import InputError, NotSolvable
+from raybundle.errors import InputError, Message, NotSolvable, Text, Value, message
 from raybundle.numerics.arrays import Array, Index
 from raybundle.numerics.statistics import fisher_tail
 from raybundle.numerics.transform import robust_similarity, similarity
-from raybundle.placing.mirror_mends import USUAL, mirror_mends, mirror_words
+from raybundle.placing.mirror_mends import USUAL, mirror_causes, mirror_mends
 from raybundle.placing.mirrored_images import hand_of_images
 
 ROUNDS = 3
@@ -47,8 +47,8 @@ class Doubt:
     """sigma0 without these"""
     names: tuple[str, ...]
     """All control points"""
-    exchange: str = ""
-    """What is exchanged in the control, where all fits with it the other way round: two points"""
+    exchange: bool = False
+    """Whether all fits with the two points of `wrong` exchanged"""
     mirror: tuple[str, ...] = ()
     """Single mends of control in a system of the other hand that fit the block's orientation, the likeliest first"""
     images: str | None = None
@@ -96,8 +96,8 @@ def doubted_control(
         mends, images = (USUAL, None) if hand is None else (mirror[0], hand[0])
         return Doubt(alone=free.sigma0, wrong=(), left=mirror[1], names=names, mirror=mends, images=images)
     if (found := _exchanged(block, free, brief, adjust)) is not None:
-        what, points, left = found
-        return Doubt(alone=free.sigma0, wrong=points, left=left, names=names, exchange=what)
+        points, left = found
+        return Doubt(alone=free.sigma0, wrong=points, left=left, names=names, exchange=True)
     out: list[int] = []
     before = failed
     for k in _by_misfit(block, free)[: min(ROUNDS, max(1, (len(control) - 1) // 3))]:
@@ -117,56 +117,45 @@ def doubted_control(
     return Doubt(alone=free.sigma0, wrong=(), left=float("nan"), names=names)
 
 
-def words(doubt: Doubt, sigma0: float) -> str:
-    """What is wrong, the number against its limit, and what to do; sigma0 NaN where the adjustment failed."""
-    with_all = f"sigma0 {sigma0:.3g} with all control" if np.isfinite(sigma0) else "nothing can be adjusted with it"
+def doubt_message(doubt: Doubt, sigma0: float) -> Message:
+    """What is wrong with the control; sigma0 NaN where the adjustment failed."""
+    solved = bool(np.isfinite(sigma0))
+    values: dict[str, Value] = {"solved": solved, "sigma0": sigma0 if solved else None, "limit": POOR_FIT}
+    mended = {**values, "mended": doubt.left}
     if doubt.mirror:
-        return (
-            f"the control is a mirror image of the object: {with_all}, {doubt.left:.3g} mirrored (limit {POOR_FIT:g}). "
-            f"{mirror_words(doubt.mirror, doubt.images)}"
-        )
+        cause, mends = mirror_causes(doubt.mirror, doubt.images)
+        mirrored: dict[str, Value] = {**mended, "cause": cause, "mends": [*doubt.mirror]}
+        return Message(code="control_contradicts.mirrored", values=mirrored, details=mends)
     if doubt.exchange:
-        return (
-            f"{doubt.exchange} seem to be exchanged in the control: {with_all}, {doubt.left:.3g} the other way round "
-            f"(limit {POOR_FIT:g}). Exchange them where they were entered, or in the images"
-        )
+        return Message(code="control_contradicts.exchanged", values={**mended, "names": list(doubt.wrong)})
     if doubt.wrong:
-        points = f"point{'s' * (len(doubt.wrong) > 1)} {', '.join(doubt.wrong)}"
-        return (
-            f"control {points} contradict{'s' * (len(doubt.wrong) == 1)} the photographs and the other control: "
-            f"{with_all}, {doubt.left:.3g} without (limit {POOR_FIT:g}). Check the coordinates and the numbers in the "
-            "images, or leave out what is wrong"
-        )
+        n = len(doubt.wrong)
+        return Message(code="control_contradicts.points", values={**mended, "n": n, "names": list(doubt.wrong)})
     if doubt.apart is not None:
-        mean, std = doubt.apart
-        each = zip("XYZ", mean, std, strict=True)
-        by = ", ".join(f"{axis} {m:.3g} (± {s:.2g})" for axis, m, s in each if np.isfinite(m))
-        return (
-            "control and the observed projection centres contradict each other: the photographs fit with the centres "
-            f"(sigma0 {doubt.alone:.3g}) or with control (sigma0 {doubt.left:.3g}), and not with both ({with_all}; "
-            f"limit {POOR_FIT:g}). The centres lie by {by} from where control puts them: look for another height "
-            "datum or coordinate system, the offset of the antenna, or exchanged axes, and mend one or leave it out"
-        )
+        each = zip("XYZ", *doubt.apart, strict=True)
+        axes = [
+            message("control_contradicts.axis", axis=axis, apart=float(m), sigma=float(s))
+            for axis, m, s in each if np.isfinite(m)
+        ]  # fmt: skip
+        both = {**values, "centres": doubt.alone, "control": doubt.left}
+        return Message(code="control_contradicts.centres", values=both, details=tuple(axes))
+    alone = {**values, "alone": doubt.alone, "n": len(doubt.names), "names": list(doubt.names)}
     if len(doubt.names) == FEWEST:
-        return (
-            f"one of the control points {', '.join(doubt.names)} is wrong, and which one cannot be told: the "
-            f"photographs fit one another without control (sigma0 {doubt.alone:.3g}), and not with it ({with_all}; "
-            f"limit {POOR_FIT:g}). Look at coordinates, names and axes; more control would tell which one it is"
-        )
-    some = ", ".join(doubt.names[:10]) + (" ..." if len(doubt.names) > 10 else "")
-    return (
-        f"the photographs fit one another without control (sigma0 {doubt.alone:.3g}), and not with it ({with_all}; "
-        f"limit {POOR_FIT:g}); no single point explains it: {some}. Look for exchanged names or axes, the unit, the "
-        "coordinate system and wrong coordinates"
-    )
+        return Message(code="control_contradicts.one_of_few", values=alone)
+    return Message(code="control_contradicts.unexplained", values=alone)
+
+
+def words(doubt: Doubt, sigma0: float) -> str:
+    """The text of `doubt_message`."""
+    return Text.of(doubt_message(doubt, sigma0))
 
 
 def notice(doubt: Doubt, sigma0: float) -> Notice:
     """The fault of a result."""
+    m = doubt_message(doubt, sigma0)
     return Notice(
-        code="control_contradicts", message=words(doubt, sigma0), ids=doubt.wrong or doubt.names[:100],
-        measured=Severity.FAULT, values={"mends": ", ".join(doubt.mirror)} if doubt.mirror else {},
-    )  # fmt: skip
+        code=m.code, values=m.values, details=m.details, ids=doubt.wrong or doubt.names[:100], measured=Severity.FAULT
+    )
 
 
 def _tried(block: Block, options: AdjustmentOptions, adjust: Adjust) -> Adjustment | None:
@@ -226,7 +215,7 @@ def _refined(
 
 def _exchanged(
     block: Block, free: Adjustment, options: AdjustmentOptions, adjust: Adjust
-) -> tuple[str, tuple[str, ...], float] | None:
+) -> tuple[tuple[str, ...], float] | None:
     """Two control points with which in each other's place all fits; the points, and sigma0 then.
 
     None where no exchange does, or two do nearly alike.
@@ -258,7 +247,7 @@ def _exchanged(
     if tried is None or tried.sigma0 > POOR_FIT:
         return None
     names = tuple(points.ids[k] for k in pair)
-    return f"control points {names[0]} and {names[1]}", names, tried.sigma0
+    return names, tried.sigma0
 
 
 def _known_control(block: Block, free: Adjustment) -> tuple[Index, Array, Array]:

@@ -12,7 +12,7 @@ from dataclasses import replace
 import numpy as np
 
 from raybundle.adjustment.result import Notice
-from raybundle.errors import InputError
+from raybundle.errors import InputError, Value
 from raybundle.io.geo.parsed_systems import parse_crs
 from raybundle.io.photos.photo import Photo
 from raybundle.io.trajectories import Trajectory, in_wgs84, matched
@@ -54,21 +54,15 @@ def distant_positions(photos: Sequence[Photo], positions: Trajectory, crs: str |
     except InputError:  # no place on the earth
         other = np.inf
     names = tuple(photos[k].name for k in both)
-    values = {"distance": distance, "exchanged": other, "photographs": len(both)}
+    values: dict[str, Value] = {
+        "distance": distance, "exchanged": other if np.isfinite(other) else None, "photographs": len(both),
+        "distance_km": distance / 1000, "table": positions.path.name,
+    }  # fmt: skip
     if other * NEARER > distance:
-        message = (
-            f"the list of positions lies {_km(distance)} from where the photographs themselves record their positions; "
-            f"check the coordinate system of {positions.path.name}, and whether it belongs to these photographs"
-        )
-        return Notice(code="positions_distant", message=message, ids=names[:100], values=values), False
+        return Notice(code="positions_distant", ids=names[:100], values=values), False
     geographic = system is not None and parse_crs(system).is_geographic
-    axes = "longitude and latitude" if geographic else "easting and northing"
-    message = (
-        f"{axes} of the list of positions seem to be exchanged: they lie {_km(distance)} from where the photographs "
-        f"themselves record their positions, and {_km(other)} the other way round. The photographs' own positions are "
-        f"used; exchange the two columns in {positions.path.name}"
-    )
-    return Notice(code="positions_axes", message=message, ids=names[:100], values=values), True
+    more: dict[str, Value] = {"geographic": geographic, "exchanged_km": other / 1000}
+    return Notice(code="positions_axes.list", ids=names[:100], values={**values, **more}), True
 
 
 def _distances(place: Array, own: Array) -> Array:
@@ -76,7 +70,3 @@ def _distances(place: Array, own: Array) -> Array:
     a, b = (geocentric_from_geographic(np.column_stack([p[:, :2], np.zeros(len(p))])) for p in (place, own))
     chord = np.linalg.norm(a - b, axis=1)
     return 2 * WGS84.a * np.arcsin(np.minimum(chord / (2 * WGS84.a), 1))
-
-
-def _km(distance: float) -> str:
-    return f"{distance / 1000:.3g} km" if distance < 1e6 else f"{distance / 1000:.0f} km"

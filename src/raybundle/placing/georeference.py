@@ -11,13 +11,13 @@ import numpy as np
 from raybundle.adjustment.identical_control import identical_notices
 from raybundle.adjustment.result import Adjustment, Notice
 from raybundle.block import Block, Role
+from raybundle.block.rejection import Rejection
 from raybundle.block.select import with_rows
 from raybundle.block.transform import transform_block
-from raybundle.errors import InputError
+from raybundle.errors import InputError, Value
 from raybundle.io.geo.coordinate_systems import WGS84, LocalFrame, local_frame
 from raybundle.io.photos.photo import Photo
 from raybundle.numerics.arrays import Array, Index, Mask
-from raybundle.numerics.counting import counted
 from raybundle.numerics.transform import SimilarityTransform, similarity
 from raybundle.orientation.onto_rays import KnownRays, onto_rays
 from raybundle.orientation.rays import object_rays, rays_of
@@ -146,7 +146,7 @@ def frame_of(photos: Sequence[Photo], given: Given) -> LocalFrame | None:
     """A local frame in the coordinate system of the control, else of the list of positions, else WGS 84."""
     systems = {c.crs for c in given.control if c.crs}
     if len(systems) > 1:
-        raise InputError(f"control in different coordinate systems: {', '.join(sorted(systems))}; use one")
+        raise InputError("control.several_systems", systems=sorted(systems))
     if systems:
         crs = systems.pop()
         xyz = np.vstack([c.xyz for c in given.control if c.crs == crs])
@@ -161,12 +161,14 @@ def frame_of(photos: Sequence[Photo], given: Given) -> LocalFrame | None:
 def place_notice(frame: LocalFrame, given: Given) -> Notice:
     """Where on the earth control or positions lie, from which a reader sees an exchanged sign or column."""
     lon, lat = frame.wgs84_from_local(np.zeros((1, 3)))[0, :2].tolist()
-    place = f"{abs(lat):.4f} {'S' if lat < 0 else 'N'}, {abs(lon):.4f} {'W' if lon < 0 else 'E'}"
-    if any(c.crs for c in given.control):
-        message = f"place of the control: {place} (WGS 84)"
-    else:
-        message = f"place of the positions: {place} (WGS 84)"
-    return Notice(code="place", message=message, values={"latitude": lat, "longitude": lon})
+    return Notice(
+        code="place.of_block",
+        values={
+            "of": "control" if any(c.crs for c in given.control) else "positions",
+            "latitude": lat, "longitude": lon, "latitude_deg": abs(lat), "longitude_deg": abs(lon),
+            "north": "S" if lat < 0 else "N", "east": "W" if lon < 0 else "E",
+        },
+    )  # fmt: skip
 
 
 def _drop_wrong_control(state: Placing, free: Array, given: Given, frame: LocalFrame | None) -> None:
@@ -297,9 +299,7 @@ def _refuse_little_control(state: Placing, control: Index, given: Given, *, plac
     if placed or not state.block.points.is_control.any():
         return
     raise InputError(
-        f"{counted(len(control), 'control point')} with two or more rays; at least 2 are needed to place the block, or "
-        "positions of the photographs and a coordinate system of the control: measure more of them in the photographs",
-        file=given.control[0].path if given.control else None,
+        "control.too_few_measured", n=len(control), least=2, file=given.control[0].path if given.control else None
     )
 
 
@@ -338,10 +338,7 @@ def _weigh_control(state: Placing, given: Given, residual: Array) -> None:
     sigma[default] *= ratio
     state.block = replace(block, points=replace(block.points, sigma=sigma))
     state.tell(
-        "control_sigma",
-        f"the file states no standard deviation of its control, and the points fit each other to {scatter:.3g} m: that "
-        f"is taken for plan in place of {d.plan:g} m, and {ratio:.0f} times {d.height:g} m for heights; "
-        "give sX, sY, sZ if you know better",
+        "control_sigma", plan_m=scatter, assumed_plan_m=d.plan, height_m=ratio * d.height, assumed_height_m=d.height
     )
 
 
@@ -359,12 +356,9 @@ def _guess_heights(state: Placing) -> None:
     sigma[plan, 2] = LEVEL * extent
     state.block = replace(block, points=replace(block.points, sigma=sigma))
     state.tell(
-        "levelled",
-        f"heights of the control are not known: the block is levelled by the viewing direction of the photographs, to "
-        f"about {np.degrees(LEVEL):.0f} degrees; to that end they are observed with {LEVEL * extent:.3g} m, whatever "
-        "they were given. Heights of the result are relative and tilted by as much; three heights would level it",
-        *(block.points.ids[k] for k in np.flatnonzero(plan)),
-    )
+        "levelled", *(block.points.ids[k] for k in np.flatnonzero(plan)),
+        angle_deg=float(np.degrees(LEVEL)), sigma_m=LEVEL * extent,
+    )  # fmt: skip
 
 
 def _fix_by_positions(state: Placing, photos: Sequence[Photo], positions: Positions, given: Given) -> bool:
@@ -373,11 +367,7 @@ def _fix_by_positions(state: Placing, photos: Sequence[Photo], positions: Positi
         return False
     weak = scale_sigma(positions)
     if weak > SCALE:
-        state.tell(
-            "gps_too_near",
-            f"the positions of {len(positions)} photographs lie too near each other for what they are good for (scale "
-            f"to {100 * weak:.0f} %, {100 * SCALE:.0f} % are asked for) and are not used",
-        )
+        state.tell("gps_too_near", n=len(positions), scale=weak, limit=SCALE)
         return False
     local = positions.xyz
     heights = np.isfinite(local[:, 2])
@@ -407,8 +397,7 @@ def _fix_by_bars(state: Placing, photos: Sequence[Photo], free: Array, given: Gi
         if not np.isfinite(measured).all():
             k = int(np.flatnonzero(~np.isfinite(measured))[0])
             raise InputError(
-                f"scale bar {block.points.ids[d.start[k]]} - {block.points.ids[d.end[k]]}: its end points need two or "
-                "more rays each; measure them in more photographs"
+                "scale_bar.too_few_rays", start=block.points.ids[d.start[k]], end=block.points.ids[d.end[k]]
             )
         s = float(np.median(d.length / measured))
     tie = np.asarray(block.points.role) == Role.TIE
@@ -494,6 +483,14 @@ def _subsets(n: int, least: int) -> list[tuple[int, ...]]:
     return [tuple(int(i) for i in rng.choice(n, least, replace=False)) for _ in range(TRIALS)]
 
 
+def _rejection_values(reason: Rejection) -> dict[str, Value]:
+    tested = bool(np.isfinite(reason.tau))
+    return {
+        "kind": reason.kind.value, "tested": tested, "tau": reason.tau if tested else None,
+        "limit": reason.limit if tested else None,
+    }  # fmt: skip
+
+
 def rejected_marks(result: Adjustment, marks: Mask) -> list[Notice]:
     """Image measurements of marked points that were rejected, each by name: control, check, ends of scale bars."""
     o, ids = result.given.observations, result.given.points.ids
@@ -504,10 +501,8 @@ def rejected_marks(result: Adjustment, marks: Mask) -> list[Notice]:
             name, file = ids[o.point[k]], result.given.images.ids[o.image[k]]
             found.append(
                 Notice(
-                    code="mark_rejected",
-                    message=f"the measurement of point {name} in {file} contradicts the others ({reason}) and is left "
-                    "out; look at it again",
-                    ids=(name, file),
+                    code="mark_rejected.test", ids=(name, file),
+                    values={"point": name, "image": file, **_rejection_values(reason)},
                 )
-            )
+            )  # fmt: skip
     return found

@@ -14,8 +14,8 @@ from raybundle.adjustment.result import Adjustment, Notice
 from raybundle.adjustment.severity import POOR_FIT
 from raybundle.block import Block, Camera
 from raybundle.block.select import with_rows
+from raybundle.errors import Message, Text, Value, message
 from raybundle.numerics.arrays import Array, Index
-from raybundle.numerics.counting import counted, some_of
 
 MENDED = 2.0
 """Ratio of sigma0 as given and mended, from which on the mend explains it; POOR_FIT is the limit of what is left."""
@@ -42,11 +42,11 @@ def image_doubt_notices(block: Block, result: Adjustment, solved: Callable[[Bloc
     result  of the block, which fits poorly
     solved  adjusts a block with little else; None where there is no solution
     """
-    if (words := unit_words(block)) is not None:
-        return [Notice(code="camera_contradicts", message=words)]
-    if (origin := origin_words(block)) is not None:
-        words, names = origin
-        return [Notice(code="image_contradicts", message=words, ids=names[:100])]
+    if (unit := unit_message(block)) is not None:
+        return [Notice(code=unit.code, values=unit.values)]
+    if (origin := origin_message(block)) is not None:
+        found_origin, names = origin
+        return [Notice(code=found_origin.code, values=found_origin.values, ids=names[:100])]
     limit = min(POOR_FIT, result.sigma0 / MENDED)
     found: list[tuple[float, Notice]] = []
     own = solved(replace(block, cameras=_with_own_constants(block)))
@@ -78,16 +78,22 @@ def _without_image(
             blunders = solved(with_rows(block, ~np.isin(np.arange(len(rest)), few)))
             if blunders is not None and blunders.sigma0 <= limit:
                 return []
-            message = (
-                f"image {name} contradicts the others: sigma0 {result.sigma0:.3g}, and {without.sigma0:.3g} without "
-                "it. It may be of another camera, or its image points have the names of others or of another image. "
-                "Correct its image points, give it a camera of its own, or leave it out"
-            )
-            return [Notice(code="image_contradicts", message=message, ids=(name,), values={"sigma0": without.sigma0})]
+            return [
+                Notice(
+                    code="image_contradicts.without_it", ids=(name,),
+                    values={"image": name, "sigma0": without.sigma0, "sigma0_with": result.sigma0},
+                )
+            ]  # fmt: skip
     return []
 
 
 def unit_words(block: Block) -> str | None:
+    """The text of `unit_message`."""
+    found = unit_message(block)
+    return None if found is None else Text.of(found)
+
+
+def unit_message(block: Block) -> Message | None:
     """That image points seem to be in mm; None where they do not."""
     o, camera = block.observations, block.images.camera[block.observations.image]
     for k, c in enumerate(block.cameras):
@@ -97,14 +103,20 @@ def unit_words(block: Block) -> str | None:
         extent, size = np.ptp(o.xy_px[mine], axis=0), np.abs(np.asarray(c.size_mm))
         pixels = np.array([c.width_px, c.height_px])
         if (extent <= size).all() and (extent >= SEEN * size).all() and (extent < SEEN * pixels).all():
-            return (
-                f"camera {c.id}: its image points extend over {extent[0]:.3g} x {extent[1]:.3g} px of {c.width_px} x "
-                f"{c.height_px}, as the format does in mm: are they in mm? Give pixels from the upper left corner"
-            )
+            return message(
+                "camera_contradicts.millimetres", camera=c.id, x_px=float(extent[0]), y_px=float(extent[1]),
+                width_px=c.width_px, height_px=c.height_px,
+            )  # fmt: skip
     return None
 
 
 def origin_words(block: Block) -> tuple[str, tuple[str, ...]] | None:
+    """The text of `origin_message`, and the images."""
+    found = origin_message(block)
+    return None if found is None else (Text.of(found[0]), found[1])
+
+
+def origin_message(block: Block) -> tuple[Message, tuple[str, ...]] | None:
     """That image points of some images seem to be counted from its middle, and these images; None where none are.
 
     In pixels from the corner no image point is negative; from the middle about a half of them are.
@@ -119,12 +131,7 @@ def origin_words(block: Block) -> tuple[str, tuple[str, ...]] | None:
             names.append(block.images.ids[k])
     if not names:
         return None
-    message = (
-        f"{counted(len(names), 'image')} ({some_of(tuple(names))}) with image points to the left of and above the "
-        "format: their origin seems to be the middle of the image. Give pixels from the upper left corner, x to the "
-        "right and y down"
-    )
-    return message, tuple(names)
+    return message("image_contradicts.origin", n=len(names), names=names), tuple(names)
 
 
 def _free(camera: Camera) -> bool:
@@ -183,13 +190,11 @@ def _with_pixels(
         left = {c.id: (1 + c.values.get(_affinity(c), 0.0)) ** sign for c in mended.adjusted.cameras}
         if 2 * max(abs(left[name] - 1) for name in names) > max(abs(r - 1) for r in ratio.values()):
             continue  # the other way round: the affinity that is left is twice as large
-        each = ", ".join(f"{name}: {ratio[name] * left[name]:.5g}" for name in names)
-        message = (
-            f"pixels are not as given: sigma0 {sigma0:.3g}, and {mended.sigma0:.3g} with another height of the "
-            f"pixels of camera {each} times that given. Check pixel_mm, and whether images were resampled"
+        each = tuple(
+            message("camera_contradicts.pixel_height", camera=name, factor=ratio[name] * left[name]) for name in names
         )
-        notice = Notice(code="camera_contradicts", message=message, values={"sigma0": mended.sigma0})
-        return [(mended.sigma0, notice)]
+        values = {"sigma0": mended.sigma0, "sigma0_given": sigma0}
+        return [(mended.sigma0, Notice(code="camera_contradicts.pixels", values=values, details=each))]
     return []
 
 
@@ -222,10 +227,7 @@ def _constant_notice(mended: Adjustment, sigma0: float) -> Notice | None:
         ratios += [float(np.median(value[other]) / np.median(value[rest]))] if len(other) and len(rest) else []
     if not names or not ratios:
         return None
-    message = (
-        f"{counted(len(names), 'image')} ({some_of(tuple(names))}) of another camera constant: sigma0 {sigma0:.3g}, "
-        f"and {mended.sigma0:.3g} with one of each image; theirs is {ratios[0]:.5g} times that of the others. Another "
-        "camera, zoom or focus: give them a camera of their own"
-    )
-    values = {"images": len(names), "ratio": ratios[0], "sigma0": mended.sigma0}
-    return Notice(code="image_contradicts", message=message, ids=tuple(names[:100]), values=values)
+    values: dict[str, Value] = {
+        "images": len(names), "names": names[:100], "ratio": ratios[0], "sigma0": mended.sigma0, "sigma0_given": sigma0,
+    }  # fmt: skip
+    return Notice(code="image_contradicts.camera_constant", ids=tuple(names[:100]), values=values)

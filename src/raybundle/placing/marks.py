@@ -14,7 +14,7 @@ from raybundle.adjustment.result import Notice
 from raybundle.adjustment.severity import Severity
 from raybundle.block import Block, Distances, Observations, Points, Role
 from raybundle.block.select import selected
-from raybundle.errors import InputError
+from raybundle.errors import InputError, Message, Value, plain
 from raybundle.io.geo.control_files import DEFAULTS, ControlDefaults, ControlFile
 from raybundle.io.geo.control_systems import sigma_in_metres
 from raybundle.io.geo.coordinate_systems import LocalFrame
@@ -23,7 +23,6 @@ from raybundle.io.trajectories import PhotoAttitudes
 from raybundle.numerics.arrays import Array, Mask
 from raybundle.orientation.rays import intersect_linear, object_rays, rays_of
 from raybundle.placing.upright import Upright
-from raybundle.settings import option
 
 MARK_PX = 0.5
 """Standard deviation of a point marked in a photograph."""
@@ -43,13 +42,16 @@ class ScaleBar:
     """[m]"""
 
     def __post_init__(self) -> None:
-        name = f"scale bar {self.start} - {self.end}"
         if not (np.isfinite(self.length) and self.length > 0):
-            raise InputError(f"{name}: the length of {self.length:g} m is no distance; give it in metres, above 0")
+            raise InputError("scale_bar.length", start=self.start, end=self.end, length_m=_shown(self.length))
         if not (np.isfinite(self.sigma) and self.sigma > 0):
-            raise InputError(f"{name}: the standard deviation of {self.sigma:g} m must be above 0 (metres)")
+            raise InputError("scale_bar.sigma", start=self.start, end=self.end, sigma_m=_shown(self.sigma))
         if self.start == self.end:
-            raise InputError(f"{name}: both ends are the same point")
+            raise InputError("mark.bar_same_ends", start=self.start, end=self.end)
+
+
+def _shown(value: float) -> str:
+    return f"{value:g}"
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -85,11 +87,7 @@ class Given:
         for file in self.control:
             for name in file.ids:
                 if name in given:
-                    raise InputError(
-                        f"point {name} is given twice, here and in {given[name].name}; a point is control or check, "
-                        "once: give the other another name, or delete it",
-                        file=file.path,
-                    )
+                    raise InputError("control.point_twice", point=name, table=given[name].name, file=file.path)
                 given[name] = file.path
 
 
@@ -102,9 +100,9 @@ class Placing:
     upright: Upright | None = None
     """how the vertical was found, where nothing else tells it"""
 
-    def tell(self, code: str, message: str, *ids: str) -> None:
+    def tell(self, code: str, *ids: str, details: tuple[Message, ...] = (), **values: Value) -> None:
         """Add a notice."""
-        self.notices.append(Notice(code=code, message=message, ids=ids))
+        self.notices.append(Notice(code=code, values=plain(values), ids=ids, details=details))
 
 
 def check_marks(photos: Sequence[Photo], given: Given) -> None:
@@ -124,20 +122,15 @@ def check_marks(photos: Sequence[Photo], given: Given) -> None:
             size = photos[i].width_px, photos[i].height_px
             if not (0 <= at[0] <= size[0] and 0 <= at[1] <= size[1]):
                 tag = exif_turn(photos[i])
-                turned = f" and as it is stored (a viewer turns it by its EXIF orientation {tag})" if tag != 1 else ""
                 raise InputError(
-                    f"{at[0]:g}, {at[1]:g} lies outside photograph {name} ({size[0]} x {size[1]} px); "
-                    f"measure in the photograph at its full size{turned}",
-                    file=c.path, line=int(line),
+                    "mark.outside_photograph", image=name, x_px=float(at[0]), y_px=float(at[1]), width_px=size[0],
+                    height_px=size[1], turned=tag != 1, orientation=tag, file=c.path, line=int(line),
                 )  # fmt: skip
     known = {name for c in given.control for name in c.ids}
     for bar in given.scale_bars:
         for name in (bar.start, bar.end):
             if name not in known:
-                raise InputError(
-                    f"scale bar {bar.start} - {bar.end}: point {name} is not measured in any photograph; "
-                    f"give its image measurements with {option('control')}, or have targets read: {option('target')}"
-                )
+                raise InputError("scale_bar.end_not_measured", start=bar.start, end=bar.end, point=name)
 
 
 def exif_turn(photo: object) -> int:
@@ -165,12 +158,7 @@ def check_names(photos: Sequence[Photo], given: Given) -> None:
     for c in given.control:
         measured = list(dict.fromkeys(c.measurements.image))
         if measured and all(_photo(images, name) is None for name in measured):
-            raise InputError(
-                f"it measures points in {', '.join(measured[:3])}{' ...' if len(measured) > 3 else ''}, and none of "
-                f"these is among the photographs ({', '.join([*images][:3])}{' ...' if len(images) > 3 else ''}): look "
-                "whether the file belongs to this set, and at the names",
-                file=c.path,
-            )
+            raise InputError("control.other_photographs", names=measured, photographs=[*images], file=c.path)
 
 
 def under_kept_names(control: Sequence[ControlFile], copies: Mapping[str, str]) -> tuple[ControlFile, ...]:
@@ -227,12 +215,10 @@ def add_points(state: Placing, photos: Sequence[Photo], given: Given, frame: Loc
             xy.append(at)
             cov.append(own if np.isfinite(own).all() else by_hand)
         if unknown:
-            names = ", ".join(sorted(unknown)[:5])
-            n = sum(unknown.values())
             state.notices.append(
                 Notice(
                     code="control_without_photograph",
-                    message=f"{n} measurements of {c.path.name} are in photographs that are not here: {names}",
+                    values={"n": sum(unknown.values()), "table": c.path.name, "names": sorted(unknown)},
                     # a file of several epochs, or of a whole of which this is a part, has its other photographs here
                     measured=Severity.REMARK if here else Severity.CAUTION,
                 )
@@ -271,7 +257,7 @@ def drop_single_marks(state: Placing) -> None:
     names = tuple(block.points.ids[k] for k in np.flatnonzero(single))
     o, keep = block.observations, ~single[block.observations.point]
     state.block = replace(block, observations=o.rows(keep))
-    state.tell("marked_once", f"marked in one photograph only, and so not determined: {', '.join(names)}", *names)
+    state.tell("marked_once", *names, n=len(names))
 
 
 def drop_unseen_checks(state: Placing) -> None:
@@ -282,7 +268,7 @@ def drop_unseen_checks(state: Placing) -> None:
         return
     names = tuple(block.points.ids[k] for k in np.flatnonzero(lost))
     state.block = selected(block, "point", ~lost)
-    state.tell("check_unseen", f"check points without a measurement that could be used: {', '.join(names)}", *names)
+    state.tell("check_unseen.no_measurement", *names, n=len(names))
 
 
 def drop_gross_marks(state: Placing, free: Array) -> None:
@@ -307,14 +293,12 @@ def drop_gross_marks(state: Placing, free: Array) -> None:
         limit = float(limits[rows == k][0])
         name, file = block.points.ids[o.point[k]], block.images.ids[o.image[k]]
         beside = rows_near(block, int(k), special, limit)
-        hint = f"; point {beside} is marked at the same place" if beside else ""
-        if not beside and (there := point_there(block, int(k), special, xyz, limit)) is not None:
-            hint = f"; it lies {there[1]:.2g} px from where point {there[0]} is"
+        there = None if beside else point_there(block, int(k), special, xyz, limit)
+        hint = "same_place" if beside else "none" if there is None else "near"
         state.tell(
-            "mark_rejected",
-            f"the measurement of point {name} in {file} lies {far[rows == k][0]:.0f} px from where its other "
-            f"measurements put it (limit {limit:.4g} px) and is left out{hint}; look at it again",
-            name, file,
+            "mark_rejected", name, file, point=name, image=file, off_px=float(far[rows == k][0]), limit_px=limit,
+            hint=hint, other=beside or ("" if there is None else there[0]),
+            other_px=None if there is None else there[1],
         )  # fmt: skip
     if len(wrong):
         keep = np.ones(len(o), bool)

@@ -10,7 +10,7 @@ import numpy as np
 from raybundle.adjustment.result import Adjustment
 from raybundle.adjustment.severity import POOR_FIT
 from raybundle.block import Block
-from raybundle.errors import InputError
+from raybundle.errors import InputError, Message, message
 from raybundle.numerics.arrays import Array
 from raybundle.numerics.transform import similarity
 
@@ -21,15 +21,16 @@ ORIENTED = 0.25
 FEWEST = 4
 """Points; three fit a mirror image as well as themselves."""
 MENDS: dict[str, tuple[tuple[int, int, int], tuple[float, float, float]]] = {
-    "X and Y exchanged": ((1, 0, 2), (1, 1, 1)),
-    "Y and Z exchanged": ((0, 2, 1), (1, 1, 1)),
-    "X and Z exchanged": ((2, 1, 0), (1, 1, 1)),
-    "Z with the wrong sign": ((0, 1, 2), (1, 1, -1)),
-    "X with the wrong sign": ((0, 1, 2), (-1, 1, 1)),
-    "Y with the wrong sign": ((0, 1, 2), (1, -1, 1)),
+    "xy": ((1, 0, 2), (1, 1, 1)),
+    "yz": ((0, 2, 1), (1, 1, 1)),
+    "xz": ((2, 1, 0), (1, 1, 1)),
+    "z": ((0, 1, 2), (1, 1, -1)),
+    "x": ((0, 1, 2), (-1, 1, 1)),
+    "y": ((0, 1, 2), (1, -1, 1)),
 }
-"""Each as an order of the axes and their signs; all are mirror images, which a rotation makes equal to one another."""
-USUAL = ("X and Y exchanged", "Z with the wrong sign")
+"""Two axes exchanged, or one of the wrong sign: an order of the axes and their signs.  All are mirror images, which a
+rotation makes equal to one another."""
+USUAL = ("xy", "z")
 """Those that occur: easting and northing in the other order, depths for heights."""
 
 
@@ -58,21 +59,17 @@ def mirror_mends(
     return None if result is None or result.sigma0 > POOR_FIT else (likely, result.sigma0)
 
 
-def mirror_words(mends: tuple[str, ...], images: str | None) -> str:
-    """What to look for, from the mends that are likely.
+def mirror_causes(mends: tuple[str, ...], images: str | None) -> tuple[str, tuple[Message, ...]]:
+    """Where the cause lies ("images", "control", "open"), and a message for each likely cause.
 
     images  mend of the image axes by the orientation that was given; "" where it fits as it is, None where it is open
     """
     if images:
-        return f"Likely cause: image points with {images}. Correct observations.csv: x to the right, y down"
+        return "images", (message("images_mirrored.mend", mend=images),)
+    causes = tuple(message("control_contradicts.mend", mend=m) for m in mends)
     if images is None:
-        return (
-            f"Possible causes: {' or '.join(mends)} in the control, or image points with y counted upward or x and y "
-            "exchanged. Correct the file of control, or observations.csv"
-        )
-    if len(mends) == 1:
-        return f"Likely cause: {mends[0]}. Correct the file of control"
-    return f"Possible causes: {' or '.join(mends)}. Correct the file of control"
+        return "open", (*causes, *(message("images_mirrored.mend", mend=m) for m in ("y_up", "xy")))
+    return "control", causes
 
 
 def _mended(xyz: Array, name: str) -> Array:

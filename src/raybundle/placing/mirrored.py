@@ -51,13 +51,8 @@ def mirrored_notices(block: Block, free: Array) -> list[Notice]:
         return []
     rms, mirror = (float(np.sqrt(W / redundancy)) for W in (every, turned))
     names = tuple(points.ids[k] for k in rows)
-    message = (
-        f"the coordinates of {', '.join(names[:8])}{' ...' * (n > 8)} are those of a mirror image: they fit the "
-        f"photographs to {rms:.2g} m as given, and to {mirror:.2g} m mirrored ({n} points). Two axes are exchanged (X "
-        "and Y, as easting and northing; Y and Z), or one counts the other way (depths for heights). No control takes "
-        "part, and the photographs are oriented as without any: mend the file"
-    )
-    return [Notice(code="control_mirrored", message=message, ids=names[:100])]
+    values = {"n": n, "rms_m": rms, "mirrored_m": mirror}
+    return [Notice(code="control_mirrored.points", ids=names[:100], values=values)]
 
 
 def without_control(block: Block, rows: Index | None = None) -> Block:

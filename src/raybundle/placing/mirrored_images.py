@@ -10,15 +10,15 @@ import numpy as np
 
 from raybundle.adjustment.result import Notice
 from raybundle.block import Block
-from raybundle.errors import InputError
+from raybundle.errors import InputError, message
 from raybundle.numerics.arrays import Array
 from raybundle.numerics.transform import similarity
 
 MENDS = {
-    "y counted upward": np.diag([1.0, -1.0, 1.0]),
-    "x counted to the left": np.diag([-1.0, 1.0, 1.0]),
-    "x and y exchanged": np.array([[0.0, -1, 0], [-1, 0, 0], [0, 0, 1]]),
-    "x and y exchanged and both with the wrong sign": np.array([[0.0, 1, 0], [1, 0, 0], [0, 0, 1]]),
+    "y_up": np.diag([1.0, -1.0, 1.0]),
+    "x_left": np.diag([-1.0, 1.0, 1.0]),
+    "xy": np.array([[0.0, -1, 0], [-1, 0, 0], [0, 0, 1]]),
+    "xy_negative": np.array([[0.0, 1, 0], [1, 0, 0], [0, 0, 1]]),
 }
 """Right axes of the sensor (y up) from those of the observations, which are named as pixels count (y down)"""
 HAND = np.array([1.0, 1.0, -1.0])
@@ -75,13 +75,10 @@ def mirrored_image_notices(block: Block, adjusted: Block) -> list[Notice]:
     mend, share = found
     return [
         Notice(
-            code="images_mirrored",
-            message=f"the object is a mirror image of the one that the given orientation has, which fits mirrored to "
-            f"{share:.2g} of its extent. Likely cause: image points with {mend}. Correct observations.csv: pixels "
-            "count x to the right and y down",
-            values={"mend": mend, "misfit": share},
+            code="images_mirrored", values={"mend": mend, "misfit": share},
+            details=(message("images_mirrored.mend", mend=mend),),
         )
-    ]
+    ]  # fmt: skip
 
 
 def _places(block: Block, images: Array, depth: Array) -> Array:

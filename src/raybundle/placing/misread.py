@@ -15,7 +15,7 @@ from scipy.special import fdtri
 
 from raybundle.adjustment.result import Notice
 from raybundle.block import Block, Role
-from raybundle.errors import InputError
+from raybundle.errors import InputError, Value
 from raybundle.numerics.arrays import Array, Index
 from raybundle.numerics.statistics import fisher_tail
 from raybundle.numerics.transform import robust_similarity, similarity
@@ -129,23 +129,17 @@ def without_misread_control(block: Block, free: Array, *, units: bool) -> tuple[
         return block, []
     mine = rows[list(found.rows)]
     names = tuple(points.ids[k] for k in mine)
-    block, alone = without_control(block, mine), ""
-    if np.asarray(block.points.is_control).all(axis=1).sum() < LEFT:
-        block, alone = without_control(block), f" (nor does other control: fewer than {LEFT} points would be left)"
-    fits = f"{found.before:.2g} m from where the photographs and the other points put"
+    block = without_control(block, mine)
+    few = bool(np.asarray(block.points.is_control).all(axis=1).sum() < LEFT)
+    if few:
+        block = without_control(block)
+    values: dict[str, Value] = {"before_m": found.before, "after_m": found.after, "few": few, "least": LEFT}
     if found.factor == 1:
-        message = (
-            f"control points {names[0]} and {names[1]} seem to be exchanged: their coordinates lie {fits} them, and "
-            f"{found.after:.2g} m the other way round. They take no part{alone}; exchange their coordinates, or "
-            "their names where they were marked"
-        )
-        return block, [Notice(code="control_exchanged", message=message, ids=names)]
-    unit = "millimetres among metres" if found.factor < 1 else "metres among millimetres"
-    message = (
-        f"the coordinates of {names[0]} seem to be in {unit}: as given they lie {fits} it, and times {found.factor:g} "
-        f"{found.after:.2g} m. It takes no part{alone}; give all coordinates in one unit"
-    )
-    return block, [Notice(code="control_unit", message=message, ids=names)]
+        return block, [
+            Notice(code="control_exchanged", ids=names, values={**values, "first": names[0], "second": names[1]})
+        ]
+    unit: dict[str, Value] = {"point": names[0], "factor": found.factor, "millimetres": found.factor < 1}
+    return block, [Notice(code="control_unit.point", ids=names, values={**values, **unit})]
 
 
 def without_exchanged_positions(block: Block, positions: Positions) -> tuple[Positions, list[Notice]]:
@@ -156,13 +150,9 @@ def without_exchanged_positions(block: Block, positions: Positions) -> tuple[Pos
         return positions, []
     names = tuple(block.images.ids[positions.image[rows[k]]] for k in found.rows)
     keep = np.setdiff1d(np.arange(len(positions)), rows[list(found.rows)])
-    message = (
-        f"the positions of {names[0]} and {names[1]} seem to be exchanged: they lie {found.before:.2g} m from where "
-        f"the photographs and the other positions put them, and {found.after:.2g} m the other way round. Neither is "
-        "used; look at the names in the file of positions, or at the clock of the receiver"
-    )
+    values = {"first": names[0], "second": names[1], "before_m": found.before, "after_m": found.after}
     left = replace(
         positions, image=positions.image[keep], xyz=positions.xyz[keep], sigma=positions.sigma[keep],
         flight=positions.flight[keep], assumed=positions.assumed[keep],
     )  # fmt: skip
-    return left, [Notice(code="positions_exchanged", message=message, ids=names)]
+    return left, [Notice(code="positions_exchanged", ids=names, values=values)]

@@ -13,13 +13,12 @@ import numpy as np
 
 from raybundle.adjustment.result import Notice
 from raybundle.block import Block, Role
-from raybundle.errors import InputError
+from raybundle.errors import InputError, Value
 from raybundle.io.geo.control_files import ControlFile
 from raybundle.io.geo.coordinate_systems import WGS84, local_frame
 from raybundle.io.geo.parsed_systems import parse_crs
 from raybundle.io.photos.photo import Photo
 from raybundle.numerics.arrays import Array, Index
-from raybundle.numerics.counting import counted
 from raybundle.numerics.length_units import UNITS
 from raybundle.numerics.statistics import fisher_tail
 from raybundle.numerics.transform import similarity
@@ -113,22 +112,9 @@ def positions_as_read(block: Block, photos: Sequence[Photo], positions: Position
     if found is None:
         return positions, []
     names = tuple(block.images.ids[i] for i in positions.image[rows].tolist())
-    fits = (
-        f"they fit the photographs to {found.before:.2g} m as given, and to {found.after:.2g} m corrected "
-        f"({counted(len(rows), 'photograph')})"
-    )
-    if found.mend == FEET:
-        message = (
-            f"the heights of the positions seem to be in feet: {fits}. No position is used; give heights in metres "
-            "(feet times 0.3048)"
-        )
-        notice = Notice(code="positions_unit", message=message, ids=names[:100])
-    else:
-        message = (
-            f"latitude and longitude of the positions seem to be exchanged: {fits}. No position is used; exchange the "
-            "two columns, or their names, in the file of positions"
-        )
-        notice = Notice(code="positions_axes", message=message, ids=names[:100])
+    values = {"n": len(rows), "before_m": found.before, "after_m": found.after}
+    code = "positions_unit" if found.mend == FEET else "positions_axes"
+    notice = Notice(code=code, ids=names[:100], values=values)
     left = replace(
         positions, image=positions.image[:0], xyz=positions.xyz[:0], sigma=positions.sigma[:0],
         flight=positions.flight[:0], assumed=positions.assumed[:0],
@@ -157,22 +143,11 @@ def control_as_read(
     if found is None:
         return block, []
     names = tuple(points.ids[k] for k in rows)
-    fits = (
-        f"they fit the photographs to {found.before:.2g} m as given, and to {found.after:.2g} m corrected "
-        f"({counted(len(rows), 'point')})"
-    )
+    values: dict[str, Value] = {"n": len(rows), "before_m": found.before, "after_m": found.after}
     if found.mend == FEET:
-        message = (
-            f"the heights of the control seem to be in feet: {fits}. No control takes part; give heights in metres "
-            "(feet times 0.3048)"
-        )
-        return without_control(block), [Notice(code="control_unit", message=message, ids=names[:100])]
-    axes = "latitude and longitude" if system and parse_crs(system).is_geographic else "easting and northing"
-    message = (
-        f"{axes} of the control seem to be exchanged: {fits}. No control takes part; exchange the two columns in the "
-        "file of control"
-    )
-    return without_control(block), [Notice(code="control_mirrored", message=message, ids=names[:100])]
+        return without_control(block), [Notice(code="control_unit", ids=names[:100], values=values)]
+    values["geographic"] = bool(system and parse_crs(system).is_geographic)
+    return without_control(block), [Notice(code="control_mirrored.axes", ids=names[:100], values=values)]
 
 
 def _local(xyz: Array, crs: str | None, undulation_m: float | None) -> tuple[Array, Array]:
@@ -181,11 +156,11 @@ def _local(xyz: Array, crs: str | None, undulation_m: float | None) -> tuple[Arr
         return xyz, np.eye(3)
     middle = xyz.mean(axis=0)
     if parse_crs(crs).is_geographic and abs(middle[1]) > 90:
-        raise InputError(f"latitude {middle[1]:.10g} is beyond 90 degrees")
+        raise InputError("position.beyond_degrees", value=middle[1], limit=90)
     frame = local_frame(crs, middle, undulation_m=undulation_m)
     local, jacobian = frame.local_from_crs(xyz), frame.jacobian(middle[None])[0]
     if not (np.isfinite(local).all() and abs(np.linalg.det(jacobian)) > 0):
-        raise InputError(f"{middle[0]:.10g}, {middle[1]:.10g} is no place of {crs}")
+        raise InputError("crs.no_local_frame", x=middle[0], y=middle[1], system=crs)
     return local, jacobian
 
 

@@ -17,7 +17,6 @@ from raybundle.block.select import selected
 from raybundle.io.geo.coordinate_systems import LocalFrame
 from raybundle.io.photos.photo import Photo
 from raybundle.numerics.arrays import Array, Index, Mask
-from raybundle.numerics.counting import counted
 from raybundle.placing.marks import Given, Placing
 from raybundle.platforms.antenna import Antenna
 
@@ -180,7 +179,7 @@ def observe(state: Placing, positions: Positions, given: Given) -> None:
     shift = (*(("sx", "sy") if plan else ()), *(("sz",) if height else ())) if given.shift else ()
     arm = given.lever_arm
     stations = Stations(image=positions.image, xyz=positions.xyz, sigma=positions.sigma)
-    told = f"the positions of {counted(len(positions), 'photograph')} are observed"
+    flights = 0
     if shift or arm is not None:
         count = positions.flights
         taken = {c.id for c in block.parametrised}
@@ -191,15 +190,12 @@ def observe(state: Placing, positions: Positions, given: Given) -> None:
         block = replace(block, instruments=(*block.instruments, *antennas))
         stations = replace(stations, antenna=(first + positions.flight).astype(np.int32))
         if shift:
-            told += ", with a shift of their own" + (f" for each of {count} flights" if count > 1 else "")
+            flights = count
     state.block = block.having(stations)
-    state.tell("gps", told)
+    state.tell("gps", n=len(positions), flights=flights)
     if positions.assumed.any():
-        state.tell(
-            "positions_assumed",
-            f"{counted(int(positions.assumed.sum()), 'position')} without standard deviations: {GPS_M[0]:g} m in plan "
-            f"and {GPS_M[2]:g} m in height are assumed. Give the accuracies in the file of positions if they are known",
-        )
+        assumed = int(positions.assumed.sum())
+        state.tell("positions_assumed", n=assumed, plan_m=float(GPS_M[0]), height_m=float(GPS_M[2]))
 
 
 def without_idle(block: Block) -> Block:

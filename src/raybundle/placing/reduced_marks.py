@@ -162,14 +162,11 @@ def _factors(block: Block, rows: Index, side: float) -> Array:
 
 
 def _told(file: ControlFile, found: Size, full: float) -> Notice:
-    about = "" if found.sigma == 0 else f" +- {found.sigma:.2g}"
     return Notice(
-        code="marks_reduced",
-        message=(
-            f"the measurements in {file.path.name} fit copies of {found.long_side:.5g}{about} px, not photographs of "
-            f"{full:.5g} px: as they stand they lie {found.before:.0f} px from where the others of their point put "
-            f"them, taken times {full / found.long_side:.4g} it is {found.after:.2g} px (median of {found.marks}). "
-            "They are taken so, with standard deviations as much larger; measure in the photographs themselves"
-        ),
-        ids=(str(file.path.name),),
-    )
+        code="marks_reduced", ids=(str(file.path.name),),
+        values={
+            "table": file.path.name, "side_px": found.long_side, "sigma_px": found.sigma, "exact": found.sigma == 0,
+            "full_px": full, "factor": full / found.long_side, "before_px": found.before, "after_px": found.after,
+            "marks": found.marks,
+        },
+    )  # fmt: skip

@@ -43,18 +43,9 @@ def take_eccentricity_off(state: Placing, control: Sequence[ControlFile]) -> Non
     largest = float(np.linalg.norm(shift[rows], axis=1).max())
     done = len(round_) - len(unknown)
     if done:
-        state.tell(
-            "target_eccentricity",
-            f"the measured centres of {done} round targets were moved to the images of their centres, by "
-            f"{largest:.2g} px at most",
-        )
+        state.tell("target_eccentricity", n=done, largest_px=largest)
     if unknown:
-        state.tell(
-            "target_without_normal",
-            f"round targets whose centres stay as measured, since nothing tells which way they face (columns nX, nY, "
-            f"nZ, or four targets of one plane): {', '.join(unknown[:5])}",
-            *unknown,
-        )
+        state.tell("target_without_normal", *unknown, n=len(unknown))
 
 
 def _as_seen(block: Block, control: Sequence[ControlFile]) -> Array:

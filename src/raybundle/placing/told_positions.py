@@ -9,6 +9,7 @@ import numpy as np
 
 from raybundle.adjustment.result import Adjustment, Notice
 from raybundle.adjustment.severity import Severity
+from raybundle.errors import Message, message
 from raybundle.io.photos.cameras import CameraGroup
 from raybundle.numerics.statistics import chi_square_tails
 
@@ -16,7 +17,7 @@ ALPHA = 1e-3
 """Probability by chance of residuals so small, below which the positions are relatively more precise than stated."""
 FEWEST = 6.0
 """Redundancy of the positions from which on that is asked."""
-DIRECTIONS = (("in plan", ("X", "Y")), ("in height", ("Z",)))
+DIRECTIONS = (("plan", ("X", "Y")), ("height", ("Z",)))
 
 
 def with_relative_precision(result: Adjustment) -> Adjustment:
@@ -28,7 +29,7 @@ def with_relative_precision(result: Adjustment) -> Adjustment:
     g = next((g for g in result.groups if g.kind == "station"), None)
     if g is None:
         return result
-    told: list[str] = []
+    smaller: list[Message] = []
     for where, axes in DIRECTIONS:
         rows = np.isin(np.array(g.component), axes) & (g.sigma > 0) & np.isfinite(g.redundancy)
         r = float(g.redundancy[rows].sum())
@@ -36,17 +37,13 @@ def with_relative_precision(result: Adjustment) -> Adjustment:
         if r < FEWEST or chi_square_tails(square, r)[0] > ALPHA:
             continue
         stated = float(np.median(g.sigma[rows]))
-        told.append(f"{stated * np.sqrt(square / r):.2g} m {where}, where {stated:.2g} m are stated or assumed")
-    if not told:
+        estimated = float(stated * np.sqrt(square / r))
+        smaller.append(message("relative_positions.direction", direction=where, sigma_m=estimated, stated_m=stated))
+    if not smaller:
         return result
-    shift = (
-        "The standard deviations stated hold for the shift that all positions have in common: residuals do not show "
-        "it, and coordinates carry it. Control points would tell it"
-    )
-    if result.given.points.is_control.any():
-        shift = "The standard deviations stated hold for the shift that all have in common, which the control tells"
-    message = f"the precision of the positions relative to each other is {' and '.join(told)}. {shift}"
-    return replace(result, notices=(*result.notices, Notice(code="relative_positions", message=message)))
+    control = bool(result.given.points.is_control.any())
+    notice = Notice(code="relative_positions", values={"control": control}, details=tuple(smaller))
+    return replace(result, notices=(*result.notices, notice))
 
 
 def camera_notices(groups: Sequence[CameraGroup]) -> list[Notice]:

@@ -15,10 +15,10 @@ from raybundle.adjustment.predict import residuals_px
 from raybundle.adjustment.result import Notice
 from raybundle.adjustment.severity import Severity
 from raybundle.block import Block
+from raybundle.errors import Value
 from raybundle.io.geo.control_files import ControlFile
 from raybundle.io.photos.photo import Photo, stored_from_upright
 from raybundle.numerics.arrays import Index, Mask
-from raybundle.numerics.counting import counted
 from raybundle.placing.marks import GROSS, Placing, exif_turn, intersected
 from raybundle.placing.reduced_marks import CHANCE
 
@@ -118,49 +118,36 @@ def _inside(block: Block, rows: Index) -> bool:
     return bool(((o.xy_px[rows] >= 0) & (o.xy_px[rows] <= size)).all())
 
 
-def _tags(photos: Sequence[Photo], image: Index) -> str:
-    found = np.unique([exif_turn(photos[i]) for i in np.unique(image).tolist()]).tolist()
-    return ", ".join(f"{tag} (shown turned {TURN[tag]})" if tag in TURN else f"{tag} (shown mirrored)" for tag in found)
+def _lead(file: ControlFile, photos: Sequence[Photo], image: Index) -> dict[str, Value]:
+    shown = np.unique(image)
+    tags = np.unique([exif_turn(photos[i]) for i in shown.tolist()]).tolist()
+    return {"table": file.path.name, "marks": len(image), "photographs": len(shown), "orientations": tags}
 
 
-def _lead(file: ControlFile, photos: Sequence[Photo], image: Index) -> str:
-    many = len(np.unique(image))
-    where = f"{counted(many, 'photograph')} with the EXIF orientation {_tags(photos, image)}"
-    return f"of the marks in {file.path.name}, {len(image)} are in {where}"
-
-
-def _apart(r: Reading) -> str:
-    return f"{r.median:.3g} px" if np.isfinite(r.median) else "no distance that could be told"
+def _apart(r: Reading | None) -> float | None:
+    return r.median if r is not None and np.isfinite(r.median) else None
 
 
 def _told(
     file: ControlFile, photos: Sequence[Photo], image: Index, before: Reading | None, after: Reading | None, *,
     outside: bool,
 ) -> Notice:  # fmt: skip
-    why = "the photographs as stored cannot hold them" if outside else ""
-    if before is not None and after is not None:
-        why += (", and " if why else "") + (
-            f"as they stand they lie {_apart(before)} from where the others of their point put them, turned back it is "
-            f"{_apart(after)} (median)"
-        )
+    apart = {"before_px": _apart(before), "after_px": _apart(after)}
+    compared = None not in apart.values()
     return Notice(
-        code="marks_turned",
-        message=f"{_lead(file, photos, image)}, and they were measured as a viewer shows them: {why}. They are taken "
-        "turned back; raybundle counts the pixels as stored, so write those, or measure with a program that ignores "
-        "the EXIF orientation",
-        ids=(str(file.path.name),),
-    )
+        code="marks_turned", ids=(str(file.path.name),),
+        values={**_lead(file, photos, image), **apart, "compared": compared, "outside": outside},
+    )  # fmt: skip
 
 
 def _open(
     file: ControlFile, photos: Sequence[Photo], image: Index, before: Reading, after: Reading, limit: float
 ) -> Notice:
+    apart = {"before_px": _apart(before), "after_px": _apart(after)}
     return Notice(
-        code="marks_turned",
-        message=f"{_lead(file, photos, image)}. As they stand they lie {_apart(before)} from where the others of their "
-        f"point put them, turned back {_apart(after)} (median, limit {limit:.3g} px; {before.near} and {after.near} "
-        "within it), which so few marks that agree do not decide: they stay as they are. raybundle counts the pixels "
-        "as stored; if they were measured as a viewer shows the photographs, measure them in the pixels as stored, or "
-        "mark more points in three photographs or more",
-        ids=(str(file.path.name),), measured=Severity.FAULT,
+        code="marks_turned.undecided", ids=(str(file.path.name),), measured=Severity.FAULT,
+        values={
+            **_lead(file, photos, image), **apart, "compared": None not in apart.values(), "limit_px": limit,
+            "before_near": before.near, "after_near": after.near,
+        },
     )  # fmt: skip

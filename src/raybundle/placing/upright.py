@@ -10,13 +10,13 @@ import numpy as np
 
 from raybundle.adjustment.result import Notice
 from raybundle.block import Block
-from raybundle.errors import InputError
+from raybundle.errors import InputError, Value
 from raybundle.io.photos.photo import Photo, upright_from_stored
+from raybundle.io.reading.words import quoted
 from raybundle.numerics.arrays import Array
 from raybundle.orientation.plumb import PlumbEdges
 from raybundle.orientation.upright import SURE, Habits, Kind, habits
 from raybundle.placing.plumb_lines import vertical_by_edges, with_pixels
-from raybundle.settings import option
 
 UNSURE = np.radians(5.0)
 """Standard deviation of the vertical from which on it is told."""
@@ -77,32 +77,18 @@ def doubts(found: Upright, way: str) -> tuple[Notice, ...]:
     """What is to be told of a vertical: that the habits do not tell it for sure, or that edges tell it."""
     if found.kind == "given":
         return ()
-    degrees = np.degrees(found.sigma)
+    degrees = float(np.degrees(found.sigma))
     if found.probability < SURE and way == "auto":
-        told = (
-            f"up is ambiguous: by how the photographs were held the set is {found.kind} with a probability of "
-            f"{100 * found.probability:.0f} % only ({100 * SURE:.0f} % are asked for). It was taken for that; if the "
-            f"result lies on its side, say {option('up', 'terrestrial')} or {option('up', 'aerial')}, or "
-            f"{option('up', 'A,B')} with two measured points, B "
-            "plumb above A"
-        )
-        return (Notice(code="up_ambiguous", message=told),)
+        values: dict[str, Value] = {"kind": found.kind, "probability": found.probability, "limit": SURE}
+        return (Notice(code="up_ambiguous", values=values),)
     if found.sigma > UNSURE and way == "auto":
-        told = (
-            f"up is known to ± {degrees:.0f} degrees only, from how the photographs were held; two measured points, B "
-            f"plumb above A, say it exactly: {option('up', 'A,B')}"
-        )
-        return (Notice(code="up_uncertain", message=told),)
+        return (Notice(code="up_uncertain", values={"sigma_deg": degrees}),)
     if found.edges is not None:
         e = found.edges
-        told = f"up is that of {e.edges} straight edges in {e.photographs} photographs, ± {degrees:.2g} degrees"
-        return (Notice(code="up_by_edges", message=told),)
+        values = {"edges": e.edges, "photographs": e.photographs, "sigma_deg": degrees}
+        return (Notice(code="up_by_edges", values=values),)
     if found.sought:
-        told = (
-            "no more straight edges of the photographs meet in one vertical than by chance: up is known from how the "
-            f"photographs were held, ± {degrees:.2g} degrees"
-        )
-        return (Notice(code="up_without_edges", message=told),)
+        return (Notice(code="up_without_edges", values={"sigma_deg": degrees}),)
     return ()
 
 
@@ -138,19 +124,14 @@ def _distance(block: Block) -> float:
 def _plumb(block: Block, way: str) -> Array:
     names = [n.strip() for n in way.split(",")]
     if len(names) != 2:
-        raise InputError(
-            f"{option('up', way)}: it is auto, terrestrial, aerial, oblique, or two points A,B of {option('control')}, "
-            "B plumb above A"
-        )
+        raise InputError("vertical.unknown_way", way=quoted(way))
     index = {name: k for k, name in enumerate(block.points.ids)}
     for name in names:
         if name not in index or not np.isfinite(block.points.xyz[index[name]]).all():
-            raise InputError(
-                f"{option('up', way)}: point {name} has no place; measure it in two photographs ({option('control')})"
-            )
+            raise InputError("vertical.point_without_place", point=name)
     a, b = (block.points.xyz[index[n]] for n in names)
     if not np.linalg.norm(b - a) > 0:
-        raise InputError(f"{option('up', way)}: the points are at the same place")
+        raise InputError("vertical.same_place", first=names[0], second=names[1])
     return (b - a) / np.linalg.norm(b - a)
 
 

@@ -58,11 +58,8 @@ def without_wrong_positions(block: Block, positions: Positions) -> tuple[Positio
     notices: list[Notice] = []
     for k, distance in found:
         name = block.images.ids[positions.image[rows[k]]]
-        message = (
-            f"the position of {name} lies {distance:.3g} m from where the photographs and the other positions put it, "
-            "and is not used; look at its coordinates, its name and the fix of the receiver"
-        )
-        notices.append(Notice(code="position_left_out", message=message, ids=(name,), values={"distance": distance}))
+        values = {"image": name, "distance": distance}
+        notices.append(Notice(code="position_left_out", ids=(name,), values=values))
     kept = replace(
         positions, image=positions.image[left], xyz=positions.xyz[left], sigma=positions.sigma[left],
         flight=positions.flight[left], assumed=positions.assumed[left],

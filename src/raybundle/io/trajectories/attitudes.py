@@ -36,7 +36,7 @@ class PhotoAttitudes:
     against_enu: Array
     """(n, 3, 3) what turns the rotation of the angles: rotation = rotation(angles) @ against_enu"""
     source: str
-    """where they come from, in words"""
+    """name of a file, or gimbal: the metadata of the photographs"""
 
     def __len__(self) -> int:
         return len(self.names)
@@ -90,7 +90,7 @@ def attitudes_of_gimbals(photos: Sequence[Photo], *, sigma: tuple[float, float] 
     found = PhotoAttitudes(
         names=tuple(seen), rotation=rotation, covariance=np.full_like(rotation, np.nan),
         convention="gimbal", angles=angles, against_enu=np.tile(np.eye(3), (len(seen), 1, 1)),
-        source="the gimbal angles in the photographs",
+        source="gimbal",
     )  # fmt: skip
     return with_sigma(found, sigma)
 

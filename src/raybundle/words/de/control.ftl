@@ -9,3 +9,21 @@ control-normal = Punkt { $point }: nX, nY, nZ sind unvollständig oder alle 0.
 
 control-none_in_block = Der Block hat weder Passpunkte noch Kontrollpunkte.
     .do = Einen Block mit Punkten der Rolle control oder check angeben.
+
+control-one_place = Alle { $n } Passpunkte haben dieselben Koordinaten ({ LIST($coordinates, most: 3) }): { $names }.
+    .why = Passpunkte an einer Stelle bestimmen weder Richtung noch Maßstab.
+    .do = Jedem Punkt seine eigenen Koordinaten geben; wahrscheinlich wurde eine Zeile kopiert.
+
+control-several_systems = Die Passpunkte liegen in verschiedenen Koordinatensystemen vor: { $systems }.
+    .do = Sie in ein System umrechnen.
+
+control-too_few_measured = Passpunkte mit zwei oder mehr Strahlen: { $n }; mindestens { $least } sind nötig.
+    .do = Mehr davon in den Aufnahmen messen oder Positionen und ein Koordinatensystem der Passpunkte angeben.
+
+control-point_twice = Der Punkt { $point } steht auch in { $table }.
+    .why = Ein Punkt ist entweder Passpunkt oder Kontrollpunkt.
+    .do = Einen von beiden anders benennen oder löschen.
+
+control-other_photographs = Keine der Aufnahmen, in denen die Datei Punkte misst, ist dabei.
+    .why = Die Datei hat { LIST($names, most: 3) }; vorhanden sind { LIST($photographs, most: 3) }.
+    .do = Prüfen, ob die Datei zu diesen Aufnahmen gehört, und die Namen prüfen.

@@ -58,3 +58,6 @@ crs-not_on_earth = { $text } hat keine Lage auf der Erde.
 
 crs-heights_twice = { $system } legt seine Höhen bereits fest.
     .do = { $ellipsoid } weglassen.
+
+crs-no_local_frame = { NUM($x, digits: 10) }, { NUM($y, digits: 10) } hat in { $system } kein lokales System.
+    .do = Koordinaten und Koordinatensystem prüfen.

@@ -12,3 +12,21 @@ image_contradicts-rejected = { $images ->
      } mehr als { PERCENT($limit) } % der Bildpunkte verworfen (Median { PERCENT($median) } %): { $ids }.
     .why = Das ganze Bild widerspricht den übrigen: andere Kamera, Fokussierung oder Brennweite, gespiegelt oder beschnitten, oder vertauschte Namen.
     .do = Ihm eine eigene Kamera geben, seine Bildpunkte berichtigen oder es weglassen.
+
+image_contradicts-without_it = Bild { $image } widerspricht den anderen: sigma0 ist { $sigma0 } ohne es, { $sigma0_with } mit ihm.
+    .why = Es kann von einer anderen Kamera stammen, oder seine Bildpunkte haben falsche Namen.
+    .do = Seine Bildpunkte berichtigen, ihm eine eigene Kamera geben oder es weglassen.
+
+image_contradicts-origin = { $n } { $n ->
+     [one] Bild hat
+     *[other] Bilder haben
+    } Bildpunkte links und oberhalb des Formats: { $names }.
+    .why = Ihr Ursprung ist wohl die Bildmitte.
+    .do = Pixel von der linken oberen Ecke aus angeben, x nach rechts und y nach unten.
+
+image_contradicts-camera_constant = { $images } { $images ->
+     [one] Bild hat
+     *[other] Bilder haben
+    } eine andere Kamerakonstante, { NUM($ratio, digits: 5) }-mal die der anderen: { $names }.
+    .why = sigma0 ist { $sigma0 } mit einer Kamerakonstante je Bild, { $sigma0_given } mit einer für alle: andere Kamera, Brennweite oder Fokussierung.
+    .do = Ihnen eine eigene Kamera geben.

@@ -101,3 +101,9 @@ mark-image_not_in_block = Punkt { $point } ist in Bild { $image } markiert, das 
 mark-control_far_away = Passpunkt { $point } ist { $distance } { $unit } von den anderen entfernt, das { $ratio }-fache ihrer Ausdehnung.
     .why = Die Grenze ist das { $limit }-fache.
     .do = Dezimalzeichen und Einheit seiner Koordinaten prüfen.
+
+mark-outside_photograph = { NUM($x_px, digits: 6) }, { NUM($y_px, digits: 6) } liegt außerhalb der Aufnahme { $image } ({ $width_px } x { $height_px } px).
+    .do = In der Aufnahme in voller Größe messen{ $turned ->
+     [yes] { "" }, und so, wie sie gespeichert ist (Bildbetrachter drehen sie nach ihrer EXIF-Orientierung { $orientation })
+     *[no] { "" }
+    }.

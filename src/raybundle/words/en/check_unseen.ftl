@@ -8,3 +8,11 @@ check_unseen = { $n } check { $n ->
        *[other] are
      } not compared: { $ids }.
     .do = Measure each check point in at least two photographs.
+
+# $n = 2
+# $ids = ["C1", "C2"]
+check_unseen-no_measurement = { $n } check { $n ->
+     [one] point has
+     *[other] points have
+    } no usable image measurement: { $ids }.
+    .do = Measure each check point in at least two photographs.

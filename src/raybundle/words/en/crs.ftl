@@ -93,3 +93,9 @@ crs-not_on_earth = { $text } has no position on the earth.
 # $ellipsoid = "+ellipsoid"
 crs-heights_twice = { $system } already defines its heights.
     .do = Omit { $ellipsoid }.
+
+# $x = 534684.0
+# $y = 5338120.0
+# $system = "EPSG:4326"
+crs-no_local_frame = { NUM($x, digits: 10) }, { NUM($y, digits: 10) } has no local frame in { $system }.
+    .do = Check coordinates and coordinate system.

@@ -30,3 +30,34 @@ image_contradicts-rejected = { $images } { $images ->
      } more than { PERCENT($limit) } % of the image points rejected (median { PERCENT($median) } %): { $ids }.
     .why = The whole image contradicts the others: another camera, focus or zoom; mirrored or cropped; or exchanged names.
     .do = Give it a camera of its own, correct its image points, or leave it out.
+
+# $image = "IMG_7"
+# $sigma0 = 1.1
+# $sigma0_with = 12.0
+# $ids = ["IMG_7"]
+image_contradicts-without_it = Image { $image } contradicts the others: sigma0 is { $sigma0 } without it, { $sigma0_with } with it.
+    .why = It may be from another camera, or its image points have wrong names.
+    .do = Correct its image points, give it a camera of its own, or leave it out.
+
+# $n = 2
+# $names = ["IMG_1", "IMG_2"]
+# $ids = ["IMG_1", "IMG_2"]
+image_contradicts-origin = { $n } { $n ->
+     [one] image has
+     *[other] images have
+    } image points to the left of and above the format: { $names }.
+    .why = Their origin seems to be the middle of the image.
+    .do = Give pixels from the upper left corner, x to the right and y down.
+
+# $images = 2
+# $names = ["IMG_1", "IMG_2"]
+# $ratio = 1.5
+# $sigma0 = 1.1
+# $sigma0_given = 12.0
+# $ids = ["IMG_1", "IMG_2"]
+image_contradicts-camera_constant = { $images } { $images ->
+     [one] image has
+     *[other] images have
+    } another camera constant, { NUM($ratio, digits: 5) } times that of the others: { $names }.
+    .why = sigma0 is { $sigma0 } with a camera constant for each image, { $sigma0_given } with one for all: another camera, zoom or focus.
+    .do = Give them a camera of their own.

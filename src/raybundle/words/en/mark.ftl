@@ -171,3 +171,16 @@ mark-image_not_in_block = Point { $point } is marked in image { $image }, which 
 mark-control_far_away = Control point { $point } is { $distance } { $unit } from the others, { $ratio } times their extent.
     .why = The limit is { $limit } times.
     .do = Check the decimal point and the unit of its coordinates.
+
+# $image = "IMG_1.jpg"
+# $x_px = 5000.0
+# $y_px = 120.0
+# $width_px = 4000
+# $height_px = 3000
+# $turned = false
+# $orientation = 1
+mark-outside_photograph = { NUM($x_px, digits: 6) }, { NUM($y_px, digits: 6) } is outside photograph { $image } ({ $width_px } x { $height_px } px).
+    .do = Measure in the photograph at its full size{ $turned ->
+     [yes] { "" } and as it is stored (viewers turn it by its EXIF orientation { $orientation })
+     *[no] { "" }
+    }.

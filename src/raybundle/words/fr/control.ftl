@@ -5,3 +5,13 @@ control-no_coordinate = Point { $point } : aucune coordonnée.
 control-normal = Point { $point } : nX, nY, nZ incomplets ou nuls.
 
 control-none_in_block = Le bloc n'a ni points d'appui ni points de contrôle.
+
+control-one_place = Les { $n } points d'appui ont les mêmes coordonnées ({ LIST($coordinates, most: 3) }) : { $names }.
+
+control-several_systems = Les points d'appui sont dans des systèmes de coordonnées différents : { $systems }.
+
+control-too_few_measured = Points d'appui avec deux rayons ou plus : { $n } ; il en faut au moins { $least }.
+
+control-point_twice = Le point { $point } est aussi dans { $table }.
+
+control-other_photographs = Aucune des photographies mesurées dans le fichier n'est présente.

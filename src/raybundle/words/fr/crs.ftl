@@ -23,3 +23,5 @@ crs-utm_zone = La zone UTM { $zone } n'est pas entre 1 et 60.
 crs-not_on_earth = { $text } n'a pas de position sur la Terre.
 
 crs-heights_twice = { $system } définit déjà ses hauteurs.
+
+crs-no_local_frame = { NUM($x, digits: 10) }, { NUM($y, digits: 10) } n'a pas de repère local dans { $system }.

@@ -55,3 +55,5 @@ mark-no_masks_at_all = Aucun masque n'est dessiné ni lu d'un dossier.
 mark-image_not_in_block = Le point { $point } est marqué dans l'image { $image }, absente du bloc.
 
 mark-control_far_away = Le point d'appui { $point } est à { $distance } { $unit } des autres, { $ratio } fois leur étendue.
+
+mark-outside_photograph = { NUM($x_px, digits: 6) }, { NUM($y_px, digits: 6) } est hors de la photographie { $image } ({ $width_px } x { $height_px } px).

@@ -1,0 +1,13 @@
+control_unit = Die Höhen der Passpunkte sind wohl in Fuß; kein Passpunkt nimmt teil.
+    .why = Die { $n } Punkte passen wie angegeben auf { NUM($before_m, digits: 2) } m zu den Aufnahmen, in Metern auf { NUM($after_m, digits: 2) } m.
+    .do = Die Höhen in Metern angeben (Fuß mal 0,3048).
+
+control_unit-point = Punkt { $point } ist wohl in { $millimetres ->
+     [yes] Millimetern, die anderen in Metern
+     *[no] Metern, die anderen in Millimetern
+    }; { $few ->
+     [yes] kein Passpunkt nimmt teil (weniger als { $least } Punkte bleiben)
+     *[no] er nimmt nicht teil
+    }.
+    .why = Er liegt { NUM($before_m, digits: 2) } m von dem Ort, den die anderen ergeben, mit dem Faktor { $factor } { NUM($after_m, digits: 2) } m.
+    .do = Alle Koordinaten in einer Einheit angeben.

@@ -1,0 +1,5 @@
+marked_once = { $n } { $n ->
+     [one] Punkt ist
+     *[other] Punkte sind
+    } nur in einer Aufnahme gemessen und nicht bestimmt: { $ids }.
+    .do = Sie in einer zweiten Aufnahme messen.

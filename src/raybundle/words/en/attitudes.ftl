@@ -1,0 +1,15 @@
+# $n = 20
+# $convention = "opk"
+# $source = "ins.csv"
+# $cameras = 1
+attitudes = The attitudes of { $n } { $n ->
+     [one] photograph is
+     *[other] photographs are
+    } observed ({ $convention }, from { $source ->
+     [gimbal] the gimbal
+     *[other] { $source }
+    }){ $cameras ->
+     [0] { "" }
+     [one] { "" }, with the misalignment of one camera
+     *[other] { "" }, with the misalignment of { $cameras } cameras
+    }.

@@ -1,0 +1,1 @@
+attitudes = Les attitudes de { $n } photographie(s) sont observées ({ $convention }, { $source }).

@@ -1,0 +1,1 @@
+attitudes_steep = { $n } attitude(s) non utilisée(s) : { $ids }.

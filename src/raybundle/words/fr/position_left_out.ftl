@@ -1,0 +1,1 @@
+position_left_out = La position de { $image } contredit les autres de { $distance } m et n'est pas utilisée.
