@@ -89,11 +89,11 @@ def test_a_base_by_the_rim_takes_off_what_orientation_does():
     assert level.net.orientation == pytest.approx(0.01 * covered.sum() * 1e-4 * by, rel=1e-4)
     # a plane takes off what tilts do, within blocks and across them
     assert rim.net.orientation < 1e-4 * level.net.orientation
-    with pytest.raises(InputError, match="holds no cell"):
+    with pytest.raises(InputError, match=r"outline\.no_cell"):
         volume(model, np.zeros(SHAPE), 0.0)
     bare = holed(model, slice(2, 7), slice(0, 96))
     one = np.array([[3.2, 3.2], [4.2, 3.2], [4.2, 4.2], [3.2, 4.2]])
-    with pytest.raises(InputError, match="0 of 8 places along the outline have a height, too few for a plane"):
+    with pytest.raises(InputError, match=r"0.*8.*outline\.too_few_heights"):
         volume(bare, np.where(bare.known, 1.0, 0.0), [one])
 
 
@@ -295,7 +295,7 @@ def test_contours_of_a_cone_are_circles():
     far = np.hypot(line[:, 0] * 0.01 - 0.48, (64 - line[:, 1]) * 0.01 - 0.32)
     assert np.abs(far - 0.1).max() < 1e-3
     assert np.array_equal(line[0], line[-1])
-    with pytest.raises(InputError, match="more than 2000"):
+    with pytest.raises(InputError, match=r"at most 2.000 .*contour\.too_many_levels"):
         contours(model.heights.height, 1e-5)
     assert contours(np.full((5, 5), np.nan), 1.0) == ()
     mask = np.zeros((6, 6))

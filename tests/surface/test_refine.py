@@ -326,11 +326,11 @@ def test_brightness_and_contrast_do_not_matter(ground):
 def test_arrays_that_do_not_fit_are_refused(ground):
     grid = ground.grid(6)
     start = ground.start(grid)
-    with pytest.raises(InputError, match="0 sources of a reference"):
+    with pytest.raises(InputError, match=r"0.*depth_map\.source_count"):
         refine(ground.grey[0], [], grid, start)
-    with pytest.raises(InputError, match="starts are"):
+    with pytest.raises(InputError, match=r"starts.*depth_map\.array_shape"):
         refine(ground.grey[0], ground.sources, grid, start[:, 1:])
-    with pytest.raises(InputError, match="autocovariances are"):
+    with pytest.raises(InputError, match=r"autocovariances.*depth_map\.array_shape"):
         refine(ground.grey[0], ground.sources, grid, start, autocovariance=np.ones((2, 7, 7)))
-    with pytest.raises(InputError, match="lie beyond a reference"):
+    with pytest.raises(InputError, match=r"depth_map\.grid_outside"):
         refine(ground.grey[0], ground.sources, replace(grid, x0=150), start)

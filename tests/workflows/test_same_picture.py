@@ -53,7 +53,7 @@ def test_the_more_compressed_copy_repeats_the_other_and_is_named(found):
     assert repeats == {0: 1}
     told = same_picture_notice(repeats, photos)
     assert (told.code, told.ids) == ("identical_images", ("a_edited.jpg",))
-    assert "a_edited.jpg as b.jpg" in told.text
+    assert told.values["names"] == ["a_edited.jpg (b.jpg)"]
 
 
 def test_an_equal_part_at_the_same_pixels_is_no_copy(tmp_path):

@@ -2,9 +2,9 @@
 # $convention = "opk"
 # $source = "ins.csv"
 # $cameras = 1
-attitudes = The attitudes of { $n } { $n ->
-     [one] photograph is
-     *[other] photographs are
+attitudes = Attitudes of { $n } { $n ->
+     [one] photograph
+     *[other] photographs
     } observed ({ $convention }, from { $source ->
      [gimbal] the gimbal
      *[other] { $source }
