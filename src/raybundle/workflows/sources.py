@@ -11,7 +11,7 @@ import numpy as np
 
 from raybundle.block import Block, Camera, Images, Role
 from raybundle.block.select import points_left, with_rows
-from raybundle.errors import InputError
+from raybundle.errors import InputError, Text
 from raybundle.io.block.folder import read_block
 from raybundle.io.formats import Export, check_deviation, formats, looks_like, read_format
 from raybundle.io.geo.coordinate_systems import frame_from_mapping
@@ -44,7 +44,8 @@ def read_source(source: Path, given: str | None = None, *, approximate: bool = F
     if name != BLOCK:
         imported = read_format(name, source)
         check_deviation(imported.deviation_px, source, approximate=approximate)
-        return Export(block=imported.block, colours=imported.colours, unread=imported.unread), imported.remarks
+        remarks = tuple(Text.of(r) for r in imported.remarks)
+        return Export(block=imported.block, colours=imported.colours, unread=imported.unread), remarks
     if (source / "result.json").is_file():
         return _result(source)
     block, frame, remarks = in_block_frame(read_block(source))

@@ -78,10 +78,11 @@ def test_a_folder_by_hand(name, files, tmp_path):
         np.testing.assert_allclose(
             block.points.sigma[[place["11"], place["12"]]], [[0.05, 0.05, 0.1], [0.05, 0.05, np.nan]]
         )
-        assert not any("standard deviation of 0.01" in r for r in read.remarks)
+        assert not any(r.code == "import.control_sigma_assumed" for r in read.remarks)
     else:
-        assert "get a standard deviation of 0.01 m in plan" in " ".join(read.remarks)
-        assert "tells neither format nor pixels" in " ".join(read.remarks)
+        [assumed] = [r for r in read.remarks if r.code == "import.control_sigma_assumed"]
+        assert assumed.values["plan_m"] == 0.01
+        assert any(r.code == "import.format_assumed" for r in read.remarks)
 
 
 # sin phi = 3/5, sin omega = 5/13, kappa a right angle:
@@ -122,7 +123,7 @@ TURNED_BINGO = {
 def test_turns_by_hand(name, files, tmp_path):
     """Both ways: what is read is the matrix worked out above, and what is written from it are the same numbers."""
     read = read_format(name, folder(tmp_path / "b", files))
-    assert not any("transpose" in r or "omega, phi, kappa" in r for r in read.remarks)
+    assert not any(r.code == "import.orientation_convention" for r in read.remarks)
     block = read.block
     np.testing.assert_allclose(block.images.rotation[0], TURNED, atol=1e-9)
     # and the image points fit: every one is where the condition puts it
@@ -197,12 +198,12 @@ def test_the_transpose_is_recognised_by_the_image_points(tmp_path):
         lines += [" ".join(words[k : k + 4]), " ".join(map(repr, D[:5].tolist())), " ".join(map(repr, D[5:].tolist()))]
     path.write_text("\n".join(lines))
     read = read_format("patb", tmp_path / "b")
-    assert any("transpose" in r for r in read.remarks)
+    assert any(r.values.get("reading") == "object_to_image" for r in read.remarks)
     np.testing.assert_allclose(read.block.images.rotation, block.images.rotation, atol=1e-9)
 
 
-@pytest.mark.parametrize(("unit", "words"), [(200 / np.pi, "omega, phi, kappa in gon"), (180 / np.pi, "in degrees")])
-def test_other_angles_are_recognised_by_the_image_points(unit, words, tmp_path):
+@pytest.mark.parametrize(("unit", "reading"), [(200 / np.pi, "opk_gon"), (180 / np.pi, "opk_deg")])
+def test_other_angles_are_recognised_by_the_image_points(unit, reading, tmp_path):
     block = distortion_free()
     turned = rotation_from_angles(np.array([0.3, 0.25, 0.0])) @ block.images.rotation  # strong tilts tell the order
     block = replace(block, images=replace(block.images, rotation=turned))
@@ -215,7 +216,7 @@ def test_other_angles_are_recognised_by_the_image_points(unit, words, tmp_path):
         lines.append(f"ORIA {block.images.ids[k]} " + " ".join(map(repr, [*X0, *angles])))
     path.write_text("\n".join(lines))
     read = read_format("bingo", tmp_path / "b")
-    assert any(words in r for r in read.remarks)
+    assert any(r.values.get("reading") == reading for r in read.remarks)
     np.testing.assert_allclose(read.block.images.rotation, block.images.rotation, atol=1e-9)
 
 

@@ -20,7 +20,7 @@ import numpy as np
 
 from raybundle.block import ROLES, Camera, Images, Role
 from raybundle.block.block import Distances, Stations
-from raybundle.errors import InputError, Message, Value, content
+from raybundle.errors import InputError, Message, Value, content, remark
 from raybundle.io.block.toml import read_cameras
 from raybundle.io.calibrations.ours import cameras_text
 from raybundle.io.digits import EVERY
@@ -120,7 +120,7 @@ class Contents:
     )
     """Standard deviations of control points, where the files tell them."""
     readings: Sequence[str]
-    """What the readings of an orientation are called."""
+    """Names of the readings of an orientation; `import.orientation_convention` has the words."""
 
 
 def numbered(ids: Sequence[str]) -> list[str]:
@@ -189,7 +189,7 @@ def image_mm(s: Scene) -> Array:
 
 def assembled(contents: Contents) -> Import:
     """The block of a folder; raises InputError where its files do not fit together."""
-    remarks: list[str] = []
+    remarks: list[Message] = []
     own_images = _own(contents.folder / IMAGES, ("image", "camera"))
     own_points = _own_points(contents.folder / POINTS)
     cameras, camera_of = _cameras(contents, own_images, remarks)
@@ -251,7 +251,7 @@ def _image_names(contents: Contents, own: Mapping[str, tuple[str, ...]]) -> list
 
 
 def _cameras(
-    contents: Contents, own: Mapping[str, tuple[str, ...]], remarks: list[str]
+    contents: Contents, own: Mapping[str, tuple[str, ...]], remarks: list[Message]
 ) -> tuple[tuple[Camera, ...], list[int]]:
     """The cameras, and which of them took each photograph."""
     path = contents.folder / CAMERAS
@@ -269,10 +269,7 @@ def _cameras(
     for p in contents.photographs:
         if p.camera not in made:
             made[p.camera] = _nominal(p, [q for q in contents.photographs if q.camera == p.camera])
-    remarks.append(
-        f"{contents.name} tells neither format nor pixels of a camera; the format encloses the image points, with "
-        f"nominal pixels of {NOMINAL_PIXEL_MM:g} mm; a {CAMERAS} in the folder would tell"
-    )
+    remarks.append(remark("import.format_assumed", format=contents.name, pixel_mm=NOMINAL_PIXEL_MM, table=CAMERAS))
     order = list(made)
     return tuple(made.values()), [order.index(p.camera) for p in contents.photographs]
 
@@ -324,7 +321,7 @@ def _tracks(
 
 
 def _roles(
-    contents: Contents, ids: Sequence[str], own: tuple[dict[str, str], Table | None], remarks: list[str]
+    contents: Contents, ids: Sequence[str], own: tuple[dict[str, str], Table | None], remarks: list[Message]
 ) -> tuple[Array, Array]:
     role = np.full(len(ids), Role.TIE, np.int32)
     sigma = np.full((len(ids), 3), np.nan)
@@ -344,8 +341,7 @@ def _roles(
             sigma[k] = np.where(known, told or (DEFAULTS.plan, DEFAULTS.plan, DEFAULTS.height), np.nan)
     if assumed:
         remarks.append(
-            f"{assumed} control points get a standard deviation of {DEFAULTS.plan:g} m in plan and "
-            f"{DEFAULTS.height:g} m in height; the files tell none"
+            remark("import.control_sigma_assumed", n=assumed, plan_m=DEFAULTS.plan, height_m=DEFAULTS.height)
         )
     return role, sigma
 
@@ -356,20 +352,20 @@ def _images(
     camera_of: Sequence[int],
     cameras: Sequence[Camera],
     tracks: Tracks,
-    remarks: list[str],
+    remarks: list[Message],
 ) -> Images:
     n = len(names)
     centre, rotation = np.full((n, 3), np.nan), np.full((n, 3, 3), np.nan)
     found = [contents.orientations.get(p.name) for p in contents.photographs]
     reading = _best_reading(contents, found, camera_of, cameras, tracks)
     if reading:
-        remarks.append(f"the image points fit if the orientations are read as {contents.readings[reading]}: so taken")
+        remarks.append(remark("import.orientation_convention", reading=contents.readings[reading]))
     for k, o in enumerate(found):
         if o is not None:
             centre[k], rotation[k] = o.centre, o.rotations[reading]
     unknown = [name for name, o in zip(names, found, strict=True) if o is None]
     if unknown:
-        remarks.append(f"{len(unknown)} of {n} photographs have no exterior orientation")
+        remarks.append(remark("import.not_oriented", n=len(unknown), total=n))
     return Images(
         ids=tuple(names), camera=np.array(camera_of, np.int32), file=tuple(names), centre=centre, rotation=rotation
     )

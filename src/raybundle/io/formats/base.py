@@ -11,12 +11,12 @@ import numpy as np
 
 from raybundle.block import Block, Camera, Images, Observations, Points, Role
 from raybundle.cameras.conversions import LIMIT_PX, CameraFit, interiors, parameter_vector
-from raybundle.errors import InputError
+from raybundle.errors import InputError, Message, remark
 from raybundle.io.folders import check_free, check_new_file, make_parent, new_files, new_folder
 from raybundle.io.geo.coordinate_systems import LocalFrame
 from raybundle.io.ids import check_ids_of
 from raybundle.io.reading.files import guarded, opened
-from raybundle.io.reading.ledger import ledger, not_read
+from raybundle.io.reading.ledger import ledger, not_read_message
 from raybundle.numerics.arrays import Array, Index, Mask
 from raybundle.readable import readable, readable_names
 from raybundle.sensors import ProjectionDiverged, sensor_models
@@ -90,7 +90,7 @@ class Import:
     block: Block
     colours: Array | None = None
     """(p, 3) red, green, blue, 0 to 255."""
-    remarks: tuple[str, ...] = ()
+    remarks: tuple[Message, ...] = ()
     """What was left out, approximated or assumed."""
     deviation_px: float = 0.0
     """Largest deviation of our cameras from those of the file, over the whole format."""
@@ -188,7 +188,7 @@ def read_format(name: str, path: str | Path) -> Import:
     with guarded(path), ledger() as passed_over:
         found = format_.read(path)
         unread = passed_over.counts()
-    remarks = (*found.remarks, *filter(None, [not_read(unread)]))
+    remarks = (*found.remarks, *([not_read_message(unread)] if unread else []))
     return replace(found, remarks=remarks, unread=unread)
 
 
@@ -246,14 +246,18 @@ def check_deviation(deviation_px: float, path: Path, *, approximate: bool, undis
         )
 
 
-def fitted_camera(fit: CameraFit, words: str, remarks: list[str], deviations: list[float]) -> Camera:
-    """The camera of a fit; a fit that is not exact is remarked on with its misfit, which is kept."""
+def fitted_camera(fit: CameraFit, name: str, remarks: list[Message], deviations: list[float]) -> Camera:
+    """The camera of a fit; a fit that is not exact is remarked on with its misfit, which is kept.
+
+    name  of the camera in the file
+    """
     if fit.deviation_px > EXACT_PX:
-        part = "" if fit.covered == 1 else f" ({fit.covered:.0%} of which its distortion can be inverted)"
         remarks.append(
-            f"{words} is read as {fit.camera.model}, fitted over the format{part}: largest deviation "
-            f"{fit.deviation_px:.3g} px"
-        )
+            remark(
+                "import.camera_fitted", camera=name, model=fit.camera.model, deviation_px=fit.deviation_px,
+                covered=fit.covered, whole=fit.covered == 1,
+            )
+        )  # fmt: skip
         deviations.append(fit.deviation_px)
     return fit.camera
 
@@ -422,17 +426,16 @@ class Tracks:
 
 def block_of(
     *, name: str, source: str, cameras: tuple[Camera, ...], images: Images, tracks: Tracks
-) -> tuple[Block, tuple[str, ...]]:
+) -> tuple[Block, tuple[Message, ...]]:
     """A block of what a reader found, and remarks: doubled observations are left out, the sigma is assumed."""
     key = tracks.image.astype(np.int64) * max(1, len(tracks.point_ids)) + tracks.point
     _, first = np.unique(key, return_index=True)
     keep = np.sort(first)
-    remarks: list[str] = []
+    remarks: list[Message] = []
     if len(keep) < len(key):
-        doubled = len(key) - len(keep)
-        remarks.append(f"{doubled} observations show a point a second time in one image and are left out")
+        remarks.append(remark("import.repeated_observations", n=len(key) - len(keep)))
     if len(keep):
-        remarks.append(f"image observations are given a standard deviation of {SIGMA_PX:g} px; the format tells none")
+        remarks.append(remark("import.sigma_assumed", sigma_px=SIGMA_PX))
     count = len(tracks.point_ids)
     images = replace(images, ids=readable_names(images.ids), file=tuple(map(readable, images.file)))
     block = Block(

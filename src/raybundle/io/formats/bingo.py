@@ -44,7 +44,7 @@ from raybundle.numerics.attitude import GON, pok_from_rotation, rotation_from_op
 from raybundle.settings import option
 
 IMAGE, ITERA, GEOIN = "image.dat", "itera.dat", "geoin.dat"
-READINGS = ("phi, omega, kappa in gon", "omega, phi, kappa in gon", "omega, phi, kappa in degrees")
+READINGS = ("pok_gon", "opk_gon", "opk_deg")
 XYZ = ("X", "Y", "Z")
 AXES = {"CONT": XYZ, "CONP": XYZ[:2], "CONH": XYZ[2:], "CHCK": XYZ}
 Known = dict[str, tuple[float, float, float]]

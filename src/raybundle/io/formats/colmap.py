@@ -16,7 +16,7 @@ import numpy as np
 
 from raybundle.block import Camera, Images
 from raybundle.cameras.conversions import camera_from_forward, opencv_fit
-from raybundle.errors import InputError
+from raybundle.errors import InputError, Message, remark
 from raybundle.io.digits import exact
 from raybundle.io.formats.base import (
     SENSOR_FROM_CV,
@@ -182,7 +182,7 @@ def read(path: Path) -> Import:
 def _import(model: Model, folder: Path) -> Import:
     if not model.names:
         raise InputError("file.no_images", file=folder)
-    remarks: list[str] = []
+    remarks: list[Message] = []
     deviations: list[float] = []
     cameras: list[Camera] = []
     for number, forward in model.cameras.items():
@@ -190,7 +190,7 @@ def _import(model: Model, folder: Path) -> Import:
             cameras.append(forward)
             continue
         fit = camera_from_forward(forward, str(number), where=f"{folder}: ")
-        cameras.append(fitted_camera(fit, f"camera {number}", remarks, deviations))
+        cameras.append(fitted_camera(fit, str(number), remarks, deviations))
     R, t = image_poses(model, folder, remarks)
     order = {number: k for k, number in enumerate(model.cameras)}
     images = Images(
@@ -204,7 +204,7 @@ def _import(model: Model, folder: Path) -> Import:
     xy = np.concatenate([np.zeros((0, 2)), *model.xy])
     seen = point != NO_POINT
     if not seen.all():
-        remarks.append(f"{int((~seen).sum())} of {len(seen)} image points belong to no object point and are left out")
+        remarks.append(remark("import.points_without_object", n=int((~seen).sum()), total=len(seen)))
     numbers = np.array(list(model.xyz), np.int64)
     at = np.argsort(numbers)
     place = np.searchsorted(numbers, point[seen], sorter=at)

@@ -6,11 +6,10 @@ from pathlib import Path
 
 import numpy as np
 
-from raybundle.errors import InputError
+from raybundle.errors import InputError, Message, remark
 from raybundle.io.formats.colmap_files import CAMERA, Model
 from raybundle.io.reading.ledger import enter
 from raybundle.numerics.arrays import Array
-from raybundle.numerics.counting import counted
 
 SAME_ROTATION = 1e-6
 """Angle between poses that are the same [rad]: numbers of seven digits."""
@@ -33,7 +32,7 @@ def rotations(quaternion: Array) -> Array:
     return Rotation.from_quat(np.roll(quaternion, -1, axis=1)).as_matrix()
 
 
-def image_poses(model: Model, folder: Path, remarks: list[str]) -> tuple[Array, Array]:
+def image_poses(model: Model, folder: Path, remarks: list[Message]) -> tuple[Array, Array]:
     """Rotations (n, 3, 3) from object axes to the camera's and translations (n, 3) of the images.
 
     The pose of a sensor in its rig times that of the rig in a frame; a remark where the files of the images differ.
@@ -68,12 +67,12 @@ def image_poses(model: Model, folder: Path, remarks: list[str]) -> tuple[Array, 
     enter("measurement of another sensor in frames", measurements)
     enter("image of frames without a row in images", missing)
     if unposed:
-        remarks.append(f"{counted(unposed, 'image')} of sensors without a pose in their rig: poses of images are read")
+        remarks.append(remark("import.sensors_without_pose", n=unposed))
     _compare(model, (R, t), (composed_R, composed_t), remarks)
     return composed_R, composed_t
 
 
-def _compare(model: Model, given: tuple[Array, Array], composed: tuple[Array, Array], remarks: list[str]) -> None:
+def _compare(model: Model, given: tuple[Array, Array], composed: tuple[Array, Array], remarks: list[Message]) -> None:
     """A remark where poses of images are not those of rigs times frames."""
     centres = [-np.einsum("nji,nj->ni", R, t) for R, t in (given, composed)]
     extent = float(np.linalg.norm(np.ptp(centres[1], axis=0))) or 1.0
@@ -83,7 +82,8 @@ def _compare(model: Model, given: tuple[Array, Array], composed: tuple[Array, Ar
     if different.any():
         worst = int(np.argmax(np.where(different, distance, -1.0)))
         remarks.append(
-            f"poses of {int(different.sum())} of {len(distance)} images differ between images and rigs x frames, by up "
-            f"to {distance.max():.3g} in place ({model.names[worst]}) and {np.degrees(angle.max()):.3g} deg; rigs x "
-            "frames are read"
-        )
+            remark(
+                "import.rig_poses_differ", n=int(different.sum()), total=len(distance), apart=float(distance.max()),
+                image=model.names[worst], angle_deg=float(np.degrees(angle.max())),
+            )
+        )  # fmt: skip

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import TypeVar
 
@@ -19,14 +19,13 @@ from raybundle.block import Camera, Images, Role
 from raybundle.cameras.conversions import camera_from_forward
 from raybundle.cameras.equirectangular import equirectangular_camera
 from raybundle.cameras.forward_camera import ForwardCamera
-from raybundle.errors import InputError
+from raybundle.errors import InputError, Message, remark
 from raybundle.io.formats.base import SENSOR_FROM_CV, Tracks, fitted_camera
 from raybundle.io.geo.coordinate_systems import local_frame
 from raybundle.io.reading.ledger import enter
 from raybundle.io.reading.words import number_of, numbers_of, quoted
 from raybundle.io.reading.xml import Element
 from raybundle.numerics.arrays import Array, Index
-from raybundle.numerics.counting import counted
 from raybundle.numerics.rotation import nearest_rotation
 
 NO_GEOMETRY = (
@@ -49,7 +48,7 @@ class Reading:
     """What a reader remarks on while it goes through a file."""
 
     path: Path
-    remarks: list[str] = field(default_factory=list[str])
+    remarks: list[Message] = field(default_factory=list[Message])
     deviations: list[float] = field(default_factory=list[float])
     errors: dict[str, list[InputError]] = field(default_factory=dict[str, list[InputError]])
     """Elements that could not be read, by kind."""
@@ -62,10 +61,18 @@ class Reading:
             self.errors.setdefault(kind, []).append(error)
             return None
 
-    def all_remarks(self) -> tuple[str, ...]:
+    def all_remarks(self) -> tuple[Message, ...]:
         """The remarks, and one for each kind of elements with errors."""
-        lost = (f"{counted(len(e), kind)} left out: {e[0].text()}" for kind, e in self.errors.items())
-        return (*self.remarks, *lost)
+        return (*self.remarks, *(_elements_remark(kind, e) for kind, e in self.errors.items()))
+
+
+def _elements_remark(kind: str, errors: Sequence[InputError]) -> Message:
+    """Elements that are left out, and why the first one is."""
+    first = next((replace(e.message, place=e.place) for e in errors if e.message is not None), None)
+    return replace(
+        remark("import.elements_left_out", kind=kind.replace(" ", "_"), n=len(errors)),
+        details=() if first is None else (first,),
+    )
 
 
 def disabled(element: Element, name: str = "enabled") -> bool:
@@ -81,10 +88,10 @@ def chunk_of(chunks: Sequence[Element], found: Reading) -> Element:
         if other is not chunk:
             other.leave_out()
     if len(chunks) > 1:
-        before = "" if chunk is chunks[0] else "; those before it are disabled or have no camera"
-        found.remarks.append(f"chunk {1 + chunks.index(chunk)} of {len(chunks)} is read{before}")
+        number = 1 + chunks.index(chunk)
+        found.remarks.append(remark("import.one_chunk", number=number, n=len(chunks)))
     if disabled(chunk):
-        found.remarks.append("the chunk is disabled, and no other has cameras")
+        found.remarks.append(remark("import.chunk_disabled"))
     return chunk
 
 
@@ -94,7 +101,7 @@ def _enabled(elements: list[Element], kind: str, found: Reading) -> list[Element
     for element in off:
         element.leave_out()
     if off:
-        found.remarks.append(f"{counted(len(off), kind)} not used")
+        found.remarks.append(remark("import.elements_disabled", kind=kind.replace(" ", "_"), n=len(off)))
     return [e for e in elements if not disabled(e)]
 
 
@@ -132,11 +139,11 @@ def _sensor(sensor: Element, found: Reading) -> Camera | None:
         place.fail("value.not_supported", value=quoted(kind), known=["frame", "fisheye", "spherical"])
     if calibration is None:
         label = sensor.attributes.get("label", "?")
-        found.remarks.append(f"sensor {label} has no calibration and is left out with its images")
+        found.remarks.append(remark("import.sensor_without_calibration", sensor=label))
         return None
     forward = _forward(sensor, calibration, kind)
     fit = camera_from_forward(forward, id_, pixel_mm=_pixel(sensor), where=f"{found.path}: ")
-    return fitted_camera(fit, f"camera {id_}", found.remarks, found.deviations)
+    return fitted_camera(fit, id_, found.remarks, found.deviations)
 
 
 def _forward(sensor: Element, calibration: Element, kind: str) -> ForwardCamera:
@@ -290,18 +297,13 @@ def read_images(chunk: Element, cameras: Mapping[str, Camera], found: Reading) -
     used = scaled or _largest(oriented)
     free = bool(oriented) and not scaled
     if free:
-        found.remarks.append(
-            "no transform leads to object space; coordinates stand in the chunk's frame, without scale"
-        )
+        found.remarks.append(remark("import.no_object_space"))
     apart = sum(r.component not in used for r in oriented)
     if apart:
-        found.remarks.append(
-            f"{counted(apart, 'image')} of components without a transform are read without orientation: nothing "
-            "connects them with the rest"
-        )
+        found.remarks.append(remark("import.components_apart", n=apart))
     reference = chunk.find("reference")
     if not free and reference is not None and not _is_local(reference):
-        found.remarks.append("the chunk is georeferenced: its coordinates are geocentric (X, Y, Z of the earth)")
+        found.remarks.append(remark("import.geocentric"))
     order = {id_: k for k, id_ in enumerate(cameras)}
     centre, rotation = np.full((len(rows), 3), np.nan), np.full((len(rows), 3, 3), np.nan)
     for k, row in enumerate(rows):
@@ -446,10 +448,8 @@ def _control(chunk: Element, markers: list[Element], found: Reading) -> Control:
             sigma[k] = np.where(np.isfinite(xyz[k]), default, np.nan)
             assumed += 1
     if assumed:
-        words = ", ".join(f"{v:g}" for v in dict.fromkeys(default.tolist()))
-        found.remarks.append(
-            f"{counted(assumed, 'marker')} without accuracy: the chunk's standard deviation of {words} is assumed"
-        )
+        sigma_m = [f"{v:g}" for v in dict.fromkeys(default.tolist())]
+        found.remarks.append(remark("import.marker_sigma_assumed", n=assumed, sigma_m=sigma_m))
     return _in_object_space(chunk, Control(role, xyz, sigma), found)
 
 
@@ -492,7 +492,8 @@ def _in_object_space(chunk: Element, control: Control, found: Reading) -> Contro
         frame = local_frame(reference.content.strip(), control.xyz[whole][0]) if whole.any() else None
     except InputError as error:
         frame = None
-        found.remarks.append(f"the coordinate system of the chunk is not read: {error.text()}")
+        why = () if error.message is None else (error.message,)
+        found.remarks.append(replace(remark("import.system_not_read"), details=why))
     lost = given & ~whole if frame is not None else given
     xyz[lost], sigma[lost], role[lost] = np.nan, np.nan, Role.TIE
     enter("<reference> of <marker>", int(lost.sum()))
@@ -511,5 +512,5 @@ def _in_metres(reference: Element, control: Control, found: Reading) -> Control:
         reference.fail("metashape.unit_length")
     if unit is None or length == 1:
         return control
-    found.remarks.append(f"coordinates of markers are converted from {unit[1]} to metres: 1 {unit[1]} = {length:g} m")
+    found.remarks.append(remark("import.markers_converted", unit=unit[1], length_m=f"{length:g}"))
     return Control(control.role, control.xyz * length, control.sigma)

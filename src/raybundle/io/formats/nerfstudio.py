@@ -18,7 +18,7 @@ from raybundle.block import Block, Camera, Images
 from raybundle.cameras.conversions import FISHEYE, camera_from_forward, forward_fit, pinhole_of, terms_for
 from raybundle.cameras.equirectangular import equirectangular_camera
 from raybundle.cameras.forward_camera import ForwardCamera
-from raybundle.errors import InputError
+from raybundle.errors import InputError, Message, remark
 from raybundle.io.formats.base import (
     Draft,
     Export,
@@ -126,7 +126,7 @@ def read(path: Path) -> Import:
     forward: list[ForwardCamera | tuple[int, int]] = []
     index: list[int] = []
     names: list[str] = []
-    remarks: list[str] = []
+    remarks: list[Message] = []
     matrices = np.zeros((len(frames), 4, 4))
     for k, frame in enumerate(frames):
         camera = _camera_in(top, frame, remarks)
@@ -148,7 +148,7 @@ def read(path: Path) -> Import:
             cameras.append(equirectangular_camera(str(k), *camera, whole_sphere=True))
             continue
         fit = camera_from_forward(camera, str(k), where=f"{path}: ")
-        cameras.append(fitted_camera(fit, f"camera {k}", remarks, deviations))
+        cameras.append(fitted_camera(fit, str(k), remarks, deviations))
     images = Images(
         ids=tuple(names),
         camera=np.array(index, np.int32),
@@ -158,7 +158,7 @@ def read(path: Path) -> Import:
     )
     return Import(
         block=_bare(path, tuple(cameras), images),
-        remarks=(*remarks, "the format holds no observations"),
+        remarks=(*remarks, remark("import.no_observations")),
         deviation_px=max(deviations, default=0.0),
     )
 
@@ -203,7 +203,7 @@ def _lens(top: Json, frame: Json) -> str:
     return model or "OPENCV"
 
 
-def _focal(place: Callable[[str], Json], axis: str, size: int, remarks: list[str]) -> float | None:
+def _focal(place: Callable[[str], Json], axis: str, size: int, remarks: list[Message]) -> float | None:
     """Focal length [px] along an axis: stated, or of the field of view [rad] or [deg] as instant-ngp takes it.
 
     A field of view that contradicts a focal length in the same place has a remark.
@@ -219,13 +219,13 @@ def _focal(place: Callable[[str], Json], axis: str, size: int, remarks: list[str
         return derived
     stated = place(key).get(key).number()
     if derived is not None and place(key) is place(where) and abs(derived - stated) > ANGLE_SHARE * abs(stated):
-        words = f"{key} = {stated:.6g} px is used; {where} contradicts it: {derived:.6g} px"
-        if words not in remarks:
-            remarks.append(words)
+        found = remark("import.focal_length_contradicts", name=key, used_px=stated, other=where, other_px=derived)
+        if found not in remarks:
+            remarks.append(found)
     return stated
 
 
-def _camera_in(top: Json, frame: Json, remarks: list[str]) -> ForwardCamera | tuple[int, int]:
+def _camera_in(top: Json, frame: Json, remarks: list[Message]) -> ForwardCamera | tuple[int, int]:
     """The camera of a frame; of an equirectangular image its width and height."""
 
     def place(key: str) -> Json:

@@ -18,7 +18,7 @@ import numpy as np
 from raybundle.block import Camera, Images
 from raybundle.cameras.conversions import FISHEYE, camera_from_forward, forward_fit, terms_for
 from raybundle.cameras.forward_camera import ForwardCamera
-from raybundle.errors import InputError
+from raybundle.errors import InputError, Message, remark
 from raybundle.io.digits import exact
 from raybundle.io.formats.base import (
     SENSOR_FROM_CV,
@@ -134,17 +134,17 @@ def read(path: Path) -> Import:
     declare(*NO_GEOMETRY)
     if not everything:
         raise InputError("file.no_images", file=path)
-    remarks: list[str] = []
+    remarks: list[Message] = []
     deviations: list[float] = []
     if len(everything) > 1:
-        remarks.append(f"the first of {len(everything)} reconstructions is read; each stands in a frame of its own")
+        remarks.append(remark("import.first_reconstruction", n=len(everything)))
     top = everything[0]
     cameras: list[Camera] = []
     forward: list[ForwardCamera] = []
     for id_, value in top.get("cameras").mapping().items():
         forward.append(_camera_in(value))
         fit = camera_from_forward(forward[-1], id_.strip() or "1", where=f"{path}: ")
-        cameras.append(fitted_camera(fit, f"camera {id_}", remarks, deviations))
+        cameras.append(fitted_camera(fit, id_, remarks, deviations))
     images = _images_in(top, {c.id: k for k, c in enumerate(cameras)})
     points = top.get("points").mapping() if top.has("points") else {}
     xyz = np.array([p.get("coordinates").numbers(3) for p in points.values()]).reshape(-1, 3)
@@ -217,13 +217,13 @@ class _Rows:
 
 
 def _tracks_in(
-    path: Path, images: Images, forward: list[ForwardCamera], ids: list[str], xyz: np.ndarray, remarks: list[str]
+    path: Path, images: Images, forward: list[ForwardCamera], ids: list[str], xyz: np.ndarray, remarks: list[Message]
 ) -> Tracks:
     rows = _Rows([], [], [])
     if path.is_file():
         _read_tracks(path, images, forward, ids, rows)
     else:
-        remarks.append(f"there is no {path.name}; no image observations are read")
+        remarks.append(remark("import.no_tracks", name=path.name))
     return Tracks(
         point_ids=tuple(ids),
         xyz=xyz,

@@ -19,7 +19,7 @@ import numpy as np
 from raybundle.block import Camera, Images
 from raybundle.cameras.conversions import camera_from_forward, forward_fit
 from raybundle.cameras.forward_camera import ForwardCamera
-from raybundle.errors import InputError
+from raybundle.errors import InputError, Message, remark
 from raybundle.io.formats.base import (
     Draft,
     Export,
@@ -40,7 +40,6 @@ from raybundle.io.reading.trees import Json, read_json
 from raybundle.io.reading.words import quoted
 from raybundle.numerics.arrays import Array
 from raybundle.numerics.rotation import angles_from_rotation, rotation_from_angles
-from raybundle.settings import option
 
 TERMS = ("fx", "cx", "cy", "k1", "k2", "k3", "p1", "p2")
 CRS = (
@@ -251,7 +250,7 @@ def read(path: Path) -> Import:
     project = read_json(path)
     declare(*NO_GEOMETRY)
     resources = _resources(project, path)
-    remarks: list[str] = []
+    remarks: list[Message] = []
     deviations: list[float] = []
     names = {_id(c): _name(c.get("uri")) for c in read_json(resources["camera-list"]).get("cameras").items()}
     calibrated = read_json(resources["calibrated-cameras"])
@@ -261,7 +260,7 @@ def read(path: Path) -> Import:
     if "gltf" in resources:
         tracks = _tracks_in(resources["gltf"], place)
     else:
-        remarks.append("the calibration holds no tracks; no image observations are read")
+        remarks.append(remark("import.no_tracks", name="gltf"))
     if "scene-reference-frame" in resources:
         remarks += _frame_remark(read_json(resources["scene-reference-frame"]))
     block, more = block_of(
@@ -274,8 +273,8 @@ def read(path: Path) -> Import:
     return Import(block=block, remarks=(*remarks, *more), deviation_px=max(deviations, default=0.0))
 
 
-def _frame_remark(frame: Json) -> list[str]:
-    """How the processing frame lies, in words, if it is not the coordinate system itself."""
+def _frame_remark(frame: Json) -> list[Message]:
+    """How the processing frame lies, if it is not the coordinate system itself."""
     base = frame.get("base_to_canonical")
     shift = base.get("shift").numbers(3)
     scale = base.get("scale").numbers(3) if base.has("scale") else np.ones(3)
@@ -283,11 +282,13 @@ def _frame_remark(frame: Json) -> list[str]:
     definition = frame.get("crs").get("definition").value
     system = quoted(definition)
     if not shift.any() and not swapped and (scale == 1).all():
-        return [] if definition == CRS else [f"coordinates stand in {system}; give it with {option('crs')}"]
-    place = ", ".join(f"{v:.3f}" for v in shift.tolist())
-    scaled = "" if (scale == 1).all() else f", scaled by {', '.join(f'{v:g}' for v in scale.tolist())}"
-    swap = ", X and Y interchanged" if swapped else ""
-    return [f"coordinates stand in the project's processing frame, shifted by {place}{scaled}{swap} against {system}"]
+        return [] if definition == CRS else [remark("import.system_of_file", system=system)]
+    return [
+        remark(
+            "import.processing_frame", system=system, shift=[f"{v:.3f}" for v in shift.tolist()],
+            scaled=not (scale == 1).all(), scale=[f"{v:g}" for v in scale.tolist()], swapped=swapped,
+        )
+    ]  # fmt: skip
 
 
 def _resources(project: Json, path: Path) -> dict[str, Path]:
@@ -328,7 +329,7 @@ def _name(uri: Json) -> str:
 
 
 def _cameras_in(
-    calibrated: Json, given: Json, path: Path, remarks: list[str], deviations: list[float]
+    calibrated: Json, given: Json, path: Path, remarks: list[Message], deviations: list[float]
 ) -> tuple[tuple[Camera, ...], dict[int, int]]:
     sizes: dict[int, tuple[int, int, float | None]] = {}
     for sensor in given.get("sensors").items():
@@ -363,7 +364,7 @@ def _cameras_in(
         )
         fit = camera_from_forward(forward, str(id_), pixel_mm=pixel, where=f"{path}: ")
         index[id_] = len(cameras)
-        cameras.append(fitted_camera(fit, f"camera {id_}", remarks, deviations))
+        cameras.append(fitted_camera(fit, str(id_), remarks, deviations))
     return tuple(cameras), index
 
 

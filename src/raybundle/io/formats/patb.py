@@ -42,7 +42,7 @@ from raybundle.numerics.rotation import nearest_rotation
 from raybundle.settings import option
 
 STEM = "block"
-READINGS = ("image axes to object axes", "object axes to image axes, the transpose")
+READINGS = ("image_to_object", "object_to_image")
 
 
 def write(export: Export, folder: Path) -> Draft:

@@ -13,6 +13,7 @@ from contextvars import ContextVar
 from dataclasses import dataclass, field
 from typing import Protocol
 
+from raybundle.errors import Message, remark
 from raybundle.io.reading.words import quoted
 
 NAMED = 6
@@ -76,6 +77,11 @@ def declare(*names: str) -> None:
     """Declare names, or kinds, of elements that carry no geometry; they do not count as passed over."""
     if (found := _open.get()) is not None:
         found.declared.update(names)
+
+
+def not_read_message(counts: Mapping[str, int]) -> Message:
+    """The elements passed over, as a remark."""
+    return remark("import.not_read", n=sum(counts.values()), kinds=[f"{n} {kind}" for kind, n in counts.items()])
 
 
 def not_read(counts: Mapping[str, int]) -> str:
