@@ -7,7 +7,7 @@ import pytest
 
 from raybundle import adjust
 from raybundle.adjustment.options import AdjustmentOptions
-from raybundle.errors import NotSolvable
+from raybundle.errors import NotSolvable, message
 from raybundle.planning.scenes import AerialStrips, Ring, TargetField, aerial_scene, field_scene, ring_scene
 from raybundle.planning.simulate import Survey, simulate
 
@@ -18,10 +18,10 @@ SCENES = {
     "aerial": lambda: (aerial_scene(AerialStrips()), {"control": 8, "control_sigma": (0.02, 0.02, 0.03)}),
 }
 MENDS = {
-    "y counted upward": lambda xy, size: xy * [1, -1] + [0, size[1]],
-    "x counted to the left": lambda xy, size: xy * [-1, 1] + [size[0], 0],
-    "x and y exchanged": lambda xy, _: xy[:, ::-1],
-    "x and y exchanged and both with the wrong sign": lambda xy, size: size[::-1] - xy[:, ::-1],
+    "y_up": lambda xy, size: xy * [1, -1] + [0, size[1]],
+    "x_left": lambda xy, size: xy * [-1, 1] + [size[0], 0],
+    "xy": lambda xy, _: xy[:, ::-1],
+    "xy_negative": lambda xy, size: size[::-1] - xy[:, ::-1],
 }
 
 
@@ -46,17 +46,18 @@ def answer(block):
 
 @pytest.mark.parametrize(
     ("kind", "mend"),
-    [*(("testfield", m) for m in MENDS), ("ring", "y counted upward"), ("aerial", "y counted upward")],
+    [*(("testfield", m) for m in MENDS), ("ring", "y_up"), ("aerial", "y_up")],
 )
 def test_mirrored_image_points_are_named_by_their_mend(kind, mend):
     found = answer(with_images(simulated(kind), mend))
-    assert f"Likely cause: image points with {mend}. " in found
+    assert message("images_mirrored.mend", mend=mend).text() in found
 
 
 def test_without_orientation_images_and_control_may_be_mirrored():
-    block = with_images(simulated("aerial", orientation="absent"), "y counted upward")
+    block = with_images(simulated("aerial", orientation="absent"), "y_up")
     found = answer(block)
-    assert "in the control, or image points with y counted upward" in found
+    for cause in (message("control_contradicts.mend", mend="xy"), message("images_mirrored.mend", mend="y_up")):
+        assert cause.text() in found
 
 
 @pytest.mark.parametrize("kind", list(SCENES))

@@ -180,7 +180,7 @@ def edited(folder, file, old, new):
         ("block.toml", 'kind = "local"', 'kind = "projected"', r"object_frame\.crs_missing"),
         ("block.toml", 'bias = "shift"', 'bias = "helix"', r"value\.not_supported"),
         ("block.toml", "scenes/1_RPC.TXT", "scenes/7_RPC.TXT", r"file\.missing"),
-        ("block.toml", "width_px = 4000", "width_px = 90000", r"do not belong together"),
+        ("block.toml", "width_px = 4000", "width_px = 90000", r"rpc\.other_image"),
         ("block.toml", 'estimate = ["A0", "B0"]', 'estimate = ["A0", "B9"]', r"B9.*camera\.unknown_scene_parameter"),
         ("block.toml", 'model = "rpc"', 'model = "linescan"', r"scene\.no_rigorous_model"),
         ("images.csv", "1,forward,,,,,,,", "1,forward,,5,5,5,,,", r"scene\.orientation_given"),

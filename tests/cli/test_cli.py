@@ -132,7 +132,7 @@ def test_bad_usage_is_2(arguments, words, capsys):
 def test_results_are_not_written_over_something_else(field, tmp_path, capsys):
     (tmp_path / "notes.txt").write_text("mine")
     assert run("adjust", field, "--out", tmp_path, "--no-report") == 2
-    assert "is not a result folder and is not overwritten" in capsys.readouterr().err
+    assert "[result.other_folder]" in capsys.readouterr().err
     assert (tmp_path / "notes.txt").read_text() == "mine"
     assert run("adjust", field, "--out", field, "--no-report") == 2
 
@@ -311,5 +311,5 @@ def test_compare_needs_result_folders(field, tmp_path, capsys, monkeypatch):
     monkeypatch.setitem(sys.modules, "raybundle.report.compare", type(sys)("raybundle.report.compare"))
     sys.modules["raybundle.report.compare"].write_comparison = raising(AssertionError("must not be called"))
     assert run("compare", field, field, "--out", tmp_path / "c.html") == 2
-    assert "holds no result.json" in capsys.readouterr().err
+    assert "[result.no_result]" in capsys.readouterr().err
     assert not Path(tmp_path / "c.html").exists()

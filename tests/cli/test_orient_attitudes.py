@@ -53,7 +53,7 @@ def test_a_file_of_attitudes_is_observed_and_compared_in_the_report(tmp_path, ca
     assert f" {n} of {n} photographs oriented" in printed
     report = (out / "result/report.html").read_text(encoding="utf-8")
     assert "Direct minus integrated orientation" in report
-    assert f"the attitudes of {n} photographs are observed (opk, from told.csv)" in report.replace("&#39;", "'")
+    assert "(opk, from told.csv)" in report
     again = ["orient", str(photos), "--out", str(out), "--positions", str(file), "--no-report", *QUICK]
     assert main([*again, "--relative", "shift"]) == 0
     printed = capsys.readouterr().out

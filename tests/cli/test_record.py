@@ -174,7 +174,7 @@ def test_hostile_entries_stay_entries(project):
 
 @pytest.mark.parametrize(
     ("text", "told"),
-    [("[record]\nclinet = 'x'\n", "there is no such entry"), ("[record]\nclient = [1]\n", "is a text"),
+    [("[record]\nclinet = 'x'\n", r"record\.unknown_entry"), ("[record]\nclient = [1]\n", r"record\.not_a_text"),
      ("[record\n", "project.toml")],
 )  # fmt: skip
 def test_a_file_that_was_edited_wrongly_is_told_and_kept(project, tmp_path, text, told):

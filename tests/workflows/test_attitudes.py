@@ -105,7 +105,7 @@ def written(flight, path, rng, name="rpy", **how):
 
 
 def codes(done):
-    return {n.code: n.text for n in done.notices}
+    return {n.code: n for n in done.notices}
 
 
 @pytest.mark.parametrize("name", ["rpy", "opk"])
@@ -113,7 +113,7 @@ def test_attitudes_of_a_file_are_observed_with_their_misalignment(flight, tmp_pa
     rng = np.random.default_rng(1)
     done, _ = placed(flight, written(flight, tmp_path / "flight.csv", rng, name), rng=rng)
     assert len(done.block.attitudes) == len(flight.truth.images)
-    assert "misalignment of 1 camera" in codes(done)["attitudes"]
+    assert codes(done)["attitudes"].values["cameras"] == 1
     result = adjust_block(done.block)
     ins = next(r for r in result.interior if r.camera == "ins").parameters
     for symbol, true in zip(("bx", "by", "bz"), ASKEW, strict=True):
@@ -167,7 +167,7 @@ def test_a_grid_needs_its_system_and_its_convergence_is_taken_out(flight, tmp_pa
     assert "attitudes_convergence" not in codes(done)
     write_trajectory(replace(told, rotation=rotation_from_vector(ASKEW) @ grid), tmp_path / "north.csv", name="opk")
     done, _ = placed(flight, tmp_path / "north.csv", rng=rng)
-    assert "grid north and true north differ by here in UTM (+1.6" in codes(done)["attitudes_convergence"]
+    assert codes(done)["attitudes_convergence"].values["convergence_deg"] == pytest.approx(1.65, abs=0.05)
 
 
 def place_in(crs):
@@ -179,9 +179,9 @@ def place_in(crs):
 @pytest.mark.parametrize(
     ("wrong", "named"),
     [
-        (lambda a: a * [-1, -1, 1], "omega and phi reversed"),
-        (lambda a: a * [1, 1, -1], "kappa reversed"),
-        (lambda a: opk_from_rotation(np.swapaxes(rotation_from_opk(a), 1, 2)), "inverse rotation"),
+        (lambda a: a * [-1, -1, 1], "opk_omega_phi_reversed"),
+        (lambda a: a * [1, 1, -1], "opk_kappa_reversed"),
+        (lambda a: opk_from_rotation(np.swapaxes(rotation_from_opk(a), 1, 2)), "opk_inverse"),
     ],
 )
 def test_a_wrong_convention_is_named_and_not_adjusted_away(flight, tmp_path, wrong, named):
@@ -190,9 +190,8 @@ def test_a_wrong_convention_is_named_and_not_adjusted_away(flight, tmp_path, wro
     angles = wrong(opk_from_rotation(told.rotation))
     write_trajectory(replace(told, rotation=rotation_from_opk(angles)), tmp_path / "wrong.csv", name="opk")
     done, _ = placed(flight, tmp_path / "wrong.csv", rng=rng)
-    message = codes(done)["attitudes_contradict"]
-    assert "Read as omega, phi, kappa" in message
-    assert named in message
+    (other,) = [d for d in codes(done)["attitudes_contradict"].details if d.code == "attitudes_contradict.reading"]
+    assert other.values["reading"] == named
     assert len(done.block.attitudes) == 0
     result = adjust_block(done.block)
     assert result.global_test[0] < result.global_test[1] < result.global_test[2]
@@ -206,7 +205,7 @@ def test_roll_and_pitch_exchanged(flight, tmp_path):
     swapped = head.replace("roll_deg", "x").replace("pitch_deg", "roll_deg").replace("x", "pitch_deg")
     (tmp_path / "swapped.csv").write_text(f"{swapped}\n{rest}")
     done, _ = placed(flight, tmp_path / "swapped.csv", rng=rng)
-    assert "pitch, roll, yaw (the first two exchanged)" in codes(done)["attitudes_contradict"]
+    assert [d.values["reading"] for d in codes(done)["attitudes_contradict"].details] == ["pry"]
 
 
 def test_rows_of_other_photographs(flight, tmp_path):
@@ -215,7 +214,7 @@ def test_rows_of_other_photographs(flight, tmp_path):
     mixed = replace(told, rotation=told.rotation[rng.permutation(len(told))])
     write_trajectory(mixed, tmp_path / "mixed.csv", name="rpy")
     done, _ = placed(flight, tmp_path / "mixed.csv", rng=rng)
-    assert "whether the rows belong to these photographs" in codes(done)["attitudes_contradict"]
+    assert codes(done)["attitudes_contradict"].values["other"] is False
 
 
 def test_a_single_wrong_attitude_is_left_out_by_name(flight, tmp_path):
@@ -236,7 +235,8 @@ def test_a_camera_mounted_across(flight, tmp_path):
     told = trajectory(flight.truth, rng)
     write_trajectory(replace(told, rotation=across.T @ told.rotation), tmp_path / "across.csv", name="rpy")
     done, _ = placed(flight, tmp_path / "across.csv", rng=rng)
-    assert "turned by 90 deg about its view" in codes(done)["attitudes_mount"]
+    mount = codes(done)["attitudes_mount"].values
+    assert (abs(mount["angle_deg"]), mount["quarter"]) == (90.0, True)
     ins = next(r for r in adjust_block(done.block).interior if r.camera == "ins").parameters
     assert abs(ins["bz"].value - ASKEW[2]) < 5 * ins["bz"].std
 
@@ -247,11 +247,11 @@ def test_gimbal_angles_of_the_photographs_are_observed_where_asked_for(flight, t
     file = tmp_path / "positions.csv"
     write_trajectory(replace(told, rotation_sigma=None), file, name="rpy")
     unstated, remarks = placed(flight, file, rng=rng)
-    assert "without standard deviations: they are not used" in remarks[0]
+    assert [m.code for m in remarks[0].messages] == ["attitude.no_sigma_unused"]
     assert len(unstated.block.attitudes) == 0
-    with pytest.raises(InputError, match="give attitude_sigma=.TILT, HEADING"):
+    with pytest.raises(InputError, match=r"attitude_sigma=.TILT, HEADING.*attitude\.no_sigma"):
         placed(flight, file, use="rpy-ned")
-    with pytest.raises(InputError, match="has attitudes as rpy-ned, not as opk"):
+    with pytest.raises(InputError, match=r"rpy-ned.*opk.*attitude\.other_convention"):
         placed(flight, file, use="opk", sigma_deg=(0.3, 0.3))
     with_sigma, _ = placed(flight, file, rng=rng, sigma_deg=(0.3, 1.0))
     seen = with_sigma.block.attitudes
@@ -271,7 +271,7 @@ def test_gimbals_alone():
     about = np.swapaxes(R, 1, 2) @ found.covariance @ R
     assert np.degrees(np.sqrt(np.diagonal(about, axis1=1, axis2=2))) == pytest.approx(np.tile([0.2, 0.2, 2.0], (2, 1)))
     assert attitudes_of_gimbals([Shot("a.jpg", 1, 1, Facts())], sigma=None) is None
-    with pytest.raises(InputError, match="neither positions= nor the photographs have any"):
+    with pytest.raises(InputError, match=r"attitude\.missing"):
         find_attitudes([Shot("a.jpg", 1, 1, Facts())], None, use="gimbal", sigma_deg=None, crs=None)
 
 
@@ -286,7 +286,7 @@ def test_a_single_line_is_turned_by_its_attitudes(tmp_path):
     flight = SimpleNamespace(truth=truth, exact=measured(truth, 0.3))
     rng = np.random.default_rng(11)
     done, _ = placed(flight, written(flight, tmp_path / "line.csv", rng, askew=np.radians([0.3, 0.5, 0.4])), rng=rng)
-    assert "mounted as stated to 1 deg" in codes(done)["attitudes_nominal"]
+    assert codes(done)["attitudes_nominal"].values["sigma_deg"] == pytest.approx(1.0)
     result = adjust_block(done.block)
     ins = next(r for r in result.interior if r.camera == "ins").parameters
     assert max(p.std for p in ins.values()) > np.radians(0.3)

@@ -135,7 +135,7 @@ def test_a_folder_called_project_that_is_none_is_not_touched(photos, done, tmp_p
     (out / "project").mkdir()
     (out / "project/thesis.txt").write_text("mine", encoding="utf-8")
     assert main(command(photos, out)) == 2
-    assert "holds files that no adjustment wrote (project)" in capsys.readouterr().err
+    assert "[result.foreign_files]" in capsys.readouterr().err
     assert (out / "project/thesis.txt").read_text(encoding="utf-8") == "mine"
 
 

@@ -1,6 +1,5 @@
 """Onto control, robustly: blunders are named, heights that are not known are said."""
 
-import re
 from dataclasses import replace
 from itertools import permutations
 
@@ -36,11 +35,11 @@ def test_onto_six_points(flight):
 
 def test_control_in_one_place_is_refused_with_the_points(flight):
     one = np.tile(flight.xyz[0], (6, 1))
-    with pytest.raises(InputError, match=r"control\.csv: all 6 control points have the same coordinates .*A, B, C, D"):
+    with pytest.raises(InputError, match=r"control\.csv.*6.*A, B, C, D.*control\.one_place"):
         check_apart(Given(control=(control(flight, one),)))
     plan = one.copy()
     plan[::2, 2] = np.nan
-    with pytest.raises(InputError, match="was a line copied"):
+    with pytest.raises(InputError, match=r"control\.one_place"):
         check_apart(Given(control=(control(flight, plan),)))
     apart = one.copy()
     apart[4, 1] += 0.001
@@ -55,8 +54,8 @@ def test_a_wrong_control_point_does_not_bend_the_start(flight):
     assert error(flight, placed) < 0.5
 
 
-@pytest.mark.parametrize(("factor", "words"), [(1000, "in mm"), (100, "in cm"), (3.2808, "in feet"), (0.4, "names of")])
-def test_a_bar_of_another_unit_beside_control_is_named_and_left_out(flight, factor, words):
+@pytest.mark.parametrize(("factor", "unit"), [(1000, "mm"), (100, "cm"), (3.2808, "feet"), (0.4, "")])
+def test_a_bar_of_another_unit_beside_control_is_named_and_left_out(flight, factor, unit):
     lengths = [float(np.linalg.norm(flight.xyz[0] - flight.xyz[k])) for k in (2, 3)]
     bars = (
         ScaleBar(start="A", end="C", length=factor * lengths[0], sigma=0.01),
@@ -65,7 +64,8 @@ def test_a_bar_of_another_unit_beside_control_is_named_and_left_out(flight, fact
     placed = georeference(flight.free, flight.photos, Given(control=(control(flight),), scale_bars=bars))
     (notice,) = [n for n in placed.notices if n.code == "distance_suspect"]
     assert (notice.ids, notice.severity) == (("A", "C"), "fault")
-    assert words in notice.text
+    assert notice.values["likely"] == unit
+    assert notice.values["ratio"] == pytest.approx(factor, rel=0.02)
     assert placed.block.distances.length.tolist() == [lengths[1]]
 
 
@@ -94,7 +94,7 @@ def test_a_wrong_mark_is_named_with_the_point_that_stands_there(flight):
     (notice,) = [n for n in placed.notices if n.code == "mark_rejected"]
     assert notice.ids == ("E", marks.image[a])
     if len(others):
-        assert NAMES[marks.point[others[0]]] in notice.text
+        assert (notice.values["hint"], notice.values["other"]) == ("same_place", NAMES[marks.point[others[0]]])
     assert error(flight, placed) < 0.5
 
 
@@ -114,7 +114,8 @@ def test_a_mark_under_another_name_is_told_with_the_point_that_is_there(flight):
     placed = georeference(flight.free, flight.photos, Given(control=(control(flight, marks=wrong),)))
     (notice,) = [n for n in placed.notices if n.code == "mark_rejected"]
     assert notice.ids == (NAMES[marks.point[a]], image[a])
-    assert re.search(rf"it lies [0-9.]+ px from where point {NAMES[marks.point[b]]} is", notice.text)
+    assert (notice.values["hint"], notice.values["other"]) == ("near", NAMES[marks.point[b]])
+    assert 0 < notice.values["other_px"] < 15
 
 
 def test_plan_control_levels_by_the_view(flight):
@@ -129,7 +130,7 @@ def test_plan_control_levels_by_the_view(flight):
 def test_one_point_is_too_little(flight):
     xyz = np.full_like(flight.xyz, np.nan)
     xyz[0] = flight.xyz[0]
-    with pytest.raises(InputError, match="at least 2 are needed"):
+    with pytest.raises(InputError, match=r"2.*control\.too_few_measured"):
         georeference(flight.free, flight.photos, Given(control=(control(flight, xyz),)))
 
 
@@ -172,16 +173,16 @@ def test_a_scale_bar_gives_the_scale(flight):
     true = np.linalg.norm(flight.truth.images.centre[0] - flight.truth.images.centre[-1])
     assert base == pytest.approx(true, rel=1e-3)
     assert set(placed.block.points.role[-6:]) == {Role.TIE}
-    with pytest.raises(InputError, match="point Q is not measured"):
+    with pytest.raises(InputError, match=r"point Q .*scale_bar\.end_not_measured"):
         georeference(flight.free, flight.photos, Given(control=(nothing,), scale_bars=(replace(bar, end="Q"),)))
 
 
 @pytest.mark.parametrize(
     ("length", "sigma", "words"),
-    [(-24.0, 0.01, "length of -24 m is no distance"), (0.0, 0.01, "is no distance"), (24.0, -0.01, "must be above 0")],
+    [(-24.0, 0.01, r"-24 m.*scale_bar\.length"), (0.0, 0.01, r"scale_bar\.length"), (24.0, -0.01, r"scale_bar\.sigma")],
 )
 def test_a_bar_that_is_no_distance_is_refused_in_words_of_its_own(length, sigma, words):
-    with pytest.raises(InputError, match=f"scale bar A - B: .*{words}"):
+    with pytest.raises(InputError, match=f"Scale bar A - B: .*{words}"):
         ScaleBar(start="A", end="B", length=length, sigma=sigma)
 
 
@@ -235,7 +236,7 @@ def test_a_marked_point_whose_rays_do_not_meet_is_lost_by_name(flight):
 def test_a_mark_outside_the_photograph_is_an_error_with_its_line(flight):
     xy = flight.marks.xy_px.copy()
     xy[3] = 1e6, 5
-    with pytest.raises(InputError, match=r"control\.csv, line 5"):
+    with pytest.raises(InputError, match=r"control\.csv.*5.*mark\.outside_photograph"):
         georeference(
             flight.free, flight.photos, Given(control=(control(flight, marks=replace(flight.marks, xy_px=xy)),))
         )
@@ -280,9 +281,9 @@ def test_two_points_say_which_way_is_up(flight):
     a, b = (placed.block.points.xyz[names.index(n)] for n in "AB")
     away = (b - a) / np.linalg.norm(b - a)
     np.testing.assert_allclose(away, [0, 0, 1], atol=1e-9)
-    with pytest.raises(InputError, match="point Q has no place"):
+    with pytest.raises(InputError, match=r"point Q .*vertical\.point_without_place"):
         georeference(flight.free, flight.photos, Given(control=(nothing,), up="A,Q"))
-    with pytest.raises(InputError, match='up="sideways"'):
+    with pytest.raises(InputError, match=r"sideways.*vertical\.unknown_way"):
         georeference(flight.free, flight.photos, Given(up="sideways"))
 
 

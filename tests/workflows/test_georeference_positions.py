@@ -103,16 +103,18 @@ def test_positions_too_near_each_other_are_not_used(flight):
 def test_the_place_is_stated_with_its_hemisphere(flight):
     photos = with_gps(flight)
     (notice,) = [n for n in georeference(flight.free, photos, Given()).notices if n.code == "place"]
-    assert (notice.text, notice.severity) == ("place of the positions: 50.0038 N, 8.0111 E (WGS 84)", "remark")
+    assert (notice.severity, notice.values["of"]) == ("remark", "positions")
+    assert "50.0038° N, 8.0111° E (WGS 84)" in notice.text
     for p in photos:
         p.metadata.gps.latitude_deg *= -1
         p.metadata.gps.longitude_deg *= -1
     (notice,) = [n for n in georeference(flight.free, photos, Given()).notices if n.code == "place"]
     assert notice.values["latitude"] < 0
-    assert "S, 8.0111 W" in notice.text
+    assert "S, 8.0111° W" in notice.text
     given = Given(control=(in_degrees(flight, [0, 1, 2, 3]),))
     (notice,) = [n for n in georeference(flight.free, flight.photos, given).notices if n.code == "place"]
-    assert "control: 50.00" in notice.text
+    assert notice.values["of"] == "control"
+    assert notice.values["latitude"] == pytest.approx(50.0, abs=0.01)
     assert "place" not in codes(georeference(flight.free, flight.photos, Given()))
 
 
@@ -123,7 +125,7 @@ def test_positions_without_standard_deviations_name_those_that_are_assumed(fligh
         p.metadata.gps.sigma_m = None
     (notice,) = [n for n in georeference(flight.free, photos, Given()).notices if n.code == "positions_assumed"]
     assert notice.severity == "remark"
-    assert notice.text.startswith("3 positions without standard deviations: 5 m in plan and 10 m in height")
+    assert notice.values == {"n": 3, "plan_m": 5.0, "height_m": 10.0}
 
 
 def test_positions_in_a_grid_keep_it(flight):

@@ -45,7 +45,7 @@ def test_measurements_of_photographs_that_are_not_here_are_a_remark_where_others
     count = sum(name == first for name in flight.marks.image)
     (some,) = told(lambda name: "elsewhere.jpg" if name == first else name)
     assert some.severity is Severity.REMARK
-    assert some.text == (f"{count} measurements of control.csv are in photographs that are not here: elsewhere.jpg")
+    assert some.values == {"n": count, "table": "control.csv", "names": ["elsewhere.jpg"]}
     (none,) = told(lambda name: f"of-another-flight-{name}")
     assert none.severity is Severity.CAUTION
     assert not told(lambda name: name)

@@ -28,7 +28,7 @@ def test_marks_of_a_usual_size_are_brought_to_that_of_the_photographs(flight, si
     rng = np.random.default_rng(3)
     reduced = flight.marks.xy_px * side / full + rng.normal(0, 0.1, flight.marks.xy_px.shape)
     placed = placed_with(flight, reduced)
-    assert f"fit copies of {side} px, not photographs of {full} px" in notice(placed).message
+    assert (notice(placed).values["side_px"], notice(placed).values["full_px"]) == (side, full)
     assert "mark_rejected" not in codes(placed)
     assert error(flight, placed) < 0.5
     o = placed.block.observations
@@ -43,8 +43,8 @@ def test_an_unusual_size_makes_marks_less_certain_along_their_distance(flight):
     rng = np.random.default_rng(4)
     side = 1747.0
     placed = placed_with(flight, flight.marks.xy_px * side / full + rng.normal(0, 0.1, flight.marks.xy_px.shape))
-    assert "fit copies of 17" in notice(placed).message
-    assert " +- " in notice(placed).message
+    assert notice(placed).values["side_px"] == pytest.approx(side, rel=0.02)
+    assert not notice(placed).values["exact"]
     o = placed.block.observations
     rows = np.flatnonzero(placed.marked[o.point])
     assert (o.cov_px2[rows, 0] > (0.5 * full / side) ** 2).all()

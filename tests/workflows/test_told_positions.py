@@ -28,34 +28,33 @@ def flight(real, stated, shift=0.0):
 
 def told(block):
     found = [n for n in with_relative_precision(adjust_block(block)).notices if n.code == "relative_positions"]
-    return found[0].message if found else ""
+    return found[0] if found else None
 
 
 def test_relative_precision_and_a_common_shift_are_told_apart():
-    message = told(flight(0.27, 5.0, shift=3.0))
-    plan = float(message.split(" m in plan")[0].split()[-1])
-    height = float(message.split(" m in height")[0].split()[-1])
-    assert plan == pytest.approx(0.27, rel=0.35)
-    assert height == pytest.approx(0.27, rel=0.5)
-    assert "where 5 m are stated" in message
-    assert "shift that all positions have in common" in message
+    notice = told(flight(0.27, 5.0, shift=3.0))
+    plan, height = notice.details
+    assert [d.values["direction"] for d in notice.details] == ["plan", "height"]
+    assert plan.values["sigma_m"] == pytest.approx(0.27, rel=0.35)
+    assert height.values["sigma_m"] == pytest.approx(0.27, rel=0.5)
+    assert plan.values["stated_m"] == 5.0
+    assert notice.values["control"] is False
 
 
 def test_control_that_is_there_is_not_asked_for():
     block = flight(0.27, 5.0)
-    assert told(block).endswith("Control points would tell it")
+    assert told(block).values["control"] is False
     xyz, role, sigma = block.points.xyz, np.array(block.points.role), np.array(block.points.sigma)
     corners = [int(f(xyz[:, 0] + a * xyz[:, 1])) for a in (-1, 1) for f in (np.argmin, np.argmax)]
     role[corners], sigma[corners] = Role.CONTROL, 50.0
     placed = replace(block, points=replace(block.points, role=role, sigma=sigma))
-    assert "would tell" not in told(placed)
-    assert told(placed).endswith("which the control tells")
+    assert told(placed).values["control"] is True
 
 
 @pytest.mark.parametrize("sigma", [0.05, 1.0])
 def test_positions_as_precise_as_stated_say_nothing(sigma):
-    assert told(flight(sigma, sigma)) == ""
-    assert told(flight(2 * sigma, sigma)) == ""
+    assert told(flight(sigma, sigma)) is None
+    assert told(flight(2 * sigma, sigma)) is None
 
 
 def test_remarks_of_several_cameras_are_one_notice():

@@ -1,4 +1,7 @@
-marks_turned = { $marks } Messungen aus { $table } stammen aus Aufnahmen, die ein Bildbetrachter gedreht hat; sie sind zurückgedreht.
+marks_turned = { $marks } { $marks ->
+     [one] Messung
+     *[other] Messungen
+    } aus { $table } aus gedreht angezeigten Aufnahmen; zurückgedreht.
     .why = { $photographs } { $photographs ->
      [one] Aufnahme hat
      *[other] Aufnahmen haben
@@ -11,7 +14,10 @@ marks_turned = { $marks } Messungen aus { $table } stammen aus Aufnahmen, die ei
     }
     .do = In den Pixeln messen, wie sie gespeichert sind, mit einem Programm, das die EXIF-Orientierung nicht anwendet.
 
-marks_turned-undecided = { $marks } Messungen aus { $table } stammen vielleicht aus gedreht angezeigten Aufnahmen; sie sind unverändert.
+marks_turned-undecided = { $marks } { $marks ->
+     [one] Messung
+     *[other] Messungen
+    } aus { $table } vielleicht aus gedreht angezeigten Aufnahmen; unverändert.
     .why = { $photographs } { $photographs ->
      [one] Aufnahme hat
      *[other] Aufnahmen haben

@@ -7,7 +7,10 @@
 # $compared = true
 # $outside = false
 # $ids = ["control.csv"]
-marks_turned = { $marks } marks of { $table } are measured in photographs as a viewer turns them; they are turned back.
+marks_turned = { $marks } { $marks ->
+     [one] mark
+     *[other] marks
+    } of { $table } measured in photographs as a viewer turns them; turned back.
     .why = { $photographs } { $photographs ->
      [one] photograph has
      *[other] photographs have
@@ -31,7 +34,10 @@ marks_turned = { $marks } marks of { $table } are measured in photographs as a v
 # $before_near = 0
 # $after_near = 2
 # $ids = ["control.csv"]
-marks_turned-undecided = { $marks } marks of { $table } may be measured in photographs as a viewer turns them; they are not changed.
+marks_turned-undecided = { $marks } { $marks ->
+     [one] mark
+     *[other] marks
+    } of { $table } may be measured in photographs as a viewer turns them; not changed.
     .why = { $photographs } { $photographs ->
      [one] photograph has
      *[other] photographs have
