@@ -32,7 +32,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import asdict, dataclass, field
+from dataclasses import asdict, dataclass, field, replace
 from enum import StrEnum
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Literal, cast
@@ -301,6 +301,19 @@ class InputError(RaybundleError):
         other.line = line if self.line is None else self.line
         other.column = column if self.column is None else self.column
         return other
+
+
+def reason_of(error: RaybundleError) -> str:
+    """The text of an error for those who can hand on a text only; its message stays with it."""
+    if error.message is None:
+        return str(error)
+    place = error.place if isinstance(error, InputError) else Place()
+    return Text.of(replace(error.message, place=place if place.text() else None)).with_text(str(error))
+
+
+def content_of(reason: str) -> str | Message:
+    """What an error is made of again: the message of a text of `reason_of`, or a text as it stands."""
+    return reason.messages[0] if isinstance(reason, Text) and len(reason.messages) == 1 else reason
 
 
 class TasksWaiting(RaybundleError):

@@ -193,7 +193,7 @@ def test_what_is_no_project_has_no_record(tmp_path):
     with pytest.raises(InputError, match="is no project folder"):
         rb.record(tmp_path, client="x")
     keep_settings(OrientSettings(photos=(tmp_path,), out=tmp_path / "p"))
-    with pytest.raises(InputError, match="letters"):
+    with pytest.raises(InputError, match=r"record\.too_long"):
         rb.record(tmp_path / "p", description="x" * 20_000)
 
 

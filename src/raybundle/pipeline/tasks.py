@@ -15,7 +15,7 @@ from typing import Any, cast, get_type_hints
 
 import msgspec
 
-from raybundle.errors import InputError
+from raybundle.errors import InputError, content_of, reason_of
 from raybundle.pipeline.store import Folder, Product, ProductGone, StoreLost
 from raybundle.pipeline.task_functions import is_registered
 
@@ -100,7 +100,7 @@ def do(task: Task, store: Folder) -> Done:
     except StoreLost as error:
         return Done(task=task, failed=str(error), stop=str(error))
     except InputError as error:
-        return Done(task=task, failed=str(error))
+        return Done(task=task, failed=reason_of(error))
     except Exception as error:  # noqa: BLE001  (it is told with its traceback in the log, after some attempts)
         text = f"{type(error).__name__}: {error}"
         return Done(task=task, failed=text, trouble=traceback.format_exc())
@@ -119,7 +119,7 @@ def made(task: Task, store: Folder) -> None:
     if done.lost:
         raise ProductGone(done.lost, store.place.name)
     if done.failed:
-        raise InputError(done.failed)
+        raise InputError(content_of(done.failed))
 
 
 def written(task: Task) -> bytes:
