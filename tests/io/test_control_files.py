@@ -32,6 +32,10 @@ CSV = "point,X,Y,Z,sX,sY,sZ,role\na,1,2,3,0,0,0.01,\nb,4,5,,,,,check\n"
 MEASURED = "image,point,x_px,y_px\n1.jpg,a,10,20\n2.jpg,a,30,40.5\n2.jpg,b,5,6\n"
 
 
+def remark_codes(control):
+    return {m.code for r in control.remarks for m in r.messages}
+
+
 def write(tmp_path, text, name="gcp_list.txt"):
     (tmp_path / name).write_text(text, encoding="utf-8")
     return tmp_path / name
@@ -46,7 +50,7 @@ def test_the_public_list():
     assert len(control.measurements) == 27
     assert np.isnan(control.xyz[:, 2]).all()
     assert np.isnan(control.sigma[:, 2]).all()
-    assert "plan alone" in control.remarks[0]
+    assert control.remarks[0].messages[0].code == "control_file.heights_unknown"
     rays = dict(zip(control.ids, np.bincount(control.measurements.point).tolist(), strict=True))
     assert (rays["gcp00"], rays["gcp01"], rays["gcp06"]) == (1, 2, 3)
     assert control.crs is not None
@@ -63,7 +67,7 @@ def test_lines_with_the_same_coordinates_are_one_point(tmp_path):
     np.testing.assert_array_equal(control.xyz[1], [235262.54, 3811203.5, 13.5])
     np.testing.assert_array_equal(control.sigma[1], [0.5, 0.5, 0.7])
     assert control.role.tolist() == [Role.CONTROL] * 2
-    assert "no names" in control.remarks[0]
+    assert control.remarks[0].messages[0].code == "control_file.no_names"
 
 
 def test_windows_files_and_byte_order_marks(tmp_path):
@@ -156,7 +160,7 @@ def test_csv_with_measurements_beside(tmp_path):
     assert np.isnan(control.xyz[1, 2])
     assert control.measurements.image == ("1.jpg", "2.jpg", "2.jpg")
     np.testing.assert_array_equal(control.measurements.xy_px, [[10, 20], [30, 40.5], [5, 6]])
-    assert "0.1 in plan" in control.remarks[0]
+    assert control.remarks[0].messages[0].values["plan"] == 0.1
 
 
 CSV_CASES = {
@@ -234,7 +238,7 @@ def test_equal_heights_are_no_measurement(tmp_path, heights, sigma, believed, ki
     assert np.isfinite(control.xyz[:, 2]).all() == believed
     assert np.isfinite(control.sigma[:, 2]).all() == believed
     assert np.isfinite(control.xyz[:, :2]).all()
-    assert any("taken as unknown" in r for r in control.remarks) != believed
+    assert ("control_file.heights_unknown" in remark_codes(control)) != believed
 
 
 def test_control_and_check_points_without_names_have_names_of_their_own(tmp_path):
@@ -306,7 +310,7 @@ def test_a_file_without_a_system_stands_in_that_of_the_others(tmp_path, east, to
     (tmp_path / "checks.csv").write_text(f"point,X,Y,Z\nK,{east},5300010,300\n")
     first, second = in_one_system([read_control(tmp_path / n) for n in ("list.txt", "checks.csv")])
     assert first.crs == second.crs == "EPSG:32633"
-    assert any("names no coordinate system" in r for r in second.remarks) == told
+    assert ("control_file.system_of_others" in remark_codes(second)) == told
     (alone,) = in_one_system([read_control(tmp_path / "checks.csv")])
     assert alone.crs is None
 
@@ -319,17 +323,17 @@ def test_the_system_that_the_user_names_is_that_of_a_file_that_names_none(tmp_pa
     given = ControlDefaults(plan=0.01, height=0.02, unit="m")
     (taken,) = in_one_system([read_control(tmp_path / "c.csv", defaults=given)], "EPSG:2263")
     assert taken.crs == "EPSG:2263"
-    assert any("c.csv: taken in EPSG:2263, which crs= names; the file names none" in r for r in taken.remarks)
-    assert any("get 0.01 m in plan and 0.02 m in height" in r for r in taken.remarks)
+    [system] = [m for r in taken.remarks for m in r.messages if m.code == "control_file.system_given"]
+    assert (system.values["name"], system.values["system"]) == ("c.csv", "EPSG:2263")
+    [assumed] = [m for r in taken.remarks for m in r.messages if m.code == "control_file.sigma_assumed"]
+    assert assumed.values == {"plan": 0.01, "height": 0.02, "unit": "m"}
     sigma = sigma_in_metres(taken)
     np.testing.assert_allclose(sigma[0], np.array([0.03, 0.03, 0.06]) * foot)  # stated in feet
     np.testing.assert_allclose(sigma[1], [0.01, 0.01, 0.02])  # assumed, in metres
     np.testing.assert_array_equal(sigma[2], 0)
     (bare,) = in_one_system([read_control(tmp_path / "c.csv")])
     assert bare.crs is None
-    assert any(
-        "look like one of a map: they are taken for Cartesian metres; name their system" in r for r in bare.remarks
-    )
+    assert "control_file.cartesian_assumed" in remark_codes(bare)
 
 
 def test_standard_deviations_of_degrees_are_metres(tmp_path):
@@ -364,12 +368,12 @@ def test_the_named_system_tells_the_heights_of_files_in_the_same_plan(tmp_path):
 
 
 BEHIND = {  # words behind the image; names of the points, and what a remark names
-    "g1": ("g1", ""),
-    "corner one": ("corner", "'one' behind 'corner' in line 2"),
-    "g1 extra1 extra2": ("g1", "'extra1 extra2' behind 'g1' in line 2"),
-    "g1 0.02 0.03": ("g1", "'0.02 0.03' behind 'g1'"),
-    "north corner of wall": ("north", "'corner of wall' behind 'north'"),
-    "g.1": ("g.1", ""),
+    "g1": ("g1", None),
+    "corner one": ("corner", ("'one'", "'corner'", 2)),
+    "g1 extra1 extra2": ("g1", ("'extra1 extra2'", "'g1'", 2)),
+    "g1 0.02 0.03": ("g1", ("'0.02 0.03'", "'g1'", 2)),
+    "north corner of wall": ("north", ("'corner of wall'", "'north'", 2)),
+    "g.1": ("g.1", None),
 }
 
 
@@ -382,7 +386,8 @@ def test_words_behind_the_names_of_points(tmp_path, words):
     )
     found = read_control(path)
     assert found.ids == (name, "h")
-    assert [remark in r for r in found.remarks] == [True] * bool(remark)
+    values = [r.messages[0].values for r in found.remarks]
+    assert [(v["words"], v["point"], v["line_number"]) for v in values] == [remark] * bool(remark)
     path.write_text(f"EPSG:32633\n500010.5\t5400020.25\t123.5\t10\t20\ta.jpg\t{words}\n")
     assert read_control(path).ids == (words,)
     assert read_control(path).remarks == ()

@@ -135,7 +135,7 @@ def test_covariances_go_both_ways_and_agree_with_simulation(crs):
 
 def test_plan_without_heights():
     frame = local_frame("EPSG:32611", (235_263.0, 3_811_208.0, np.nan))
-    assert any("height of the origin is not known" in r for r in frame.remarks)
+    assert any(r.messages[0].code == "crs.origin_height_unknown" for r in frame.remarks)
     plan = np.array([[235_269.88, 3_811_198.11, np.nan], [236_263.0, 3_812_208.0, np.nan]])
     local = frame.local_from_crs(plan)
     assert np.isnan(local[:, 2]).all()
@@ -148,23 +148,19 @@ def test_plan_without_heights():
 
 
 @pytest.mark.parametrize(
-    ("crs", "words"),
+    ("crs", "advice"),
     [
-        (
-            "EPSG:25832",
-            "if they are, name the system as EPSG:25832+ellipsoid, if they are above the sea name theirs too",
-        ),
+        ("EPSG:25832", ("EPSG:25832+ellipsoid", "EPSG:25832+5773")),
         ("EPSG:25832+ellipsoid", None),
         ("EPSG:4979", None),
         ("EPSG:4978", None),
     ],
 )
-def test_heights_are_said_plainly(crs, words):
-    remarks = " ".join(local_frame(crs, SYSTEMS[crs.removesuffix("+ellipsoid")][0]).remarks)
-    if words is None:
-        assert not remarks
-    else:
-        assert words in remarks
+def test_heights_are_said_plainly(crs, advice):
+    remarks = local_frame(crs, SYSTEMS[crs.removesuffix("+ellipsoid")][0]).remarks
+    assert [(r.messages[0].values["ellipsoidal"], r.messages[0].values["sea"]) for r in remarks] == [advice] * bool(
+        advice
+    )
 
 
 def test_a_given_undulation_raises_the_frame():
@@ -238,7 +234,7 @@ def test_heights_above_a_missing_geoid_are_refused():
     with pytest.raises(InputError, match=r"crs\.geoid_missing"):  # stored where the grid was there
         frame_from_mapping({"crs": GEOID, "origin": list(RHINE)})
     ellipsoidal = local_frame("EPSG:25832", RHINE)
-    assert "above the ellipsoid" in ellipsoidal.remarks[0]
+    assert ellipsoidal.remarks[0].messages[0].code == "crs.heights_assumed"
     assert ellipsoidal.wgs84_from_local(np.zeros((1, 3)))[0, 2] == pytest.approx(120.0, abs=1e-6)
 
 
@@ -336,4 +332,4 @@ def test_the_height_of_a_geoid_counts_from_the_earth_s_ellipsoid(crs, at):
 
 def test_advice_on_heights_does_not_rest_on_an_option_that_a_command_may_not_have():
     (remark,) = height_remarks("+proj=tmerc +lat_0=47 +lon_0=8 +ellps=WGS84 +units=m")
-    assert "add the height of the geoid to them" in remark
+    assert remark.messages[0].values["coded"] is False

@@ -79,6 +79,14 @@ class Notice:
         return Text.of(self.data, *(() if more is None else (more,)))
 
 
+def notice_of_text(code: str, text: str, ids: tuple[str, ...] = (), measured: Severity | None = None) -> Notice:
+    """A notice of this code whose words are those of a message, where the text has one."""
+    if isinstance(text, Text) and len(text.messages) == 1:
+        (m,) = text.messages
+        return Notice(code=code, words=m.code, values=m.values, details=m.details, ids=ids, measured=measured)
+    return Notice(code=code, message=text, ids=ids, measured=measured)
+
+
 def gravest_first(notices: Iterable[Notice]) -> list[Notice]:
     """The notices in order of their severity, those of one in the order in which they were made."""
     order = list(Severity)

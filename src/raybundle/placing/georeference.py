@@ -9,7 +9,7 @@ from itertools import combinations
 import numpy as np
 
 from raybundle.adjustment.identical_control import identical_notices
-from raybundle.adjustment.result import Adjustment, Notice
+from raybundle.adjustment.result import Adjustment, Notice, notice_of_text
 from raybundle.block import Block, Role
 from raybundle.block.rejection import Rejection
 from raybundle.block.select import with_rows
@@ -125,8 +125,8 @@ def georeference(
     if frame is not None and around is None:
         own = () if given.positions_frame is None else given.positions_frame.remarks
         remarks = dict.fromkeys((*frame.remarks, *own))
-        state.notices += [Notice(code="coordinate_system", message=r) for r in remarks]
-    state.notices += [Notice(code="control_file", message=r) for c in given.control for r in c.remarks]
+        state.notices += [notice_of_text("coordinate_system", r) for r in remarks]
+    state.notices += [notice_of_text("control_file", r) for c in given.control for r in c.remarks]
     if fixed or len(state.block.distances):  # in metres
         take_eccentricity_off(state, given.control)
     drop_unseen_checks(state)

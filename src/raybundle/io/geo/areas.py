@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from raybundle.errors import InputError
+from raybundle.errors import InputError, Text, remark
 from raybundle.io.geo.parsed_systems import plan_of, system_name
 from raybundle.io.geo.told_systems import told_system
 from raybundle.numerics.arrays import Array, Index
@@ -26,7 +26,6 @@ zone of 6 degrees puts them 1.5 degrees beyond its edge, those of smaller zones 
 FAR = 3.0
 """Distance beyond the area, in extents of it, at which nobody uses a grid: the whole of Norway in one zone has 2.2."""
 HALF_TURN, QUARTER_TURN = 180.0, 90.0
-EXCHANGED = "eastings and northings exchanged? "
 
 
 def check_area(crs: str, xy: Array, file: Path, *, named: bool = False, lines: Index | None = None) -> tuple[str, ...]:
@@ -49,7 +48,7 @@ def check_area(crs: str, xy: Array, file: Path, *, named: bool = False, lines: I
     if here.off <= BEYOND_DEG:
         return ()
     name = system_name(crs)
-    exchanged = EXCHANGED if _beside(crs, y, x).off <= BEYOND_DEG else ""
+    exchanged = _beside(crs, y, x).off <= BEYOND_DEG
     if named:
         raise _outside(crs, (x, y), here, "named_exchanged" if exchanged else "named").at(file)
     geographic = plan_of(crs).is_geographic
@@ -59,9 +58,11 @@ def check_area(crs: str, xy: Array, file: Path, *, named: bool = False, lines: I
         feet = not exchanged and _beside(crs, UNITS["feet"] * x, UNITS["feet"] * y).off <= BEYOND_DEG
         hint = "degrees" if degrees else "exchanged" if exchanged else "feet" if feet else "system"
         raise _outside(crs, (x, y), here, hint).at(file, line=None if line is None else int(line[0]))
-    at = f"longitude {here.longitude:.2f}, latitude {here.latitude:.2f}"
-    remark = f"{file.name}: {x:.10g}, {y:.10g} lie outside the area of use of {name}, at {at}"
-    return (f"{remark}; {exchanged.strip()}" if exchanged else remark,)
+    outside = remark(
+        "crs.outside_use", table=file.name, x=x, y=y, system=name, longitude_deg=here.longitude,
+        latitude_deg=here.latitude, exchanged=exchanged,
+    )  # fmt: skip
+    return (Text.of(outside),)
 
 
 def _outside(crs: str, xy: tuple[float, float], here: _Beside, hint: str) -> InputError:

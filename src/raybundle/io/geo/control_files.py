@@ -18,7 +18,7 @@ import numpy as np
 
 from raybundle.block import ROLES, Role
 from raybundle.block.frames import in_file_frames
-from raybundle.errors import InputError, message
+from raybundle.errors import InputError, Text, Value, message, remark
 from raybundle.io.geo.areas import check_area
 from raybundle.io.geo.gcp_rows import GCP_COLUMNS, GcpRow, content_lines, gcp_rows
 from raybundle.io.geo.parsed_systems import parse_crs
@@ -26,12 +26,11 @@ from raybundle.io.reading.dialects import header_of
 from raybundle.io.reading.words import number_of, quoted
 from raybundle.io.tables import SHOWN, Column, Problem, fail, read_table
 from raybundle.numerics.arrays import Array, Index, Mask
-from raybundle.numerics.counting import counted
 
 XYZ, SIGMA, NORMAL = ("X", "Y", "Z"), ("sX", "sY", "sZ"), ("nX", "nY", "nZ")
 COLUMNS = ("point", *XYZ, *SIGMA, "role", "radius", *NORMAL, "tolerance")
 """Of a table of control"""
-NO_TOLERANCE = "the column tolerance is for nominal coordinates, and control has none: it is not used"
+NO_TOLERANCE = Text.of(remark("control_file.tolerance_unused"))
 CHANCE = 0.01
 """Probability below which heights that agree to the last digit are not taken for measured."""
 MEASUREMENTS = "measurements"
@@ -232,18 +231,16 @@ def _behind_names(path: Path, rows: Sequence[GcpRow]) -> tuple[str, ...]:
     more = [r for r in rows if r.rest]
     if not more:
         return ()
-    first = f"{quoted(more[0].rest)} behind {quoted(more[0].name)} in line {more[0].line}"
-    remark = (
-        f"{path.name}: words behind the name of the point are not read in {counted(len(more), 'line')}, first {first}; "
-        "if names of points have blanks, separate columns by tabs"
-    )
-    return (remark,)
+    unread = remark(
+        "control_file.words_behind_names", name=path.name, n=len(more), words=quoted(more[0].rest),
+        point=quoted(more[0].name), line_number=more[0].line,
+    )  # fmt: skip
+    return (Text.of(unread),)
 
 
 def _nameless(stem: str, first: int) -> str:
-    return (
-        f"the file has no names; lines with the same X Y Z are one point: {stem}{first:02d}, {stem}{first + 1:02d} ..."
-    )
+    names = [f"{stem}{first + k:02d}" for k in range(2)]
+    return Text.of(remark("control_file.no_names", names=names))
 
 
 def named_apart(files: Sequence[ControlFile]) -> tuple[ControlFile, ...]:
@@ -264,8 +261,8 @@ def named_apart(files: Sequence[ControlFile]) -> tuple[ControlFile, ...]:
 
 def assumed_words(defaults: ControlDefaults) -> str:
     """What is said of coordinates whose file states no standard deviation."""
-    unit = f" {defaults.unit}" if defaults.unit else ""
-    return f"coordinates without a sigma get {defaults.plan:g}{unit} in plan and {defaults.height:g}{unit} in height"
+    values: dict[str, Value] = {"plan": defaults.plan, "height": defaults.height, "unit": defaults.unit or "none"}
+    return Text.of(remark("control_file.sigma_assumed", **values))
 
 
 def _default_sigma(xyz: Array, defaults: ControlDefaults) -> Array:
@@ -287,24 +284,18 @@ def _with_unknown_heights(control: ControlFile, stated: Mask) -> ControlFile:
     heights, n = z[asked], int(asked.sum())
     if n < 2 or np.ptp(heights) > 0 or not np.ptp(control.xyz[asked, :2], axis=0).any():
         return control
-    if heights[0] == 0:
-        what = f"all {n} heights are exactly 0"
-    else:
+    if heights[0] != 0:
         step = 10.0 ** -len(repr(float(heights[0])).partition(".")[2].rstrip("0"))
         s = float(np.max(control.sigma[asked, 2]))
         chance = min(1.0, step / (2 * math.sqrt(math.pi) * s)) ** (n - 1) if s > 0 else 1.0
         if chance >= CHANCE:
             return control
-        what = f"all {n} heights are {heights[0]:g}, to the last digit"
     unknown = np.where(asked, np.nan, 1.0)
     xyz, sigma = control.xyz.copy(), control.sigma.copy()
     xyz[:, 2] *= unknown
     sigma[:, 2] *= unknown
-    remark = (
-        f"{control.path.name}: {what} and are taken as unknown, not measured: the points control or check plan alone. "
-        "If they were measured, a CSV with a column sZ says so"
-    )
-    return replace(control, xyz=xyz, sigma=sigma, remarks=(*control.remarks, remark))
+    equal = remark("control_file.heights_unknown", name=control.path.name, n=n, height=float(heights[0]))
+    return replace(control, xyz=xyz, sigma=sigma, remarks=(*control.remarks, Text.of(equal)))
 
 
 def _read_csv(path: Path, measurements: Path | None, defaults: ControlDefaults) -> ControlFile:

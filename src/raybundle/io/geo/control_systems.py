@@ -7,12 +7,12 @@ from dataclasses import replace
 
 import numpy as np
 
+from raybundle.errors import Text, remark
 from raybundle.io.geo.areas import check_area
 from raybundle.io.geo.control_files import ControlFile
 from raybundle.io.geo.coordinate_systems import local_frame
 from raybundle.io.geo.parsed_systems import is_plan, parse_crs, plan_of, system_name
 from raybundle.numerics.arrays import Array
-from raybundle.settings import option
 
 MAP_M = 1e5
 """From zero, in plan: no site's own axes begin so far away, and grids add such numbers lest coordinates be negative."""
@@ -35,13 +35,15 @@ def in_one_system(files: Sequence[ControlFile], crs: str | None = None) -> tuple
         return tuple(files)
     (known,) = systems
     around = np.vstack([f.xyz[:, :2] for f in files if f.crs])
-    others = ", ".join(f.path.name for f in files if f.crs)
+    others = [f.path.name for f in files if f.crs]
     found: list[ControlFile] = []
     for f in files:
         if f.crs is None and np.isfinite(f.xyz).any():
-            remark = f"{f.path.name} names no coordinate system; taken in that of {others}: {system_name(known)}"
+            assumed = remark(
+                "control_file.system_of_others", name=f.path.name, others=others, system=system_name(known)
+            )
             beyond = check_area(known, f.xyz[:, :2], f.path)
-            more = () if _among(f.xyz[:, :2], around) else (remark, *beyond)
+            more = () if _among(f.xyz[:, :2], around) else (Text.of(assumed), *beyond)
             f = replace(f, crs=known, remarks=(*f.remarks, *more))  # noqa: PLW2901
         found.append(f)
     return tuple(found)
@@ -75,14 +77,11 @@ def _in_named(file: ControlFile, crs: str | None) -> ControlFile:
     if crs is None:
         if max(abs(x), abs(y)) < MAP_M:
             return file
-        remark = (
-            f"{file.path.name} names no coordinate system, and {x:.10g}, {y:.10g} look like one of a map: they are "
-            f"taken for Cartesian metres; name their system with {option('crs', 'EPSG:...')}"
-        )
-        return replace(file, remarks=(*file.remarks, remark))
+        assumed = remark("control_file.cartesian_assumed", name=file.path.name, x=x, y=y)
+        return replace(file, remarks=(*file.remarks, Text.of(assumed)))
     check_area(crs, xy, file.path, named=True)
-    remark = f"{file.path.name}: taken in {system_name(crs)}, which {option('crs')} names; the file names none"
-    return replace(file, crs=crs, remarks=(*file.remarks, remark))
+    taken = remark("control_file.system_given", name=file.path.name, system=system_name(crs))
+    return replace(file, crs=crs, remarks=(*file.remarks, Text.of(taken)))
 
 
 def _among(xy: Array, around: Array) -> bool:

@@ -21,7 +21,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from raybundle.errors import InputError
+from raybundle.errors import InputError, Text, remark
 from raybundle.io.geo.parsed_systems import (
     ELLIPSOID,
     code_of,
@@ -34,7 +34,6 @@ from raybundle.io.geo.parsed_systems import (
 from raybundle.io.reading.words import finite
 from raybundle.numerics.arrays import Array
 from raybundle.numerics.rotation import nearest_rotation
-from raybundle.settings import option
 
 if TYPE_CHECKING:
     from pyproj import CRS, Transformer
@@ -201,7 +200,7 @@ def local_frame(
     remarks = height_remarks(crs, undulation_m)
     if np.isnan(z):
         z = 0.0
-        remarks += ("the height of the origin is not known and counts as 0",)
+        remarks += (Text.of(remark("crs.origin_height_unknown")),)
     frame = LocalFrame(crs=crs, origin=(x, y, z), undulation_m=undulation_m, remarks=remarks)
     frame.local_from_crs(np.array([[x, y, z]]))
     return frame
@@ -246,25 +245,24 @@ def frame_from_mapping(values: Mapping[str, Any]) -> LocalFrame:
 def height_remarks(crs: str, undulation_m: float | None = None) -> tuple[str, ...]:
     """What is assumed about the heights of a system, in words."""
     system = parse_crs(crs)
-    of = "" if undulation_m is None or system.is_geocentric or not of_older_datum(crs) else " (WGS 84)"
+    older = undulation_m is not None and not system.is_geocentric and of_older_datum(crs)
     if system.is_geocentric or (len(system.axis_info) == 3 and not system.is_compound):
         return ()
     if not system.is_compound:
         unit = system.axis_info[0].unit_name if system.is_projected else "metre"
+        name = system_name(crs)
         if undulation_m is not None:
-            above = f"as heights above a geoid {undulation_m:g} m above the ellipsoid{of}"
-            return (f"{system_name(crs)} says nothing about heights; they are taken in {unit}, {above}",)
-        how = "as heights above the ellipsoid; if they are, "
-        if code := code_of(crs):
-            named, sea = f"name the system as {code}{ELLIPSOID}", f"name theirs too, as {code}+5773 (EGM96)"
-        else:  # a code of another place would move the block there
-            named = f"write {ELLIPSOID} behind the name of the system"
-            sea = f"add the height of the geoid to them (`convert`, `rpc`: {option('undulation')})"
-        how += f"{named}, if they are above the sea {sea}"
-        return (f"{system_name(crs)} says nothing about heights; they are taken in {unit}, {how}",)
+            above = remark("crs.heights_above_geoid", system=name, unit=unit, undulation_m=undulation_m, older=older)
+            return (Text.of(above),)
+        code = code_of(crs)  # one of another place would move the block there
+        assumed = remark(
+            "crs.heights_assumed", system=name, unit=unit, coded=bool(code), code_name=str(code or ""),
+            ellipsoidal=f"{code or ''}{ELLIPSOID}", sea=f"{code or ''}+5773",
+        )  # fmt: skip
+        return (Text.of(assumed),)
     if undulation_m is not None:
-        name = height_name(crs)
-        return (f"{name}: heights above the geoid; a constant undulation of {undulation_m:g} m is added{of}",)
+        added = remark("crs.undulation_added", heights=height_name(crs), undulation_m=undulation_m, older=older)
+        return (Text.of(added),)
     return ()
 
 

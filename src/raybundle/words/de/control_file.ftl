@@ -7,3 +7,34 @@ control_file-not_measured = { $n } { $n ->
      } nicht gemessen: { LIST($ids, most: 10) }.
 
 control_file-tolerance = Die Spalte tolerance in { $name } wird nicht verwendet: Sie gehört zu Sollkoordinaten.
+
+control_file-tolerance_unused = Die Spalte tolerance der Passpunkte wird nicht verwendet: Sie gehört zu Sollkoordinaten.
+
+control_file-words_behind_names = { $name }: Wörter nach dem Namen des Punktes sind in { $n } { $n ->
+     [one] Zeile
+     *[other] Zeilen
+    } nicht gelesen.
+    .why = Die ersten sind { $words } nach { $point } in Zeile { $line_number }.
+    .do = Enthalten Punktnamen Leerzeichen, die Spalten durch Tabulatoren trennen.
+
+control_file-no_names = Die Datei hat keine Punktnamen; Zeilen mit demselben X Y Z sind ein Punkt: { LIST($names, most: 2) } ...
+
+control_file-sigma_assumed = Koordinaten ohne Standardabweichung: { $plan }{ $unit ->
+     [none] { "" }
+     *[other] { "" } { $unit }
+    } in der Lage und { $height }{ $unit ->
+     [none] { "" }
+     *[other] { "" } { $unit }
+    } in der Höhe angenommen.
+
+control_file-heights_unknown = { $name }: Alle { $n } Höhen sind { NUM($height, digits: 10) } und gelten als unbekannt.
+    .why = Die Punkte werden nur in der Lage verwendet.
+    .do = Wurden diese Höhen gemessen, eine CSV-Datei mit einer Spalte sZ angeben.
+
+control_file-system_of_others = Koordinatensystem von { $name }: nicht angegeben; { $system } angenommen, wie in { $others }.
+
+control_file-cartesian_assumed = Koordinatensystem von { $name }: nicht angegeben; kartesische Koordinaten in Metern angenommen.
+    .why = Koordinaten wie { NUM($x, digits: 10) }, { NUM($y, digits: 10) } gehören wohl zu einer Karte.
+    .do = In diesem Fall { OPTION("crs", "EPSG:CODE") } angeben.
+
+control_file-system_given = Koordinatensystem von { $name }: nicht in der Datei angegeben; { $system } nach { OPTION("crs") }.

@@ -61,3 +61,28 @@ crs-heights_twice = { $system } legt seine Höhen bereits fest.
 
 crs-no_local_frame = { NUM($x, digits: 10) }, { NUM($y, digits: 10) } hat in { $system } kein lokales System.
     .do = Koordinaten und Koordinatensystem prüfen.
+
+crs-origin_height_unknown = Die Höhe des Ursprungs ist unbekannt; 0 angenommen.
+
+crs-heights_above_geoid = Höhenbezug: durch { $system } nicht festgelegt; Höhen in { $unit } über einem Geoid { $undulation_m } m über dem Ellipsoid{ $older ->
+     [yes] { "" } (WGS 84)
+     *[no] { "" }
+    } angenommen.
+
+crs-heights_assumed = Höhenbezug: durch { $system } nicht festgelegt; ellipsoidische Höhen in { $unit } angenommen.
+    .do = { $coded ->
+     [yes] Das System { $ellipsoidal } nennen, wenn das stimmt, oder mit dem Höhensystem, etwa { $sea } (EGM96)
+     *[no] { $ellipsoidal } hinter das System schreiben, wenn das stimmt; zu Meereshöhen die Geoidhöhe addieren ({ OPTION("undulation") } von convert und rpc)
+    }.
+
+crs-undulation_added = { $heights }: Höhen über dem Geoid; eine konstante Undulation von { $undulation_m } m wird addiert{ $older ->
+     [yes] { "" } (WGS 84)
+     *[no] { "" }
+    }.
+
+crs-outside_use = { $table }: { NUM($x, digits: 10) }, { NUM($y, digits: 10) } liegt außerhalb des Anwendungsbereichs von { $system }.
+    .why = Der Ort liegt bei Länge { NUM($longitude_deg, decimals: 2) }°, Breite { NUM($latitude_deg, decimals: 2) }°.
+    .do = { $exchanged ->
+     [yes] Prüfen, ob Ost- und Nordwerte vertauscht sind
+     *[no] Das Koordinatensystem prüfen
+    }.

@@ -12,3 +12,54 @@ control_file-not_measured = { $n } control { $n ->
 
 # $name = "control.csv"
 control_file-tolerance = The column tolerance of { $name } is not used: it belongs to nominal coordinates.
+
+control_file-tolerance_unused = The column tolerance of the control is not used: it belongs to nominal coordinates.
+
+# $name = "gcp_list.txt"
+# $n = 3
+# $words = "'extra'"
+# $point = "'GCP1'"
+# $line_number = 4
+control_file-words_behind_names = { $name }: words after the name of the point are not read in { $n } { $n ->
+     [one] line
+     *[other] lines
+    }.
+    .why = The first are { $words } after { $point } in line { $line_number }.
+    .do = If names of points contain blanks, separate columns by tabs.
+
+# $names = ["gcp00", "gcp01"]
+control_file-no_names = The file has no point names; lines with the same X Y Z are one point: { LIST($names, most: 2) } ...
+
+# $plan = 0.01
+# $height = 0.02
+# $unit = "m"
+control_file-sigma_assumed = Coordinates without standard deviation: { $plan }{ $unit ->
+     [none] { "" }
+     *[other] { "" } { $unit }
+    } in plan and { $height }{ $unit ->
+     [none] { "" }
+     *[other] { "" } { $unit }
+    } in height assumed.
+
+# $name = "control.csv"
+# $n = 6
+# $height = 0.0
+control_file-heights_unknown = { $name }: all { $n } heights are { NUM($height, digits: 10) } and are taken as unknown.
+    .why = The points are used in plan only.
+    .do = If these heights were measured, give a CSV with a column sZ.
+
+# $name = "check.csv"
+# $others = ["control.txt"]
+# $system = "EPSG:32633"
+control_file-system_of_others = Coordinate system of { $name }: not defined; { $system } assumed, as in { $others }.
+
+# $name = "control.csv"
+# $x = 534684.0
+# $y = 5338120.0
+control_file-cartesian_assumed = Coordinate system of { $name }: not defined; Cartesian coordinates in metres assumed.
+    .why = Coordinates such as { NUM($x, digits: 10) }, { NUM($y, digits: 10) } seem to belong to a map.
+    .do = Give { OPTION("crs", "EPSG:CODE") } if they do.
+
+# $name = "control.csv"
+# $system = "EPSG:32633"
+control_file-system_given = Coordinate system of { $name }: not defined in the file; { $system } as given by { OPTION("crs") }.

@@ -99,3 +99,48 @@ crs-heights_twice = { $system } already defines its heights.
 # $system = "EPSG:4326"
 crs-no_local_frame = { NUM($x, digits: 10) }, { NUM($y, digits: 10) } has no local frame in { $system }.
     .do = Check coordinates and coordinate system.
+
+crs-origin_height_unknown = The height of the origin is unknown; 0 is assumed.
+
+# $system = "EPSG:32633"
+# $unit = "metre"
+# $undulation_m = 46.0
+# $older = false
+crs-heights_above_geoid = Vertical datum: not defined by { $system }; heights in { $unit } above a geoid at { $undulation_m } m{ $older ->
+     [yes] { "" } (WGS 84)
+     *[no] { "" }
+    } assumed.
+
+# $system = "EPSG:32633"
+# $unit = "metre"
+# $coded = true
+# $code_name = "EPSG:32633"
+# $ellipsoidal = "EPSG:32633+ellipsoid"
+# $sea = "EPSG:32633+5773"
+crs-heights_assumed = Vertical datum: not defined by { $system }; ellipsoidal heights in { $unit } assumed.
+    .do = { $coded ->
+     [yes] Name the system { $ellipsoidal } if this is right, or with the vertical system, such as { $sea } (EGM96)
+     *[no] Write { $ellipsoidal } after the system if this is right; add the height of the geoid to heights above the sea ({ OPTION("undulation") } of convert and rpc)
+    }.
+
+# $heights = "EGM96 height"
+# $undulation_m = 46.0
+# $older = false
+crs-undulation_added = { $heights }: heights above the geoid; a constant undulation of { $undulation_m } m is added{ $older ->
+     [yes] { "" } (WGS 84)
+     *[no] { "" }
+    }.
+
+# $table = "control.csv"
+# $x = 534684.0
+# $y = 5338120.0
+# $system = "EPSG:32633"
+# $longitude_deg = 9.5
+# $latitude_deg = 48.2
+# $exchanged = false
+crs-outside_use = { $table }: { NUM($x, digits: 10) }, { NUM($y, digits: 10) } is outside the area of use of { $system }.
+    .why = The place is at longitude { NUM($longitude_deg, decimals: 2) }°, latitude { NUM($latitude_deg, decimals: 2) }°.
+    .do = { $exchanged ->
+     [yes] Check whether eastings and northings are exchanged
+     *[no] Check the coordinate system
+    }.

@@ -25,3 +25,16 @@ crs-not_on_earth = { $text } n'a pas de position sur la Terre.
 crs-heights_twice = { $system } définit déjà ses hauteurs.
 
 crs-no_local_frame = { NUM($x, digits: 10) }, { NUM($y, digits: 10) } n'a pas de repère local dans { $system }.
+
+crs-origin_height_unknown = L'altitude de l'origine est inconnue ; 0 est supposé.
+
+crs-heights_above_geoid = Référence d'altitude : non définie par { $system } ; altitudes en { $unit } au-dessus d'un géoïde à { $undulation_m } m supposées.
+
+crs-heights_assumed = Référence d'altitude : non définie par { $system } ; altitudes ellipsoïdales en { $unit } supposées.
+
+crs-undulation_added = { $heights } : altitudes au-dessus du géoïde ; une ondulation constante de { $undulation_m } m est ajoutée{ $older ->
+     [yes] { "" } (WGS 84)
+     *[no] { "" }
+    }.
+
+crs-outside_use = { $table } : { NUM($x, digits: 10) }, { NUM($y, digits: 10) } est hors du domaine d'emploi de { $system }.

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import replace
 
-from raybundle.adjustment.result import Notice
+from raybundle.adjustment.result import Notice, notice_of_text
 from raybundle.block import Block
 from raybundle.io.photos.photo import Photo
 from raybundle.matching.features import FeatureMethod
@@ -47,7 +47,7 @@ def place_with_scenes(
     names = [s.name for s in state.images]
     placing = place_scenes(state.block, scenes, marks_in(given, names, inside=True), placed)
     notices = [*told, *scenes.notices(), *(_files(given))]
-    notices += [Notice(code="coordinate_system", message=r) for r in placed.frame.remarks]
+    notices += [notice_of_text("coordinate_system", r) for r in placed.frame.remarks]
     if not blocks:
         add_bars(placing, given)
         return finish(placing, None, placed, notices), (), state.lost
@@ -70,4 +70,4 @@ def place_with_scenes(
 
 
 def _files(given: Given) -> list[Notice]:
-    return [Notice(code="control_file", message=r) for c in given.control for r in c.remarks]
+    return [notice_of_text("control_file", r) for c in given.control for r in c.remarks]
