@@ -101,7 +101,7 @@ def test_stations_on_a_map(tmp_path, capsys):
     write_block(flight(), tmp_path / "b")
     convert(tmp_path / "b", "--to", "geojson", "--out", tmp_path / "s.geojson", "--crs", "EPSG:32632")
     printed = capsys.readouterr().out
-    assert "says nothing about heights" in printed
+    assert "EPSG:32632+ellipsoid" in printed
     stations = json.loads((tmp_path / "s.geojson").read_text())["features"]
     from pyproj import Transformer
 
