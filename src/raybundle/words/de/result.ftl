@@ -11,7 +11,7 @@ result-foreign_files = Der Ordner enthält { $n } { $n ->
     .do = Sie verschieben oder einen anderen Namen wählen.
 
 result-no_result = Dies ist kein Ergebnisordner: result.json fehlt.
-    .do = Den Ordner angeben, der { OPTION("out") } der Ausgleichung war.
+    .do = Den Ordner angeben, den die Ausgleichung geschrieben hat ({ OPTION("out") }).
 
 result-not_of_adjustment = Die Datei ist nicht result.json einer Ausgleichung.
     .do = Erneut ausgleichen.

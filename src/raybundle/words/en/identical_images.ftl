@@ -2,7 +2,7 @@
 # $names = ["IMG_2 (IMG_1)"]
 # $ids = ["IMG_2"]
 identical_images-copies = { $n } { $n ->
-     [one] photograph is a copy of another one, or has no base to it: it is
-     *[other] photographs are copies of others, or have no base to them: they are
+     [one] photograph is a copy of another one, or has no base to it, and is
+     *[other] photographs are copies of others, or have no base to them, and are
     } left out: { LIST($names, most: 3) }.
     .why = A copy repeats the noise of its original; standard deviations would be too small.

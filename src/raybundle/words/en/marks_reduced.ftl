@@ -8,9 +8,9 @@
 # $after_px = 1.2
 # $marks = 12
 # $ids = ["control.csv"]
-marks_reduced = The { $marks } measurements of { $table } were made in copies of { NUM($side_px, digits: 5) } px, not { NUM($full_px, digits: 5) } px{ $exact ->
+marks_reduced = The { $marks } measurements of { $table } were made in copies of { NUM($side_px, digits: 5) } px{ $exact ->
      [yes] { "" }
      *[no] { "" } (± { NUM($sigma_px, digits: 2) } px)
-    }.
-    .why = As given they are { NUM($before_px, decimals: 0) } px apart, times { NUM($factor, digits: 4) } { NUM($after_px, digits: 2) } px; this factor is applied, to their standard deviations too.
+    }, not { NUM($full_px, digits: 5) } px.
+    .why = As given they deviate by { NUM($before_px, decimals: 0) } px; with the factor { NUM($factor, digits: 4) }, which is applied, by { NUM($after_px, digits: 2) } px (median).
     .do = Measure in the photographs at full size.

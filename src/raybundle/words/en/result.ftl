@@ -13,7 +13,7 @@ result-foreign_files = The folder contains { $n } { $n ->
     .do = Move them elsewhere, or choose another name.
 
 result-no_result = This is not a result folder: result.json is missing.
-    .do = Give the folder that was { OPTION("out") } of the adjustment.
+    .do = Give the folder written by the adjustment ({ OPTION("out") }).
 
 result-not_of_adjustment = The file is not the result.json of an adjustment.
     .do = Adjust again.
