@@ -142,6 +142,14 @@ def content(code: str | Message, values: Mapping[str, Value]) -> str | Message:
     return code
 
 
+def as_detail(error: RaybundleError) -> Message:
+    """The message of an error with its place, as a detail of another."""
+    if error.message is None:
+        return Message(code="error.other", values={"detail": str(error)})
+    place = getattr(error, "place", None)
+    return replace(error.message, place=place) if place is not None and place.text() else error.message
+
+
 def plain(value: Any) -> Any:
     """A value of a message, or several, as JSON has them: numbers of NumPy as those of Python, tuples as lists."""
     match value:

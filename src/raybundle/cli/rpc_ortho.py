@@ -11,7 +11,7 @@ from raybundle.cli.common import FOLDER, NEW_FILE, Command, common_options, fact
 from raybundle.cli.settings import options_of, values_of
 from raybundle.commands.scenes.ortho import RpcOrthoSettings, run_ortho
 from raybundle.errors import InputError
-from raybundle.settings import made, option
+from raybundle.settings import made
 
 
 @click.command("ortho", cls=Command)
@@ -34,7 +34,7 @@ def ortho(scene: Path, progress: str, **given: Any) -> None:
 
     settings = made(RpcOrthoSettings, {"scene": scene, **values_of(RpcOrthoSettings, given)})
     if settings.out is None:
-        raise InputError(f"the map is not named; give {option('out', 'FILE.tif')}")
+        raise InputError("option.missing", setting="out", value="FILE.tif")
     with reporting(progress) as tell:
         done = run_ortho(settings, progress=tell)
     facts(width=done.width, height=done.height, pixel=done.pixel, left=done.left, top=done.top, crs=done.crs)

@@ -14,7 +14,7 @@ from raybundle.io.reading.trees import read_toml
 from raybundle.measuring.journal import named_folder
 from raybundle.measuring.session import block_folder, holds_block
 from raybundle.numerics.progress import Progress, silent
-from raybundle.settings import asked, option
+from raybundle.settings import asked
 
 if TYPE_CHECKING:
     from raybundle.block import Block
@@ -141,8 +141,9 @@ def _block(s: BeginSettings, told: Told, progress: Progress) -> Block:
     lost = sorted(set() if before is None else set(before.images.ids) - set(block.images.ids))
     if lost:
         raise InputError(
-            f"the project holds photographs that are not among these ({', '.join(lost[:3])}); put them back, or "
-            "choose another project",
+            "project.photographs_missing",
+            n=len(lost),
+            names=lost,
             file=s.out,
         )
     return block
@@ -157,11 +158,10 @@ def _scans(s: BeginSettings) -> Scans | None:
     if s.film is None:
         return read_scans(s.out)
     if s.calibration is None:
-        how = option("calibration", "CAMERA")
-        raise InputError(f"scans of film need their camera, too; give it by its certificate ({how})")
+        raise InputError("film.camera_missing")
     cameras = read_cameras(s.calibration)
     if len(cameras) != 1:
-        raise InputError(f"{len(cameras)} cameras stand here; give one, that of the film", file=s.calibration)
+        raise InputError("calibration.camera_count", n=len(cameras), file=s.calibration)
     pixel = s.pixel_mm or cameras[0].pixel_mm[0]
     return Scans(calibrated=read_calibrated(s.film), pixel_mm=pixel, model=s.film_transformation)
 

@@ -14,7 +14,7 @@ from raybundle.commands.pages import COORDINATES_HELP, LANGUAGE_HELP, NO_REPORT_
 from raybundle.commands.record_settings import CLIENT, OPERATOR, TITLE, record_of
 from raybundle.errors import InputError, NotSolvable
 from raybundle.numerics.progress import Progress, silent
-from raybundle.settings import NOT_NEGATIVE, POSITIVE, Range, asked, option, setting
+from raybundle.settings import NOT_NEGATIVE, POSITIVE, Range, asked, setting
 
 if TYPE_CHECKING:
     from raybundle.calibration.quality import CalibrationQuality
@@ -138,9 +138,7 @@ def wanted_targets(
     if table is None and bits is None:
         return names
     if table is None or bits is None or names or sheet is not None:
-        raise InputError(
-            f"{option('table')} goes with {option('bits')}, and without {option('target')} and {option('sheet')}"
-        )
+        raise InputError("target.table_settings", sheet=True)
     from raybundle.targets.codes import read_table  # noqa: PLC0415
     from raybundle.targets.kinds.rings import Rings  # noqa: PLC0415
 

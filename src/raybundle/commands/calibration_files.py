@@ -10,7 +10,6 @@ from typing import TYPE_CHECKING, Any
 from raybundle.errors import InputError
 from raybundle.io.folders import check_free
 from raybundle.numerics.counting import counted
-from raybundle.settings import option
 
 if TYPE_CHECKING:
     from raybundle.block import Camera
@@ -67,7 +66,7 @@ def chosen_of(found: tuple[Calibration, ...], id_: str | None, source: Path) -> 
         return found
     chosen = tuple(c for c in found if c.id == id_)
     if not chosen:
-        raise InputError(f"holds no camera {id_!r}; known: {', '.join(c.id for c in found)}", file=source)
+        raise InputError("camera.unknown", camera=id_, known=[c.id for c in found], file=source)
     return chosen
 
 
@@ -76,7 +75,9 @@ def one_of(source: Path, given: str | None, size: tuple[int, int] | None, id_: s
     found = list(chosen_of(calibrations_of(source, given, size), id_, source))
     if len(found) != 1:
         raise InputError(
-            f"holds {len(found)} cameras ({', '.join(c.id for c in found)}); choose one: {option('camera')}",
+            "calibration.several",
+            n=len(found),
+            cameras=[c.id for c in found],
             file=source,
         )
     return found[0]

@@ -21,7 +21,7 @@ from raybundle.commands.calibration_files import (
 from raybundle.commands.convert import APPROXIMATE_HELP
 from raybundle.errors import InputError
 from raybundle.io.folders import check_free
-from raybundle.settings import NOT_NEGATIVE, POSITIVE, Range, made, option, path_of, setting
+from raybundle.settings import NOT_NEGATIVE, POSITIVE, Range, made, path_of, setting
 
 if TYPE_CHECKING:
     from raybundle.block import Camera
@@ -348,8 +348,11 @@ def _key(s: CalibrationAddSettings, calibration: Calibration) -> CameraKey:
         c = calibration.camera
         if (taken.width_px, taken.height_px) != (c.width_px, c.height_px):
             raise InputError(
-                f"has {taken.width_px} x {taken.height_px} px, the calibration {c.width_px} x {c.height_px}; give a "
-                "photograph of the set that was calibrated",
+                "photograph.size_of_calibration",
+                width_px=taken.width_px,
+                height_px=taken.height_px,
+                camera_width_px=c.width_px,
+                camera_height_px=c.height_px,
                 file=s.photo,
             )
     told = {
@@ -408,7 +411,7 @@ def keep_zoom(settings: ZoomSettings, done: ZoomLens) -> Path:
 
     key = done.keys[0]
     if any((k.make, k.model, k.serial, k.lens) != (key.make, key.model, key.serial, key.lens) for k in done.keys):
-        raise InputError("the settings are of different cameras or lenses by their EXIF; not kept")
+        raise InputError("zoom.lenses_differ")
     entry = LibraryEntry(
         key=replace(key, focal_mm=None, focus_m=None), camera=done.lens.camera, zoom=done.lens, date=_today(),
         source=f"zoom calibration of {len(done.settings)} settings",
@@ -432,16 +435,14 @@ def _zoom_settings(results: tuple[Path, ...], focal: tuple[float, ...]) -> tuple
         told = read_result(folder).result.get("calibration", {})
         for calibration, _ in of_result(folder):
             if calibration.covariance is None:
-                raise InputError(
-                    f"camera {calibration.id} has no covariance; calibrate it with statistics", file=folder
-                )
+                raise InputError("camera.no_covariance", camera=calibration.id, file=folder)
             exif: dict[str, Any] = told.get(calibration.id, {}).get("exif", {})
             key = CameraKey(**exif)
             at = focal[len(settings)] if len(focal) > len(settings) else key.focal_mm
             if at is None:
                 raise InputError(
-                    f"the EXIF focal length of camera {calibration.id} is not known; give one "
-                    f"{option('focal')} for each camera",
+                    "zoom.focal_length_unknown",
+                    camera=calibration.id,
                     file=folder,
                 )
             own, _ = our_camera(calibration)

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 from raybundle.errors import InputError
 from raybundle.numerics.progress import Progress, silent
-from raybundle.settings import option, setting
+from raybundle.settings import setting
 
 if TYPE_CHECKING:
     from raybundle.results.folder import ResultFolder
@@ -44,9 +44,9 @@ def run_compare(settings: CompareSettings, progress: Progress = silent) -> Compa
 
     out = settings.out
     if out.is_dir() or out.suffix.lower() not in {".html", ".htm"}:
-        raise InputError(f"is not a name for an HTML file; give {option('out', 'NAME.html')}", file=out)
+        raise InputError("file.suffix", known=[".html", ".htm"], file=out)
     if not out.absolute().parent.is_dir():
-        raise InputError("its folder does not exist; create it first", file=out)
+        raise InputError("folder.missing", file=out)
     progress("reading results", 0.0)
     a, b = read_result(settings.first), read_result(settings.second)
     progress("comparing", 0.0)

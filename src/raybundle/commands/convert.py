@@ -9,10 +9,10 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any, Literal
 
 from raybundle.commands.pages import TABLES_HELP
-from raybundle.errors import InputError
+from raybundle.errors import InputError, as_detail, message
 from raybundle.numerics.progress import Progress, silent
 from raybundle.results.record import STATE
-from raybundle.settings import ANY, made, option, path_of, setting
+from raybundle.settings import ANY, made, path_of, setting
 
 if TYPE_CHECKING:
     from raybundle.block import Block
@@ -126,8 +126,11 @@ def _not_all(written: Sequence[tuple[str, Path]], failed: Sequence[tuple[str, In
     """What became of formats of which some cannot be written."""
     if not written and len({str(error) for _, error in failed}) == 1:
         return failed[0][1]
-    why = "; ".join(f"{to} is not written: {error}" for to, error in failed)
-    return InputError(f"{why}; written: {', '.join(str(place) for _, place in written) or 'nothing'}")
+    details = [message("export.format_failed", details=[as_detail(error)], format=to) for to, error in failed]
+    return InputError(
+        "export.formats_failed", details=details, n=len(failed), written=len(written),
+        places=[str(place) for _, place in written],
+    )  # fmt: skip
 
 
 def _places(out: Path, each: tuple[str, ...]) -> tuple[tuple[str, Path], ...]:
@@ -137,13 +140,10 @@ def _places(out: Path, each: tuple[str, ...]) -> tuple[tuple[str, Path], ...]:
 
     folders = [to for to in each if to not in formats or formats[to].kind != "file"]
     if folders:
-        raise InputError(
-            f"several formats are written as files that begin alike; {', '.join(folders)} is not one file: convert to "
-            "it alone"
-        )
+        raise InputError("export.not_one_file", formats=folders)
     places = tuple((to, out.with_name(f"{out.name}{formats[to].suffix}")) for to in each)
     if len({place for _, place in places}) < len(places):
-        raise InputError(f"of {', '.join(each)} two are files of one name; convert to one of them alone")
+        raise InputError("export.same_file", formats=list(each))
     for to, place in places:
         check_new(place, to)
     return places
@@ -168,19 +168,14 @@ def _to_one(settings: ConvertSettings, progress: Progress) -> Converted:
 
     s, to = settings, settings.to
     if (s.frame_origin is not None or s.undulation is not None) and s.crs is None:
-        raise InputError(
-            f"{option('frame_origin')} and {option('undulation')} belong to a coordinate system; give {option('crs')} "
-            "too"
-        )
+        raise InputError("crs.needed_by_settings")
     if s.undistort and s.photos is None:
-        raise InputError(
-            f"{option('undistort')} needs the photographs; give their folder: {option('photos', 'FOLDER')}"
-        )
+        raise InputError("photograph.folder_unknown")
     if s.within is not None and (to in {BLOCK, RPC} or not formats[to].in_plane):
-        known = ", ".join(sorted(name for name, f in formats.items() if f.in_plane))
-        raise InputError(f"{option('within', flag='in')} belongs to drawings ({known}), and {to} is none")
+        known = sorted(name for name, f in formats.items() if f.in_plane)
+        raise InputError("format.not_in_plane", format=to, known=known)
     if s.tables != "auto" and to != BLOCK:
-        raise InputError(f"{option('tables')} belongs to block folders, and {to} is none; leave it out")
+        raise InputError("format.no_tables", format=to)
     check_new(s.out, to)
     source = result_within(s.source) if s.read_as in {None, BLOCK} else s.source
     export, remarks = read_source(source, s.read_as, approximate=s.approximate)

@@ -28,7 +28,6 @@ from raybundle.report.languages import ENGLISH, Said, checked_language
 from raybundle.report.languages.language import language_of
 from raybundle.report.text.numbers import significant
 from raybundle.results.record import STATE, Record
-from raybundle.settings import option
 from raybundle.workflows.object_plane import Lean, MapLevel, Plane
 from raybundle.workflows.sources import read_source, result_within
 
@@ -78,7 +77,7 @@ def drawn(s: DrawingSheetSettings, progress: Progress) -> tuple[Drawing, tuple[s
     elif export is not None and folder is not None:
         where, more = _of_result(s, folder, export, progress)
     else:
-        raise InputError("nothing to draw; give a picture to scale, a result folder or a project")
+        raise InputError("drawing.no_source")
     remarks += more
     points, lines, known = _measured(s, export, where, planes)
     if s.lengths and export is not None:
@@ -123,7 +122,7 @@ def _pictures(files: Sequence[Path]) -> tuple[list[PlaneFile], tuple[DrawnPictur
     planes, found = list[PlaneFile](), list[DrawnPicture]()
     for file in files:
         if file.suffix.lower() not in PICTURES:
-            raise InputError(f"a picture to scale ends in {', '.join(PICTURES)}", file=file)
+            raise InputError("picture.suffix", known=list(PICTURES), file=file)
         plane = plane_file_of(file)
         if planes:
             _check_same(plane, planes[0], file)
@@ -143,7 +142,8 @@ def _check_same(plane: PlaneFile, first: PlaneFile, file: Path) -> None:
         same = same and bool(np.abs(a.axes - b.axes).max() < SAME and np.abs(a.origin - b.origin).max() < SAME * size)
     if not same:
         raise InputError(
-            f"lies in another plane or system than {first.file.name} tells; pictures of one plane make one sheet",
+            "drawing.planes_differ",
+            other=first.file.name,
             file=file,
         )
 
@@ -151,13 +151,13 @@ def _check_same(plane: PlaneFile, first: PlaneFile, file: Path) -> None:
 def _of_picture(plane: PlaneFile, export: Export | None) -> tuple[_Where, tuple[str, ...]]:
     """The plane of a picture; raises InputError where it has no scale, or is not that of a result."""
     if plane.free_scale:
-        raise InputError("the scale of this picture is free, so that it has no scale on paper", file=plane.file)
+        raise InputError("picture.free_scale", file=plane.file)
     remarks: tuple[str, ...] = ()
     if export is not None:
         if plane.file.suffix.lower() != ".toml":
             raise InputError(
-                "a world file alone does not tell where the plane lies in space, so that points cannot be drawn on "
-                f"this picture; bring the {plane.file.stem}.toml that rectify wrote",
+                "picture.world_file_only",
+                missing=f"{plane.file.stem}.toml",
                 file=plane.file,
             )
         axes_in(plane.file, export)
@@ -180,8 +180,8 @@ def _of_result(
     """The plane that is asked for of a result."""
     if export.block.free_scale:
         raise InputError(
-            "the scale of the block is free, for no length fixes it; give the adjustment a scale bar, two control "
-            "points or observed positions",
+            "block.scale_free",
+            optional=False,
             file=folder,
         )
     plane, remarks = plane_in(folder, export, s, progress)
@@ -198,7 +198,7 @@ def _of_result(
 def _in_map(system: str, height: float) -> _Where:
     plan = plan_system(system)
     if plan is None:
-        raise InputError(f"{system_name(system)} is no projected system, in which a sheet has a scale")
+        raise InputError("crs.not_projected", system=system_name(system))
     axis = plan.axis_info[0]
     unit = "m" if axis.unit_conversion_factor == 1.0 else axis.unit_name
     level = f", level ground at height {height:.2f}" if np.isfinite(height) else ""
@@ -325,12 +325,12 @@ def _extent(
         if where.extent is not None:
             every = np.concatenate([every, where.extent.reshape(2, 2)])
         if len(every) < 2:
-            raise InputError(f"nothing is there to be drawn; give {option('extent', 'LEFT', 'BOTTOM', 'RIGHT', 'TOP')}")
+            raise InputError("drawing.no_extent")
         low, high = every.min(axis=0), every.max(axis=0)
         air = AIR * float((high - low).max())
         low, high = low - air, high + air
     if not (high > low).all():
-        raise InputError(f"an area of {high[0] - low[0]:g} by {high[1] - low[1]:g} holds no drawing")
+        raise InputError("drawing.no_area", width=float(high[0] - low[0]), height=float(high[1] - low[1]))
     return low, high
 
 

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any, Literal
 
 from raybundle.errors import InputError
 from raybundle.io.folders import check_free
-from raybundle.settings import PIXELS, made, option, path_of, setting
+from raybundle.settings import PIXELS, made, path_of, setting
 
 if TYPE_CHECKING:
     from raybundle.numerics.arrays import Array, Mask
@@ -90,7 +90,7 @@ def run_empirical(settings: EmpiricalSettings) -> Empirical:
         check_free(s.out)
     points = read_points(s.points)
     if s.model == "auto" and s.without:
-        raise InputError(f"{option('without')} belongs to one model; give {option('model', 'dlt-brown')}")
+        raise InputError("empirical.excluded_needs_model")
     fit, advice = _fitted(s, points)
     check_rms = None
     if points.check.any():
@@ -150,12 +150,19 @@ def read_points(path: Path) -> ControlPoints:
         z = table.number.get("Z", np.zeros(table.rows))
         xyz = np.column_stack([table.number["X"], table.number["Y"], z])
     else:
-        raise InputError("coordinates are needed: X, Y, Z or lon_deg, lat_deg, h_m", file=path, line=1)
+        raise InputError(
+            "table.one_position", grid=["X", "Y", "Z"], geographic=["lon_deg", "lat_deg", "h_m"], file=path, line=1
+        )
     roles = table.text.get("role", ("",) * table.rows)
     for k, role in enumerate(roles):
         if role not in {"", "control", "check"}:
             raise InputError(
-                f"{role!r} is neither control nor check", file=path, line=k + table.first_line, column="role"
+                "value.not_supported",
+                value=repr(role),
+                known=["control", "check"],
+                file=path,
+                line=k + table.first_line,
+                column="role",
             )
     check = np.array([r == "check" for r in roles], bool)
     return ControlPoints(ids=table.text["point"], xyz=xyz, xy_px=table.numbers("x_px", "y_px"), check=check)

@@ -8,9 +8,8 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from raybundle.errors import InputError
-from raybundle.numerics.counting import counted
 from raybundle.numerics.progress import Progress, silent
-from raybundle.settings import POSITIVE, Range, made, option, path_of, setting
+from raybundle.settings import POSITIVE, Range, made, path_of, setting
 
 if TYPE_CHECKING:
     from raybundle.workflows.costs.constants import Constants
@@ -88,7 +87,7 @@ def run_estimate_cost(s: EstimateCostSettings, photos: Path | None, progress: Pr
     from raybundle.workflows.costs.stages import Asked  # noqa: PLC0415
 
     if s.measure and s.shipped:
-        raise InputError(f"either {option('measure', True)} or {option('shipped', True, flag='no-measure')}")
+        raise InputError("costs.measure_and_shipped")
     images, megapixels, unread = _size(s, photos)
     points = image_points_of(megapixels) if s.points_per_image is None else s.points_per_image
     memory = s.memory or available_memory() / 1e9
@@ -120,16 +119,15 @@ def _size(s: EstimateCostSettings, photos: Path | None) -> tuple[int, float, tup
     """Number of photographs, megapixels of each, and files that could not be read."""
     if photos is None:
         if s.images is None:
-            raise InputError(f"of how many photographs? Give their folder, or {option('images', 'N')}")
+            raise InputError("costs.no_photographs")
         return s.images, s.megapixels or MEGAPIXELS, ()
     if s.images is not None:
-        raise InputError(f"give either photographs or {option('images', s.images)}")
+        raise InputError("costs.photographs_and_number", n=s.images)
     from raybundle.workflows.costs.headers import counted_headers  # noqa: PLC0415
 
     count, pixels, unread = counted_headers(photos)
     if count < 2:
-        more = f", and {counted(len(unread), 'file')} that cannot be read: {', '.join(unread[:3])}" if unread else ""
-        raise InputError(f"there are fewer than two photographs in it{more}", file=photos)
+        raise InputError("photograph.too_few", n=count, unreadable=len(unread), names=list(unread), file=photos)
     return count, s.megapixels or pixels / count / 1e6, unread
 
 
@@ -141,8 +139,10 @@ def _overlap(s: EstimateCostSettings) -> float:
     found = 1 / ((1 - along) * (1 - across))
     if found < LEAST_OVERLAP:
         raise InputError(
-            f"{option('flight_overlap', f'{along:g} {across:g}')}: a place is shown by {found:.3g} photographs on "
-            f"average, and {LEAST_OVERLAP:g} are needed to measure it; 0.6 along and 0.3 across is the least that "
-            "is usual"
+            "costs.overlap_too_small",
+            along=float(along),
+            across=float(across),
+            n=float(found),
+            needed=float(LEAST_OVERLAP),
         )
     return found

@@ -7,7 +7,7 @@ from dataclasses import MISSING, dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Literal
 
-from raybundle.errors import InputError
+from raybundle.errors import InputError, Message, as_detail
 from raybundle.io.folders import check_free
 from raybundle.settings import POSITIVE, made, path_of, setting
 
@@ -79,7 +79,7 @@ def _films(s: FilmSettings, marks: Marks, certificate: Calibrated, pixel_mm: flo
     from raybundle.io.film.fiducials import film_of  # noqa: PLC0415
 
     films: dict[str, Film] = {}
-    failed: list[str] = []
+    failed: list[Message] = []
     for image in dict.fromkeys(marks.image):
         rows = marks.of(image)
         names = [marks.name[k] for k in rows.tolist()]
@@ -89,9 +89,9 @@ def _films(s: FilmSettings, marks: Marks, certificate: Calibrated, pixel_mm: flo
                 model=s.transformation, reseau=s.reseau,
             )  # fmt: skip
         except InputError as error:
-            failed.append(str(error))
+            failed.append(as_detail(error))
     if failed:
-        raise InputError("\n  ".join([*failed, "nothing is written"]), file=s.marks)
+        raise InputError("film.scans_not_transformed", details=failed, n=len(failed), file=s.marks)
     return films
 
 
@@ -100,7 +100,7 @@ def _camera(path: Path) -> Camera:
 
     cameras = read_cameras(path)
     if len(cameras) != 1:
-        raise InputError(f"{len(cameras)} cameras stand here; give one, that of the film", file=path)
+        raise InputError("calibration.camera_count", n=len(cameras), file=path)
     return cameras[0]
 
 

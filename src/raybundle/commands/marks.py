@@ -19,7 +19,6 @@ from raybundle.errors import InputError
 from raybundle.io.block.folder import read_block
 from raybundle.io.digits import STD, computed, in_network, jointly, of_covariances
 from raybundle.io.folders import check_free, new_folder
-from raybundle.io.reading.words import quoted
 from raybundle.io.tables import write_table
 from raybundle.measuring.control import control_of
 from raybundle.measuring.decisions import with_decisions
@@ -46,7 +45,7 @@ from raybundle.numerics.progress import Progress, silent
 from raybundle.pipeline.project import masks_given, photographs_of
 from raybundle.results.asked import made_as
 from raybundle.results.folder import ResultFolder
-from raybundle.settings import made, option
+from raybundle.settings import made
 from raybundle.workflows.adjust import adjust
 
 LISTS: tuple[Quantity, ...] = tuple(q for q in QUANTITIES if q not in {"coordinates", "distance", "angle"})
@@ -74,7 +73,7 @@ def query(result: Adjustment | ResultFolder | str | Path, **given: Any) -> list[
         *((name, points) for name in LISTS if (points := getattr(s, name))),
     ]
     if not questions:
-        raise InputError(f"nothing is asked; give one of {', '.join(QUANTITIES)}")
+        raise InputError("quantity.none", known=list(QUANTITIES))
     if isinstance(result, Adjustment):
         return [ask(result, quantity, points) for quantity, points in questions]
     folder = result.path if isinstance(result, ResultFolder) else Path(result)
@@ -91,11 +90,8 @@ def _check_named(folder: Path, block: Block, points: Sequence[str]) -> None:
     there = set(block.points.ids)
     waiting = [p for p in points if p not in there and p in marks(folder).points]
     if waiting:
-        made, result = measured_result(folder), "it stands in the result of what was measured"
-        raise InputError(
-            f"point {quoted(waiting[0])} is marked by hand, and not of this result; "
-            + (f"{result}: ask {made}" if made.is_dir() else "adjust it with the block first: raybundle mark adjust")
-        )
+        made = measured_result(folder)
+        raise InputError("mark.not_in_result", point=waiting[0], adjusted=made.is_dir(), folder=str(made))
 
 
 def transform_to_points(result: Adjustment | str | Path, out: str | Path, **given: Any) -> Path:
@@ -109,13 +105,12 @@ def transform_to_points(result: Adjustment | str | Path, out: str | Path, **give
     s = made(DatumSettings, given)
     for name in ("origin", "axis"):
         if not getattr(s, name):
-            raise InputError(f"no {name} point is given; a coordinate system needs origin, axis, and a plane or level")
+            raise InputError("axes.point_missing", which=name)
     if bool(s.plane) == bool(s.level):
-        which = "both are" if s.plane else "none is"
-        raise InputError(f"a coordinate system needs a plane point or the points of a level, and {which} given")
+        raise InputError("axes.plane_or_level", both=bool(s.plane))
     out = Path(out)
     if out.exists() and (not out.is_dir() or {p.name for p in out.iterdir()} - {"points.csv", "transformation.json"}):
-        raise InputError("stands there already and is not overwritten; choose another name", file=out)
+        raise InputError("folder.exists", file=out)
     adjustment = result if isinstance(result, Adjustment) else adjusted_again(result)
     moved = in_axes(adjustment, s.origin, s.axis, s.plane, level=s.level)
     C, std = moved.covariance, np.sqrt(np.maximum(np.diagonal(moved.covariance, axis1=1, axis2=2), 0))
@@ -188,10 +183,10 @@ def find_fiducials(folder: str | Path, image: str, *, operator: str = "") -> Map
     with open_journal(project) as journal:
         name = journal.known.image(image)
         if scans is None:
-            raise InputError("these photographs are no scans of film; there are no fiducial marks to be found")
+            raise InputError("fiducial.no_film")
         path = next((f / name for f in photographs_of(project) if (f / name).is_file()), None)
         if path is None:
-            raise InputError(f"image {quoted(name)}: its photograph is not where the project says", file=project)
+            raise InputError("image.photograph_missing", image=name, file=project)
         grey = read_grey(read_photo(path))
         size = journal.known.size_px[name]
         found = found_in(journal.state, name, scans, size, lambda x, y: (grey, (0, 0)))  # noqa: ARG005
@@ -252,8 +247,7 @@ def export_marks(folder: str | Path, out: str | Path, *, crs: str = "") -> Expor
     if out.suffix.lower() == ".txt":
         if not crs:
             raise InputError(
-                "a gcp_list.txt names the coordinate system of its points: give it as EPSG:32633, a PROJ string or "
-                f"WGS84 UTM 33N ({option('crs')})",
+                "gcp_list.crs_missing",
                 file=out,
             )
         file = write_gcp_list(state, out, Known.of(block), crs)

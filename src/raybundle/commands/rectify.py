@@ -137,7 +137,6 @@ def _of_result(s: RectifySettings, progress: Progress) -> tuple[Rectification, M
     import numpy as np  # noqa: PLC0415
 
     from raybundle.block.frames import in_file_frames  # noqa: PLC0415
-    from raybundle.io.formats.base import FREE_SCALE, GIVE_SCALE  # noqa: PLC0415
     from raybundle.io.pictures.plane_file import stations_of  # noqa: PLC0415
     from raybundle.pipeline.project import photographs_of  # noqa: PLC0415
     from raybundle.workflows.object_plane import MapLevel  # noqa: PLC0415
@@ -155,16 +154,13 @@ def _of_result(s: RectifySettings, progress: Progress) -> tuple[Rectification, M
     block = in_file_frames(export.block)
     if block.free_scale and not s.free_scale:
         raise InputError(
-            f"{FREE_SCALE}, so that no picture to scale can be made; {GIVE_SCALE}, or {option('free_scale', True)} for "
-            "a picture whose "
-            "lengths are in no unit",
+            "block.scale_free",
+            optional=True,
             file=s.source,
         )
     folders = s.photos or photographs_of(result)
     if not folders:
-        raise InputError(
-            f"where its photographs are is not known; say so with {option('photos', 'FOLDER')}", file=s.source
-        )
+        raise InputError("photograph.folder_unknown", file=s.source)
     plane, told = plane_in(result, replace(export, block=block), s, progress)
     pixel = s.pixel or usual_pixel(block, plane)
     area = plane.extent if s.extent is None else np.array(s.extent)

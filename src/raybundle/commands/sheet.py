@@ -175,16 +175,16 @@ def _lacking(drawing: Drawing) -> tuple[str, ...]:
 def _check(s: DrawingSheetSettings) -> None:
     """Raise InputError for what can be told before anything is read."""
     if not s.sources:
-        raise InputError("nothing to draw; give a picture to scale, a result folder or a project")
+        raise InputError("drawing.no_source")
     if s.language:
         checked_language(s.language)
     if s.out.suffix.lower() != ".pdf":
-        raise InputError("a drawing sheet is a .pdf", file=s.out)
+        raise InputError("file.suffix", known=[".pdf"], file=s.out)
     check_free(s.out)
     if not s.out.parent.is_dir():
-        raise InputError("its folder does not exist; make it first", file=s.out)
+        raise InputError("folder.missing", file=s.out)
     if s.landscape and s.portrait:
-        raise InputError(f"{option('landscape', True)} and {option('portrait', True)} exclude each other")
+        raise InputError("option.exclusive", first="landscape", second="portrait")
     missing = next((p for p in s.sources if not p.exists()), None)
     if missing is not None:
         raise InputError("there is no such file or folder; check the path", file=missing)

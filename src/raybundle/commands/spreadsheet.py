@@ -60,7 +60,7 @@ def run_spreadsheet(s: SpreadsheetSettings, progress: Progress = silent) -> Spre
 
     check_free(s.out)
     if s.out.suffix.lower() != SUFFIX:
-        raise InputError(f"a workbook ends in {SUFFIX}", file=s.out)
+        raise InputError("file.suffix", known=[SUFFIX], file=s.out)
     folder = s.source
     if not folder.is_dir():
         raise InputError("is no folder with tables; give a result or a project", file=folder)

@@ -280,9 +280,7 @@ def _source_of(s: SurfaceSettings) -> tuple[Path, Export, tuple[Path, ...]]:
     export = in_its_map(read_source(result)[0])
     folders = s.photos or photographs_of(result)
     if not folders:
-        raise InputError(
-            f"where its photographs are is not known; say so with {option('photos', 'FOLDER')}", file=s.source
-        )
+        raise InputError("photograph.folder_unknown", file=s.source)
     return result, export, folders
 
 
@@ -298,7 +296,7 @@ def _grid_of(
 
     given = [option(name) for name in OF_PLANE if name in other_than_usual(s)]
     if s.region and s.extent is not None:
-        raise InputError(f"{option('region')} and {option('extent')} both say which part; give one of them")
+        raise InputError("option.exclusive", first="region", second="extent")
     part = bool(s.region) or s.extent is not None
     gridded = any(asked is not None for asked in (s.dsm, s.ortho, s.mesh))
     if not gridded and not part:

@@ -41,7 +41,7 @@ class FamilySettings:
 
         if self.table is not None:
             if self.target is not None or self.bits is None:
-                raise InputError(f"{option('table')} goes with {option('bits')} and without {option('target')}")
+                raise InputError("target.table_settings", sheet=False)
             return read_table(self.table, self.bits)
         if self.target is None:
             raise _unnamed(" | ".join(sorted(families)) + ",")

@@ -34,7 +34,7 @@ def set_names() -> tuple[str, ...]:
 def set_named(name: str) -> MadeSet:
     """The set of this name; raises InputError."""
     if name not in set_names():
-        raise InputError(f"there is no set {name!r}; there are {', '.join(set_names())}")
+        raise InputError("dataset.unknown", name=name, known=list(set_names()))
     return cast("MadeSet", import_module(f"{sets.__name__}.{name}"))
 
 

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 from raybundle.commands.heights.common import CELLS_FILLED, HeightsSettings
 from raybundle.errors import InputError
-from raybundle.settings import POSITIVE, option, setting
+from raybundle.settings import POSITIVE, setting
 
 if TYPE_CHECKING:
     from raybundle.surfaces.contours import Contour
@@ -53,12 +53,12 @@ def run_contours(settings: HeightsContoursSettings) -> DrawnContours:
 
     s = replace(settings, out=tuple(dict.fromkeys(settings.out)))
     if s.interval is None:
-        raise InputError(f"the interval is not given; say {option('interval', 'HEIGHT')}")
+        raise InputError("option.missing", setting="interval", value="HEIGHT")
     if not s.out:
-        raise InputError(f"nothing would be written; say where with {option('out', 'FILE')}")
+        raise InputError("option.missing", setting="out", value="FILE")
     for path in s.out:
         if path.suffix.lower() not in FORMATS:
-            raise InputError(f"contour lines are written as {', '.join(FORMATS)}; choose one of these", file=path)
+            raise InputError("file.suffix", known=list(FORMATS), file=path)
     o = opened(s.source, 0.0)
     o: Opened = opened(s.source, CELLS_FILLED * o.file.cell if s.fill is None else s.fill)
     height = o.model.heights.height if s.rough else smoothed(o.model)
@@ -66,8 +66,10 @@ def run_contours(settings: HeightsContoursSettings) -> DrawnContours:
     if not found:
         known = o.model.heights.height[o.model.known]
         raise InputError(
-            f"no line: heights reach from {known.min():.6g} to {known.max():.6g}, between two multiples of "
-            f"{s.interval:g}; choose a smaller {option('interval')}",
+            "contours.none",
+            low=float(known.min()),
+            high=float(known.max()),
+            interval=s.interval,
             file=s.source,
         )
     for path in s.out:

@@ -65,9 +65,9 @@ def run_difference(settings: HeightsDifferenceSettings) -> MeasuredDifference:
     before, after = opened(s.before), opened(s.after)
     model = difference(before.model, on_same_grid(before, after))
     if not model.known.any():
-        raise InputError(f"shows nothing of what {s.before} shows: no cell has a height in both", file=s.after)
+        raise InputError("height_grid.no_common_cell", other=str(s.before), file=s.after)
     if not (model.known & (model.local > 0)).any():
-        raise InputError(f"has the very heights of {s.before}: it is the same measurement; give another", file=s.after)
+        raise InputError("height_grid.identical", other=str(s.before), file=s.after)
     a, b = before.model, after.model
     orientations = ""
     if a.adjustment and a.adjustment == b.adjustment:

@@ -7,7 +7,7 @@ from pathlib import Path
 
 from raybundle.commands.heights.common import HeightsSettings
 from raybundle.errors import InputError
-from raybundle.settings import POSITIVE, option, setting
+from raybundle.settings import POSITIVE, setting
 
 SHARE = 0.1
 """Of the longer side, that the largest thing on the ground is taken for where nobody says so"""
@@ -62,27 +62,31 @@ def run_ground(settings: HeightsGroundSettings) -> MadeGround:
     largest = s.largest or SHARE * longer
     if largest > shorter / 2:
         raise InputError(
-            f"{option('largest', largest)} is more than half of the shorter side, {shorter:.4g}: no ground is "
-            "left to tell it by",
+            "terrain.object_too_wide",
+            largest=float(largest),
+            side=float(shorter),
             file=s.source,
         )
     height = o.model.heights.height[o.model.known]
     reach = float(height.max() - height.min())
     if largest < f.cell:
         raise InputError(
-            f"{option('largest', largest)} is less than a cell, {f.cell:g}: nothing so small shows; give the width of "
-            "the largest thing that stands on the ground",
+            "terrain.object_below_cell",
+            largest=float(largest),
+            cell=float(f.cell),
             file=s.source,
         )
     if s.slope / 100 * f.cell > reach:
         raise InputError(
-            f"{option('slope', s.slope)} rises {s.slope / 100 * f.cell:.3g} over a cell, more than all heights lie "
-            f"apart, {reach:.3g}: nothing could stand on the ground; give the slope of the ground in percent",
+            "terrain.slope_too_large",
+            slope=float(s.slope),
+            rise=s.slope / 100 * f.cell,
+            range=reach,
             file=s.source,
         )
     found, stands = ground(o.model, largest / f.cell, s.slope / 100)
     if not found.known.any():
-        raise InputError("everything stands on the ground by these settings; give a larger slope", file=s.source)
+        raise InputError("terrain.no_ground", file=s.source)
     widest = largest if s.fill is None else s.fill
     found = filled(found, widest / f.cell / 2) if widest else found
     out.mkdir(parents=True, exist_ok=True)

@@ -7,8 +7,8 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from raybundle.commands.heights.common import CELLS_FILLED, HeightsSettings
-from raybundle.errors import InputError
-from raybundle.settings import NOT_NEGATIVE, POSITIVE, option, setting
+from raybundle.errors import InputError, Message, message
+from raybundle.settings import NOT_NEGATIVE, POSITIVE, setting
 
 if TYPE_CHECKING:
     from raybundle.surfaces.height_model import SumOfHeights
@@ -69,10 +69,10 @@ def run_section(settings: HeightsSectionSettings) -> MeasuredSections:
 
     s = replace(settings, out=tuple(dict.fromkeys(settings.out)))
     if not s.line:
-        raise InputError(f"no line is given; say along what with {option('line', 'CORNERS')}")
+        raise InputError("option.missing", setting="line", value="CORNERS")
     for path in s.out:
         if path.suffix.lower() not in FORMATS:
-            raise InputError(f"sections are written as {', '.join(FORMATS)}; choose one of these endings", file=path)
+            raise InputError("file.suffix", known=list(FORMATS), file=path)
     o = opened(s.source, 0.0)
     o = opened(s.source, CELLS_FILLED * o.file.cell if s.fill is None else s.fill)
     lines = [(given, xy) for given in s.line for xy in lines_of(o, given)]
@@ -93,14 +93,16 @@ def _checked(o: Opened, xy: object, step: float, number: int):  # noqa: ANN202
     if (high < 0).any() or (low > [o.file.width, o.file.height]).any():
         f = o.file
         raise InputError(
-            f"line {number} lies beyond the heights, which reach from {f.left:g} {f.top - f.height * f.cell:g} to "
-            f"{f.left + f.width * f.cell:g} {f.top:g}"
+            "section.outside",
+            number=number,
+            left=float(f.left),
+            right=float(f.left + f.width * f.cell),
+            bottom=float(f.top - f.height * f.cell),
+            top=float(f.top),
         )
     places = float(np.linalg.norm(np.diff(cells, axis=0), axis=1).sum()) / step
     if places > MOST:
-        raise InputError(
-            f"line {number} would have {places:.3g} places, more than {MOST}; choose a larger {option('step')}"
-        )
+        raise InputError("section.too_many_places", number=number, n=places, most=MOST)
     return cells
 
 
@@ -111,28 +113,25 @@ def _one(s: HeightsSectionSettings, o: Opened, found: Section, name: str) -> Mea
     if s.between is not None:
         far = float(found.distance[-1])
         if max(s.between) > far * (1 + 1e-9):
-            raise InputError(f"{name} is {far:.6g} long; {option('between')} asks for a place at {max(s.between):g}")
+            raise InputError("section.beyond_end", name=name, length=far, at=float(max(s.between)))
         if s.between[0] == s.between[1]:
-            raise InputError(f"{option('between')} asks twice for the place at {s.between[0]:g}; give two places")
+            raise InputError("section.same_place", at=float(s.between[0]))
         both = found.at(np.array(s.between))
         for k in np.flatnonzero(~np.isfinite(both.height)).tolist():
-            raise InputError(_nothing_at(o, found, both, k, name))
+            raise InputError(_no_height(o, found, both, k, name))
         difference = both.difference(1, 0)
     return MeasuredSection(name=name, section=found, mean=found.mean, difference=difference)
 
 
-def _nothing_at(o: Opened, found: Section, both: Section, k: int, name: str) -> str:
+def _no_height(o: Opened, found: Section, both: Section, k: int, name: str) -> Message:
     """That a place of a line has no height, and what to do."""
-    x, y = o.places(both.place[k : k + 1])[0]
-    far, unit = float(both.distance[k]), f" {o.unit}" if o.unit else ""
-    told = f"{name} has no height {far:.6g}{unit} from its beginning (at {x:.8g} {y:.8g})"
-    nearest = found.nearest(far)
+    x, y = o.places(both.place[k : k + 1])[0].tolist()
+    far, nearest = float(both.distance[k]), found.nearest(float(both.distance[k]))
     if nearest is None:
-        return f"{told}, nor anywhere else; choose another line, or fill the hole with {option('fill', 'WIDTH')}"
+        return message("section.no_height", name=name, at=far, x=x, y=y, unit=o.unit)
     there = float(found.distance[nearest])
-    return (
-        f"{told}: the nearest place of it with a height is {abs(there - far):.3g}{unit} away, {there:.6g}{unit} from "
-        f"the beginning; ask {option('between')} for another place, or fill the hole with {option('fill', 'WIDTH')}"
+    return message(
+        "section.no_height_at", name=name, at=far, x=x, y=y, unit=o.unit, nearest=there, distance=abs(there - far)
     )
 
 

@@ -8,8 +8,8 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from raybundle.commands.heights.common import CELLS_FILLED, HeightsSettings
-from raybundle.errors import InputError
-from raybundle.settings import ANY, POSITIVE, option, setting
+from raybundle.errors import InputError, Message, message
+from raybundle.settings import ANY, POSITIVE, setting
 
 if TYPE_CHECKING:
     from raybundle.numerics.arrays import Array
@@ -64,18 +64,14 @@ def run_volume(settings: HeightsVolumeSettings) -> MeasuredVolume:
 
     s = settings
     if s.outline and s.extent is not None:
-        raise InputError(f"{option('outline')} and {option('extent')} both say where; give one of them")
+        raise InputError("option.exclusive", first="outline", second="extent")
     o = opened(s.source)
     level = number_of(s.above)
     if level is None and s.above != RIM and not Path(s.above).is_dir():
-        raise InputError(
-            f"{option('above', s.above)} is no height, no folder of a surface, and not {RIM}; give one of them"
-        )
+        raise InputError("volume.base_unknown", value=s.above, rim=RIM)
     everything = not s.outline and s.extent is None
     if level is None and s.above == RIM and everything:
-        raise InputError(
-            f"a base by the rim needs an outline; give {option('outline', 'FILE')}, or {option('above', 'HEIGHT')}"
-        )
+        raise InputError("volume.rim_needs_outline")
     cautions = o.cautions
     model, base, words = o.model, level, "the plane by the heights along the outline"
     if level is not None:
@@ -94,7 +90,7 @@ def run_volume(settings: HeightsVolumeSettings) -> MeasuredVolume:
     if covered is None:
         covered = model.known.astype(float)
     elif ((covered > 0) & ~model.known).any():
-        raise InputError(_lost(o, before, model, covered), file=s.source)
+        raise InputError(_no_height(o, before, model, covered), file=s.source)
     found = volume(model, covered, [r for rings in areas for r in rings] if base is None else base)
     if s.above != RIM and level is None:
         # what was filled below a surface, as the ground is, is no part of the surface that is missing
@@ -102,14 +98,15 @@ def run_volume(settings: HeightsVolumeSettings) -> MeasuredVolume:
         found = replace(found, filled=float(covered[own].sum() / covered.sum()))
     if 100 * found.filled > s.most_filled:
         raise InputError(
-            f"{found.filled:.0%} of the area was filled, more than {s.most_filled:g} %; photograph what is missing, or "
-            f"allow it with {option('most_filled', 100)}",
+            "volume.filled_share",
+            share=found.filled,
+            limit_percent=float(s.most_filled),
             file=s.source,
         )
     return MeasuredVolume(volume=found, unit=o.unit, base=words, cautions=cautions)
 
 
-def _lost(o: Opened, before: HeightModel, model: HeightModel, covered: Array) -> str:
+def _no_height(o: Opened, before: HeightModel, model: HeightModel, covered: Array) -> Message:
     """That cells within an outline have no height, where the widest hole is, and what to do."""
     import numpy as np  # noqa: PLC0415
 
@@ -118,13 +115,11 @@ def _lost(o: Opened, before: HeightModel, model: HeightModel, covered: Array) ->
     lost = (covered > 0) & ~model.known
     depth = np.where(lost, depths(before), 0.0)
     row, column = np.unravel_index(int(depth.argmax()), depth.shape)
-    (x, y), far = o.places(np.array([[column + 0.5, row + 0.5]]))[0], float(depth.max()) * o.file.cell
-    unit, n = f" {o.unit}" if o.unit else "", int(lost.sum())
-    return (
-        f"{float(covered[lost].sum() / covered.sum()):.2%} of the area has no height ({n} of its cells): what lies "
-        f"deepest in a hole is at {x:.8g} {y:.8g}, {far:.3g}{unit} from the nearest measured one; fill it with "
-        f"{option('fill', _upwards(2 * far))}, or take it out of the outline"
-    )
+    (x, y), far = o.places(np.array([[column + 0.5, row + 0.5]]))[0].tolist(), float(depth.max()) * o.file.cell
+    return message(
+        "volume.no_height", share=float(covered[lost].sum() / covered.sum()), n=int(lost.sum()), x=x, y=y,
+        distance=far, unit=o.unit, fill=_upwards(2 * far),
+    )  # fmt: skip
 
 
 def _upwards(value: float) -> str:

@@ -130,8 +130,7 @@ class FlightSettings:
         for given, others in (("area", ("lines", "photographs_per_line", "ground")), ("gsd", ("height",))):
             twice = [other for other in others if getattr(self, other) is not None]
             if getattr(self, given) is not None and twice:
-                told = " and ".join(option(other) for other in twice)
-                raise InputError(f"give {option(given)} or {told}, not both: {told} would follow from {option(given)}")
+                raise InputError("option.exclusive", first=given, second=twice[0])
 
     def _numbers(self, base: float, spacing: float) -> tuple[int, int]:
         """Lines, and photographs of each: over an area as `plan mission` lays them, half a spacing beyond its edges."""

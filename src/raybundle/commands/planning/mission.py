@@ -280,7 +280,7 @@ def _wish(s: MissionSettings, camera: MissionCamera) -> Wish:
     from raybundle.missions.patterns import Wish, patterns  # noqa: PLC0415
 
     if s.gsd is not None and s.height is not None:
-        raise InputError(f"give the size of a pixel or the height, not both ({option('gsd')}, {option('height')})")
+        raise InputError("option.exclusive", first="gsd", second="height")
     tilt = None if s.tilt is None else math.radians(s.tilt)
     distance = camera.distance(s.gsd or DEFAULT_GSD) if s.height is None else s.height
     if s.gsd is not None and distance > IMPLAUSIBLE * s.height_limit:

@@ -22,7 +22,7 @@ def check_new(out: Path) -> None:
     """Raise InputError where no new file can be written."""
     check_free(out)
     if not out.absolute().parent.is_dir():
-        raise InputError("its folder does not exist; create it first", file=out)
+        raise InputError("folder.missing", file=out)
 
 
 def size_of(s: Scene) -> tuple[int, int]:

@@ -11,7 +11,7 @@ from raybundle.commands.scenes.common import HEIGHTS_HELP, beyond, check_near, c
 from raybundle.commands.scenes.inputs import SceneInput, is_object, path_of_object, scene_input
 from raybundle.errors import InputError, NotSolvable
 from raybundle.numerics.counting import counted
-from raybundle.settings import ANY, PIXELS, made, option, path_of, setting
+from raybundle.settings import ANY, PIXELS, made, path_of, setting
 
 if TYPE_CHECKING:
     from raybundle.io.scenes import Scene
@@ -129,10 +129,7 @@ def rpc_correct(scene: Any, points: str | Path, *, rpc: Any = None, **settings: 
 def check_outputs(s: RpcCorrectSettings) -> None:
     """Raise InputError where what is asked for cannot be written, before anything is computed."""
     if s.into_scene and s.out is not None:
-        raise InputError(
-            f"{option('into_scene', True)} writes into the scene, {option('out', str(s.out))} a new file; give one of "
-            "the two"
-        )
+        raise InputError("option.exclusive", first="into_scene", second="out")
     if s.out is not None:
         check_new(s.out)
     if s.into_scene and (former := former_of(s.scene)).exists():

@@ -154,7 +154,7 @@ def run_ortho(
     if s.out is not None:
         check_new(s.out)
         if s.out.suffix.lower() not in {".tif", ".tiff"}:
-            raise InputError("a map is written as GeoTIFF; give NAME.tif", file=s.out)
+            raise InputError("file.suffix", known=[".tif", ".tiff"], file=s.out)
     given = given or scene_input(s.scene, s.rpc)
     rpc = given.scene.rpc
     if rpc is None:

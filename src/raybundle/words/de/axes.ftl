@@ -27,3 +27,9 @@ axes-contradicts_block = Das Koordinatensystem der Punkte { $names } widersprich
 
 axes-no_vertical = Das Koordinatensystem der Punkte { $names } hat keine Vertikale.
     .do = Ein Niveau oder Lot messen oder einen dritten Punkt in der XY-Ebene angeben.
+
+axes-plane_or_level = Koordinatensystem: { $both ->
+        [yes] Ein Ebenenpunkt und die Punkte eines Horizonts sind angegeben
+       *[no] Weder ein Ebenenpunkt noch die Punkte eines Horizonts sind angegeben
+     }.
+    .do = Eines davon angeben.

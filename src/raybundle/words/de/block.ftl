@@ -53,3 +53,9 @@ block-parts_without_datum = Der Block hat { $parts } Teile ohne gemeinsame Verkn
     .do = Punkte messen, die die Teile verbinden, jedem Teil Passpunkte geben oder die Teile einzeln ausgleichen.
 
 block-open_part = Bilder { LIST($images, most: 10) }: nicht bestimmt: { datum-part }
+
+block-scale_free = Der Maßstab des Blocks ist nicht bestimmt: Keine Länge legt ihn fest.
+    .do = Der Ausgleichung eine Maßstabsstrecke, zwei Passpunkte oder beobachtete Positionen geben{ $optional ->
+        [yes] { " " }oder { OPTION("free_scale", "True") } für ein Bild ohne Einheit verwenden
+       *[no] { "" }
+     }.

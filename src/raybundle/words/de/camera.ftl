@@ -115,3 +115,6 @@ camera-no_read_out_time = Kamera { $camera }: Die Auslesezeit r ist 0.
 camera-no_motion = Kamera { $camera }: Die Geschwindigkeit vy ist 0.
     .why = Alle Zeilen eines Bildes zeigen dann dieselbe Linie des Objekts.
     .do = vy angeben, die Länge am Objekt je Millimeter im Bild.
+
+camera-no_covariance = Kamera { $camera } hat keine Kovarianzmatrix.
+    .do = Sie mit Genauigkeitsangaben kalibrieren.

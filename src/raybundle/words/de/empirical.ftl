@@ -21,3 +21,6 @@ empirical-unknown_model = Das empirische Modell { $name } ist unbekannt.
 
 empirical-none_fitted = Kein empirisches Modell lässt sich anpassen.
     .do = Punkte ergänzen oder ein anderes Modell verwenden.
+
+empirical-excluded_needs_model = { OPTION("without") } braucht ein bestimmtes Modell.
+    .do = { OPTION("model", "dlt-brown") } angeben.

@@ -72,3 +72,6 @@ file-no_images = Es enthält keine Bilder.
 
 file-empty = Die Datei ist leer.
     .do = Prüfen, ob sie vollständig ist.
+
+file-suffix = Der Name muss auf { LIST($known, most: 20) } enden.
+    .do = Einen solchen Namen wählen.

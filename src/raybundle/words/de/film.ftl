@@ -41,3 +41,8 @@ film-wrong_mark = Die Marke { $mark } liegt { $offset_mm } mm neben der Stelle, 
 
 film-several_wrong_marks = Mehr als eine Marke ist falsch.
     .do = Namen, kalibrierte und gemessene Positionen vergleichen.
+
+film-camera_missing = Filmscans brauchen eine kalibrierte Kamera.
+    .do = Ihr Kalibrierprotokoll angeben: { OPTION("calibration", "CAMERA") }.
+
+film-scans_not_transformed = Scans, die sich nicht transformieren lassen: { $n }. Nichts wird geschrieben.

@@ -24,3 +24,9 @@ format-needs_folder = { $format } ist ein Ordner mit den Dateien { $files }.
 
 format-degrees = { $format } hat Koordinaten als Längen; { $system } ist in Grad.
     .do = Ein projiziertes System desselben Datums angeben, etwa { OPTION("crs", "EPSG:32632") }.
+
+format-not_in_plane = { OPTION("within", flag: "in") } gehört zu Zeichnungen; das Format { $format } ist keine.
+    .do = Es weglassen oder eines von { LIST($known, most: 20) } verwenden.
+
+format-no_tables = { OPTION("tables") } gehört zu Blockordnern; das Format { $format } ist keiner.
+    .do = Es weglassen.

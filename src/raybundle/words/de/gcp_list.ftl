@@ -18,3 +18,6 @@ gcp_list-coordinates_differ = Punkt { $point } hat in Zeile { $earlier } andere 
 
 gcp_list-too_few_columns = Die Zeile hat { $n } Spalten: { $text }.
     .do = { LIST($needed, most: 8) } und bei Bedarf einen Namen angeben.
+
+gcp_list-crs_missing = Eine gcp_list.txt braucht das Koordinatensystem ihrer Punkte.
+    .do = { OPTION("crs", "EPSG:32633") } angeben; auch ein PROJ-String oder WGS84 UTM 33N ist möglich.

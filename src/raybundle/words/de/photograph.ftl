@@ -90,3 +90,16 @@ photograph-lacks_base = Aufnahmen { $image } und { $other }: Die Strahlen zu ihr
 
 photograph-lacks_fit = Aufnahme { $image }: Keine Orientierung passt zu ihren { $n } Punkten.
     .do = Ihre Namen und Stellen prüfen und weitere markieren.
+
+photograph-size_of_calibration = Die Aufnahme hat { $width_px } x { $height_px } px, die Kalibrierung { $camera_width_px } x { $camera_height_px } px.
+    .do = Eine Aufnahme des Kalibriersatzes angeben.
+
+photograph-folder_unknown = Der Ordner der Aufnahmen ist unbekannt.
+    .do = { OPTION("photos", "FOLDER") } angeben.
+
+photograph-too_few = Aufnahmen in diesem Ordner: { $n }; nötig sind zwei.
+    .why = { $unreadable ->
+        [0] { "" }
+       *[other] Nicht lesbare Dateien: { $unreadable } ({ LIST($names, most: 3) }).
+     }
+    .do = Den Pfad prüfen.

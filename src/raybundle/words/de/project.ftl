@@ -36,3 +36,6 @@ project-not_writable = In den Ordner lässt sich nicht schreiben ({ $detail }).
         [occupied] Die Datei oder den Ordner dieses Namens verlegen und denselben Befehl erneut ausführen
        *[other] Einen Ordner mit Schreibrecht wählen
      }.
+
+project-photographs_missing = Aufnahmen des Projekts, die fehlen: { $n } ({ LIST($names, most: 3) }).
+    .do = Die fehlenden Aufnahmen ergänzen oder ein anderes Projekt wählen.

@@ -11,3 +11,6 @@ quantity-point_count = { $quantity }: { $n } Punkte sind angegeben; { $most ->
        *[other] möglich sind { $least } bis { $most }
      }.
     .do = Eine andere Zahl von Punkten angeben.
+
+quantity-none = Keine Größe ist verlangt.
+    .do = Eine von { LIST($known, most: 20) } angeben.

@@ -22,3 +22,9 @@ target-unknown_family = Die Zielmarkenfamilie { $name } ist unbekannt.
 
 target-too_few_codes = Die Zielmarkenfamilie { $family } hat { $n } Zielmarken; verlangt sind { $wanted }.
     .do = Weniger Zielmarken verlangen oder eine größere Familie verwenden.
+
+target-table_settings = { OPTION("table") } und { OPTION("bits") } beschreiben eigene Zielmarken; eines fehlt, oder andere sind genannt.
+    .do = Beide angeben, ohne { OPTION("target") }{ $sheet ->
+        [yes] { " " }und { OPTION("sheet") }
+       *[no] { "" }
+     }.

@@ -19,3 +19,10 @@ zoom-settings_differ = Die Kalibrierungen bei { $first_mm } und { $second_mm } m
 
 zoom-held_values_differ = { LIST($parameters, most: 20) } bei { $first_mm } und { $second_mm } mm auf verschiedenen Werten festgehalten.
     .do = Diese Parameter auf gleichen Werten festhalten oder in allen Einstellungen schätzen.
+
+zoom-lenses_differ = Die Einstellungen gehören zu verschiedenen Kameras oder Objektiven (EXIF).
+    .why = Das Zoomobjektiv wird nicht in die Bibliothek aufgenommen.
+    .do = Alle Einstellungen mit derselben Kamera und demselben Objektiv kalibrieren.
+
+zoom-focal_length_unknown = Kamera { $camera }: Die EXIF-Brennweite ist unbekannt.
+    .do = { OPTION("focal", "MM") } einmal je Kamera angeben.

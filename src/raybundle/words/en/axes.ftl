@@ -44,3 +44,10 @@ axes-contradicts_block = The coordinate system by points { $names } contradicts 
 # $names = ["A", "B"]
 axes-no_vertical = The coordinate system by points { $names } has no vertical.
     .do = Measure a level or a plumb line, or give a third point in the XY plane.
+
+# $both = false
+axes-plane_or_level = Coordinate system: { $both ->
+        [yes] a plane point and the points of a level are given
+       *[no] neither a plane point nor the points of a level are given
+     }.
+    .do = Give one of them.

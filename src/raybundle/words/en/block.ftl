@@ -88,3 +88,10 @@ block-parts_without_datum = The block has { $parts } parts without common tie po
 # $n = 1
 # $part = "scale"
 block-open_part = Images { LIST($images, most: 10) }: not determined: { datum-part }
+
+# $optional = true
+block-scale_free = The scale of the block is not determined: no length fixes it.
+    .do = Give the adjustment a scale bar, two control points or observed positions{ $optional ->
+        [yes] , or use { OPTION("free_scale", "True") } for a picture without unit
+       *[no] { "" }
+     }.

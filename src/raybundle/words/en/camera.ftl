@@ -206,3 +206,7 @@ camera-no_read_out_time = Camera { $camera }: the read-out time r is 0.
 camera-no_motion = Camera { $camera }: the velocity vy is 0.
     .why = All lines of an image then show the same line of the object.
     .do = Give vy, the length on the ground per millimetre of the image.
+
+# $camera = "d5100"
+camera-no_covariance = Camera { $camera } has no covariance matrix.
+    .do = Calibrate it with statistics.

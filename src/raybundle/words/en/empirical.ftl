@@ -36,3 +36,6 @@ empirical-unknown_model = Empirical model { $name } is unknown.
 
 empirical-none_fitted = No empirical model can be fitted.
     .do = Add points, or use another model.
+
+empirical-excluded_needs_model = { OPTION("without") } needs one model.
+    .do = Give { OPTION("model", "dlt-brown") }.

@@ -84,3 +84,7 @@ file-no_images = There are no images in it.
 
 file-empty = The file is empty.
     .do = Check that it is complete.
+
+# $known = [".html", ".htm"]
+file-suffix = The name must end in { LIST($known, most: 20) }.
+    .do = Choose such a name.

@@ -72,3 +72,9 @@ film-wrong_mark = Mark { $mark } is { $offset_mm } mm off the position that the 
 
 film-several_wrong_marks = More than one mark is wrong.
     .do = Compare names, calibrated and measured positions.
+
+film-camera_missing = Scans of film need a calibrated camera.
+    .do = Give its certificate: { OPTION("calibration", "CAMERA") }.
+
+# $n = 2
+film-scans_not_transformed = Scans that cannot be transformed: { $n }. Nothing is written.

@@ -38,3 +38,12 @@ format-needs_folder = { $format } is a folder with the files { $files }.
 # $system = "WGS 84"
 format-degrees = { $format } has coordinates as lengths; { $system } is in degrees.
     .do = Give a projected system of the same datum, such as { OPTION("crs", "EPSG:32632") }.
+
+# $format = "colmap"
+# $known = ["dxf", "svg"]
+format-not_in_plane = { OPTION("within", flag: "in") } belongs to drawings; format { $format } is none.
+    .do = Leave it out, or use one of { LIST($known, most: 20) }.
+
+# $format = "colmap"
+format-no_tables = { OPTION("tables") } belongs to block folders; format { $format } is none.
+    .do = Leave it out.

@@ -25,3 +25,6 @@ gcp_list-coordinates_differ = Point { $point } has other coordinates in line { $
 # $text = "'1 2 3 4'"
 gcp_list-too_few_columns = The line has { $n } columns: { $text }.
     .do = Give { LIST($needed, most: 8) } and, if wanted, a name.
+
+gcp_list-crs_missing = A gcp_list.txt needs the coordinate system of its points.
+    .do = Give { OPTION("crs", "EPSG:32633") }; a PROJ string or WGS84 UTM 33N is possible, too.

@@ -139,3 +139,23 @@ photograph-lacks_base = Photographs { $image } and { $other }: the rays to their
 # $n = 8
 photograph-lacks_fit = Photograph { $image }: no orientation fits its { $n } points.
     .do = Check their names and places, and mark more.
+
+# $width_px = 3000
+# $height_px = 2000
+# $camera_width_px = 6000
+# $camera_height_px = 4000
+photograph-size_of_calibration = The photograph has { $width_px } x { $height_px } px, the calibration { $camera_width_px } x { $camera_height_px } px.
+    .do = Give a photograph of the calibrated set.
+
+photograph-folder_unknown = The folder of the photographs is unknown.
+    .do = Give { OPTION("photos", "FOLDER") }.
+
+# $n = 1
+# $unreadable = 3
+# $names = ["a.jpg", "b.jpg", "c.jpg"]
+photograph-too_few = Photographs in this folder: { $n }; two are needed.
+    .why = { $unreadable ->
+        [0] { "" }
+       *[other] Files that cannot be read: { $unreadable } ({ LIST($names, most: 3) }).
+     }
+    .do = Check the path.

@@ -44,3 +44,14 @@ project-not_writable = The folder cannot be written ({ $detail }).
         [occupied] Move the file or folder of this name elsewhere, and run the same command again
        *[other] Choose a folder with write permission
      }.
+
+# $n = 2
+# $names = ["img_01.jpg", "img_02.jpg"]
+project-photographs_missing = { $n } { $n ->
+        [one] photograph
+       *[other] photographs
+     } of the project { $n ->
+        [one] is
+       *[other] are
+     } missing: { LIST($names, most: 3) }.
+    .do = Add the missing photographs, or choose another project.

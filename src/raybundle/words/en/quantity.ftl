@@ -17,3 +17,7 @@ quantity-point_count = { $quantity }: { $n } points are given; { $most ->
        *[other] { $least } to { $most } are possible
      }.
     .do = Give another number of points.
+
+# $known = ["distance", "angle"]
+quantity-none = No quantity is requested.
+    .do = Give one of { LIST($known, most: 20) }.

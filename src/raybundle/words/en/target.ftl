@@ -42,3 +42,10 @@ target-unknown_family = Target family { $name } is unknown.
 # $wanted = 600
 target-too_few_codes = Target family { $family } has { $n } targets; { $wanted } are requested.
     .do = Request fewer targets, or use a larger family.
+
+# $sheet = true
+target-table_settings = { OPTION("table") } and { OPTION("bits") } define targets of your own; one is missing, or others are named.
+    .do = Give both, without { OPTION("target") }{ $sheet ->
+        [yes] { " " }and { OPTION("sheet") }
+       *[no] { "" }
+     }.

@@ -37,3 +37,11 @@ zoom-settings_differ = The calibrations at { $first_mm } and { $second_mm } mm d
 # $second_mm = 35.0
 zoom-held_values_differ = { LIST($parameters, most: 20) } held at different values at { $first_mm } and { $second_mm } mm.
     .do = Hold these parameters at the same values, or estimate them in all settings.
+
+zoom-lenses_differ = The settings belong to different cameras or lenses (EXIF).
+    .why = The zoom lens is not added to the library.
+    .do = Calibrate all settings with the same camera and lens.
+
+# $camera = "d5100"
+zoom-focal_length_unknown = Camera { $camera }: the EXIF focal length is unknown.
+    .do = Give { OPTION("focal", "MM") } once for each camera.

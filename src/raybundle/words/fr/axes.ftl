@@ -16,3 +16,5 @@ axes-no_coordinates = Système de coordonnées { $names } : le point { $point } 
 axes-contradicts_block = Le système de coordonnées des points { $names } contredit le datum du bloc ({ $tables }).
 
 axes-no_vertical = Le système de coordonnées des points { $names } n'a pas de verticale.
+
+axes-plane_or_level = Système de coordonnées : il faut soit un point du plan, soit les points d'un niveau.

@@ -68,3 +68,5 @@ camera-too_many_turns = Caméra { $camera } : le format ({ NUM($width_mm, digits
 camera-no_read_out_time = Caméra { $camera } : le temps de lecture r est 0.
 
 camera-no_motion = Caméra { $camera } : la vitesse vy est 0.
+
+camera-no_covariance = La caméra { $camera } n'a pas de matrice de covariance.

@@ -9,3 +9,5 @@ empirical-no_minimum = { $model } : pas de minimum après { $n } itérations.
 empirical-unknown_model = Le modèle empirique { $name } est inconnu.
 
 empirical-none_fitted = Aucun modèle empirique ne peut être ajusté.
+
+empirical-excluded_needs_model = { OPTION("without") } demande un modèle précis.

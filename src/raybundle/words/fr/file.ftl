@@ -44,3 +44,5 @@ file-created_meanwhile = Une autre exécution a créé ce nom entre-temps ; ce r
 file-no_images = Il n'y a pas d'images.
 
 file-empty = Le fichier est vide.
+
+file-suffix = Le nom doit se terminer par { LIST($known, most: 20) }.

@@ -29,3 +29,7 @@ film-marks_exchanged = Les noms de deux marques sont probablement intervertis : 
 film-wrong_mark = La marque { $mark } est à { $offset_mm } mm de la position donnée par les autres.
 
 film-several_wrong_marks = Plus d'une marque est fausse.
+
+film-camera_missing = Des films numérisés demandent une caméra étalonnée.
+
+film-scans_not_transformed = Numérisations qui ne peuvent pas être transformées : { $n }. Rien n'est écrit.

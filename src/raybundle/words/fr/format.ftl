@@ -13,3 +13,7 @@ format-camera_deviation = Une caméra de ce format s'écarte de { $deviation_px 
 format-needs_folder = { $format } est un dossier contenant { $files }.
 
 format-degrees = { $format } a des coordonnées en longueurs ; { $system } est en degrés.
+
+format-not_in_plane = { OPTION("within", flag: "in") } concerne les dessins ; le format { $format } n'en est pas un.
+
+format-no_tables = { OPTION("tables") } concerne les dossiers de bloc ; le format { $format } n'en est pas un.

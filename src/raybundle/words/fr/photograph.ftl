@@ -52,3 +52,9 @@ photograph-lacks_known = La photo { $image } montre { $n } points avec coordonn�
 photograph-lacks_base = Photos { $image } et { $other } : les rayons vers leurs { $n } points sont parallèles.
 
 photograph-lacks_fit = Photo { $image } : aucune orientation ne convient à ses { $n } points.
+
+photograph-size_of_calibration = La photographie a { $width_px } x { $height_px } px, l'étalonnage { $camera_width_px } x { $camera_height_px } px.
+
+photograph-folder_unknown = Le dossier des photographies est inconnu.
+
+photograph-too_few = Photographies dans ce dossier : { $n } ; il en faut deux.

@@ -13,3 +13,5 @@ project-table_not_writable = La table [{ $table }] ne peut pas être écrite san
 project-no_run = Ce n'est pas un dossier de projet, ou aucune exécution n'y a commencé.
 
 project-not_writable = Le dossier ne peut pas être écrit ({ $detail }).
+
+project-photographs_missing = Photographies du projet qui manquent : { $n } ({ LIST($names, most: 3) }).

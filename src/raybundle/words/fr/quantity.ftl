@@ -8,3 +8,5 @@ quantity-point_count = { $quantity } : { $n } points sont donnés ; { $most ->
         [0] il en faut au moins { $least }
        *[other] { $least } à { $most } sont possibles
      }.
+
+quantity-none = Aucune grandeur n'est demandée.

@@ -9,3 +9,5 @@ target-unknown_tags = Les marqueurs { $name } sont inconnus.
 target-unknown_family = La famille de cibles { $name } est inconnue.
 
 target-too_few_codes = La famille de cibles { $family } a { $n } cibles ; { $wanted } sont demandées.
+
+target-table_settings = { OPTION("table") } et { OPTION("bits") } vont ensemble et excluent d'autres cibles.

@@ -11,3 +11,7 @@ zoom-setting_given_twice = Deux étalonnages ont la focale EXIF { $focal_mm } mm
 zoom-settings_differ = Les étalonnages à { $first_mm } et { $second_mm } mm diffèrent (format, modèle ou paramètres libres).
 
 zoom-held_values_differ = { LIST($parameters, most: 20) } fixé(s) à des valeurs différentes à { $first_mm } et { $second_mm } mm.
+
+zoom-lenses_differ = Les réglages proviennent de caméras ou d'objectifs différents (EXIF).
+
+zoom-focal_length_unknown = Caméra { $camera } : la focale EXIF est inconnue.

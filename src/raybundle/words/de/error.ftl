@@ -1,0 +1,1 @@
+error-other = Ursache: { $detail }

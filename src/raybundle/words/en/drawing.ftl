@@ -1,0 +1,14 @@
+drawing-no_source = There is nothing to draw.
+    .do = Give a picture to scale, a result folder or a project.
+
+# $other = "south.toml"
+drawing-planes_differ = The picture lies in another plane or coordinate system than { $other }.
+    .do = Draw pictures of one plane on a sheet.
+
+drawing-no_extent = There are no points or lines to draw.
+    .do = Give { OPTION("extent", "LEFT", "BOTTOM", "RIGHT", "TOP") }.
+
+# $width = 12.5
+# $height = 0.0
+drawing-no_area = The area to draw is { $width } x { $height }; both must be above 0.
+    .do = Correct { OPTION("extent") }.

@@ -1,0 +1,2 @@
+# $detail = "disk quota exceeded"
+error-other = Cause: { $detail }

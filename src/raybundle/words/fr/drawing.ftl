@@ -1,0 +1,7 @@
+drawing-no_source = Il n'y a rien à dessiner.
+
+drawing-planes_differ = L'image est dans un autre plan ou système de coordonnées que { $other }.
+
+drawing-no_extent = Il n'y a ni points ni lignes à dessiner.
+
+drawing-no_area = La surface à dessiner est de { $width } x { $height } ; il faut des valeurs supérieures à 0.

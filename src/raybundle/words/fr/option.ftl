@@ -1,0 +1,3 @@
+option-exclusive = { OPTION($first) } et { OPTION($second) } s'excluent.
+
+option-missing = { OPTION($setting, $value) } manque.
