@@ -187,7 +187,7 @@ def _check_apart(ctx: click.Context) -> None:
     read = {Path(v).resolve() for p, v in paths if not isinstance(p.type, Output)}
     for parameter, path in paths:
         if isinstance(parameter.type, Output) and parameter.type.wanted != "folder" and Path(path).resolve() in read:
-            raise InputError("is read by this command, and is not written over; choose another name", file=Path(path))
+            raise InputError("file.read_by_command", file=Path(path))
 
 
 def _paths(value: Any) -> list[Any]:

@@ -98,7 +98,7 @@ def _write_input(simulation: Simulation, out: Path) -> None:
             names = sorted(f.name for f in Path(fresh).iterdir())
             same = filecmp.cmpfiles(fresh, folder, names, shallow=False)[0] == names
         if not same:
-            raise InputError("holds another block, which is not overwritten; choose another --out", file=folder)
+            raise InputError("folder.other_block", file=folder)
 
 
 def _given(simulation: Simulation, sigma: float) -> Message:

@@ -32,10 +32,10 @@ def run(folder: Path, out: Path, progress: str) -> None:
     from raybundle.workflows.orient import orient  # noqa: PLC0415
 
     if not folder.is_dir():
-        raise InputError(f"is no folder, and no set of that name is made; {', '.join(set_names())} are", file=folder)
+        raise InputError("dataset.unknown", name=str(folder), known=list(set_names()), file=folder)
     for name in ("photos", "measured.csv", "truth"):
         if not (folder / name).exists():
-            raise InputError(f"{name} is missing; a set holds photos/, measured.csv and truth/", file=folder)
+            raise InputError("dataset.incomplete", name=name, file=folder)
     truth = read_block(folder / "truth")
     result = out / "result"
     check_target(result)

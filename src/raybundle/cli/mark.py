@@ -251,10 +251,7 @@ def datum(folder: Path, names: tuple[str, ...], author: str) -> None:
       raybundle mark datum pond-project A B
     """  # noqa: D301
     if len(names) not in {0, 2, 3}:
-        raise InputError(
-            f"{len(names)} points are given; a coordinate system needs origin, axis and plane, or two where "
-            "levels or plumb lines tell the vertical, or none"
-        )
+        raise InputError("axes.point_count", n=len(names))
     do(folder, "datum", author, **dict(zip(("origin", "axis", "plane"), names, strict=False)))
 
 
@@ -276,7 +273,7 @@ def reject(folder: Path, image: str | None, point: str | None, author: str, **li
         ((quantity, limit),) = given.items()
         do(folder, "reject_beyond", author, quantity=quantity, limit=limit)
     elif given or image is None or point is None:
-        raise InputError("give an image and a point, or one limit: " + ", ".join(f"--{name}" for name in limits))
+        raise InputError("mark.nothing_to_reject", limits=[f"--{name}" for name in limits])
     else:
         do(folder, "reject", author, image=image, point=point)
 

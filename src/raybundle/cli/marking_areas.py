@@ -66,9 +66,6 @@ def _corners(text: str) -> list[list[float]]:
     for k, word in enumerate(text.split()):
         values = [number_of(part) for part in word.split(",")]
         if len(values) != 2 or None in values:
-            raise InputError(
-                f"corner {k + 1} of the polygon is {quoted(word)}; give x and y with a comma, corners with a blank "
-                "between: '10,20 300,20 300,200'"
-            )
+            raise InputError("mask.corner_form", corner=k + 1, word=quoted(word))
         found.append([float(v) for v in values if v is not None])
     return found

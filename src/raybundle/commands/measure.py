@@ -25,7 +25,7 @@ from raybundle.commands.pages import COORDINATES_HELP, LANGUAGE_HELP, NO_REPORT_
 from raybundle.commands.record_settings import CLIENT, OPERATOR, TITLE, record_of
 from raybundle.errors import InputError
 from raybundle.numerics.progress import Progress, silent
-from raybundle.settings import NOT_NEGATIVE, POSITIVE, Range, asked, option, setting
+from raybundle.settings import NOT_NEGATIVE, POSITIVE, Range, asked, setting
 
 if TYPE_CHECKING:
     from raybundle.adjustment.result import Adjustment, Notice
@@ -176,13 +176,14 @@ def run_measure(s: MeasureSettings, progress: Progress = silent) -> Measured:
 def _check_asked(s: MeasureSettings) -> None:
     """Raise InputError for what is asked of a table or a length that is not given."""
     given = (
-        (bool(s.by), s.nominal, "by", "nominal"), (s.fit_scale, s.nominal, "fit-scale", "nominal"),
+        (bool(s.by), s.nominal, "by", "nominal"), (s.fit_scale, s.nominal, "fit_scale", "nominal"),
         (s.allowed is not None, s.lengths or s.check_length, "allowed", "lengths"),
     )  # fmt: skip
     for asked_for, there, name, other in given:
         if asked_for and not there:
-            more = f" or {option('check_length')}" if other == "lengths" else ""
-            raise InputError(f"{option(name)} goes with {option(other)}{more}")
+            if other == "lengths":
+                raise InputError("lengths.tolerance_without_lengths")
+            raise InputError("option.needs", setting=name, other=other)
 
 
 def _write(s: MeasureSettings, done: Measured, source: _Source, progress: Progress) -> None:
@@ -228,7 +229,7 @@ def _source(s: MeasureSettings, progress: Progress) -> _Source:
 
     if len(s.photos) == 1 and holds_block(s.photos[0]):
         if s.target or s.dots:
-            raise InputError(f"{option('target')}, {option('dots')} belong to photographs; {s.photos[0]} is a result")
+            raise InputError("target.needs_photographs", name=str(s.photos[0]))
         block, _ = adjusted_block_in(s.photos[0], s.jobs)
         notices = rests_on(s.photos[0].name, len(faults_of(s.photos[0])))
         return _Source(block=block, notices=notices, given=len(block.images))
@@ -295,13 +296,20 @@ def _with_calibration(block: Block, path: Path) -> Block:
     cameras = read_cameras(path)
     if len(cameras) != 1 or len(block.cameras) != 1:
         raise InputError(
-            f"holds {len(cameras)} cameras, and the photographs are of {len(block.cameras)}; one is held for one",
+            "calibration.one_for_one",
+            n=len(cameras),
+            photographed=len(block.cameras),
             file=path,
         )
     (camera,), (own,) = cameras, block.cameras
     if (camera.width_px, camera.height_px) != (own.width_px, own.height_px):
         raise InputError(
-            f"is of {camera.width_px} x {camera.height_px} px, the photographs of {own.width_px} x {own.height_px}",
+            "calibration.size_differs",
+            camera=camera.id,
+            width_px=camera.width_px,
+            height_px=camera.height_px,
+            given_width_px=own.width_px,
+            given_height_px=own.height_px,
             file=path,
         )
     return replace(block, cameras=(replace(camera, id=own.id, estimate=(), sigma={}, calibrated=None),))
@@ -310,7 +318,7 @@ def _with_calibration(block: Block, path: Path) -> Block:
 def _check_lengths(s: MeasureSettings) -> list[KnownLength]:
     from raybundle.metrology.lengths import KnownLength  # noqa: PLC0415
 
-    for a, b, d in s.check_length:
+    for a, b, _ in s.check_length:
         if a == b:
-            raise InputError(f"{option('check_length')} {a} {b} {d:g}: both ends are one point")
+            raise InputError("length_test.same_ends", start=a, end=b)
     return [KnownLength(start=a, end=b, length=d) for a, b, d in s.check_length]

@@ -9,7 +9,6 @@ from typing import TYPE_CHECKING, Any, Literal
 from raybundle.errors import InputError
 from raybundle.numerics.length_units import is_other_unit
 from raybundle.numerics.natural import natural_order
-from raybundle.settings import option
 
 if TYPE_CHECKING:
     from collections.abc import Sequence
@@ -41,7 +40,7 @@ def known_lengths(path: Path, unit: float) -> list[KnownLength]:
     ]
     for k in found:
         if k.start == k.end:
-            raise InputError(f"the length {k.start} - {k.end}: both ends are one point", file=path, line=k.line)
+            raise InputError("length_test.same_ends", start=k.start, end=k.end, file=path, line=k.line)
     return found
 
 
@@ -72,16 +71,20 @@ def check_lengths(points: PointSet, known: Sequence[KnownLength], path: Path | N
         missing = [end for end in (k.start, k.end) if end not in place]
         if missing:
             file, line = (path, k.line) if k.line is not None else (None, None)
-            raise InputError(f"no point {' and no point '.join(missing)} was measured", file=file, line=line)
+            raise InputError("length_test.ends_not_measured", points=missing, bars=False, file=file, line=line)
     if points.free_scale:
         return
     way = points.xyz[[place[k.end] for k in known]] - points.xyz[[place[k.start] for k in known]]
     ratio = float(np.median(np.array([k.length for k in known]) / np.maximum(np.linalg.norm(way, axis=1), 1e-300)))
     if is_other_unit(ratio):
-        read = f"; {option('unit', '0.001')} reads files in millimetres" if path is not None else ""
+        from raybundle.metrology.misfit_words import unit_of  # noqa: PLC0415
+
         raise InputError(
-            f"known lengths are {ratio:.4g} times as long as the measured ones: {unit_asked(ratio)}Scale bars are in "
-            f"metres{read}",
+            "length_test.other_unit",
+            ratio=ratio,
+            likely=bool(unit_of(ratio)),
+            units=unit_of(ratio),
+            table=path is not None,
             file=path,
         )
 
@@ -109,22 +112,17 @@ def check_unit(points: PointSet, nominal: Nominal, path: Path) -> None:
     )
     # by the median distance from the middle: few wrong points do not make another unit
     sizes = [float(np.median(np.linalg.norm(xyz - np.median(xyz, axis=0), axis=1))) for xyz in (wanted, measured)]
-    if sizes[0] <= 1e-9 * sizes[1] or not is_other_unit(sizes[0] / sizes[1]):
-        return  # those that are all one point lie in one line, as the fit tells
-    raise InputError(
-        f"nominal points lie {sizes[0] / sizes[1]:.4g} times as far apart as the measured ones: "
-        f"{unit_asked(sizes[0] / sizes[1])}Scale bars are in metres; {option('unit', '0.001')} reads files in "
-        "millimetres",
-        file=path,
-    )
-
-
-def unit_asked(factor: float) -> str:
-    """What is asked where lengths differ by a factor: whether one is in another unit, and in which."""
+    if min(sizes) <= 1e-9 * max(sizes) or not is_other_unit(ratio := sizes[0] / sizes[1]):
+        return  # those that are all one point lie in one line, which the fit finds
     from raybundle.metrology.misfit_words import unit_of  # noqa: PLC0415
 
-    unit = unit_of(factor)
-    return f"are they, or the scale bars, in another unit{f' ({unit})' if unit else ''}? "
+    raise InputError(
+        "fit.other_unit",
+        ratio=ratio,
+        likely=bool(unit_of(ratio)),
+        units=unit_of(ratio),
+        file=path,
+    )
 
 
 def nominal_points(path: Path, unit: float) -> Nominal:

@@ -8,8 +8,7 @@ from itertools import combinations
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from raybundle.errors import InputError
-from raybundle.settings import option
+from raybundle.errors import InputError, message
 
 if TYPE_CHECKING:
     from raybundle.adjustment.result import Adjustment, Notice
@@ -43,20 +42,17 @@ def scaled(block: Block, bars: Sequence[tuple[str, str, float, float]]) -> Block
     place = {name: k for k, name in enumerate(block.points.ids)}
     missing = sorted({p for a, b, _, _ in bars for p in (a, b) if p not in place})
     if missing:
-        raise InputError(f"scale bars end at points that were not measured: {', '.join(missing[:10])}")
+        raise InputError("length_test.ends_not_measured", points=missing, bars=True)
     for a, b, length, sigma in bars:
         if sigma >= length:
-            raise InputError(
-                f"scale bar {a} - {b}: {length:g} m with a standard deviation of {sigma:g} m tells no scale; both are "
-                "in metres"
-            )
+            raise InputError("scale_bar.sigma_too_large", start=a, end=b, length_m=length, sigma_m=sigma)
     start = np.array([place[a] for a, _, _, _ in bars], np.int32)
     end = np.array([place[b] for _, b, _, _ in bars], np.int32)
     length = np.array([bar[2] for bar in bars])
     measured = np.linalg.norm(block.points.xyz[start] - block.points.xyz[end], axis=1)
     if not (measured > 0).all():
         a, b, _, _ = bars[int(np.argmin(measured > 0))]
-        raise InputError(f"scale bar {a} - {b}: its ends are one point, or have no coordinates")
+        raise InputError("scale_bar.no_length", start=a, end=b)
     ratio = length / measured
     if not len(block.distances) and not block.points.is_control.any():  # nothing else gives a scale
         middle = float(np.median(ratio))
@@ -80,27 +76,28 @@ def _check_units(bars: Sequence[tuple[str, str, float, float]], ratio: Array) ->
     others = np.array([np.median(np.delete(ratio, k)) for k in range(len(ratio))])
     apart = np.abs(np.log(ratio / others))
     at = range(2) if len(bars) == 2 else [int(apart.argmax())]
-    told = "; ".join(
-        f"{bars[k][0]} - {bars[k][1]} is given as {bars[k][2]:.6g} m, by "
-        f"{'the others' if len(bars) > 2 else f'{bars[1 - k][0]} - {bars[1 - k][1]}'} it is "
-        f"{bars[k][2] * others[k] / ratio[k]:.6g} m"
+    names = [f"{a} - {b}" for a, b, _, _ in bars]
+    details = [
+        message(
+            "scale_bar.given_and_measured", bar=names[k], given_m=bars[k][2], pair=len(bars) == 2, others=names[1 - k],
+            measured_m=float(bars[k][2] * others[k] / ratio[k]),
+        )
         for k in at
-    )
+    ]  # fmt: skip
     length = np.array([bar[2] for bar in bars])
     measured = length / ratio
-    asked = "Is one in another unit, or between other targets? Scale bars are in metres"
+    exchanged: tuple[str, ...] = ()
     for a, b in combinations(range(len(bars)), 2):
         order = np.arange(len(bars))
         order[[a, b]] = b, a
         again = length[order] / measured
         if again.max() < FAR_OFF * again.min():
-            asked = (
-                f"With the lengths of {bars[a][0]} - {bars[a][1]} and {bars[b][0]} - {bars[b][1]} exchanged they "
-                "agree: was each given the certificate of the other?"
-            )
+            exchanged = names[a], names[b]
+    first, second = exchanged or ("", "")
     raise InputError(
-        f"scale bars contradict each other by a factor of {float(ratio.max() / ratio.min()):.3g}: {told}. {asked}"
-    )
+        "scale_bar.contradict", details=details, factor=float(ratio.max() / ratio.min()), exchanged=bool(exchanged),
+        first=first, second=second,
+    )  # fmt: skip
 
 
 def with_bars_compared(block: Block, free: Callable[[Block], Adjustment]) -> tuple[Block, BarTest | None]:
@@ -176,8 +173,9 @@ def controlled(block: Block, path: Path, unit: float) -> tuple[Block, tuple[Noti
     source, target = block.points.xyz[[place[n] for n in names]], unit * given.xyz[full]
     if in_one_line(source) or in_one_line(target):
         raise InputError(
-            f"the {len(names)} control points that were measured ({', '.join(names[:5])}) lie in one line, or are one "
-            "point: a datum needs three that are not in one line",
+            "control.points_in_line",
+            n=len(names),
+            points=names,
             file=path,
         )
     known = len(block.distances) > 0
@@ -238,8 +236,9 @@ def _measured_control(given: ControlFile, place: Mapping[str, int], path: Path) 
     ]  # fmt: skip
     if len(full) < 3:
         raise InputError(
-            f"{len(full)} of {len(given.ids)} points are control with X, Y and Z and were measured; three give a "
-            f"datum. Names are the codes of the targets{''.join(f'; {r}' for r in given.remarks)}",
+            "control.too_few_measured",
+            n=len(full),
+            total=len(given.ids),
             file=path,
         )
     return full
@@ -254,8 +253,10 @@ def _check_scale(found: Misfit, path: Path) -> None:
     if found.scaled and not found.scattered and abs(np.log(found.factor)) > np.log(FAR_OFF):
         unit = unit_of(found.factor)
         raise InputError(
-            f"the scale bars make the network {1 / found.factor:.4g} times as large as the control"
-            f"{f' ({unit})' if unit else ''}: is one of them in another unit? {option('unit')} is that of the file",
+            "control.other_unit",
+            ratio=float(1 / found.factor),
+            likely=bool(unit),
+            units=unit,
             file=path,
         )
 

@@ -62,7 +62,7 @@ def run_merge(s: MergeSettings, progress: Progress = silent) -> Joined:
     from raybundle.workflows.block_frame import in_frame_of  # noqa: PLC0415
 
     if len(s.sources) < 2:
-        raise InputError("two or more projects are merged; one is given")
+        raise InputError("join.one_block")
     check_free(s.out)
     names = short_names(s.sources)
     read: list[tuple[Block, bool]] = []

@@ -15,7 +15,7 @@ from raybundle.commands.record_settings import CLIENT, OPERATOR, TITLE, record_o
 from raybundle.errors import InputError, Message
 from raybundle.numerics.natural import natural_order
 from raybundle.numerics.progress import Progress, silent
-from raybundle.settings import Range, made, option, setting
+from raybundle.settings import Range, made, setting
 
 if TYPE_CHECKING:
     from raybundle.adjustment.result import Adjustment
@@ -104,11 +104,11 @@ def _moved(s: MovedSettings, epochs: Sequence[Adjustment | str | Path], progress
     from raybundle.metrology.misfit_words import axes_notices  # noqa: PLC0415
 
     if len(epochs) < 2:
-        raise InputError("two or more measurements are held against each other; one is given")
+        raise InputError("epochs.only_one")
     check_new_folder(s.out)
     check_pages(s)
     if s.axes is None and s.by:
-        raise InputError(f"{option('by')} goes with {option('axes')}")
+        raise InputError("option.needs", setting="by", other="axes")
     nominal = None if s.axes is None else nominal_points(s.axes, s.unit)
     sets: list[PointSet] = []
     bars: dict[str, list[str]] = {}
@@ -120,7 +120,7 @@ def _moved(s: MovedSettings, epochs: Sequence[Adjustment | str | Path], progress
         bars[name] = bar_names(found.given)
         dots = any(dot_number(p) >= 0 for p in s.points)
         if s.points and not dots and not set(s.points) & set(found.given.points.ids):
-            raise InputError(f"{option('points')}: {name} has none of {', '.join(s.points[:10])}")
+            raise InputError("measurement.unknown_points", name=name, points=list(s.points))
         sets.append(point_set(found, name, () if dots else s.points))
         if told := _faults(epoch):
             faults[name] = told
@@ -162,7 +162,7 @@ def _check_there(points: Sequence[str], sets: Sequence[PointSet]) -> None:
     """Raise InputError for points that were asked for and that no measurement has."""
     missing = [p for p in points if not any(p in e.ids for e in sets)]
     if missing:
-        raise InputError(f"{option('points')}: no measurement has {', '.join(missing[:10])}")
+        raise InputError("epochs.points_unknown", points=missing)
 
 
 def _check_axes(fit: BestFit, path: Path) -> None:

@@ -23,7 +23,6 @@ from raybundle.settings import (
     Range,
     asked,
     in_words,
-    option,
     other_than_usual,
     setting,
     settings_of,
@@ -232,9 +231,7 @@ def run_orient(settings: OrientSettings, progress: Progress = silent) -> Orienta
     wanted, record = accuracy_class(settings.accuracy_class), record_of(settings).over(record_in(out))
     check_pages(settings)
     if shown(out) != out:
-        raise InputError(
-            f"this name is no UTF-8, which the result is written in; choose another {option('out')}", file=shown(out)
-        )
+        raise InputError("file.name_not_utf8", file=shown(out))
     check_target(result)
     begins = not out.exists()
     try:

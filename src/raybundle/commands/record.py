@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 from raybundle.commands.record_settings import record_in
 from raybundle.errors import InputError
 from raybundle.results.record import NAMES, RECORD, RECORD_FILE, Record, checked
-from raybundle.settings import made, option, path_of, setting
+from raybundle.settings import made, path_of, setting
 
 if TYPE_CHECKING:
     from raybundle.results.recorded import KnownByPhotographs
@@ -101,15 +101,12 @@ def _check_project(folder: Path, *, begins: bool) -> None:
         return
     if folder.exists() and (not folder.is_dir() or any(folder.iterdir())):
         raise InputError(
-            "is no project folder; give that of orient, or a name that is not there yet: the record is then kept with "
-            "the project that orient makes in it",
+            "project.not_a_project",
             file=folder,
         )
     if not begins:
         near = _projects_like(folder)
-        meant = f"is it {near[0]}? " if near else ""
-        how = f"an entry, as {option('object', 'NAME')}, with {option('new', True)} begins one"
-        raise InputError(f"there is no such project; {meant}{how}", file=folder)
+        raise InputError("project.missing", n=len(near), near=[str(p) for p in near], file=folder)
 
 
 def _projects_like(folder: Path) -> list[Path]:

@@ -12,7 +12,7 @@ from raybundle.commands.plane_settings import OF_PLANE, PlaneSettings, plane_in
 from raybundle.errors import InputError
 from raybundle.numerics.progress import Progress, silent
 from raybundle.results.record import STATE
-from raybundle.settings import ANY, POSITIVE, Range, made, option, other_than_usual, path_of, setting
+from raybundle.settings import ANY, POSITIVE, Range, made, other_than_usual, path_of, setting
 
 if TYPE_CHECKING:
     from raybundle.block import Camera
@@ -101,18 +101,16 @@ def run_rectify(settings: RectifySettings, progress: Progress = silent) -> Recti
     s = settings
     check_picture(s.out)
     if not s.source.exists():
-        raise InputError("there is no such file or folder; check the path", file=s.source)
+        raise InputError("file.missing", file=s.source)
     if s.source.is_dir():
-        _check_without(s, OF_PHOTO, "a single PHOTO; a result has lens and places already")
+        _check_without(s, OF_PHOTO, of_result=False)
         done, about = _of_result(s, progress)
         record = known_record(result_within(s.source)).as_mapping()
         record = {**record, **({STATE: done.state} if done.state else {})}
     else:
-        _check_without(s, OF_RESULT, f"a result; a PHOTO has {option('control')}")
+        _check_without(s, OF_RESULT, of_result=True)
         if s.control is None:
-            raise InputError(
-                f"a single photograph needs points of the plane: {option('control', 'FILE')}", file=s.source
-            )
+            raise InputError("picture.no_plane_points", file=s.source)
         done, about = _of_photo(s, s.control)
         record = {}
     picture, grid = done.picture, done.grid
@@ -125,11 +123,10 @@ def run_rectify(settings: RectifySettings, progress: Progress = silent) -> Recti
     return replace(done, remarks=(*done.remarks, *more))
 
 
-def _check_without(s: RectifySettings, names: tuple[str, ...], whose: str) -> None:
+def _check_without(s: RectifySettings, names: tuple[str, ...], *, of_result: bool) -> None:
     """Raise InputError where settings are given that belong to the other kind of source."""
-    if given := [option(name) for name in names if name in other_than_usual(s)]:
-        verb = "belongs" if len(given) == 1 else "belong"
-        raise InputError(f"{' and '.join(given)} {verb} to {whose}")
+    if given := [name for name in names if name in other_than_usual(s)]:
+        raise InputError("picture.setting_of_other_source", setting=given[0], result=of_result)
 
 
 def _of_result(s: RectifySettings, progress: Progress) -> tuple[Rectification, Mapping[str, Any]]:
@@ -220,7 +217,10 @@ def _camera_of(calibration: Path, photo: Photo) -> Camera:
     fitting = [c for c in read_cameras(calibration) if (c.width_px, c.height_px) == size]
     if len(fitting) != 1:
         raise InputError(
-            f"{len(fitting)} of its cameras have the {size[0]} x {size[1]} px of the photograph; one is needed",
+            "calibration.no_camera_of_size",
+            n=len(fitting),
+            width_px=size[0],
+            height_px=size[1],
             file=calibration,
         )
     return fitting[0]
@@ -239,6 +239,6 @@ def _marks(control: Path, photo: Path) -> tuple[list[str], Array, Array]:
         if name in {photo.name, photo.stem} and np.isfinite(file.xyz[p, :2]).all()
     ]  # fmt: skip
     if not rows:
-        raise InputError(f"no point with X and Y is marked in {photo.name}; image names must agree", file=control)
+        raise InputError("control.none_in_photograph", photograph=photo.name, file=control)
     points = m.point[rows]
     return [file.ids[p] for p in points.tolist()], file.xyz[points], m.xy_px[rows]

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any, Literal
 from raybundle.commands.scenes.common import HEIGHTS_HELP, beyond, check_near, check_new, heights_of, size_of
 from raybundle.commands.scenes.inputs import scene_input
 from raybundle.errors import InputError, RaybundleError
-from raybundle.settings import ANY, made, option, path_of, setting
+from raybundle.settings import ANY, made, path_of, setting
 
 if TYPE_CHECKING:
     from raybundle.io.scenes import Scene
@@ -149,7 +149,7 @@ def run_fit(settings: RpcFitSettings) -> tuple[RpcFit, tuple[str, ...]]:
     check_rpc_name(s.out)
     scene = read_scene(s.scene)
     if scene.line is None:
-        raise InputError("it holds no rigorous model from which an RPC could be made", file=s.scene)
+        raise InputError("scene.model_missing", model="rigorous", choice=False, file=s.scene)
     check_agreement(scene)
     remarks = ()
     if scene.line.ellipsoid != WGS84:
@@ -162,7 +162,7 @@ def run_fit(settings: RpcFitSettings) -> tuple[RpcFit, tuple[str, ...]]:
 def _model(s: Scene, model: str) -> Rpc | LineScene:
     chosen = {"auto": s.rpc or s.line, "rpc": s.rpc, "rigorous": s.line}[model]
     if chosen is None:
-        raise InputError(f"it holds no {model} model; give {option('model', 'auto')}", file=s.file)
+        raise InputError("scene.model_missing", model=model, choice=True, file=s.file)
     return chosen
 
 
@@ -190,7 +190,7 @@ def _placed(s: Scene, model: Rpc | LineScene, rows: Array, *, to_ground: bool) -
     if to_ground:
         return model.localise(rows[:, :2], rows[:, 2])
     if s.rpc is not None and (far := float(s.rpc.ranges_away(rows).max())) >= NO_PLACE:
-        raise InputError(f"{far:.4g} times the RPC's range from the middle of the scene (limit {NO_PLACE:g})")
+        raise InputError("rpc.point_far_away", ratio=far, limit=float(NO_PLACE))
     return model.project(rows)
 
 

@@ -13,7 +13,7 @@ from raybundle.io.folders import check_free
 from raybundle.numerics.progress import Progress, silent
 from raybundle.report.languages import checked_language, language_codes
 from raybundle.results.record import Record
-from raybundle.settings import ANY, NOT_NEGATIVE, Range, made, option, other_than_usual, path_of, setting
+from raybundle.settings import ANY, NOT_NEGATIVE, Range, made, other_than_usual, path_of, setting
 
 if TYPE_CHECKING:
     from raybundle.numerics.arrays import Array
@@ -187,14 +187,12 @@ def _check(s: DrawingSheetSettings) -> None:
         raise InputError("option.exclusive", first="landscape", second="portrait")
     missing = next((p for p in s.sources if not p.exists()), None)
     if missing is not None:
-        raise InputError("there is no such file or folder; check the path", file=missing)
+        raise InputError("file.missing", file=missing)
     pictures, folders = [p for p in s.sources if p.is_file()], [p for p in s.sources if p.is_dir()]
     if len(folders) > 1:
-        raise InputError("points and lines of one result can be drawn at a time", file=folders[1])
-    if pictures and (given := [option(n) for n in OF_PLANE if n in other_than_usual(s)]):
-        raise InputError(
-            f"{' and '.join(given)} make the plane of a result; with a picture its own is taken: rectify it with these"
-        )
+        raise InputError("drawing.several_results", file=folders[1])
+    if pictures and (given := [n for n in OF_PLANE if n in other_than_usual(s)]):
+        raise InputError("drawing.plane_of_picture", setting=given[0])
 
 
 def record_of_sheet(s: DrawingSheetSettings, known: Record) -> Record:

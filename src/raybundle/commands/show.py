@@ -76,9 +76,7 @@ def show(
     what = what or ("report" if isinstance(result, Adjustment) else "studio")
     if what != "studio":
         if not isinstance(result, Adjustment):
-            raise InputError(
-                f"what = {what!r} is of an adjustment; of a folder there is the studio, or its report.html"
-            )
+            raise InputError("studio.page_of_folder", page=repr(what))
         return show_page(result, path, what=what)
     folder = _folder_of(result, path)
     process = _begun(folder, photos)
@@ -99,7 +97,7 @@ def _folder_of(result: Adjustment | ResultFolder | str | Path, path: str | Path 
         write_result(result, folder, report="none")
         return folder
     if path is not None:
-        raise InputError("a path is given for a result that stands in a folder already; leave it out")
+        raise InputError("studio.path_of_folder")
     return result.path if isinstance(result, ResultFolder) else measuring_folder(Path(result))
 
 
@@ -122,5 +120,5 @@ def _address(process: subprocess.Popen[str], folder: Path) -> str:
             return line[line.index("http://") :].strip()
     process.wait()
     process.stdout.close()
-    words = "".join(said).strip().removeprefix(f"{InputError.__name__}: ")
-    raise InputError(words or f"the studio of {folder} ended with status {process.returncode} and said nothing")
+    output = "".join(said).strip()
+    raise InputError("studio.not_started", folder=str(folder), status=process.returncode, n=len(output), detail=output)

@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Literal, cast, get_args
 
 from raybundle.errors import InputError
-from raybundle.settings import METRES, NOT_NEGATIVE, PIXELS, Range, option, setting
+from raybundle.settings import METRES, NOT_NEGATIVE, PIXELS, Range, setting
 
 if TYPE_CHECKING:
     from raybundle.block import Block
@@ -93,14 +93,10 @@ def _of_plan(settings: SimulateSettings) -> Simulation:
 
     folder = Path(settings.scene)
     if not folder.is_dir():
-        raise InputError(
-            f"{settings.scene}: neither a scene ({', '.join(get_args(SceneName))}) nor a folder with a plan or a block"
-        )
+        raise InputError("simulation.unknown_scene", name=str(settings.scene), known=list(get_args(SceneName)))
     for name, usual in OF_SCENES.items():
         if getattr(settings, name) != usual:
-            raise InputError(
-                f"{option(name)}: {folder} has its own control and scale bars; plan it with them, or leave this out"
-            )
+            raise InputError("simulation.setting_of_scenes", setting=name, folder=str(folder))
     block = block_in(folder)
     if (folder / VISIBLE).is_file():
         block = _found_again(folder, block, settings.seed)
@@ -124,7 +120,7 @@ def _found_again(plan: Path, block: Block, seed: int) -> Block:
     ids = points.text["point"]
     missing = [i for i in block.points.ids if i not in set(ids)]
     if missing:
-        raise InputError(f"lacks point {missing[0]} of the plan's block; plan it again", file=plan / "points.csv")
+        raise InputError("plan.point_missing", point=missing[0], file=plan / "points.csv")
     seen = read_table(
         plan / VISIBLE,
         [

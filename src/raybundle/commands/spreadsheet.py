@@ -63,15 +63,14 @@ def run_spreadsheet(s: SpreadsheetSettings, progress: Progress = silent) -> Spre
         raise InputError("file.suffix", known=[SUFFIX], file=s.out)
     folder = s.source
     if not folder.is_dir():
-        raise InputError("is no folder with tables; give a result or a project", file=folder)
+        raise InputError("result.no_folder", file=folder)
     found = _tables(folder)
     if not found and (result := latest_result(folder)) is not None:
         folder = result
         found = _tables(folder)
     strange = [name for name in s.tables if name.removesuffix(".csv") not in found]
     if strange:
-        known = ", ".join(found) or "none"
-        raise InputError(f"there is no table {strange[0]}; there are {known}", file=folder)
+        raise InputError("workbook.unknown_table", table=strange[0], n=len(found), known=list(found), file=folder)
     wanted = [name.removesuffix(".csv") for name in s.tables] or _in_order(found)
     left: list[str] = []
     taken: list[tuple[str, Path]] = []
@@ -88,7 +87,7 @@ def run_spreadsheet(s: SpreadsheetSettings, progress: Progress = silent) -> Spre
         else:
             taken.append((name, file))
     if not taken:
-        raise InputError("no table with rows is there; give a result or a project", file=folder)
+        raise InputError("workbook.no_table", file=folder)
     names = write_workbook(s.out, taken, title=s.source.resolve().name)
     progress("writing", 1.0)
     return Spreadsheet(file=s.out, sheets=tuple(names), left_out=tuple(left))

@@ -13,9 +13,9 @@ from raybundle.commands.pages import LANGUAGE_HELP
 from raybundle.commands.plane_settings import OF_PLANE, PlaneSettings
 from raybundle.commands.record_settings import CLIENT, OPERATOR, TITLE
 from raybundle.commands.worker import CLUSTER_HELP, STORE_HELP, store_of
-from raybundle.errors import InputError
+from raybundle.errors import InputError, as_detail
 from raybundle.numerics.progress import Progress, silent
-from raybundle.settings import ANY, POSITIVE, Range, made, option, other_than_usual, path_of, setting, toml_lines
+from raybundle.settings import ANY, POSITIVE, Range, made, other_than_usual, path_of, setting, toml_lines
 
 if TYPE_CHECKING:
     from raybundle.adjustment.result import Adjustment
@@ -269,12 +269,11 @@ def _source_of(s: SurfaceSettings) -> tuple[Path, Export, tuple[Path, ...]]:
     from raybundle.workflows.surface_product import in_its_map  # noqa: PLC0415
 
     if not s.source.is_dir():
-        raise InputError("there is no such folder; give a result or a project of orient", file=s.source)
+        raise InputError("result.no_folder", file=s.source)
     result = result_within(s.source)
     if not any((result / name).is_file() for name in ("block.toml", "result.json")):
         raise InputError(
-            "is neither a result, nor a block folder or a project of orient: it holds no result.json, block.toml or "
-            "project.db",
+            "result.none_in_folder",
             file=s.source,
         )
     export = in_its_map(read_source(result)[0])
@@ -294,18 +293,14 @@ def _grid_of(
     from raybundle.workflows.rectify import check_area  # noqa: PLC0415
     from raybundle.workflows.surface_grids import Grids, grids_over  # noqa: PLC0415
 
-    given = [option(name) for name in OF_PLANE if name in other_than_usual(s)]
+    given = [name for name in OF_PLANE if name in other_than_usual(s)]
     if s.region and s.extent is not None:
         raise InputError("option.exclusive", first="region", second="extent")
     part = bool(s.region) or s.extent is not None
     gridded = any(asked is not None for asked in (s.dsm, s.ortho, s.mesh))
     if not gridded and not part:
         if given:
-            ways = f"{option('dsm', 'CELL')}, {option('ortho', 'CELL')} or {option('mesh', 'CELL')}"
-            raise InputError(
-                f"{given[0]} says where heights are given; ask for them with {ways}, or for a part of the object with "
-                f"{option('region')}"
-            )
+            raise InputError("surface.plane_without_heights", setting=given[0])
         return Grids(), None
     in_map = export.frame is not None and plan_system(export.frame.crs) is not None
     level = in_map and not (set(OF_PLANE) & set(other_than_usual(s)))
@@ -355,10 +350,10 @@ def _check_out(out: Path) -> None:
     from raybundle.workflows.surface_product import files_of_all  # noqa: PLC0415
 
     if out.exists() and not out.is_dir():
-        raise InputError("is a file; give a folder", file=out)
+        raise InputError("folder.is_a_file", file=out)
     others = names_in(out) - {WORK, *PAGES} - files_of_all() if out.is_dir() else set[str]()
     if others:
-        raise InputError(f"holds {min(others)}, which is not of a surface; choose another {option('out')}", file=out)
+        raise InputError("surface.foreign_file", name=min(others), file=out)
 
 
 def _check_needed(wanted: frozenset[str], *, pdf: bool) -> None:
@@ -366,11 +361,13 @@ def _check_needed(wanted: frozenset[str], *, pdf: bool) -> None:
     from raybundle.report.paper.needed import check_typesetter  # noqa: PLC0415
     from raybundle.workflows.surface_products import PRODUCTS  # noqa: PLC0415
 
-    lacking = dict[str, None]()
+    lacking = dict[str, InputError]()
     for check in (*(PRODUCTS[name].check for name in sorted(wanted)), *([check_typesetter] if pdf else [])):
         try:
             check()
         except InputError as error:
-            lacking[str(error)] = None
+            lacking[str(error)] = error
+    if len(lacking) == 1:
+        raise next(iter(lacking.values()))
     if lacking:
-        raise InputError("; ".join(lacking))
+        raise InputError("package.several_missing", details=map(as_detail, lacking.values()), n=len(lacking))

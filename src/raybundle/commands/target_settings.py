@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any, Literal
 
 from raybundle.errors import InputError
-from raybundle.settings import NOT_NEGATIVE, Range, made, option, path_of, setting
+from raybundle.settings import NOT_NEGATIVE, Range, made, path_of, setting
 
 if TYPE_CHECKING:
     from raybundle.numerics.arrays import Index
@@ -44,7 +44,7 @@ class FamilySettings:
                 raise InputError("target.table_settings", sheet=False)
             return read_table(self.table, self.bits)
         if self.target is None:
-            raise _unnamed(" | ".join(sorted(families)) + ",")
+            raise _unnamed(sorted(families))
         return family_named(self.target)
 
     def wanted(self, *, dots: bool = False) -> Target:
@@ -53,18 +53,14 @@ class FamilySettings:
         from raybundle.targets.marks import forms, target  # noqa: PLC0415
 
         if self.target is None and self.table is None:
-            raise _unnamed("; ".join(forms()) + ";")
+            raise _unnamed(forms())
         by_name = self.target if self.table is None else None
         found = Rings(rings=self.rings()) if by_name is None else target(by_name)
         return Rings(rings=found.rings, dots=True) if dots and isinstance(found, Rings) else found
 
 
-def _unnamed(known: str) -> InputError:
-    own = f"{option('table', 'FILE')} {option('bits', 'N')}"
-    return InputError(
-        "the family of the targets must be named, since families share rings under different numbers: "
-        f"{option('target')} {known} or {own}"
-    )
+def _unnamed(known: Sequence[str]) -> InputError:
+    return InputError("target.family_missing", known=list(known))
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -164,29 +160,25 @@ def designed_sheet(
 
     if isinstance(target, Rings) and target.rings is not None:
         if (count is None) == (codes is None):
-            raise InputError(f"give either {option('codes')} or {option('count')}")
+            raise InputError("option.one_of", first="codes", second="count")
         ids = choose_codes(target.rings, count).ids if count is not None else read_ids(codes or "")
         return design(target.rings, ids, options)
     from raybundle.targets.kinds.tags import Tags  # noqa: PLC0415  (loads OpenCV)
     from raybundle.targets.layout_boards import design_board, design_dots, design_tags  # noqa: PLC0415
 
     if spacing is None:
-        raise InputError(
-            f"{target.family}: give {option('spacing')}, the side of a square or the distance of dots, as 25mm"
-        )
+        raise InputError("sheet.spacing_missing", family=target.family)
     if isinstance(target, Tags):
         if codes is None and count is None:
-            raise InputError(f"give either {option('codes')} or {option('count')}")
+            raise InputError("option.one_of", first="codes", second="count")
         numbers = read_ids(codes).tolist() if codes is not None else list(range(count or 0))
         return design_tags(target, numbers, spacing, options)
     if isinstance(target, Rings):
         if codes is not None:
-            raise InputError(
-                f"dots have no numbers to choose from; give {option('count')}, or nothing: all there is room for"
-            )
+            raise InputError("sheet.dots_without_numbers")
         return design_dots(spacing, count, options)
     if codes is not None or count is not None:
-        raise InputError(f"{target.family} is a board: its points have no numbers to choose from")
+        raise InputError("sheet.board_without_numbers", family=target.family)
     return design_board(target, spacing, options)
 
 
@@ -200,13 +192,11 @@ def read_ids(text: str) -> Index:
     for word in text.split(","):
         match = re.fullmatch(r"\s*(\d+)(?:\s*-\s*(\d+))?\s*", word)
         if match is None:
-            raise InputError(f"{option('codes', text)}: {word!r} is neither a number nor a range as 7-12")
+            raise InputError("target.code_form", text=text, word=repr(word))
         first, last = whole_of(match[1]), whole_of(match[2] or match[1])
         if first is None or last is None or last - first > MOST_CODES:
-            raise InputError(
-                f"{option('codes')}: {quoted(word)} is more than the {MOST_CODES} targets that there can be"
-            )
+            raise InputError("target.code_range", word=quoted(word), most=MOST_CODES)
         ids += range(first, last + 1)
     if len(set(ids)) < len(ids) or not ids:
-        raise InputError(f"{option('codes', text)}: a number stands there twice, or a range runs downwards")
+        raise InputError("target.code_twice", text=text)
     return np.array(ids)

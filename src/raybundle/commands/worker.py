@@ -7,9 +7,9 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from raybundle.errors import InputError
+from raybundle.errors import InputError, as_detail
 from raybundle.numerics.progress import Progress, silent
-from raybundle.settings import NOT_NEGATIVE, Range, option, setting
+from raybundle.settings import NOT_NEGATIVE, Range, setting
 
 if TYPE_CHECKING:
     from raybundle.pipeline.shards import ShardDone
@@ -63,22 +63,18 @@ def run_worker(
 ) -> ShardDone | None:
     """Work for a cluster until interrupted (None), or do a share of the tasks in a project."""
     if bool(settings.cluster) == bool(settings.shard):
-        both = f"give {option('cluster', 'FOLDER')} or {option('shard', 'I/N')}"
-        raise InputError(f"{both}, one of them" if settings.cluster else both)
+        raise InputError("worker.cluster_or_shard")
     if settings.cluster:
         from raybundle.pipeline.choosing import on_dask  # noqa: PLC0415  (what computes is loaded after the help)
 
         if project is not None:
-            raise InputError(
-                f"a worker of a cluster does the tasks of all runs there, and {project} would be left aside; leave it "
-                f"out, or do a share of its tasks with {option('shard', 'I/N')}"
-            )
+            raise InputError("worker.project_of_cluster", project=project)
         on_dask("dask_machines").work(settings.cluster, settings.jobs, told)
         return None
     from raybundle.pipeline.shards import do_shard  # noqa: PLC0415
 
     if project is None:
-        raise InputError("of which project? Its folder is given beside the share")
+        raise InputError("worker.project_missing")
     if "://" in project:
         from raybundle.pipeline.confirmed_stores import confirm_store  # noqa: PLC0415
 
@@ -110,9 +106,8 @@ def store_of(project: Path, given: str, apart: Sequence[Path]) -> str:
         except InputError as error:
             if not remembered:
                 raise
-            other = f"or give {option('store', 'URL')}, or {option('store', HERE)} for its folder"
             raise InputError(
-                f"{error.text()}; so the last run was told: {other}", file=project / "project.toml"
+                "store.of_last_run", details=[as_detail(error)], here=HERE, file=project / "project.toml"
             ) from None
     return whole_url(url)
 
@@ -125,8 +120,8 @@ def _share(text: str) -> tuple[int, int]:
     if last.isdecimal() and len(last) >= DIGITS:
         from raybundle.io.reading.words import quoted  # noqa: PLC0415  (loads NumPy, which the help does without)
 
-        raise InputError(f"{quoted(text)} is a share of more jobs than an array has, {10 ** (DIGITS - 1) - 1} at most")
-    raise InputError(f"{text} is no share; as 0/4, 1/4, 2/4 and 3/4 of four jobs")
+        raise InputError("worker.too_many_shards", share=quoted(text), most=10 ** (DIGITS - 1) - 1)
+    raise InputError("worker.shard_form", share=text)
 
 
 def run_scheduler(settings: SchedulerSettings, folder: Path, told: Callable[[str], None]) -> None:

@@ -89,10 +89,10 @@ def run_plan_check(settings: PlanCheckSettings, progress: Progress = silent) -> 
         check_new_folder(s.out)
     mission = read_mission(s.plan)
     if not mission.crs:
-        raise InputError("the plan has local coordinates; photographs state theirs on the earth", file=s.plan)
+        raise InputError("flight_check.no_crs", file=s.plan)
     found = find_photos(s.photos, progress=progress)
     if not found.photos:
-        raise InputError("no photograph is among these files", file=s.photos[0])
+        raise InputError("photograph.none", file=s.photos[0])
     photos, remarks = _placed(s, found.photos)
     ground, told = _ground(s, mission)
     flown, more = flown_of(photos, mission, sharp=s.sharpness, progress=progress)

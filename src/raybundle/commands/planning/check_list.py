@@ -57,8 +57,7 @@ def run_list_check(settings: PlanCheckSettings, progress: Progress = silent) -> 
     rows = _rows(settings.plan / LIST)
     planned = block_in(settings.plan)
     if len(rows) != len(planned.images):
-        message = f"has {len(rows)} photographs, and the plan's block {len(planned.images)}; make the list again"
-        raise InputError(message, file=settings.plan / LIST)
+        raise InputError("plan.list_count", n=len(rows), planned=len(planned.images), file=settings.plan / LIST)
     taken, left_out = _taken(settings, progress)
     remarks = list[str]()
     wide = abs(_view(planned) / _view(taken) - 1)
@@ -172,11 +171,11 @@ def _printed(plan: Path) -> PhotographList:
 
     path = plan / PRINTED
     if not path.is_file():
-        raise InputError("is not there; make the list again", file=path)
+        raise InputError("plan.list_missing", file=path)
     told = read_json(path)
     edges = [np.concatenate([end.numbers(3) for end in edge.items()]) for edge in told.get("edges").items()]
     if not edges or any(len(e) != 6 for e in edges):
-        told.get("edges").fail("edges of the object have two ends each, and there are some; make the list again")
+        told.get("edges").fail("plan.list_edges")
     return PhotographList(
         title=told.get("title").text(), facts=tuple(f.text() for f in told.get("facts").items()),
         rules=tuple(r.text() for r in told.get("rules").items()), photographs=(),

@@ -34,7 +34,7 @@ HEIGHTS = Range(low=0, high=1e4)
 DEFAULT_GSD = 0.02
 IMPLAUSIBLE = 10
 """Times the allowed height beyond which a size of a pixel is refused: a unit is wrong, not a flight a little high."""
-SMALLER = ((100, "centimetres"), (1000, "millimetres"))
+SMALLER = ((100, "cm"), (1000, "mm"))
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -161,11 +161,9 @@ def run_plan_mission(settings: MissionSettings) -> PlannedMission:
     s = settings
     unknown = [f for f in s.to if f not in mission_formats]
     if unknown:
-        raise InputError(f"format {unknown[0]!r} is not known; known: {', '.join(mission_formats)} ({option('to')})")
+        raise InputError("format.unknown", format=unknown[0], known=list(mission_formats))
     if not re.fullmatch(r"[\w][\w .-]{0,60}", s.name):
-        raise InputError(
-            f"{s.name[:60]!r} is no name for files: letters, digits, blanks, points, - and _ ({option('name')})"
-        )
+        raise InputError("mission.name", name=repr(s.name[:60]))
     check_new_folder(s.out)
     task, lenient, remarks = _task(s)
     mission = build(task)
@@ -284,11 +282,14 @@ def _wish(s: MissionSettings, camera: MissionCamera) -> Wish:
     tilt = None if s.tilt is None else math.radians(s.tilt)
     distance = camera.distance(s.gsd or DEFAULT_GSD) if s.height is None else s.height
     if s.gsd is not None and distance > IMPLAUSIBLE * s.height_limit:
-        usual = next((unit for factor, unit in SMALLER if camera.distance(s.gsd / factor) <= s.height_limit), "")
-        hint = f"is it in {usual}? It is given in metres" if usual else "give it in metres"
+        unit = next((unit for factor, unit in SMALLER if camera.distance(s.gsd / factor) <= s.height_limit), "")
         raise InputError(
-            f"{option('gsd', s.gsd)}: a pixel of {s.gsd:g} m needs a distance of {distance:.0f} m (limit "
-            f"{IMPLAUSIBLE * s.height_limit:.0f} m, {IMPLAUSIBLE} times {option('height_limit')}); {hint}"
+            "mission.gsd_too_large",
+            gsd_m=s.gsd,
+            distance_m=distance,
+            limit_m=IMPLAUSIBLE * s.height_limit,
+            times=IMPLAUSIBLE,
+            unit=unit,
         )
     if s.height is not None and patterns[s.pattern].ground and s.pattern != "oblique-grid" and tilt:
         distance = s.height / math.cos(tilt)
@@ -303,14 +304,10 @@ def _shape(shapes: tuple[Shape, ...], wanted: str, s: MissionSettings) -> Shape:
     """The one shape that the pattern can be flown over."""
     shapes = tuple(replace(f, kind="line") if f.typed and wanted == "line" and len(f.xy) > 1 else f for f in shapes)
     fitting = [f for f in shapes if f.kind == wanted or (wanted == "place" and f.kind == "area")]
-    words = {"area": "a polygon", "line": "a line", "place": "a point or a polygon"}
     if not fitting:
-        have = ", ".join(sorted({words[f.kind] for f in shapes}))
-        raise InputError(f"{s.pattern} is flown over {words[wanted]}; {s.area} holds {have} ({option('pattern')})")
+        raise InputError("mission.shape", pattern=s.pattern, area=str(s.area), wanted=wanted, kind=shapes[0].kind)
     if len(fitting) > 1:
-        raise InputError(
-            f"{s.area} holds {len(fitting)} outlines; a mission has one: give them one by one, or join them into one"
-        )
+        raise InputError("mission.several_outlines", area=str(s.area), n=len(fitting))
     return fitting[0]
 
 

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any, Literal
 
 from raybundle.errors import InputError
 from raybundle.numerics.progress import Progress, silent
-from raybundle.settings import METRES, PIXELS, POSITIVE, Range, made, option, setting
+from raybundle.settings import METRES, PIXELS, POSITIVE, Range, made, setting
 
 if TYPE_CHECKING:
     from raybundle.block import Camera
@@ -124,9 +124,9 @@ def run_plan_network(settings: NetworkSettings, progress: Progress = silent) -> 
     from raybundle.planning.held import Wanted  # noqa: PLC0415
 
     if settings.sigma is None and settings.photographs is None and settings.stations is None:
-        raise InputError(f"say what is wanted: {option('sigma', 'MM')}, or {option('photographs', 'N')}")
+        raise InputError("plan.no_goal")
     if settings.everywhere and settings.sigma is None:
-        raise InputError(f"{option('everywhere')} needs the standard deviation that is wanted: {option('sigma', 'MM')}")
+        raise InputError("option.needs", setting="everywhere", other="sigma")
     check_new_folder(settings.out)
     plan = network_plan.plan_network(
         site_of(settings, taken=settings.stations is not None),
@@ -196,7 +196,7 @@ def stations_of(path: Path) -> Stations:
     table = read_table(path, [*columns, Column(name="what_for", kind="text", optional=True, empty=True)])
     values = table.numbers(*names)
     if np.linalg.norm(values[:, :3] - values[:, 3:6], axis=1).min() < 1e-9:
-        raise InputError("a station looks at itself: its at_X, at_Y, at_Z are its own place", file=path)
+        raise InputError("plan.station_at_itself", file=path)
     return Stations(centre=values[:, :3], at=values[:, 3:6], roll=np.radians(values[:, 6]))
 
 
@@ -237,18 +237,16 @@ def _calibrated(path: Path) -> Camera:
     if path.is_dir():
         block = block_in(path)
         if not block.cameras:
-            raise InputError("has no camera; a plan needs one", file=path)
+            raise InputError("block.no_camera", file=path)
         camera = block.cameras[int(np.bincount(block.images.camera, minlength=len(block.cameras)).argmax())]
     else:
         cameras = read_cameras(path)
         if len(cameras) != 1:
-            ids = ", ".join(c.id for c in cameras[:10])
-            raise InputError(f"holds {len(cameras)} cameras{ids and f' ({ids})'}; a plan has one", file=path)
+            raise InputError("calibration.camera_count", n=len(cameras), file=path)
         (camera,) = cameras
     if camera.is_scene or isinstance(camera.sensor, Carried):
         raise InputError(
-            f"camera {camera.id} is a {camera.model}; plans are made for frame cameras, not for scenes, line scanners "
-            "or rolling shutters", file=path,
+            "plan.no_frame_camera", camera=camera.id, model=camera.model, file=path,
         )  # fmt: skip
     return camera
 
@@ -268,19 +266,14 @@ def _access(
     if side == "above":
         heights = settings.heights or (0.3 * fitting, 1.5 * fitting)
     if heights[1] < heights[0]:
-        raise InputError(
-            f"{option('heights')}: {heights[0]:g} to {heights[1]:g} m leaves nothing; give the lower first"
-        )
+        raise InputError("site.empty", axis="Z", low_m=float(heights[0]), high_m=float(heights[1]))
     box_low = np.array([low[0] - around, low[1] - around, low[2] + heights[0]])
     box_high = np.array([high[0] + around, high[1] + around, low[2] + heights[1]])
     clearance = settings.clearance or max(depth[0], 0.05 * extent)
     if side == "front":
         box_high[1] = low[1] - clearance
     if clearance >= around:
-        raise InputError(
-            f"nothing is sharp nearer than {clearance:.3g} m and one may go {around:.3g} m away: a larger f-number "
-            f"({option('f_number')}), another focus ({option('focus')}) or more room ({option('around')}) is needed"
-        )
+        raise InputError("plan.never_sharp", near_m=float(clearance), far_m=float(around))
     boxes: Array = np.array(settings.forbid, float).reshape(-1, 2, 3)
 
     def near(centre: Array) -> Mask:

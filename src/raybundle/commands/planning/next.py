@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any, Literal
 
 from raybundle.errors import InputError, NotSolvable
 from raybundle.numerics.progress import Progress, silent
-from raybundle.settings import NOT_NEGATIVE, POSITIVE, Range, made, option, setting
+from raybundle.settings import NOT_NEGATIVE, POSITIVE, Range, made, setting
 
 if TYPE_CHECKING:
     from raybundle.adjustment.result import Adjustment
@@ -104,16 +104,12 @@ def _run(s: NextSettings, given: Adjustment | None, *, write: bool, progress: Pr
     if write:
         check_new_folder(s.out)
     if s.points and s.aim != "worst":
-        raise InputError(f"{option('points')} goes with {option('aim', 'worst')}; leave one of the two away")
+        raise InputError("plan.points_and_aim")
     adjusted = _adjusted(s.result, progress) if given is None else given
     aim: For = "points" if s.points else s.aim
     plan = next_plan.plan_next(adjusted, aim, s.photographs, conditions_of(s, adjusted), s.points, progress)
     if not plan.proposals:
-        raise NotSolvable(
-            f"none of {plan.judged} candidates lowers anything: what is left is not the geometry of the photographs. "
-            "Control, scale bars or more precise image points would help, or room to stand elsewhere "
-            f"({option('step')}, {option('around')})"
-        )
+        raise NotSolvable("plan.no_improvement", n=plan.judged)
     if write:
         write_next_plan(plan, s)
     return plan
@@ -132,8 +128,7 @@ def _adjusted(folder: Path, progress: Progress) -> Adjustment:
     taken, seen = (np.unique(rows) for rows in (block.observations.image, block.observations.point))
     if not block.images.oriented[taken].all() or not np.isfinite(block.points.xyz[seen]).all():
         raise InputError(
-            "is not adjusted yet: images have no orientation or points no coordinates; adjust it first, and give the "
-            "result", file=folder,
+            "block.not_adjusted", file=folder,
         )  # fmt: skip
     return readjusted(block, progress, options)
 
@@ -149,17 +144,19 @@ def conditions_of(s: NextSettings, result: Adjustment) -> Conditions:
 
     if s.heights is not None and s.heights[1] < s.heights[0]:
         low, high = s.heights
-        raise InputError(f"{option('heights')}: {low:g} to {high:g} leaves nothing; give the lower first")
+        raise InputError("site.empty", axis="Z", low_m=float(low), high_m=float(high))
     if (s.f_number is None) != (s.focus is None):
-        raise InputError(f"the depth of field follows from {option('f_number')} and {option('focus')}: give both")
+        raise InputError(
+            "option.needs",
+            setting="f_number" if s.focus is None else "focus",
+            other="focus" if s.focus is None else "f_number",
+        )
     depth = (0.0, float("inf"))
     k = camera_of(result, result.image_observations.used, s.camera)
     if s.f_number is not None and s.focus is not None:
         metres = METRES_OF.get(result.length_unit)
         if metres is None:
-            raise InputError(
-                f"{option('focus')}: nothing fixes the scale of the block, no distance in it is known; leave it away"
-            )
+            raise InputError("plan.focus_without_scale")
         camera = result.adjusted.cameras[k]
         c = camera.sensor.camera_constant(camera.parameters)
         near, far = Optics(f_number=s.f_number, focus=s.focus * metres).depth_of_field(c, camera.pixel_mm[0])

@@ -6,7 +6,6 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from raybundle.errors import InputError
-from raybundle.settings import option
 
 if TYPE_CHECKING:
     from raybundle.block import Block
@@ -38,8 +37,7 @@ def surface_of(text: str, unit: float = 1.0, crs: str = "") -> tuple[Surface, st
         surface = read_mesh(path, unit)
         if surface.extent < STEP:
             raise InputError(
-                f"is {1000 * surface.extent:.3g} mm large if its unit is {unit:g} m; say which it is by "
-                f"{option('unit', 0.001)} for millimetres, or make it larger than {1000 * STEP:g} mm", file=path,
+                "mesh.too_small", extent_mm=1000 * surface.extent, unit_m=unit, least_mm=1000 * STEP, file=path,
             )  # fmt: skip
         return surface, "round"
     if suffix in RASTERS:
@@ -51,10 +49,12 @@ def surface_of(text: str, unit: float = 1.0, crs: str = "") -> tuple[Surface, st
         from raybundle.planning.of_result import surface_of_result  # noqa: PLC0415
 
         return surface_of_result(block_in(path)), "round"
-    known = ", ".join(example(k) for k in sorted(object_kinds))
     raise InputError(
-        f"object {text}: neither a kind of object ({known}), nor a mesh ({', '.join(SUFFIXES)}), a raster of heights "
-        f"({', '.join(RASTERS)}) or a folder with a result"
+        "object.unknown",
+        text=text,
+        kinds=[example(k) for k in sorted(object_kinds)],
+        meshes=list(SUFFIXES),
+        rasters=list(RASTERS),
     )
 
 
@@ -100,7 +100,7 @@ def _of_kind(kind: ObjectKind, text: str, rest: str, crs: str) -> Surface:
         line, rest = read_outline(Path(first), crs), others
     words = [w for w in rest.replace("x", ",").split(",") if w.strip()]
     if not all(_number(w) for w in words):
-        raise InputError(f"object {text}: {kind.name} takes {kind.words}, with commas between: {example(kind.name)}")
+        raise InputError("object.number_form", text=text, name=kind.name, needs=kind.words, example=example(kind.name))
     return kind.surface([float(w) for w in words], line)
 
 

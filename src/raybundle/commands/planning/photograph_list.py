@@ -98,8 +98,7 @@ def run_plan_list(settings: ListSettings, progress: Progress = silent) -> Networ
     from raybundle.planning.network_plan import plan_network  # noqa: PLC0415
 
     if settings.kind not in assistants:
-        known = "; ".join(f"{a.name}: {a.about}" for a in sorted(assistants.values(), key=lambda a: a.order))
-        raise InputError(f"{settings.kind}: no list of that kind; there are {known}")
+        raise InputError("plan.unknown_list", kind=settings.kind, known=sorted(assistants))
     check_new_folder(settings.out)
     shots = assistants[settings.kind].shots(task_of(settings))
     known = Wanted() if shots.bars is None else Wanted(bars=shots.bars[0], bar_sigma=shots.bars[1])

@@ -15,8 +15,7 @@ from raybundle.commands.scenes.correct import (
     with_corrected,
 )
 from raybundle.commands.scenes.inputs import RASTERS, scene_input
-from raybundle.errors import InputError, RaybundleError
-from raybundle.numerics.counting import counted
+from raybundle.errors import InputError, Message, RaybundleError, Severity, as_detail, message
 from raybundle.numerics.progress import Progress, silent
 from raybundle.settings import made, path_of, setting
 
@@ -51,7 +50,7 @@ class BatchScene:
     correction: Correction | None = None
     file: Path | None = None
     """what was written of it"""
-    problem: str = ""
+    problem: Message | None = None
     """why nothing was"""
     remarks: tuple[str, ...] = ()
 
@@ -106,11 +105,9 @@ def run_batch(s: RpcBatchSettings, progress: Progress = silent) -> Batch:
     control = read_scene_control(s.control, image_points=s.image_points, crs=s.crs, undulation=s.undulation)
     files = list(scenes_among(s.scenes))
     if not files:
-        raise InputError("holds no scene: no picture with an RPC, and no file that tells one", file=s.scenes[0])
+        raise InputError("scene.none_here", file=s.scenes[0])
     if len(files) > 1 and not all(control.image):
-        raise InputError(
-            "does not say of each point in which image it was measured; give a column image", file=s.control
-        )
+        raise InputError("table.columns_missing", names=["image"], file=s.control)
     with new_folder(s.out) as folder:
         found: list[BatchScene] = []
         for done, file in enumerate(files):
@@ -118,8 +115,11 @@ def run_batch(s: RpcBatchSettings, progress: Progress = silent) -> Batch:
             found.append(_one(s, file, control, folder, {f.file.name for f in found if f.file is not None}))
         progress("correcting", 1.0)
         if not any(f.correction is not None for f in found):
-            told = "\n".join(f"  {f.name}: {f.problem}" for f in found[:5])
-            raise InputError(f"none of {counted(len(found), 'scene')} could be corrected:\n{told}", file=s.control)
+            details = [
+                message("scene.not_corrected", details=[f.problem] if f.problem else (), scene=f.name)
+                for f in found[:5]
+            ]
+            raise InputError("scene.none_corrected", details=details, n=len(found), file=s.control)
         _write_biases(folder / BIASES, found)
     return Batch(
         scenes=tuple(f if f.file is None else replace(f, file=s.out / f.file.name) for f in found),
@@ -169,17 +169,17 @@ def _one(s: RpcBatchSettings, file: Path, control: SceneControl, folder: Path, t
     target = folder / f"{Path(stem).stem if stem == file.name else stem}{ENDINGS[s.to]}"
     try:
         if target.name in taken:
-            raise InputError(f"another scene is called {target.stem}; rename one of the two", file=file)
+            raise InputError("scene.name_twice", name=target.stem, file=file)
         given = scene_input(file)
         if given.scene.rpc is None:
-            raise InputError("it holds no RPC to be corrected; make one with `raybundle rpc fit`", file=file)
+            raise InputError("scene.rpc_missing", file=file)
         found = correction_on(given, control.of(given.name, given.scene.file.name), s)
-        check_correction(found, s, writes=True)
+        check_correction(found, s)
         found = with_corrected(found, s.heights)
         assert found.corrected is not None
         write_rpc(found.corrected, target, given.picture)
     except RaybundleError as error:
-        return BatchScene(name=file.name, problem=error.text().replace("\n", " "))
+        return BatchScene(name=file.name, problem=replace(as_detail(error), severity=Severity.CAUTION))
     return BatchScene(name=file.name, correction=found, file=target, remarks=given.remarks)
 
 

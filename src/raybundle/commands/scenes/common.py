@@ -8,7 +8,6 @@ from typing import TYPE_CHECKING
 
 from raybundle.errors import InputError
 from raybundle.io.folders import check_free
-from raybundle.settings import option
 
 if TYPE_CHECKING:
     from raybundle.io.scenes import Scene
@@ -39,9 +38,7 @@ def heights_of(s: Scene, heights: tuple[float, float] | None) -> tuple[float, fl
     if heights:
         return heights
     if s.rpc is None:
-        raise InputError(
-            f"it holds no RPC with a range of heights; give {option('heights', 'LOW', 'HIGH')}", file=s.file
-        )
+        raise InputError("scene.height_range_missing", file=s.file)
     middle, half = float(s.rpc.ground_offset[2]), float(s.rpc.ground_scale[2])
     return middle - half, middle + half
 

@@ -9,8 +9,7 @@ from typing import TYPE_CHECKING, Any, Literal
 
 from raybundle.commands.scenes.common import HEIGHTS_HELP, beyond, check_near, check_new, heights_of, size_of
 from raybundle.commands.scenes.inputs import SceneInput, is_object, path_of_object, scene_input
-from raybundle.errors import InputError, NotSolvable
-from raybundle.numerics.counting import counted
+from raybundle.errors import InputError
 from raybundle.settings import ANY, PIXELS, made, path_of, setting
 
 if TYPE_CHECKING:
@@ -133,9 +132,7 @@ def check_outputs(s: RpcCorrectSettings) -> None:
     if s.out is not None:
         check_new(s.out)
     if s.into_scene and (former := former_of(s.scene)).exists():
-        raise InputError(
-            "stands there already: the RPC that the scene came with, which is never overwritten", file=former
-        )
+        raise InputError("scene.original_rpc", file=former)
 
 
 def former_of(scene: Path) -> Path:
@@ -159,10 +156,10 @@ def _check_target(s: RpcCorrectSettings, given: SceneInput) -> None:
     from raybundle.io.scenes.writing import RASTERS, check_rpc_name  # noqa: PLC0415
 
     if given.scene.rpc is None:
-        raise InputError("it holds no RPC to be corrected; make one with `raybundle rpc fit`", file=given.scene.file)
+        raise InputError("scene.rpc_missing", file=given.scene.file)
     if s.into_scene:
         if given.picture is None or given.picture.suffix.lower() not in RASTERS:
-            raise InputError("is no GeoTIFF, into which an RPC could be written; give a new file", file=s.scene)
+            raise InputError("scene.no_geotiff", file=s.scene)
         check_rpc_name(given.picture, given.picture)
     if s.out is not None:
         check_rpc_name(s.out, given.picture)
@@ -181,7 +178,7 @@ def correction_on(given: SceneInput, control: SceneControl, s: ControlSettings) 
     assert rpc is not None
     used, checks = (control.rows(np.flatnonzero(m).tolist()) for m in (~control.check, control.check))
     if not used.ids:
-        raise InputError("all its points are check points; one of them has to be control", file=control.file)
+        raise InputError("scene_control.check_only", file=control.file)
     check_near(scene, rpc, control.geographic, control.ids)
     advice = choose_bias(rpc, used.geographic, used.xy_px, sigma_px=s.image_sigma, sigma_ground_m=used.sigma_m)
     fit = advice.advised if s.scene_bias == "auto" else next((f for f in advice.fits if f.kind == s.scene_bias), None)
@@ -236,7 +233,7 @@ def write_correction(settings: RpcCorrectSettings, found: Correction, *, always:
     from raybundle.io.scenes.writing import write_rpc  # noqa: PLC0415
 
     s, writes = settings, settings.out is not None or settings.into_scene
-    check_correction(found, s, writes=writes)
+    check_correction(found, s)
     if not (writes or always):
         return found
     done = with_corrected(found, s.heights)
@@ -254,20 +251,14 @@ def write_correction(settings: RpcCorrectSettings, found: Correction, *, always:
     return done
 
 
-def check_correction(found: Correction, s: ControlSettings, *, writes: bool) -> None:
+def check_correction(found: Correction, s: ControlSettings) -> None:
     """Raise where the points do not determine the correction, or contradict it."""
     from raybundle.scenes.bias_choice import check_fit  # noqa: PLC0415
 
     file = s.points if isinstance(s, RpcCorrectSettings) else None
     if found.fit is None:
-        raise InputError(
-            f"{counted(len(found.ids), 'point')} do not determine the bias model {s.scene_bias}", file=file
-        )
-    try:
-        check_fit(found.advice, found.fit)
-    except NotSolvable as error:
-        where = "" if file is None else f"{file}: "
-        raise NotSolvable(f"{where}{error.text()}{'; nothing is written' if writes else ''}") from None
+        raise InputError("bias.not_determined", n=len(found.ids), model=s.scene_bias, file=file)
+    check_fit(found.advice, found.fit)
 
 
 def with_corrected(found: Correction, heights: tuple[float, float] | None) -> Correction:

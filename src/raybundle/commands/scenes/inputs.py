@@ -61,7 +61,7 @@ def scene_input(given: Any, rpc: Any = None) -> SceneInput:
     path = Path(given)
     if not is_picture(path):
         if rpc is not None:
-            raise InputError(f"is no picture whose RPC another file could tell; leave out {option('rpc')}", file=path)
+            raise InputError("scene.rpc_of_no_picture", file=path)
         return SceneInput(name=path.name, scene=_read(path))
     if rpc is None and _model(path) == path:
         return SceneInput(name=path.name, scene=_read(path), picture=path)
@@ -89,10 +89,7 @@ def _of_object(given: Any, rpc: Any) -> SceneInput:
     if rpc is None and own is not None:
         rpc = own
     if rpc is None and file is None:
-        raise InputError(
-            f"{type(given).__name__}: neither the object nor a file that it was opened from tells an RPC; give "
-            f"{option('rpc', 'FILE')}"
-        )
+        raise InputError("scene.object_without_rpc", kind=type(given).__name__)
     return SceneInput(name=path.name, scene=_scene_of(path, width, height, rpc), picture=file, opened=given)
 
 
@@ -119,8 +116,7 @@ def _model(path: Path) -> Path:
         return path
     if model is None:
         raise InputError(
-            "no RPC (tag 50844) stands in it, nor in a file beside it (NAME_RPC.TXT, NAME.RPB, NAME.rpc, NAME.XML, "
-            f"NAME.geom); give the file that tells it: {option('rpc', 'FILE')}",
+            "scene.rpc_not_in_picture",
             file=path,
         )
     return model

@@ -14,7 +14,7 @@ from raybundle.commands.scenes.common import check_new
 from raybundle.commands.scenes.inputs import SceneInput, is_object, path_of_object, scene_input
 from raybundle.errors import InputError
 from raybundle.numerics.progress import Progress, silent
-from raybundle.settings import ANY, POSITIVE, made, option, path_of, setting
+from raybundle.settings import ANY, POSITIVE, made, path_of, setting
 
 if TYPE_CHECKING:
     from raybundle.io.scenes.pictures import Picture
@@ -98,7 +98,7 @@ class Orthophoto:
             library: Any = import_module("rioxarray")  # what the caller works with
             xarray: Any = import_module("xarray")
         except ImportError:
-            raise InputError("rioxarray is not installed: pip install rioxarray") from None
+            raise InputError("package.rioxarray_missing") from None
         if self.values is None:
             return library.open_rasterio(self.out)
         y = self.top - (0.5 + _counted(self.height)) * self.pixel
@@ -158,7 +158,7 @@ def run_ortho(
     given = given or scene_input(s.scene, s.rpc)
     rpc = given.scene.rpc
     if rpc is None:
-        raise InputError("it holds no RPC; make one with `raybundle rpc fit`", file=given.scene.file)
+        raise InputError("scene.rpc_missing", file=given.scene.file)
     with (
         opened_picture(given.picture, given.opened) as picture,
         opened_ground(heights, geoid=s.geoid, undulation=s.undulation) as ground,
@@ -182,9 +182,7 @@ def _made(plan: Ortho, picture: Picture, s: RpcOrthoSettings, progress: Progress
             seen += int(there.sum())
             write(part[0], part[1], np.where(there[..., None], found, nodata).astype(picture.dtype))
         if not seen:
-            raise InputError(
-                f"the scene shows nothing of the area over the heights; choose another {option('extent')}", file=s.scene
-            )
+            raise InputError("scene.outside_map", file=s.scene)
     progress("orthorectifying", 1.0)
     g = plan.grid
     return Orthophoto(
@@ -225,10 +223,7 @@ def _target(plan: Ortho, picture: Picture, s: RpcOrthoSettings, nodata: float) -
             yield write, None
         return
     if g.width * g.height * picture.bands > LARGEST_VALUES:
-        raise InputError(
-            f"the map has {g.width} x {g.height} px of {picture.bands} bands, more than are kept in memory; write it: "
-            f"{option('out', 'FILE.tif')}"
-        )
+        raise InputError("scene.map_too_large", width_px=g.width, height_px=g.height, bands=picture.bands)
     values = np.full((picture.bands, g.height, g.width), nodata, picture.dtype)
 
     def keep(column: int, row: int, part: Array) -> None:
@@ -248,5 +243,5 @@ def nodata_of(picture: Picture, asked: float | None) -> float:
     if kind.kind in "iu":
         info = np.iinfo(kind)
         if math.isnan(value) or not info.min <= value <= info.max or value != math.floor(value):
-            raise InputError(f"{option('nodata', value)} is no {kind.name}, which the pixels are")
+            raise InputError("scene.no_data_type", value=float(value), type=kind.name)
     return value

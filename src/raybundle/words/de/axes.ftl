@@ -33,3 +33,7 @@ axes-plane_or_level = Koordinatensystem: { $both ->
        *[no] Weder ein Ebenenpunkt noch die Punkte eines Horizonts sind angegeben
      }.
     .do = Eines davon angeben.
+
+axes-point_count = Angegebene Punkte: { $n }; ein Koordinatensystem braucht drei, zwei oder keinen.
+    .why = Zwei genügen, wo Horizonte oder Lotlinien die Lotrichtung festlegen.
+    .do = Ursprung, Achse und Ebene, oder Ursprung und Achse, oder keinen angeben.

@@ -10,3 +10,9 @@ bias-misfit = Die Passpunkte passen mit dem Bias { $model } nicht zum RPC: rms {
         [yes] Bias { $advised } verwenden
        *[no] Prüfen, ob Punkte und Szene zusammengehören,
      } und prüfen, ob die Höhen ellipsoidisch sind und Pixel von der äußeren Ecke zählen.
+
+bias-not_determined = { $n } { $n ->
+        [one] Punkt bestimmt
+       *[other] Punkte bestimmen
+     } die Korrektur { $model } nicht.
+    .do = Punkte ergänzen oder eine andere Korrektur wählen.

@@ -59,3 +59,6 @@ block-scale_free = Der Maßstab des Blocks ist nicht bestimmt: Keine Länge legt
         [yes] { " " }oder { OPTION("free_scale", "True") } für ein Bild ohne Einheit verwenden
        *[no] { "" }
      }.
+
+block-not_adjusted = Bilder haben keine Orientierung oder Punkte keine Koordinaten: Der Block ist nicht ausgeglichen.
+    .do = Ihn ausgleichen und das Ergebnis angeben.

@@ -34,3 +34,6 @@ dataset-server_answer = Der Server antwortet { $status } { $detail }.
 
 dataset-no_connection = Es gibt keine Verbindung zu { $host } ({ $detail }).
     .do = Das Netz prüfen (HTTPS_PROXY nennt einen Proxy) und den Befehl wiederholen; er setzt dort fort.
+
+dataset-incomplete = { $name } fehlt; ein Satz hat photos, measured.csv und truth.
+    .do = Den Satz neu erzeugen.

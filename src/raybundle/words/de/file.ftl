@@ -75,3 +75,10 @@ file-empty = Die Datei ist leer.
 
 file-suffix = Der Name muss auf { LIST($known, most: 20) } enden.
     .do = Einen solchen Namen wählen.
+
+file-name_not_utf8 = Dieser Name ist kein gültiges UTF-8.
+    .why = Das Ergebnis enthält seinen Namen in UTF-8.
+    .do = { OPTION("out") } anders wählen.
+
+file-read_by_command = Diese Datei ist Eingabe des Befehls; sie wird nicht überschrieben.
+    .do = Einen anderen Namen wählen.

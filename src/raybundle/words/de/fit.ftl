@@ -17,3 +17,10 @@ fit-points_in_line = Die { $n } { $kind ->
 fit-covariance_singular = Die gemeinsame Kovarianzmatrix der eingepassten Punkte ist singulär.
     .why = Einige dieser Punkte sind fehlerfrei gehalten.
     .do = Mit gleichen Gewichten einpassen.
+
+fit-other_unit = Sollpunkte liegen { NUM($ratio, digits: 4) }-mal so weit auseinander wie die gemessenen.
+    .why = Ihre Einheit oder die der Maßstabsstrecken ist falsch{ $likely ->
+        [yes] { " " }(vermutlich { $units })
+       *[no] { "" }
+     }.
+    .do = Maßstabsstrecken in Metern angeben; { OPTION("unit", 0.001) } liest Dateien in Millimetern.

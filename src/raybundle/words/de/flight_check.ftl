@@ -3,3 +3,6 @@ flight_check-no_positions = Keine der Aufnahmen hat eine Position.
 
 flight_check-other_place = Keine Aufnahme liegt dort, wo die Befliegung { $mission } eine plant; im Mittel sind es { NUM($away_m, decimals: 0) } m.
     .do = Prüfen, ob es der Plan dieses Flugs ist.
+
+flight_check-no_crs = Die Mission hat lokale Koordinaten; Aufnahmen haben Positionen auf der Erde.
+    .do = Sie in einem Koordinatensystem planen: { OPTION("crs", "EPSG:CODE") }.

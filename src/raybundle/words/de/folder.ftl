@@ -25,3 +25,6 @@ folder-not_listed = Der Inhalt des Ordners ist nicht lesbar ({ $detail }).
 
 folder-missing = Den Ordner dieser Datei gibt es nicht.
     .do = Ihn zuerst anlegen.
+
+folder-other_block = Der Ordner enthält einen anderen Block; er wird nicht überschrieben.
+    .do = { OPTION("out") } anders wählen.

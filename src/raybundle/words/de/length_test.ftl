@@ -9,3 +9,22 @@ length_test-invalid_length = Länge { $start } - { $end }: { $length_m } m mit S
 length_test-no_error = Länge { $start } - { $end } hat keinen Fehler, da beide Enden gehalten sind.
     .why = Sie kann die Messung nicht prüfen.
     .do = Diese Länge weglassen.
+
+length_test-same_ends = Länge { $start } - { $end }: Beide Enden sind derselbe Punkt.
+    .do = Die Namen der Enden berichtigen.
+
+length_test-ends_not_measured = Enden von { $bars ->
+        [yes] Maßstabsstrecken
+       *[no] bekannten Längen
+     }, die nicht gemessen sind: { LIST($points, most: 10) }.
+    .do = Die Namen berichtigen oder diese Punkte messen.
+
+length_test-other_unit = Bekannte Längen sind { NUM($ratio, digits: 4) }-mal so lang wie die gemessenen.
+    .why = Ihre Einheit oder die der Maßstabsstrecken ist falsch{ $likely ->
+        [yes] { " " }(vermutlich { $units })
+       *[no] { "" }
+     }.
+    .do = Maßstabsstrecken in Metern angeben{ $table ->
+        [yes] ; { OPTION("unit", 0.001) } liest Dateien in Millimetern
+       *[no] { "" }
+     }.

@@ -9,3 +9,6 @@ mask-all_hidden = Die Masken schließen { $hidden } von { $n } Aufnahmen ganz au
 mask-size_differs = Die Maske hat { $width_px } x { $height_px } px, die Aufnahme { $photograph } { $photograph_width_px } x { $photograph_height_px } px.
     .why = Die Maske wird nicht verwendet: Größen müssen gleich oder ganze Vielfache sein (EXIF-Ausrichtung { $orientation }).
     .do = Die Maske neu exportieren.
+
+mask-corner_form = Ecke { $corner } des Polygons ist { $word }.
+    .do = x und y mit Komma, Ecken mit Leerzeichen dazwischen angeben: '10,20 300,20 300,200'

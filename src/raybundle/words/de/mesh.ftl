@@ -16,3 +16,6 @@ mesh-not_readable = Die Datei ist nicht als Vermaschung lesbar ({ $detail }).
 
 mesh-too_many_triangles = Die Vermaschung hat { $n } Dreiecke; höchstens { $most } werden gelesen.
     .do = Sie zuvor vereinfachen.
+
+mesh-too_small = Die Vermaschung ist { $extent_mm } mm groß, wenn ihre Einheit { $unit_m } m ist; nötig sind { $least_mm } mm.
+    .do = Ihre Einheit angeben; { OPTION("unit", 0.001) } steht für Millimeter.

@@ -93,3 +93,28 @@ mission-way_in_zone = Ein Weg { $end ->
 
 mission-no_way = Kein Weg von { NUM($x, decimals: 1) }; { NUM($y, decimals: 1) } nach { NUM($to_x, decimals: 1) }; { NUM($to_y, decimals: 1) } umgeht die Flugverbotszonen.
     .do = Auf derselben Seite der Zonen starten oder sie öffnen.
+
+mission-name = { $name } ist als Dateiname nicht möglich.
+    .do = { OPTION("name") } aus Buchstaben, Ziffern, Leerzeichen, Punkten, - und _ angeben.
+
+mission-gsd_too_large = { OPTION("gsd", $gsd_m) }: Dieses Pixel braucht einen Abstand von { NUM($distance_m, decimals: 0) } m (Grenze { NUM($limit_m, decimals: 0) } m).
+    .why = Die Grenze ist das { $times }-Fache von { OPTION("height_limit") }.
+    .do = Die Pixelgröße in Metern angeben{ $unit ->
+        [cm] ; vermutlich ist sie in Zentimetern
+        [mm] ; vermutlich ist sie in Millimetern
+       *[other] { "" }
+     }.
+
+mission-shape = Das Muster { $pattern } braucht { $wanted ->
+        [area] ein Polygon
+        [line] eine Linie
+       *[place] einen Punkt oder ein Polygon
+     }; { $area } enthält { $kind ->
+        [area] Polygone
+        [line] Linien
+       *[place] Punkte
+     }.
+    .do = { OPTION("pattern") } anders wählen oder eine andere Datei angeben.
+
+mission-several_outlines = { $area } enthält { $n } Umrisse; eine Mission hat einen.
+    .do = Sie einzeln angeben oder zu einem verbinden.

@@ -103,3 +103,6 @@ photograph-too_few = Aufnahmen in diesem Ordner: { $n }; nötig sind zwei.
        *[other] Nicht lesbare Dateien: { $unreadable } ({ LIST($names, most: 3) }).
      }
     .do = Den Pfad prüfen.
+
+photograph-none = Hier ist keine Aufnahme.
+    .do = Aufnahmen oder Ordner mit Aufnahmen angeben.

@@ -148,3 +148,34 @@ plan-not_determined = Ein Netz aus { $stations } Standpunkten bestimmt nicht all
         [yes] Mehr Punkte oder Standpunkte planen oder die Kameraparameter festhalten
        *[no] Mehr Punkte oder Standpunkte planen
      }.
+
+plan-list_count = Die Liste hat { $n } Aufnahmen, die Planung { $planned }.
+    .do = Die Liste neu erzeugen.
+
+plan-list_missing = Die gedruckte Liste fehlt.
+    .do = Die Liste neu erzeugen.
+
+plan-list_edges = Die Kanten des Objekts fehlen oder haben nicht je zwei Enden.
+    .do = Die Liste neu erzeugen.
+
+plan-station_at_itself = Eine Aufnahmestation hat sich selbst als Zielpunkt.
+    .do = Ihre at_X, at_Y und at_Z berichtigen.
+
+plan-never_sharp = Aufnahmen sind ab { $near_m } m scharf; Stationen sind höchstens { $far_m } m entfernt.
+    .do = { OPTION("f_number") } größer, { OPTION("focus") } anders oder { OPTION("around") } größer wählen.
+
+plan-points_and_aim = { OPTION("points") } gehört zu { OPTION("aim", "worst") }.
+    .do = Eines von beiden weglassen.
+
+plan-no_improvement = Keine von { $n } möglichen Stationen senkt eine Standardabweichung.
+    .why = Die Geometrie der Aufnahmen ist nicht die Grenze.
+    .do = Passpunkte, Maßstabsstrecken oder genauere Bildpunkte ergänzen oder { OPTION("step") } oder { OPTION("around") } vergrößern.
+
+plan-focus_without_scale = { OPTION("focus") } braucht den Maßstab des Blocks; er ist nicht bestimmt.
+    .do = Es weglassen.
+
+plan-unknown_list = Es gibt keine Liste der Art { $kind }.
+    .do = Eine von { LIST($known, most: 20) } verwenden.
+
+plan-point_missing = Punkt { $point } des Blocks der Planung fehlt.
+    .do = Die Planung neu erzeugen.

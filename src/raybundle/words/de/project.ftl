@@ -39,3 +39,12 @@ project-not_writable = In den Ordner lässt sich nicht schreiben ({ $detail }).
 
 project-photographs_missing = Aufnahmen des Projekts, die fehlen: { $n } ({ LIST($names, most: 3) }).
     .do = Die fehlenden Aufnahmen ergänzen oder ein anderes Projekt wählen.
+
+project-not_a_project = Dies ist kein Projektordner.
+    .do = Den Ordner eines Projekts oder einen neuen Namen angeben; orient verwendet die Angaben dann im neuen Projekt.
+
+project-missing = Es gibt kein solches Projekt.
+    .do = { $n ->
+        [0] Eines
+       *[other] Prüfen, ob { LIST($near, most: 1) } gemeint ist, oder eines
+     } mit einer Angabe wie { OPTION("object", "NAME") } und { OPTION("new", "True") } beginnen.

@@ -62,3 +62,12 @@ sheet-place_out_of_range = { $value_mm } mm ist keine Position auf einem Blatt.
 
 sheet-length_out_of_range = { $value_mm } mm ist keine Länge auf einem Blatt.
     .do = Einen Wert von 0 bis { $most_mm } mm angeben.
+
+sheet-spacing_missing = { $family }: Die Seite eines Quadrats oder der Abstand der Punkte fehlt.
+    .do = { OPTION("spacing", "25mm") } angeben.
+
+sheet-dots_without_numbers = Punkte haben keine Nummern, die { OPTION("codes") } wählen könnte.
+    .do = { OPTION("count") } angeben, oder nichts für so viele, wie Platz haben.
+
+sheet-board_without_numbers = { $family } ist eine Tafel; ihre Punkte haben keine Nummern zur Auswahl.
+    .do = { OPTION("codes") } und { OPTION("count") } weglassen.

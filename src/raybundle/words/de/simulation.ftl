@@ -21,3 +21,9 @@ simulation-control_layout = Für { $n } Passpunkte gibt es keine Anordnung.
 simulation-too_few_photographs = { $n } von { $total } Aufnahmen des Flugs zeigen { $least } Verknüpfungspunkte; nötig sind zwei Aufnahmen.
     .why = Eine Aufnahme bedeckt { $across_m } m; Verknüpfungspunkte liegen { $spacing_m } m auseinander auf { $width_m } x { $length_m } m, Aufnahmen { $base_m } m, Streifen { $lines_m } m.
     .do = { OPTION("height") }, { OPTION("base") }, { OPTION("line_spacing") }, { OPTION("ground") }, { OPTION("tie_points") } oder { OPTION("jitter") } anpassen.
+
+simulation-unknown_scene = { $name } ist weder eine Szene noch der Ordner einer Planung oder eines Blocks.
+    .do = Eine von { LIST($known, most: 20) } oder einen solchen Ordner angeben.
+
+simulation-setting_of_scenes = { OPTION($setting) } gehört zu Szenen; { $folder } hat eigene Passpunkte und Maßstabsstrecken.
+    .do = Es weglassen oder damit planen.

@@ -28,3 +28,19 @@ target-table_settings = { OPTION("table") } und { OPTION("bits") } beschreiben e
         [yes] { " " }und { OPTION("sheet") }
        *[no] { "" }
      }.
+
+target-needs_photographs = { OPTION("target") } und { OPTION("dots") } gehören zu Aufnahmen; { $name } ist ein Ergebnis.
+    .do = Sie weglassen.
+
+target-family_missing = Die Familie der Zielmarken ist nicht genannt.
+    .why = Familien verwenden dieselben Ringe mit verschiedenen Nummern.
+    .do = { OPTION("target", "FAMILY") } ({ LIST($known, most: 40) }) oder { OPTION("table", "FILE") } und { OPTION("bits", "N") } angeben.
+
+target-code_form = { OPTION("codes", $text) }: { $word } ist weder eine Zahl noch ein Bereich.
+    .do = Einen Bereich als 7-12 schreiben.
+
+target-code_range = { OPTION("codes") }: { $word } ist mehr als die { $most } möglichen Zielmarken.
+    .do = Einen kleineren Bereich wählen.
+
+target-code_twice = { OPTION("codes", $text) }: Eine Nummer kommt zweimal vor, oder ein Bereich läuft abwärts.
+    .do = Die Liste berichtigen.

@@ -51,3 +51,8 @@ axes-plane_or_level = Coordinate system: { $both ->
        *[no] neither a plane point nor the points of a level are given
      }.
     .do = Give one of them.
+
+# $n = 1
+axes-point_count = Points given: { $n }; a coordinate system needs three, two or none.
+    .why = Two are enough where levels or plumb lines define the vertical.
+    .do = Give origin, axis and plane, or origin and axis, or none.

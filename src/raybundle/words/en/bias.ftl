@@ -22,3 +22,11 @@ bias-misfit = The control points do not fit the RPC with bias { $model }: rms { 
         [yes] Use bias { $advised }
        *[no] Check that points and scene belong together
      }, and check that heights are ellipsoidal and pixels count from the outer corner.
+
+# $n = 2
+# $model = "affine"
+bias-not_determined = { $n } { $n ->
+        [one] point does
+       *[other] points do
+     } not determine the bias { $model }.
+    .do = Add points, or choose another bias.

@@ -95,3 +95,6 @@ block-scale_free = The scale of the block is not determined: no length fixes it.
         [yes] , or use { OPTION("free_scale", "True") } for a picture without unit
        *[no] { "" }
      }.
+
+block-not_adjusted = Images have no orientation, or points no coordinates: the block is not adjusted.
+    .do = Adjust it, and give the result.

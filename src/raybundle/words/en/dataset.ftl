@@ -53,3 +53,7 @@ dataset-server_answer = The server answers { $status } { $detail }.
 # $detail = "timed out"
 dataset-no_connection = There is no connection to { $host } ({ $detail }).
     .do = Check the network (HTTPS_PROXY names a proxy), and run the command again; it continues there.
+
+# $name = "truth"
+dataset-incomplete = { $name } is missing; a set has photos, measured.csv and truth.
+    .do = Create the set again.

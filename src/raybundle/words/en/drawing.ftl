@@ -12,3 +12,10 @@ drawing-no_extent = There are no points or lines to draw.
 # $height = 0.0
 drawing-no_area = The area to draw is { $width } x { $height }; both must be above 0.
     .do = Correct { OPTION("extent") }.
+
+drawing-several_results = Points and lines of one result can be drawn; this is the second.
+    .do = Give one result.
+
+# $setting = "plane"
+drawing-plane_of_picture = { OPTION($setting) } defines the plane of a result; a picture has its own plane.
+    .do = Leave it out, or rectify the picture with it.

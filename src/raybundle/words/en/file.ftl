@@ -88,3 +88,10 @@ file-empty = The file is empty.
 # $known = [".html", ".htm"]
 file-suffix = The name must end in { LIST($known, most: 20) }.
     .do = Choose such a name.
+
+file-name_not_utf8 = This name is not valid UTF-8.
+    .why = The result contains its name in UTF-8.
+    .do = Choose another { OPTION("out") }.
+
+file-read_by_command = This file is input of the command; it is not overwritten.
+    .do = Choose another name.

@@ -28,3 +28,13 @@ fit-points_in_line = The { $n } { $kind ->
 fit-covariance_singular = The joint covariance matrix of the fitted points is singular.
     .why = Some of these points are held without error.
     .do = Fit with equal weights.
+
+# $ratio = 1000.2
+# $likely = true
+# $units = "mm for m"
+fit-other_unit = Nominal points are { NUM($ratio, digits: 4) } times as far apart as the measured ones.
+    .why = Their unit or that of the scale bars is wrong{ $likely ->
+        [yes] { " " }(likely { $units })
+       *[no] { "" }
+     }.
+    .do = Give scale bars in metres; { OPTION("unit", 0.001) } reads files in millimetres.

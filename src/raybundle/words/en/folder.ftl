@@ -31,3 +31,6 @@ folder-not_listed = The folder cannot be listed ({ $detail }).
 
 folder-missing = The folder of this file does not exist.
     .do = Create it first.
+
+folder-other_block = The folder contains another block, which is not overwritten.
+    .do = Choose another { OPTION("out") }.

@@ -21,3 +21,8 @@ mask-all_hidden = The masks exclude { $hidden } of { $n } photographs completely
 mask-size_differs = The mask has { $width_px } x { $height_px } px, photograph { $photograph } { $photograph_width_px } x { $photograph_height_px } px.
     .why = The mask is not used: sizes must be equal, or whole multiples (EXIF orientation { $orientation }).
     .do = Export the mask again.
+
+# $corner = 2
+# $word = "'300'"
+mask-corner_form = Corner { $corner } of the polygon is { $word }.
+    .do = Give x and y with a comma, corners with a blank between: '10,20 300,20 300,200'

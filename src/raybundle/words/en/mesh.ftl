@@ -27,3 +27,9 @@ mesh-not_readable = The file cannot be read as a mesh ({ $detail }).
 # $most = 5000000
 mesh-too_many_triangles = The mesh has { $n } triangles; at most { $most } are read.
     .do = Simplify it first.
+
+# $extent_mm = 0.02
+# $unit_m = 0.001
+# $least_mm = 1.0
+mesh-too_small = The mesh is { $extent_mm } mm large if its unit is { $unit_m } m; at least { $least_mm } mm are needed.
+    .do = Give its unit; { OPTION("unit", 0.001) } is for millimetres.

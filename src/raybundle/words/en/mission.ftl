@@ -145,3 +145,40 @@ mission-way_in_zone = A way { $end ->
 # $to_y = 5337100.2
 mission-no_way = No way from { NUM($x, decimals: 1) }, { NUM($y, decimals: 1) } to { NUM($to_x, decimals: 1) }, { NUM($to_y, decimals: 1) } avoids the no-go zones.
     .do = Take off on the same side of the zones, or open them.
+
+# $name = "'a/b'"
+mission-name = { $name } is not possible as a file name.
+    .do = Give { OPTION("name") } of letters, digits, blanks, points, - and _.
+
+# $gsd_m = 2.0
+# $distance_m = 7200.0
+# $limit_m = 1200.0
+# $times = 10
+# $unit = "cm"
+mission-gsd_too_large = { OPTION("gsd", $gsd_m) }: this pixel needs a distance of { NUM($distance_m, decimals: 0) } m (limit { NUM($limit_m, decimals: 0) } m).
+    .why = The limit is { $times } times { OPTION("height_limit") }.
+    .do = Give the pixel size in metres{ $unit ->
+        [cm] ; it is probably in centimetres
+        [mm] ; it is probably in millimetres
+       *[other] { "" }
+     }.
+
+# $pattern = "grid"
+# $area = "site.kml"
+# $wanted = "area"
+# $kind = "line"
+mission-shape = Pattern { $pattern } needs { $wanted ->
+        [area] a polygon
+        [line] a line
+       *[place] a point or a polygon
+     }; { $area } contains { $kind ->
+        [area] polygons
+        [line] lines
+       *[place] points
+     }.
+    .do = Choose another { OPTION("pattern") }, or another file.
+
+# $area = "site.kml"
+# $n = 3
+mission-several_outlines = { $area } contains { $n } outlines; a mission has one.
+    .do = Give them one by one, or join them into one.

@@ -159,3 +159,6 @@ photograph-too_few = Photographs in this folder: { $n }; two are needed.
        *[other] Files that cannot be read: { $unreadable } ({ LIST($names, most: 3) }).
      }
     .do = Check the path.
+
+photograph-none = There is no photograph here.
+    .do = Give photographs, or folders of photographs.

@@ -237,3 +237,42 @@ plan-not_determined = A network of { $stations } stations does not determine all
         [yes] Plan more points or stations, or fix the camera parameters
        *[no] Plan more points or stations
      }.
+
+# $n = 23
+# $planned = 24
+plan-list_count = The list has { $n } photographs, the plan { $planned }.
+    .do = Create the list again.
+
+plan-list_missing = The printed list is missing.
+    .do = Create the list again.
+
+plan-list_edges = The edges of the object are missing, or have not two ends each.
+    .do = Create the list again.
+
+plan-station_at_itself = A station has itself as the point at which it looks.
+    .do = Correct its at_X, at_Y and at_Z.
+
+# $near_m = 3.5
+# $far_m = 2.0
+plan-never_sharp = Photographs are sharp from { $near_m } m on; stations are at most { $far_m } m away.
+    .do = Choose a larger { OPTION("f_number") }, another { OPTION("focus") } or a larger { OPTION("around") }.
+
+plan-points_and_aim = { OPTION("points") } belongs to { OPTION("aim", "worst") }.
+    .do = Leave one of the two out.
+
+# $n = 420
+plan-no_improvement = None of { $n } candidate stations reduces a standard deviation.
+    .why = The geometry of the photographs is not the limit.
+    .do = Add control, scale bars or more precise image points, or extend { OPTION("step") } or { OPTION("around") }.
+
+plan-focus_without_scale = { OPTION("focus") } needs the scale of the block, which is not determined.
+    .do = Leave it out.
+
+# $kind = "castle"
+# $known = ["building", "facade"]
+plan-unknown_list = There is no list of the kind { $kind }.
+    .do = Use one of { LIST($known, most: 20) }.
+
+# $point = "P7"
+plan-point_missing = Point { $point } of the block of the plan is missing.
+    .do = Create the plan again.

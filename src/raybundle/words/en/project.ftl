@@ -55,3 +55,14 @@ project-photographs_missing = { $n } { $n ->
        *[other] are
      } missing: { LIST($names, most: 3) }.
     .do = Add the missing photographs, or choose another project.
+
+project-not_a_project = This is not a project folder.
+    .do = Give the folder of a project, or a new name; orient then uses the record in the new project.
+
+# $n = 1
+# $near = ["facade"]
+project-missing = There is no such project.
+    .do = { $n ->
+        [0] Begin
+       *[other] Check whether { LIST($near, most: 1) } is meant, or begin
+     } one by an entry such as { OPTION("object", "NAME") }, with { OPTION("new", "True") }.

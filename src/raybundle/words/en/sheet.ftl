@@ -104,3 +104,14 @@ sheet-place_out_of_range = { $value_mm } mm is not a position on a sheet.
 # $most_mm = 100000.0
 sheet-length_out_of_range = { $value_mm } mm is not a length on a sheet.
     .do = Give a value from 0 to { $most_mm } mm.
+
+# $family = "apriltag-36h11"
+sheet-spacing_missing = { $family }: the side of a square or the distance of dots is missing.
+    .do = Give { OPTION("spacing", "25mm") }.
+
+sheet-dots_without_numbers = Dots have no numbers from which { OPTION("codes") } could choose.
+    .do = Give { OPTION("count") }, or nothing for as many as there is space for.
+
+# $family = "chessboard-9x6"
+sheet-board_without_numbers = { $family } is a board; its points have no numbers to choose from.
+    .do = Leave out { OPTION("codes") } and { OPTION("count") }.

@@ -47,3 +47,13 @@ simulation-control_layout = There is no layout of { $n } control points.
 simulation-too_few_photographs = { $n } of { $total } photographs of the flight show { $least } tie points; two photographs are needed.
     .why = A photograph covers { $across_m } m; tie points are { $spacing_m } m apart over { $width_m } x { $length_m } m, photographs { $base_m } m, lines { $lines_m } m.
     .do = Adapt { OPTION("height") }, { OPTION("base") }, { OPTION("line_spacing") }, { OPTION("ground") }, { OPTION("tie_points") } or { OPTION("jitter") }.
+
+# $name = "tower"
+# $known = ["box", "facade"]
+simulation-unknown_scene = { $name } is neither a scene nor the folder of a plan or a block.
+    .do = Give one of { LIST($known, most: 20) }, or such a folder.
+
+# $setting = "check_points"
+# $folder = "plan"
+simulation-setting_of_scenes = { OPTION($setting) } belongs to scenes; { $folder } has its own control and scale bars.
+    .do = Leave it out, or plan with it.

@@ -49,3 +49,26 @@ target-table_settings = { OPTION("table") } and { OPTION("bits") } define target
         [yes] { " " }and { OPTION("sheet") }
        *[no] { "" }
      }.
+
+# $name = "bench"
+target-needs_photographs = { OPTION("target") } and { OPTION("dots") } belong to photographs; { $name } is a result.
+    .do = Leave them out.
+
+# $known = ["agisoft12", "aicon14"]
+target-family_missing = The family of the targets is not named.
+    .why = Families use the same rings with different numbers.
+    .do = Give { OPTION("target", "FAMILY") } ({ LIST($known, most: 40) }), or { OPTION("table", "FILE") } and { OPTION("bits", "N") }.
+
+# $text = "1,a"
+# $word = "'a'"
+target-code_form = { OPTION("codes", $text) }: { $word } is neither a number nor a range.
+    .do = Write a range as 7-12.
+
+# $word = "'1-99999999'"
+# $most = 100000
+target-code_range = { OPTION("codes") }: { $word } is more than the { $most } possible targets.
+    .do = Choose a smaller range.
+
+# $text = "1,1"
+target-code_twice = { OPTION("codes", $text) }: a number occurs twice, or a range runs downwards.
+    .do = Correct the list.

@@ -18,3 +18,5 @@ axes-contradicts_block = Le système de coordonnées des points { $names } contr
 axes-no_vertical = Le système de coordonnées des points { $names } n'a pas de verticale.
 
 axes-plane_or_level = Système de coordonnées : il faut soit un point du plan, soit les points d'un niveau.
+
+axes-point_count = Points donnés : { $n } ; un système de coordonnées en demande trois, deux ou aucun.

@@ -39,3 +39,5 @@ block-parts_without_datum = Le bloc a { $parts } parties sans points de liaison 
 block-open_part = Images { LIST($images, most: 10) } : non déterminé : { datum-part }
 
 block-scale_free = L'échelle du bloc n'est pas déterminée : aucune longueur ne la fixe.
+
+block-not_adjusted = Le bloc n'est pas compensé : des images sans orientation, ou des points sans coordonnées.

@@ -19,3 +19,5 @@ dataset-connection_broken = La connexion a été interrompue ({ $detail }).
 dataset-server_answer = Le serveur répond { $status } { $detail }.
 
 dataset-no_connection = Pas de connexion à { $host } ({ $detail }).
+
+dataset-incomplete = { $name } manque ; un jeu contient photos, measured.csv et truth.

@@ -5,3 +5,7 @@ drawing-planes_differ = L'image est dans un autre plan ou système de coordonné
 drawing-no_extent = Il n'y a ni points ni lignes à dessiner.
 
 drawing-no_area = La surface à dessiner est de { $width } x { $height } ; il faut des valeurs supérieures à 0.
+
+drawing-several_results = On dessine les points et lignes d'un seul résultat ; celui-ci est le second.
+
+drawing-plane_of_picture = { OPTION($setting) } définit le plan d'un résultat ; une image a son propre plan.

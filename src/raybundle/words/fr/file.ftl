@@ -46,3 +46,7 @@ file-no_images = Il n'y a pas d'images.
 file-empty = Le fichier est vide.
 
 file-suffix = Le nom doit se terminer par { LIST($known, most: 20) }.
+
+file-name_not_utf8 = Ce nom n'est pas de l'UTF-8 valide.
+
+file-read_by_command = Ce fichier est une entrée de la commande ; il n'est pas écrasé.

@@ -7,3 +7,5 @@ fit-too_few_common = { $n } des { $nominal } points nominaux sont mesurés sous 
 fit-points_in_line = Les { $n } points de l'ajustement sont alignés ou confondus.
 
 fit-covariance_singular = La matrice de covariance des points ajustés est singulière.
+
+fit-other_unit = Les points nominaux sont { NUM($ratio, digits: 4) } fois plus éloignés que les points mesurés.

@@ -1,3 +1,5 @@
 flight_check-no_positions = Aucune des photos n'a de position.
 
 flight_check-other_place = Aucune photo n'est à un endroit prévu par la mission { $mission } ; l'écart moyen est de { NUM($away_m, decimals: 0) } m.
+
+flight_check-no_crs = La mission a des coordonnées locales ; les photographies ont des positions sur la Terre.

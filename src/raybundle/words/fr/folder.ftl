@@ -15,3 +15,5 @@ folder-several_files = Le dossier a { $n } fichiers { $name } ; il en faut un.
 folder-not_listed = Le dossier ne peut être listé ({ $detail }).
 
 folder-missing = Le dossier de ce fichier n'existe pas.
+
+folder-other_block = Le dossier contient un autre bloc, qui n'est pas écrasé.

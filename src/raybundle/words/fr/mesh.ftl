@@ -11,3 +11,5 @@ mesh-nothing_to_measure = Maillage { $name } : tous les triangles sont exclus de
 mesh-not_readable = Le fichier n'est pas lisible comme maillage ({ $detail }).
 
 mesh-too_many_triangles = Le maillage a { $n } triangles ; { $most } au plus sont lus.
+
+mesh-too_small = Le maillage mesure { $extent_mm } mm si son unité est { $unit_m } m ; il faut au moins { $least_mm } mm.

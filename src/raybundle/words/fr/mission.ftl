@@ -62,3 +62,19 @@ mission-way_in_zone = Un trajet { $end ->
      } dans une zone interdite, à { NUM($x, decimals: 1) } ; { NUM($y, decimals: 1) }.
 
 mission-no_way = Aucun trajet de { NUM($x, decimals: 1) } ; { NUM($y, decimals: 1) } à { NUM($to_x, decimals: 1) } ; { NUM($to_y, decimals: 1) } n'évite les zones interdites.
+
+mission-name = { $name } n'est pas possible comme nom de fichier.
+
+mission-gsd_too_large = { OPTION("gsd", $gsd_m) } : ce pixel demande une distance de { NUM($distance_m, decimals: 0) } m (limite { NUM($limit_m, decimals: 0) } m).
+
+mission-shape = Le motif { $pattern } demande { $wanted ->
+        [area] un polygone
+        [line] une ligne
+       *[place] un point ou un polygone
+     } ; { $area } contient { $kind ->
+        [area] des polygones
+        [line] des lignes
+       *[place] des points
+     }.
+
+mission-several_outlines = { $area } contient { $n } contours ; une mission en a un.

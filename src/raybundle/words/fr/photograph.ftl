@@ -58,3 +58,5 @@ photograph-size_of_calibration = La photographie a { $width_px } x { $height_px 
 photograph-folder_unknown = Le dossier des photographies est inconnu.
 
 photograph-too_few = Photographies dans ce dossier : { $n } ; il en faut deux.
+
+photograph-none = Il n'y a pas de photographie ici.

@@ -90,3 +90,23 @@ plan-station_sees_too_few = La station { $station } voit { $n } des { $total } p
 plan-too_few_rays = Avec { $stations } stations, { $n } des { $total } points de l'objet ont moins de { $least } rayons.
 
 plan-not_determined = Un réseau de { $stations } stations ne détermine pas toutes les inconnues.
+
+plan-list_count = La liste a { $n } photographies, le plan { $planned }.
+
+plan-list_missing = La liste imprimée manque.
+
+plan-list_edges = Les arêtes de l'objet manquent ou n'ont pas deux extrémités.
+
+plan-station_at_itself = Une station a sa propre position pour point de visée.
+
+plan-never_sharp = Les photographies sont nettes à partir de { $near_m } m ; les stations sont à { $far_m } m au plus.
+
+plan-points_and_aim = { OPTION("points") } va avec { OPTION("aim", "worst") }.
+
+plan-no_improvement = Aucune des { $n } stations possibles ne réduit un écart-type.
+
+plan-focus_without_scale = { OPTION("focus") } demande l'échelle du bloc, qui n'est pas déterminée.
+
+plan-unknown_list = Il n'y a pas de liste du type { $kind }.
+
+plan-point_missing = Le point { $point } du bloc du plan manque.

@@ -15,3 +15,7 @@ project-no_run = Ce n'est pas un dossier de projet, ou aucune exécution n'y a c
 project-not_writable = Le dossier ne peut pas être écrit ({ $detail }).
 
 project-photographs_missing = Photographies du projet qui manquent : { $n } ({ LIST($names, most: 3) }).
+
+project-not_a_project = Ce n'est pas un dossier de projet.
+
+project-missing = Il n'y a pas de tel projet.

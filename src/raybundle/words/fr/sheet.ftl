@@ -39,3 +39,9 @@ sheet-same_ring = Deux cibles ont le même anneau.
 sheet-place_out_of_range = { $value_mm } mm n'est pas une position sur une feuille.
 
 sheet-length_out_of_range = { $value_mm } mm n'est pas une longueur sur une feuille.
+
+sheet-spacing_missing = { $family } : le côté d'un carré ou la distance des points manque.
+
+sheet-dots_without_numbers = Les points n'ont pas de numéros que { OPTION("codes") } pourrait choisir.
+
+sheet-board_without_numbers = { $family } est une mire ; ses points n'ont pas de numéros à choisir.

@@ -11,3 +11,7 @@ simulation-control_without_sigma = Bloc { $block } : le point d'appui { $point }
 simulation-control_layout = Il n'y a pas de disposition pour { $n } points d'appui.
 
 simulation-too_few_photographs = { $n } des { $total } photos du vol montrent { $least } points de liaison ; il en faut deux.
+
+simulation-unknown_scene = { $name } n'est ni une scène, ni le dossier d'un plan ou d'un bloc.
+
+simulation-setting_of_scenes = { OPTION($setting) } concerne les scènes ; { $folder } a ses propres appuis et barres d'échelle.

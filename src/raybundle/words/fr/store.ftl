@@ -52,3 +52,5 @@ store-chained = Une URL enchaînée (::) ne peut pas être un dépôt.
 store-web_page = Rien ne peut être écrit par { $scheme }.
 
 store-unknown_scheme = { $scheme }:// n'est pas un type de dépôt.
+
+store-of_last_run = Le dépôt de la dernière exécution est inutilisable :

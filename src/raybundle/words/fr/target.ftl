@@ -11,3 +11,13 @@ target-unknown_family = La famille de cibles { $name } est inconnue.
 target-too_few_codes = La famille de cibles { $family } a { $n } cibles ; { $wanted } sont demandées.
 
 target-table_settings = { OPTION("table") } et { OPTION("bits") } vont ensemble et excluent d'autres cibles.
+
+target-needs_photographs = { OPTION("target") } et { OPTION("dots") } concernent les photographies ; { $name } est un résultat.
+
+target-family_missing = La famille des cibles n'est pas nommée.
+
+target-code_form = { OPTION("codes", $text) } : { $word } n'est ni un nombre ni une plage.
+
+target-code_range = { OPTION("codes") } : { $word } dépasse les { $most } cibles possibles.
+
+target-code_twice = { OPTION("codes", $text) } : un numéro figure deux fois, ou une plage décroît.

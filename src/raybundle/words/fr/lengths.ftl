@@ -1,0 +1,1 @@
+lengths-tolerance_without_lengths = { OPTION("allowed") } demande des longueurs connues.
