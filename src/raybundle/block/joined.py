@@ -15,7 +15,7 @@ from raybundle.block.block import Block, Points
 from raybundle.block.merge import PER_M, merge_blocks
 from raybundle.block.points import automatic, automatic_name, automatic_number
 from raybundle.block.transform import transform_block
-from raybundle.errors import InputError
+from raybundle.errors import InputError, Message, Severity, Value
 from raybundle.numerics.arrays import Array, Index, Mask
 from raybundle.numerics.counting import counted, significant
 from raybundle.numerics.transform import SimilarityTransform, similarity
@@ -51,8 +51,8 @@ class Joined:
     first: str
     """The block whose frame all stand in"""
     joints: tuple[Joint, ...]
-    remarks: tuple[str, ...]
-    cautions: tuple[str, ...] = ()
+    remarks: tuple[Message, ...]
+    cautions: tuple[Message, ...] = ()
     """What may make the adjustment of the block wrong"""
 
 
@@ -99,10 +99,10 @@ def join_blocks(
         raise InputError("join.one_block")
     first = frame_of(blocks)
     order = [first, *(k for k in range(len(blocks)) if k != first)]
-    base, joints, remarks = blocks[first], list[Joint](), list[str]()
+    base, joints, remarks = blocks[first], list[Joint](), list[Message]()
     if first != 0:
-        why = "control or positions" if fixed(base) == 2 else "a scale"
-        remarks.append(f"the frame is that of {names[first]}, which has {why}")
+        values: dict[str, Value] = {"name": names[first], "control": fixed(base) == 2}
+        remarks.append(Message(code="join.frame_of", severity=Severity.REMARK, values=values))
     taken = replace(base, name=names[first])
     for k in order[1:]:
         block, joint, told = _brought(
@@ -120,7 +120,7 @@ def join_blocks(
 
 def _brought(
     block: Block, base: Block, name: str, carriers: Mapping[str, float] | None, *, same_camera: bool
-) -> tuple[Block, Joint, list[str]]:
+) -> tuple[Block, Joint, list[Message]]:
     """A block in the frame of another, nothing in it called as something else there."""
     common = _common(block, base)
     mine, theirs = _rows(block, common), _rows(base, common)
@@ -144,7 +144,7 @@ def _brought(
         block = _moved(block, transform, base, name)
     apart = tuple((c, float(d)) for c, d, f in zip(common, distance.tolist(), kept, strict=True) if not f)
     carry = tuple(c for c, f in zip(common, kept, strict=True) if f)
-    remarks: list[str] = []
+    remarks: list[Message] = []
     block = _renamed(block, base, name, {c for c, _ in apart}, same_camera=same_camera, remarks=remarks)
     mean = np.average(distance[fits] ** 2, weights=weight[fits]) / 3 if fits.any() else np.nan
     return block, Joint(name=name, common=carry, apart=apart, transform=transform, rms=float(np.sqrt(mean))), remarks
@@ -216,7 +216,9 @@ def _moved(block: Block, by: SimilarityTransform, base: Block, name: str) -> Blo
     return replace(moved, points=replace(moved.points, xyz=xyz), free_scale=base.free_scale)
 
 
-def _renamed(block: Block, base: Block, name: str, apart: set[str], *, same_camera: bool, remarks: list[str]) -> Block:
+def _renamed(
+    block: Block, base: Block, name: str, apart: set[str], *, same_camera: bool, remarks: list[Message]
+) -> Block:
     """A block in which nothing but common points, and cameras where they are the same, is called as in another."""
     free = 1 + max((automatic_number(n) for n in base.points.ids), default=-1)
     points: dict[str, str] = {}
@@ -246,13 +248,11 @@ def _renamed(block: Block, base: Block, name: str, apart: set[str], *, same_came
     else:
         cameras = {c.id: _new(c.id, name, list(taken)) for c in block.cameras if c.id in taken}
     if images:
-        remarks.append(
-            f"{counted(len(images), 'image')} of {name} are called as others and are now {next(iter(images.values()))} "
-            "and so on"
-        )
+        values: dict[str, Value] = {"n": len(images), "name": name, "example": next(iter(images.values()))}
+        remarks.append(Message(code="join.images_renamed", severity=Severity.REMARK, values=values))
     if cameras:
-        told = ", ".join(f"{old} is now {new}" for old, new in cameras.items())
-        remarks.append(f"cameras of {name} are taken for others than those of one id: {told}")
+        values = {"n": len(cameras), "name": name, "ids": list(cameras), "renamed": list(cameras.values())}
+        remarks.append(Message(code="join.cameras_renamed", severity=Severity.REMARK, values=values))
     return replace(
         block,
         points=replace(block.points, ids=tuple(points.get(n, n) for n in block.points.ids)),

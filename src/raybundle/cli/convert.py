@@ -10,6 +10,7 @@ import click
 from raybundle.cli.common import FOLDER, NEW_FILE_OR_FOLDER, Command, common_options, counted, facts
 from raybundle.cli.settings import options_of, values_of
 from raybundle.commands.convert import ConvertSettings, run_convert
+from raybundle.errors import message
 from raybundle.io.formats import formats
 from raybundle.settings import made
 from raybundle.workflows.convert import WRITABLE
@@ -51,12 +52,7 @@ class _Target(click.Choice[str]):
         if "," in value:
             return ",".join(self.convert(v.strip(), param, ctx) for v in value.split(","))
         if value.lower() == "csv":
-            self.fail(
-                "there is no format 'csv': a block folder (--to block) and a result folder consist of CSV tables "
-                "already (images.csv, points.csv, observations.csv ...); copy the one you need",
-                param,
-                ctx,
-            )
+            self.fail(message("format.csv").text(), param, ctx)
         return super().convert(value, param, ctx)
 
 

@@ -46,6 +46,7 @@ def command(sources: tuple[Path, ...], progress: str, **given: Any) -> None:
     lines = [f"{', '.join(counts)} in the frame of {done.first}"]
     for joint in done.joints:
         lines += words_of(joint, "units" if block.free_scale else block.length_unit)
-    lines += [f"caution: {c}" for c in done.cautions] + [f"remark: {r}" for r in done.remarks]
+    for m in (*done.cautions, *done.remarks):
+        lines += f"{m.severity}: {m.text()}".splitlines()
     click.echo("\n".join(f" {line}" for line in lines))
     click.echo(f" {settings.out}; adjust it: raybundle adjust {settings.out} --reject snooping --out RESULT")

@@ -9,6 +9,7 @@ from typing import Any
 import click
 
 from raybundle import settings
+from raybundle.errors import message
 
 SMALLEST, LARGEST = 1e-12, 1e12
 """Least and greatest size of a number other than 0.
@@ -36,11 +37,10 @@ class Number(click.FloatRange):
         """The number; a usage error where it is none, is not finite or lies outside."""
         found = float(super().convert(value, param, ctx))
         if not math.isfinite(found):
-            self.fail(f"{value!r} is not a finite number", param, ctx)
+            self.fail(message("value.not_finite", value=repr(value)).text(), param, ctx)
         if abs(found) > LARGEST or 0 < abs(found) < SMALLEST:
-            self.fail(
-                f"{found:g} is out of range: numbers are 0 or from {SMALLEST:g} to {LARGEST:g} in size", param, ctx
-            )
+            out = message("value.size_out_of_range", value=found, least=SMALLEST, most=LARGEST)
+            self.fail(out.text(), param, ctx)
         return found
 
 
@@ -57,7 +57,7 @@ class Length(Number):
             return value
         match = LENGTH.fullmatch(str(value).strip())
         if match is None:
-            self.fail(f"{value!r} is not a length such as 5mm, 0.5cm or 0.2in", param, ctx)
+            self.fail(message("value.no_length", value=repr(value)).text(), param, ctx)
         return super().convert((number_of(match[1]) or 0.0) * UNITS[match[2]], param, ctx)
 
 

@@ -31,7 +31,7 @@ class StageName(click.ParamType):
         known = stages()
         begun = [name for name in known if name.startswith(str(value).lower())]
         if len(begun) != 1:
-            self.fail(f"{value!r} is not one of {', '.join(repr(n) for n in known)}.", param, ctx)
+            self.fail(message("value.not_supported", value=repr(value), known=list(known)).text(), param, ctx)
         return begun[0]
 
 

@@ -36,15 +36,17 @@ def defaults_of(path: Path, command: click.Command, name: str) -> dict[str, Any]
         for key, value in tables.get(table, {}).items():
             where = file.lines.get((*table.split(), key))
             if _plain(key) in TYPED:
-                raise InputError(f"{value.at}: --{_plain(key)} is typed, and stands in no file", file=path, line=where)
+                raise InputError(
+                    "settings_file.flag_only", flag=f"--{_plain(key)}", file=path, line=where, column=value.at
+                )
             option = options.get(_plain(key))
             if option is None and (own or _plain(key) not in _everywhere()):
                 _unknown(file, table, key, options if own else _everywhere())
             if option is not None and option.name:
                 try:
                     found[option.name] = _value(option, key, value.value, path.parent)
-                except ValueError as error:
-                    raise InputError(f"{value.at}: {error}", file=path, line=where) from None
+                except InputError as error:
+                    raise error.at(path, where, value.at) from None
     return found
 
 
@@ -67,11 +69,11 @@ def _of_command(
     member = group.get_command(context, word) if word in group.list_commands(context) else None
     if member is None or not isinstance(value.value, dict):
         near = difflib.get_close_matches(word, group.list_commands(context), n=1)
-        meant = f"; [{'.'.join((*before, *near))}] may be meant" if near and near[0] != word else ""
-        what = f"[{'.'.join(words)}] is the table of no command" if isinstance(value.value, dict) else (
-            f"{word} stands in no table of a command, as [adjust], and not in [{EVERY}]"
+        near = [f"[{'.'.join((*before, n))}]" for n in near if n != word]
+        raise InputError(
+            "settings_file.unknown_table", name=".".join(words), table=isinstance(value.value, dict), n=len(near),
+            near=near, general=f"[{EVERY}]", file=file.file, line=file.lines.get(words),
         )  # fmt: skip
-        raise InputError(f"{what}{meant}", file=file.file, line=file.lines.get(words))
     if not isinstance(member, click.Group):
         yield " ".join(words), dict(value.mapping())
         return
@@ -86,11 +88,11 @@ def _plain(name: str) -> str:
 def _value(option: click.Option, key: str, value: Any, folder: Path) -> Any:
     """What click makes a value of; a flag by its own name, or the setting that it turns around.
 
-    raises  ValueError for what cannot be typed
+    raises  InputError for what cannot be typed
     """
     if option.is_flag:
         if not isinstance(value, bool):
-            raise ValueError("true or false is needed")
+            raise InputError("value.no_truth_value", value=repr(value))
         named = any(_plain(n) == _plain(key) for n in option.opts)
         return option.flag_value if named and value else option.default if named else value
     is_path = isinstance(option.type, click.Path)
@@ -106,7 +108,7 @@ def _once(value: Any, count: int, folder: Path | None) -> Any:
     if count == 1:
         return _word(value, folder)
     if not isinstance(value, list) or len(value) != count:
-        raise ValueError(f"a list of {count} values is needed")
+        raise InputError("value.count", n=len(value) if isinstance(value, list) else 1, needed=count)
     return [_word(v, folder) for v in value]
 
 
@@ -115,7 +117,7 @@ def _word(value: Any, folder: Path | None) -> str:
     if isinstance(value, str):
         return value if folder is None else str(folder / value)
     if isinstance(value, bool) or not isinstance(value, int | float) or folder is not None:
-        raise ValueError("a text is needed" if folder is not None else "a number or a text is needed")
+        raise InputError("value.no_text" if folder is not None else "value.no_number_or_text", value=repr(value))
     return repr(value)
 
 
@@ -140,10 +142,8 @@ def _all(command: click.Command) -> list[click.Parameter]:
 
 def _unknown(file: Toml, table: str, key: str, options: Collection[str]) -> NoReturn:
     near = difflib.get_close_matches(_plain(key), sorted(options), n=3)
-    meant = f"; {' or '.join(near)} may be meant" if near else ""
-    where = "no command" if table == EVERY else f"raybundle {table}"
-    has = "has" if table == EVERY else "has no"
     raise InputError(
-        f"[{'.'.join(table.split())}] {key}: {where} {has} option --{_plain(key)}{meant}",
+        "settings_file.unknown_option", entry=f"[{'.'.join(table.split())}] {key}", flag=f"--{_plain(key)}",
+        command=f"raybundle {table}", every=table == EVERY, n=len(near), near=near,
         file=file.file, line=file.lines.get((*table.split(), key)),
     )  # fmt: skip

@@ -7,9 +7,8 @@ from dataclasses import MISSING, dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from raybundle.errors import InputError, NotSolvable
+from raybundle.errors import InputError, Message, NotSolvable, as_detail
 from raybundle.io.folders import check_free
-from raybundle.numerics.counting import counted, counted_are
 from raybundle.numerics.progress import Progress, silent
 from raybundle.settings import Range, made, setting
 
@@ -82,7 +81,7 @@ def run_merge(s: MergeSettings, progress: Progress = silent) -> Joined:
     cautions = measured_once(blocks, names)
     write_block(done.block, s.out)
     progress("writing", 1.0)
-    brought = [p.told for p in placed if p.told]
+    brought = [p.told for p in placed if p.told is not None]
     return replace(
         done, remarks=(*done.remarks, *brought, *told, *remarks), cautions=(*done.cautions, *cautions, *more)
     )
@@ -90,9 +89,10 @@ def run_merge(s: MergeSettings, progress: Progress = silent) -> Joined:
 
 def _with_dots_alike(
     blocks: Sequence[Block], names: Sequence[str]
-) -> tuple[list[Block], list[dict[str, str]], list[str]]:
+) -> tuple[list[Block], list[dict[str, str]], list[Message]]:
     """Blocks in which dots without a code are called alike where they are one by their place; what each was called."""
     from raybundle.block.joined import frame_of  # noqa: PLC0415
+    from raybundle.commands.merge_tests import remark  # noqa: PLC0415
     from raybundle.metrology.dots import Dots  # noqa: PLC0415
 
     first = frame_of(blocks)
@@ -106,18 +106,14 @@ def _with_dots_alike(
         found[k] = replace(block, points=replace(block.points, ids=ids))
     if not any(called):
         return found, called, []
-    one = counted_are(len(known.by_place), "dot")
-    rest = counted(sum(len(c) for c in called) - len(known.by_place), "other")
-    whose = ", ".join(n for n, c in zip(names, called, strict=True) if c)
-    told = (
-        f"dots without a code are numbered anew in each measurement: {one} the same by their place, {rest} of {whose} "
-    )
-    return found, called, [told + "got new numbers"]
+    rest = sum(len(c) for c in called) - len(known.by_place)
+    others = [n for n, c in zip(names, called, strict=True) if c]
+    return found, called, [remark("join.dots_renumbered", n=len(known.by_place), others=rest, names=others)]
 
 
 def _carriers(
     members: Sequence[Member], s: MergeSettings, progress: Progress
-) -> tuple[list[dict[str, float] | None], list[str], list[str]]:
+) -> tuple[list[dict[str, float] | None], list[Message], list[Message]]:
     """For each block the common points that stayed, by the congruence test against the block of the frame.
 
     Remarks and cautions beside it: about points, scales, frames and cameras of the same id.
@@ -125,19 +121,18 @@ def _carriers(
     import numpy as np  # noqa: PLC0415
 
     from raybundle.block.joined import frame_of  # noqa: PLC0415
-    from raybundle.commands.merge_tests import check_cameras, check_frames, stayed_of  # noqa: PLC0415
+    from raybundle.commands.merge_tests import check_cameras, check_frames, remark, stayed_of  # noqa: PLC0415
 
     first = frame_of([m.block for m in members])
     base = members[first]
     found: list[dict[str, float] | None] = [None] * len(members)
-    remarks: list[str] = []
-    cautions: list[str] = []
+    remarks: list[Message] = []
+    cautions: list[Message] = []
     try:
         progress("testing common points", 0.0)
         base.shape  # noqa: B018  (adjusted once, for all)
     except (InputError, NotSolvable) as error:
-        told = f"common points were not tested, as {base.name} cannot be adjusted by itself: {error.text()}"
-        return found, [told], []
+        return found, [remark("join.block_not_adjusted", details=[as_detail(error)], name=base.name)], []
     for k, member in enumerate(members):
         if k == first:
             continue
@@ -145,7 +140,7 @@ def _carriers(
         if s.same_camera:
             cautions += check_cameras(base, member)
         tested = stayed_of(base, member, s.significance)
-        if isinstance(tested, str):
+        if isinstance(tested, Message):
             remarks.append(tested)
             continue
         std = np.sqrt(np.trace(tested.covariance[0], axis1=1, axis2=2))
@@ -154,8 +149,5 @@ def _carriers(
         found[k] = carry
         cautions += check_frames(base, member, list(carry))
         if tested.after[1] < s.significance:
-            remarks.append(
-                f"common points of {member.name} that stayed differ by more than their standard deviations say (F "
-                f"{tested.after[0]:.3g}): these are too small, or many points moved a little"
-            )
+            remarks.append(remark("join.points_beyond_sigma", name=member.name, F=tested.after[0]))
     return found, remarks, cautions

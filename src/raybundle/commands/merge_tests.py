@@ -2,16 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
-from math import floor, log10
+from math import isinf
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from raybundle.errors import InputError, NotSolvable
-from raybundle.numerics.counting import counted_are, significant
-from raybundle.settings import option
+from raybundle.errors import InputError, Message, NotSolvable, Severity, Value, as_detail, message
 
 if TYPE_CHECKING:
     from raybundle.adjustment.result import Adjustment, InteriorResult
@@ -64,18 +62,21 @@ class Member:
         return (points if self.brought is None else points.moved(self.brought)), not done.datum_defect
 
     @property
-    def gives_scale(self) -> str:
-        """What tells its scale, in words."""
-        if self.block.points.is_control.any():
-            return f"control of {self.name}"
-        if len(self.block.stations):
-            return f"positions of {self.name}"
+    def gives_scale(self) -> Message:
+        """What defines its scale: control, positions, or its scale bars with their lengths."""
         d, ids = self.block.distances, self.block.points.ids
-        told = [
-            f"{ids[d.start[k]]} - {ids[d.end[k]]} of {d.length[k]:.10g} {self.block.length_unit}"
-            for k in range(min(BARS, len(d)))
-        ]
-        return f"scale bar {', '.join(told)}{' ...' if len(d) > BARS else ''} of {self.name}" if told else self.name
+        kind = "control" if self.block.points.is_control.any() else "positions" if len(self.block.stations) else "bars"
+        rows = range(min(BARS, len(d)) if kind == "bars" else 0)
+        return message(
+            "join.scale_of",
+            details=[
+                message(
+                    "join.scale_bar", start=ids[d.start[k]], end=ids[d.end[k]], length=float(d.length[k]),
+                    unit=self.block.length_unit,
+                ) for k in rows
+            ],
+            name=self.name, kind=kind, n=len(d),
+        )  # fmt: skip
 
     def _points(self, done: Adjustment) -> PointSet:
         from raybundle.measuring.point_sets import point_set  # noqa: PLC0415
@@ -84,7 +85,7 @@ class Member:
         return replace(points, ids=tuple(self.called.get(i, i) for i in points.ids))
 
 
-def measured_once(blocks: Sequence[Block], names: Sequence[str]) -> list[str]:
+def measured_once(blocks: Sequence[Block], names: Sequence[str]) -> list[Message]:
     """Cautions about photographs that two blocks have with the same image points.
 
     raises  InputError where a block has no photograph that is not in another
@@ -93,23 +94,19 @@ def measured_once(blocks: Sequence[Block], names: Sequence[str]) -> list[str]:
 
     from raybundle.block.same_images import images_measured_alike  # noqa: PLC0415
 
-    cautions: list[str] = []
+    cautions: list[Message] = []
     for (one, first), (two, second) in combinations(zip(names, blocks, strict=True), 2):
         alike = images_measured_alike(second, first)
         if not alike:
             continue
-        told = (
-            f"{counted_are(len(alike), 'photograph')} in {one} and in {two} with the same image points "
-            f"({', '.join(alike[:3])}{' ...' if len(alike) > 3 else ''})"
-        )
-        fewest, whose = min((len(first.images), one), (len(second.images), two))
+        fewest, name = min((len(first.images), one), (len(second.images), two))
         if len(alike) >= fewest:
-            raise InputError(f"{told}, all that {whose} has: they would count twice; leave it out")
-        cautions.append(f"{told}: they count twice, and standard deviations come out too small; leave them out of one")
+            raise InputError("join.same_measurement", n=len(alike), first=one, second=two, names=alike, name=name)
+        cautions.append(caution("join.same_photographs", n=len(alike), first=one, second=two, names=alike))
     return cautions
 
 
-def stayed_of(base: Member, member: Member, significance: float) -> Congruence | str:
+def stayed_of(base: Member, member: Member, significance: float) -> Congruence | Message:
     """The congruence test of two measurements, whose scale is free; or why there is none.
 
     raises  InputError where most common points are not one point
@@ -118,20 +115,17 @@ def stayed_of(base: Member, member: Member, significance: float) -> Congruence |
 
     try:
         if len(set(member.shape.ids) & set(base.shape.ids)) < LEAST:
-            return f"{member.name} has fewer than {LEAST} points in common with {base.name}: none is tested"
+            return remark("join.too_few_to_test", name=member.name, base=base.name, least=LEAST)
         tested = congruence([base.shape, replace(member.shape, free_scale=True)], significance=significance)
     except (InputError, NotSolvable) as error:
-        return f"common points of {member.name} were not tested: {error.text()}"
+        return remark("join.points_not_tested", details=[as_detail(error)], name=member.name)
     moved = int(tested.moved.sum())
     if 2 * moved > len(tested.ids):
-        raise InputError(
-            f"{moved} of {len(tested.ids)} points that {member.name} and {base.name} call alike are not one point: are "
-            "the names those of another object, or exchanged?"
-        )
+        raise InputError("join.points_moved", moved=moved, n=len(tested.ids), name=member.name, base=base.name)
     return tested
 
 
-def check_frames(base: Member, member: Member, stayed: Sequence[str]) -> list[str]:
+def check_frames(base: Member, member: Member, stayed: Sequence[str]) -> list[Message]:
     """Cautions where two measurements that each know their scale, or their frame, contradict each other in it.
 
     raises  InputError where their scales differ as units do
@@ -150,43 +144,48 @@ def check_frames(base: Member, member: Member, stayed: Sequence[str]) -> list[st
         both = set(one.ids) & set(other.ids)
         found = between(one, other, [i for i in stayed if i in both], placed=whole and other_whole)
     except (InputError, NotSolvable) as error:
-        return [f"the scales of {base.name} and {member.name} were not tested: {error.text()}"]
+        return [caution("join.scales_not_tested", details=[as_detail(error)], base=base.name, name=member.name)]
     if is_other_unit(found.factor):
         raise InputError(_other_unit(base, member, found))
+    scales = [base.gives_scale, member.gives_scale]
     if found.scale[1] < LEVEL:
-        told = (
-            f"lengths of {member.name} are {_told(found)} times those of {base.name}, which is more than chance: one "
-            f"of these is wrong: {base.gives_scale}; {member.gives_scale}"
-        )
-        return [told]
+        return [
+            caution(
+                "join.scales_contradict", details=scales, name=member.name, base=base.name, factor=found.factor,
+                sigma=found.sigma,
+            )
+        ]  # fmt: skip
     if found.frame is not None and found.frame[1] < LEVEL:
-        off = significant(float((found.shift**2).sum() ** 0.5))
-        told = (
-            f"{member.name} and {base.name} do not stand in one frame: common points are shifted by {off} m and turned "
-            f"by {significant(1e3 * found.turn)} mrad on the mean (F {found.frame[0]:.3g}); compare their control"
-        )
-        return [told]
+        return [
+            caution(
+                "join.frames_contradict", name=member.name, base=base.name, F=found.frame[0],
+                shift_m=float((found.shift**2).sum() ** 0.5), turn_mrad=1e3 * found.turn,
+            )
+        ]  # fmt: skip
     return []
 
 
-def _told(found: Between) -> str:
-    """The factor in the digits of its standard deviation, and this."""
-    digits = max(0, 1 - floor(log10(found.sigma))) if found.sigma > 0 else 6
-    return f"{found.factor:.{digits}f} (standard deviation {found.sigma:.2g})"
-
-
-def _other_unit(base: Member, member: Member, found: Between) -> str:
+def _other_unit(base: Member, member: Member, found: Between) -> Message:
     from raybundle.numerics.length_units import units_of  # noqa: PLC0415
 
-    units = units_of(found.factor)
-    seems = "" if units is None else f": {member.name} is in {units[0]} and {base.name} in {units[1]}, it seems"
-    return (
-        f"lengths of {member.name} are {found.factor:.6g} times those of {base.name}, and both have a scale{seems}; "
-        f"give lengths in the unit that block.toml names ({base.gives_scale}; {member.gives_scale})"
-    )
+    unit, base_unit = units_of(found.factor) or ("", "")
+    return message(
+        "join.other_unit", details=[base.gives_scale, member.gives_scale], name=member.name, base=base.name,
+        factor=found.factor, likely=bool(unit), unit=unit, base_unit=base_unit,
+    )  # fmt: skip
 
 
-def check_cameras(base: Member, member: Member) -> list[str]:
+def caution(code: str, /, *, details: Iterable[Message] = (), **values: Value) -> Message:
+    """A message that part of the merged block is weaker than it might be taken for."""
+    return replace(message(code, details=details, **values), severity=Severity.CAUTION)
+
+
+def remark(code: str, /, *, details: Iterable[Message] = (), **values: Value) -> Message:
+    """A message about what was done or chosen."""
+    return replace(message(code, details=details, **values), severity=Severity.REMARK)
+
+
+def check_cameras(base: Member, member: Member) -> list[Message]:
     """Cautions where cameras that are said to be the same differ by more than chance.
 
     raises  InputError where a parameter differs by more than CONTRADICTS standard deviations, or held ones differ
@@ -199,8 +198,8 @@ def check_cameras(base: Member, member: Member) -> list[str]:
             {i.camera: i for i in m.as_free.interior if i.image is None} for m in (member, base)
         )  # fmt: skip
     except (InputError, NotSolvable) as error:
-        return [f"cameras of {member.name} and {base.name} were not compared: {error.text()}"]
-    cautions: list[str] = []
+        return [caution("join.cameras_not_compared", details=[as_detail(error)], name=member.name, base=base.name)]
+    cautions: list[Message] = []
     for camera in [c for c in mine if c in theirs]:
         a, b = theirs[camera], mine[camera]
         worst = max(_apart(a, b), default=None)
@@ -208,21 +207,15 @@ def check_cameras(base: Member, member: Member) -> list[str]:
             continue
         times, symbol = worst
         one, two = a.parameters[symbol], b.parameters[symbol]
-        values = (
-            f"{symbol} of camera {camera} is {one.value:.6g} {one.unit} in {base.name} and {two.value:.6g} {two.unit} "
-            f"in {member.name}, {significant(times)} standard deviations apart"
-        )
+        values: dict[str, Value] = {
+            "camera": camera, "symbol": symbol, "base": base.name, "name": member.name, "unit": one.unit,
+            "first": one.value, "second": two.value, "held": isinf(times), "times": 0.0 if isinf(times) else times,
+        }  # fmt: skip
         if times > CONTRADICTS:
-            raise InputError(
-                f"{values} (limit {CONTRADICTS:g}): they are not the same camera, or it was touched between; leave "
-                f"{option('same_camera')} out, and each project keeps its own"
-            )
+            raise InputError(Message(code="join.camera_contradicts", values={**values, "limit": CONTRADICTS}))
         F, p = _together(a, b, base.as_free.redundancy + member.as_free.redundancy)
         if p < LEVEL:
-            cautions.append(
-                f"camera {camera} differs between {base.name} and {member.name} by more than chance (F {F:.3g}; "
-                f"{values}): was it touched between?"
-            )
+            cautions.append(Message(code="join.camera_differs", severity=Severity.CAUTION, values={**values, "F": F}))
     return cautions
 
 

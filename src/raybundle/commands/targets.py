@@ -12,7 +12,7 @@ from typing import Any
 import numpy as np
 
 from raybundle.commands.target_settings import DetectSettings
-from raybundle.errors import InputError
+from raybundle.errors import InputError, Text
 from raybundle.io.digits import EVERY
 from raybundle.io.folders import check_free, check_new_file, new_files
 from raybundle.io.photos.photo import Photo, find_photos, read_grey
@@ -55,7 +55,7 @@ def detect_targets(
     s = made(DetectSettings, {"photos": tuple(inputs), "target": None if own is not None else named, **settings})
     done = find_all(s, own, progress)
     for path, reason in done.refused:
-        raise InputError(reason.removeprefix(f"{path}: "), file=path)
+        raise InputError(reason.messages[0] if isinstance(reason, Text) else reason, file=path)
     write_found(s, done)
     return dict(done.found)
 
@@ -105,7 +105,7 @@ def detect_all(
         try:
             image = read_grey(photo)
         except InputError as error:
-            return str(error)
+            return Text.of(error.message) if error.message is not None else error.text()
         found = detect(image, target, options)
         if pictures is not None:
             from raybundle.targets.overlay import as_png, overlay  # noqa: PLC0415

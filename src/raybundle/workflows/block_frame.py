@@ -12,7 +12,7 @@ import numpy as np
 from raybundle.block import Block
 from raybundle.block.joined import TILT
 from raybundle.block.transform import transform_block
-from raybundle.errors import InputError
+from raybundle.errors import InputError, Message, Severity, Value
 from raybundle.io.block.scenes import local_in
 from raybundle.io.geo.coordinate_systems import LocalFrame, local_frame
 from raybundle.io.geo.parsed_systems import parse_crs, system_name
@@ -141,7 +141,7 @@ class Brought:
     block: Block
     by: SimilarityTransform | None
     """None: it stood there, or the place of one on the earth is not known"""
-    told: str = ""
+    told: Message | None = None
 
 
 def in_frame_of(block: Block, base: Block) -> Brought:
@@ -167,10 +167,13 @@ def in_frame_of(block: Block, base: Block) -> Brought:
         )
     (centre, R), (base_centre, base_R) = frames
     by = SimilarityTransform(rotation=base_R @ R.T, translation=base_R @ (centre - base_centre))
-    told = (
-        f"{block.name} was brought from {_frame_words(here)} to the frame of {base.name}, whose origin is "
-        f"{float(np.linalg.norm(by.translation)):.3f} m away"
-    )
+    told = Message(
+        code="join.other_frame", severity=Severity.REMARK,
+        values={
+            "name": block.name, "base": base.name, "away_m": float(np.linalg.norm(by.translation)),
+            **_frame_values(here),
+        },
+    )  # fmt: skip
     return Brought(block=replace(_turned(replace(block, place=None), by), place=there), by=by, told=told)
 
 
@@ -211,6 +214,13 @@ def _frame_words(place: Place) -> str:
     at = ", ".join(f"{v:.3f}" for v in place.crs_origin)
     geoid = "" if place.undulation_m is None else f" (geoid {place.undulation_m:g} m above the ellipsoid)"
     return f"a local frame of {system_name(place.crs)}{geoid} at {at}"
+
+
+def _frame_values(place: Place) -> dict[str, Value]:
+    kind = "projected" if isinstance(place, Projected) else "local" if isinstance(place, Local) else "geocentric"
+    system = place.name if isinstance(place, Projected) else place.crs if isinstance(place, Local) else ""
+    origin = (place.crs_origin if place.crs else place.origin) if isinstance(place, Local) else ()
+    return {"kind": kind, "known": bool(system), "system": system_name(system) if system else "", "origin": [*origin]}
 
 
 def _turned(block: Block, by: SimilarityTransform) -> Block:

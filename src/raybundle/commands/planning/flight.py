@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 from raybundle.errors import InputError
 from raybundle.missions.defaults import OVERLAP
 from raybundle.numerics.progress import Progress, silent
-from raybundle.settings import METRES, PIXELS, Range, option, setting
+from raybundle.settings import METRES, PIXELS, Range, setting
 
 if TYPE_CHECKING:
     from raybundle.planning.aerial import ControlTable
@@ -138,21 +138,14 @@ class FlightSettings:
 
         if self.area is None:
             lines, photos = self.lines or LINES, self.photographs_per_line or PHOTOS
-            what, mend = (
-                f"{lines} lines of {photos} photographs are",
-                f"{option('lines')}, {option('photographs_per_line')}",
-            )
         else:
-            wide, long = self.area
             lines, photos = covering(self.area, spacing, base)
-            what = f"{wide:g} x {long:g} m ask for {lines} lines of {photos} photographs, base {base:.3g} m, lines "
-            what += f"{spacing:.3g} m apart, which are"
-            mend = f"{option('area')}, {option('gsd')}, {option('overlap')}"
         if lines * photos > MOST:
+            wide, long = self.area or (0.0, 0.0)
             raise InputError(
-                f"{what} {lines * photos}; forecasts are made for up to {MOST}: ask for a part of it with the same "
-                f"base and spacing ({mend})"
-            )
+                "plan.flight_too_large", total=lines * photos, most=MOST, lines=lines, photographs=photos,
+                area=self.area is not None, width_m=wide, length_m=long, base_m=base, spacing_m=spacing,
+            )  # fmt: skip
         return lines, photos
 
 

@@ -30,3 +30,7 @@ format-not_in_plane = { OPTION("within", flag: "in") } gehört zu Zeichnungen; d
 
 format-no_tables = { OPTION("tables") } gehört zu Blockordnern; das Format { $format } ist keiner.
     .do = Es weglassen.
+
+format-csv = Es gibt kein Format csv.
+    .why = Ein Blockordner (Format block) und ein Ergebnisordner bestehen aus CSV-Tabellen: images.csv, points.csv, observations.csv.
+    .do = Die gewünschte Tabelle kopieren.

@@ -22,3 +22,100 @@ join-vertical_tilted = Das System von { $base } ist um { NUM($tilt_deg, digits: 
 join-cameras_differ = Kamera { $camera } von { $name } ist nicht die gleichnamige Kamera des anderen Blocks.
     .why = Sie sind { $model }, { $width_px } x { $height_px } px, und { $other_model }, { $other_width_px } x { $other_height_px } px.
     .do = Sie als verschiedene Kameras behandeln.
+
+join-scale_of = Maßstab von { $name }: { $kind ->
+        [control] Passpunkte
+        [positions] beobachtete Positionen
+       *[bars] { $n ->
+            [0] unbekannt
+            [one] eine Maßstabsstrecke
+           *[other] { $n } Maßstabsstrecken
+        }
+     }.
+
+join-scale_bar = { $start } - { $end }: { NUM($length, digits: 10) } { $unit }
+
+join-same_measurement = Alle Aufnahmen von { $name } ({ $n }) haben in { $first } und in { $second } dieselben Bildpunkte.
+    .why = Sie würden doppelt zählen: { LIST($names, most: 3) }.
+    .do = { $name } weglassen.
+
+join-same_photographs = { $n } { $n ->
+        [one] Aufnahme hat
+       *[other] Aufnahmen haben
+     } in { $first } und in { $second } dieselben Bildpunkte: { LIST($names, most: 3) }.
+    .why = Sie zählen doppelt, und die Standardabweichungen werden zu klein.
+    .do = Sie aus einem der beiden ausschließen.
+
+join-too_few_to_test = Kein gemeinsamer Punkt ist geprüft: { $name } und { $base } haben weniger als { $least }.
+
+join-points_not_tested = Gemeinsame Punkte von { $name } sind nicht geprüft:
+
+join-block_not_adjusted = Kein gemeinsamer Punkt ist geprüft: { $name } lässt sich nicht allein ausgleichen:
+
+join-points_moved = { $moved } von { $n } gemeinsamen Punkten von { $name } und { $base } sind nicht derselbe Punkt.
+    .do = Prüfen, ob Namen zu einem anderen Objekt gehören oder vertauscht sind.
+
+join-scales_not_tested = Die Maßstäbe von { $base } und { $name } sind nicht verglichen:
+
+join-scales_contradict = Längen von { $name } sind das { NUM($factor, digits: 7) }-Fache (± { NUM($sigma, digits: 2) }) derer von { $base }.
+    .why = Einer der beiden Maßstäbe ist falsch.
+    .do = Diese Längen prüfen:
+
+join-frames_contradict = { $name } und { $base } stehen nicht in einem Rahmen: Verschiebung { NUM($shift_m, digits: 2) } m, Drehung { NUM($turn_mrad, digits: 2) } mrad (F { $F }).
+    .do = Ihre Passpunkte vergleichen.
+
+join-other_unit = Längen von { $name } sind das { NUM($factor, digits: 6) }-Fache derer von { $base }.
+    .why = { $likely ->
+        [yes] Vermutlich ist { $name } in { $unit } und { $base } in { $base_unit }.
+       *[no] Die Einheit von einem der beiden ist falsch.
+     }
+    .do = Längen in der Einheit von block.toml angeben:
+
+join-cameras_not_compared = Kameras von { $name } und { $base } sind nicht verglichen:
+
+join-camera_contradicts = Kamera { $camera } ist in { $base } und in { $name } nicht dieselbe (Grenze { $limit } Standardabweichungen).
+    .why = { $symbol } ist { NUM($first, digits: 6) } { $unit } in { $base } und { NUM($second, digits: 6) } { $unit } in { $name }{ $held ->
+        [yes] { "" }, beide fest
+       *[no] { "" }, { NUM($times, digits: 2) } Standardabweichungen auseinander
+     }.
+    .do = { OPTION("same_camera") } weglassen: Jedes Projekt hat dann seine eigene Kamera.
+
+join-camera_differs = Kamera { $camera } unterscheidet sich signifikant zwischen { $base } und { $name } (F { $F }).
+    .why = { $symbol } ist { NUM($first, digits: 6) } { $unit } in { $base } und { NUM($second, digits: 6) } { $unit } in { $name }{ $held ->
+        [yes] { "" }, beide fest
+       *[no] { "" }, { NUM($times, digits: 2) } Standardabweichungen auseinander
+     }.
+    .do = Prüfen, ob Fokus oder Zoom geändert wurden.
+
+join-dots_renumbered = Punkte ohne Code sind neu nummeriert: { $n } sind nach der Lage gemeinsam, { $others } von { $names } haben neue Nummern.
+
+join-points_beyond_sigma = Nicht bewegte gemeinsame Punkte von { $name } weichen stärker ab, als ihre Standardabweichungen erklären (F { $F }).
+    .why = Diese sind zu klein, oder viele Punkte haben sich ein wenig bewegt.
+
+join-frame_of = Der Rahmen ist der von { $name } mit { $control ->
+        [yes] Passpunkten oder Positionen
+       *[no] einem Maßstab
+     }.
+
+join-images_renamed = { $n } { $n ->
+        [one] Bild
+       *[other] Bilder
+     } von { $name } { $n ->
+        [one] hat einen neuen Namen
+       *[other] haben neue Namen
+     } wie { $example }: Die alten gibt es in einem anderen Block.
+
+join-cameras_renamed = Kameras von { $name } gelten als andere Kameras: { LIST($ids, most: 9) } { $n ->
+        [one] heißt
+       *[other] heißen
+     } jetzt { LIST($renamed, most: 9) }.
+
+join-other_frame = { $name } ist in den Rahmen von { $base } transformiert, dessen Ursprung { NUM($away_m, decimals: 3) } m entfernt ist.
+    .why = Sein eigener Rahmen ist { $kind ->
+        [projected] { $system }
+        [geocentric] geozentrisch
+       *[local] lokal{ $known ->
+            [yes] { " " }in { $system }
+           *[no] { " " }(Länge, Breite, Höhe)
+        }, Ursprung { $origin }
+     }.

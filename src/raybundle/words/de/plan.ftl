@@ -179,3 +179,13 @@ plan-unknown_list = Es gibt keine Liste der Art { $kind }.
 
 plan-point_missing = Punkt { $point } des Blocks der Planung fehlt.
     .do = Die Planung neu erzeugen.
+
+plan-flight_too_large = Der Flug hat { $total } Aufnahmen; Vorhersagen sind bis { $most } möglich.
+    .why = { $area ->
+        [yes] { $lines } Linien mit { $photographs } Aufnahmen decken { NUM($width_m, digits: 6) } x { NUM($length_m, digits: 6) } m (Basis { $base_m } m, Linienabstand { $spacing_m } m)
+       *[no] Angegeben sind { $lines } Linien mit { $photographs } Aufnahmen
+     }.
+    .do = Einen Teil mit derselben Basis und demselben Abstand vorhersagen: { $area ->
+        [yes] { OPTION("area") }, { OPTION("gsd") }, { OPTION("overlap") }
+       *[no] { OPTION("lines") }, { OPTION("photographs_per_line") }
+     }.

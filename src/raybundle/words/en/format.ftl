@@ -47,3 +47,7 @@ format-not_in_plane = { OPTION("within", flag: "in") } belongs to drawings; form
 # $format = "colmap"
 format-no_tables = { OPTION("tables") } belongs to block folders; format { $format } is none.
     .do = Leave it out.
+
+format-csv = There is no format csv.
+    .why = A block folder (format block) and a result folder consist of CSV tables: images.csv, points.csv, observations.csv.
+    .do = Copy the table that you need.

@@ -46,3 +46,185 @@ join-vertical_tilted = The frame of { $base } is tilted by { NUM($tilt_deg, digi
 join-cameras_differ = Camera { $camera } of { $name } is not the camera of the same name in the other block.
     .why = They are { $model }, { $width_px } x { $height_px } px, and { $other_model }, { $other_width_px } x { $other_height_px } px.
     .do = Treat them as different cameras.
+
+# $name = "south"
+# $kind = "bars"
+# $n = 2
+join-scale_of = Scale of { $name }: { $kind ->
+        [control] control points
+        [positions] observed positions
+       *[bars] { $n ->
+            [0] unknown
+            [one] one scale bar
+           *[other] { $n } scale bars
+        }
+     }.
+
+# $start = "M1"
+# $end = "M2"
+# $length = 1.2003
+# $unit = "m"
+join-scale_bar = { $start } - { $end }: { NUM($length, digits: 10) } { $unit }
+
+# $n = 2
+# $first = "north"
+# $second = "south"
+# $names = ["img_01", "img_02"]
+# $name = "south"
+join-same_measurement = All photographs of { $name } ({ $n }) have the same image points in { $first } and in { $second }.
+    .why = They would count twice: { LIST($names, most: 3) }.
+    .do = Leave { $name } out.
+
+# $n = 2
+# $first = "north"
+# $second = "south"
+# $names = ["img_01", "img_02"]
+join-same_photographs = { $n } { $n ->
+        [one] photograph has
+       *[other] photographs have
+     } the same image points in { $first } and in { $second }: { LIST($names, most: 3) }.
+    .why = They count twice, and standard deviations come out too small.
+    .do = Exclude them from one of the two.
+
+# $name = "south"
+# $base = "north"
+# $least = 4
+join-too_few_to_test = No common point is tested: { $name } and { $base } have fewer than { $least }.
+
+# $name = "south"
+join-points_not_tested = Common points of { $name } are not tested:
+
+# $name = "north"
+join-block_not_adjusted = No common point is tested: { $name } cannot be adjusted by itself:
+
+# $moved = 9
+# $n = 12
+# $name = "south"
+# $base = "north"
+join-points_moved = { $moved } of { $n } common points of { $name } and { $base } are not the same point.
+    .do = Check whether names belong to another object, or are exchanged.
+
+# $name = "south"
+# $base = "north"
+join-scales_not_tested = The scales of { $base } and { $name } are not compared:
+
+# $name = "south"
+# $base = "north"
+# $factor = 1.00102
+# $sigma = 2.1e-05
+join-scales_contradict = Lengths of { $name } are { NUM($factor, digits: 7) } ± { NUM($sigma, digits: 2) } times those of { $base }.
+    .why = One of the two scales is wrong.
+    .do = Check these lengths:
+
+# $name = "south"
+# $base = "north"
+# $F = 12.3
+# $shift_m = 0.5
+# $turn_mrad = 0.02
+join-frames_contradict = { $name } and { $base } are not in one frame: shift { NUM($shift_m, digits: 2) } m, rotation { NUM($turn_mrad, digits: 2) } mrad (F { $F }).
+    .do = Compare their control.
+
+# $name = "south"
+# $base = "north"
+# $factor = 1000.02
+# $likely = true
+# $unit = "mm"
+# $base_unit = "m"
+join-other_unit = Lengths of { $name } are { NUM($factor, digits: 6) } times those of { $base }.
+    .why = { $likely ->
+        [yes] Probably { $name } is in { $unit } and { $base } in { $base_unit }.
+       *[no] The unit of one of them is wrong.
+     }
+    .do = Give lengths in the unit of block.toml:
+
+# $name = "south"
+# $base = "north"
+join-cameras_not_compared = Cameras of { $name } and { $base } are not compared:
+
+# $camera = "d5100"
+# $symbol = "c"
+# $base = "north"
+# $name = "south"
+# $unit = "mm"
+# $first = 24.012
+# $second = 24.251
+# $held = false
+# $times = 9.4
+# $limit = 5.0
+join-camera_contradicts = Camera { $camera } is not the same in { $base } and in { $name } (limit { $limit } standard deviations).
+    .why = { $symbol } is { NUM($first, digits: 6) } { $unit } in { $base } and { NUM($second, digits: 6) } { $unit } in { $name }{ $held ->
+        [yes] { "" }, both fixed
+       *[no] { "" }, { NUM($times, digits: 2) } standard deviations apart
+     }.
+    .do = Leave out { OPTION("same_camera") }: each project then has its own camera.
+
+# $camera = "d5100"
+# $symbol = "c"
+# $base = "north"
+# $name = "south"
+# $unit = "mm"
+# $first = 24.012
+# $second = 24.251
+# $held = false
+# $times = 3.1
+# $F = 4.2
+join-camera_differs = Camera { $camera } differs significantly between { $base } and { $name } (F { $F }).
+    .why = { $symbol } is { NUM($first, digits: 6) } { $unit } in { $base } and { NUM($second, digits: 6) } { $unit } in { $name }{ $held ->
+        [yes] { "" }, both fixed
+       *[no] { "" }, { NUM($times, digits: 2) } standard deviations apart
+     }.
+    .do = Check whether its focus or zoom changed.
+
+# $n = 12
+# $others = 5
+# $names = ["south"]
+join-dots_renumbered = Dots without a code are numbered anew: { $n } are common points by position, { $others } of { $names } have new numbers.
+
+# $name = "south"
+# $F = 2.4
+join-points_beyond_sigma = Unmoved common points of { $name } differ more than their standard deviations explain (F { $F }).
+    .why = These are too small, or many points moved a little.
+
+# $name = "north"
+# $control = true
+join-frame_of = The frame is that of { $name }, which has { $control ->
+        [yes] control or positions
+       *[no] a scale
+     }.
+
+# $n = 8
+# $name = "south"
+# $example = "south:img_01"
+join-images_renamed = { $n } { $n ->
+        [one] image
+       *[other] images
+     } of { $name } { $n ->
+        [one] has
+       *[other] have
+     } new names, such as { $example }: the old ones exist in another block.
+
+# $n = 1
+# $name = "south"
+# $ids = ["d5100"]
+# $renamed = ["south:d5100"]
+join-cameras_renamed = Cameras of { $name } are treated as different cameras: { LIST($ids, most: 9) } { $n ->
+        [one] is
+       *[other] are
+     } now { LIST($renamed, most: 9) }.
+
+# $name = "south"
+# $base = "north"
+# $away_m = 1234.5
+# $kind = "local"
+# $known = true
+# $system = "WGS 84 / UTM zone 33N"
+# $origin = [500000.0, 5300000.0, 400.0]
+join-other_frame = { $name } is transformed to the frame of { $base }, whose origin is { NUM($away_m, decimals: 3) } m away.
+    .why = Its own frame is { $kind ->
+        [projected] { $system }
+        [geocentric] geocentric
+       *[local] local{ $known ->
+            [yes] { " " }in { $system }
+           *[no] { " " }(longitude, latitude, height)
+        }, origin { $origin }
+     }.

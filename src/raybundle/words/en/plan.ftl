@@ -276,3 +276,22 @@ plan-unknown_list = There is no list of the kind { $kind }.
 # $point = "P7"
 plan-point_missing = Point { $point } of the block of the plan is missing.
     .do = Create the plan again.
+
+# $total = 24000
+# $most = 10000
+# $lines = 120
+# $photographs = 200
+# $area = true
+# $width_m = 2000.0
+# $length_m = 3000.0
+# $base_m = 15.0
+# $spacing_m = 17.0
+plan-flight_too_large = The flight has { $total } photographs; forecasts are possible for up to { $most }.
+    .why = { $lines } lines of { $photographs } photographs{ $area ->
+        [yes] { " " }cover { NUM($width_m, digits: 6) } x { NUM($length_m, digits: 6) } m (base { $base_m } m, lines { $spacing_m } m apart)
+       *[no] { "" } are given
+     }.
+    .do = Forecast a part of it with the same base and spacing: { $area ->
+        [yes] { OPTION("area") }, { OPTION("gsd") }, { OPTION("overlap") }
+       *[no] { OPTION("lines") }, { OPTION("photographs_per_line") }
+     }.

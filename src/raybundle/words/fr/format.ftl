@@ -17,3 +17,5 @@ format-degrees = { $format } a des coordonnées en longueurs ; { $system } est e
 format-not_in_plane = { OPTION("within", flag: "in") } concerne les dessins ; le format { $format } n'en est pas un.
 
 format-no_tables = { OPTION("tables") } concerne les dossiers de bloc ; le format { $format } n'en est pas un.
+
+format-csv = Il n'y a pas de format csv.

@@ -110,3 +110,5 @@ plan-focus_without_scale = { OPTION("focus") } demande l'échelle du bloc, qui n
 plan-unknown_list = Il n'y a pas de liste du type { $kind }.
 
 plan-point_missing = Le point { $point } du bloc du plan manque.
+
+plan-flight_too_large = Le vol a { $total } photographies ; les prévisions sont possibles jusqu'à { $most }.
