@@ -8,7 +8,7 @@ from typing import ClassVar
 
 import numpy as np
 
-from raybundle.errors import InputError
+from raybundle.errors import InputError, message
 from raybundle.numerics.arrays import Array, Index, Mask
 from raybundle.numerics.deviations import correlated_after
 from raybundle.numerics.records import Stuck, stuck_together
@@ -85,8 +85,8 @@ class Attitudes(Table):
     def wrong(self) -> Sequence[Wrong]:
         blind: Mask = np.asarray(np.isnan(self.sigma).all(axis=1), bool)
         return [
-            Wrong(again(self.image), "image", lambda _: "this image has a row already; delete one of the two"),
-            Wrong(blind, "somega_deg", lambda _: "no angle has a sigma; give one, or delete it"),
+            Wrong(again(self.image), "image", lambda _: message("observation.image_twice")),
+            Wrong(blind, "somega_deg", lambda _: message("observation.no_sigma")),
         ]
 
 

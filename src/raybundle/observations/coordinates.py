@@ -12,7 +12,7 @@ from typing import Any, ClassVar
 
 import numpy as np
 
-from raybundle.errors import InputError
+from raybundle.errors import InputError, message
 from raybundle.numerics.arrays import Array, Index, Mask
 from raybundle.numerics.deviations import SMALLEST
 from raybundle.observations.kind import Joint, Named, ObservationKind, Observed, Rows, Scope, Values, partials
@@ -68,16 +68,18 @@ class Coordinates(Table):
         uneven = own & (np.abs(C - np.swapaxes(C, 1, 2)).max(axis=(1, 2), initial=0.0) > 1e-6 * size)
         negative = own & ~(np.diagonal(C, axis1=1, axis2=2) > 0).all(axis=1)
         return (
-            Wrong(twice, "other", lambda k: f"these two points of network {self.network[k]} stand in an earlier row"),
-            Wrong(own & ~given.all(axis=1), "X", lambda _: "coordinates are lacking (point and other are the same)"),
-            Wrong(~own & given.any(axis=1), "X", lambda _: "coordinates in a row of two points; leave X, Y, Z empty"),
+            Wrong(twice, "other", lambda k: message("network.pair_twice", network=self.network[k])),
+            Wrong(own & ~given.all(axis=1), "X", lambda _: message("network.coordinates_missing")),
+            Wrong(~own & given.any(axis=1), "X", lambda _: message("network.coordinates_of_pair")),
             Wrong(
                 alone, "other",
-                lambda k: f"network {self.network[k]} has no row with the coordinates of one of the two (point and "
-                "other the same)",
+                lambda k: message("network.point_without_coordinates", network=self.network[k]),
             ),
-            Wrong(negative, "cXX", lambda k: f"a variance is not positive: {C[k].diagonal().min():g}"),
-            Wrong(uneven, "cXY", lambda _: "the covariance of a point with itself is not symmetric"),
+            Wrong(
+                negative, "cXX",
+                lambda k: message("network.variance_not_positive", variance=float(C[k].diagonal().min())),
+            ),
+            Wrong(uneven, "cXY", lambda _: message("network.covariance_not_symmetric")),
         )  # fmt: skip
 
 

@@ -25,7 +25,7 @@ def correlated(table: Table, rows: Rows) -> Rows:
         return rows
     for w in table.faults():
         for k in np.flatnonzero(w.rows)[:1].tolist():
-            raise InputError(f"{table.name}.csv, row {k + 1}, column {w.column}: {w.message(k)}")
+            raise InputError(w.message(k), file=f"{table.name}.csv", line=k + 2, column=w.column)
     matrices = correlation_matrices(coefficients, len(table))
     order = np.argsort(rows.item, kind="stable")
     item, start = np.unique(rows.item[order], return_index=True)

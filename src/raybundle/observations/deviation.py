@@ -13,7 +13,7 @@ from typing import ClassVar
 
 import numpy as np
 
-from raybundle.errors import InputError
+from raybundle.errors import InputError, message
 from raybundle.numerics.arrays import Array, Index
 from raybundle.observations.kind import Interior, Named, ObservationKind, Observed, Rows, Scope, Values, partials
 from raybundle.observations.table import Table, Wrong, cells
@@ -35,7 +35,9 @@ class Deviations(Table):
         for k, key in enumerate(zip(self.image.tolist(), self.parameter, strict=True)):
             twice[k] = key in seen
             seen.add(key)
-        return [Wrong(twice, "parameter", lambda k: f"{self.parameter[k]} of this image has a row already")]
+        return [
+            Wrong(twice, "parameter", lambda k: message("observation.parameter_twice", parameter=self.parameter[k]))
+        ]
 
 
 class Deviation(ObservationKind):

@@ -8,7 +8,7 @@ from typing import ClassVar
 
 import numpy as np
 
-from raybundle.errors import InputError
+from raybundle.errors import InputError, message
 from raybundle.numerics.arrays import Array, Index
 from raybundle.observations.kind import Named, ObservationKind, Observed, Rows, Scope, Values, partials
 from raybundle.observations.table import Table, Wrong, cells
@@ -27,7 +27,7 @@ class Distances(Table):
     sigma: Array = cells("number", "sigma", follows="length", limit="> 0")
 
     def wrong(self) -> Sequence[Wrong]:
-        return [Wrong(self.start == self.end, "to", lambda _: "a distance needs two different points")]
+        return [Wrong(self.start == self.end, "to", lambda _: message("observation.same_point"))]
 
 
 class Distance(ObservationKind):

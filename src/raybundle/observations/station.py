@@ -8,7 +8,7 @@ from typing import ClassVar
 
 import numpy as np
 
-from raybundle.errors import InputError
+from raybundle.errors import InputError, message
 from raybundle.numerics.arrays import Array, Index
 from raybundle.numerics.rotation import cross_matrix
 from raybundle.observations.correlation import correlated
@@ -43,12 +43,12 @@ class Stations(Table):
     def wrong(self) -> Sequence[Wrong]:
         given, weighted = np.isfinite(self.xyz), np.isfinite(self.sigma)
         return [
-            Wrong(again(self.image), "image", lambda _: "this image has a row already; delete one of the two"),
+            Wrong(again(self.image), "image", lambda _: message("observation.image_twice")),
             Wrong(
                 np.asarray(np.any(given ^ weighted, axis=1), bool), "sX",
-                lambda _: "each coordinate needs its sigma, each sigma its coordinate",
+                lambda _: message("observation.value_without_sigma"),
             ),
-            Wrong(np.asarray(~given.any(axis=1), bool), "X", lambda _: "the row holds no coordinate; delete it"),
+            Wrong(np.asarray(~given.any(axis=1), bool), "X", lambda _: message("observation.no_value")),
         ]  # fmt: skip
 
     @property

@@ -12,6 +12,7 @@ from typing import Any, ClassVar, Literal, Self, cast
 
 import numpy as np
 
+from raybundle.errors import Message, message
 from raybundle.numerics.arrays import Array, Index, Mask
 from raybundle.numerics.deviations import PAIRS, SMALLEST, drawn, least_eigenvalues, unfounded
 from raybundle.numerics.records import Column, Records, Refers, Stuck, as_field
@@ -50,7 +51,7 @@ class Wrong:
     rows: Mask
     """(k,)"""
     column: str
-    message: Callable[[int], str]
+    message: Callable[[int], Message]
     """Of a row"""
 
 
@@ -109,22 +110,24 @@ class Table(Records):
             found += [
                 Wrong(
                     large[:, n], c.names[n],
-                    lambda k, n=n: f"{r[k, n]:g} is no correlation coefficient; it lies between -1 and 1, and is "
-                    "neither (a covariance is to be divided by both standard deviations)",
+                    lambda k, n=n: message("observation.correlation_range", correlation=float(r[k, n])),
                 ),
                 Wrong(
                     lone[:, n], c.names[n],
-                    lambda k, n=n, i=i, j=j: f"a correlation of {r[k, n]:g} with what was not observed; leave it "
-                    f"empty, or give {deviations[i]} and {deviations[j]}",
+                    lambda k, n=n, i=i, j=j: message(
+                        "observation.correlation_without_sigma", correlation=float(r[k, n]),
+                        first=deviations[i], second=deviations[j],
+                    ),
                 ),
             ]  # fmt: skip
         return [
             *found,
             Wrong(
                 ~(least > SMALLEST), c.names[0],
-                lambda k: f"the correlations {', '.join(f'{v:g}' for v in r[k])} are not possible together: their "
-                f"matrix is not positive definite (least eigenvalue {least[k]:.1e}, limit {SMALLEST:g}); give more "
-                "digits, or look which is wrong",
+                lambda k: message(
+                    "observation.correlations_not_possible", correlations=r[k].tolist(), eigenvalue=float(least[k]),
+                    limit=SMALLEST,
+                ),
             ),
         ]  # fmt: skip
 

@@ -14,7 +14,7 @@ from typing import ClassVar
 
 import numpy as np
 
-from raybundle.errors import InputError
+from raybundle.errors import InputError, message
 from raybundle.numerics.arrays import Array, Index, Mask
 from raybundle.numerics.records import Stuck
 from raybundle.numerics.transform import SimilarityTransform
@@ -31,7 +31,7 @@ class Sights(Table):
     target: Index
 
     def wrong(self) -> Sequence[Wrong]:
-        return [Wrong(self.station == self.target, "target", lambda _: "a sight needs two different points")]
+        return [Wrong(self.station == self.target, "target", lambda _: message("observation.same_point"))]
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -55,7 +55,7 @@ class Directions(Sights):
             *Sights.wrong(self),
             Wrong(
                 ~np.array(here, bool), "station",
-                lambda k: f"set {self.set[k]} stands on another point in an earlier row; a set has one station",
+                lambda k: message("observation.set_station", set=self.set[k]),
             ),
         ]  # fmt: skip
 
@@ -85,8 +85,7 @@ class ZenithAngles(Sights):
             *Sights.wrong(self),
             Wrong(
                 no, "zenith_deg",
-                lambda k: f"{np.degrees(self.angle[k]):g} deg is no zenith angle (0 to 180 deg, 0 to 200 gon); of the "
-                "second face give 360 deg (400 gon) less it",
+                lambda k: message("observation.zenith_angle", angle_deg=float(np.degrees(self.angle[k]))),
             ),
         ]  # fmt: skip
 
@@ -134,10 +133,8 @@ class Differences(Sights):
         lone = (np.isfinite(self.xyz) != np.isfinite(self.sigma)).any(axis=1)
         return [
             *Sights.wrong(self),
-            Wrong(
-                np.asarray(lone, bool), "sX", lambda _: "a difference and its sigma stand together, or both are empty"
-            ),
-            Wrong(np.asarray(np.isnan(self.xyz).all(axis=1), bool), "dX", lambda _: "no difference is given"),
+            Wrong(np.asarray(lone, bool), "sX", lambda _: message("observation.value_without_sigma")),
+            Wrong(np.asarray(np.isnan(self.xyz).all(axis=1), bool), "dX", lambda _: message("observation.no_value")),
         ]
 
 

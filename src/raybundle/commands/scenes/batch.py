@@ -107,7 +107,7 @@ def run_batch(s: RpcBatchSettings, progress: Progress = silent) -> Batch:
     if not files:
         raise InputError("scene.none_here", file=s.scenes[0])
     if len(files) > 1 and not all(control.image):
-        raise InputError("table.columns_missing", names=["image"], file=s.control)
+        raise InputError("scene_control.image_missing", n=len(files), file=s.control)
     with new_folder(s.out) as folder:
         found: list[BatchScene] = []
         for done, file in enumerate(files):

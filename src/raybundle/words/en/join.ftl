@@ -178,7 +178,7 @@ join-camera_differs = Camera { $camera } differs significantly between { $base }
 # $n = 12
 # $others = 5
 # $names = ["south"]
-join-dots_renumbered = Dots without a code are numbered anew: { $n } are common points by position, { $others } of { $names } have new numbers.
+join-dots_renumbered = Dots without a code have new numbers: { $n } common by position, { $others } of { $names }.
 
 # $name = "south"
 # $F = 2.4
@@ -217,7 +217,7 @@ join-cameras_renamed = Cameras of { $name } are treated as different cameras: { 
 # $away_m = 1234.5
 # $kind = "local"
 # $known = true
-# $system = "WGS 84 / UTM zone 33N"
+# $system = "ETRS89 / UTM 33N"
 # $origin = [500000.0, 5300000.0, 400.0]
 join-other_frame = { $name } is transformed to the frame of { $base }, whose origin is { NUM($away_m, decimals: 3) } m away.
     .why = Its own frame is { $kind ->
