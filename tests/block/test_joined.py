@@ -77,7 +77,7 @@ def test_cameras_of_one_name_are_two_unless_they_are_said_to_be_one(whole):
     ids = [c.id for c in joined.block.cameras]
     assert len(set(ids)) == 2
     assert ids[1] == f"other:{ids[0]}"
-    assert any("taken for others" in r for r in joined.remarks)
+    assert [r.code for r in joined.remarks] == ["join.cameras_renamed"]
     assert len(join_blocks(halves(whole), ["one", "other"], same_camera=True).block.cameras) == 1
 
 
@@ -122,7 +122,7 @@ def test_the_frame_is_that_of_the_block_that_control_fixes(whole):
     joined = join_blocks([one, fixed], ["one", "other"])
     assert joined.first == "other"
     np.testing.assert_array_equal(joined.block.points.xyz[:4], fixed.points.xyz[:4])
-    assert any("control or positions" in r for r in joined.remarks)
+    assert any(r.code == "join.frame_of" and r.values["control"] for r in joined.remarks)
 
 
 def test_millimetres_and_metres(whole):
@@ -191,5 +191,5 @@ def test_names_that_are_exchanged_are_refused(whole, tmp_path):
     block = rb.read_block(tmp_path / "other/block")
     turned = dict(zip(block.points.ids, reversed(block.points.ids), strict=True))
     rb.write_result(rb.adjust(renamed(block, turned), INNER), tmp_path / "mixed", report="none")
-    with pytest.raises(InputError, match="are not one point"):
+    with pytest.raises(InputError, match=r"14 of 20 .*mixed.*join\.points_moved"):
         rb.merge_projects([sources[0], tmp_path / "mixed"], tmp_path / "both")

@@ -191,7 +191,7 @@ def test_add_by_words_and_its_refusals(ours, tmp_path, capsys):
     run("list", "--json", "--library", library)
     table = json.loads(capsys.readouterr().out.split("\n", 1)[1])
     assert (table[0]["model"], table[0]["date"], table[0]["source"]) == ("One", "2026-05-01", "ours.toml")
-    with pytest.raises(InputError, match="give a photograph of the set"):
+    with pytest.raises(InputError, match=r"300 x 200 .*600 x 400 .*photograph\.size_of_calibration"):
         run("add", ours, "--photo", exif_photo(tmp_path / "s.jpg", size=(300, 200)), "--library", library)
 
 
@@ -202,7 +202,7 @@ def test_several_cameras_in_a_file(ours, tmp_path):
     run("convert", tmp_path / "two.toml", "--camera", "right", "--to", "opencv", "--out", tmp_path / "c.yaml")
     run("convert", tmp_path / "two.toml", "--to", "kalibr", "--out", tmp_path / "chain.yaml")
     assert "cam1:" in (tmp_path / "chain.yaml").read_text()
-    with pytest.raises(InputError, match="left, right"):
+    with pytest.raises(InputError, match=r"left, right.*camera\.unknown"):
         run("convert", tmp_path / "two.toml", "--camera", "up", "--to", "opencv", "--out", tmp_path / "d.yaml")
 
 

@@ -121,7 +121,7 @@ def raising(error):
         (("adjust", "x", "--out", "y", "--datum", "best"), "'best' is not one of 'auto', 'control'"),
         (("polish",), "No such command 'polish'"),
         (("compare", "only-one"), "Missing argument"),
-        (("simulate", "moon", "--out", "x"), "moon: neither a scene (testfield"),
+        (("simulate", "moon", "--out", "x"), "[simulation.unknown_scene]"),
     ],
 )
 def test_bad_usage_is_2(arguments, words, capsys):

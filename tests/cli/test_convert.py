@@ -263,12 +263,15 @@ def test_a_file_gets_the_ending_of_its_format(folder, tmp_path):
 
 
 CASES = {
-    "stands there": (["{b}", "--to", "colmap", "--out", "{b}"], "is read by this command, and is not written over"),
+    "stands there": (["{b}", "--to", "colmap", "--out", "{b}"], r"file\.read_by_command"),
     "no input": (["{b}x", "--to", "colmap", "--out", "{o}"], "no such file"),
     "not recognised": (["{b}/images.csv", "--to", "colmap", "--out", "{o}"], "not recognised"),
     "suffix": (["{b}", "--to", "kml", "--out", "{o}.txt", "--crs", "EPSG:32632"], "ends in .kml"),
     "no system": (["{b}", "--to", "kml", "--out", "{o}.kml"], "crs="),
-    "origin alone": (["{b}", "--to", "ply", "--out", "{o}.ply", "--frame-origin", "1", "2", "3"], "give crs= too"),
+    "origin alone": (
+        ["{b}", "--to", "ply", "--out", "{o}.ply", "--frame-origin", "1", "2", "3"],
+        r"crs\.needed_by_settings",
+    ),
     "no photographs": (["{b}", "--to", "colmap", "--out", "{o}", "--undistort", "all"], "photos=FOLDER"),
     "wrong folder": (
         ["{b}", "--to", "colmap", "--out", "{o}", "--undistort", "all", "--photos", "{b}"],
@@ -371,7 +374,7 @@ def test_a_scale_is_one_of_two_words(free_and_fixed, tmp_path):
 
 def test_a_table_is_no_format_and_where_it_is_is_said(tmp_path):
     (tmp_path / "block").mkdir()
-    with pytest.raises(click.BadParameter, match="consist of CSV tables already .*points.csv"):
+    with pytest.raises(click.BadParameter, match=r"points\.csv"):
         convert(tmp_path / "block", "--to", "csv", "--out", tmp_path / "out")
 
 
@@ -386,9 +389,9 @@ def test_several_formats_are_files_that_begin_alike(tmp_path, capsys):
     with pytest.raises(InputError, match=r"pit\.ply.*file\.exists"):
         rb.convert(tmp_path / "b", tmp_path / "pit", to="geojson,ply", crs="EPSG:32632")
     assert not (tmp_path / "pit.geojson").exists()
-    with pytest.raises(InputError, match="colmap is not one file"):
+    with pytest.raises(InputError, match=r"export\.not_one_file"):
         rb.convert(tmp_path / "b", tmp_path / "other", to="colmap,ply")
-    with pytest.raises(InputError, match="foo is not one file"):
+    with pytest.raises(InputError, match=r"export\.not_one_file"):
         rb.convert(tmp_path / "b", tmp_path / "other", to="foo,ply")
 
 

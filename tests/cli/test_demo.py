@@ -25,7 +25,7 @@ def test_demo_prints_truth_beside_estimate(tmp_path, capsys):
     assert (tmp_path / "demo" / "result" / "report.html").is_file()
     assert demo(tmp_path / "demo") == 0
     assert demo(tmp_path / "demo", "--seed", "2") == 2
-    assert "holds another block" in capsys.readouterr().err
+    assert "[folder.other_block]" in capsys.readouterr().err
 
 
 def test_rigid_difference_finds_the_motion_and_leaves_the_scale():

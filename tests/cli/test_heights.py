@@ -95,14 +95,15 @@ def test_bad_outlines_are_refused(cone, capsys, tmp_path):
     for empty in ("", " "):
         assert f"--outline '{empty}' is empty; give a file, or corners" in refused(capsys, *volume, "--outline", empty)
     said = refused(capsys, *volume, "--extent", 0.02, 0.1, 0.4, 0.5)
-    assert "of the area has no height (200 of its cells)" in said
-    assert "0.1 m from the nearest measured one; fill it with --fill 0.2" in said
+    assert "(200 cells). [volume.no_height]" in said
+    assert "0.1 m from" in said
+    assert "--fill 0.2" in said
     wide = (*volume, "--extent", 0.02, 0.1, 0.4, 0.5, "--fill", 0.3)
-    assert "of the area was filled, more than 20 %" in refused(capsys, *wide)
+    assert "(limit 20 %). [volume.filled_share]" in refused(capsys, *wide)
     assert told(capsys, *wide, "--most-filled", 60)["filled_sigma"] > 0
-    assert "both say where" in refused(capsys, *volume, "--outline", crossed, "--extent", 0, 0, 1, 1)
-    assert "is no height, no folder" in refused(capsys, "heights", "volume", cone, "--above", "nowhere")
-    assert "needs an outline" in refused(capsys, "heights", "volume", cone)
+    assert "[option.exclusive]" in refused(capsys, *volume, "--outline", crossed, "--extent", 0, 0, 1, 1)
+    assert "--above nowhere" in refused(capsys, "heights", "volume", cone, "--above", "nowhere")
+    assert "[volume.rim_needs_outline]" in refused(capsys, "heights", "volume", cone)
     (tmp_path / "area.kml").write_text("<kml/>")
     assert "area.kml" in refused(capsys, *volume, "--outline", tmp_path / "area.kml")
     assert "there is no such folder" in refused(capsys, "heights", "volume", tmp_path / "no")
@@ -170,8 +171,8 @@ def test_holes_that_an_outline_or_the_edge_cuts_off_are_filled(tmp_path, capsys)
     exact = 0.13 * 0.2 * (0.2 * 0.565 + 0.1 * 0.2)
     assert beside["net"]["value"] == pytest.approx(exact, abs=3 * beside["net"]["sigma"])
     wide = refused(capsys, *volume, "--extent", 0.5, 0.1, 0.7, 0.3)
-    assert "has no height (95 of its cells)" in wide
-    assert "fill it with --fill 0.2," in wide
+    assert "(95 cells). [volume.no_height]" in wide
+    assert "--fill 0.2," in wide
     assert told(capsys, *volume, "--extent", 0.5, 0.1, 0.7, 0.3, "--fill", 0.2, "--most-filled", 60)[
         "filled"
     ] == pytest.approx(0.5)
@@ -291,30 +292,32 @@ def test_differences_of_height_are_of_places_that_were_measured(cone, capsys):
         assert one["difference"] == pytest.approx(exact, abs=4 * one["difference_sigma"] + 2e-3)
     hole = ("heights", "section", cone, "--line", "0.02 0.32, 0.9 0.32")
     said = refused(capsys, *hole, "--between", 0.1, 0.5)
-    assert "section 1 has no height 0.1 m from its beginning (at 0.12 0.32)" in said
-    assert "the nearest place of it with a height is 0.09 m away, 0.01 m from the beginning" in said
+    assert "section 1 has no height at 0.1 m (X 0.12, Y 0.32). [section.no_height_at]" in said
+    assert "at 0.01 m, 0.09 m away" in said
     assert "--fill WIDTH" in said
     assert told(capsys, *hole, "--between", 0.1, 0.5, "--fill", 0.4)["sections"][0]["difference_sigma"] > 0
     inside = ("heights", "section", cone, "--line", "0.08 0.3, 0.2 0.4", "--between", 0.01, 0.1)
-    assert "nor anywhere else" in refused(capsys, *inside)
-    assert "asks twice for the place at 0.2" in refused(capsys, *line, "--between", 0.2, 0.2)
+    assert "[section.no_height]" in refused(capsys, *inside)
+    assert "0.2 twice. [section.same_place]" in refused(capsys, *line, "--between", 0.2, 0.2)
     assert main([*map(str, hole)]) == 0
     assert "caution: that mean is of" in capsys.readouterr().out
 
 
 def test_bad_lines_are_refused(cone, capsys, tmp_path):
     section = ("heights", "section", cone)
-    assert "no line is given" in refused(capsys, *section)
-    assert "lies beyond the heights" in refused(capsys, *section, "--line", "3 3, 4 4")
+    assert "--line CORNERS is missing. [option.missing]" in refused(capsys, *section)
+    assert "[section.outside]" in refused(capsys, *section, "--line", "3 3, 4 4")
     assert "two different places" in refused(capsys, *section, "--line", "0.1 0.1, 0.1 0.1")
-    assert "asks for a place at 9" in refused(capsys, *section, "--line", "0 0, 0.5 0.5", "--between", 0, 9)
+    assert "at 9. [section.beyond_end]" in refused(capsys, *section, "--line", "0 0, 0.5 0.5", "--between", 0, 9)
     assert "is no file and no corners: these are written X Y, X Y" in refused(capsys, *section, "--line", "0,0 1,0")
     assert "is a single place; a line needs two corners" in refused(capsys, *section, "--line", "0.2 0.2")
     twice = [tmp_path / "twice.csv"] * 2
     found = told(capsys, *section, "--line", "0.3 0.1, 0.5 0.1", *(w for f in twice for w in ("--out", f)))
     assert found["files"] == [str(twice[0])]
-    assert "choose one of these endings" in refused(capsys, *section, "--line", "0 0, 1 1", "--out", tmp_path / "a.png")
-    assert "more than 1000000" in refused(capsys, *section, "--line", "0 0, 0.9 0.6", "--step", 1e-9)
+    assert "[file.suffix]" in refused(capsys, *section, "--line", "0 0, 1 1", "--out", tmp_path / "a.png")
+    assert "1 000 000 are possible. [section.too_many_places]" in refused(
+        capsys, *section, "--line", "0 0, 0.9 0.6", "--step", 1e-9
+    )
 
 
 def test_contours_are_written_for_gis_and_cad(cone, capsys, tmp_path):
@@ -336,11 +339,11 @@ def test_contours_are_written_for_gis_and_cad(cone, capsys, tmp_path):
     assert np.abs(np.hypot(xyz[:, 0] - 0.48, xyz[:, 1] - 0.32) - 0.04).max() < 5e-3
     assert 'class="thick"' in files[3].read_text()
     level = folder_of(made(np.full(SHAPE, 0.3)), tmp_path / "level")
-    assert "no line: heights reach from" in refused(
+    assert "[contours.none]" in refused(
         capsys, "heights", "contours", level, "--interval", 0.2, "--out", tmp_path / "a.svg"
     )
-    assert "nothing would be written" in refused(capsys, "heights", "contours", cone, "--interval", 1)
-    assert "the interval is not given" in refused(capsys, "heights", "contours", cone)
+    assert "--out FILE is missing. [option.missing]" in refused(capsys, "heights", "contours", cone, "--interval", 1)
+    assert "--interval HEIGHT is missing. [option.missing]" in refused(capsys, "heights", "contours", cone)
     assert main(["heights", "contours", str(cone), "--interval", "0.0005", "--out", str(tmp_path / "fine.svg")]) == 0
     assert "less than two standard deviations" in capsys.readouterr().out
 
@@ -366,9 +369,9 @@ def test_the_ground_is_a_surface_again(tmp_path, capsys):
     assert above["net"]["value"] == pytest.approx(180 * 0.25 * 3.0, abs=4 * above["net"]["sigma"])
     assert "[folder.exists]" in refused(capsys, "heights", "ground", folder, "--largest", 9)
     ground = ("heights", "ground", folder, "--out", tmp_path / "g")
-    assert "is less than a cell, 0.5" in refused(capsys, *ground, "--largest", 1e-9)
-    assert "more than all heights lie apart" in refused(capsys, *ground, "--largest", 9, "--slope", 1e9)
-    assert "more than half of the shorter side" in refused(
+    assert "(0.5). [terrain.object_below_cell]" in refused(capsys, *ground, "--largest", 1e-9)
+    assert "[terrain.slope_too_large]" in refused(capsys, *ground, "--largest", 9, "--slope", 1e9)
+    assert "[terrain.object_too_wide]" in refused(
         capsys, "heights", "ground", folder, "--largest", 30, "--out", tmp_path / "g"
     )
 
@@ -409,7 +412,7 @@ def test_what_has_moved_is_written(tmp_path, capsys):
     assert [float(r["amount"]) for r in rows] == pytest.approx([s["amount"] for s in found["smallest"]], rel=1e-3)
     assert 2e-4 < found["smallest"][-1]["amount"] < found["smallest"][0]["amount"] < 2e-3
     assert found["same"] == 0
-    assert "it is the same measurement" in refused(capsys, "heights", "difference", before, before)
+    assert "[height_grid.identical]" in refused(capsys, "heights", "difference", before, before)
     assert main(["heights", "difference", str(before), str(after)]) == 0
     said = capsys.readouterr().out
     assert "1 region moved against the rest by more than chance" in said
@@ -435,7 +438,7 @@ def test_surfaces_of_two_frames_are_not_compared(tmp_path, capsys):
     coarse = folder_of(made(np.zeros(SHAPE), cell=0.05), tmp_path / "coarse")
     assert "make both with cells of one size" in refused(capsys, "heights", "difference", one, coarse)
     away = folder_of(model, tmp_path / "away", left=50.0)
-    assert "no cell has a height in both" in refused(capsys, "heights", "difference", one, away)
+    assert "[height_grid.no_common_cell]" in refused(capsys, "heights", "difference", one, away)
 
 
 def test_a_plane_that_is_moved_by_little_is_the_same(tmp_path, capsys):

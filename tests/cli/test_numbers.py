@@ -69,9 +69,10 @@ def test_what_lies_in_the_range_is_taken(kind, text, value):
 @pytest.mark.parametrize(
     ("kind", "text", "words"),
     [
-        (Number(0, above=True), "0", "x>0"), (Number(0, above=True), "1e-300", "from 1e-12 to 1e+12"),
-        (Number(0, 0.95), "0.96", "0<=x<=0.95"), (Number(), "1e13", "to 1e+12"), (Number(), "1,5", "not a valid float"),
-        (Number(), "-1e-13", "from 1e-12"), (Number(0), "nan", "not a finite"), (Number(0), "inf", "not a finite"),
+        (Number(0, above=True), "0", "x>0"), (Number(0, above=True), "1e-300", "1e-12 to 1 000 000 000 000 "),
+        (Number(0, 0.95), "0.96", "0<=x<=0.95"), (Number(), "1e13", "to 1 000 000 000 000 "),
+        (Number(), "1,5", "not a valid float"),
+        (Number(), "-1e-13", "1e-12"), (Number(0), "nan", "not a finite"), (Number(0), "inf", "not a finite"),
     ],
 )  # fmt: skip
 def test_what_does_not_is_refused_with_its_limit(kind, text, words):

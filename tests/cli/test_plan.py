@@ -137,7 +137,9 @@ def test_a_flight_is_surveyed_again_with_new_positions(tmp_path, capsys):
 
 def test_flights_that_are_too_large_are_refused_at_once(capsys):
     assert main(["plan", "flight", "--lines", "40", "--photographs-per-line", "80"]) == 2
-    assert "40 lines of 80 photographs are 3200; forecasts are made for up to 1000" in capsys.readouterr().err
+    assert "3 200 photographs; forecasts are possible for up to 1 000. [plan.flight_too_large]\n  40 lines of 80 " in (
+        capsys.readouterr().err
+    )
 
 
 def test_tie_points_are_as_dense_as_photographs_need_them():

@@ -82,14 +82,14 @@ def test_an_area_without_a_pixel_and_a_pixel_without_an_area():
 @pytest.mark.parametrize(
     ("words", "told"),
     [
-        (("--area", 100, 100, "--lines", 4), "give --area or --lines, not both: --lines would follow from --area"),
+        (("--area", 100, 100, "--lines", 4), "--area and --lines exclude each other. [option.exclusive]"),
         (
             ("--area", 100, 100, "--lines", 4, "--photographs-per-line", 8),
-            "give --area or --lines and --photographs-per-line, not both",
+            "--area and --lines exclude each other. [option.exclusive]",
         ),
-        (("--area", 100, 100, "--ground", 90), "give --area or --ground, not both"),
-        (("--gsd", 0.02, "--height", 80), "give --gsd or --height, not both: --height would follow from --gsd"),
-        (("--area", 2000, 300), "2000 x 300 m ask for 57 lines of 23 photographs, base 16 m, lines 36 m apart"),
+        (("--area", 100, 100, "--ground", 90), "--area and --ground exclude each other. [option.exclusive]"),
+        (("--gsd", 0.02, "--height", 80), "--gsd and --height exclude each other. [option.exclusive]"),
+        (("--area", 2000, 300), "57 lines of 23 photographs cover 2000 x 300 m (base 16 m, lines 36 m apart)"),
     ],
 )  # fmt: skip
 def test_contradictions_are_refused(words, told, capsys):
@@ -99,7 +99,7 @@ def test_contradictions_are_refused(words, told, capsys):
 
 
 def test_contradictions_are_told_in_python_as_python_writes_them():
-    with pytest.raises(InputError, match=r"give gsd= or height=, not both"):
+    with pytest.raises(InputError, match=r"gsd=.*height=.*option\.exclusive"):
         FlightSettings(gsd=0.02, height=80.0).flight()
 
 

@@ -47,7 +47,7 @@ def result_in(project, record=None):
 def test_a_record_begins_a_project_that_orient_goes_on_with(tmp_path, capsys):
     folder = tmp_path / "begun"
     assert main(["record", str(folder)]) == 2
-    assert "there is no such project; an entry, as --object NAME, with --new begins one" in capsys.readouterr().err
+    assert "--object NAME, with --new" in capsys.readouterr().err
     assert main(["record", str(folder), "--object", "Portal"]) == 2
     assert not folder.exists()
     assert main(["record", str(folder), "--new", "--object", "Portal", "--client", "Monument office"]) == 0
@@ -67,7 +67,7 @@ def test_a_record_is_not_put_into_what_is_no_project(tmp_path, capsys, what):
         other.mkdir()
         (other / "mine.txt").write_text("mine")
     assert main(["record", str(other), "--object", "Portal"]) == 2
-    assert "is no project folder" in capsys.readouterr().err
+    assert "[project.not_a_project]" in capsys.readouterr().err
     assert not (other / "project.toml").exists()
 
 
@@ -96,7 +96,7 @@ def test_a_mistyped_project_is_refused_with_the_one_that_is_meant(project, capsy
     wrong = project.with_name("projet")
     assert main(["record", str(wrong), "--client", "x"]) == 2
     told = capsys.readouterr().err
-    assert f"is it {project}?" in " ".join(told.split())
+    assert f"whether {project} is meant" in " ".join(told.split())
     assert not wrong.exists()
 
 
@@ -190,7 +190,7 @@ def test_a_file_that_was_edited_wrongly_is_told_and_kept(project, tmp_path, text
 
 def test_what_is_no_project_has_no_record(tmp_path):
     (tmp_path / "mine.txt").write_text("mine")
-    with pytest.raises(InputError, match="is no project folder"):
+    with pytest.raises(InputError, match=r"project\.not_a_project"):
         rb.record(tmp_path, client="x")
     keep_settings(OrientSettings(photos=(tmp_path,), out=tmp_path / "p"))
     with pytest.raises(InputError, match=r"record\.too_long"):

@@ -69,11 +69,11 @@ def test_names_and_what_looks_like_a_formula_stay_texts(tmp_path):
 def test_some_tables_and_a_project(result, tmp_path):
     done = spreadsheet(result, tmp_path / "s.xlsx", tables=("images", "points.csv"))
     assert done.sheets == ("images", "points")
-    with pytest.raises(InputError, match="no table nothing; there are "):
+    with pytest.raises(InputError, match=r"nothing.*workbook\.unknown_table"):
         spreadsheet(result, tmp_path / "n.xlsx", tables=("nothing",))
 
 
-@pytest.mark.parametrize(("out", "message"), [("t.xls", "a workbook ends in .xlsx"), ("there.xlsx", r"file\.exists")])
+@pytest.mark.parametrize(("out", "message"), [("t.xls", r"file\.suffix"), ("there.xlsx", r"file\.exists")])
 def test_bad_names_are_told_before_anything_is_read(result, tmp_path, out, message):
     (tmp_path / "there.xlsx").write_text("kept")
     with pytest.raises(InputError, match=message):
@@ -85,7 +85,7 @@ def test_a_folder_without_tables_and_a_table_too_long_are_told(result, tmp_path,
     (tmp_path / "empty").mkdir()
     with pytest.raises(InputError, match=r"session\.no_project"):
         spreadsheet(tmp_path / "empty", tmp_path / "e.xlsx")
-    with pytest.raises(InputError, match="no folder with tables"):
+    with pytest.raises(InputError, match=r"result\.no_folder"):
         spreadsheet(result / "points.csv", tmp_path / "e.xlsx")
     monkeypatch.setattr(workbook, "ROWS", 100)
     done = spreadsheet(result, tmp_path / "l.xlsx")

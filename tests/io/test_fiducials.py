@@ -332,7 +332,7 @@ def test_the_command_writes_nothing_for_exchanged_marks(files):
     result = run(files)
     assert isinstance(result.exception, InputError)
     assert "F1 - F2" in str(result.exception)
-    assert "nothing is written" in str(result.exception)
+    assert "[film.scans_not_transformed]" in str(result.exception)
     assert not (files / "film").exists()
 
 

@@ -134,7 +134,7 @@ def test_fiducials_are_refused_with_a_reason(archive, tmp_path):
     assert rb.marks(folder).fiducials[image, "F1"].x_px == 3.0
     rb.mark(folder, "fiducial", image=image, name="F1")
     assert rb.marks(folder).fiducials == {}
-    with pytest.raises(InputError, match="need their camera"):
+    with pytest.raises(InputError, match=r"film\.camera_missing"):
         rb.begin(folder, tmp_path / "other", film=tmp_path / "certificate.csv")
     plain = tmp_path / "plain"
     plain.mkdir()

@@ -38,10 +38,10 @@ def test_undo_and_redo_say_of_what(folder):
 
 
 def test_a_marked_point_is_asked_of_the_result_that_has_it(folder):
-    with pytest.raises(InputError, match="'gate' is marked by hand.*raybundle mark adjust"):
+    with pytest.raises(InputError, match=r"gate .*raybundle mark adjust.*mark\.not_in_result"):
         rb.query(folder, coordinates=("gate",))
     measured_result(folder).mkdir()
-    with pytest.raises(InputError, match=f"ask .*{measured_result(folder).name}"):
+    with pytest.raises(InputError, match=r"gate .*raybundle mark adjust.*mark\.not_in_result"):
         rb.query(folder, coordinates=("gate",))
     with pytest.raises(InputError, match=r"joint\.unknown_point"):
         rb.query(folder, coordinates=("nowhere",))

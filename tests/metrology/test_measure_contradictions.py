@@ -122,16 +122,16 @@ def test_one_wrong_control_point_of_five_is_named_and_compared(field, tmp_path):
 def test_control_in_a_line_or_another_unit_is_told_with_its_file(field, tmp_path):
     _, truth = field
     file = table(tmp_path / "c.csv", {n: np.array([k, 2.0 * k, 3.0 * k]) for k, n in enumerate(FIVE)})
-    with pytest.raises(InputError, match=r"c\.csv: the 5 control points .* lie in one line"):
+    with pytest.raises(InputError, match=r"c\.csv: .* 5 .*control\.points_in_line"):
         measured(field, tmp_path / "m", control=file)
-    with pytest.raises(InputError, match=r"1000 times as large as the control \(m for mm\)"):
+    with pytest.raises(InputError, match=r"1000 times .*m for mm.*control\.other_unit"):
         measured(field, tmp_path / "m", control=table(tmp_path / "d.csv", truth, FIVE, (1e-3, 1e-3, 1e-3)))
 
 
 def test_what_is_asked_of_a_table_that_is_not_given_is_refused(field, tmp_path):
-    with pytest.raises(InputError, match="allowed= goes with"):
+    with pytest.raises(InputError, match=r"allowed=.*lengths\.tolerance_without_lengths"):
         measured(field, tmp_path / "m", allowed=(1.0, 0.0))
-    with pytest.raises(InputError, match="by= goes with"):
+    with pytest.raises(InputError, match=r"by= .*nominal=.*option\.needs"):
         measured(field, tmp_path / "m", by=("1", "2", "3"))
 
 
@@ -166,12 +166,12 @@ def test_a_bar_or_a_length_given_twice_counts_once(field, tmp_path):
 def test_what_is_wrong_with_a_length_is_told_with_its_place(field, tmp_path):
     _, truth = field
     file = lengths(tmp_path / "l.csv", truth, ("2", "7", 1e-3, ""), ("3", "9", 1e-3, ""))
-    with pytest.raises(InputError, match=r"l\.csv: known lengths are 0\.001 times .* \(m for mm\)"):
+    with pytest.raises(InputError, match=r"l\.csv.*0\.001 times .*m for mm.*length_test\.other_unit"):
         measured(field, tmp_path / "m", lengths=file)
     file.write_text("from,to,length\n2,7,1\n2,zz,1\n")
-    with pytest.raises(InputError, match=r"l\.csv, line 3: no point zz was measured"):
+    with pytest.raises(InputError, match=r"l\.csv, line 3: .*zz.*length_test\.ends_not_measured"):
         measured(field, tmp_path / "m", lengths=file)
-    with pytest.raises(InputError, match="both ends are one point"):
+    with pytest.raises(InputError, match=r"length_test\.same_ends"):
         measured(field, tmp_path / "m", check_length=[("1", "1", 0.5)])
-    with pytest.raises(InputError, match=r"scale bar 1 - 20: 1e-09 m with a standard deviation of 0\.01 m tells no"):
+    with pytest.raises(InputError, match=r"1 - 20: .*0\.01 m .*1e-09 m.*scale_bar\.sigma_too_large"):
         rb.measure(field[0], tmp_path / "m", scale_bar=[("1", "20", 1e-9, 0.01)])

@@ -96,7 +96,7 @@ def test_points_of_the_datum_may_be_told(epochs, tmp_path, capsys):
 
 def test_what_cannot_be_tested_is_told(epochs, tmp_path, capsys):
     assert main(["moved", str(epochs[0]), "--out", str(tmp_path / "m")]) == 2
-    assert "one is given" in capsys.readouterr().err
+    assert "[epochs.only_one]" in capsys.readouterr().err
     assert main(["moved", *map(str, epochs), "--points", "1", "2", "3", "--out", str(tmp_path / "m")]) == 2
     assert "[epochs.too_few_common]" in capsys.readouterr().err
     assert not (tmp_path / "m").exists()
@@ -143,7 +143,7 @@ def test_displacements_in_the_axes_of_a_drawing(epochs, tmp_path, capsys):
     here = turned.transforms[0].points(np.zeros((1, 3)))  # of the second epoch into the axes of the drawing
     assert np.isfinite(here).all()
     assert main(["moved", *map(str, epochs), "--by", "1", "2", "3", "--out", str(tmp_path / "p")]) == 2
-    assert "--by goes with --axes" in capsys.readouterr().err
+    assert "--by needs --axes. [option.needs]" in capsys.readouterr().err
 
 
 def test_a_report_says_whose_it_is_and_which_way_is_seen(epochs, tmp_path):
@@ -252,7 +252,7 @@ def test_scales_that_contradict_each_other_are_a_fault_with_their_bars(epochs, t
     assert "[epochs.other_unit]" in said
     assert "m for mm" in said
     assert main(["moved", str(epochs[0]), str(other), "--points", "nope", "--out", str(tmp_path / "n")]) == 2
-    assert "has none of nope" in capsys.readouterr().err
+    assert "[measurement.unknown_points]" in capsys.readouterr().err
 
 
 def test_names_shifted_by_one_are_a_fault(epochs, tmp_path):

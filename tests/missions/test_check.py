@@ -228,7 +228,7 @@ def test_bad_input_of_the_command(tmp_path, capsys, good):
     assert "no such file" in capsys.readouterr().err
     write_mission(PLAN, tmp_path / "mission.toml")
     assert main(["plan", "check", str(tmp_path), str(tmp_path / "empty")]) == 2
-    assert "no photograph is among these files" in capsys.readouterr().err
+    assert "[photograph.none]" in capsys.readouterr().err
     write_mission(replace(PLAN, crs=""), tmp_path / "local.toml")
     assert main(["plan", "check", str(tmp_path / "local.toml"), str(good[0])]) == 2
     assert "the plan has local coordinates" in capsys.readouterr().err

@@ -74,7 +74,8 @@ def test_a_field_from_end_to_end(field, tmp_path, capsys):
 def test_a_pixel_in_another_unit_is_refused(gsd, unit, field, tmp_path, capsys):
     status, _, said = run(capsys, field, "--vehicle", "mavic-3e", "--gsd", gsd, "--out", tmp_path / "plan")
     assert status == 2
-    assert f"is it in {unit}?" in said if unit else "give it in metres" in said
+    assert "[mission.gsd_too_large]" in said
+    assert (f"probably in {unit}" in said) if unit else ("probably" not in said)
     assert "battery" not in said
     assert not (tmp_path / "plan").exists()
 
@@ -186,15 +187,15 @@ BAD = [
     (("--gsd", 0.02), "[mission.camera_missing]"),
     (("--vehicle", "kite"), "[mission.vehicle_unknown]"),
     (("--camera", "nothing.jpg"), "[mission.camera_unknown]"),
-    (("--vehicle", "mavic-3e", "--gsd", 0.02, "--height", 80), "give the size of a pixel or the height, not both"),
-    (("--vehicle", "mavic-3e", "--to", "wpml,gpx"), "format 'gpx' is not known; known:"),
-    (("--vehicle", "mavic-3e", "--pattern", "corridor"), "corridor is flown over a line;"),
+    (("--vehicle", "mavic-3e", "--gsd", 0.02, "--height", 80), "[option.exclusive]"),
+    (("--vehicle", "mavic-3e", "--to", "wpml,gpx"), "[format.unknown]"),
+    (("--vehicle", "mavic-3e", "--pattern", "corridor"), "[mission.shape]"),
     (("--vehicle", "mavic-3e", "--speed", 14, "--overlap", 0.9, 0.7), "[mission.camera_interval]"),
     (("--vehicle", "mavic-3e", "--battery", 1), "[mission.battery]"),
     (("--vehicle", "mavic-3e", "--pattern", "double-grid", "--tilt", 80), "[mission.view_to_horizon]"),
     (("--vehicle", "mavic-3e", "--dem", SRTM), "[raster.no_overlap]"),
     (("--vehicle", "mavic-3e", "--no-go", "FIELD"), "[mission.area_in_zones]"),
-    (("--vehicle", "mavic-3e", "--name", "../plan"), "'../plan' is no name for files"),
+    (("--vehicle", "mavic-3e", "--name", "../plan"), "'../plan' is not possible as a file name. [mission.name]"),
     (("--vehicle", "mavic-3e", "--gsd", 1e-6), "[mission.too_many_parts]"),
     (
         ("--vehicle", "mavic-3e", "--gsd", 2e-4, "--battery", 1400, "--interval", 0.01),
@@ -258,7 +259,7 @@ def test_two_areas_are_not_one(tmp_path, capsys):
     path = geojson(tmp_path / "two.geojson", "MultiPolygon", [[[*FIELD, FIELD[0]]], [[*second, second[0]]]])
     status, _, err = run(capsys, path, "--vehicle", "mavic-3e", "--out", tmp_path / "plan")
     assert status == 2
-    assert "holds 2 outlines; a mission has one" in err
+    assert "contains 2 outlines; a mission has one. [mission.several_outlines]" in err
 
 
 def test_heights_over_the_limit_are_a_fault(field, tmp_path, capsys):

@@ -187,11 +187,11 @@ def test_it_stands_in_folders(tmp_path):
     ("change", "words"),
     [
         (lambda t: replace(t, covariance=np.abs(t.covariance) + 1.0), r"network\.covariance_not_positive"),
-        (lambda t: replace(t, covariance=-t.covariance), "variance is not positive"),
-        (lambda t: t.rows(np.arange(len(t)) > 0), "no row with the coordinates of one of the two"),
-        (lambda t: t.append(t), "stand in an earlier row"),
-        (lambda t: replace(t, xyz=np.nan_to_num(t.xyz, nan=1.0)), "leave X, Y, Z empty"),
-        (lambda t: replace(t, xyz=np.full_like(t.xyz, np.nan)), "coordinates are lacking"),
+        (lambda t: replace(t, covariance=-t.covariance), r"network\.variance_not_positive"),
+        (lambda t: t.rows(np.arange(len(t)) > 0), r"network\.point_without_coordinates"),
+        (lambda t: t.append(t), r"network\.pair_twice"),
+        (lambda t: replace(t, xyz=np.nan_to_num(t.xyz, nan=1.0)), r"X.*Y.*Z.*network\.coordinates_of_pair"),
+        (lambda t: replace(t, xyz=np.full_like(t.xyz, np.nan)), r"network\.coordinates_missing"),
     ],
 )
 def test_what_is_wrong_is_said(tmp_path, change, words):

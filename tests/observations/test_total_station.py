@@ -237,10 +237,10 @@ def test_folders_degrees_and_gon(tmp_path):
 @pytest.mark.parametrize(
     ("table", "change", "words"),
     [
-        ("directions", lambda t: replace(t, target=t.station), "two different points"),
-        ("directions", lambda t: replace(t, set=("one",) * len(t)), "a set has one station"),
-        ("zenith_angles", lambda t: replace(t, angle=t.angle + np.pi), "no zenith angle"),
-        ("differences", lambda t: replace(t, sigma=np.full_like(t.sigma, np.nan)), "stand together"),
+        ("directions", lambda t: replace(t, target=t.station), r"observation\.same_point"),
+        ("directions", lambda t: replace(t, set=("one",) * len(t)), r"observation\.set_station"),
+        ("zenith_angles", lambda t: replace(t, angle=t.angle + np.pi), r"observation\.zenith_angle"),
+        ("differences", lambda t: replace(t, sigma=np.full_like(t.sigma, np.nan)), r"observation\.value_without_sigma"),
     ],
 )
 def test_what_is_wrong_is_said(tmp_path, table, change, words):

@@ -445,7 +445,7 @@ def test_a_worker_leaves_no_project_aside_and_waits_for_no_folder_without_end(tm
     (tmp_path / "cluster").mkdir()
     assert main(["worker", str(tmp_path), "--cluster", str(tmp_path / "cluster")]) == 2
     said = capsys.readouterr().err
-    assert f"{tmp_path} would be left aside" in said
+    assert f"{tmp_path} alone. [worker.project_of_cluster]" in said
     assert "--shard I/N" in said
     assert main(["worker", "--cluster", str(tmp_path / "none")]) == 2
     out, err = capsys.readouterr()

@@ -190,13 +190,13 @@ def test_a_list_of_another_version_is_refused(tmp_path):
 @pytest.mark.parametrize(
     ("words", "said"),
     [
-        (["p", "--shard", "4/4"], "4/4 is no share"),
-        (["p", "--shard", "one"], "one is no share"),
-        (["--shard", "0/1"], "of which project?"),
-        (["p"], "give --cluster FOLDER or --shard I/N"),
-        (["--cluster", "c", "--shard", "0/1"], "give --cluster FOLDER or --shard I/N, one of them"),
-        (["p", "--shard", "0/99999999999"], "is a share of more jobs than an array has, 9999999 at most"),
-        (["p", "--shard", f"0/{'9' * 5000}"], "is a share of more jobs than an array has"),
+        (["p", "--shard", "4/4"], "4/4 is not a shard. [worker.shard_form]"),
+        (["p", "--shard", "one"], "[worker.shard_form]"),
+        (["--shard", "0/1"], "[worker.project_missing]"),
+        (["p"], "--cluster FOLDER and --shard I/N is needed. [worker.cluster_or_shard]"),
+        (["--cluster", "c", "--shard", "0/1"], "--cluster FOLDER and --shard I/N is needed. [worker.cluster_or_shard]"),
+        (["p", "--shard", "0/99999999999"], "9 999 999 shards are possible. [worker.too_many_shards]"),
+        (["p", "--shard", f"0/{'9' * 5000}"], "[worker.too_many_shards]"),
         (["p", "--shard", "0/1"], "[project.no_run]"),
         (
             ["--cluster", "tcp://10.0.0.5:8786"],

@@ -91,11 +91,11 @@ def test_meshes_are_objects(tmp_path, capsys):
     [
         (("box:4,3", "--photographs", "8"), "[object.number_count]"),
         (("box:4,3,-1", "--photographs", "8"), "[object.dimension_out_of_range]"),
-        (("boks:4,3,1", "--photographs", "8"), "neither a kind of object (box:4,3,2.5"),
-        (("box:4,3,2", ), "--sigma MM, or --photographs N"),
-        (("facade:6,4", "--photographs", "8", "--heights", "4", "1"), "give the lower first"),
+        (("boks:4,3,1", "--photographs", "8"), "(box:4,3,2.5"),
+        (("box:4,3,2", ), "[plan.no_goal]"),
+        (("facade:6,4", "--photographs", "8", "--heights", "4", "1"), "[site.empty]"),
         (("facade:6,4", "--photographs", "8", "--focus", "0.02"), "[lens.focus_too_near]"),
-        (("facade:6,4", "--photographs", "8", "--around", "1"), "one may go 1 m away"),
+        (("facade:6,4", "--photographs", "8", "--around", "1"), "1 m away. [plan.never_sharp]"),
         (("facade:6,4", "--photographs", "8", "--forbid", *EVERYWHERE), "[plan.no_station_allowed]"),
         (("box:4,3,2", "--photographs", "3", "--incidence", "20"), "points of the object"),
         pytest.param(("facade:60,40", "--sigma", "0.000001"), "[plan.beyond_reach]", marks=pytest.mark.long),
@@ -115,9 +115,15 @@ LINES = '[cameras.{id}]\nmodel = "{model}"\nwidth_px = 600\nheight_px = 400\npix
 @pytest.mark.parametrize(
     ("text", "said"),
     [
-        ("", "holds 0 cameras; a plan has one"),
-        (LINES.format(id="a", model="brown") + LINES.format(id="b", model="brown"), "holds 2 cameras (a, b); a plan"),
-        (LINES.format(id="a", model="brown_rolling") + "r = 0.005\n", "plans are made for frame cameras"),
+        ("", "0; exactly one is needed. [calibration.camera_count]"),
+        (
+            LINES.format(id="a", model="brown") + LINES.format(id="b", model="brown"),
+            "2; exactly one is needed. [calibration.camera_count]",
+        ),
+        (
+            LINES.format(id="a", model="brown_rolling") + "r = 0.005\n",
+            "a (brown_rolling) is not a frame camera of single stations. [plan.no_frame_camera]",
+        ),
     ],
 )
 def test_cameras_of_a_calibration(tmp_path, capsys, text, said):

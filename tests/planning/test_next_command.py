@@ -93,15 +93,15 @@ def test_a_block_without_a_datum_and_its_calibration(field, tmp_path, capsys):
 @pytest.mark.parametrize(
     ("words", "said"),
     [
-        (("--heights", "2", "1"), "give the lower first"),
+        (("--heights", "2", "1"), "[site.empty]"),
         (("--forbid", *EVERYWHERE), "[plan.no_station_within]"),
         (("--clearance", "50"), "[plan.no_station_within]"),
-        (("--focus", "4"), "give both"),
+        (("--focus", "4"), "[option.needs]"),
         (("--focus", "0.02", "--f-number", "8"), "[lens.focus_too_near]"),
         (("--camera", "Leica"), "[plan.unknown_camera]"),
         (("--points", "nobody"), "[plan.points_not_adjusted]"),
-        (("--points", "1", "--aim", "mean"), "goes with --aim worst"),
-        (("--hidden-by", "boks:1,2,3"), "neither a kind of object"),
+        (("--points", "1", "--aim", "mean"), "--aim worst. [plan.points_and_aim]"),
+        (("--hidden-by", "boks:1,2,3"), "[object.unknown]"),
         (("--hidden-by", "box:99,99,99"), "[plan.object_elsewhere]"),
         (("--photographs", "90", "--candidates", "30"), "[plan.too_few_candidates]"),
     ],
@@ -143,13 +143,13 @@ def test_blocks_that_cannot_be_asked(field, tmp_path, capsys):
     write_block(replace(block, cameras=(own,)), tmp_path / "own")
     for source, word in (
         (tmp_path, "[session.no_project]"),
-        (tmp_path / "unoriented", "is not adjusted yet"),
+        (tmp_path / "unoriented", "[block.not_adjusted]"),
         (tmp_path / "own", "[plan.no_frame_camera]"),
     ):
         assert plan(source, tmp_path / "x") == 2
         assert word in capsys.readouterr().err
     assert plan(field, tmp_path / "x", "--focus", "2", "--f-number", "8") == 2
-    assert "nothing fixes the scale" in capsys.readouterr().err
+    assert "[plan.focus_without_scale]" in capsys.readouterr().err
 
 
 def test_what_is_not_determinable_yet_has_no_figure(field, tmp_path):

@@ -134,7 +134,7 @@ def test_bad_tables(tmp_path, capsys):
     assert "few.csv: dlt: 5 " in said
     assert "[empirical.too_few_points]" in said
     assert main(["empirical", table(tmp_path / "r.csv", xyz, xy, ["chek"] * 5)]) == 2
-    assert "'chek' is neither control nor check" in capsys.readouterr().err
+    assert "[value.not_supported]" in capsys.readouterr().err
     (tmp_path / "none.csv").write_text("point,x_px,y_px\na,1,2\n")
     assert main(["empirical", str(tmp_path / "none.csv")]) == 2
     assert "X, Y, Z or lon_deg, lat_deg, h_m" in capsys.readouterr().err

@@ -255,7 +255,7 @@ def test_written_by_tiles(folder, scene_file, dem, capsys):
     assert main(words) == 2
     assert "[file.exists]" in capsys.readouterr().err
     assert main([*words[:-1], str(folder / "a.png")]) == 2
-    assert "a map is written as GeoTIFF" in capsys.readouterr().err
+    assert "[file.suffix]" in capsys.readouterr().err
     assert main(words[:-2]) == 2
     assert "the map is not named; give --out FILE.tif" in capsys.readouterr().err
 
@@ -299,7 +299,7 @@ def test_holes_and_the_edge_of_heights(scene_file, folder, dem, middle):
     nowhere = write(folder / "nowhere.tif", z, crs=None, transform=transform)
     with pytest.raises(InputError, match=r"raster\.no_system"):
         rb.rpc_ortho(scene_file, nowhere)
-    with pytest.raises(InputError, match="the scene shows nothing of the area"):
+    with pytest.raises(InputError, match=r"scene\.outside_map"):
         rb.rpc_ortho(scene_file, dem, crs=UTM, pixel=0.5, extent=(5e5, 4e6, 5.001e5, 4.0001e6))
     with pytest.raises(InputError, match="is that of a map, a plane one without heights"):
         rb.rpc_ortho(scene_file, dem, crs="EPSG:32637+5773")
@@ -335,7 +335,7 @@ def test_pixels_of_the_scene_that_mean_nothing(scene_file, folder, dem, part):
     assert lost.sum() == pytest.approx(53 * 53 * across * along, rel=0.1)  # and what would be made of them
     seen = (done.values[0] != 7) & (full.values[0] > 0)
     assert np.array_equal(done.values[:, seen], full.values[:, seen])  # nothing of them is mixed in
-    with pytest.raises(InputError, match="is no uint16, which the pixels are"):
+    with pytest.raises(InputError, match=r"uint16.*scene\.no_data_type"):
         rb.rpc_ortho(file, dem, rpc=part, nodata=-1)
     floats = write(folder / "floats.tif", values.astype("float32"), crs=None)
     assert np.isnan(rb.rpc_ortho(floats, dem, rpc=part, pixel=4).nodata)
@@ -354,7 +354,7 @@ def test_objects_of_rasterio_and_rioxarray_in_and_out(scene_file, dem, part, fol
         assert np.array_equal(found.values, want.values)
         moved = array.copy()
         moved.encoding = {}
-        with pytest.raises(InputError, match="neither the object nor a file that it was opened from tells an RPC"):
+        with pytest.raises(InputError, match=r"RPC.*scene\.object_without_rpc"):
             rb.rpc_ortho(moved, ground)
         for rpc in (part, part.to_rasterio(), scene_file):
             found = rb.rpc_ortho(moved, ground, crs=UTM, pixel=0.5, rpc=rpc)

@@ -96,12 +96,12 @@ def test_what_costs_a_scene_and_what_costs_all(folder, control, tmp_path):
     done = rb.rpc_batch([folder / "a.tif", folder / "c_RPC.TXT"], control, tmp_path / "tif", to="tif")
     assert "GeoTIFF" in done.failed[0].problem
     twice = rb.rpc_batch([folder / "a.tif", folder / "a.tif"], control, tmp_path / "twice")
-    assert "another scene is called a_RPC" in twice.failed[0].problem
+    assert twice.failed[0].problem.code == "scene.name_twice"
     text = control.read_text().replace("a.tif", "")
     nameless = tmp_path / "nameless.csv"
     nameless.write_text(text)
-    with pytest.raises(InputError, match="in which image it was measured; give a column image"):
+    with pytest.raises(InputError, match=r"scene_control\.image_missing"):
         rb.rpc_batch(folder, nameless, tmp_path / "x")
     (tmp_path / "empty").mkdir()
-    with pytest.raises(InputError, match="holds no scene"):
+    with pytest.raises(InputError, match=r"scene\.none_here"):
         rb.rpc_batch(tmp_path / "empty", control, tmp_path / "x")

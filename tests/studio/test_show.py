@@ -48,8 +48,8 @@ def test_an_adjustment_opens_in_a_folder_and_the_folder_again(result, quiet, tmp
 def test_what_cannot_be_opened_is_said(result, quiet, tmp_path):
     with pytest.raises(InputError, match=r"session\.no_project"):
         rb.show(tmp_path)
-    with pytest.raises(InputError, match="of an adjustment"):
+    with pytest.raises(InputError, match=r"studio\.page_of_folder"):
         rb.show(tmp_path, what="report")
-    with pytest.raises(InputError, match="leave it out"):
+    with pytest.raises(InputError, match=r"studio\.path_of_folder"):
         rb.show(tmp_path, tmp_path / "x")
     assert not quiet

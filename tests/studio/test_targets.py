@@ -185,7 +185,7 @@ def test_a_sheet_is_made_to_be_printed(client):
 @pytest.mark.parametrize(
     ("values", "words"),
     [
-        ({"target": "aicon14"}, "give either"),
+        ({"target": "aicon14"}, "[option.one_of]"),
         ({"target": "none"}, "target.unknown_family"),
         ({"out": "/x"}, "no option"),
     ],

@@ -67,7 +67,7 @@ def test_nothing_found_is_status_two(tmp_path, capsys):
 def test_the_family_must_be_named(tmp_path, capsys):
     photographs(tmp_path / "photos")
     assert main(["targets", "detect", str(tmp_path / "photos")]) == 2
-    assert "must be named" in capsys.readouterr().err
+    assert "[target.family_missing]" in capsys.readouterr().err
 
 
 def test_sheet_and_choose(tmp_path, capsys):
@@ -85,15 +85,15 @@ def test_sheet_and_choose(tmp_path, capsys):
 @pytest.mark.parametrize(
     ("arguments", "message"),
     [
-        (["--target", "aicon14"], "either --codes or --count"),
-        (["--target", "aicon14", "--codes", "3-1"], "twice, or a range runs downwards"),
-        (["--target", "aicon14", "--codes", "x"], "neither a number nor a range"),
+        (["--target", "aicon14"], "[option.one_of]"),
+        (["--target", "aicon14", "--codes", "3-1"], "[target.code_twice]"),
+        (["--target", "aicon14", "--codes", "x"], "'x' is neither a number nor a range. [target.code_form]"),
         (["--target", "aicon14", "--codes", "600"], "no id 600"),
         (["--target", "aicon14", "--count", "2", "--dot-radius", "5miles"], "not a length"),
-        (["--target", "chessboard-9x6"], "give --spacing"),
-        (["--target", "chessboard-9x6", "--spacing", "18", "--count", "3"], "no numbers to choose from"),
-        (["--target", "apriltag-36h11", "--spacing", "30mm"], "either --codes or --count"),
-        (["--table", "absent.csv", "--count", "2"], "--table goes with --bits"),
+        (["--target", "chessboard-9x6"], "[sheet.spacing_missing]"),
+        (["--target", "chessboard-9x6", "--spacing", "18", "--count", "3"], "[sheet.board_without_numbers]"),
+        (["--target", "apriltag-36h11", "--spacing", "30mm"], "[option.one_of]"),
+        (["--table", "absent.csv", "--count", "2"], "[target.table_settings]"),
     ],
 )
 def test_bad_usage(tmp_path, capsys, arguments, message):
@@ -187,7 +187,7 @@ def test_dots_are_printed(tmp_path, capsys):
     for more, message in (
         (["--spacing", "20mm", "--count", "200"], "[sheet.too_many_dots]"),
         (["--spacing", "10mm"], "[sheet.dots_too_large]"),
-        (["--spacing", "20mm", "--codes", "1-3"], "no numbers to choose from"),
+        (["--spacing", "20mm", "--codes", "1-3"], "[sheet.dots_without_numbers]"),
     ):
         assert main(["targets", "sheet", "--target", "dots", *more, "--out", str(tmp_path / "x.svg")]) == 2
         assert message in capsys.readouterr().err
@@ -219,8 +219,8 @@ def test_what_calibrate_refuses_before_it_looks(tmp_path, capsys):
             "aicon, brown, brown_harmonic, division, eucm, field_of_view, fisheye, kannala_brandt, radial",
         ),
         (["--model", "antenna"], "unknown sensor model 'antenna'; known: auto, aicon"),
-        (["--table", str(table)], "--table goes with --bits, and without --target and --sheet"),
-        (["--table", str(table), "--bits", "8", "--target", "aicon12"], "--table goes with --bits, and without"),
+        (["--table", str(table)], "[target.table_settings]"),
+        (["--table", str(table), "--bits", "8", "--target", "aicon12"], "[target.table_settings]"),
     ):
         assert main([*begin, *more]) == 2
         assert message in capsys.readouterr().err

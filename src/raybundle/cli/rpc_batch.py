@@ -50,9 +50,7 @@ def batch(scenes: tuple[Path, ...], progress: str, **given: Any) -> None:
         for k in c.advice.set_aside:
             click.echo(f"   caution: {c.ids[k]} contradicts the others and took no part")
     for scene in done.failed:
-        click.echo(
-            f" caution: {scene.name} is left out: {scene.problem.text() if scene.problem else ''}".replace("\n", " ")
-        )
+        click.echo(f" caution: {scene.name} is left out: {scene.problem_line}")
     click.echo(f" {len(done.corrected)} of {counted(len(done.scenes), 'scene')} corrected: {done.table}")
 
 
@@ -61,7 +59,8 @@ def _fact(scene: BatchScene) -> dict[str, Any]:
     c = scene.correction
     fit = None if c is None else c.fit
     return {
-        "scene": scene.name, "file": scene.file, "problem": scene.problem.json() if scene.problem else None,
+        "scene": scene.name, "file": scene.file, "problem": scene.problem_line,
+        "message": None if scene.problem is None else scene.problem.json(),
         "remarks": list(scene.remarks), "bias": None if fit is None else fit.kind,
         "rms_px": None if fit is None else fit.rms, "errors": None if c is None else c.errors,
     }  # fmt: skip

@@ -51,7 +51,7 @@ def command(project: str | None, progress: str, **given: Any) -> int:
         return 0
     click.echo(f" {counted(done.made, 'task')} done")
     for name, why in done.failed:
-        click.echo(f" left out: {name}: {why}")
+        click.echo(f" left out: {name}: {why.text()}")
     if done.waiting:
         click.echo(f" {counted(done.waiting, 'task')} of this share wait for others; run it again then")
     return WAITING if done.waiting else 0

@@ -53,7 +53,7 @@ class FamilySettings:
         from raybundle.targets.marks import forms, target  # noqa: PLC0415
 
         if self.target is None and self.table is None:
-            raise _unnamed(forms())
+            raise _unnamed([name for form in forms() for name in re.sub(r" \(.*?\)| and others", "", form).split(", ")])
         by_name = self.target if self.table is None else None
         found = Rings(rings=self.rings()) if by_name is None else target(by_name)
         return Rings(rings=found.rings, dots=True) if dots and isinstance(found, Rings) else found

@@ -243,7 +243,7 @@ class _Workers:
         if not here.failed:
             self.blind += 1
             if self.blind >= BLIND:
-                raise InputError("cluster.worker_fails", host=host, n=BLIND, detail=done.failed)
+                raise InputError("cluster.worker_fails", details=[done.failed], host=host, n=BLIND)
         return here
 
     def _connected(self) -> None:

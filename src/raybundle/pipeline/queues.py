@@ -12,7 +12,7 @@ from collections.abc import Generator, Sequence
 from dataclasses import dataclass, field, replace
 from typing import Protocol
 
-from raybundle.errors import InputError
+from raybundle.errors import InputError, as_error, message
 from raybundle.pipeline.store import Folder
 from raybundle.pipeline.tasks import Done, Task
 
@@ -79,7 +79,9 @@ class Queue:
                 needs.discard(one.task.key)
                 if done.failed:
                     del self.waiting[key]
-                    lost.append(Done(task=task, failed=f"needs what could not be made: {done.failed}", lost=done.lost))
+                    lost.append(
+                        Done(task=task, failed=message("task.needs_failed", details=[done.failed]), lost=done.lost)
+                    )
                     ended.append(lost[-1])
                 elif not needs:
                     del self.waiting[key]
@@ -131,17 +133,18 @@ class _Work:
         if done is None:
             self.deaths[key] += 1
             if by_itself:
-                text = "the process that did it died, as where memory is short"
-                done = Done(task=task, failed=text, trouble=f"{text}\n")
+                died = message("task.process_died")
+                done = Done(task=task, failed=died, trouble=f"{died.text()}\n")
         elif done.stop:
-            raise InputError(done.stop)
+            raise as_error(done.stop)
         if done is not None and done.trouble:
             self.failures[key] += 1
             attempt = self.failures[key]
             log = self._log(task, done, attempt)
             if attempt >= TRIES:
-                text = f"{task.name or key}: failed {TRIES} times ({done.failed}); see {log}"
-                return Done(task=task, failed=text)
+                details = [done.failed] if done.failed else []
+                failed = message("task.failed_repeatedly", details=details, name=task.name or key, n=TRIES, log=log)
+                return Done(task=task, failed=failed)
         elif done is not None:
             return replace(done, task=task)
         if self.deaths[key] >= DEATHS:

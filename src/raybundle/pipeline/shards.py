@@ -21,7 +21,7 @@ import msgspec
 import numpy as np
 
 from raybundle import words
-from raybundle.errors import InputError, TasksWaiting
+from raybundle.errors import InputError, Message, TasksWaiting, message_of
 from raybundle.numerics.arrays import Array
 from raybundle.numerics.progress import Counted, Progress, silent
 from raybundle.pipeline.clusters import TOKEN, signature
@@ -55,7 +55,8 @@ class Shards:
             products = _unpacked(store.load(archive) or {})
             found = {key: product for key, product in products.items() if key in wanted}
             for key, product in found.items():
-                failed, lost = (str(product.get(name, "")) for name in (FAILED, LOST))
+                said, lost = (str(product.get(name, "")) for name in (FAILED, LOST))
+                failed = message_of(json.loads(said)) if said else None
                 last = key == next(reversed(found))
                 done = Done(task=wanted.pop(key), product=product, failed=failed, lost=lost, keep_now=last)
                 yield done
@@ -109,7 +110,7 @@ class ShardDone:
     """What a shard did."""
 
     made: int
-    failed: tuple[tuple[str, str], ...]
+    failed: tuple[tuple[str, Message], ...]
     """tasks that could not be done, and why: the run that wanted them says what follows from it"""
     waiting: int
     """tasks that need what other shards have not made"""
@@ -133,7 +134,7 @@ def do_shard(
         return ShardDone(made=0, failed=(), waiting=0)
     made, small = {t.key for t in tasks}, {t.key for t in tasks if t.small}
     mine = tasks[number::of]
-    failed: dict[str, str] = {}
+    failed: dict[str, Message] = {}
     handed_over = _keys_handed(store)
     there = store.those([t.key for t in mine if not t.small])
     waiting = [t for t in mine if t.key not in (handed_over if t.small else there)]
@@ -151,7 +152,7 @@ def do_shard(
                 count += not done.failed
                 if done.failed:
                     failed[done.task.key] = done.failed
-                    said = {FAILED: np.array(done.failed), LOST: np.array(done.lost)}
+                    said = {FAILED: np.array(json.dumps(done.failed.json())), LOST: np.array(done.lost)}
                     _hand_over(store, {done.task.key: said})
                 elif done.task.small:
                     handing[done.task.key] = done.product

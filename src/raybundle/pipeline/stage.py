@@ -15,7 +15,7 @@ from functools import partial
 from pathlib import Path
 from typing import Any, Generic, TypeVar
 
-from raybundle.errors import InputError
+from raybundle.errors import InputError, Text
 from raybundle.numerics.arrays import Array
 from raybundle.numerics.progress import Counted, Progress, silent
 from raybundle.pipeline import running
@@ -101,7 +101,7 @@ class Means:
         """Where the products of tasks are."""
         return self.project.products
 
-    def do(self, tasks: Sequence[Task], what: str, *, apart: bool = False) -> dict[str, str]:
+    def do(self, tasks: Sequence[Task], what: str, *, apart: bool = False) -> dict[str, Text]:
         """Do the tasks whose products are not kept yet; keys of those that failed, and why.
 
         what   the work in words, for the progress
@@ -118,7 +118,7 @@ class Means:
             self.progress, what, total=len(tasks), done=len(tasks) - len(missing), costs=missing,
             folder=self.project.folder,
         )  # fmt: skip
-        failed: dict[str, str] = {}
+        failed: dict[str, Text] = {}
         executor = self.executor
         alone = not self.store.place.shared or len(missing) < 2
         if apart and isinstance(executor, Threads) and executor.jobs != 1 and not alone:
@@ -128,7 +128,7 @@ class Means:
             again = self._once(missing, told, failed, executor)
             lost.update((done.task.key, done.lost) for done in again)
             hopeless = [done for done in again if lost[done.task.key, done.lost] >= MENDS]
-            failed |= {done.task.key: done.failed for done in hopeless}
+            failed |= {done.task.key: Text.of(done.failed) for done in hopeless if done.failed}
             missing = [done.task for done in again if done.task.key not in failed]
             if not missing:
                 break
@@ -156,7 +156,7 @@ class Means:
         if gone:
             raise ProductGone(gone, self.store.place.name)
 
-    def _once(self, missing: Sequence[Task], told: Counting, failed: dict[str, str], executor: Executor) -> list[Done]:
+    def _once(self, missing: Sequence[Task], told: Counting, failed: dict[str, Text], executor: Executor) -> list[Done]:
         """Do tasks; those that found a product damaged."""
         waiting: list[tuple[str, Product]] = []
         again: list[Done] = []
@@ -167,7 +167,7 @@ class Means:
                     self.store.mended.add(done.lost)
                     again.append(done)
                 elif done.failed:
-                    failed[done.task.key] = done.failed
+                    failed[done.task.key] = Text.of(done.failed)
                 elif done.task.small:
                     waiting.append((done.task.key, done.product))
                     self._small[done.task.key] = done.product

@@ -54,15 +54,15 @@ class Done:
     task: Task
     product: Product = field(default_factory=dict[str, Any])
     """of a small task"""
-    failed: str = ""
-    """why it has no product; empty: it has"""
+    failed: Message | None = None
+    """why it has no product; None: it has"""
     lost: str = ""
     """key of a product that it needs and that was found damaged or gone"""
     trouble: str = ""
     """what a program has to say of an error that is no bad input: it may be tried again"""
     keep_now: bool = False
     """small products so far are to be kept before the next is asked for: who did them forgets them then"""
-    stop: str = ""
+    stop: Message | None = None
     """why no task can be done any more, as where the disk is full"""
 
 
@@ -96,20 +96,20 @@ def do(task: Task, store: Folder) -> Done:
     try:
         product = function_of(task.function)(store, task.options)
     except ProductGone as error:
-        return Done(task=task, failed=str(error), lost=error.key)
+        return Done(task=task, failed=as_detail(error), lost=error.key)
     except StoreLost as error:
-        return Done(task=task, failed=str(error), stop=str(error))
+        return Done(task=task, failed=as_detail(error), stop=as_detail(error))
     except InputError as error:
         return Done(task=task, failed=reason_of(error))
     except Exception as error:  # noqa: BLE001  (it is told with its traceback in the log, after some attempts)
-        text = f"{type(error).__name__}: {error}"
-        return Done(task=task, failed=text, trouble=traceback.format_exc())
+        failed = message("task.failed", kind=type(error).__name__, detail=str(error))
+        return Done(task=task, failed=failed, trouble=traceback.format_exc())
     if task.small:
         return Done(task=task, product=product)
     try:
         store.store(task.key, product)
     except InputError as error:
-        return Done(task=task, failed=str(error), stop=str(error))
+        return Done(task=task, failed=as_detail(error), stop=as_detail(error))
     return Done(task=task)
 
 
@@ -143,5 +143,5 @@ def do_written(text: bytes, store: Folder) -> Done:
     try:
         done = Done(task=task) if not task.small and store.has(task.key) else do(task, store)
     except StoreLost as error:
-        done = Done(task=task, failed=str(error), stop=str(error))
+        done = Done(task=task, failed=as_detail(error), stop=as_detail(error))
     return replace(done, task=replace(task, options=None))

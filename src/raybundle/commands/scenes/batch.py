@@ -52,6 +52,12 @@ class BatchScene:
     """what was written of it"""
     problem: Message | None = None
     """why nothing was"""
+
+    @property
+    def problem_line(self) -> str:
+        """Its problem in one line; empty where there is none."""
+        return " ".join(self.problem.text().split()) if self.problem is not None else ""
+
     remarks: tuple[str, ...] = ()
 
 
@@ -217,7 +223,7 @@ def _write_biases(path: Path, scenes: Sequence[BatchScene]) -> None:
         put("err_bias_m", none if errors is None else errors.err_bias_m)
         put("err_rand_m", none if errors is None or errors.err_rand_m is None else errors.err_rand_m)
         put("file", "" if scene.file is None else scene.file.name)
-        put("problem", scene.problem)
+        put("problem", scene.problem_line)
     import numpy as np  # noqa: PLC0415
 
     table = {n: tuple(v) if isinstance(v[0], str) else np.array(v, float) for n, v in columns.items()}

@@ -61,7 +61,6 @@ cluster-worker_blind = Der Worker auf { $host } sieht { $url ->
      } oder diesen Worker beenden.
 
 cluster-worker_fails = Der Worker auf { $host } scheiterte an { $n } Aufgaben, die dieser Rechner kann.
-    .why = Der letzte Fehler dort: { $detail }
     .do = Die Aufnahmen dort unter demselben Pfad sichtbar machen oder diesen Worker beenden.
 
 cluster-no_worker = Kein Worker kann die Aufgaben erledigen: { $n ->

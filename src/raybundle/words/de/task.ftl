@@ -28,3 +28,14 @@ task-list_count = Die Liste hat { $n } Aufgaben; geschrieben wurden { $needed }.
 task-list_checksum = Die Prüfsumme der Aufgabenliste ist falsch.
     .why = Die Liste ist beschädigt; nichts davon wird ausgeführt.
     .do = Den Befehl erneut ausführen, der sie schrieb.
+
+task-failed = Eine Aufgabe endete mit einem internen Fehler: { $kind } ({ $detail })
+
+task-needs_failed = Ein Produkt, das diese Aufgabe braucht, lässt sich nicht berechnen:
+
+task-process_died = Der Prozess der Aufgabe endete ohne Ergebnis.
+    .why = Vermutlich fehlt Arbeitsspeicher.
+    .do = Weniger { OPTION("jobs") } verwenden.
+
+task-failed_repeatedly = { $name }: { $n } Versuche scheiterten.
+    .do = Siehe { $log }.

@@ -84,9 +84,7 @@ cluster-worker_blind = The worker on { $host } does not see the { $url ->
 
 # $host = "node7"
 # $n = 3
-# $detail = "no such file"
 cluster-worker_fails = The worker on { $host } failed in { $n } tasks that this machine can do.
-    .why = The last error there: { $detail }
     .do = Make the photographs visible there under the same path, or stop that worker.
 
 # $n = 2

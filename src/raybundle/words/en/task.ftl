@@ -39,3 +39,19 @@ task-list_count = The list has { $n } tasks; { $needed } were written.
 task-list_checksum = The checksum of the list of tasks is wrong.
     .why = The list is damaged; nothing of it is done.
     .do = Run the command again that wrote it.
+
+# $kind = "ValueError"
+# $detail = "shapes do not match"
+task-failed = A task ended with an internal error: { $kind } ({ $detail })
+
+task-needs_failed = A product that this task needs cannot be computed:
+
+task-process_died = The process of the task ended without a result.
+    .why = Memory is probably short.
+    .do = Use fewer { OPTION("jobs") }.
+
+# $name = "img_07.jpg"
+# $n = 3
+# $log = "facade/cache/failed-tasks.log"
+task-failed_repeatedly = { $name }: { $n } attempts failed.
+    .do = See { $log }.
