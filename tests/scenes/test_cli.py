@@ -89,14 +89,14 @@ def test_errors_in_words(file, tmp_path, capsys, sensors):
     assert main(["rpc", "project", str(file), str(points), "--out", str(out)]) == 2
     assert "line 2, column lat_deg" in capsys.readouterr().err
     assert main(["rpc", "fit", str(file), "--out", str(tmp_path / "b.txt")]) == 2
-    assert "no rigorous model" in capsys.readouterr().err
+    assert "[scene.model_missing]" in capsys.readouterr().err
     assert main(["rpc", "project", str(file), str(points), "--model", "rigorous", "--out", str(out)]) == 2
     assert "[scene.model_missing]" in capsys.readouterr().err
     isd = sensors / "usgscsm/orbitalLineScan.json"
     assert main(["rpc", "fit", str(isd), "--out", str(tmp_path / "b.txt")]) == 2
     assert "--heights LOW HIGH" in capsys.readouterr().err
     assert main(["rpc", "correct", str(isd), str(points)]) == 2
-    assert "no RPC to be corrected" in capsys.readouterr().err
+    assert "[scene.rpc_missing]" in capsys.readouterr().err
     assert main(["rpc", "info", str(tmp_path / "none")]) == 2
     assert json.loads(isd.read_text())["image_lines"] == 16
     assert not out.exists()

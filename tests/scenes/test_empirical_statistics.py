@@ -84,7 +84,7 @@ def test_the_adequate_model_with_the_fewest_parameters_is_advised():
     xyz, xy = noisy("affine", 80, sigma=5.0)
     none = choose_empirical(xyz, xy, sigma_px=0.3)
     assert none.advised is None
-    assert none.reason.startswith("no model is adequate")
+    assert none.reason.code == "empirical.none_adequate"
     flat = xyz * [1, 1, 0]
     plane = choose_empirical(flat, made("plane-projective", flat), sigma_px=0.3)
     assert plane.advised is not None

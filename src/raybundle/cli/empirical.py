@@ -59,12 +59,12 @@ def _tell_advice(advice: EmpiricalAdvice) -> None:
     click.echo(f" {'model':21}{'parameters':>10}{'redundancy':>12}{'sigma0':>9}{'left out [px]':>15}   adequate")
     for c in advice.candidates:
         if c.fit is None:
-            click.echo(f" {c.name:21}{'not fitted':>10}   {c.reason.partition(': ')[2] or c.reason}")
+            click.echo(f" {c.name:21}{'not fitted':>10}   {c.reason.headline()}")
             continue
         f = c.fit
         told = "yes" if f.adequate and f.redundancy else "no" if f.redundancy else "no redundancy"
         click.echo(f" {c.name:21}{len(f.free):10d}{f.redundancy:12d}{f.sigma0:9.3g}{c.left_out_rms_px:15.3g}   {told}")
-    click.echo(f" advised: {advice.reason}")
+    click.echo(f" advised: {advice.reason.text()}")
 
 
 def _tell_fit(fit: EmpiricalFit, s: EmpiricalStatistics, ids: Sequence[str]) -> None:
@@ -85,4 +85,4 @@ def _tell_fit(fit: EmpiricalFit, s: EmpiricalStatistics, ids: Sequence[str]) -> 
             f" w of {ids[row]} in {'xy'[axis]}: {s.w[row, axis]:+.1f} (limit {s.critical_w:.1f}); residual "
             f"{fit.residuals_px[row, axis]:+.3g} px, look at it again"
         )
-    click.echo(f" {'' if fit.adequate else 'caution: '}{fit.reason}")
+    click.echo(f" {'' if fit.adequate else 'caution: '}{fit.reason.text()}")

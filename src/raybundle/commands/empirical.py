@@ -182,7 +182,7 @@ def _write(out: Path, found: Empirical) -> None:
     model: dict[str, Any] = {
         "model": fit.model.name, "object_offset": n.object_offset.tolist(), "image_offset_px": n.image_offset.tolist(),
         "sigma_px": fit.sigma_px, "sigma0": fit.sigma0, "redundancy": fit.redundancy, "adequate": fit.adequate,
-        "reason": fit.reason, "critical_w": s.critical_w,
+        "reason": fit.reason.text(), "message": fit.reason.json(), "critical_w": s.critical_w,
         "parameters": {p.symbol: {"value": p.value, "std": p.std, "unit": p.unit, "t": p.t} for p in s.parameters},
         "covariance": s.covariance.tolist(), "correlation": s.correlation.tolist(),
     }  # fmt: skip

@@ -5,11 +5,11 @@ Points that contradict the others are set aside first and named; what remains ha
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
-from raybundle.errors import InputError, NotSolvable
+from raybundle.errors import InputError, Message, NotSolvable, Severity, Value, message
 from raybundle.numerics.arrays import Array
 from raybundle.numerics.geodesy import metres_per_geographic
 from raybundle.scenes.bias import BIAS_PARAMETERS, BiasKind, bias_design
@@ -65,7 +65,8 @@ class BiasAdvice:
 
     fits: tuple[BiasFit, ...]
     advised: BiasFit
-    reason: str
+    reason: Message
+    """Why this one; a detail where points take no part."""
     sigma_px: float
     """Stated, of an image coordinate."""
     prior_ratio: float | None
@@ -111,7 +112,7 @@ def choose_bias(
     )
     advised, reason = _advised(fits, sigma_px)
     if aside := int((~kept).sum()):
-        reason += f"; {aside} of {len(kept)} points set aside"
+        reason = replace(reason, details=(message("bias.points_excluded", n=aside, total=len(kept)),))
     prior, ratio = rpc.bias_sigma_px(), None
     if prior is not None and advised.kind != "none":
         shift = advised.values[[s in {"A0", "B0"} for s in BIAS_PARAMETERS[advised.kind]]]
@@ -193,10 +194,10 @@ def _part(Q: Array, design: Array, covariance: Array, part: Array) -> Array:
     return np.einsum("nai,nij,nbj->ab", K, part, K)
 
 
-def _advised(fits: tuple[BiasFit, ...], sigma_px: float) -> tuple[BiasFit, str]:
+def _advised(fits: tuple[BiasFit, ...], sigma_px: float) -> tuple[BiasFit, Message]:
     from scipy.stats import chi2, f
 
-    chosen, reason = fits[0], ""
+    chosen, reason = fits[0], _without_bias(fits[0], len(fits), sigma_px)
     for larger in fits[1:]:
         more = len(larger.values) - len(chosen.values)
         gain = chosen.square_sum - larger.square_sum
@@ -210,19 +211,18 @@ def _advised(fits: tuple[BiasFit, ...], sigma_px: float) -> tuple[BiasFit, str]:
         predicts = after < before or (larger.kind == "shift" and not np.isfinite(after))
         if value > limit and predicts:
             chosen = larger
-            reason = f"{larger.kind}: {test} {value:.3g} exceeds {limit:.3g}"
-            if np.isfinite(after):
-                reason += f", and points left out are predicted within {after:.3g} px (before: {before:.3g})"
-            else:
-                reason += "; too few points to leave one out"
-    return chosen, reason or _why_none(chosen, len(fits), sigma_px)
+            few = not np.isfinite(after)
+            values: dict[str, Value] = {
+                "model": larger.kind, "test": test, "value": float(value), "limit": limit, "few": few,
+                "left_out_px": 0.0 if few else after, "before_px": before if np.isfinite(before) else 0.0,
+            }  # fmt: skip
+            reason = Message(code="bias.improvement", severity=Severity.REMARK, values=values)
+    return chosen, reason
 
 
-def _why_none(none: BiasFit, models: int, sigma_px: float) -> str:
+def _without_bias(none: BiasFit, models: int, sigma_px: float) -> Message:
+    """Whether the points agree with the RPC as it is."""
     if none.misfit > 1:
-        more = "no larger model fits better by more than chance" if models > 1 else "no larger model can be tried"
-        return (
-            f"none: {more}, but the points do not agree with the RPC: their residuals are {none.misfit:.3g} times "
-            f"their sigma of {sigma_px:g} px"
-        )
-    return f"none: the RPC agrees with the points within their sigma of {sigma_px:g} px"
+        values: dict[str, Value] = {"larger": models > 1, "misfit": none.misfit, "sigma_px": sigma_px}
+        return Message(code="bias.rpc_contradicted", severity=Severity.CAUTION, values=values)
+    return Message(code="bias.rpc_confirmed", severity=Severity.REMARK, values={"sigma_px": sigma_px})

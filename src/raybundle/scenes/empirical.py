@@ -25,7 +25,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from raybundle.errors import InputError, NoConvergence, RankDefect
+from raybundle.errors import InputError, Message, NoConvergence, RankDefect, Severity, Value
 from raybundle.numerics.arrays import Array, Index
 from raybundle.numerics.least_squares import added, minimum
 from raybundle.scenes.empirical_models import EmpiricalModel, empirical_models
@@ -77,7 +77,8 @@ class EmpiricalFit:
     """sqrt(sum (v / sigma)^2 / redundancy); 1 is expected."""
     adequate: bool
     """Whether the residuals are no larger than the stated sigma explains (chi-square, 0.1 %)."""
-    reason: str
+    reason: Message
+    """What the residuals show of the model."""
     without: tuple[str, ...] = ()
     """Parameters that were left out, held at zero."""
 
@@ -184,21 +185,19 @@ def _least_squares(model: EmpiricalModel, X: Array, uv: Array, free: Index) -> t
 
 def _adequate(
     model: EmpiricalModel, residuals: Array, square_sum: float, redundancy: int, sigma_px: float
-) -> tuple[bool, str]:
+) -> tuple[bool, Message]:
     from scipy.stats import chi2
 
     if redundancy == 0:
-        return True, f"{model.name}: no redundancy; nothing can be said about how well the model fits"
+        return True, Message(code="empirical.no_redundancy", severity=Severity.CAUTION, values={"model": model.name})
     limit = float(chi2.isf(SIGNIFICANCE, redundancy))
     x, y = np.sqrt(np.mean(residuals**2, axis=0))
     ratio = np.sqrt(square_sum / redundancy)
+    values: dict[str, Value] = {"model": model.name, "x_px": float(x), "y_px": float(y), "sigma_px": sigma_px}
     if square_sum <= limit:
-        return True, f"{model.name}: residuals of {x:.3g}, {y:.3g} px (rms) agree with a sigma of {sigma_px:g} px"
-    return False, (
-        f"{model.name} is not adequate for this scene: residuals of {x:.3g}, {y:.3g} px (rms) are {ratio:.3g} times "
-        f"what a sigma of {sigma_px:g} px explains (limit {np.sqrt(limit / redundancy):.3g}); take the scene's RPC or "
-        "rigorous model, or a model with more parameters"
-    )
+        return True, Message(code="empirical.adequate", severity=Severity.REMARK, values=values)
+    values |= {"ratio": float(ratio), "limit": float(np.sqrt(limit / redundancy))}
+    return False, Message(code="empirical.not_adequate", severity=Severity.CAUTION, values=values)
 
 
 def _named(name: str) -> EmpiricalModel:

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from raybundle.errors import InputError, Message, NotSolvable
+from raybundle.errors import InputError, Message, NotSolvable, Severity, as_detail
 from raybundle.numerics.arrays import Array
 from raybundle.numerics.statistics import DELTA0, family_wise_normal
 from raybundle.scenes.empirical import EmpiricalFit, fit_empirical
@@ -137,9 +137,8 @@ class Candidate:
     """None where it cannot be fitted."""
     left_out_rms_px: float
     """Of the image coordinates left out one by one; NaN where there is no redundancy."""
-    reason: str
-    refused: Message | None = None
-    """Why it cannot be fitted."""
+    reason: Message
+    """What its residuals show, or why it cannot be fitted."""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -149,7 +148,7 @@ class EmpiricalAdvice:
     candidates: tuple[Candidate, ...]
     advised: Candidate | None
     """The adequate one with the fewest parameters; None where none is."""
-    reason: str
+    reason: Message
 
 
 def choose_empirical(
@@ -167,21 +166,25 @@ def choose_empirical(
         found += [_candidate(name, xyz, xy_px, sigma_px) for name in PLANE]
     fitted = [c for c in found if c.fit is not None]
     if not fitted:
-        raise InputError("empirical.none_fitted", details=[c.refused for c in found if c.refused])
+        raise InputError("empirical.none_fitted", details=[c.reason for c in found])
     good = [c for c in fitted if c.fit is not None and c.fit.adequate and c.fit.redundancy > 0]
     if not good:
         least = min(fitted, key=lambda c: c.left_out_rms_px if np.isfinite(c.left_out_rms_px) else np.inf)
         return EmpiricalAdvice(
             candidates=tuple(found), advised=None,
-            reason=f"no model is adequate; {least.name} is the nearest, with {least.left_out_rms_px:.3g} px (rms) at "
-            f"coordinates left out where {sigma_px:g} px are stated: look for blunders, or take a physical model",
+            reason=Message(
+                code="empirical.none_adequate", severity=Severity.CAUTION,
+                values={"model": least.name, "left_out_px": least.left_out_rms_px, "sigma_px": sigma_px},
+            ),
         )  # fmt: skip
     best = min(good, key=lambda c: len(c.fit.free) if c.fit is not None else 99)
     assert best.fit is not None
     return EmpiricalAdvice(
         candidates=tuple(found), advised=best,
-        reason=f"{best.name} is adequate with {len(best.fit.free)} parameters: {best.left_out_rms_px:.3g} px (rms) at "
-        "coordinates left out",
+        reason=Message(
+            code="empirical.advised", severity=Severity.REMARK,
+            values={"model": best.name, "n": len(best.fit.free), "left_out_px": best.left_out_rms_px},
+        ),
     )  # fmt: skip
 
 
@@ -189,9 +192,7 @@ def _candidate(name: str, xyz: Array, xy_px: Array, sigma_px: float) -> Candidat
     try:
         fit = fit_empirical(name, xyz, xy_px, sigma_px=sigma_px)
     except (InputError, NotSolvable) as error:
-        return Candidate(
-            name=name, fit=None, left_out_rms_px=float("nan"), reason=error.headline, refused=error.message
-        )
+        return Candidate(name=name, fit=None, left_out_rms_px=float("nan"), reason=as_detail(error))
     left_out = empirical_statistics(fit).left_out_px
     known = left_out[np.isfinite(left_out)]
     rms = float(np.sqrt(np.mean(known**2))) if fit.redundancy and len(known) else float("nan")

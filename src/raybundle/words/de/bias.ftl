@@ -16,3 +16,22 @@ bias-not_determined = { $n } { $n ->
        *[other] Punkte bestimmen
      } die Korrektur { $model } nicht.
     .do = Punkte ergänzen oder eine andere Korrektur wählen.
+
+bias-points_excluded = { $n } von { $total } Punkten ausgeschlossen
+
+bias-improvement = { $model }: { $test ->
+        [F] F
+       *[other] Chi-Quadrat
+     } { $value } übersteigt { $limit }.
+    .why = { $few ->
+        [yes] Es gibt zu wenige Punkte, um einen auszulassen.
+       *[no] Ausgelassene Punkte werden auf { $left_out_px } px vorhergesagt (vorher: { $before_px } px).
+     }
+
+bias-rpc_contradicted = none: { $larger ->
+        [yes] Kein größeres Modell passt signifikant besser
+       *[no] Kein größeres Modell ist möglich
+     }, aber die Punkte widersprechen den RPC.
+    .why = Ihre Residuen sind { $misfit }-mal so groß wie ihr Sigma von { $sigma_px } px.
+
+bias-rpc_confirmed = none: Die RPC stimmen mit den Punkten im Rahmen ihres Sigmas von { $sigma_px } px überein.

@@ -24,3 +24,17 @@ empirical-none_fitted = Kein empirisches Modell lässt sich anpassen.
 
 empirical-excluded_needs_model = { OPTION("without") } braucht ein bestimmtes Modell.
     .do = { OPTION("model", "dlt-brown") } angeben.
+
+empirical-no_redundancy = { $model }: keine Redundanz; die Anpassung lässt sich nicht beurteilen.
+
+empirical-adequate = { $model }: Residuen von { $x_px }; { $y_px } px (rms) passen zu einem Sigma von { $sigma_px } px.
+
+empirical-not_adequate = { $model } ist für diese Szene nicht geeignet: Residuen von { $x_px }; { $y_px } px (rms).
+    .why = Sie sind { $ratio }-mal so groß, wie ein Sigma von { $sigma_px } px erklärt (Grenze { $limit }).
+    .do = RPC oder strenges Modell der Szene oder ein Modell mit mehr Parametern verwenden.
+
+empirical-none_adequate = Kein Modell ist geeignet; am nächsten ist { $model }: { $left_out_px } px (rms) an ausgelassenen Koordinaten.
+    .why = Das angegebene Sigma ist { $sigma_px } px.
+    .do = Nach groben Fehlern suchen oder ein physikalisches Modell verwenden.
+
+empirical-advised = { $model } ist mit { $n } Parametern geeignet: { $left_out_px } px (rms) an ausgelassenen Koordinaten.

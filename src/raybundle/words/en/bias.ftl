@@ -30,3 +30,32 @@ bias-not_determined = { $n } { $n ->
        *[other] points do
      } not determine the bias { $model }.
     .do = Add points, or choose another bias.
+
+# $n = 1
+# $total = 10
+bias-points_excluded = { $n } of { $total } points excluded
+
+# $model = "shift"
+# $test = "F"
+# $value = 42.0
+# $limit = 7.2
+# $few = false
+# $left_out_px = 0.12
+# $before_px = 3.4
+bias-improvement = { $model }: { $test } { $value } exceeds { $limit }.
+    .why = { $few ->
+        [yes] There are too few points to leave one out.
+       *[no] Points left out are predicted within { $left_out_px } px (before: { $before_px } px).
+     }
+
+# $larger = true
+# $misfit = 12.0
+# $sigma_px = 0.3
+bias-rpc_contradicted = none: { $larger ->
+        [yes] no larger model fits significantly better
+       *[no] no larger model is possible
+     }, but the points contradict the RPC.
+    .why = Their residuals are { $misfit } times their sigma of { $sigma_px } px.
+
+# $sigma_px = 0.3
+bias-rpc_confirmed = none: the RPC agrees with the points within their sigma of { $sigma_px } px.

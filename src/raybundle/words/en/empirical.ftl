@@ -39,3 +39,34 @@ empirical-none_fitted = No empirical model can be fitted.
 
 empirical-excluded_needs_model = { OPTION("without") } needs one model.
     .do = Give { OPTION("model", "dlt-brown") }.
+
+# $model = "dlt"
+empirical-no_redundancy = { $model }: no redundancy; its fit cannot be assessed.
+
+# $model = "affine"
+# $x_px = 0.36
+# $y_px = 0.12
+# $sigma_px = 0.5
+empirical-adequate = { $model }: residuals of { $x_px }, { $y_px } px (rms) agree with a sigma of { $sigma_px } px.
+
+# $model = "affine"
+# $x_px = 0.36
+# $y_px = 0.12
+# $sigma_px = 0.5
+# $ratio = 12.0
+# $limit = 1.1
+empirical-not_adequate = { $model } is not adequate for this scene: residuals of { $x_px }, { $y_px } px (rms).
+    .why = They are { $ratio } times as large as a sigma of { $sigma_px } px explains (limit { $limit }).
+    .do = Use the RPC or rigorous model of the scene, or a model with more parameters.
+
+# $model = "dlt-brown"
+# $left_out_px = 3.2
+# $sigma_px = 0.5
+empirical-none_adequate = No model is adequate; { $model } is the nearest: { $left_out_px } px (rms) at coordinates left out.
+    .why = The stated sigma is { $sigma_px } px.
+    .do = Look for blunders, or use a physical model.
+
+# $model = "dlt-brown"
+# $n = 13
+# $left_out_px = 0.42
+empirical-advised = { $model } is adequate with { $n } parameters: { $left_out_px } px (rms) at coordinates left out.
