@@ -51,8 +51,8 @@ class Wrong:
     rows: Mask
     """(k,)"""
     column: str
-    message: Callable[[int], Message]
-    """Of a row"""
+    message: Callable[[int], Message | str]
+    """Of a row; a text where the observations are of a kind of one's own"""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
