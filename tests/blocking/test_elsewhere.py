@@ -17,7 +17,7 @@ from raybundle.adjustment.options import AdjustmentOptions
 from raybundle.blocking import tasks as blocking_tasks
 from raybundle.blocking.adjusted import in_parts
 from raybundle.blocking.memory import Serial
-from raybundle.errors import InputError
+from raybundle.errors import InputError, message
 from raybundle.io.block.folder import write_block
 from raybundle.numerics import native
 from raybundle.pipeline.executors import Staying, Threads
@@ -124,9 +124,9 @@ def test_what_a_task_says_reaches_the_user(tmp_path):
     class Failing(Serial):
         def run(self, tasks, store):
             for done in super().run(tasks, store):
-                yield replace(done, failed="up 3: failed 3 times; see failed-tasks.log")
+                yield replace(done, failed=message("task.failed_repeatedly", name="up 3", n=3, log="tasks.log"))
 
-    with pytest.raises(InputError, match="failed 3 times"):
+    with pytest.raises(InputError, match=r"up 3: 3 .*task\.failed_repeatedly"):
         adjusted(flight(), tmp_path, Failing())
 
 

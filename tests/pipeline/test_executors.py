@@ -9,7 +9,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from raybundle.errors import InputError
+from raybundle.errors import InputError, message
 from raybundle.pipeline.executors import Processes, Threads
 from raybundle.pipeline.keys import key_of
 from raybundle.pipeline.store import Folder
@@ -82,9 +82,9 @@ def test_bad_input_costs_its_task_and_what_needs_it(store, executor):
     needs, further = task(5, bad), task(6, good)
     after = task(7, needs)
     ended = {d.task.name: d.failed for d in executor.run([good, bad, needs, further, after], store)}
-    assert ended["-1"] == "a.txt: is negative"
-    assert ended["5"] == "needs what could not be made: a.txt: is negative"
-    assert ended["7"].endswith("a.txt: is negative")
+    assert ended["-1"].values == {"detail": "a.txt: is negative"}
+    assert ended["5"] == message("task.needs_failed", details=[ended["-1"]])
+    assert ended["7"].text().endswith("a.txt: is negative.")
     assert not ended["1"]
     assert not ended["6"]
     assert [store.has(t.key) for t in (good, bad, needs, further, after)] == [True, False, False, True, False]
@@ -97,8 +97,9 @@ def test_what_is_no_bad_input_is_tried_three_times_and_told_in_the_log(store, ex
     ended = {d.task.name: d.failed for d in executor.run(tasks, store)}
     assert len(ended) == len(tasks)
     log = tmp_path / "failed-tasks.log"
-    assert ended["13"] == f"13: failed 3 times (ZeroDivisionError: ); see {log}"
-    assert ended["7"] == f"needs what could not be made: {ended['13']}"
+    cause = message("task.failed", kind="ZeroDivisionError", detail="")
+    assert ended["13"] == message("task.failed_repeatedly", details=[cause], name="13", n=3, log=str(log))
+    assert ended["7"] == message("task.needs_failed", details=[ended["13"]])
     assert [name for name, failed in ended.items() if failed] == ["13", "7"] or not ended["39"]
     assert all(store.has(t.key) for t in tasks[1:-1])
     said = log.read_text()

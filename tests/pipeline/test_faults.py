@@ -111,8 +111,9 @@ def test_processes_that_are_killed_cost_the_tasks_in_work_alone(tmp_path, expect
 def test_a_task_that_kills_its_process_is_told_from_those_beside_it(tmp_path):
     tasks = tasks_of(4, crash={2: "exit"}, small=False)
     ended = {d.task.name: d.failed for d in Processes(2).run(tasks, Folder(tmp_path / "s"))}
-    assert ended["leaf 2"].startswith("leaf 2: failed 3 times (the process that did it died, as where memory is short)")
-    assert ended["node 5"] == f"needs what could not be made: {ended['leaf 2']}"
+    assert (ended["leaf 2"].code, ended["leaf 2"].values["n"]) == ("task.failed_repeatedly", 3)
+    assert [d.code for d in ended["leaf 2"].details] == ["task.process_died"]
+    assert ended["node 5"].details == (ended["leaf 2"],)
     assert not any(ended[name] for name in ("leaf 0", "leaf 1", "leaf 3", "node 4"))
 
 

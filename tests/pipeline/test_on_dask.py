@@ -65,10 +65,11 @@ def test_one_worker_and_the_ways_in_which_it_is_refused(machines, tmp_path, expe
     # bad input, and errors
     tasks = tasks_of(4, crash={0: "bad input", 1: "some error"}, small=False)
     ended = {d.task.name: d.failed for d in on(machines.folder).run(tasks, Folder(tmp_path / "t/s"))}
-    assert ended["leaf 0"] == "leaf.csv: is no matrix"
-    assert ended["leaf 1"].startswith("leaf 1: failed 3 times (RuntimeError: some error); see ")
+    assert ended["leaf 0"].values == {"detail": "leaf.csv: is no matrix"}
+    assert (ended["leaf 1"].code, ended["leaf 1"].values["n"]) == ("task.failed_repeatedly", 3)
+    assert [d.values for d in ended["leaf 1"].details] == [{"kind": "RuntimeError", "detail": "some error"}]
     assert "some error" in (tmp_path / "t/failed-tasks.log").read_text()
-    assert ended["node 4"].startswith("needs what could not be made")
+    assert ended["node 4"].code == "task.needs_failed"
     assert not ended["node 5"]
     # tasks of which many go in one message
     assert done_by(on(machines.folder), tasks_of(LEAVES, cost=0.02), Folder(tmp_path / "m/s")) == expected
@@ -140,8 +141,9 @@ def test_a_task_that_kills_its_worker_costs_itself_alone(machines, tmp_path):
     machines.worker()
     tasks = tasks_of(4, crash={2: "exit"}, small=False, cost=0.02)
     ended = {d.task.name: d.failed for d in on(machines.folder).run(tasks, Folder(tmp_path / "d/s"))}
-    assert ended["leaf 2"].startswith("leaf 2: failed 3 times (the process that did it died")
-    assert not ended["leaf 0"] + ended["leaf 1"] + ended["leaf 3"]
+    assert (ended["leaf 2"].code, ended["leaf 2"].values["n"]) == ("task.failed_repeatedly", 3)
+    assert [d.code for d in ended["leaf 2"].details] == ["task.process_died"]
+    assert not any(ended[name] for name in ("leaf 0", "leaf 1", "leaf 3"))
 
 
 @pytest.mark.long

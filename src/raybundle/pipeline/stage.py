@@ -15,7 +15,7 @@ from functools import partial
 from pathlib import Path
 from typing import Any, Generic, TypeVar
 
-from raybundle.errors import InputError, Text
+from raybundle.errors import InputError, Message, Text
 from raybundle.numerics.arrays import Array
 from raybundle.numerics.progress import Counted, Progress, silent
 from raybundle.pipeline import running
@@ -128,7 +128,7 @@ class Means:
             again = self._once(missing, told, failed, executor)
             lost.update((done.task.key, done.lost) for done in again)
             hopeless = [done for done in again if lost[done.task.key, done.lost] >= MENDS]
-            failed |= {done.task.key: Text.of(done.failed) for done in hopeless if done.failed}
+            failed |= {done.task.key: _in_one_line(done.failed) for done in hopeless if done.failed}
             missing = [done.task for done in again if done.task.key not in failed]
             if not missing:
                 break
@@ -167,7 +167,7 @@ class Means:
                     self.store.mended.add(done.lost)
                     again.append(done)
                 elif done.failed:
-                    failed[done.task.key] = Text.of(done.failed)
+                    failed[done.task.key] = _in_one_line(done.failed)
                 elif done.task.small:
                     waiting.append((done.task.key, done.product))
                     self._small[done.task.key] = done.product
@@ -392,3 +392,8 @@ class Run:
         for stage in stages:
             for kind in (stage.name, *stage.kinds):
                 self.project.forget_kind(kind)
+
+
+def _in_one_line(why: Message) -> Text:
+    text = Text.of(why)
+    return text.with_text(" ".join(text.split()))
