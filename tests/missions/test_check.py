@@ -231,4 +231,4 @@ def test_bad_input_of_the_command(tmp_path, capsys, good):
     assert "[photograph.none]" in capsys.readouterr().err
     write_mission(replace(PLAN, crs=""), tmp_path / "local.toml")
     assert main(["plan", "check", str(tmp_path / "local.toml"), str(good[0])]) == 2
-    assert "the plan has local coordinates" in capsys.readouterr().err
+    assert "[flight_check.no_crs]" in capsys.readouterr().err

@@ -353,7 +353,7 @@ def written(tmp_path, name, rows):
 def test_what_is_wrong_is_said(tmp_path, name, cells, words):
     if -1 in cells and name != "attitudes":  # a coordinate and its sigma leave together
         cells = {-4: "", **cells}
-    with pytest.raises(InputError, match=rf"{name}\.csv, {words}"):
+    with pytest.raises(InputError, match=rf"(?s){name}\.csv, {words}"):
         read_block(written(tmp_path, name, {2: cells}))
 
 
