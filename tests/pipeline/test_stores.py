@@ -97,8 +97,9 @@ def test_a_store_that_was_refused_is_not_remembered(tmp_path, capsys):
     (tmp_path / "project/project.toml").write_text('[orient]\nphotos = []\nstore = "Project"\n')
     status, said = run(capsys, *words)
     assert status == 2
-    assert "project.toml: --store Project: " in said
-    assert "or give --store URL, or --store project for its folder" in said
+    assert "[store.of_last_run]" in said
+    assert "\n  --store Project: " in said
+    assert "--store URL, or --store project for" in said
     status, said = run(capsys, *words, "--store", "project")
     assert "no URL" not in said
     assert "photograph" in said  # which there are none of

@@ -89,5 +89,5 @@ store-web_page = Mit { $scheme } lässt sich nichts schreiben.
 store-unknown_scheme = { $scheme }:// ist keine Art von Speicher.
     .do = Eine von { LIST($known, most: 20) } verwenden.
 
-store-of_last_run = Der Speicher des letzten Laufs lässt sich nicht verwenden:
+store-of_last_run = Der Speicher des letzten Laufs lässt sich nicht verwenden.
     .do = Einen anderen angeben, { OPTION("store", "URL") }, oder { OPTION("store", $here) } für den Ordner des Projekts.

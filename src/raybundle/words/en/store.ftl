@@ -117,5 +117,5 @@ store-unknown_scheme = { $scheme }:// is not a kind of store.
     .do = Use one of { LIST($known, most: 20) }.
 
 # $here = "project"
-store-of_last_run = The store of the last run cannot be used:
+store-of_last_run = The store of the last run cannot be used.
     .do = Give another one, { OPTION("store", "URL") }, or { OPTION("store", $here) } for the folder of the project.

@@ -53,4 +53,4 @@ store-web_page = Rien ne peut être écrit par { $scheme }.
 
 store-unknown_scheme = { $scheme }:// n'est pas un type de dépôt.
 
-store-of_last_run = Le dépôt de la dernière exécution est inutilisable :
+store-of_last_run = Le dépôt de la dernière exécution est inutilisable.
