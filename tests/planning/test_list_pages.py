@@ -160,7 +160,7 @@ def test_a_ticked_list_keeps_camera_promise_and_rules(tmp_path, capsys):
     assert "[plan.list_missing]" in capsys.readouterr().err
     (made / "list.json").write_text('{"title": "a", "facts": [], "rules": [], "edges": [], "table": []}')
     assert main([*again, str(tmp_path / "again")]) == 2
-    assert "[plan.list_missing]" in capsys.readouterr().err
+    assert "[plan.list_edges]" in capsys.readouterr().err
 
 
 def test_where_no_aperture_makes_it_sharp_another_sheet_does():

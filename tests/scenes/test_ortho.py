@@ -257,7 +257,7 @@ def test_written_by_tiles(folder, scene_file, dem, capsys):
     assert main([*words[:-1], str(folder / "a.png")]) == 2
     assert "[file.suffix]" in capsys.readouterr().err
     assert main(words[:-2]) == 2
-    assert "the map is not named; give --out FILE.tif" in capsys.readouterr().err
+    assert "--out FILE.tif is missing. [option.missing]" in capsys.readouterr().err
 
 
 def test_usual_system_pixel_and_area(scene_file, dem):
