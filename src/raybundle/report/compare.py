@@ -66,7 +66,7 @@ def write_comparison(first: ResultFolder, second: ResultFolder, path: str | Path
     observations, that is too large, and the head of the page says so (`report.shared`).
     """
     if Path(path).exists() and not is_comparison(Path(path)):
-        raise InputError("stands there already and is no comparison; choose another name, or delete it", file=path)
+        raise InputError("comparison.path_taken", file=path)
     shared = shared_of(first, second)
     points, differences = _differences(first, second, shared)
     html = _html(first, second, points, differences, shared)

@@ -60,7 +60,7 @@ def list_pdf(listed: PhotographList) -> bytes:
     try:
         from reportlab.pdfgen.canvas import Canvas  # noqa: PLC0415  (only for printing)
     except ImportError as error:
-        raise InputError("a PDF needs the package reportlab: pip install reportlab") from error
+        raise InputError("package.reportlab_missing") from error
     buffer = io.BytesIO()
     sheet = _Paper(Canvas(buffer, pagesize=(WIDTH, HEIGHT), invariant=1), listed.title)
     sheet.heading(listed.title)

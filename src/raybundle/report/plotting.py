@@ -15,8 +15,6 @@ from raybundle.report.view import View, view_of, with_near_viewpoints
 if TYPE_CHECKING:
     from matplotlib.figure import Figure, SubFigure
 
-MISSING = "figures need the package matplotlib: pip install 'raybundle[plots]'"
-
 
 def plot_network(result: Adjustment, *, figure: Figure | SubFigure | None = None) -> Figure:
     """Plan, front and side view at one scale: object points with error ellipses, images with their viewing directions.
@@ -120,14 +118,10 @@ def plot_control(result: Adjustment, *, figure: Figure | SubFigure | None = None
 def _check() -> None:
     """Raise InputError where matplotlib is not installed, before anything is computed; it is not loaded."""
     if find_spec("matplotlib") is None:
-        raise InputError(MISSING)
+        raise InputError("package.matplotlib_missing")
 
 
 def _view(result: Adjustment) -> View:
     if not isinstance(result, Adjustment):  # pyright: ignore[reportUnnecessaryIsInstance]
-        raise InputError(
-            f"figures are made of an Adjustment, as adjust returns it, not of {type(result).__name__}; what orient, "
-            "calibrate and measure return holds one as .adjustment, and the block of a result folder can be adjusted "
-            "again"
-        )
+        raise InputError("figure.no_adjustment", type=type(result).__name__)
     return view_of(result)

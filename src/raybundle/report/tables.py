@@ -27,16 +27,16 @@ def table(result: Adjustment, name: str, to: Literal["numpy", "pandas", "polars"
     """
     every = result_tables(result)
     if name not in every:
-        raise InputError(f"{name} is no table of this result; it has {', '.join(every)}")
+        raise InputError("report.no_table", name=name, known=list(every))
     columns = every[name]
     if to == "numpy":
         return _structured(columns)
     if to not in ("pandas", "polars"):
-        raise InputError(f"{to!r} is none of numpy, pandas, polars")
+        raise InputError("value.not_one_of", entry="to", given=str(to), known=["numpy", "pandas", "polars"])
     try:
         library: Any = import_module(to)
     except ImportError:
-        raise InputError(f'{to} is not installed; install it, or take to="numpy"') from None
+        raise InputError("package.tables_missing", package=to) from None
     return library.DataFrame({key: _plain(values) for key, values in columns.items()})
 
 

@@ -15,11 +15,10 @@ def asked(desk: Desk, kind: str, points: tuple[str, ...]) -> dict[str, Any]:
     known: dict[str, Quantity] = {q: q for q in QUANTITIES}
     quantity = known.get(kind)
     if quantity is None:
-        raise InputError(f"kind {kind!r} is none of {', '.join(QUANTITIES)}")
+        raise InputError("value.not_one_of", entry="kind", given=kind, known=list(QUANTITIES))
     a = desk.adjustment
     if a is None:
-        why = "there is no adjustment: adjust first, or wait until the one at work is done"
-        raise InputError(desk.session.neglected or why)
+        raise InputError(desk.session.neglected or "studio.no_adjustment")
     found = ask(a, quantity, points)
     return {
         "words": f"{kind.replace('_', ' ')} {', '.join(points)}", "remark": found.remark,

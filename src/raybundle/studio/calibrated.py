@@ -60,7 +60,7 @@ class Calibrations:
         drawn = self._made()
         figures = [] if drawn is None else drawn.figures
         if not 0 <= number < len(figures):
-            raise InputError(f"there is no figure {number}; there are {len(figures)}")
+            raise InputError("studio.no_figure", number=number, n=len(figures))
         return figures[number]
 
     def _made(self) -> Drawn | None:

@@ -121,7 +121,7 @@ def _strongest(interior: InteriorResult, symbol: str, outer: Array | None) -> di
 def figures(desk: Desk) -> Figures:
     """What the adjustment says of its image observations; raises InputError where there is none."""
     if desk.adjustment is None:
-        raise InputError("there is no adjustment to select by: adjust first, or wait until the one at work is done")
+        raise InputError("studio.no_adjustment")
     return figures_of(desk.adjustment)
 
 

@@ -80,7 +80,7 @@ class Detecting:
         """Seek targets in some photographs, or in all; raises InputError for families or images that are none."""
         targets = targets_of(text)
         if not targets:
-            raise InputError(f"the family of the targets must be named; known are {'; '.join(forms())}")
+            raise InputError("target.family_missing", known=list(forms()))
         for image in images:
             named(self.desk, image)
         with self._lock:

@@ -39,13 +39,12 @@ def settings_of_form(kind: type[T], given: Mapping[str, Any], own: Mapping[str, 
     known = {s.name: s for s in settings_of(kind) if s.name not in apart}
     for name, value in given.items():
         if name not in known:
-            raise InputError(f"{name} is no option of the form; known are {', '.join(sorted(known))}")
+            raise InputError("setting.unknown", name=name, known=sorted(known))
         if (known[name].plain is bool) != isinstance(value, bool):
-            wrong = "neither true nor false" if known[name].plain is bool else "no value"
-            raise InputError(f"{name} = {value!r} is {wrong}")
+            raise InputError("setting.wrong_kind", name=name, given=str(value), flag=known[name].plain is bool)
         _check_text(name, value)
         if isinstance(value, list | dict):
-            raise InputError(f"{name} = {value!r} is no single value; names stand in one text, with commas between")
+            raise InputError("setting.several_values", name=name, given=str(value))
     return made(kind, {**own, **{name: _value(known[name], value) for name, value in given.items()}})
 
 
@@ -55,12 +54,12 @@ def words_of(text: str, name: str) -> list[str]:
     try:
         return shlex.split(text)
     except ValueError:
-        raise InputError(f"{name} = {text!r}: a quotation mark is not closed") from None
+        raise InputError("setting.quotation_open", name=name, given=text) from None
 
 
 def _check_text(name: str, value: Any) -> None:
     if isinstance(value, str) and "\0" in value:
-        raise InputError(f"{name} = {value!r} has a character that no name of a file can have; write it anew")
+        raise InputError("setting.impossible_character", name=name, given=repr(value))
 
 
 def _kind(s: Setting) -> str:
@@ -123,14 +122,18 @@ def _tuple(s: Setting, words: Sequence[str]) -> Any:
         return tuple(words)
     n = len(parts)
     if len(words) % n:
-        raise InputError(f"{s.name} = {shlex.join(words)!r}: {s.about.metavar} are needed, {n} words each time")
+        raise InputError("setting.word_count", name=s.name, given=shlex.join(words), needed=n, form=s.about.metavar)
     return tuple(_converted(s, parts, words[k : k + n]) for k in range(0, len(words), n))
 
 
 def _converted(s: Setting, parts: Sequence[Any], words: Sequence[str]) -> tuple[Any, ...]:
     if len(words) != len(parts):
-        raise InputError(f"{s.name} = {shlex.join(words)!r}: {len(parts)} values are needed ({s.about.metavar})")
+        raise InputError(
+            "setting.word_count", name=s.name, given=shlex.join(words), needed=len(parts), form=s.about.metavar
+        )
     try:
         return tuple(p(w) if p in {int, float} else w for p, w in zip(parts, words, strict=True))
     except ValueError:
-        raise InputError(f"{s.name} = {shlex.join(words)!r}: {s.about.metavar} are needed") from None
+        raise InputError(
+            "setting.word_count", name=s.name, given=shlex.join(words), needed=len(parts), form=s.about.metavar
+        ) from None

@@ -84,10 +84,10 @@ class Runnable:
         values = dict(given)
         photos = values.pop("photos", shlex.join(str(p) for p in self.usual.photos))
         if not isinstance(photos, str):
-            raise InputError(f"photos = {photos!r} is no text; give folders and files in one, with blanks between")
+            raise InputError("setting.no_text", name="photos", given=str(photos))
         paths = tuple(Path(w) for w in words_of(photos, "photos"))
         if not paths:
-            raise InputError("photos: no folder or file is given")
+            raise InputError("studio.no_photographs")
         settings = settings_of_form(type(self.usual), values, {"photos": paths, "out": self.usual.out})
         return replace(self, settings=settings)
 
@@ -102,10 +102,7 @@ def runnable(desk: Desk) -> Runnable:
         folders = tuple(dict.fromkeys(p.parent for p in desk.tiles.paths.values()))
         usual = CalibrateSettings(photos=folders, out=source, target=_families(source))
         return Runnable(name="calibrate", settings=usual, usual=usual)
-    raise InputError(
-        "nothing can be run here: stages run in a project folder (`raybundle orient`, or the studio of a folder of "
-        "photographs) and in the result folder of `raybundle calibrate`; this is another folder, which can be adjusted"
-    )
+    raise InputError("studio.nothing_to_run")
 
 
 def _bare(settings: OrientSettings) -> OrientSettings:

@@ -121,9 +121,9 @@ class Running:
         what = self.what()
         with self._lock:
             if self.busy or self.work.busy:
-                raise InputError("something runs or is adjusted already; stop it, or wait until it is done")
+                raise InputError("studio.busy")
             if not what.settings.photos:
-                raise InputError("the photographs are not known; give their folder in the first field")
+                raise InputError("studio.no_photographs")
             now = time.time()
             self.run = Run(what, Child.begin(what.child_words), now, step="beginning", step_began=now)
             self._thread = threading.Thread(target=self._follow, args=(self.run,), daemon=True)

@@ -19,7 +19,6 @@ from starlette.types import ASGIApp
 
 from raybundle.commands.opening import hand_over
 from raybundle.errors import InputError
-from raybundle.settings import option
 from raybundle.studio.app import Studio
 from raybundle.studio.desk import Desk
 from raybundle.studio.guard import Session
@@ -41,9 +40,7 @@ def listening(port: int) -> socket.socket:
         found.listen(128)  # who opens the address at once waits until the server answers
     except OSError as error:
         found.close()
-        raise InputError(
-            f"port {port} cannot be used ({error.strerror}); leave {option('port')} out for a free one"
-        ) from None
+        raise InputError("studio.port_in_use", port=port, detail=error.strerror) from None
     return found
 
 

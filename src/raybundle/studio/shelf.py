@@ -87,14 +87,15 @@ class Shelf:
         for each in [*self.kept]:
             if each.number == number:
                 return each
-        there = ", ".join(str(k.number) for k in self.kept) or "none"
-        raise InputError(f"adjustment {number} is not kept; kept are: {there}")
+        raise InputError(
+            "studio.adjustment_not_stored", number=number, stored=[k.number for k in self.kept], n=len(self.kept)
+        )
 
     def page(self, number: int, name: str) -> bytes:
         """A page of an adjustment: its report, or its network in three dimensions; raises InputError."""
         file = self.one(number).folder / name
         if name not in PAGES or not file.is_file():
-            raise InputError(f"adjustment {number} has no {name}; adjust here, which writes one")
+            raise InputError("studio.adjustment_without_page", number=number, name=name)
         return file.read_bytes()
 
     def compared(self, first: int, second: int) -> str:

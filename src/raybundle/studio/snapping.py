@@ -31,7 +31,7 @@ def snapped(desk: Desk, given: dict[str, Any]) -> dict[str, Any]:
     x, y = _number(given, "x"), _number(given, "y")
     desk.session.known.inside(image, x, y)
     if kind not in KINDS:
-        raise InputError(f"kind {kind!r} is none of {', '.join(KINDS)}")
+        raise InputError("value.not_one_of", entry="kind", given=str(kind), known=list(KINDS))
     reach = _number(given, "reach") if "reach" in given else REACH_PX
     part, corner = _part(desk, k, x, y)
     reference = _reference(desk, point, image) if point and kind in {"auto", "patch"} else None
@@ -49,7 +49,7 @@ def snapped(desk: Desk, given: dict[str, Any]) -> dict[str, Any]:
 def fiducials_found(desk: Desk, image: str) -> Found:
     """The other fiducial marks of a scan."""
     if desk.scans is None:
-        raise InputError("these photographs are no scans of film; there are no fiducial marks to be found")
+        raise InputError("fiducial.no_scans")
     k = named(desk, image)
     size = desk.session.known.size_px[image]
     return find_fiducials(desk.journal.state, image, desk.scans, size, lambda x, y: _part(desk, k, x, y))
@@ -58,7 +58,7 @@ def fiducials_found(desk: Desk, image: str) -> Found:
 def _number(given: dict[str, Any], name: str) -> float:
     value = given.get(name)
     if isinstance(value, bool) or not isinstance(value, int | float) or not abs(value) < LARGEST:
-        raise InputError(f"{name} = {value!r} is no number")
+        raise InputError("setting.no_number", name=name, given=str(value))
     return float(value)
 
 

@@ -105,7 +105,7 @@ def page_of(columns: dict[str, Array], keep: Mask, wanted: Wanted) -> tuple[int,
     if wanted.sort:
         values = columns.get(wanted.sort)
         if values is None:
-            raise InputError(f"there is no column {wanted.sort!r}; known are {', '.join(columns)}")
+            raise InputError("table.no_such_column", name=wanted.sort, known=list(columns))
         values = values[rows]
         if values.dtype == object:
             order = np.argsort(values.astype(str), kind="stable")

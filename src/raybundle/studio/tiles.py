@@ -19,7 +19,6 @@ from PIL import Image
 from raybundle.errors import InputError
 from raybundle.io.photos.photo import Photo, read_colour, read_photo
 from raybundle.numerics.arrays import Array
-from raybundle.settings import option
 
 SIDE = 512
 MOST_BYTES = 6 * 1024**3
@@ -64,16 +63,16 @@ class Tiles:
         if image not in self._photos:
             path = self.paths.get(image)
             if path is None:
-                raise InputError(
-                    "its photograph is not known; name the folder of the photographs when the studio is started "
-                    f"({option('photos')})"
-                )
+                raise InputError("studio.photograph_file_unknown")
             photo = read_photo(path)
             size = photo.width_px, photo.height_px
             if self.sizes.get(image, size) != size:
-                wanted = " x ".join(map(str, self.sizes[image]))
                 raise InputError(
-                    f"has {size[0]} x {size[1]} px, its image in the block {wanted}; it is another photograph",
+                    "photograph.other_size",
+                    width_px=size[0],
+                    height_px=size[1],
+                    block_width_px=self.sizes[image][0],
+                    block_height_px=self.sizes[image][1],
                     file=path,
                 )
             self._photos[image] = photo
@@ -83,11 +82,11 @@ class Tiles:
         """A tile as JPEG; raises InputError for one that is not there, or a photograph that cannot be read."""
         every = self._pyramid(image).levels
         if not 0 <= level < len(every):
-            raise InputError(f"level {level} is not there; there are {len(every)}")
+            raise InputError("studio.no_level", level=level, n=len(every))
         copy = every[level]
         part = copy[SIDE * row : SIDE * (row + 1), SIDE * column : SIDE * (column + 1)]
         if min(row, column) < 0 or not part.size:
-            raise InputError(f"tile {column}, {row} of level {level} lies outside the photograph")
+            raise InputError("studio.tile_outside", across=column, down=row, level=level)
         file = BytesIO()
         Image.fromarray(np.ascontiguousarray(part)).save(file, "JPEG", quality=QUALITY)
         return file.getvalue()

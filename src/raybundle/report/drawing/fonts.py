@@ -20,7 +20,7 @@ def load_fonts() -> None:
         from reportlab.pdfbase import pdfmetrics  # noqa: PLC0415  (only for printing)
         from reportlab.pdfbase.ttfonts import TTFont  # noqa: PLC0415
     except ImportError as error:
-        raise InputError("a PDF needs the package reportlab: pip install reportlab") from error
+        raise InputError("package.reportlab_missing") from error
     for name in (PLAIN, BOLD):
         if name not in pdfmetrics.getRegisteredFontNames():
             pdfmetrics.registerFont(TTFont(name, FOLDER / f"{name}.ttf"))

@@ -37,7 +37,7 @@ def opened(path: Path) -> Generator[Any]:
             with Image.open(path) as picture:
                 yield picture
     except (OSError, SyntaxError, ValueError, Image.DecompressionBombError) as error:
-        raise InputError(f"the picture cannot be read: {error}", file=path) from None
+        raise InputError("picture.not_readable", detail=str(error), file=path) from None
     finally:
         Image.MAX_IMAGE_PIXELS = limit
 

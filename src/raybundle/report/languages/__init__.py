@@ -26,7 +26,7 @@ def language_codes() -> tuple[str, ...]:
 def checked_language(code: str) -> str:
     """The language that was asked for; raises InputError where there is none of that name."""
     if code not in language_codes():
-        raise InputError(f"language = {code!r}: reports are written in {', '.join(language_codes())}")
+        raise InputError("report.unknown_language", language=code, known=list(language_codes()))
     return code
 
 

@@ -6,10 +6,8 @@ from importlib.util import find_spec
 
 from raybundle.errors import InputError
 
-MISSING = "a report as PDF needs the package typst: pip install 'raybundle[pdf]'"
-
 
 def check_typesetter() -> None:
     """Raise InputError where the typesetter is not installed; it is not loaded."""
     if find_spec("typst") is None:
-        raise InputError(MISSING)
+        raise InputError("package.typst_missing")

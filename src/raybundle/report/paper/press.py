@@ -14,7 +14,6 @@ from raybundle.errors import InputError
 from raybundle.io.reading.trees import json_of
 from raybundle.report.arrangement import LONG, Measure, rows_of_figures
 from raybundle.report.paper.copy import Copy, copy_of
-from raybundle.report.paper.needed import MISSING
 from raybundle.report.parts import Section, Statements
 
 if TYPE_CHECKING:
@@ -125,5 +124,5 @@ def typesetter() -> Any:
     try:
         import typst  # noqa: PLC0415  (84 MB that only a report in print needs)
     except ImportError as error:
-        raise InputError(MISSING) from error
+        raise InputError("package.typst_missing") from error
     return typst

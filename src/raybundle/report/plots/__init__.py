@@ -2,7 +2,7 @@
 
 from importlib.util import find_spec
 
-from raybundle.report.plotting import MISSING
+from raybundle.errors import message
 
 if find_spec("matplotlib") is None:
-    raise ImportError(MISSING)
+    raise ImportError(message("package.matplotlib_missing").text())

@@ -54,10 +54,7 @@ def begun(figure: Canvas | None, width: float, height: float, layout: str = "con
         FigureCanvasAgg(made)  # which draws without a window
         return made, made
     if not isinstance(figure, Figure | SubFigure):  # pyright: ignore[reportUnnecessaryIsInstance]
-        raise InputError(
-            f"figure is a Figure of matplotlib or a part of one (SubFigure), not {type(figure).__name__}; the figures "
-            "have several axes, so that none can be given"
-        )
+        raise InputError("figure.wrong_type", type=type(figure).__name__)
     return figure, figure.figure
 
 
@@ -69,11 +66,11 @@ def chosen_cameras(view: View, camera: str | None) -> list[tuple[int, Mask]]:
     found = view.cameras()
     ids = [view.given.cameras[c].id for c, _ in found]
     if not found:
-        raise InputError("no image point took part in the adjustment; there is nothing to be drawn")
+        raise InputError("figure.no_image_points")
     if camera is None:
         return found[:MOST_CAMERAS]
     if camera not in ids:
-        raise InputError(f"{camera} is no camera whose image points took part; these are: {', '.join(ids)}")
+        raise InputError("figure.camera_without_points", camera=camera, known=ids)
     return [found[ids.index(camera)]]
 
 

@@ -52,10 +52,7 @@ def draw(view: View, figure: Canvas | None) -> Figure:
     """The three coordinates, and the plan; raises InputError where nothing was compared."""
     found = [d for d in (_control(view), _check(view)) if np.isfinite(d.difference).any()]
     if not found:
-        raise InputError(
-            "no control point was observed with a standard deviation, and no check point was compared: there are no "
-            "differences to be drawn"
-        )
+        raise InputError("figure.no_control")
     canvas, whole = begun(figure, WIDTH, HEIGHT)
     grid = canvas.add_gridspec(3, 2, width_ratios=(1.35, 1))
     first: Axes | None = None

@@ -48,10 +48,7 @@ def draw(view: View, camera: str | None, image: str | None, figure: Canvas | Non
     result = _chosen(view, camera, image)
     panels = _panels(view, result)
     if not panels:
-        raise InputError(
-            f"{name_of(result)} has no distortion, and no standard deviations from which an uncertainty of projection "
-            "would follow; there is nothing to be drawn"
-        )
+        raise InputError("figure.no_distortion", name=name_of(result))
     across = min(ACROSS, len(panels))
     down = math.ceil(len(panels) / across)
     canvas, whole = begun(figure, (PANEL + 0.5) * across, 0.3 + (PANEL - 0.5) * down)
@@ -66,14 +63,12 @@ def _chosen(view: View, camera: str | None, image: str | None) -> InteriorResult
     """The interior orientation that is asked for, or the first that has figures."""
     every = [r for r in view.adjustment.interior if drawable(view, r)]
     if not every:
-        raise InputError(
-            "no camera of this adjustment has a distortion of its own that could be drawn: scenes and instruments have "
-            "none, and where single images have some of the parameters no figure stands for all of them"
-        )
+        raise InputError("figure.no_camera")
     found = [r for r in every if camera in (None, r.camera) and image in (None, r.image)]
     if not found:
-        asked = camera if image is None else f"{camera or 'any camera'}, image {image}"
-        raise InputError(f"{asked} has no figures of its own; these have: {', '.join(key_of(r) for r in every)}")
+        raise InputError(
+            "figure.none_of_camera", name=" ".join(filter(None, (camera, image))), known=[key_of(r) for r in every]
+        )
     return found[0]
 
 

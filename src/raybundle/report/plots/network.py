@@ -54,7 +54,7 @@ def draw(view: View, figure: Canvas | None) -> Figure:
     """The three views at one scale; raises InputError where nothing has coordinates."""
     shape = network_shape(view)
     if shape is None:
-        raise InputError("no object point with rays has coordinates; there is no network to be drawn")
+        raise InputError("figure.no_network")
     canvas, whole, views = _views(shape.limits, figure, view.length_unit)
     widest = max(high - low for low, high in shape.limits)
     rows, factor = ellipse_rows(view, shape.kept, HALF_AXIS * widest)

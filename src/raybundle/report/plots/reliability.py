@@ -32,10 +32,7 @@ BEYOND = 0.99
 def draw(view: View, camera: str | None, figure: Canvas | None) -> Figure:
     """A row of three panels for each camera; raises InputError without statistics."""
     if view.adjustment.precision is None:
-        raise InputError(
-            "the adjustment was made without statistics, and has no redundancy numbers; adjust with "
-            "AdjustmentOptions(statistics=True)"
-        )
+        raise InputError("figure.no_redundancy_numbers")
     cameras, rows, whole = rows_of_cameras(view, camera, figure)
     tests = normalised(view)
     mdb, _ = detectable(view)

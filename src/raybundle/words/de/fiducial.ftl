@@ -16,3 +16,5 @@ fiducial-not_calibrated = Rahmenmarke { $name } hat keine kalibrierte Position.
 
 fiducial-no_film = Diese Aufnahmen sind keine Scans von Film: Keine Rahmenmarke hat eine kalibrierte Position.
     .do = Das Projekt mit einem Kalibrierschein beginnen: { OPTION("film", "CERTIFICATE") }.
+
+fiducial-no_scans = Die Aufnahmen sind keine Scans von Film und haben keine Rahmenmarken.

@@ -26,3 +26,5 @@ fiducial-not_calibrated = Fiducial mark { $name } has no calibrated position.
 
 fiducial-no_film = These photographs are not scans of film: no fiducial mark has a calibrated position.
     .do = Start the project with a certificate: { OPTION("film", "CERTIFICATE") }.
+
+fiducial-no_scans = The photographs are not scans of film, so they have no fiducial marks.

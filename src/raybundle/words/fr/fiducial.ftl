@@ -9,3 +9,5 @@ fiducial-unknown_model = model = { $model } est inconnu.
 fiducial-not_calibrated = Le repère de fond de chambre { $name } n'a pas de position étalonnée.
 
 fiducial-no_film = Ces photos ne sont pas des scans de film : aucun repère n'a de position étalonnée.
+
+fiducial-no_scans = Les photographies ne sont pas des numérisations de film et n'ont pas de repères de fond de chambre.

@@ -1,0 +1,28 @@
+setting-unknown = Die Einstellung { $name } ist unbekannt.
+    .do = Eine von { LIST($known, most: 60) } angeben.
+
+setting-wrong_kind = { $name } = { $given } ist nicht möglich: { $flag ->
+        [yes] true oder false ist nötig
+       *[no] ein Wert ist nötig
+    }.
+
+setting-several_values = { $name } = { $given } ist kein einzelner Wert.
+    .do = Mehrere Namen in einen Text schreiben, durch Kommas getrennt.
+
+setting-quotation_open = { $name } = { $given }: Ein Anführungszeichen ist nicht geschlossen.
+    .do = Das Anführungszeichen schließen.
+
+setting-impossible_character = { $name } = { $given } enthält ein Zeichen, das in Dateinamen unmöglich ist.
+    .do = Den Namen neu eingeben.
+
+setting-word_count = { $name } = { $given } hat nicht die Form { $form }.
+    .do = Jeweils { $needed } { $needed ->
+        [one] Wert
+       *[other] Werte
+    } angeben: { $form }.
+
+setting-no_text = { $name } = { $given } ist kein Text.
+    .do = Ordner und Dateien in einem Text angeben, durch Leerzeichen getrennt.
+
+setting-no_number = { $name } = { $given } ist keine Zahl.
+    .do = Eine Zahl angeben.
