@@ -287,7 +287,7 @@ def test_the_same_report_gives_the_same_bytes():
 
 def test_without_the_typesetter_it_says_what_to_install(monkeypatch):
     monkeypatch.setitem(sys.modules, "typst", None)
-    with pytest.raises(InputError, match=r"raybundle\[pdf\]"):
+    with pytest.raises(InputError, match=r"package\.typst_missing"):
         pdf_of(document())
 
 

@@ -102,7 +102,7 @@ def test_every_adjustment_is_drawn_or_says_why_not(maker, name):
 def test_without_matplotlib_it_says_what_to_install(rich, name, monkeypatch):
     monkeypatch.setitem(sys.modules, "matplotlib", None)
     monkeypatch.setattr("raybundle.report.plotting.view_of", lambda _: pytest.fail("computed"))
-    with pytest.raises(InputError, match=r"pip install 'raybundle\[plots\]'"):
+    with pytest.raises(InputError, match=r"package\.matplotlib_missing"):
         plot(name, rich)
 
 
@@ -113,7 +113,7 @@ def test_the_package_is_loaded_without_matplotlib():
 
 @pytest.mark.parametrize("name", NAMES)
 def test_anything_but_an_adjustment_is_refused(rich, name):
-    with pytest.raises(InputError, match="not of Block"):
+    with pytest.raises(InputError, match=r"Block.*figure\.no_adjustment"):
         plot(name, rich.given)
 
 
@@ -125,7 +125,7 @@ def test_parts_of_a_figure_are_drawn_into(rich):
     assert len(above.axes) == len(rb.plot_residuals(rich).axes)
     own = Figure()
     assert rb.plot_network(rich, figure=own) is own
-    with pytest.raises(InputError, match="not Axes"):
+    with pytest.raises(InputError, match=r"Axes.*figure\.wrong_type"):
         rb.plot_network(rich, figure=own.axes[0])
 
 
@@ -178,7 +178,7 @@ def test_curves_are_those_of_the_report(rich):
     np.testing.assert_allclose(axes.lines[1].get_ydata(), 1000 * balanced(curve)[0].value_mm)
     band = axes.collections[0].get_paths()[0].vertices
     assert band[:, 1].max() == pytest.approx((1000 * (curve.value_mm + curve.std_mm)).max())
-    with pytest.raises(InputError, match="7 has no figures of its own; these have: 1"):
+    with pytest.raises(InputError, match=r"7.*1.*figure\.none_of_camera"):
         rb.plot_interior(rich, camera="7")
 
 
@@ -200,7 +200,7 @@ def test_detectable_blunders_are_counted_whole(rich):
     found, _ = detectable(view_of(rich))
     assert sum(p.get_height() for p in blunders.patches) == np.isfinite(found).sum()
     assert sum(p.get_height() for p in redundancy.patches) == 2 * rich.image_observations.used.sum()
-    with pytest.raises(InputError, match="without statistics"):
+    with pytest.raises(InputError, match=r"figure\.no_redundancy_numbers"):
         rb.plot_reliability(made("without_statistics"))
 
 
@@ -213,7 +213,7 @@ def test_differences_are_those_of_check_and_control(rich):
     mine = [k for k, c in enumerate(group.component) if c == "X"]
     np.testing.assert_allclose(sorted(control), sorted(1000 * group.residual[mine]))
     assert first.get_ylabel() == "dX [mm]"
-    with pytest.raises(InputError, match="no differences to be drawn"):
+    with pytest.raises(InputError, match=r"figure\.no_control"):
         rb.plot_control(made("free"))
 
 
@@ -221,12 +221,12 @@ def test_scenes_and_panoramas():
     found = scenes()
     assert len(rb.plot_residuals(found).axes) == 6
     assert len(rb.plot_residuals(found, camera="forward").axes) == 3
-    with pytest.raises(InputError, match="sideward is no camera whose image points took part; these are: forward, b"):
+    with pytest.raises(InputError, match=r"figure\.camera_without_points"):
         rb.plot_residuals(found, camera="sideward")
     low, high = rb.plot_network(found).axes[1].get_ylim()
     assert high - low < 1e5  # scenes stand near their ground, not in their orbit
     rb.plot_reliability(found)
-    with pytest.raises(InputError, match="scenes and instruments have none"):
+    with pytest.raises(InputError, match=r"figure\.no_camera"):
         rb.plot_interior(found)
     panorama = adjust_block(noisy(room()))
     for name in NAMES:

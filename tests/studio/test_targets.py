@@ -147,7 +147,7 @@ def test_targets_are_found_where_none_are_kept(client, studio):
     ("given", "status", "words"),
     [
         ({"families": "aicon15", "images": []}, 409, "target.unknown_family"),
-        ({"families": "", "images": []}, 409, "must be named"),
+        ({"families": "", "images": []}, 409, "target.family_missing"),
         ({"families": "dots", "images": ["elsewhere.jpg"]}, 409, "elsewhere.jpg"),
         ({"families": 3, "images": []}, 400, "families is a text"),
         ({"families": "dots", "images": "all"}, 400, "images a list"),
@@ -187,7 +187,7 @@ def test_a_sheet_is_made_to_be_printed(client):
     [
         ({"target": "aicon14"}, "[option.one_of]"),
         ({"target": "none"}, "target.unknown_family"),
-        ({"out": "/x"}, "no option"),
+        ({"out": "/x"}, "setting.unknown"),
     ],
 )
 def test_a_sheet_that_cannot_be(client, values, words):

@@ -31,9 +31,9 @@ def check_asked(
         else f"{option('gps', False, flag='no-gps')} leaves the positions out"
     )
     if given.lever_arm is not None and not known:
-        raise InputError(f"a lever arm is asked for, and {why}; {_missing('lever_arm')}")
+        raise InputError("setting.needs_positions", name="lever_arm", gps=given.gps)
     if relative and not known:
-        raise InputError(f"relative aerial control is asked for, and {why}; {_missing('relative')}")
+        raise InputError("setting.needs_positions", name="relative", gps=given.gps)
     if crs is None or scenes or (positions is not None and positions.crs is None):
         return ()
     if any(c.crs == crs for c in given.control):

@@ -77,7 +77,7 @@ def of_film(block: Block, cameras: Sequence[Camera], scans: Scans) -> Block:
     raises   InputError where it is none or several
     """
     if len(cameras) != 1:
-        raise InputError(f"{len(cameras)} cameras are given; scans of film need one, that of the film")
+        raise InputError("film.one_camera", n=len(cameras))
     of = block.images.camera
     sizes = {k: (block.cameras[c].width_px, block.cameras[c].height_px) for k, c in enumerate(of.tolist())}
     images = replace(block.images, camera=np.zeros(len(of), np.int32))

@@ -40,10 +40,7 @@ def in_block_frame(block: Block) -> tuple[Block, LocalFrame | None, tuple[str, .
     if isinstance(place, Local) and not place.crs:
         return block, None, ()
     if block.length_unit != "m":
-        raise InputError(
-            f'block {block.name} stands in a coordinate system by its [frame], and its length_unit is "mm"; give it in '
-            'metres, length_unit = "m"'
-        )
+        raise InputError("object_frame.needs_metres", block=block.name, unit=block.length_unit)
     if isinstance(place, Local):
         frame = local_frame(place.crs, place.crs_origin, undulation_m=place.undulation_m)
         return block, frame, frame.remarks
@@ -113,10 +110,13 @@ def _check_near(block: Block, frame: LocalFrame) -> None:
     if off <= np.hypot(*xy):
         return
     raise InputError(
-        f'block {block.name}: its [frame] has kind = "projected", coordinates of {system_name(frame.crs)} themselves, '
-        f"and the block lies about {xy[0]:.6g}, {xy[1]:.6g}, far from the origin {frame.origin[0]:.10g}, "
-        f"{frame.origin[1]:.10g}; if its coordinates are metres east, north and up from the origin, say "
-        'kind = "local" with the same crs and origin'
+        "object_frame.far_from_origin",
+        block=block.name,
+        system=system_name(frame.crs),
+        x_m=float(xy[0]),
+        y_m=float(xy[1]),
+        origin_x_m=frame.origin[0],
+        origin_y_m=frame.origin[1],
     )
 
 
@@ -127,11 +127,7 @@ def _check_follows(block: Block) -> None:
         if name == "stations" or not len(table):
             continue
         if turned or table.upright or name == "attitudes":
-            raise InputError(
-                f"block {block.name} stands in a map, and its {name.replace('_', ' ')} are told by axes that a map has "
-                'not everywhere; give the block in a local frame: [frame] with kind = "local", the same crs, and '
-                "coordinates counted from the origin"
-            )
+            raise InputError("object_frame.needs_local", block=block.name, tables=name)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -230,16 +226,16 @@ def _turned(block: Block, by: SimilarityTransform) -> Block:
     given = p.is_control | p.is_check
     lost = np.flatnonzero((given & ~np.isfinite(xyz)).any(axis=1))
     if len(lost):
-        raise InputError(
-            f"point {p.ids[int(lost[0])]} of {block.name} has not all of its coordinates, if only approximate ones, so "
-            "that it cannot be told in another frame; adjust the block first"
-        )
+        raise InputError("join.point_incomplete", point=p.ids[int(lost[0])], block=block.name)
     levelled = [t.name.replace("_", " ") for t in block.tables.values() if t.upright and len(t)]
     tilt = float(np.linalg.norm(by.rotation[:2, 2]))
     if levelled and tilt > TILT:
         raise InputError(
-            f"{block.name} has {', '.join(levelled)}, which the vertical of the other frame would tilt by "
-            f"{np.degrees(tilt):.2g} degrees; tell both blocks in frames of one origin"
+            "join.vertical_of_tables",
+            block=block.name,
+            tables=[t.name for t in block.tables.values() if t.upright and len(t)],
+            tilt_deg=float(np.degrees(tilt)),
+            limit_deg=float(np.degrees(TILT)),
         )
     full = np.flatnonzero((p.sigma > 0).all(axis=1))
     sigma = np.array(p.sigma)

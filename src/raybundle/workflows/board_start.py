@@ -12,7 +12,6 @@ from raybundle.block.boards import planar_start
 from raybundle.errors import InputError
 from raybundle.numerics.arrays import Array, Index
 from raybundle.sensors import sensor_models
-from raybundle.settings import option
 
 SEARCHED = 3
 """Photographs of a camera from which on its camera constant is searched; of fewer the metadata are believed."""
@@ -31,10 +30,7 @@ def board_oriented(block: Block, places: Mapping[str, Array], model: str) -> tup
     """
     strange = [name for name in block.points.ids if name not in places]
     if strange:
-        raise InputError(
-            f"the photographs show targets that are not on the sheet: {', '.join(strange[:10])}; give the file of the "
-            f"sheet that was photographed, or name the family alone ({option('target')})"
-        )
+        raise InputError("sheet.other_targets", names=strange)
     xyz = np.array([places[name] for name in block.points.ids]).reshape(-1, 3)
     o = block.observations
     rays = np.bincount(o.image, minlength=len(block.images))

@@ -75,11 +75,15 @@ def _calibration(state: CalibrateState, records: Sequence[StageRecord]) -> Calib
 
 def _check_model(name: str) -> None:
     """Raise InputError for what is not the interior orientation of a camera with a plane sensor."""
-    known = f"known: auto, {', '.join(sorted(n for n, m in sensor_models.items() if m.one_exposure))}"
     if name != "auto" and name not in sensor_models:
-        raise InputError(f"unknown sensor model {name!r}; {known}")
+        raise InputError(
+            "camera.calibration_model_unknown",
+            model=name,
+            known=["auto", *sorted(n for n, m in sensor_models.items() if m.one_exposure)],
+        )
     if name != "auto" and not sensor_models[name].one_exposure:
         raise InputError(
-            f"the sensor model {name} cannot be calibrated from photographs of targets: it is not that of a camera "
-            f"that sees all at one instant from one place; {known}. Blocks that use {name} are for `raybundle adjust`"
+            "camera.not_by_targets",
+            model=name,
+            known=["auto", *sorted(n for n, m in sensor_models.items() if m.one_exposure)],
         )

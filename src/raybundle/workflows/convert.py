@@ -23,7 +23,6 @@ from raybundle.io.scene_export import names_of_scenes, scene_images, with_viewpo
 from raybundle.io.table_files import TableFormat
 from raybundle.numerics.places import Place
 from raybundle.numerics.progress import Progress
-from raybundle.settings import option
 from raybundle.workflows.block_frame import moved_to
 from raybundle.workflows.sources import BLOCK
 
@@ -52,7 +51,7 @@ def check_new(out: Path, target: str) -> None:
     suffix = "" if target in {BLOCK, RPC} else format_named(target).suffix
     allowed = {suffix, ".laz"} if suffix == ".las" else {suffix}
     if suffix and out.suffix.lower() not in allowed:
-        raise InputError(f"format {target} is a file; give a name that ends in {suffix}", file=out)
+        raise InputError("format.file_suffix", format=target, suffix=suffix, file=out)
 
 
 def placed(
@@ -69,21 +68,14 @@ def placed(
     block = export.block
     if export.frame is not None:
         if undulation is not None:
-            raise InputError(
-                f"block {block.name} says itself what its heights count from; leave {option('undulation')} out"
-            )
+            raise InputError("block.heights_defined", block=block.name)
         frame = in_other_projection(export.frame, crs)
         # the covariances of the result are at hand along the axes of its own system alone
         return replace(export, frame=frame, map_sigma=None, map_station_sigma=None), frame.remarks
     if block.place is not None:
-        raise InputError(
-            f"block {block.name} says itself where its frame stands on the earth; leave {option('crs')} out, or give "
-            f"{option('frame_origin')} too"
-        )
+        raise InputError("block.place_defined", block=block.name)
     if block.length_unit != "m":
-        raise InputError(
-            f"block {block.name}: a block in {block.length_unit} does not stand in {crs}; give {option('frame_origin')}"
-        )
+        raise InputError("block.origin_missing", block=block.name, unit=block.length_unit, system=crs)
     oriented = block.images.oriented
     middle = block.images.centre[oriented].mean(axis=0) if oriented.any() else np.nanmean(block.points.xyz, axis=0)
     frame = local_frame(crs, middle, undulation_m=undulation)
@@ -154,14 +146,9 @@ def fit_for(export: Export, target: str) -> tuple[Export, tuple[str, ...]]:
         return replace(export, block=with_viewpoints(export.block)), (told,)
     if target in STATIONS and not scene_images(export.block).all():
         return replace(export, block=without_scenes(export.block)), (f"satellite scenes are left out: {names}",)
-    raise InputError(
-        f"format {target} holds central projections only, and this block has satellite scenes ({names}); "
-        f"{BLOCK} and {RPC} carry them, {', '.join(MAPS)} and {' and '.join(POINTS)} their points"
-    )
+    raise InputError("format.no_scenes", format=target, scenes=names, whole=[BLOCK, RPC], points=[*MAPS, *POINTS])
 
 
 def _check_block(block: Block) -> None:
     if len(block.observations) == 0:
-        raise InputError(
-            f"block {block.name} has no image observations, which a block folder needs; convert it to another format"
-        )
+        raise InputError("block.folder_needs_observations", block=block.name)

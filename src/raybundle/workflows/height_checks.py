@@ -12,21 +12,17 @@ from typing import TYPE_CHECKING, Any, get_args
 import numpy as np
 
 from raybundle.block.block import LengthUnit
-from raybundle.errors import InputError
+from raybundle.errors import InputError, Message, message
 from raybundle.io.geo.parsed_systems import parse_crs, plan_of, system_name, told_grid
 from raybundle.io.geo.told_systems import plan_system
 from raybundle.io.raster_library import raster_errors
 from raybundle.io.reading.trees import Json
-from raybundle.io.reading.words import quoted
 from raybundle.numerics.arrays import Array
-from raybundle.numerics.counting import counted, grouped
 from raybundle.pipeline.archives import DAMAGED
 
 if TYPE_CHECKING:
     from pyproj import CRS
 
-AGAIN = "run `surface` again with the same settings, which writes it anew"
-WHOLE = "take the files as `surface` wrote them: crop and convert copies of them"
 ROUNDING_CELLS, ROUNDING = 1e-3, 1e-9
 """By which a place in a raster may differ from heights.toml: of a cell, and of the coordinate itself"""
 OF_ORIENTATION = "orientation_sha256"
@@ -45,15 +41,15 @@ def check_place(tree: Json) -> None:
     """Raise InputError where heights.toml tells no place that a grid can have."""
     for name in ("pixel", "length_cells"):
         if not tree.get(name).number() > 0:
-            tree.get(name).fail(f"{tree.get(name).number():g} is no size; it must be more than 0")
+            tree.get(name).fail("number.too_small", entry=name, value=tree.get(name).number(), limit=0.0)
     for name in ("width_px", "height_px"):
         tree.get(name).whole()
     if not 0 <= tree.optional("between_maps", 0.0) <= 1:
-        tree.get("between_maps").fail(f"{tree.get('between_maps').number():g} is no correlation from 0 to 1")
+        tree.get("between_maps").fail("surface_files.correlation", correlation=tree.get("between_maps").number())
     unit = tree.get("unit").text() if tree.has("unit") else ""
     known = ("", *get_args(LengthUnit), *_units_of(tree))
     if unit not in known:
-        tree.get("unit").fail(f"{quoted(unit)} is no unit of heights; known are {', '.join(u for u in known if u)}")
+        tree.get("unit").fail("surface_files.unit_unknown", unit=unit, known=[u for u in known if u])
 
 
 def _units_of(tree: Json) -> tuple[str, ...]:
@@ -86,22 +82,35 @@ def check_raster(file: Any, path: Path, tree: Json) -> None:
     told = tuple(tree.get(name).whole() for name in ("width_px", "height_px"))
     if (file.width, file.height) != told:
         raise InputError(
-            f"has {file.width} x {file.height} cells, and {about} says {told[0]} x {told[1]}; {WHOLE}", file=path
+            "surface_files.size_differs",
+            columns=file.width,
+            rows=file.height,
+            about=about,
+            needed_columns=told[0],
+            needed_rows=told[1],
+            file=path,
         )
     left, top, pixel = (tree.get(name).number() for name in ("left", "top", "pixel"))
     t = file.transform
     wanted = {
         "left": (left, t.c),
         "top": (top, t.f),
-        "width of a cell": (pixel, t.a),
-        "height of a cell": (pixel, -t.e),
+        "width": (pixel, t.a),
+        "height": (pixel, -t.e),
     }
     for what, (said, found) in wanted.items():
         allowed = max(ROUNDING_CELLS * pixel / (1 if what in {"left", "top"} else max(told)), ROUNDING * abs(said))
         if not abs(found - said) <= allowed:
-            raise InputError(f"its {what} is {found:.12g}, and {about} says {said:.12g}; {WHOLE}", file=path)
+            raise InputError(
+                "surface_files.place_differs",
+                quantity=what,
+                value=float(found),
+                about=about,
+                needed=float(said),
+                file=path,
+            )
     if abs(t.b) > 0 or abs(t.d) > 0:
-        raise InputError(f"its rows are turned against the axes, and {about} knows of no turn; {WHOLE}", file=path)
+        raise InputError("surface_files.rotated", about=about, file=path)
     if file.crs and tree.has("system"):
         corners = np.array([[left, top], [left + told[0] * pixel, top - told[1] * pixel]])
         _check_system(file.crs.to_wkt(), path, tree.get("system").text(), about, corners, pixel)
@@ -115,7 +124,9 @@ def _check_system(wkt: str, path: Path, system: str, about: str, corners: Array,
         codes = [parse_crs(s).sub_crs_list[1].to_epsg() for s in (wkt, system)]
         same = None in codes or codes[0] == codes[1]
     if not same:
-        raise InputError(f"is in {system_name(wkt)}, and {about} says {system_name(system)}; {WHOLE}", file=path)
+        raise InputError(
+            "surface_files.system_differs", system=system_name(wkt), about=about, needed=system_name(system), file=path
+        )
 
 
 def _one_plan(mine: CRS, told: CRS, corners: Array, pixel: float) -> bool:
@@ -146,7 +157,7 @@ def check_belongs(path: Path, tree: Json) -> None:
     tree  heights.toml; of earlier versions it has no check sum, and nothing is told
     """
     if tree.has(OF_ORIENTATION) and check_sum(path) != tree.get(OF_ORIENTATION).text():
-        raise InputError(f"is of another surface than {tree.file.name}, by its check sum; {AGAIN}", file=path)
+        raise InputError("surface_files.other_surface", about=tree.file.name, file=path)
 
 
 def values_in(file: Any, first: int = 0, rows: int | None = None) -> Array:
@@ -193,12 +204,12 @@ def check_values(heights: Path, height: Array, sigmas: Path, bands: Mapping[str,
     infinite = int(np.isinf(height).sum())
     if infinite:
         raise InputError(
-            f"{counted(infinite, 'cell')} {'has' if infinite == 1 else 'have'} an infinite height; write NaN there, or "
-            f"{AGAIN}",
+            "surface_files.infinite_heights",
+            n=infinite,
             file=heights,
         )
     if tree.has(OF_SIGMAS) and sum_of_values(np.stack(list(bands.values()))) != tree.get(OF_SIGMAS).text():
-        raise InputError(f"is of another surface than {tree.file.name}, by the check sum of its values; {AGAIN}",
+        raise InputError("surface_files.other_surface", about=tree.file.name,
                          file=sigmas)  # fmt: skip
     known = np.isfinite(height)
     for name, values in bands.items():
@@ -212,15 +223,20 @@ def check_values(heights: Path, height: Array, sigmas: Path, bands: Mapping[str,
 def _check_sigma(path: Path, name: str, sigma: Array) -> None:
     """Raise InputError, with their number, where standard deviations of cells with a height can be none."""
     wrong = {
-        "negative": sigma < 0, "infinite": np.isinf(sigma), "of 0": (sigma == 0) & (name == WHOLE_SIGMA),
+        "negative": sigma < 0, "infinite": np.isinf(sigma), "zero": (sigma == 0) & (name == WHOLE_SIGMA),
         "missing": np.isnan(sigma) & (name != STEP_SIGMA),
     }  # fmt: skip
     counts = {why: int(np.asarray(which).sum()) for why, which in wrong.items()}
     if any(counts.values()):
-        told = ", ".join(f"{grouped(n)} {why}" for why, n in counts.items() if n)
         raise InputError(
-            f"{grouped(sum(counts.values()))} of {counted(len(sigma), 'cell')} with a height have no {name}: {told}; "
-            f"take these heights out (NaN), or {AGAIN}",
+            "surface_files.impossible_sigmas",
+            n=sum(counts.values()),
+            cells=len(sigma),
+            band=name,
+            negative=counts["negative"],
+            infinite=counts["infinite"],
+            zero=counts["zero"],
+            missing=counts["missing"],
             file=path,
         )
 
@@ -232,8 +248,9 @@ def orientation(path: Path) -> Generator[Mapping[str, Array]]:
         with path.open("rb") as file, np.load(file, allow_pickle=False) as kept:
             yield kept
     except DAMAGED as error:
-        missing = f"holds no {error.args[0]}" if isinstance(error, KeyError) and error.args else "is damaged"
-        raise InputError(f"{missing}; {AGAIN}", file=path) from None
+        if isinstance(error, KeyError) and error.args:
+            raise InputError("surface_files.entry_missing", name=str(error.args[0]), file=path) from None
+        raise InputError("surface_files.damaged", file=path) from None
 
 
 def check_orientation(
@@ -245,40 +262,41 @@ def check_orientation(
     holes  (rows, columns) of each cell
     """
     if block < 1:
-        raise InputError(f"has blocks of {block} cells; {AGAIN}", file=path)
+        raise InputError("surface_files.block_size", cells=block, file=path)
     wanted = tuple(-(-n // block) + 1 for n in shape)
     if nodes.ndim < 3 or nodes.shape[:2] != wanted:
-        found = " x ".join(map(str, nodes.shape[:2]))
         raise InputError(
-            f"is of another surface: it has {found or 'no'} nodes, and heights of {shape[0]} rows and {shape[1]} "
-            f"columns have {wanted[0]} x {wanted[1]}; {AGAIN}",
+            "surface_files.node_count",
+            nodes=nodes.shape[:2],
+            rows=shape[0],
+            columns=shape[1],
+            needed=wanted,
             file=path,
         )
     if nodes.dtype.kind != "f" or not np.isfinite(nodes).all():
-        raise InputError(f"holds what is no finite number; {AGAIN}", file=path)
+        raise InputError("surface_files.not_finite", file=path)
     if any(h.shape != shape for h in holes):
-        raise InputError(f"holds filled holes of another surface; {AGAIN}", file=path)
+        raise InputError("surface_files.other_holes", file=path)
 
 
-def other_heights(one: str, other: str) -> str:
-    """Why heights in two systems of one plan are not of one kind; empty: nothing speaks against it.
+def other_heights(one: str, other: str) -> Message | None:
+    """Why heights in two systems of one plan are not of one kind; None: nothing speaks against it.
 
     one, other  texts of systems; empty: it is not known.  Of two that say nothing nothing is known, and they are taken
                 as of one kind.
     """
-    said = [_counted_from(s) for s in (one, other)]
-    if said[0] == said[1]:
-        return ""
-    if None in said:
-        k = said.index(None)
-        names = [system_name(s) if s else "its map" for s in (one, other)]
-        other = f"those in {names[1 - k]} count as {said[1 - k]}"
-        return f"nothing says what the heights in {names[k]} count from, and {other}"
-    return f"heights in {system_name(one)} count as {said[0]}, and those in {system_name(other)} as {said[1]}"
+    datums = [_vertical_datum(s) for s in (one, other)]
+    if datums[0] == datums[1]:
+        return None
+    names = [system_name(s) if s else "" for s in (one, other)]
+    return message(
+        "surface_files.vertical_datums_differ", system=names[0], datum=datums[0] or "unknown",
+        other_system=names[1], other_datum=datums[1] or "unknown",
+    )  # fmt: skip
 
 
-def _counted_from(system: str) -> str | None:
-    """What heights in a system count from, in words; None where it does not say."""
+def _vertical_datum(system: str) -> str | None:
+    """The name of what heights in a system count from, "ellipsoid" for ellipsoidal heights; None: unknown."""
     if not system:
         return None
     found = parse_crs(system)
@@ -288,5 +306,5 @@ def _counted_from(system: str) -> str | None:
         if code:
             return f"{high.name} ({':'.join(code)})"
         grid = told_grid(system)
-        return f"heights by {grid}" if grid else high.name
-    return "heights above the ellipsoid" if len(found.axis_info) == 3 else None
+        return grid or high.name
+    return "ellipsoid" if len(found.axis_info) == 3 else None

@@ -26,7 +26,6 @@ from raybundle.surfaces.heights import BETWEEN_MAPS, Heights
 from raybundle.surfaces.node_sums import NodeSums
 from raybundle.surfaces.nodes import of_blocks
 from raybundle.workflows.height_checks import (
-    AGAIN,
     OF_HEIGHTS,
     OF_ORIENTATION,
     OF_SIGMAS,
@@ -180,7 +179,7 @@ def write_heights(surface: Surface, file: HeightFile, out: Path) -> tuple[str, .
                 write_height(window.x, window.y, one)
                 write_sigmas(window.x, window.y, many)
         if whole.moved is None:
-            raise InputError("no point of the surface lies above the area of the heights; choose another")
+            raise InputError("surface.no_point_above_area")
         nodes, levels = whole.moved.solved(BLOCK_CELLS * file.cell)
         kept = {
             "nodes": nodes, "levels": levels, "block": np.array(BLOCK_CELLS), "errors": np.array(measured.together),
@@ -258,7 +257,7 @@ def read_heights(folder: str | Path) -> tuple[HeightModel, HeightFile]:
     library, folder = raster_library(), Path(folder)
     for name in FILES:
         if not (folder / name).is_file():
-            raise InputError(f"has no {name}, which surface with a grid of heights writes", file=folder)
+            raise InputError("surface_files.no_heights", name=name, file=folder)
     tree = read_toml(folder / ABOUT).tree()
     check_place(tree)
     numbers = {name: tree.get(name).number() for name in ("left", "top", "pixel", "length_cells")}
@@ -268,7 +267,7 @@ def read_heights(folder: str | Path) -> tuple[HeightModel, HeightFile]:
         # older files have one value for each block, or for each node
         moved = kept["nodes"] if "nodes" in kept else of_blocks(kept["moved"])
         if moved.ndim < 3:
-            raise InputError(f"holds nodes of {moved.ndim} dimensions, 3 or 4 are needed; {AGAIN}", file=folder / MOVED)
+            raise InputError("surface_files.node_dimensions", dimensions=moved.ndim, file=folder / MOVED)
         moved = moved if moved.ndim == 4 else moved[:, :, None]
         levels = kept.get("levels")
         block = int(kept["block"])
@@ -315,5 +314,12 @@ def _rasters(library: Any, folder: Path, tree: Json) -> tuple[Array, Array, str]
         check_raster(one, folder / HEIGHTS, tree)
         check_raster(many, folder / SIGMAS, tree)
         if many.count != len(BANDS):
-            raise InputError(f"{SIGMAS} does not belong to {HEIGHTS}", file=folder)
+            raise InputError(
+                "surface_files.bands_differ",
+                sigmas=SIGMAS,
+                heights=HEIGHTS,
+                n=many.count,
+                needed=len(BANDS),
+                file=folder,
+            )
         return values_in(one)[0], values_in(many), many.crs.to_wkt() if many.crs else ""

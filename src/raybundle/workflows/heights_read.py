@@ -18,7 +18,6 @@ from raybundle.io.reading.words import number_of
 from raybundle.missions.polygons import astray, checked_ring, signed_area
 from raybundle.numerics.arrays import Array
 from raybundle.results.fingerprint import FINGERPRINT, adjusted_since
-from raybundle.settings import option
 from raybundle.surfaces.height_model import HeightModel
 from raybundle.surfaces.holes import filled
 from raybundle.surfaces.outlines import coverage
@@ -71,10 +70,10 @@ def opened(folder: Path, widest: float | None = None) -> Opened:
     raises  InputError where the folder holds none, or they are damaged
     """
     if not folder.is_dir():
-        raise InputError("there is no such folder; give one that `surface` wrote with heights", file=folder)
+        raise InputError("folder.missing_itself", file=folder)
     model, file = read_heights(folder)
     if not model.known.any():
-        raise InputError("holds no height", file=folder)
+        raise InputError("height_grid.empty", file=folder)
     if widest:
         model = filled(model, widest / file.cell / 2)
     return Opened(folder=folder, model=model, file=file)
@@ -99,12 +98,19 @@ def covered_by(o: Opened, areas: Sequence[Sequence[Array]]) -> Array:
         wanted += _size(rings)
         found += coverage(rings, o.model.shape)
     if found.max() > 1 + 1e-6:
-        raise InputError("two of the outlines overlap; give areas that lie apart, or one round all of them")
+        raise InputError("outline.overlap")
     lost = 1 - float(found.sum()) / wanted
     if lost > OUTSIDE:
         f = o.file
-        reach = f"{f.left:g} {f.top - f.height * f.cell:g} {f.left + f.width * f.cell:g} {f.top:g}"
-        raise InputError(f"{lost:.1%} of the outline lies beyond the heights, which reach over {reach}")
+        raise InputError(
+            "outline.beyond_heights",
+            share=lost,
+            limit=OUTSIDE,
+            left=f.left,
+            bottom=f.top - f.height * f.cell,
+            right=f.left + f.width * f.cell,
+            top=f.top,
+        )
     found[(found < LEAST) & ~o.model.known] = 0.0
     return np.minimum(found, 1.0)
 
@@ -129,7 +135,7 @@ def areas_in(wkt: str, outlines: Sequence[str], extent: Sequence[float] | None) 
         return [rings for given in outlines for rings in _areas(wkt, given)]
     left, bottom, right, top = extent
     if not (left < right and bottom < top):
-        raise InputError(f"the extent {left:g} {bottom:g} {right:g} {top:g} is empty; give left, bottom, right, top")
+        raise InputError("outline.extent_empty", left=left, bottom=bottom, right=right, top=top)
     return [[np.array([[left, bottom], [right, bottom], [right, top], [left, top]])]]
 
 
@@ -139,14 +145,11 @@ def _shapes(given: str, name: str) -> tuple[Shape, ...]:
     raises  InputError for numbers that are no corners, an empty text, and as `read_shapes` does
     """
     if not given.strip():
-        raise InputError(f"{option(name, given)} is empty; give a file, or corners as X Y, X Y, ...")
+        raise InputError("outline.option_empty", name=name)
     if not Path(given).exists() and re.fullmatch(r"[\d\s.,;+\-eE]+", given) and re.search(r"\d", given):
         pairs = [p.split() for p in re.split(r"[;,]", given)]
         if any(len(p) != 2 or None in map(number_of, p) for p in pairs):
-            raise InputError(
-                f"{option(name, given)} is no file and no corners: these are written X Y, X Y, ... with a blank "
-                "between the two numbers of a corner and a comma between corners"
-            )
+            raise InputError("outline.neither_file_nor_corners", name=name, given=given)
     return read_shapes(given)
 
 
@@ -158,8 +161,8 @@ def _areas(wkt: str, given: str) -> list[list[Array]]:
     shapes = [s for s in _shapes(given, "outline") if s.kind == "area"]
     if not shapes:
         if path.exists():
-            raise InputError("holds no area; lines and points enclose nothing", file=path)
-        raise InputError(f"{option('outline', given)} holds no area: it has fewer than three corners")
+            raise InputError("outline.no_area_in_file", file=path)
+        raise InputError("outline.too_few_corners", name="outline", given=given)
     found = list[list[Array]]()
     for s in shapes:
         rings = [_in_plane(wkt, r, s.crs, typed=s.typed, path=path) for r in (s.xy, *s.holes)]
@@ -175,16 +178,13 @@ def _check_holes(rings: Sequence[Array]) -> None:
     raises  InputError where one does not, with the place
     """
 
-    def refuse(what: str, place: Array) -> None:
-        raise InputError(
-            f"the outline has {what} near {place[0]:.8g}, {place[1]:.8g}: what it encloses there is not known; give "
-            "areas whose holes lie within them and apart from each other"
-        )
+    def refuse(code: str, place: Array, **holes: int) -> None:
+        raise InputError(code, x=place[0], y=place[1], **holes)
 
     outer, *holes = rings
     for k, hole in enumerate(holes, 1):
         if (place := astray(hole, outer, within=False)) is not None:
-            refuse(f"hole {k} outside of its edge", place)
+            refuse("outline.hole_outside", place, hole=k)
         for n, other in enumerate(holes[: k - 1], 1):
             apart = (hole.min(axis=0) > other.max(axis=0)).any() or (other.min(axis=0) > hole.max(axis=0)).any()
             if apart:
@@ -194,9 +194,9 @@ def _check_holes(rings: Sequence[Array]) -> None:
             if place is None and np.isclose(signed_area(hole), signed_area(other), rtol=1e-9, atol=0):
                 place = hole[0] if astray(hole, other, within=False) is None else None
             if place is not None:
-                refuse(f"hole {k} over hole {n}", place)
+                refuse("outline.holes_overlap", place, hole=k, other=n)
     if holes and _size(rings) <= LEAST * signed_area(outer):
-        refuse("holes that leave nothing of it", outer[0])
+        refuse("outline.only_holes", outer[0])
 
 
 def lines_of(o: Opened, given: str) -> list[Array]:
@@ -208,14 +208,15 @@ def lines_of(o: Opened, given: str) -> list[Array]:
         shapes = [s for s in _shapes(given, "line") if s.kind != "place"]
         if not shapes:
             if path.exists():
-                raise InputError("holds no line", file=path)
-            raise InputError(f"{option('line', given)} is a single place; a line needs two corners or more")
+                raise InputError("outline.no_line_in_file", file=path)
+            raise InputError("outline.single_place", name="line", given=given)
         # of coordinates that were typed, three places or more are a line here, and no area
         found = [_in_plane(o.file.wkt, s.xy, s.crs, typed=s.typed, path=path) for s in shapes]
     for line in found:
         if len(line) < 2 or not np.linalg.norm(np.diff(line, axis=0), axis=1).min() > 0:
             raise InputError(
-                "a line needs two different places, one after the other" + ("" if path.exists() else f": {given}"),
+                "outline.line_without_length",
+                given=given,
                 file=path if path.exists() else None,
             )
     return found
@@ -226,14 +227,14 @@ def _in_plane(wkt: str, xy: Array, crs: str, *, typed: bool, path: Path) -> Arra
     if typed or not wkt:
         if not typed and crs and crs != GEOGRAPHIC:  # what says nothing is of the plane
             raise InputError(
-                f"is in {system_name(crs)}, and these heights lie on a plane of the object, in no map; give "
-                "coordinates of the plane, in a file that names no coordinate system",
+                "outline.heights_in_no_map",
+                system=system_name(crs),
                 file=path,
             )
         if not typed and path.suffix.lower() in {".kml", ".kmz"}:
             raise InputError(
-                "is in longitude and latitude, and these heights lie on a plane of the object, in no map; give "
-                "coordinates of the plane, as CSV or GeoJSON",
+                "outline.heights_in_no_map",
+                system=system_name(GEOGRAPHIC),
                 file=path,
             )
         return np.asarray(xy, float)
@@ -247,13 +248,21 @@ def on_same_grid(first: Opened, second: Opened) -> HeightModel:
     """
     a, b = first.file, second.file
     if a.unit != b.unit:
-        units = [f.unit or "no unit (free scale)" for f in (a, b)]
-        raise InputError(f"is in {units[1]}, and {first.folder} in {units[0]}; both need one unit", file=second.folder)
+        raise InputError(
+            "surface_files.units_differ",
+            unit=b.unit or "free",
+            other=str(first.folder),
+            other_unit=a.unit or "free",
+            file=second.folder,
+        )
     turn, move = _turned(first, second)
     scale = a.cell / b.cell
     if not 1 / COARSER <= scale <= COARSER:
         raise InputError(
-            f"has cells of {b.cell:g}, and {first.folder} of {a.cell:g}; make both with cells of one size",
+            "surface_files.cells_differ",
+            cell=b.cell,
+            other=str(first.folder),
+            other_cell=a.cell,
             file=second.folder,
         )
     model = second.model
@@ -272,37 +281,29 @@ def _turned(first: Opened, second: Opened) -> tuple[Array | None, Array]:
     raises  InputError where they lie so differently that heights of one are not those of the other
     """
     a, b = first.file, second.file
-    why = ""
     if bool(a.wkt) != bool(b.wkt):
-        why = "one lies in a map, the other on a plane of the object"
-    elif a.wkt and parse_crs(a.wkt) != parse_crs(b.wkt):
-        names = [system_name(f.system or f.wkt) for f in (b, a)]
-        why = f"they are in different coordinate systems, {names[0]} and {names[1]}"
-    if not why and a.wkt:
-        if other := other_heights(b.system, a.system):
-            raise InputError(
-                f"{other}: a difference would be that of the two; make both surfaces of results in one system of plan "
-                f"and heights ({option('crs', 'EPSG:PLAN+HEIGHT')} of `orient`)",
-                file=second.folder,
-            )
+        raise InputError("surface_files.one_in_map", map=bool(b.wkt), other=str(first.folder), file=second.folder)
+    if a.wkt and parse_crs(a.wkt) != parse_crs(b.wkt):
+        system, other = (system_name(f.system or f.wkt) for f in (b, a))
+        raise InputError("surface_files.systems_differ", system=system, other=other, file=second.folder)
+    if a.wkt:
+        differing = other_heights(b.system, a.system)
+        if differing:
+            raise InputError(differing, file=second.folder)
         return None, np.zeros(3)
     p, q = (_axes(f.plane) for f in (a, b))
-    if not why and (p is None or q is None):
-        why = "their planes are not known"
-    if not why and p is not None and q is not None:
-        turn, move = p[1] @ q[1].T, p[1] @ (q[0] - p[0])
-        tall = float(np.nanmax(np.abs(second.model.heights.height)))
-        size = max(abs(b.left), abs(b.top), b.width * b.cell, b.height * b.cell)
-        off = max(float(np.abs(turn[:2, :2] - np.eye(2)).sum()) * size, float(np.abs(turn[:2, 2]).sum()) * tall)
-        if off <= APART * b.cell:
-            return turn, move
-        far = f"{off / b.cell:.3g} cells, more than {APART:g}"
-        why = f"their planes are turned against each other, which moves places by {far}"
+    if p is None or q is None:
+        raise InputError("surface_files.plane_unknown", other=str(first.folder), file=second.folder)
+    turn, move = p[1] @ q[1].T, p[1] @ (q[0] - p[0])
+    tall = float(np.nanmax(np.abs(second.model.heights.height)))
+    size = max(abs(b.left), abs(b.top), b.width * b.cell, b.height * b.cell)
+    off = max(float(np.abs(turn[:2, :2] - np.eye(2)).sum()) * size, float(np.abs(turn[:2, 2]).sum()) * tall)
+    if off <= APART * b.cell:
+        return turn, move
     raise InputError(
-        f"{why}: their heights are not above the same; make both surfaces with the same plane (by points that both "
-        "have, or in one map), in one frame: with the same control",
+        "surface_files.planes_differ", off_cells=off / b.cell, limit_cells=APART, other=str(first.folder),
         file=second.folder,
-    )
+    )  # fmt: skip
 
 
 def _above_other_plane(o: Opened, turn: Array, move: Array) -> HeightModel:

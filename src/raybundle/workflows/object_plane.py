@@ -16,12 +16,9 @@ from raybundle.errors import InputError
 from raybundle.io.geo.coordinate_systems import LocalFrame
 from raybundle.io.geo.parsed_systems import system_name
 from raybundle.io.geo.told_systems import plan_system
-from raybundle.io.reading.words import quoted
 from raybundle.measuring.axes import IN_LINE
 from raybundle.numerics.arrays import Array, Mask
-from raybundle.numerics.counting import counted
 from raybundle.numerics.planes import in_plane, plane_of_most
-from raybundle.settings import option
 from raybundle.workflows.plumb import Plumb, points_at, told_plumb
 
 if TYPE_CHECKING:
@@ -57,14 +54,13 @@ class PlaneAsked:
     def __post_init__(self) -> None:
         """Raises InputError for what does not go together."""
         if self.vertical and self.horizontal:
-            raise InputError(f"a plane is {option('vertical', True)} or {option('horizontal', True)}, not both")
+            raise InputError("plane.vertical_and_horizontal")
         least = 2 if self.vertical else LEAST
         if self.points and not self.horizontal and len(self.points) < least:
-            more = f"; two suffice for {option('vertical', True)}" if not self.vertical else ""
-            raise InputError(f"{counted(len(self.points), 'point')} of the plane: it needs {least}{more}")
+            raise InputError("plane.too_few_points", n=len(self.points), least=least, vertical=self.vertical)
         twice = [n for n in self.points if self.points.count(n) > 1]
         if twice:
-            raise InputError(f"point {quoted(twice[0])} of the plane is named twice")
+            raise InputError("plane.point_twice", point=twice[0])
 
     @property
     def axes_words(self) -> str:
@@ -230,9 +226,7 @@ def in_map(plane: Plane, frame: LocalFrame, metres: float) -> MapLevel:
     """
     system = plan_system(frame.crs)
     if system is None:
-        raise InputError(
-            f"{system_name(frame.crs)} is no projected system, in which a picture of squares could be made"
-        )
+        raise InputError("plane.no_projected_system", system=system_name(frame.crs))
     unit = system.axis_info[0].unit_conversion_factor
     left, bottom, right, top = plane.extent
     corners = plane.places(np.array([[left, bottom], [right, bottom], [right, top], [left, top]]))
@@ -266,7 +260,12 @@ def plane_of(
     seen = (np.bincount(block.observations.point, minlength=len(xyz)) > 1) & np.isfinite(xyz).all(axis=1)
     chosen = points_at(block, asked.points) if asked.points else np.flatnonzero(seen)
     if len(chosen) < (2 if asked.vertical and asked.points else LEAST):
-        raise InputError(f"{len(chosen)} points; a plane needs three that are not on a line")
+        raise InputError(
+            "plane.too_few_points",
+            n=len(chosen),
+            least=2 if asked.vertical and asked.points else LEAST,
+            vertical=asked.vertical,
+        )
     points = xyz[chosen]
     known = np.full((len(points), 3), np.nan) if sigma is None else sigma[chosen]
     least = pixel_at(block, np.median(points, axis=0))
@@ -319,10 +318,7 @@ def _made_plumb(points: Array, up: Array) -> Array:
     away = points - points.mean(axis=0)
     _, s, axes = np.linalg.svd(away - np.outer(away @ up, up), full_matrices=False)
     if not s[0] > IN_LINE * float(np.linalg.norm(away, axis=1).max()):
-        raise InputError(
-            "the points of the plane stand above each other, so that a plumb plane through them may face anywhere; "
-            "name one beside them"
-        )
+        raise InputError("plane.points_above_each_other")
     normal: Array = np.cross(axes[0], up)
     return normal / np.linalg.norm(normal)
 
@@ -330,7 +326,7 @@ def _made_plumb(points: Array, up: Array) -> Array:
 def _check_spread(points: Array) -> None:
     spread = np.linalg.svd(points - points.mean(axis=0), compute_uv=False) if len(points) >= LEAST else np.zeros(3)
     if len(points) < LEAST or spread[1] < 1e-6 * spread[0] or spread[0] == 0:
-        raise InputError("the points of the plane lie on a line; name others")
+        raise InputError("plane.points_on_line")
 
 
 def axes_of(normal: Array, up: Array) -> Array:
@@ -349,10 +345,7 @@ def _turned(axes: Array, block: Block, asked: PlaneAsked) -> Array:
     along = b - a
     right = along - (along @ axes[2]) * axes[2]
     if not np.linalg.norm(right) > IN_LINE * np.linalg.norm(along):
-        raise InputError(
-            f"{option('axis', *asked.axis)}: these points stand behind each other as seen in the plane, which tells no "
-            "direction; choose others"
-        )
+        raise InputError("plane.axis_no_direction", first=asked.axis[0], second=asked.axis[1])
     right = right / np.linalg.norm(right)
     return np.stack([right, np.cross(axes[2], right), axes[2]])
 

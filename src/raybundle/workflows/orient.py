@@ -185,7 +185,7 @@ def _to_be_redone(title: str) -> tuple[Stage[OrientState, Any, Any], ...]:
     if title == "report":
         return ()
     if title not in ORIENT.titles():
-        raise InputError(f"there is no stage {title!r}; the stages are {', '.join(stages())}")
+        raise InputError("value.not_one_of", entry="stage", given=title, known=list(stages()))
     return ORIENT.from_title(title)
 
 

@@ -10,12 +10,10 @@ import numpy as np
 
 from raybundle.block import Block
 from raybundle.errors import InputError
-from raybundle.io.reading.words import quoted
 from raybundle.measuring.axes import vertical
 from raybundle.numerics.arrays import Array, Index
 from raybundle.numerics.counting import counted
 from raybundle.observations.alignment import Levels, PlumbLines
-from raybundle.settings import option
 
 Z = np.array([0.0, 0.0, 1.0])
 
@@ -49,9 +47,7 @@ def points_at(block: Block, names: Sequence[str]) -> Index:
     index = {p: k for k, p in enumerate(block.points.ids)}
     missing = [n for n in names if n not in index or not np.isfinite(block.points.xyz[index[n]]).all()]
     if missing:
-        verb = "is" if len(missing) == 1 else "are"
-        named = f"point{'s' * (len(missing) > 1)} {', '.join(map(quoted, missing[:5]))}"
-        raise InputError(f"{named} {verb} not in the result, or without coordinates")
+        raise InputError("point.not_in_result", names=missing)
     return np.array([index[n] for n in names], np.int64)
 
 
@@ -67,19 +63,16 @@ def told_plumb(block: Block, way: str, about: Mapping[str, Any]) -> Plumb:
     if way.lower() == "lines":
         lines = _measured(block)
         if not lines:
-            raise InputError(
-                f"{option('up', way)}: no plumb line with two points was measured in this block; measure one, or say "
-                f"{option('up', 'A,B')} with two points of which B stands plumb above A"
-            )
+            raise InputError("vertical.no_plumb_line", way=way)
         xyz = block.points.xyz
         up = _along([xyz[points_at(block, line)] for line in lines], Z)
         return Plumb(up=up, words=f"{counted(len(lines), 'measured plumb line')}", lines=lines)
     names = tuple(n.strip() for n in way.split(","))
     if len(names) != 2 or not all(names) or names[0] == names[1]:
-        raise InputError(f"{option('up', way)}: it is z, lines, or two points A,B of which B stands plumb above A")
+        raise InputError("vertical.way_unknown", way=way)
     a, b = block.points.xyz[points_at(block, names)]
     if not np.linalg.norm(b - a) > 0:
-        raise InputError(f"{option('up', way)}: the points are at the same place")
+        raise InputError("vertical.points_coincide", way=way)
     up = (b - a) / np.linalg.norm(b - a)
     return Plumb(up=up, words=f"from {names[0]} to {names[1]}", lines=(names,))
 

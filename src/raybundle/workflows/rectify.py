@@ -87,18 +87,21 @@ def grid_over(extent: Array, pixel: float, *, most: float = LARGEST_PX, setting:
     """
     left, bottom, right, top = (float(v) for v in extent)
     if not (pixel > 0 and right > left and top > bottom):
-        raise InputError(f"an area of {right - left:g} by {top - bottom:g} with a pixel of {pixel:g} holds no picture")
+        raise InputError("picture.area_empty", width=right - left, height=top - bottom, pixel=pixel)
     if pixel > min(right - left, top - bottom):
         raise InputError(
-            f"a pixel of {pixel:g} is larger than the area of {right - left:.4g} by {top - bottom:.4g}; take a smaller "
-            f"{option(setting)}"
+            "picture.pixel_too_large", width=right - left, height=top - bottom, pixel=pixel, setting=setting
         )
     width, height = int(np.ceil((right - left) / pixel - 1e-6)), int(np.ceil((top - bottom) / pixel - 1e-6))
     if width * height > most:
         need = pixel * np.sqrt(width * height / most)
         raise InputError(
-            f"the picture would have {width} x {height} px, {most:.0e} are the limit; "
-            f"take {option(setting, two_digits(need))} or a smaller {option('extent')}"
+            "picture.too_large",
+            width_px=width,
+            height_px=height,
+            limit_px=most,
+            setting=setting,
+            needed=two_digits(need),
         )
     return Grid(left=left, top=top, pixel=pixel, width=width, height=height)
 
@@ -108,11 +111,18 @@ def check_area(plane: MapLevel, area: Array, *, setting: str = "extent") -> None
     low, high = plane.extent[:2], plane.extent[2:]
     room = high - low
     if (area[:2] > high + room).any() or (area[2:] < low - room).any():
-        named = [f"{a} {l:.10g} to {h:.10g}" for a, l, h in zip(("east", "north"), area[:2], area[2:], strict=True)]
-        mine = [f"{l:.0f} to {h:.0f}" for l, h in zip(low, high, strict=True)]
         raise InputError(
-            f"{option(setting)} is {', '.join(named)} in {system_name(plane.frame.crs)}, away from the points of the "
-            f"result, {mine[0]} and {mine[1]}; of level ground it is given in the map"
+            "picture.area_far_away",
+            setting=setting,
+            system=system_name(plane.frame.crs),
+            west=float(area[0]),
+            east=float(area[2]),
+            south=float(area[1]),
+            north=float(area[3]),
+            block_west=float(low[0]),
+            block_east=float(high[0]),
+            block_south=float(low[1]),
+            block_north=float(high[1]),
         )
 
 
@@ -173,9 +183,7 @@ def rectify_block(
     progress("rectifying", 1.0)
     if not picture.shares:
         raise InputError(
-            f"no photograph shows the area, or none was found; say where they are with {option('photos')}, or choose "
-            "another "
-            f"{option('extent')}",
+            "picture.no_photograph",
             file=folders[0] if folders else None,
         )
     remarks += _hidden(before[choice >= 0])
@@ -188,7 +196,7 @@ def _photographs(block: Block, names: Sequence[str], only: Sequence[str]) -> lis
     """Positions of the oriented photographs, or of those asked for by name or id."""
     unknown = sorted(set(only) - set(names) - set(block.images.ids))
     if unknown:
-        raise InputError(f"photograph {unknown[0]} is not in the result")
+        raise InputError("photograph.not_in_result", names=unknown)
     return [
         k for k in np.flatnonzero(block.images.oriented).tolist()
         if not block.cameras[int(block.images.camera[k])].is_scene
@@ -337,10 +345,11 @@ def _refuse_a_line(places: Array, names: Sequence[str]) -> None:
         some = places if leave is None else np.delete(places, leave, axis=0)
         size = np.linalg.svd(some - some.mean(axis=0), compute_uv=False)
         if size[1] < STRAIGHT * size[0]:
-            but = "" if leave is None else f", all but {names[leave]}"
             raise InputError(
-                f"the control points lie on one straight line{but} (to {STRAIGHT:.1%} of its length), which tells "
-                "nothing of what stands beside it; measure points all around what the picture is to show"
+                "picture.control_on_line",
+                exception="" if leave is None else names[leave],
+                limit=STRAIGHT,
+                alone=leave is not None,
             )
 
 
@@ -363,7 +372,7 @@ def rectify_photo(photo: Path, single: SinglePhoto, grid: Grid, size: tuple[int,
     at = single.pixels(places)
     inside = ((at > 1) & (at < np.array(size) - 1)).all(axis=1)
     if not inside.any():
-        raise InputError(f"the photograph does not show the area; choose another {option('extent')}", file=photo)
+        raise InputError("picture.area_not_shown", file=photo)
     picture = Rectified.empty(grid.height, grid.width)
     pixels = picture.photograph([photo.parent], photo.name, None)
     picture.add(photo.name, pixels, at.astype(np.float32).reshape(*shape, 2), np.reshape(inside, shape), STEP)

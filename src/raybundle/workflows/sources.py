@@ -23,7 +23,6 @@ from raybundle.results.folder import MAP, ResultFolder, read_result
 from raybundle.results.record import STATE
 from raybundle.results.recorded import read_recorded
 from raybundle.results.state import state_words
-from raybundle.settings import option
 from raybundle.workflows.block_frame import in_block_frame
 
 BLOCK = "block"
@@ -74,25 +73,24 @@ def result_within(source: Path) -> Path:
     if (result / "result.json").is_file():
         return result
     if (source / "project.db").is_file():
-        raise InputError("is a project without a result yet; orient its photographs first", file=source)
+        raise InputError("project.no_result", file=source)
     return source
 
 
 def recognised(source: Path) -> str:
     """The format of a file or folder by its contents; raises InputError where it cannot be told."""
     if not source.exists():
-        raise InputError("there is no such file or folder; check the path", file=source)
+        raise InputError("file.missing", file=source)
     if any((source / name).exists() for name in ("block.toml", "result.json")):
         return BLOCK
     found = looks_like(source)
     if len(found) == 1:
         return found[0]
     if found:
-        raise InputError(
-            f"looks like {' and '.join(found)}; give {option('read_as', flag='from')}, one of these", file=source
-        )
+        raise InputError("format.ambiguous", names=found, file=source)
     raise InputError(
-        f"its format is not recognised; give {option('read_as', flag='from')}, one of {', '.join(READABLE)}",
+        "format.not_recognised",
+        known=list(READABLE),
         file=source,
     )
 

@@ -17,7 +17,6 @@ import numpy as np
 from raybundle.adjustment.result import Adjustment
 from raybundle.block import Block
 from raybundle.errors import InputError
-from raybundle.io.formats.base import FREE_SCALE, GIVE_SCALE
 from raybundle.io.photos.masks import Masks, find_masks
 from raybundle.measuring.session import adjusted_again
 from raybundle.numerics.counting import counted
@@ -156,8 +155,7 @@ def _checked(made: Adjustment, source: Path, *, free_scale: bool) -> Adjustment:
     free = made.free_scale
     if free and not free_scale:
         raise InputError(
-            f"{FREE_SCALE}, so that lengths of the surface would be in no unit; {GIVE_SCALE}, or "
-            f"{option('free_scale', True)} for a surface without",
+            "surface.scale_free",
             file=source,
         )
     return replace(made, adjusted=replace(made.adjusted, free_scale=free))

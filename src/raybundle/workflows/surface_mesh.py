@@ -9,7 +9,6 @@ import numpy as np
 
 from raybundle.errors import InputError
 from raybundle.numerics.arrays import Array, Index
-from raybundle.settings import option
 from raybundle.surfaces.gaps import bends_of, beside_steps, height_at
 from raybundle.workflows.height_tiles import heights_in, tile_of_number
 from raybundle.workflows.orthophoto_files import tiles_of
@@ -62,7 +61,7 @@ def mesh_of(surface: Surface, cell: float) -> Mesh:
     height, sigma = _heights(surface, grid)
     triangles = _triangles(height, cell)
     if not len(triangles):
-        raise InputError(f"no triangle of {cell:g} has heights at its corners; choose another area or {option('mesh')}")
+        raise InputError("surface.mesh_empty", side=cell)
     used, triangles = np.unique(triangles, return_inverse=True)
     row, column = np.divmod(used, grid.width)
     u, v = grid.left + (column + 0.5) * cell, grid.top - (row + 0.5) * cell

@@ -38,10 +38,7 @@ def region_asked(
     found = SurfaceRegion.of(plane, areas_in(wkt, [], extent) if extent is not None else areas)
     left, bottom, right, top = found.extent.tolist()
     if min(right - left, top - bottom) < apart:
-        raise InputError(
-            f"the part that is asked for is {right - left:.3g} x {top - bottom:.3g}, and points lie {apart:.3g} apart "
-            f"({option('density')}): none needs to lie in it; choose a larger part"
-        )
+        raise InputError("surface.region_too_small", width=right - left, height=top - bottom, apart=apart)
     return found
 
 
@@ -56,7 +53,4 @@ def _check(given: str) -> None:
         words = re.findall(r"[^;,\s]+", given)
         if words and not there and not any(number_of(w) is not None or w.lower() in NO_NUMBERS for w in words):
             return  # a name, of which it is told that there is no such file
-        rectangle = f"; a rectangle is asked for with {option('extent')}" if whole and len(corners) == 2 else ""
-        raise InputError(
-            f"{option('region')}: {given!r} is neither a file nor three corners or more, X Y, X Y, X Y{rectangle}"
-        )
+        raise InputError("surface.region_not_readable", given=given, rectangle=whole and len(corners) == 2)

@@ -9,7 +9,6 @@ import numpy as np
 
 from raybundle.errors import InputError
 from raybundle.numerics.arrays import Array, Index
-from raybundle.settings import option
 from raybundle.workflows.surface import Surface
 from raybundle.workflows.surface_state import Cloud
 
@@ -51,10 +50,7 @@ def thinned(surface: Surface, side: float) -> Thinned:
     count = np.floor(high / side) - first + 1
     if float(np.prod(count)) > MOST_CUBES:
         least = float((np.prod(high - low) / MOST_CUBES) ** (1 / 3))
-        raise InputError(
-            f"{option('thin')} {side:g} parts the surface into more cubes than the {MOST_CUBES:.1g} that can be "
-            f"numbered; take more than {least:.1g}"
-        )
+        raise InputError("surface.too_many_cubes", side=side, most=float(MOST_CUBES), least=least)
     best: tuple[Array, Array, Array, Array] = (np.zeros(0, np.int64), np.zeros(0), np.zeros(0, int), np.zeros(0, int))
     for part, cloud in enumerate(surface.parts()):
         x, y, z = (np.floor(cloud.xyz / side) - first).astype(np.int64).T

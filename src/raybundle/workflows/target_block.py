@@ -19,7 +19,6 @@ from raybundle.numerics.arrays import Array, Index, Mask
 from raybundle.numerics.counting import counted_are
 from raybundle.numerics.rows import rows_of_each
 from raybundle.platforms.station import sensor_from_object
-from raybundle.settings import option
 from raybundle.targets.marks import Marks, Target
 from raybundle.targets.sidecar import PrintedSheet
 
@@ -132,10 +131,7 @@ def _places(targets: Sequence[Target], spacing: float | None, sheet: PrintedShee
     if not boards:
         return {}
     if len(targets) > 1:
-        raise InputError(
-            f"a board ({boards[0].title}) is calibrated with alone; name one board, or single targets "
-            f"({option('target')})"
-        )
+        raise InputError("board.not_alone", board=boards[0].title)
     return {name: (spacing or 1.0) * np.asarray(xyz, float) for name, xyz in boards[0].objects.items()}
 
 

@@ -24,3 +24,6 @@ board-dots_name = { $name } ist kein Name eines Punktrasters.
 
 board-dots_size = { $name }: Ein Raster braucht mindestens 3 x 3 Punkte.
     .do = Ein Raster mit mehr Punkten verwenden.
+
+board-not_alone = Eine Tafel ({ $board }) lässt sich in einer Kalibrierung nicht mit anderen Zielmarken verbinden.
+    .do = { OPTION("target") } mit einer Tafel oder nur mit einzelnen Zielmarken angeben.

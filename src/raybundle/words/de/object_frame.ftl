@@ -15,3 +15,14 @@ object_frame-missing = Eine Satellitenszene braucht ein Objektsystem mit bekannt
 
 object_frame-not_local = Höhen über einer Karte brauchen einen Block in einem lokalen System (Ost, Nord, oben).
     .do = Dem Block ein [frame] mit kind = "local" geben.
+
+object_frame-needs_metres = Block { $block } hat einen [frame] mit Koordinatensystem, aber Längen in { $unit }.
+    .do = Den Block in Metern angeben: length_unit = "m".
+
+object_frame-far_from_origin = Block { $block }: Koordinaten bei { NUM($x_m, digits: 6) }, { NUM($y_m, digits: 6) } m passen nicht zu [frame] kind = "projected".
+    .why = Solche Koordinaten sind die von { $system } selbst, mit dem Ursprung bei { NUM($origin_x_m, digits: 10) }, { NUM($origin_y_m, digits: 10) } m.
+    .do = Wenn es Meter nach Osten, Norden und oben ab dem Ursprung sind, kind = "local" mit gleichem crs und Ursprung schreiben.
+
+object_frame-needs_local = Block { $block }: { $tables } benötigt ein lokales System; der Block hat Kartenkoordinaten.
+    .why = Die Achsen solcher Beobachtungen sind nicht überall in einer Karte gleich.
+    .do = Den Block mit [frame] kind = "local", gleichem crs und Koordinaten ab dem Ursprung angeben.

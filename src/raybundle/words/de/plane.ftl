@@ -10,3 +10,30 @@ plane-place_unknown = Die Lage der Ebene im Raum ist unbekannt; right, up und no
 
 plane-other_unit = Die Einheit der Ebene ist { $plane }, die des Blocks { $block }.
     .do = Die Ebene eines Bildes dieses Blocks angeben.
+
+plane-vertical_and_horizontal = Eine Ebene kann nicht { OPTION("vertical", "True") } und { OPTION("horizontal", "True") } sein.
+    .do = Eines davon angeben.
+
+plane-too_few_points = Die Ebene hat { $n } { $n ->
+        [one] Punkt
+       *[other] Punkte
+    }; nötig sind { $least }.
+    .do = { $vertical ->
+        [yes] Mehr Punkte nennen
+       *[no] Mehr Punkte nennen oder zwei mit { OPTION("vertical", "True") }
+    }.
+
+plane-point_twice = Punkt { $point } der Ebene ist zweimal genannt.
+    .do = Einen anderen Punkt nennen.
+
+plane-no_projected_system = { $system } ist kein projiziertes Koordinatensystem; ein Bildplan benötigt eines.
+    .do = Ein projiziertes System angeben: { OPTION("crs") }.
+
+plane-points_above_each_other = Die Punkte der Ebene liegen übereinander; eine lotrechte Ebene hat keine Richtung.
+    .do = Einen Punkt daneben nennen.
+
+plane-points_on_line = Die Punkte der Ebene liegen auf einer Geraden.
+    .do = Andere Punkte nennen.
+
+plane-axis_no_direction = { OPTION("axis", $first, $second) }: In der Ebene gesehen liegen die Punkte hintereinander.
+    .do = Zwei Punkte wählen, die in der Ebene auseinanderliegen.

@@ -18,3 +18,6 @@ point-sigma_out_of_range = Punkt { $point }, { $axis }: { $sigma } ist keine Sta
 
 point-no_coordinate = Passpunkt { $point } hat eine Standardabweichung ({ $sigma }), aber keine Koordinate { $axis }.
     .do = Die Koordinate angeben oder NaN als Standardabweichung.
+
+point-not_in_result = Nicht im Ergebnis oder ohne Koordinaten: { $names }.
+    .do = Punkte des Ergebnisses angeben.

@@ -26,3 +26,9 @@ setting-no_text = { $name } = { $given } ist kein Text.
 
 setting-no_number = { $name } = { $given } ist keine Zahl.
     .do = Eine Zahl angeben.
+
+setting-needs_positions = { OPTION($name) } benötigt Positionen: { $gps ->
+        [yes] keine Aufnahme hat eine
+       *[no] { OPTION("gps", "False", flag: "no-gps") } schließt die der Aufnahmen aus
+    }.
+    .do = { OPTION("positions") } oder Aufnahmen mit Positionen angeben oder { OPTION($name) } weglassen.

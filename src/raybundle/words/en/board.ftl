@@ -38,3 +38,7 @@ board-dots_name = { $name } is not the name of a raster of dots.
 # $name = "'circles-2x2'"
 board-dots_size = { $name }: a raster needs at least 3 x 3 dots.
     .do = Use a raster with more dots.
+
+# $board = "charuco 8x11"
+board-not_alone = A board ({ $board }) cannot be combined with other targets in a calibration.
+    .do = Give { OPTION("target") } with one board, or with single targets only.

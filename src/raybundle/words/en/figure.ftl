@@ -10,7 +10,7 @@ figure-no_image_points = No image point took part in the adjustment, so there is
 figure-camera_without_points = Camera { $camera } has no image points in the adjustment.
     .do = Give one of { LIST($known, most: 20) }.
 
-figure-no_control = There are no control points with standard deviations and no check points, so there is nothing to draw.
+figure-no_control = There are neither control points with standard deviations nor check points; nothing can be drawn.
 
 # $name = "camera d5100"
 figure-no_distortion = { $name } has neither distortion nor standard deviations, so there is nothing to draw.

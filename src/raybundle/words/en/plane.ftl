@@ -15,3 +15,37 @@ plane-place_unknown = The position of the plane in space is unknown; right, up a
 # $block = "m"
 plane-other_unit = The unit of the plane is { $plane }, that of the block { $block }.
     .do = Give the plane of a picture of this block.
+
+plane-vertical_and_horizontal = A plane cannot be { OPTION("vertical", "True") } and { OPTION("horizontal", "True") }.
+    .do = Give one of them.
+
+# $n = 2
+# $least = 3
+# $vertical = false
+plane-too_few_points = The plane has { $n } { $n ->
+        [one] point
+       *[other] points
+    }; { $least } are needed.
+    .do = { $vertical ->
+        [yes] Name more points
+       *[no] Name more points, or two with { OPTION("vertical", "True") }
+    }.
+
+# $point = "P12"
+plane-point_twice = Point { $point } of the plane is named twice.
+    .do = Name another point.
+
+# $system = "EPSG:4326"
+plane-no_projected_system = { $system } is not a projected coordinate system; a picture needs one.
+    .do = Give a projected system: { OPTION("crs") }.
+
+plane-points_above_each_other = The points of the plane are above each other, so a vertical plane has no direction.
+    .do = Name a point beside them.
+
+plane-points_on_line = The points of the plane are on one line.
+    .do = Name other points.
+
+# $first = "A"
+# $second = "B"
+plane-axis_no_direction = { OPTION("axis", $first, $second) }: seen in the plane, the points are behind each other.
+    .do = Choose two points that are apart in the plane.

@@ -31,3 +31,7 @@ point-sigma_out_of_range = Point { $point }, { $axis }: { $sigma } is no standar
 # $sigma = 0.1
 point-no_coordinate = Control point { $point } has a standard deviation ({ $sigma }) but no coordinate { $axis }.
     .do = Give the coordinate, or NaN for its standard deviation.
+
+# $names = ["A", "B"]
+point-not_in_result = Not in the result, or without coordinates: { $names }.
+    .do = Give points of the result.

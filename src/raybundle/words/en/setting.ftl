@@ -45,3 +45,11 @@ setting-no_text = { $name } = { $given } is not a text.
 # $given = "left"
 setting-no_number = { $name } = { $given } is not a number.
     .do = Give a number.
+
+# $name = "lever_arm"
+# $gps = true
+setting-needs_positions = { OPTION($name) } needs positions: { $gps ->
+        [yes] no photograph has one
+       *[no] { OPTION("gps", "False", flag: "no-gps") } excludes those of the photographs
+    }.
+    .do = Give { OPTION("positions") } or photographs with positions, or omit { OPTION($name) }.

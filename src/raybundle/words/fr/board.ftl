@@ -15,3 +15,5 @@ board-chessboard_size = { $name } : il faut au moins 3 x 3 coins intérieurs.
 board-dots_name = { $name } n'est pas le nom d'une grille de disques.
 
 board-dots_size = { $name } : il faut au moins 3 x 3 disques.
+
+board-not_alone = Un panneau ({ $board }) ne peut pas être combiné avec d'autres cibles dans un étalonnage.

@@ -5,3 +5,17 @@ plane-axes_not_orthogonal = right, up et normal ne forment pas un repère orthon
 plane-place_unknown = La position du plan est inconnue : right, up et normal manquent.
 
 plane-other_unit = L'unité du plan est { $plane }, celle du bloc { $block }.
+
+plane-vertical_and_horizontal = Un plan ne peut pas être { OPTION("vertical", "True") } et { OPTION("horizontal", "True") }.
+
+plane-too_few_points = Le plan a { $n } points ; il en faut { $least }.
+
+plane-point_twice = Le point { $point } du plan est nommé deux fois.
+
+plane-no_projected_system = { $system } n'est pas un système de coordonnées projeté ; une image en demande un.
+
+plane-points_above_each_other = Les points du plan sont l'un au-dessus de l'autre ; un plan vertical n'a pas de direction.
+
+plane-points_on_line = Les points du plan sont sur une droite.
+
+plane-axis_no_direction = { OPTION("axis", $first, $second) } : vus dans le plan, les points sont l'un derrière l'autre.

@@ -11,3 +11,5 @@ point-check_without_coordinate = Point de contrôle { $point } : aucune coordonn
 point-sigma_out_of_range = Point { $point }, { $axis } : { $sigma } n'est pas un écart-type.
 
 point-no_coordinate = Le point d'appui { $point } a un écart-type ({ $sigma }) mais pas de coordonnée { $axis }.
+
+point-not_in_result = Absents du résultat ou sans coordonnées : { $names }.

@@ -13,3 +13,5 @@ setting-word_count = { $name } = { $given } n'a pas la forme { $form }.
 setting-no_text = { $name } = { $given } n'est pas un texte.
 
 setting-no_number = { $name } = { $given } n'est pas un nombre.
+
+setting-needs_positions = { OPTION($name) } a besoin de positions.

@@ -15,7 +15,7 @@ def counted_headers(folder: Path) -> tuple[int, float, tuple[str, ...]]:
     raises  InputError for what is no folder
     """
     if not folder.is_dir():
-        raise InputError("is no folder", file=folder)
+        raise InputError("folder.missing_itself", file=folder)
     count, pixels, unread = 0, 0.0, list[str]()
     for path in sorted(folder.iterdir()):
         if path.suffix.lower() not in SUFFIXES or not path.is_file():

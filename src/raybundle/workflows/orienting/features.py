@@ -40,7 +40,7 @@ def find(i: Inputs, means: Means) -> Found:
 def _put(state: OrientState, found: Found) -> OrientState:
     features, failed = found
     if failed and state.again:
-        raise NoOrientation("photographs that could be read before cannot be read now")
+        raise NoOrientation("photograph.no_longer_readable")
     kept = [i for i in range(len(state.photos)) if i not in failed]
     state = replace(
         state,

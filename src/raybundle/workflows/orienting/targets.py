@@ -135,7 +135,7 @@ def _inputs(state: OrientState) -> Inputs:
 def wanted(names: Sequence[str]) -> tuple[Target, ...]:
     """Targets by the names of their families; raises InputError for a name that is none, or stands there twice."""
     if len(set(names)) < len(names):
-        raise InputError(f"targets are named twice: {', '.join(names)}; each family once")
+        raise InputError("target.family_twice", names=names)
     return tuple(target(name) for name in names)
 
 

@@ -82,7 +82,7 @@ def measure(i: Inputs, means: Means) -> Looks:
     all_done(means, list(tasks.values()), "what photographs see")
     keys = {k: t.key for k, t in tasks.items()}
     if not keys:
-        raise InputError("no photograph sees the area of the orthophoto; choose another")
+        raise InputError("surface.orthophoto_not_shown")
     return Looks(keys=keys, tiles={k: tuple(there[k]) for k in keys}, gains=_gains(i.heights.grid, keys, means.store))
 
 

@@ -65,10 +65,7 @@ def choose(i: Inputs, means: Means) -> Chosen:
             shares[s.reference] = _share(i.block, s.reference, i.region)
     if not any(shares.values()):
         left, bottom, right, top = i.region.extent
-        raise InputError(
-            f"no photograph that measures anything shows the region, {left:.10g} to {right:.10g} and {bottom:.10g} to "
-            f"{top:.10g} in the plane; choose another"
-        )
+        raise InputError("surface.region_not_shown", left=left, right=right, bottom=bottom, top=top)
     return Chosen(sources=tuple(found), shares=shares)
 
 
