@@ -197,6 +197,41 @@ class Text(str):
         """The same for another reader."""
         return " ".join(m.text(reader) for m in self.messages)
 
+    @property
+    def message(self) -> Message:
+        """All messages as one: the first, with the others as its details."""
+        first, *others = self.messages
+        return replace(first, details=(*first.details, *others))
+
+
+def text_of(code: str, /, **values: Value) -> Text:
+    """The text of a code and its values, as a reason in a list."""
+    return Text.of(Message(code=code, values=plain(values)))
+
+
+def text_json(text: str) -> dict[str, Any]:
+    """Code, values and details of a text, for JSON; {} where it has only words."""
+    if not isinstance(text, Text):
+        return {}
+    found = text.message.json()
+    return {name: found[name] for name in ("code", "values", "details") if name in found}
+
+
+def message_of_text(text: str) -> Message:
+    """The message of a text, as a detail of another; words alone as a value."""
+    return text.message if isinstance(text, Text) else message("reason.text", text=text)
+
+
+def excluded(refused: Sequence[tuple[str, str]], remarks: Iterable[str] = (), most: int = 20) -> list[Message]:
+    """Names of what takes no part with the reasons, and what else there is to say, as details of an error."""
+    more = [message("reason.more", n=len(refused) - most)] if len(refused) > most else []
+    return [*(named(*r) for r in refused[:most]), *more, *map(message_of_text, remarks)]
+
+
+def named(name: str, text: str) -> Message:
+    """A reason after the name of its object, as a detail of an error."""
+    return replace(message_of_text(text), place=Place(file=name))
+
 
 def phrase(code: str, /, **values: Value) -> Text:
     """A text of a report, of the catalogue's entry and its values, for whatever reader."""

@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 from collections.abc import Sequence
 from dataclasses import dataclass
+from typing import Literal
 
 import numpy as np
 
@@ -15,6 +16,7 @@ from raybundle.numerics.rotation import cross_matrix
 from raybundle.platforms.station import sensor_from_object
 from raybundle.sensors import sensor_models
 
+By = Literal["names", "order", "values"]
 FEWEST = 3
 """Photographs of a camera that is told apart."""
 LEAST_POINTS = 10
@@ -30,8 +32,10 @@ class Split:
 
     groups: tuple[Index, Index]
     """Images of each"""
-    words: str
-    """How the first group can be called"""
+    by: By
+    """By what the photographs were divided"""
+    name: str
+    """Of names: what those of the first group begin with; of order: its last photograph"""
     sought: bool
     """True where the division was made up to fit, False where names or order suggest it"""
     difference: Array
@@ -116,21 +120,21 @@ def find_splits(result: Adjustment, camera: str) -> tuple[Split, ...]:
     whole = _scatter(shift, P) / (3 * (len(images) - 1))
     if whole < LARGE:
         return ()
-    best: dict[str, tuple[float, Mask, str]] = {}
-    for kind, side, words in _candidates([result.given.images.ids[i] for i in images], shift):
+    best: dict[By, tuple[float, Mask, str]] = {}
+    for kind, side, name in _candidates([result.given.images.ids[i] for i in images], shift):
         if min(int(side.sum()), int((~side).sum())) < FEWEST:
             continue
         within = _scatter(shift[side], P[side]) + _scatter(shift[~side], P[~side])
         if kind not in best or within < best[kind][0]:
-            best[kind] = within, side, words
+            best[kind] = within, side, name
     found: list[Split] = []
-    for kind, (within, side, words) in best.items():
+    for kind, (within, side, name) in best.items():
         if whole < GAIN * within / (3 * (len(images) - 2)):
             continue
         means = [_mean(shift[s], P[s]) for s in (side, ~side)]
         found.append(
             Split(
-                groups=(images[side], images[~side]), words=words, sought=kind == "values",
+                groups=(images[side], images[~side]), by=kind, name=name, sought=kind == "values",
                 difference=means[1] - means[0],
             )
         )  # fmt: skip
@@ -146,21 +150,20 @@ def _scatter(shift: Array, P: Array) -> float:
     return float(np.einsum("ni,nij,nj->", d, P, d))
 
 
-def _candidates(names: Sequence[str], shift: Array) -> list[tuple[str, Mask, str]]:
-    """Kind of division, side (n,) and how to call it."""
-    found: list[tuple[str, Mask, str]] = []
+def _candidates(names: Sequence[str], shift: Array) -> list[tuple[By, Mask, str]]:
+    """Kind of division, side (n,) and the name by which it was made."""
+    found: list[tuple[By, Mask, str]] = []
     starts = [re.split(r"[_\-. ]", name, maxsplit=1)[0] for name in names]
     if len(set(starts)) < len(names) / 2:
-        found += [
-            ("names", np.array([s == start for s in starts]), f"names beginning with {start}")
-            for start in dict.fromkeys(starts)
-        ]
+        for start in dict.fromkeys(starts):
+            found.append(("names", np.array([s == start for s in starts]), start))
     order = np.arange(len(names))
-    found += [("order", order < k, f"up to {names[k - 1]}") for k in range(1, len(names))]
+    for k in range(1, len(names)):
+        found.append(("order", order < k, names[k - 1]))
     for axis in range(3):
         along = np.argsort(shift[:, axis])
         for k in range(1, len(names)):
             side = np.zeros(len(names), bool)
             side[along[:k]] = True
-            found.append(("values", side, "neither by name nor by order"))
+            found.append(("values", side, ""))
     return found

@@ -194,5 +194,5 @@ def named(desk: Desk, image: str) -> int:
     """Position of an image; raises InputError for one that is not there."""
     position = desk.session.index.get(image)
     if position is None:
-        raise InputError("mark.unknown_image", image=image, n=len(desk.session.index))
+        raise InputError("mark.unknown_image", image=image, n=len(desk.session.index), known=list(desk.session.index))
     return position

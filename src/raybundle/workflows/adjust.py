@@ -26,9 +26,19 @@ from raybundle.block.points import automatic
 from raybundle.block.rejection import RejectionKind, known_wrong
 from raybundle.block.rigs import with_shared_orientation
 from raybundle.calibration.given import calibration_notices, held_notices
-from raybundle.errors import DatumDefect, InputError, NoConvergence, NoOrientation, NotSolvable, RankDefect, message
+from raybundle.errors import (
+    DatumDefect,
+    InputError,
+    Message,
+    NoConvergence,
+    NoOrientation,
+    NotSolvable,
+    RankDefect,
+    Value,
+    message,
+    message_of_text,
+)
 from raybundle.numerics.arrays import Array, Index, Mask
-from raybundle.numerics.counting import counted, counted_are
 from raybundle.numerics.progress import Progress, in_rounds, silent
 from raybundle.observations import observation_kinds
 from raybundle.orientation.given_points import intersected_where_better, without_given_ties
@@ -87,12 +97,9 @@ def adjust(block: Block, options: AdjustmentOptions | None = None, progress: Pro
     else:
         result = _without(bars, options, progress) or result
     if twins and not result.converged:
-        raise NoConvergence(f"the iteration did not end.\n  {_twin_words(twins)}")
+        raise NoConvergence("adjustment.identical_images", pairs=len(twins), details=_pairs(twins))
     if twins:
-        warning = Notice(
-            code="identical_images", message=_twin_words(twins), ids=tuple(i for pair in twins for i in pair)
-        )
-        result = replace(result, notices=(warning, *result.notices))
+        result = replace(result, notices=(_twin_notice(twins), *result.notices))
     doubt = None
     found = _conflicts(block, options) if result.sigma0 > POOR_FIT and not identical else []
     if any(c.unit or (c.other_unit and len(found) > 1) for c in found):
@@ -134,21 +141,31 @@ def adjust(block: Block, options: AdjustmentOptions | None = None, progress: Pro
 def _explained(
     error: NotSolvable, block: Block, options: AdjustmentOptions, twins: list[tuple[str, str]],
     identical: Sequence[Notice],
-) -> str:  # fmt: skip
-    """The words of an error with what may be behind it; "" where there is nothing to add."""
-    why = [_twin_words(twins)] if twins else [n.text for n in identical]
+) -> str | Message:  # fmt: skip
+    """An error with what may be behind it; "" where there is nothing to add."""
+    why: list[str | Message] = [n.data for n in ([_twin_notice(twins)] if twins else identical)]
     if not why and not isinstance(error, DatumDefect):
         if (unit := unit_words(block)) is not None:
-            return f"{unit}\n  {error}"
+            return _joined(unit, error)
         if (origin := origin_words(block)) is not None:
-            return f"{origin[0]}\n  {error}"
+            return _joined(origin[0], error)
     found = [] if why or isinstance(error, DatumDefect) else _conflicts(block, options)
     if found:
         return conflict_words(found, float("nan"))
     if not why and isinstance(error, RankDefect) and (torn := _control_words(block, options)):
-        return "\n  ".join([*torn, str(error)])
-    why = why or (_control_words(block, options) if isinstance(error, NoConvergence) else [])
-    return "\n  ".join([str(error), *why]) if why else ""
+        return _joined(*torn, error)
+    if not why and isinstance(error, NoConvergence):
+        why.extend(_control_words(block, options))
+    return _joined(error, *why) if why else ""
+
+
+def _joined(*parts: str | Message | NotSolvable) -> str | Message:
+    """Parts of an explanation: the first message with the others as details; a text where one has only words."""
+    found = [p.message if isinstance(p, NotSolvable) else p for p in parts]
+    messages = [p for p in found if isinstance(p, Message)]
+    if len(messages) == len(parts):
+        return replace(messages[0], details=(*messages[0].details, *messages[1:]))
+    return "\n  ".join(p.text() if isinstance(p, Message) else str(p) for p in parts)
 
 
 def _without(bars: BarDoubt | None, options: AdjustmentOptions, progress: Progress) -> Adjustment | None:
@@ -167,11 +184,7 @@ def _given_rejected(wrong: Mask) -> tuple[Notice, ...]:
     n = int(wrong.sum())
     if not n:
         return ()
-    message = (
-        f"{counted_are(n, 'image observation')} known as wrong from an adjustment before (column rejected of the "
-        "block's observations.csv) and take no part; without that column they are tested anew"
-    )
-    return (Notice(code="given_rejected", message=message, measured=Severity.REMARK),)
+    return (Notice(code="given_rejected", values={"n": n}, measured=Severity.REMARK),)
 
 
 def _held_calibrations(result: Adjustment, options: AdjustmentOptions) -> tuple[Notice, ...]:
@@ -288,17 +301,19 @@ def _adjust(block: Block, options: AdjustmentOptions, progress: Progress) -> Adj
         fresh = _afresh(block, options, progress) if afresh else None
         if fresh is None or fresh.sigma0 > DOUBTED:
             raise
-        return _replaced(fresh, f"the approximate values of the block lead nowhere ({error.headline})")
+        return _replaced(
+            fresh, "approximate_values_replaced.unsolvable",
+            details=(error.message or message_of_text(str(error)),),
+        )  # fmt: skip
     if result.sigma0 > DOUBTED and afresh:
         fresh = _afresh(block, options, progress)
         if fresh is not None and fresh.sigma0 < 0.5 * result.sigma0:
-            return _replaced(fresh, f"the approximate values of the block lead to sigma0 {result.sigma0:.3g}")
+            return _replaced(fresh, "approximate_values_replaced.poor", given_sigma0=result.sigma0)
     elif afresh and (lost := _behind(result)) > FEW_BEHIND * len(block.observations):
         # a minimum of its own, in which cameras look away from what they see
         fresh = _afresh(block, options, progress)
         if fresh is not None and fresh.sigma0 < max(DOUBTED, 2 * result.sigma0) and _behind(fresh) < 0.5 * lost:
-            why = f"the approximate values of the block lead to {counted(lost, 'image point')} behind the cameras"
-            return _replaced(fresh, why)
+            return _replaced(fresh, "approximate_values_replaced.behind", n=lost)
     return result
 
 
@@ -315,12 +330,13 @@ def _from_given(block: Block, observed: Mask, options: AdjustmentOptions, progre
     start = given.block
     if len(given.gross):
         names = tuple(block.points.ids[k] for k in given.gross)
-        message = (
-            f"{counted_are(len(names), 'tie point')} given far from the rays ({', '.join(names[:5])}"
-            f"{' ...' if len(names) > 5 else ''}) and intersected anew; check points.csv"
-        )
         notices.append(
-            Notice(code="approximate_values_replaced", message=message, ids=names[:100], measured=Severity.REMARK)
+            Notice(
+                code="approximate_values_replaced.points",
+                values={"n": len(names)},
+                ids=names[:100],
+                measured=Severity.REMARK,
+            )
         )
     seen = np.bincount(block.observations.point, minlength=len(block.points)) > 0
     if (observed & ~block.images.oriented).any() or (seen & ~np.isfinite(block.points.xyz).all(axis=1)).any():
@@ -378,12 +394,13 @@ def _codes(point: Index, xy_px: Array) -> Index:
     return np.unique(cells, axis=0, return_inverse=True)[1].ravel()
 
 
-def _twin_words(twins: list[tuple[str, str]]) -> str:
-    shown = ", ".join(f"{a} and {b}" for a, b in twins[:5])
-    return (
-        f"images {shown} hold the same image points within half a pixel: the same photo twice, or no base between "
-        "them. Leave one out."
-    )
+def _twin_notice(twins: Sequence[tuple[str, str]]) -> Notice:
+    ids = tuple(i for pair in twins for i in pair)
+    return Notice(code="identical_images", values={"pairs": len(twins)}, ids=ids, details=_pairs(twins))
+
+
+def _pairs(twins: Sequence[tuple[str, str]]) -> tuple[Message, ...]:
+    return tuple(message("control_identical.pair", first=a, second=b) for a, b in twins[:5])
 
 
 def _held(block: Block) -> int:
@@ -412,11 +429,7 @@ def _afresh(block: Block, options: AdjustmentOptions, progress: Progress) -> Adj
         return None
 
 
-def _replaced(fresh: Adjustment, why: str) -> Adjustment:
-    """The result from approximate values of our own, which says so."""
-    notice = Notice(
-        code="approximate_values_replaced",
-        message=f"{why}, orientations and tie points found from the observations to {fresh.sigma0:.3g}; the latter are "
-        "used. Check images.csv and points.csv.",
-    )
+def _replaced(fresh: Adjustment, code: str, details: tuple[Message, ...] = (), **values: Value) -> Adjustment:
+    """The result from approximate values of our own, with a notice."""
+    notice = Notice(code=code, values={**values, "sigma0": fresh.sigma0}, details=details)
     return replace(fresh, notices=(notice, *fresh.notices))

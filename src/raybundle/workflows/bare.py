@@ -9,7 +9,7 @@ from pathlib import Path
 import numpy as np
 
 from raybundle.block import Block, Camera, Images, Observations, Points
-from raybundle.errors import InputError
+from raybundle.errors import InputError, excluded
 from raybundle.io.cameras.library import with_library
 from raybundle.io.photos.cameras import camera_groups
 from raybundle.io.photos.photo import find_photos
@@ -36,9 +36,10 @@ def bare_block(
     found = find_photos(inputs, progress=progress)
     refused = tuple((p.name, why) for p, why in found.refused)
     if not found.photos:
-        lines = ["0 usable photographs, at least 1 is needed", *(f"  {n}: {why}" for n, why in refused[:20])]
-        lines += [f"  {r}" for r in found.remarks]
-        raise InputError("\n".join(lines), file=", ".join(map(str, inputs)))
+        raise InputError(
+            "photograph.too_few_usable", n=0, least=1, details=excluded(refused, found.remarks),
+            file=", ".join(map(str, inputs)),
+        )  # fmt: skip
     for line in (*(f"{n}: {why}" for n, why in refused), *found.remarks):
         told(line)
     for line in small_pictures({p.name: (p.width_px, p.height_px) for p in found.photos}):

@@ -20,7 +20,6 @@ from raybundle.numerics.arrays import Array
 from raybundle.numerics.deviations import PAIRS, correlation_matrices
 from raybundle.numerics.places import Local, Place, Projected
 from raybundle.numerics.transform import SimilarityTransform
-from raybundle.settings import option
 
 LEAVES = frozenset(("position", "vector", "rotation", "covariance", "deviations", "correlations"))
 """How columns follow a transformation that a map projection does not leave as they are"""
@@ -156,11 +155,9 @@ def in_frame_of(block: Block, base: Block) -> Brought:
     frames = _frames(here, there)
     if frames is None or {block.length_unit, base.length_unit} != {"m"}:
         raise InputError(
-            f"{block.name} stands in {_frame_words(here)}, and {base.name} in {_frame_words(there)}: one cannot be "
-            "brought into the frame of the other. Tell both in metres in one coordinate system first (convert, to a "
-            f"block, with {option('crs')}), or take [frame] out of the block.toml of one whose place on the earth is "
-            "not known"
-        )
+            "join.frames_differ", block=block.name, other=base.name, unit=block.length_unit,
+            other_unit=base.length_unit, details=[_frame(block.name, here), _frame(base.name, there)],
+        )  # fmt: skip
     (centre, R), (base_centre, base_R) = frames
     by = SimilarityTransform(rotation=base_R @ R.T, translation=base_R @ (centre - base_centre))
     told = Message(
@@ -199,17 +196,21 @@ def _frames(here: Place, there: Place) -> tuple[tuple[Array, Array], tuple[Array
     return one, two
 
 
-def _frame_words(place: Place) -> str:
+def _frame(block: str, place: Place) -> Message:
+    """In which frame a block is."""
     if isinstance(place, Projected):
-        return f"{system_name(place.name)} itself"
+        return message("join.frame_projected", block=block, system=system_name(place.name))
     if not isinstance(place, Local):
-        return "a geocentric frame"
+        return message("join.frame_geocentric", block=block)
     if not place.crs:
         lon, lat, h = place.origin
-        return f"a local frame at longitude {lon:.6f}, latitude {lat:.6f}, height {h:.3f} m"
-    at = ", ".join(f"{v:.3f}" for v in place.crs_origin)
-    geoid = "" if place.undulation_m is None else f" (geoid {place.undulation_m:g} m above the ellipsoid)"
-    return f"a local frame of {system_name(place.crs)}{geoid} at {at}"
+        return message("join.frame_local", block=block, longitude_deg=lon, latitude_deg=lat, height_m=h)
+    x, y, h = place.crs_origin
+    geoid = float("nan") if place.undulation_m is None else place.undulation_m
+    return message(
+        "join.frame_of_system", block=block, system=system_name(place.crs), x_m=x, y_m=y, height_m=h, geoid_m=geoid,
+        geoid=place.undulation_m is not None,
+    )  # fmt: skip
 
 
 def _frame_values(place: Place) -> dict[str, Value]:

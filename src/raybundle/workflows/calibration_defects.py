@@ -8,11 +8,9 @@ import numpy as np
 
 from raybundle.adjustment.result import Adjustment
 from raybundle.block import Block
-from raybundle.errors import InputError, NotSolvable
+from raybundle.errors import InputError, Message, NotSolvable, message, message_of_text
 from raybundle.numerics.arrays import Array
-from raybundle.settings import option
 
-CANNOT = "the camera cannot be calibrated from these photographs"
 COMMON = 6
 """Points that two photographs must share to be compared."""
 PAIRS = 200
@@ -26,8 +24,8 @@ WORSE = 1.1
 and can only fit as well or better if it was found."""
 
 
-def flat_only(block: Block) -> str:
-    """Why photographs of a flat object cannot tell the camera constant; "" where that is not what is missing.
+def flat_only(block: Block) -> Message | None:
+    """Why photographs of a flat object do not determine the camera constant; None where they may.
 
     Between two photographs of a plane lies a projective transformation; where one view is tilted by an angle against
     the other, a circle in one is an ellipse in the other with about the cosine of that angle as the ratio of its axes.
@@ -46,17 +44,11 @@ def flat_only(block: Block) -> str:
         here, there = (o.xy_px[[of[k][p] for p in both]] for k in (a, b))
         found = _tilt(here, there)
         if found is None:
-            return ""
+            return None
         tilts.append(found)
     if not tilts or max(tilts) > SQUARE:
-        return ""
-    return (
-        f"the photographs show something flat from nearly the same direction: their views differ by "
-        f"{np.degrees(max(tilts)):.0f} degrees at most, {np.degrees(SQUARE):.0f} are the least. Seen squarely, a flat "
-        "object twice as far away through twice the camera constant looks the same, so that nothing tells the camera. "
-        "What is missing are photographs that converge: from the left, the right, above and below, 30 to 45 degrees "
-        "off the normal, some with the camera rolled by 90 degrees"
-    )
+        return None
+    return message("calibration.flat_views", angle_deg=np.degrees(max(tilts)), least_deg=np.degrees(SQUARE))
 
 
 def _tilt(here: Array, there: Array) -> float | None:
@@ -79,16 +71,13 @@ def _tilt(here: Array, there: Array) -> float | None:
 
 
 def explained(error: NotSolvable | InputError, block: Block) -> NotSolvable | InputError:
-    """The error in words that say which photographs are missing, where that is what it comes from."""
+    """The error with the photographs that are missing, where that is what it comes from."""
     why = flat_only(block)
-    if why:
-        return NotSolvable(f"{CANNOT}: {why}")
+    if why is not None:
+        return NotSolvable(why)
     if isinstance(error, NotSolvable):
-        return error.worded(
-            f"{CANNOT}: {error}\n  `calibrate` needs 6 to 20 photographs "
-            "of the same points that converge by 30 to 45 degrees, some rolled by 90 degrees; leave out photographs "
-            "that are named here"
-        )
+        detail = error.message or message_of_text(str(error))
+        return error.worded(message("calibration.not_possible", details=[detail]))
     return error
 
 
@@ -98,11 +87,7 @@ def check_spline(before: Adjustment, after: Adjustment) -> None:
     for camera in after.adjusted.cameras:
         c = camera.parameters[0]
         if camera.model == "spline" and not (c > 0 and new <= WORSE * old):
-            raise NotSolvable(
-                f"camera {camera.id}: the model spline ends worse than the model it started from: residuals of "
-                f"{new:.2g} px in place of {old:.2g} px, camera constant {c:.3g} mm. Its surfaces are not determined "
-                f"by these photographs; leave {option('model')} away, or take more that cover the format to its corners"
-            )
+            raise NotSolvable("calibration.spline_worse", camera=camera.id, rms_px=new, start_rms_px=old, c_mm=c)
 
 
 def _rms(a: Adjustment) -> float:

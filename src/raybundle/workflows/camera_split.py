@@ -16,7 +16,6 @@ from raybundle.block import Block, Camera
 from raybundle.calibration.one_camera import Split, find_splits
 from raybundle.errors import NotSolvable
 from raybundle.numerics.progress import Progress
-from raybundle.settings import option
 from raybundle.workflows.target_block import reweighted, with_values
 
 MOST_CAMERAS = 8
@@ -61,15 +60,21 @@ def cameras_apart(
             told.append(_unstable(camera, after.sigma0 * scale / first.sigma0, after, split))
             continue
         n = [len(g) for g in split.groups]
-        by = split.words
         dc, dx, dy = split.difference
         told.append(
             Notice(
                 code="two_cameras",
-                message=f"camera {camera.id}: {n[0]} photographs ({by}) and {n[1]} others cannot have the same "
-                f"interior orientation (c differs by {dc:+.1f} px, the principal point by {dx:+.1f}, {dy:+.1f} px); "
-                f"they are calibrated apart, the others as {two.id}. Two cameras, or zoom or focus moved: say with "
-                f"{option('own_camera', 'PATTERN')} which",
+                values={
+                    "camera": camera.id,
+                    "other": two.id,
+                    "n": n[0],
+                    "others": n[1],
+                    "by": split.by,
+                    "name": split.name,
+                    "dc_px": float(dc),
+                    "dx0_px": float(dx),
+                    "dy0_px": float(dy),
+                },
                 ids=(camera.id, two.id),
             )
         )
@@ -99,16 +104,11 @@ def _unstable(camera: Camera, share: float, after: Adjustment, split: Split) -> 
     dc, dx, dy = split.difference
     names = [after.given.images.ids[i] for i in split.groups[1]]
     n = len(split.groups[0]), len(names)
-    reason = (
-        f"its interior orientation was not the same in all photographs. Two groups of {n[0]} and {n[1]} would reduce "
-        f"the residuals to {share:.2f} of theirs (c differs by {dc:+.1f} px, the principal point by {dx:+.1f}, "
-        f"{dy:+.1f} px). This calibration is one camera for both and need not lie between them, and its standard "
-        "deviations are too small. Switch autofocus, zoom and stabilisation off and photograph again, or calibrate the "
-        f"groups apart: {option('own_camera', '|'.join(map(escape, names)))}"
-    )
-    return Notice(
-        code="unstable_camera", message=f"camera {camera.id}: {reason}", ids=(camera.id, *names), reason=reason
-    )
+    values = {
+        "camera": camera.id, "n": n[0], "others": n[1], "share": share, "dc_px": float(dc), "dx0_px": float(dx),
+        "dy0_px": float(dy), "pattern": "|".join(map(escape, names)),
+    }  # fmt: skip
+    return Notice(code="unstable_camera", values=values, ids=(camera.id, *names))
 
 
 def _taken_apart(block: Block, k: int, split: Split) -> Block:

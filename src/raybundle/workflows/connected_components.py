@@ -11,7 +11,7 @@ from raybundle.adjustment.result import Adjustment, Notice
 from raybundle.block import Block, Role
 from raybundle.block.merge import SUBJECTS, merge_blocks
 from raybundle.block.select import with_rows
-from raybundle.errors import InputError, NoOrientation
+from raybundle.errors import InputError, NoOrientation, message
 from raybundle.io.photos.photo import Photo
 from raybundle.numerics.arrays import Array
 from raybundle.numerics.progress import Progress, silent
@@ -121,11 +121,7 @@ def joined_notice(joined: Sequence[Sequence[str]], main: Block) -> tuple[Notice,
     counts = [n for part in joined if (n := len(there.intersection(part)))]
     if len(counts) < 2:
         return ()
-    message = (
-        f"the photographs fall into {len(counts)} parts ({', '.join(map(str, counts))} photographs) without common "
-        "points; control or positions join them. Photographs that show two parts at once would make the joint firmer"
-    )
-    return (Notice(code="parts_joined", message=message),)
+    return (Notice(code="parts_joined", values={"parts": len(counts), "photographs": counts}),)
 
 
 def merged(blocks: Sequence[Block]) -> Block:
@@ -145,29 +141,21 @@ def component_folder(k: int) -> str:
 def apart_notice(main: Block, apart: Sequence[Georeferenced], folders: Sequence[str]) -> Notice:
     """What the result of the main component says of the others."""
     names = [_names(p.block) for p in apart]
-    told = "; ".join(
-        f"{kinds(p.block)} in {f} ({', '.join(n[:3])}{' ...' if len(n) > 3 else ''})"
-        for p, n, f in zip(apart, names, folders, strict=True)
-    )
     blocks = [main, *(p.block for p in apart)]
     every = {kind for b in blocks for kind in _count(b)}
-    what = f"{every.pop()}s" if len(every) == 1 else "images"
-    verb = "is" if len(_oriented(main)) == 1 else "are"
-    remedy = "Take photographs that show both sides of each gap, or mark three control points in each part"
+    what = every.pop() if len(every) == 1 else "image"
+    values = {"what": what, "parts": len(blocks), "n": len(_oriented(main))}
+    details = tuple(
+        message(
+            "parts_apart.part", folder=f, names=n, scenes=count.get("scene", 0), panoramas=count.get("panorama", 0),
+            photographs=count.get("photograph", 0),
+        )
+        for count, n, f in zip((_count(p.block) for p in apart), names, folders, strict=True)
+    )  # fmt: skip
+    ids = tuple(n for part in names for n in part)
     if any(_count(b).keys() == {"scene"} for b in blocks):
-        remedy = "Mark three points, control or not, both in the scenes and in two photographs of each other part"
-    return Notice(
-        code="parts_apart",
-        message=f"the {what} fall into {len(blocks)} parts that nothing joins: {kinds(main)} {verb} in this result, "
-        f"{told}. {remedy}",
-        ids=tuple(n for part in names for n in part),
-    )
-
-
-def kinds(block: Block) -> str:
-    """What the oriented images of a block are, with their numbers: "2 scenes and 1 photograph"."""
-    words = [f"{n} {kind}{'' if n == 1 else 's'}" for kind, n in _count(block).items()]
-    return " and ".join([", ".join(words[:-1]), words[-1]] if len(words) > 1 else words)
+        return Notice(code="parts_apart.scenes", values=values, ids=ids, details=details)
+    return Notice(code="parts_apart", values=values, ids=ids, details=details)
 
 
 def _names(block: Block) -> tuple[str, ...]:

@@ -6,7 +6,6 @@ from dataclasses import dataclass
 
 from raybundle.adjustment.result import Adjustment, Notice
 from raybundle.adjustment.severity import Severity
-from raybundle.numerics.counting import grouped
 
 MOST = 0.5
 """Share of the image points with a partner that may be dropped before the adjustment without being a caution."""
@@ -59,28 +58,16 @@ class Dropped:
         }  # fmt: skip
 
     def notice(self, given: int) -> Notice:
-        """The same in words.
+        """The same as a notice.
 
         given  image observations of the adjustment, marks and scenes among them
         """
-        words = {
-            "contradict_orientation": "that contradict the approximate orientation or have no depth",
-            "not_measured_precisely": "that least-squares matching did not measure",
-            "contradict_others": "that contradict the other rays of their point or were measured twice",
-        }
-        why = [f"{grouped(n)} {words[r]}" for r, n in self.reasons.items() if n and r in words]
-        message = (
-            f"before the adjustment {100 * self.share:.0f} % of the image points were dropped: of "
-            f"{grouped(self.features)} features {grouped(self.matched)} have a partner in another photograph"
-            + (f", {grouped(self.added)} rays were added" if self.added else "")
-            + (f"; dropped are {', '.join(why)}" if why else "")
-            + (f". Left are {grouped(self.adjusted)}" if given != self.adjusted else "")
-            + (
-                "; marks and scenes are added to them, and points without depth are taken away"
-                if given != self.adjusted
-                else ""
-            )
-            + f". The adjustment was given {grouped(given)} image observations; what it rejects comes on top"
-        )
+        lost = self.reasons
+        values = {
+            "share": self.share, "features": self.features, "matched": self.matched, "added": self.added,
+            "contradict_orientation": lost["contradict_orientation"],
+            "not_measured": lost["not_measured_precisely"], "contradict_others": lost["contradict_others"],
+            "adjusted": self.adjusted, "given": given,
+        }  # fmt: skip
         grave = Severity.CAUTION if self.share > MOST else Severity.REMARK
-        return Notice(code="dropped", message=message, measured=grave)
+        return Notice(code="dropped", values=values, measured=grave)

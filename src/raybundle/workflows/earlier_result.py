@@ -5,10 +5,10 @@ from __future__ import annotations
 from pathlib import Path
 from typing import Any
 
+from raybundle.adjustment.datum import open_values
 from raybundle.adjustment.result import Adjustment, Notice
 from raybundle.errors import InputError
 from raybundle.io.reading.trees import read_json
-from raybundle.settings import option
 
 
 def less_fixed(folder: Path, adjustment: Adjustment) -> Notice | None:
@@ -26,9 +26,5 @@ def less_fixed(folder: Path, adjustment: Adjustment) -> Notice | None:
     lost = [name for name in adjustment.datum_defect if name not in before]
     if len(adjustment.datum_defect) <= len(before) or not lost:
         return None
-    return Notice(
-        code="datum_lost",
-        message=f"the result that this one replaces had what it has not: {', '.join(lost)}. The last run was given "
-        "control, positions or scale bars that this one was not, or that take no part; give them again "
-        f"({option('control')}, {option('scale_bar')}), or another {option('out')}",
-    )
+    part, details = open_values(lost)
+    return Notice(code="datum_lost", values={"part": part}, details=details)

@@ -11,15 +11,14 @@ import numpy as np
 from raybundle.adjustment.check_points import with_check_notice
 from raybundle.adjustment.decide import decide
 from raybundle.adjustment.options import FEWEST_IMAGES, AdjustmentOptions, NoiseModel, noise_of_photographs
-from raybundle.adjustment.result import Adjustment, Notice
+from raybundle.adjustment.result import Adjustment, Notice, notice_of_text
 from raybundle.adjustment.structure import structure_notice
 from raybundle.block import Block, Camera, Role
 from raybundle.block.select import with_rows, without_images
 from raybundle.calibration.given import calibration_notices, held_notices
-from raybundle.errors import NoConvergence, NotSolvable
+from raybundle.errors import Message, NoConvergence, NotSolvable, Text, message, message_of_text, text_of
 from raybundle.io.photos.cameras import CameraGroup
 from raybundle.numerics.arrays import Mask
-from raybundle.numerics.counting import counted, counted_are
 from raybundle.numerics.progress import Progress
 from raybundle.orientation.given_points import intersected_where_better
 from raybundle.placing.georeference import Georeferenced, rejected_marks
@@ -32,12 +31,7 @@ FINAL = 1e-4
 """Last step of the final adjustment, in standard deviations of the unknowns."""
 NAMED, ALONE = 0.05, 0.5
 """Shares of an image in what is not determined: from which on it is named, and from which on it is so by itself."""
-UNHELD = "what is left of its points does not determine its orientation"
-NO_DEPTH = (
-    "the rays to every object point are parallel, or coincide: the photographs were taken from one place, or show "
-    "something flat squarely. What is missing are photographs from other places, at least a tenth of the distance apart"
-)
-TOO_SMALL = "interior orientations came out 1.7 to 18 times too small so, and those of object points 1.1 to 3.4 times"
+TOO_SMALL = {"interior_least": 1.7, "interior_most": 18.0, "points_least": 1.1, "points_most": 3.4}
 """Differences of halves of nine real sets over what standard deviations by independent errors promise: roots of the
 median chi-square per value, 2.9 to 330 and 1.2 to 12 (`interior_white`, `points_white` of
 benchmarks/results/real_sigmas.json; the latter of eight)."""
@@ -53,7 +47,7 @@ def final_adjustment(
 
     weights  residuals: the standard deviations of the tie points were taken from theirs
     """
-    notices = [Notice(code="photographs", message=r) for r in remarks]
+    notices = [notice_of_text("photographs", r) for r in remarks]
     notices += camera_notices(groups)
     photographs = int(placed.block.images.oriented.sum())
     chosen = noise_of_photographs(noise, photographs)
@@ -67,9 +61,8 @@ def final_adjustment(
     if flat.any():
         block = with_rows(block, ~flat[block.observations.point])
         if not len(block.observations):
-            raise NotSolvable(NO_DEPTH)
-        message = f"{counted_are(int(flat.sum()), 'tie point')} left out: parallel rays have no depth"
-        notices.append(Notice(code="parallel_rays", message=message))
+            raise NotSolvable("network.no_depth")
+        notices.append(Notice(code="parallel_rays", values={"n": int(flat.sum())}))
         placed = _with_block(placed, block)
     placed, result = _held(placed, options, progress, notices)
     if noise == "auto" and chosen == "white":
@@ -94,13 +87,7 @@ def independent_notices(asked: NoiseModel, chosen: NoiseModel, images: int) -> l
     """That few photographs are adjusted with independent errors, which `auto` did not choose for being right."""
     if asked != "auto" or chosen != "white":
         return []
-    message = (
-        f"{images} photographs: standard deviations take the errors of all image points as independent, as fewer than "
-        f"{FEWEST_IMAGES} photographs are too small a sample of the smooth errors that differ between them. In "
-        f"nine real sets those of {TOO_SMALL}. Take {FEWEST_IMAGES} photographs or more, or compare check points "
-        "or lengths that took no part"
-    )
-    return [Notice(code="errors_independent", message=message)]
+    return [Notice(code="errors_independent", values={"images": images, "least": FEWEST_IMAGES, **TOO_SMALL})]
 
 
 def _lost_marks(asked: Georeferenced, result: Adjustment) -> list[Notice]:
@@ -114,8 +101,7 @@ def _lost_marks(asked: Georeferenced, result: Adjustment) -> list[Notice]:
     return [
         Notice(
             code="marked_lost",
-            message=f"the marked point {name} has no place in the result: its {before[k]} rays do not meet, or are "
-            "parallel; mark it in photographs from other places, and look at its marks again",
+            values={"point": name, "rays": int(before[k])},
             ids=(name,),
         )
         for k, name in enumerate(asked.block.points.ids)
@@ -175,19 +161,20 @@ def _without_images(placed: Georeferenced, error: NotSolvable) -> Relieved:
     if not named or any(u.kind == "parameter" and u.share > named[0].share for u in error.undetermined):
         return None
     alone = [u.name for u in named if u.share > ALONE] or [named[0].name]
-    return _left_out(placed, alone, UNHELD)
+    return _left_out(placed, alone, text_of("excluded.undetermined"))
 
 
-def _left_out(placed: Georeferenced, names: Sequence[str], reason: str) -> Relieved:
+def excluded_image(name: str, reason: Text) -> Notice:
+    """That an image takes no part."""
+    return Notice(code="image_left_out", values={"image": name}, ids=(name,), reason=reason, details=(reason.message,))
+
+
+def _left_out(placed: Georeferenced, names: Sequence[str], reason: Text) -> Relieved:
     ids = placed.block.images.ids
     out = np.isin(np.array(ids), names) & placed.block.images.oriented
     if not out.any() or int(placed.block.images.oriented.sum()) - int(out.sum()) < 2:
         return None
-    notices = [
-        Notice(code="image_left_out", message=f"{name} is left out: {reason}", ids=(name,), reason=reason)
-        for name, o in zip(ids, out, strict=True)
-        if o
-    ]
+    notices = [excluded_image(name, reason) for name, o in zip(ids, out, strict=True) if o]
     return _with_block(placed, without_images(placed.block, out)), notices
 
 
@@ -199,8 +186,8 @@ def _without_points(placed: Georeferenced, error: NotSolvable) -> Relieved:
     rows = ~out[block.observations.point]
     if rows.all() or not rows.any():
         return None
-    message = f"{counted_are(int(out.sum()), 'point')} left out, where rays do not intersect"
-    return _with_block(placed, with_rows(block, rows)), [Notice(code="points_left_out", message=message)]
+    notice = Notice(code="points_left_out", values={"n": int(out.sum())})
+    return _with_block(placed, with_rows(block, rows)), [notice]
 
 
 def _with_held_cameras(placed: Georeferenced) -> Relieved:
@@ -209,12 +196,8 @@ def _with_held_cameras(placed: Georeferenced) -> Relieved:
     if not free:
         return None
     cameras = tuple(replace(c, estimate=()) if c.id in free else c for c in placed.block.cameras)
-    at = ", ".join(f"{c.id} at {_scale(c)}" for c in placed.block.cameras if c.id in free)
-    message = (
-        f"camera{'s' * (len(free) > 1)} {', '.join(free)}: the interior orientation is held as the start found it "
-        f"({at}): together with it nothing is determined. All that is stated holds for that value"
-    )
-    notice = Notice(code="held_not_determinable", message=message, ids=tuple(free))
+    details = tuple(_scale(c) for c in placed.block.cameras if c.id in free)
+    notice = Notice(code="held_not_determinable.cameras", values={"n": len(free)}, ids=tuple(free), details=details)
     return replace(placed, block=replace(placed.block, cameras=cameras)), [notice]
 
 
@@ -232,12 +215,11 @@ def _without_control(placed: Georeferenced, whole: Georeferenced, error: NotSolv
         lambda t: t.renumbered("point", kept)
     )
     left = with_rows(free, rows)
-    message = (
-        f"control is left out ({', '.join(names[:8])}{' ...' * (len(names) > 8)}): with it nothing could be adjusted "
-        f"({error.headline.rstrip('.')}). Position, orientation and scale are those to which the start brought the "
-        "block; look at coordinates, names and measurements of the control"
-    )
-    return _with_block(whole, left), [Notice(code="control_left_out", message=message, ids=tuple(names))]
+    notice = Notice(
+        code="control_left_out.unsolvable", values={"n": len(names)}, ids=tuple(names),
+        details=(error.message or message_of_text(str(error)),),
+    )  # fmt: skip
+    return _with_block(whole, left), [notice]
 
 
 def _control(block: Block) -> Mask:
@@ -248,12 +230,13 @@ def _tie_rows(block: Block) -> Mask:
     return ~_control(block)[block.observations.point]
 
 
-def _scale(camera: Camera) -> str:
-    """The camera constant in words; the model for a sensor that has none."""
+def _scale(camera: Camera) -> Message:
+    """The camera constant; the model for a sensor that has none."""
     symbol = camera.sensor.scale_symbol
     if not symbol:
-        return f"its {camera.model} values"
-    return f"{symbol} {camera.values[symbol] / camera.pixel_mm[0]:.0f} px"
+        return message("held_not_determinable.model", camera=camera.id, model=camera.model)
+    value = camera.values[symbol] / camera.pixel_mm[0]
+    return message("held_not_determinable.scale", camera=camera.id, symbol=symbol, value_px=value)
 
 
 def _without_smallest(placed: Georeferenced) -> Relieved:
@@ -264,7 +247,7 @@ def _without_smallest(placed: Georeferenced) -> Relieved:
     if not len(oriented):
         return None
     k = int(oriented[rays[oriented].argmin()])
-    return _left_out(placed, [images.ids[k]], f"{UNHELD} ({counted(int(rays[k]), 'point')})")
+    return _left_out(placed, [images.ids[k]], text_of("excluded.few_points", n=int(rays[k])))
 
 
 def _with_block(placed: Georeferenced, block: Block) -> Georeferenced:
@@ -293,5 +276,6 @@ def undetermined_component(placed: Georeferenced, error: NotSolvable) -> list[No
     """The photographs of a part that nothing determines, each left out by name."""
     images = placed.block.images
     names = [n for n, o in zip(images.ids, images.oriented, strict=True) if o]
-    reason = f"of a part of {len(names)} photographs that joins no other and is not determined ({error.headline})"
-    return [Notice(code="image_left_out", message=f"{n} is left out: {reason}", ids=(n,), reason=reason) for n in names]
+    detail = error.message or message_of_text(str(error))
+    reason = Text.of(message("excluded.part", photographs=len(names)), detail)
+    return [excluded_image(n, reason) for n in names]

@@ -9,7 +9,7 @@ import numpy as np
 
 from raybundle.adjustment.result import Notice
 from raybundle.adjustment.severity import Severity
-from raybundle.errors import message_of, plain
+from raybundle.errors import Text, message_of, plain
 from raybundle.io.block.arrays import arrays_of_block, block_of_arrays, names_of_text, text_of_names, value_of_text
 from raybundle.numerics.arrays import Array
 from raybundle.ties.block import TieBlock
@@ -24,23 +24,32 @@ def texts(values: Sequence[str]) -> Array:
 
 
 def reasons_as_array(reasons: Sequence[tuple[str, str]]) -> Array:
-    """Names and reasons (n, 2)."""
-    return np.array(reasons, dtype=np.str_).reshape(-1, 2)
+    """Names, reasons and their messages as JSON (n, 3)."""
+    rows = [
+        (name, str(why), json.dumps([plain(m.json()) for m in why.messages] if isinstance(why, Text) else []))
+        for name, why in reasons
+    ]
+    return np.array(rows, dtype=np.str_).reshape(-1, 3)
 
 
 def reasons_of_array(kept: Array) -> Reasons:
-    """The same again."""
-    return tuple((name, why) for name, why in kept.tolist())
+    """The same again; of versions that had no messages the texts."""
+    return tuple(_reason(*row) for row in kept.tolist())
+
+
+def _reason(name: str, why: str, messages: str = "[]") -> tuple[str, str]:
+    found = value_of_text(messages)
+    return name, Text.of(*map(message_of, found)) if found else why
 
 
 def notices_as_array(notices: Sequence[Notice]) -> Array:
-    """Code, text, severity, ids, values and details as JSON (n, 6)."""
+    """Code, text, severity, ids, values and details as JSON, and the code of the words (n, 7)."""
     rows = [
-        (n.data.code, n.message, str(n.severity.value), text_of_names(n.ids), json.dumps(plain(n.values)),
-         json.dumps([plain(d.json()) for d in n.details]))
+        (f"{n.code}.{n.variant}" if n.variant else n.code, n.message, str(n.severity.value), text_of_names(n.ids),
+         json.dumps(plain(n.values)), json.dumps([plain(d.json()) for d in n.details]), n.words)
         for n in notices
     ]  # fmt: skip
-    return np.array(rows, dtype=np.str_).reshape(-1, 6)
+    return np.array(rows, dtype=np.str_).reshape(-1, 7)
 
 
 def notices_of_array(kept: Array) -> tuple[Notice, ...]:
@@ -49,11 +58,11 @@ def notices_of_array(kept: Array) -> tuple[Notice, ...]:
 
 
 def _notice(
-    code: str, message: str, severity: str, ids: str, values: str = "{}", details: str = "[]"
+    code: str, message: str, severity: str, ids: str, values: str = "{}", details: str = "[]", words: str = ""
 ) -> Notice:  # fmt: skip
     return Notice(
         code=code, message=message, measured=Severity(severity), ids=names_of_text(ids), values=value_of_text(values),
-        details=tuple(map(message_of, value_of_text(details))),
+        details=tuple(map(message_of, value_of_text(details))), words=words,
     )  # fmt: skip
 
 

@@ -63,8 +63,7 @@ def choose_models(start: Block, first: Adjustment, settings: AdjustmentOptions) 
             told.append(
                 Notice(
                     code="model",
-                    message=f"camera {camera.id}: the model {best.cameras[k].model} explains the photographs better "
-                    f"than {known} (sigma0 {now.sigma0:.3g})",
+                    values={"camera": camera.id, "model": best.cameras[k].model, "other": known, "sigma0": now.sigma0},
                     ids=(camera.id,),
                 )
             )

@@ -20,14 +20,12 @@ from raybundle.adjustment.engine import adjust_block, as_start
 from raybundle.adjustment.result import Adjustment, Notice
 from raybundle.adjustment.severity import Severity
 from raybundle.block import Block, Camera, Distances
-from raybundle.errors import NotSolvable
+from raybundle.errors import Message, NotSolvable, message
 from raybundle.io.photos.photo import Photo
 from raybundle.io.photos.read_out_times import read_out_time
 from raybundle.numerics.arrays import Array
-from raybundle.numerics.counting import counted
 from raybundle.numerics.statistics import DECISIVE, chi_square_tails
 from raybundle.platforms import sensor_models
-from raybundle.settings import option
 
 VELOCITY = ("vx", "vy", "vz")
 MOTION = (*VELOCITY, "wx", "wy", "wz")
@@ -75,39 +73,20 @@ class ReadOut:
         return abs(self.by_read_out - self.by_shape) > DECISIVE
 
     @property
-    def figures(self) -> str:
-        """What speaks for it, in words."""
-        time = (
-            f"{1000 * self.seconds:.0f} ± {1000 * self.std:.0f} ms"
-            if self.timed
-            else (f"{self.seconds:.1%} of the interval between two photographs")
-        )
-        return (
-            f"chi-square falls by {self.by_read_out:.0f} with one read-out time ({time}) and the velocities of the "
-            f"flight, by {self.by_shape:.0f} with affinity and shear of the pixels"
-        )
+    def figures(self) -> Message:
+        """By how much either explains the photographs better, and the read-out time."""
+        gain, other = self.by_read_out, self.by_shape
+        if not self.timed:
+            return message("read_out.share", share=self.seconds, by_read_out=gain, by_shape=other)
+        time, sigma = 1000 * self.seconds, 1000 * self.std
+        return message("read_out.time", time_ms=time, sigma_ms=sigma, by_read_out=gain, by_shape=other)
 
     def notice(self) -> Notice:
         """What there is to say of it where it is not in the model."""
-        reason = (
-            f"affinity and shear are those of a rolling shutter: {self.figures}"
-            if self.rolling
-            else f"affinity and shear may be those of a rolling shutter: {self.figures}; these velocities in the "
-            "camera's axes are too alike to tell the two apart"
-        )
-        reason += (
-            ". It is not in the model here, and standard deviations are too small; "
-            + (
-                "photographs with the times of their exposures and something that fixes the scale (positions, control, "
-                "a scale bar) would bring it there, "
-                if self.rolling
-                else f"give the read-out time if you know it ({option('read_out')}), "
-            )
-            + "or fly more slowly, or stop for each photograph"
-        )
-        return Notice(
-            code="rolling_shutter", message=f"camera {self.camera}: {reason}", ids=(self.camera,), reason=reason
-        )
+        values = {"camera": self.camera}
+        if self.rolling:
+            return Notice(code="rolling_shutter", values=values, ids=(self.camera,), details=(self.figures,))
+        return Notice(code="rolling_shutter.possible", values=values, ids=(self.camera,), details=(self.figures,))
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -132,7 +111,7 @@ def rolling_shutters(
         return Rolling(block=None)
     when = {p.name: p.metadata.taken for p in photos}
     scaled = "scale" not in result.datum_defect
-    notices, why = list[Notice](), list[str]()
+    notices, why = list[Notice](), list[Message]()
     for k, camera in enumerate(result.given.cameras):
         at = next((n for n, c in enumerate(block.cameras) if c.id == camera.id), -1)
         if at < 0 or f"{camera.model}_rolling" not in sensor_models:
@@ -140,11 +119,8 @@ def rolling_shutters(
         velocity, timed = velocities(result.adjusted, k, when)
         count = int(np.isfinite(velocity).all(axis=1).sum())
         if not timed or not scaled or count < FEWEST:
-            why.append(
-                f"camera {camera.id}: "
-                + ("its photographs state no times" if not timed else "nothing fixes the scale" if not scaled else
-                   f"{counted(count, 'photograph')} with a velocity, {FEWEST} are needed")
-            )  # fmt: skip
+            lacking = "times" if not timed else "scale" if not scaled else "velocities"
+            why.append(message("read_out_unused.camera", camera=camera.id, lacking=lacking, n=count, least=FEWEST))
             continue
         found = read_out(result, camera.id, when)
         if known_s is None and (found is None or not found.rolling):
@@ -157,29 +133,23 @@ def rolling_shutters(
         notices.append(_modelled(camera.id, found, known_s, images - count, _known(photos, result, k)))
     changed = bool(notices)
     if known_s is not None and why:
-        message = (
-            f"{option('read_out', 1000 * known_s)} is of no use for {'; '.join(why)}. Velocities follow from "
-            "projection "
-            "centres and times: give photographs with the times of their exposures, and positions, control or "
-            "a scale bar"
-        )
-        notices.append(Notice(code="read_out_unused", message=message))
+        values = {"time_ms": 1000 * known_s, "cameras": len(why)}
+        notices.append(Notice(code="read_out_unused", values=values, details=tuple(why)))
     return Rolling(block=block if changed else None, notices=tuple(notices))
 
 
 def _modelled(camera: str, found: ReadOut | None, known_s: float | None, resting: int, table_s: float | None) -> Notice:
     """What there is to say of a camera whose read-out is in the model."""
-    how = "" if found is None else found.figures
+    details = list[Message]()
     if known_s is not None:
-        how = f"{1000 * known_s:.3g} ms as given, observed with {KNOWN:.0%}" + (f"; without it {how}" if how else "")
-    table = "" if table_s is None else f". Others have measured {1000 * table_s:.0f} ms with such a camera"
-    still = f". {counted(resting, 'photograph')} without a velocity (turns, gaps) count as still"
-    return Notice(
-        code="read_out",
-        message=f"camera {camera}: the rolling shutter is in the model, {how}{table}. The velocity of each photograph "
-        f"is that of the projection centres before and after it{still if resting else ''}",
-        ids=(camera,),
-    )
+        details.append(message("read_out.given", time_ms=1000 * known_s, sigma_share=KNOWN))
+    if found is not None:
+        details.append(found.figures)
+    if table_s is not None:
+        details.append(message("read_out.table", time_ms=1000 * table_s))
+    if resting:
+        details.append(message("read_out.still", n=resting))
+    return Notice(code="read_out", values={"camera": camera}, ids=(camera,), details=tuple(details))
 
 
 def _known(photos: Sequence[Photo], result: Adjustment, camera: int) -> float | None:

@@ -9,14 +9,14 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
+from typing import Literal
 
 import numpy as np
 
-from raybundle.errors import InputError
+from raybundle.errors import InputError, message
 from raybundle.io.photos.photo import Photo, read_grey
 from raybundle.numerics.arrays import Array
 from raybundle.numerics.progress import Progress, silent
-from raybundle.settings import option
 from raybundle.targets.families import families
 from raybundle.targets.marks import Target, detect, target
 from raybundle.targets.seen import charuco_of, chessboard_of, raster_of, ring_end, smallest, tags_seen
@@ -34,10 +34,6 @@ RING = 0.2
 FEWEST_TAGS = 2
 """Tags of a dictionary on a photograph that say it is there."""
 SHEET = "photomodeler-sheet"
-TRIED = (
-    f"{', '.join(families)}; AprilTags and ArUco tags, alone and on ChArUco boards; {SHEET}; rasters of dots, straight "
-    "and staggered; chessboards"
-)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -105,11 +101,8 @@ def _ring_family(grey: list[Array], few: set[str]) -> str | None:
     if rivals and (fitting := _by_ring(grey, best, rivals)) is not None:
         return fitting
     if rivals:
-        read = ", ".join(f"{n} {count[n]}" for n in (best, *rivals))
-        raise InputError(
-            f"the targets can be of more than one family (points read on {len(grey)} photographs: {read}), and neither "
-            f"codes nor the widths of the rings tell which; name the one that was printed, as {option('target', best)}"
-        )
+        points = [message("target.family_points", family=n, n=count[n]) for n in (best, *rivals)]
+        raise InputError("target.family_ambiguous", photographs=len(grey), best=best, details=points)
     return best
 
 
@@ -153,15 +146,15 @@ def _sheet(grey: list[Array], few: set[str]) -> str | None:
 
 
 def _raster(grey: list[Array], few: set[str]) -> str | None:
-    return _agreed(grey, few, raster_of, "a raster of dots", "circles-7x5", ", or acircles-4x11 where it is staggered")
+    return _agreed(grey, few, raster_of, "raster")
 
 
 def _chessboard(grey: list[Array], few: set[str]) -> str | None:
-    return _agreed(grey, few, chessboard_of, "a chessboard", "chessboard-9x6", ", by the corners between squares")
+    return _agreed(grey, few, chessboard_of, "chessboard")
 
 
 def _agreed(
-    grey: list[Array], few: set[str], look: Callable[[Array], str | None], what: str, example: str, more: str
+    grey: list[Array], few: set[str], look: Callable[[Array], str | None], board: Literal["raster", "chessboard"]
 ) -> str | None:
     """The board that most photographs show; raises InputError where most show one, but none that can be told."""
     names = [name for g in grey if (name := look(g)) is not None]
@@ -172,8 +165,6 @@ def _agreed(
         return name
     if len(names) <= len(grey) // 2:
         return None
-    named = option("target", example) + more
     raise InputError(
-        f"{what} is seen, but not which one: it looks like {', '.join(sorted(set(names)))}, and must look alike and be "
-        f"found whole on most of {len(grey)} photographs; name it, as {named}. Tried were: {TRIED}"
+        "target.board_ambiguous", board=board, names=sorted(set(names)), photographs=len(grey), families=[*families]
     )

@@ -144,36 +144,23 @@ def _tested(result: Adjustment, one: CameraGroup, two: CameraGroup) -> tuple[Joi
         if together is not None and together.redundancy > apart.redundancy:
             grown = (together.weighted_square_sum - apart.weighted_square_sum) / scale
             found.append((max(grown, 0.0), together.redundancy - apart.redundancy, turned))
-    n = f"{len(two.photos)} of {len(one.photos) + len(two.photos)} photographs"
-    how = f"stored turned ({two.width_px} x {two.height_px} px)" if same[1] else "at another size"
-    how += f", reduced to {two.width_px} x {two.height_px} px" if same[0] != 1 else ""
-    where = f"camera {one.id}: {n} are {how} and state nothing that speaks against one sensor"
+    ids = (one.id, two.id)
+    pair = {
+        "camera": one.id, "other": two.id, "n": len(two.photos), "photographs": len(one.photos) + len(two.photos),
+        "width_px": two.width_px, "height_px": two.height_px, "turned": same[1], "reduced": same[0] != 1,
+    }  # fmt: skip
     found.sort()
     if not found:
-        return None, _kept(one, two, f"{where}, but could not be adjusted together; they are a camera apart, {two.id}")
+        return None, Notice(code="camera_kept_apart.not_adjusted", values=pair, ids=ids)
     value, dof, turned = found[0]
-    figure = f"chi-square {value:.1f} of {dof} for one interior orientation"
+    pair |= {"chi_square": value, "dof": dof}
     if chi_square_tails(value, dof)[1] < ALPHA:
-        reason = (
-            f"{where}, but do not have its interior orientation ({figure}): focus, zoom or crop was another. They are "
-            f"a camera apart, {two.id}; give the files as the camera stored them"
-        )
-        return None, _kept(one, two, reason)
-    by = f"; turned by {turned} deg clockwise from the sensor's frame" if turned else ""
-    other = f", {found[1][0]:.1f} for the other turn" if len(found) > 1 else ""
-    message = f"{where}; they are joined: they have one interior orientation ({figure}{other}){by}"
-    doubtful = len(found) > 1 and found[1][0] - value < DECISIVE
-    if doubtful:
-        message += ". The other turn fits hardly worse, and would move the principal point to another side of the "
-        message += "middle: give the files as the camera stored them"
-    told = Notice(
-        code="camera_joined", message=message, ids=(one.id, two.id), measured=Severity.CAUTION if doubtful else None
-    )
-    return Join(other=two.id, camera=one.id, turned=turned), told
-
-
-def _kept(one: CameraGroup, two: CameraGroup, message: str) -> Notice:
-    return Notice(code="camera_kept_apart", message=message, ids=(one.id, two.id))
+        return None, Notice(code="camera_kept_apart", values=pair, ids=ids)
+    pair |= {"turn_deg": int(turned), "other_chi_square": found[1][0] if len(found) > 1 else float("nan")}
+    join = Join(other=two.id, camera=one.id, turned=turned)
+    if len(found) > 1 and found[1][0] - value < DECISIVE:
+        return join, Notice(code="camera_joined.doubtful", values=pair, ids=ids, measured=Severity.CAUTION)
+    return join, Notice(code="camera_joined", values=pair, ids=ids)
 
 
 def _variance(result: Adjustment) -> float:
@@ -254,14 +241,8 @@ def _half_turned_by(result: Adjustment, names: tuple[str, ...]) -> Shared | None
     if gain < DECISIVE:
         return None
     n = int(result.given.images.oriented.sum())
-    first, *others = names
-    more = f" and {len(others)} more" if others else ""
-    message = (
-        f"{first}{more} are stored upside down beside the other {n - len(names)}: their gimbals say so, and with "
-        f"their pixels turned by 180 deg one camera explains all better (chi-square smaller by {gain:.0f}). They are "
-        "taken so"
-    )
-    told = Notice(code="camera_joined", message=message, ids=names)
+    values = {"n": len(names), "others": n - len(names), "gain": gain}
+    told = Notice(code="camera_joined.gimbal", values=values, ids=names)
     return Shared(half_turned=names, notices=(told,))
 
 
@@ -291,10 +272,6 @@ def _half_turned(result: Adjustment, photos: Sequence[Photo]) -> Shared | None:
     if gain < DECISIVE + 2 * np.log(n):
         return None
     few = names[best:] if 2 * best >= n else names[:best]
-    message = (
-        f"{len(few)} photographs ({few[0]} to {few[-1]}) are stored upside down beside the other {n - len(few)}: with "
-        f"their pixels turned by 180 deg the same camera explains all (chi-square smaller by {gain:.0f}). They are "
-        "taken so; the photographs state no metadata that would tell"
-    )
-    told = Notice(code="camera_joined", message=message, ids=tuple(few))
+    values = {"n": len(few), "first": few[0], "last": few[-1], "others": n - len(few), "gain": gain}
+    told = Notice(code="camera_joined.half_turned", values=values, ids=tuple(few))
     return Shared(half_turned=tuple(few), notices=(told,))

@@ -27,7 +27,7 @@ from raybundle.pipeline.stage import Run
 from raybundle.pipeline.store import Folder, kind_of
 from raybundle.settings import option
 from raybundle.surfaces.depth_map import LEAST_SWEEP_BYTES, bytes_needed
-from raybundle.workflows.mask_notices import OF_DEPTHS, mask_notices
+from raybundle.workflows.mask_notices import mask_notices
 from raybundle.workflows.photograph_contents import contents_of, other_contents
 from raybundle.workflows.surface_photographs import Lost, photographs_there
 from raybundle.workflows.surface_pointless import pointless
@@ -187,7 +187,7 @@ def _nothing(state: SurfaceState, store: Folder, others: str) -> str:
 
 
 def _remarks(masks: Masks | None) -> tuple[str, ...]:
-    return () if masks is None else tuple(n.text for n in mask_notices(masks, OF_DEPTHS))
+    return () if masks is None else tuple(n.text for n in mask_notices(masks, "depths"))
 
 
 def _beyond(state: SurfaceState, memory: float) -> tuple[str, ...]:

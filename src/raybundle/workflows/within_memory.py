@@ -29,14 +29,12 @@ from raybundle.io.block.pieces import image_points_in, read_in_pieces
 from raybundle.io.folders import continued_folder
 from raybundle.numerics import large
 from raybundle.numerics.arrays import Mask
-from raybundle.numerics.counting import counted
 from raybundle.numerics.machine import available_memory
 from raybundle.numerics.progress import Progress, silent
 from raybundle.pipeline.choosing import staying_for
 from raybundle.pipeline.clusters import token_of
 from raybundle.pipeline.executors import Executor, Staying
 from raybundle.pipeline.store import Folder, whole_url
-from raybundle.settings import option
 from raybundle.workflows.left import NOTES, forget_left, forget_stores, note_store, part_store
 
 SHARE = 0.8
@@ -180,44 +178,29 @@ class Within:
         if not self.parts:
             return self._over_notice()
         if self.elsewhere:
-            message = (
-                f"the normal equations were reduced in {counted(self.parts, 'part')} (Helmert-Wolf) by workers of "
-                "a cluster; figures are those of one piece within rounding"
-            )
-            return (Notice(code="in_parts", message=message),)
-        message = (
-            f"the normal equations were reduced in {counted(self.parts, 'part')} (Helmert-Wolf): in one piece the "
-            f"adjustment would take {self.needed / 1e9:.3g} GB, and {self.allowed / 1e9:.3g} GB were allowed "
-            f"({option('memory')}); figures are those of one piece within rounding"
-        )
+            return (Notice(code="in_parts.cluster", values={"parts": self.parts}),)
         least = BASE + IN_PARTS * self.observations
+        values = {"parts": self.parts, "needed_gb": self.needed / 1e9, "allowed_gb": self.allowed / 1e9}
         if least > self.allowed:
-            message = (
-                f"{message}. So many image points take about {least / 1e9:.3g} GB however they are cut; where that is "
-                "not there, leave out some"
-            )
-        return (Notice(code="in_parts", message=message),)
+            return (Notice(code="in_parts.least", values={**values, "least_gb": least / 1e9}),)
+        return (Notice(code="in_parts", values=values),)
 
     def _over_notice(self) -> tuple[Notice, ...]:
         """That less was allowed than one piece took, where that was done all the same."""
         if not self.over:
             return self._too_little()
-        message = (
-            f"{option('memory')} allows adjustments {self.allowed / 1e9:.3g} GB, and one of them took "
-            f"{self.over / 1e9:.3g} GB: up to {(BASE + self.little) / 1e9:.3g} GB they are made in one piece, whatever "
-            f"is allowed, as the program itself takes {BASE / 1e9:.3g} GB of it"
-        )
-        return (Notice(code="memory_exceeded", message=message),)
+        values = {
+            "allowed_gb": self.allowed / 1e9, "used_gb": self.over / 1e9, "whole_gb": (BASE + self.little) / 1e9,
+            "program_gb": BASE / 1e9,
+        }  # fmt: skip
+        return (Notice(code="memory_exceeded", values=values),)
 
     def _too_little(self) -> tuple[Notice, ...]:
         """That less was allowed than the program itself takes."""
         if self.allowed >= BASE:
             return ()
-        message = (
-            f"{option('memory')} allows {self.allowed / 1e9:.3g} GB, and the program itself takes {BASE / 1e9:.3g} GB; "
-            "more than was allowed was taken"
-        )
-        return (Notice(code="memory_exceeded", message=message),)
+        values = {"allowed_gb": self.allowed / 1e9, "program_gb": BASE / 1e9}
+        return (Notice(code="memory_exceeded.program", values=values),)
 
 
 def bytes_of(normals: Normals) -> float:

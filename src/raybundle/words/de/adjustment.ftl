@@ -57,3 +57,10 @@ adjustment-not_finite = Keine Konvergenz: Nach { $iterations } Iterationen sind 
 adjustment-no_convergence = Keine Konvergenz nach { $iterations } Iterationen (letzter Schritt { NUM($step_sigmas, digits: 2) } Standardabweichungen).
     .why = Meist sind grobe Fehler oder schlechte Näherungswerte die Ursache.
     .do = { OPTION("robust_start", "True") } mit { OPTION("reject", "snooping") } verwenden; Namen der Marken und Näherungswerte prüfen.
+
+adjustment-identical_images = Keine Konvergenz: { $pairs } { $pairs ->
+        [one] Bildpaar hat
+       *[other] Bildpaare haben
+    } auf ein halbes Pixel dieselben Bildpunkte.
+    .why = Es ist zweimal dieselbe Aufnahme, oder es fehlt die Basis.
+    .do = Von jedem Paar ein Bild ausschließen.

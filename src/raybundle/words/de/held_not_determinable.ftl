@@ -22,3 +22,7 @@ held_not_determinable-parameters = Kamera { $camera }: { LIST($symbols, most: 10
 held_not_determinable-value = Kamera { $camera }, { $symbol }: bekannt { NUM($known_px, decimals: 0) } ± { NUM($known_sigma_px, decimals: 0) } px, gefunden { NUM($found_px, decimals: 0) } ± { NUM($sigma_px, decimals: 0) } px
 
 held_not_determinable-factor = Kamera { $camera }, { $symbol }: bekannt { NUM($known_px, decimals: 0) } px bis auf den Faktor { $factor }, gefunden { NUM($found_px, decimals: 0) } ± { NUM($sigma_px, decimals: 0) } px
+
+held_not_determinable-scale = Kamera { $camera }: { $symbol } festgehalten bei { NUM($value_px, decimals: 0) } px.
+
+held_not_determinable-model = Kamera { $camera }: alle Werte des Modells { $model } festgehalten.

@@ -87,3 +87,11 @@ adjustment-not_finite = No convergence: after { $iterations } iterations the nor
 adjustment-no_convergence = No convergence after { $iterations } iterations (last step { NUM($step_sigmas, digits: 2) } standard deviations).
     .why = Blunders or poor approximate values are the usual cause.
     .do = Use { OPTION("robust_start", "True") } with { OPTION("reject", "snooping") }, and check names of marks and approximate values.
+
+# $pairs = 1
+adjustment-identical_images = No convergence: { $pairs } { $pairs ->
+        [one] pair of images has
+       *[other] pairs of images have
+    } the same image points within half a pixel.
+    .why = They are the same photograph twice, or have no base between them.
+    .do = Exclude one image of each pair.

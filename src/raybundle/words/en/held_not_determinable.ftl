@@ -49,3 +49,12 @@ held_not_determinable-value = Camera { $camera }, { $symbol }: known { NUM($know
 # $found_px = 802.0
 # $sigma_px = 120.0
 held_not_determinable-factor = Camera { $camera }, { $symbol }: known { NUM($known_px, decimals: 0) } px to a factor of { $factor }, found { NUM($found_px, decimals: 0) } ± { NUM($sigma_px, decimals: 0) } px
+
+# $camera = "d5100"
+# $symbol = "c"
+# $value_px = 4800.0
+held_not_determinable-scale = Camera { $camera }: { $symbol } held at { NUM($value_px, decimals: 0) } px.
+
+# $camera = "scene_1"
+# $model = "rpc"
+held_not_determinable-model = Camera { $camera }: all values of model { $model } held.

@@ -32,3 +32,5 @@ adjustment-image_points_contradict = Les points image se contredisent de { PERCE
 adjustment-not_finite = Pas de convergence : après { $iterations } itérations les équations normales ne sont pas finies.
 
 adjustment-no_convergence = Pas de convergence après { $iterations } itérations (dernier pas { NUM($step_sigmas, digits: 2) } écarts-types).
+
+adjustment-identical_images = Pas de convergence : { $pairs } paires d'images ont les mêmes points image à un demi-pixel près.

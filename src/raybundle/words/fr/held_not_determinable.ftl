@@ -11,3 +11,7 @@ held_not_determinable-parameters = Caméra { $camera } : { LIST($symbols, most: 
 held_not_determinable-value = Caméra { $camera }, { $symbol } : connu { NUM($known_px, decimals: 0) } ± { NUM($known_sigma_px, decimals: 0) } px, trouvé { NUM($found_px, decimals: 0) } ± { NUM($sigma_px, decimals: 0) } px
 
 held_not_determinable-factor = Caméra { $camera }, { $symbol } : connu { NUM($known_px, decimals: 0) } px à un facteur { $factor } près, trouvé { NUM($found_px, decimals: 0) } ± { NUM($sigma_px, decimals: 0) } px
+
+held_not_determinable-scale = Caméra { $camera } : { $symbol } tenu à { NUM($value_px, decimals: 0) } px.
+
+held_not_determinable-model = Caméra { $camera } : toutes les valeurs du modèle { $model } sont tenues.

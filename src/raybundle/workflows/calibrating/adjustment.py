@@ -10,7 +10,7 @@ import numpy as np
 from raybundle.adjustment.decide import decide
 from raybundle.adjustment.options import AdjustmentOptions, noise_of_photographs
 from raybundle.adjustment.pixel_shape import under_its_noise
-from raybundle.adjustment.result import Adjustment, Notice
+from raybundle.adjustment.result import Adjustment, Notice, notice_of_text
 from raybundle.adjustment.under_noise import under_noise
 from raybundle.block import Block, Camera
 from raybundle.block.boards import spline_camera
@@ -194,7 +194,7 @@ def _lost(lost: dict[str, str], before: Sequence[tuple[str, str]]) -> list[tuple
 
 
 def _remarks(found: Found, groups: Sequence[CameraGroup]) -> list[Notice]:
-    return [*(Notice(code="photographs", message=r) for r in found.remarks), *camera_notices(groups)]
+    return [*(notice_of_text("photographs", r) for r in found.remarks), *camera_notices(groups)]
 
 
 def _adjust(
@@ -224,8 +224,8 @@ def _adjust(
     scale = radius_scale(result, shift)
     if scale is not None and scale.significant:
         shift = shift * scale.value**2
-        told = f"radii of the targets are {scale.value:.3f} ± {scale.std:.3f} times what their images show; estimated"
-        notices = (*notices, Notice(code="target_radius", message=told))
+        values = {"ratio": scale.value, "sigma": scale.std}
+        notices = (*notices, Notice(code="target_radius", values=values))
         here = reweighted(_moved(with_values(start, result.adjusted), shift), result.sigma0)
         result = decide(here, settings, progress, notices=tuple(notices))
     return result, float(np.linalg.norm(shift[used], axis=1).max(initial=0.0)), scale

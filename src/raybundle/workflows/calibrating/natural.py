@@ -8,7 +8,6 @@ from pathlib import Path
 from raybundle.adjustment.options import NoiseModel
 from raybundle.adjustment.result import Notice
 from raybundle.pipeline.stage import Means, Stage
-from raybundle.settings import option
 from raybundle.workflows.calibrate_state import CALIBRATE, Adjusted, CalibrateState, Reasons
 from raybundle.workflows.recognise import Recognised
 
@@ -51,27 +50,18 @@ def orient_natural(i: Inputs, means: Means) -> Natural:
         OrientOptions(jobs=means.jobs, separate=i.separate, noise=i.noise, masks=i.masks),
         given=Given(gps=False), progress=means.progress,
     )  # fmt: skip
-    told = Notice(code="no_targets", message=_no_targets(i.shown))
-    adjustment = replace(done.adjustment, notices=(told, *done.adjustment.notices))
+    adjustment = replace(done.adjustment, notices=(_no_targets(i.shown), *done.adjustment.notices))
     adjusted = Adjusted(adjustment=adjustment, groups=done.groups, lost=done.not_oriented)
     return Natural(adjusted=adjusted, refused=done.refused)
 
 
-def _no_targets(shown: Recognised) -> str:
+def _no_targets(shown: Recognised) -> Notice:
     """Why natural points were taken, and what to do."""
-    looked = f"{len(shown.looked_at)} photographs that were looked at ({', '.join(shown.looked_at)})"
+    looked = {"n": len(shown.looked_at), "names": list(shown.looked_at)}
     if shown.few:
-        return (
-            f"fewer than half of the {looked} show targets, of {', '.join(shown.few)}: calibrated by natural points, "
-            "which are several times less precise. Put the photographs of targets into a folder of their own, or name "
-            f"them: {option('target', shown.few[0])}"
-        )
-    return (
-        f"no coded targets and no board are seen in the {looked}: calibrated by natural points, which are several "
-        "times less precise. If others show some, name what was photographed, as "
-        f"{option('target', 'chessboard-12x9')} or "
-        f"{option('target', 'aicon14')}, and put their photographs into a folder of their own"
-    )
+        values = {**looked, "families": list(shown.few), "first": shown.few[0]}
+        return Notice(code="no_targets.few", values=values)
+    return Notice(code="no_targets", values=looked)
 
 
 def _put(state: CalibrateState, done: Natural) -> CalibrateState:

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 
-from raybundle.errors import InputError
+from raybundle.errors import InputError, excluded
 from raybundle.io.photos.cameras import camera_groups
 from raybundle.io.photos.photo import Found, find_photos
 from raybundle.pipeline.stage import Means, Stage
@@ -35,14 +35,11 @@ def search(given: Inputs, means: Means) -> Found:
 def _enough(found: Found, inputs: Sequence[Path]) -> None:
     n = len(found.photos)
     if n < FEWEST_PHOTOGRAPHS:
-        first = (
-            f"{n} usable photograph{'' if n == 1 else 's'}; a calibration needs at least {FEWEST_PHOTOGRAPHS}, better "
-            "10 to 20 from different sides, some with the camera rolled by 90 degrees"
-        )
-        lines = [first]
-        lines += [f"  {p.name}: {r}" for p, r in found.refused[:20]]
-        lines += [f"  {r}" for r in found.remarks]  # as of sub-folders, which are not looked into
-        raise InputError("\n".join(lines), file=", ".join(str(p) for p in inputs))
+        refused = [(p.name, r) for p, r in found.refused]
+        raise InputError(
+            "calibration.too_few_photographs", n=n, least=FEWEST_PHOTOGRAPHS,
+            details=excluded(refused, found.remarks), file=", ".join(map(str, inputs)),
+        )  # fmt: skip
 
 
 def with_dots(targets: Sequence[Target], options: CalibrateOptions) -> tuple[Target, ...]:

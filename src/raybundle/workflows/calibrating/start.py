@@ -10,7 +10,7 @@ import numpy as np
 
 from raybundle.adjustment.result import Notice
 from raybundle.block import Block, Role
-from raybundle.errors import InputError, NotSolvable
+from raybundle.errors import InputError, NotSolvable, excluded
 from raybundle.io.block.arrays import arrays_of_block, block_of_arrays
 from raybundle.io.photos.cameras import CameraGroup
 from raybundle.io.photos.photo import Photo
@@ -18,7 +18,6 @@ from raybundle.numerics.arrays import Array
 from raybundle.numerics.progress import Progress
 from raybundle.pipeline.stage import Codec, Means, Stage
 from raybundle.sensors import sensor_models
-from raybundle.settings import option
 from raybundle.targets.marks import Marks, Target
 from raybundle.targets.sidecar import PrintedSheet
 from raybundle.workflows.board_start import board_oriented
@@ -72,7 +71,7 @@ def begin(i: Inputs, means: Means) -> Start:
     given = block_of_targets(i.photos, i.groups, i.targets, i.marks, i.spacing, i.sheet)
     given = replace(given, block=asked(given.block, i.model, i.estimate))
     if len(np.unique(given.block.observations.image)) < 2:
-        raise InputError(_too_few(i.photos, i.marks, i.targets), file=", ".join(str(p) for p in i.paths))
+        raise _too_few(i)
     try:
         block, lost, told = _approximate(given, given.block, i.targets, i.model, means.progress)
     except (InputError, NotSolvable) as error:
@@ -95,11 +94,7 @@ def _approximate(
     alike = next((t for t in targets if t.turns > 1), None)
     if alike is None:
         return approximate, lost, ()
-    told = Notice(
-        code="board_alike",
-        message=f"a {alike.title} looks the same when it is turned: its points are held as printed, flat. One that is "
-        "not flat then moves the principal point; take one whose numbers of rows and columns are odd and even",
-    )
+    told = Notice(code="board_alike", values={"board": alike.title})
     p = len(approximate.points)
     held = replace(approximate.points, role=np.full(p, Role.CONTROL, np.int32), sigma=np.zeros((p, 3)))
     return replace(approximate, points=held), lost, (told,)
@@ -114,7 +109,7 @@ def with_asked_model(block: Block, model: str) -> Block:
             continue
         changed = with_model(block, k, model)
         if changed is None:
-            raise InputError(f"camera {camera.id}: the model {model} cannot be fitted to the start; take another")
+            raise InputError("camera.model_not_fitted", camera=camera.id, model=model)
         block = changed
     return block
 
@@ -124,30 +119,24 @@ def asked(block: Block, model: str, estimate: tuple[str, ...]) -> Block:
     if not estimate:
         return block
     if model == "spline":
-        raise InputError(
-            f"the parameters of the model spline cannot be chosen; leave {option('parameters')} or "
-            f"{option('model')} away"
-        )
-    known = sensor_models["brown" if model == "auto" else model].symbols
+        raise InputError("calibration.spline_parameters")
+    model = "brown" if model == "auto" else model
+    known = sensor_models[model].symbols
     unknown = [s for s in estimate if s not in known]
     if unknown:
-        raise InputError(f"{unknown[0]!r} is no parameter of the model; known: {', '.join(known)}")
+        raise InputError("parameter.unknown", name=unknown[0], model=model, known=list(known))
     return replace(block, cameras=tuple(replace(c, estimate=estimate) for c in block.cameras))
 
 
-def _too_few(photos: Sequence[Photo], marks: Sequence[Sequence[Marks]], targets: Sequence[Target]) -> str:
-    named = [sum(int(m.named.sum()) for m in sets) for sets in marks]
-    bare = sum(int((~m.named).sum()) for sets in marks for m in sets)
-    what = ", ".join(t.title for t in targets)
-    enough = sum(k >= FEWEST_TARGETS for k in named)
-    first = (
-        f"{enough} of {len(photos)} photographs show {FEWEST_TARGETS} points of {what} that others show too; at least "
-        f"2 are needed ({sum(named)} named points, {bare} without a name). Name what was printed ({option('target')}), "
-        "and "
-        "photograph so that a dot or square is 10 px large"
-    )
-    remarks = [f"  {p.name}: {r}" for p, sets in zip(photos, marks, strict=True) for m in sets for r in m.remarks]
-    return "\n".join([first, *remarks[:10]])
+def _too_few(i: Inputs) -> InputError:
+    named_points = [sum(int(m.named.sum()) for m in sets) for sets in i.marks]
+    unnamed = sum(int((~m.named).sum()) for sets in i.marks for m in sets)
+    remarks = [(p.name, r) for p, sets in zip(i.photos, i.marks, strict=True) for m in sets for r in m.remarks]
+    return InputError(
+        "calibration.too_few_points", n=sum(k >= FEWEST_TARGETS for k in named_points), photographs=len(i.photos),
+        least=FEWEST_TARGETS, families=[t.title for t in i.targets], points=sum(named_points), unnamed=unnamed,
+        details=excluded(remarks[:10]), file=", ".join(map(str, i.paths)),
+    )  # fmt: skip
 
 
 def _arrays(s: Start) -> dict[str, Array]:

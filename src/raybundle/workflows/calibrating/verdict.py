@@ -11,7 +11,7 @@ from raybundle.errors import NotSolvable
 from raybundle.pipeline.stage import Means, Stage
 from raybundle.planning.next_photographs import advised
 from raybundle.workflows.calibrate_state import CALIBRATE, CalibrateState
-from raybundle.workflows.calibration_defects import CANNOT, flat_only
+from raybundle.workflows.calibration_defects import flat_only
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -34,8 +34,8 @@ def judge(i: Inputs, means: Means) -> tuple[CalibrationQuality, ...]:
     quality = calibration_qualities(i.adjustment, means.progress)
     if i.measured is not None and all(q.grade == "not determinable" for q in quality):
         why = flat_only(i.measured)
-        if why:
-            raise NotSolvable(f"{CANNOT}: {why}")
+        if why is not None:
+            raise NotSolvable(why)
     means.progress("proposals", 0.0)
     found = tuple(advised(q, i.adjustment) for q in quality)
     means.progress("proposals", 1.0)

@@ -12,11 +12,10 @@ from raybundle.adjustment.result import Adjustment, Notice
 from raybundle.block import Block
 from raybundle.block.relative import relative_control
 from raybundle.calibration.several_cameras import several_cameras
-from raybundle.errors import NotSolvable
+from raybundle.errors import Message, NotSolvable, message
 from raybundle.io.photos.cameras import CameraGroup
 from raybundle.io.photos.photo import Photo
 from raybundle.matching.features import FeatureMethod
-from raybundle.numerics.counting import counted
 from raybundle.pipeline.stage import Means, Stage
 from raybundle.placing.georeference import Georeferenced
 from raybundle.placing.marks import Given
@@ -112,17 +111,15 @@ def _relative(placed: Georeferenced, photos: Sequence[Photo], kind: Literal["", 
     block = without_idle(relative_control(placed.block, line, drift=kind == "drift", shift_sigma=place))
     lines = len(np.unique(line[block.stations.image]))
     left = len(placed.block.stations) - len(block.stations)
-    used = f"{counted(len(block.stations), 'photograph')} on {counted(lines, 'flight line')}"
-    told = f"relative aerial control: the positions of {used} are used "
-    told += "by their differences" + (", after a drift of each line" if kind == "drift" else "")
-    told += f"; {left} on no line are left out" if left else ""
+    details = list[Message]()
+    if left:
+        details.append(message("relative_control.excluded", n=left))
     if not known.all():
-        axes = ", ".join(a for a, k in zip("XYZ", known, strict=True) if not k)
-        told += (
-            f". No control tells the place in {axes}: there the shift of a line is taken to be good to {GPS_M[0]:g} m "
-        )
-        told += f"in plan and {GPS_M[2]:g} m in height"
-    return replace(placed, block=block, notices=(*placed.notices, Notice(code="relative_control", message=told)))
+        axes = [a for a, k in zip("XYZ", known, strict=True) if not k]
+        details.append(message("relative_control.open", axes=axes, plan_m=GPS_M[0], height_m=GPS_M[2]))
+    values = {"photographs": len(block.stations), "lines": lines, "drift": kind == "drift"}
+    notice = Notice(code="relative_control", values=values, details=tuple(details))
+    return replace(placed, block=block, notices=(*placed.notices, notice))
 
 
 def _adjusted(i: Inputs, placed: Georeferenced, apart: Sequence[Georeferenced], means: Means) -> Adjusted:
@@ -194,12 +191,8 @@ def incomplete_notice(i: Inputs, done: Adjusted) -> tuple[Notice, ...]:
     oriented, whole = sum(int(b.images.oriented.sum()) for b in blocks), len(i.photos)
     if oriented >= MOST * whole:
         return ()
-    message = (
-        f"incomplete: {oriented} of {whole} photographs are oriented (limit {MOST:.0%}). Take photographs with more "
-        "overlap (60 % and more), or orient the photographs of each object by themselves"
-    )
     values = {"oriented": oriented, "photographs": whole, "limit": MOST}
-    return (Notice(code="incomplete", message=message, values=values),)
+    return (Notice(code="incomplete", values=values),)
 
 
 def largest_component(main: Adjustment, parts: Sequence[ConnectedComponent]) -> int | None:

@@ -9,7 +9,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from raybundle.adjustment.result import Notice
-from raybundle.errors import NoOrientation
+from raybundle.errors import NoOrientation, message_of_text
 from raybundle.io.photos.photo import Photo
 from raybundle.matching.features import FeatureMethod
 from raybundle.matching.verify import VerifiedPair
@@ -58,9 +58,11 @@ def match(i: Inputs, means: Means) -> Matched:
         still = static_background(i.photos, i.features, i.method)
         if still is None:
             raise
-        told = still.notice(masked=i.masked).message
+        notice = still.notice(masked=i.masked)
+        first = error.message or message_of_text(str(error))
+        other = message_of_text(notice.message) if notice.message else notice.data
         raise NoOrientation(
-            f"{error.text()}\n  Or: {told}", images=error.images, undetermined=error.undetermined
+            replace(first, details=(*first.details, other)), images=error.images, undetermined=error.undetermined
         ) from error
     notices: list[Notice] = []
     if _stands_still(pairs):

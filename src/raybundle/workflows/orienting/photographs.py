@@ -7,7 +7,7 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 
 from raybundle.adjustment.result import Notice
-from raybundle.errors import InputError
+from raybundle.errors import InputError, excluded
 from raybundle.io.geo.coordinate_systems import LocalFrame
 from raybundle.io.photos.photo import Found, Photo, find_photos
 from raybundle.io.trajectories import Trajectory, with_positions
@@ -115,21 +115,16 @@ def check_number(
         return
     if not scenes:
         raise _too_few(inputs, photos, refused, remarks)
-    lines = ["1 satellite scene and no photograph; at least 2 images of the same ground are needed"]
-    lines += [f"  {name}: {reason}" for name, reason in refused[:20]]
-    raise InputError("\n".join(lines), file=", ".join(str(p) for p in inputs))
+    raise InputError("scene.single", details=excluded(refused), file=", ".join(map(str, inputs)))
 
 
 def _too_few(
     inputs: Sequence[Path], photos: Sequence[Photo], refused: Sequence[tuple[str, str]], remarks: Sequence[str]
 ) -> InputError:
-    lines = [f"{len(photos)} usable photograph{'' if len(photos) == 1 else 's'}, at least 2 are needed"]
-    lines += [f"  {name}: {reason}" for name, reason in refused[:20]]
-    if len(refused) > 20:
-        lines.append(f"  and {len(refused) - 20} more")
-    lines += [f"  {r}" for r in remarks]  # as of sub-folders, which are not looked into
-    lines += [] if photos or refused or remarks else ["  give a folder of photographs, or their files"]
-    return InputError("\n".join(lines), file=", ".join(str(p) for p in inputs))
+    return InputError(
+        "photograph.too_few_usable", n=len(photos), least=2, details=excluded(refused, remarks),
+        file=", ".join(map(str, inputs)),
+    )  # fmt: skip
 
 
 STAGE = ORIENT.register(Stage(name="photographs", inputs=_inputs, function=search, put=_put, told=_told))

@@ -31,12 +31,8 @@ def _better(first: OrientState, second: OrientState) -> OrientState:
 
 
 def _said(state: OrientState, whole: int) -> OrientState:
-    message = (
-        f"features are those of copies of {LONGEST_PX} px: {state.oriented} of {len(state.photos)} photographs hang "
-        f"together by them, {whole} by features of the whole size. These photographs tell little at the size of their "
-        "pixels (soft, noisy or heavily compressed)"
-    )
-    return replace(state, notices=(*state.notices, Notice(code="reduced_features", message=message)))
+    values = {"size_px": LONGEST_PX, "oriented": state.oriented, "photographs": len(state.photos), "whole": whole}
+    return replace(state, notices=(*state.notices, Notice(code="reduced_features", values=values)))
 
 
 ALTERNATIVE = ORIENT.register_alternative(

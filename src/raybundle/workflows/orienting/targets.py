@@ -10,7 +10,7 @@ import numpy as np
 
 from raybundle.adjustment.result import Notice
 from raybundle.block import Role
-from raybundle.errors import InputError
+from raybundle.errors import InputError, message_of_text
 from raybundle.io.geo.control_files import ControlFile, Measurements
 from raybundle.io.photos.photo import Photo
 from raybundle.numerics.arrays import Array
@@ -49,14 +49,12 @@ def measure(i: Inputs, means: Means) -> Seen:
     """Each photograph is measured by a task of its own."""
     marks = measure_targets(means, i.photos, i.targets)
     found = named_targets(i.photos, i.targets, marks)
-    titles = ", ".join(t.title for t in i.targets)
     notices: list[Notice] = []
     if not found.ids:
-        words = f"no target of {titles} was read in any photograph; look at the family's name, and at their size"
-        notices.append(Notice(code="no_targets", message=words))
+        notices.append(Notice(code="no_targets.unread", values={"families": [t.title for t in i.targets]}))
     notices += [
-        Notice(code="photographs", message=f"{p.name}: {r}") for p, sets in zip(i.photos, marks, strict=True)
-        for m in sets for r in m.remarks
+        Notice(code="photographs.targets", values={"photograph": p.name}, details=(message_of_text(r),))
+        for p, sets in zip(i.photos, marks, strict=True) for m in sets for r in m.remarks
     ]  # fmt: skip
     return Seen(
         given=with_targets(i.given, found), points=len(found.ids), rays=len(found.measurements), notices=tuple(notices)

@@ -17,7 +17,7 @@ from raybundle.adjustment.result import Notice
 from raybundle.adjustment.scene_start import with_scene_points
 from raybundle.block import Block, Camera, Role
 from raybundle.block.select import with_rows
-from raybundle.errors import NoOrientation
+from raybundle.errors import NoOrientation, excluded, message
 from raybundle.io.block.scenes import with_views
 from raybundle.matching.refine import LEVELS, halved, match_candidates
 from raybundle.matching.tracks import Tracks, tracks_of
@@ -27,7 +27,6 @@ from raybundle.numerics.places import Local
 from raybundle.numerics.progress import Progress
 from raybundle.orientation.cleaning import clean
 from raybundle.scenes.bias import BiasKind
-from raybundle.settings import option
 from raybundle.ties.block import TieBlock, block_of_tracks, flat_points
 from raybundle.ties.points import FeatureStore
 from raybundle.ties.precise import PreciseBlock, refine
@@ -72,16 +71,10 @@ class SceneSet:
         told: list[Notice] = []
         silent = [s.name for s in self.images if s.rpc is not None and not bias_stated(s)]
         orbits = [s.name for s in self.images if s.rpc is None]
-        for names, what in (
-            (
-                silent,
-                f"the RPC does not state how accurate it is (ERR_BIAS); {USUAL_BIAS_M:g} m on the ground are assumed",
-            ),
-            (orbits, f"there is no RPC; the attitude of the orbit's file is taken to be good to {ATTITUDE_RAD:g} rad"),
-        ):
-            if names:
-                message = f"{', '.join(names)}: {what}, which is what the result rests on where there is no control"
-                told.append(Notice(code="scene_prior", message=message, ids=tuple(names)))
+        if silent:
+            told.append(Notice(code="scene_prior.rpc", values={"sigma_m": USUAL_BIAS_M}, ids=tuple(silent)))
+        if orbits:
+            told.append(Notice(code="scene_prior.orbit", values={"sigma_rad": ATTITUDE_RAD}, ids=tuple(orbits)))
         return tuple(told)
 
 
@@ -250,20 +243,8 @@ def refuse_nothing_common(
     """Raise NoOrientation where scenes have neither tie points nor marks; `refused` files and why are told as well."""
     if marks or photographs or any(len(p.pair.matches) for p in pairs):
         return
-    names = ", ".join(f"{s.name} at {_middle_words(s)}" for s in scenes.images[:6])
-    several = len(scenes.images) > 1
-    compared = (
-        f"common ground is seen by {counted(len(pairs), 'pair')}" if pairs else "no two of them show common ground"
+    middles = [(s.name, *middle_of_scene(s)[:2]) for s in scenes.images[:6]]
+    places = [message("scene.middle", scene=name, longitude_deg=lon, latitude_deg=lat) for name, lon, lat in middles]
+    raise NoOrientation(
+        "scene.no_tie_points", n=len(scenes.images), pairs=len(pairs), details=[*places, *excluded(refused, most=10)]
     )
-    have = f"s {names} have no tie points: {compared}" if several else f" {names} is the only one that can be used"
-    message = (
-        f"the scene{have}, and no control is marked in {'them' if several else 'it'}.\n"
-        "  Look whether they show the same place at a similar season, whether each has its own RPC, or mark control "
-        f"points in them ({option('control')})."
-    )
-    raise NoOrientation("\n".join([message, *(f"  {name} is not used: {why}" for name, why in refused[:10])]))
-
-
-def _middle_words(image: SceneImage) -> str:
-    lon, lat, _ = middle_of_scene(image)
-    return f"{abs(lon):.3f} {'E' if lon >= 0 else 'W'}, {abs(lat):.3f} {'N' if lat >= 0 else 'S'}"

@@ -167,8 +167,10 @@ def read_scene_image(path: Path, model: Path) -> SceneImage:
     """One scene; raises InputError with the reason where image and geometry cannot be used together."""
     if path.suffix.lower() in LEFT_TO_OTHERS:
         raise InputError(
-            f"pixels of {path.suffix.lower()[1:]} files are not read; convert it to TIFF, as by "
-            f"`gdal_translate {path.name} {path.stem}.tif`, and keep its RPC beside it",
+            "scene.pixels_not_supported",
+            suffix=path.suffix.lower()[1:],
+            source=path.name,
+            target=f"{path.stem}.tif",
             file=path,
         )
     scene = read_scene(model)
@@ -181,7 +183,7 @@ def read_scene_image(path: Path, model: Path) -> SceneImage:
         except InputError as error:
             raise error.at(path) from None
         except Exception as error:  # noqa: BLE001  (decoders raise anything on a damaged file; it costs that file only)
-            raise InputError(str(error), file=path) from None
+            raise InputError("file.not_readable", detail=str(error), file=path) from None
         width, height, bits = header.width_px, header.height_px, header.bits
     scene = scene_of_size(scene, width, height, path)
     with path.open("rb") as file:
@@ -197,16 +199,24 @@ def scene_of_size(scene: Scene, width: int, height: int, path: Path) -> Scene:
     model = scene.file.name
     if scene.width_px and scene.height_px and (scene.width_px, scene.height_px) != (width, height):
         raise InputError(
-            f"the image has {width} x {height} px, {model} is for one of {scene.width_px} x {scene.height_px} px; "
-            "give the file of this image",
+            "scene.other_size",
+            width_px=width,
+            height_px=height,
+            model=model,
+            model_width_px=scene.width_px,
+            model_height_px=scene.height_px,
             file=path,
         )
     if scene.rpc is not None:
         scene = replace(scene, rpc=rpc_of_image(scene.rpc, width, height, path))
     elif scene.line is not None and (scene.line.width_px, scene.line.height_px) != (width, height):
         raise InputError(
-            f"the image has {width} x {height} px, the orbit in {model} is for one of {scene.line.width_px} x "
-            f"{scene.line.height_px} px; give the file of this image",
+            "scene.other_size",
+            width_px=width,
+            height_px=height,
+            model=model,
+            model_width_px=scene.line.width_px,
+            model_height_px=scene.line.height_px,
             file=path,
         )
     return replace(scene, width_px=width, height_px=height)
@@ -245,7 +255,7 @@ class ScenePixels:
         values = np.concatenate(some)
         values = values[values > 0]
         if not len(values):
-            raise InputError("there is no grey value above 0; this is no image of the ground", file=self.image.path)
+            raise InputError("scene.all_zero", file=self.image.path)
         low, high = np.percentile(values, [DARKEST, BRIGHTEST])
         return float(low), float(max(high, low + 1))
 
@@ -287,7 +297,7 @@ def scene_features(method: FeatureMethod, image: SceneImage, count: int) -> Feat
             f = f.rows(np.flatnonzero(inner))
             found.append(replace(f, xy_px=f.xy_px + np.array([x0, y0])))
     if not found:
-        raise InputError("no texture is found in it; is this an image of the ground?", file=image.path)
+        raise InputError("scene.no_texture", file=image.path)
     columns: dict[str, Any] = {
         name: np.concatenate([getattr(f, name) for f in found])
         for name in ("xy_px", "scale_px", "angle", "descriptors")

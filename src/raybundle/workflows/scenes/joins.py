@@ -10,6 +10,7 @@ import numpy as np
 
 from raybundle.adjustment.result import Notice
 from raybundle.block import Block, Observations, Role
+from raybundle.errors import Message, message
 from raybundle.matching.features import FeatureMethod
 from raybundle.matching.strips import APART_PX, FARTHEST, RATIO
 from raybundle.matching.verify import FEWEST
@@ -51,14 +52,14 @@ def with_joins(
         return block, ()
     described, vectors = points
     added: list[tuple[int, Index, Array, float]] = []
-    told: list[str] = []
+    counts: list[Message] = []
     for k, name in enumerate(scenes):
         i = block.images.ids.index(name)
         found = _in_scene(block, i, described, vectors, scene_store, k, method)
         if found is not None:
             point, xy, sigma = found
             added.append((i, point, xy, sigma))
-            told.append(f"{len(point)} in {name}")
+            counts.append(message("scene_joins.scene", n=len(point), scene=name))
     if not added:
         return block, ()
     variance = np.concatenate([np.full(len(p), s**2) for _, p, _, s in added])
@@ -68,7 +69,7 @@ def with_joins(
         xy_px=np.vstack([xy for _, _, xy, _ in added]),
         cov_px2=np.column_stack([variance, variance, np.zeros(len(variance))]),
     )
-    notice = Notice(code="scene_joins", message=f"tie points of photographs found in scenes: {', '.join(told)}")
+    notice = Notice(code="scene_joins", values={"scenes": len(counts)}, details=tuple(counts))
     return replace(block, observations=block.observations.append(more)), (notice,)
 
 

@@ -25,7 +25,6 @@ from raybundle.io.pictures.resampling import REACH, Kernel, between, sampled
 from raybundle.io.scenes.pictures import Picture
 from raybundle.numerics.arrays import Array, Mask
 from raybundle.scenes.rpc import Rpc
-from raybundle.settings import option
 from raybundle.workflows.rectify import STEP, Grid, grid_over, two_digits, whole_pixels
 
 TILE_PX = 512
@@ -151,7 +150,7 @@ def ortho_of(
     """
     system = crs or utm_of(rpc)
     if told_system(system).is_compound or told_system(system).is_geocentric:
-        raise InputError(f"{option('crs', system)} is that of a map, a plane one without heights")
+        raise InputError("crs.plane_needed", system=system)
     lon, lat, height = rpc.ground_offset.tolist()
     about = local_frame(system, _in_system(system, lon, lat, height))
     unit = about.units_m[0] if not told_system(system).is_geographic else DEGREE_M
@@ -191,9 +190,7 @@ def utm_of(rpc: Rpc) -> str:
     lon, lat = rpc.ground_offset[:2].tolist()
     code = utm_at(lon, lat)
     if code is None:
-        raise InputError(
-            f"the scene lies at latitude {lat:.1f}, where UTM does not reach; give {option('crs', 'CODE')}"
-        )
+        raise InputError("area.no_utm", latitude_deg=lat)
     return code
 
 
@@ -202,7 +199,7 @@ def _in_system(crs: str, lon: float, lat: float, height: float) -> tuple[float, 
 
     x, y = Transformer.from_crs("EPSG:4326", told_system(crs), always_xy=True).transform(lon, lat)
     if not (np.isfinite(x) and np.isfinite(y)):
-        raise InputError(f"the scene at {lon:.4f}, {lat:.4f} lies outside of what {system_name(crs)} is for")
+        raise InputError("scene.outside_system", longitude_deg=lon, latitude_deg=lat, system=system_name(crs))
     return float(x), float(y), height
 
 
@@ -217,8 +214,9 @@ def _outline(rpc: Rpc, size_px: tuple[int, int], ground: Ground, frame: LocalFra
     places, known = ground_of_rays(rpc, ground, rays)
     if not known.any():
         raise InputError(
-            f"covers nothing of what the scene sees, round {places[:, 0].mean():.5f} E, {places[:, 1].mean():.5f} N; "
-            "is it the right raster?",
+            "scene.not_covered",
+            longitude_deg=places[:, 0].mean(),
+            latitude_deg=places[:, 1].mean(),
             file=ground.file,
         )
     xyz = frame.crs_from_local(frame.local_from_wgs84(places))

@@ -26,7 +26,6 @@ from raybundle.placing.marks import (
     without_empty_control,
 )
 from raybundle.scenes.sensor import RpcSensor, SceneSensor
-from raybundle.settings import option
 from raybundle.workflows.scenes.block import SceneSet, joined, with_cameras
 from raybundle.workflows.scenes.geometry import prior_px
 from raybundle.workflows.scenes.images import SceneImage
@@ -72,8 +71,11 @@ def control_in_system(given: Given, scenes: SceneSet, crs: str | None) -> Given:
             if known.any() and not (far < NEAR_DEG + _extent_deg(scenes)).all():
                 x, y = c.xyz[np.flatnonzero(known)[0], :2].tolist()
                 raise InputError(
-                    f"names no coordinate system, and {x:g}, {y:g} are no longitude and latitude near the scenes "
-                    f"({lon:.4f}, {lat:.4f}); give the system of its coordinates: {option('crs', 'EPSG:...')}",
+                    "scene.control_without_system",
+                    x=x,
+                    y=y,
+                    longitude_deg=lon,
+                    latitude_deg=lat,
                     file=c.path,
                 )
             system = WGS84
@@ -102,8 +104,7 @@ def common_frame(scenes: SceneSet, photos: Sequence[Photo], given: Given) -> tup
         return Placed(frame=frame, place=place), ()
     told = Notice(
         code="scene_datum",
-        message=f"{frame.crs} stands on another datum than the scenes, turned and scaled against WGS 84 (10 km away by "
-        f"{off:.2f} m); coordinates were brought to WGS 84, by pyproj's best transformation without grids",
+        values={"system": frame.crs, "off_m": float(off)},
     )
     return Placed(frame=local_frame(WGS84, (lon, lat, h)), place=place), (told,)
 
@@ -188,30 +189,39 @@ def check_marks(block: Block, images: Sequence[SceneImage], first: int, mark_px:
                 ids = [p.ids[k] for k in o.point[rows].tolist()]
                 sensor.rpc.check_near(sensor.place.geographic_from_block(p.xyz[o.point[rows]]), ids)
             except InputError as error:
-                raise InputError(f"control marked in it: {error.text()}", file=image.path) from None
+                details = [error.message] if error.message else ()
+                raise InputError("scene.control_far_away", details=details, file=image.path) from None
         seen = sensor.observe(p.xyz[o.point[rows]], sensor.defaults)
         apart = o.xy_px[rows] - seen.xy_px
         own = np.sqrt(mark_px**2 + ((seen.by_point * p.sigma[o.point[rows]][:, None]) ** 2).sum(axis=2))
         shift = np.median(apart, axis=0)
         limit = np.maximum(BELIEVED * prior_px(sensor), LEAST_PX)  # pyright: ignore[reportArgumentType]
-        about = (
-            f"; look whether {image.model.name} belongs to this image, and at the coordinate system, the heights and "
-            "the numbers of the control points"
-        )
+        dx, dy = shift.tolist()
         if (np.abs(shift) > limit).any():
             raise InputError(
-                f"the {len(rows)} control points marked in it lie {shift[0]:+.0f}, {shift[1]:+.0f} px (x, y) from "
-                f"where its geometry puts them; the stated accuracy allows {limit[0]:.0f}, {limit[1]:.0f} px{about}",
+                "scene.control_shifted",
+                limit_x_px=limit[0],
+                limit_y_px=limit[1],
                 file=image.path,
+                n=len(rows),
+                model=image.model.name,
+                dx_px=dx,
+                dy_px=dy,
             )
         spread = 1.4826 * np.median(np.abs(apart - shift), axis=0)
         allowed = ONE_SHIFT * np.median(own, axis=0) + 3.0
         if len(rows) >= 4 and (spread > allowed).any():
             raise InputError(
-                f"the {len(rows)} control points marked in it fit no shift: about {shift[0]:+.0f}, {shift[1]:+.0f} px "
-                f"they scatter by {spread[0]:.1f}, {spread[1]:.1f} px, {allowed[0]:.1f}, {allowed[1]:.1f} px are "
-                f"allowed{about}",
+                "scene.control_scattered",
+                spread_x_px=spread[0],
+                spread_y_px=spread[1],
+                limit_x_px=allowed[0],
+                limit_y_px=allowed[1],
                 file=image.path,
+                n=len(rows),
+                model=image.model.name,
+                dx_px=dx,
+                dy_px=dy,
             )
 
 

@@ -91,7 +91,7 @@ def _scene(file: SceneFile) -> SceneImage:
     """The scene; raises InputError where the file has changed meanwhile."""
     image = read_scene_image(file.path, file.model)
     if image.sha256 != file.sha256:
-        raise InputError("the file has changed since this run began; run the same command again", file=file.path)
+        raise InputError("photograph.changed", file=file.path)
     return image
 
 

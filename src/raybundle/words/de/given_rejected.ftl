@@ -1,0 +1,8 @@
+given_rejected = { $n } { $n ->
+        [one] Bildbeobachtung wurde
+       *[other] Bildbeobachtungen wurden
+    } in einer früheren Ausgleichung verworfen und { $n ->
+        [one] nimmt
+       *[other] nehmen
+    } nicht teil.
+    .do = Die Spalte rejected in observations.csv löschen, um sie neu zu testen.

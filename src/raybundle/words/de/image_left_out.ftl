@@ -1,0 +1,1 @@
+image_left_out = Bild { $image } ist von der Ausgleichung ausgeschlossen.

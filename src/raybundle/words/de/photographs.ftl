@@ -1,0 +1,1 @@
+photographs-targets = Zielmarken der Aufnahme { $photograph }:

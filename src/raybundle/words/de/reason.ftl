@@ -1,0 +1,3 @@
+reason-text = Hinweis: { $text }
+
+reason-more = { $n } weitere.

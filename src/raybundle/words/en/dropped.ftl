@@ -1,0 +1,11 @@
+# $share = 0.08
+# $features = 109064
+# $matched = 43861
+# $added = 25674
+# $contradict_orientation = 1026
+# $not_measured = 637
+# $contradict_others = 147
+# $adjusted = 48342
+# $given = 48400
+dropped = { PERCENT($share) } % of the image points were rejected before the adjustment.
+    .why = Features { $features }, matched { $matched }, added { $added }. Rejected: { $contradict_orientation } by the approximate orientation, { $not_measured } by least-squares matching, { $contradict_others } by other rays. Accepted { $adjusted }, in the adjustment { $given }.

@@ -1,0 +1,5 @@
+# $camera = "d5100"
+# $model = "fisheye"
+# $other = "brown"
+# $sigma0 = 1.02
+model = Camera { $camera }: model { $model } fits the photographs better than { $other } (sigma0 { $sigma0 }).

@@ -1,0 +1,2 @@
+# $photograph = "img_07.jpg"
+photographs-targets = Targets of photograph { $photograph }:

@@ -1,0 +1,5 @@
+# $text = "timeout"
+reason-text = Note: { $text }
+
+# $n = 5
+reason-more = { $n } more.

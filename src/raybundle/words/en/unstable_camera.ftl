@@ -1,0 +1,11 @@
+# $camera = "d5100"
+# $n = 12
+# $others = 20
+# $share = 0.62
+# $dc_px = -14.2
+# $dx0_px = 2.1
+# $dy0_px = -3.0
+# $pattern = "DSC_1|DSC_2"
+unstable_camera = Camera { $camera }: its interior orientation changed between photographs ({ $n } and { $others }).
+    .why = Two groups would reduce the residuals to { PERCENT($share) } % (c differs by { NUM($dc_px, decimals: 1) } px, the principal point by { NUM($dx0_px, decimals: 1) }, { NUM($dy0_px, decimals: 1) } px); the standard deviations are too small.
+    .do = Switch autofocus, zoom and stabilisation off and photograph again, or calibrate the groups separately: { OPTION("own_camera", $pattern) }.

@@ -1,0 +1,1 @@
+dropped = { PERCENT($share) } % des points image ont été rejetés avant la compensation.

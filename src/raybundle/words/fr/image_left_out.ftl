@@ -1,0 +1,1 @@
+image_left_out = L'image { $image } est exclue de la compensation.

@@ -1,0 +1,1 @@
+incomplete = Seules { $oriented } des { $photographs } photographies sont orientées (limite { PERCENT($limit) } %).

@@ -1,0 +1,1 @@
+masks = { $n } des { $photographs } photographies ont un masque.

@@ -1,0 +1,1 @@
+parts_joined = { $parts } parties du bloc ({ $photographs } photographies) n'ont pas de points communs.

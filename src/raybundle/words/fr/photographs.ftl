@@ -1,0 +1,1 @@
+photographs-targets = Cibles de la photographie { $photograph } :

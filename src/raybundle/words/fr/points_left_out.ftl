@@ -1,0 +1,1 @@
+points_left_out = { $n } points ont été exclus : les rayons ne se coupent pas.

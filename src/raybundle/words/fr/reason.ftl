@@ -1,0 +1,3 @@
+reason-text = Remarque : { $text }
+
+reason-more = { $n } de plus.

@@ -1,0 +1,1 @@
+reduced_features = Les éléments viennent de copies réduites à { $size_px } px : { $oriented } des { $photographs } photographies sont orientées.

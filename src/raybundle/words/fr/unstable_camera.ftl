@@ -1,0 +1,1 @@
+unstable_camera = Caméra { $camera } : son orientation interne a changé entre les photographies ({ $n } et { $others }).
