@@ -209,6 +209,30 @@ def text_of(code: str, /, **values: Value) -> Text:
     return Text.of(Message(code=code, values=plain(values)))
 
 
+def joined_texts(*texts: Text) -> Text:
+    """The messages of several texts, one after the other."""
+    return Text.of(*(m for text in texts for m in text.messages))
+
+
+def text_of_error(error: RaybundleError) -> str:
+    """An error as a reason in a list, with its place; its words where it has no message."""
+    if error.message is None:
+        return str(error)
+    place = error.place if isinstance(error, InputError) else Place()
+    return Text.of(replace(error.message, place=place if place.text() else None))
+
+
+def without_file(text: str, file: Path) -> str:
+    """A reason without the file that its list names."""
+    if not isinstance(text, Text):
+        return text.removeprefix(f"{file}: ")
+    first, *others = text.messages
+    if first.place is not None and first.place.file == str(file):
+        place = replace(first.place, file="")
+        first = replace(first, place=place if place.text() else None)
+    return Text.of(first, *others)
+
+
 def text_json(text: str) -> dict[str, Any]:
     """Code, values and details of a text, for JSON; {} where it has only words."""
     if not isinstance(text, Text):
@@ -262,6 +286,8 @@ class RaybundleError(Exception):
 
     def __init__(self, code: str | Message = "", /, *, details: Iterable[Message] = (), **values: Value) -> None:
         """With a message, or its code and values by name; or with a text."""
+        if isinstance(code, Text):
+            code = code.message
         if isinstance(code, Message):
             self.message = code
         elif _CODE.fullmatch(code):
@@ -305,7 +331,7 @@ class InputError(RaybundleError):
         self.file = None if file is None else str(file)
         self.line = line
         self.column = column
-        if isinstance(code, Message) or _CODE.fullmatch(code):
+        if isinstance(code, Message | Text) or _CODE.fullmatch(code):
             super().__init__(code, details=details, **values)
             return
         place, text = self.place.text(), _bounded(code, WHOLE)

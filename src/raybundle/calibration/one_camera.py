@@ -155,11 +155,13 @@ def _candidates(names: Sequence[str], shift: Array) -> list[tuple[By, Mask, str]
     found: list[tuple[By, Mask, str]] = []
     starts = [re.split(r"[_\-. ]", name, maxsplit=1)[0] for name in names]
     if len(set(starts)) < len(names) / 2:
-        for start in dict.fromkeys(starts):
-            found.append(("names", np.array([s == start for s in starts]), start))
+        of_names: list[tuple[By, Mask, str]] = [
+            ("names", np.array([s == start for s in starts]), start) for start in dict.fromkeys(starts)
+        ]
+        found += of_names
     order = np.arange(len(names))
-    for k in range(1, len(names)):
-        found.append(("order", order < k, names[k - 1]))
+    of_order: list[tuple[By, Mask, str]] = [("order", order < k, names[k - 1]) for k in range(1, len(names))]
+    found += of_order
     for axis in range(3):
         along = np.argsort(shift[:, axis])
         for k in range(1, len(names)):

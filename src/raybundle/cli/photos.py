@@ -13,6 +13,7 @@ import click
 from raybundle.cli.common import FOLDER, Command, common_options, counted
 from raybundle.cli.settings import options_of, values_of
 from raybundle.commands.photos import PhotosSettings, run_photos
+from raybundle.errors import text_json
 from raybundle.settings import made
 
 if TYPE_CHECKING:
@@ -62,7 +63,7 @@ def report(found: Found, groups: Sequence[CameraGroup]) -> dict[str, Any]:
         "photos": [
             _photo(p, next(g.id for g in groups if k in g.photos)) for k, p in enumerate(found.photos)
         ],
-        "refused": [{"file": str(path), "reason": reason} for path, reason in found.refused],
+        "refused": [{"file": str(path), "reason": reason, **text_json(reason)} for path, reason in found.refused],
         "remarks": list(found.remarks),
     }  # fmt: skip
 

@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Any
 from raybundle.adjustment.options import NOISE_HELP, NoiseModel
 from raybundle.commands.pages import COORDINATES_HELP, LANGUAGE_HELP, NO_REPORT_HELP, PDF_HELP, check_pages
 from raybundle.commands.record_settings import CLIENT, OPERATOR, TITLE, record_of
-from raybundle.errors import InputError, NotSolvable
+from raybundle.errors import InputError, NotSolvable, text_json
 from raybundle.numerics.progress import Progress, silent
 from raybundle.settings import NOT_NEGATIVE, POSITIVE, Range, asked, setting
 
@@ -149,7 +149,7 @@ def additions(done: Calibration) -> dict[str, object]:
     """What result.json says beside the adjustment."""
     from raybundle.io.digits import told  # noqa: PLC0415
 
-    lost = [{"file": f, "reason": r} for f, r in (*done.refused, *done.not_used)]
+    lost = [{"file": f, "reason": r, **text_json(r)} for f, r in (*done.refused, *done.not_used)]
     return {
         "images": {"given": len(done.photos) + len(done.refused), "oriented": done.used, "not_oriented": lost},
         "targets": {

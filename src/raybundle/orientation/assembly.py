@@ -19,16 +19,15 @@ from raybundle.adjustment.result import Notice
 from raybundle.block import Block
 from raybundle.block.rigs import has_rigs
 from raybundle.block.select import points_left, with_rows
-from raybundle.errors import NoOrientation, message
+from raybundle.errors import NoOrientation, Text, excluded, joined_texts, text_of
 from raybundle.numerics.arrays import Array, Index, Mask
-from raybundle.numerics.counting import counted
 from raybundle.numerics.progress import Progress, silent
 from raybundle.orientation.absolute import onto_control, onto_points, onto_scale
 from raybundle.orientation.camera_constant import with_camera_constants
 from raybundle.orientation.candidates import Pose, resect_all, resect_robust
 from raybundle.orientation.completion import Completed, complete
 from raybundle.orientation.growth import OFTEN, Growth
-from raybundle.orientation.pixel_axes import axes_words
+from raybundle.orientation.pixel_axes import axes_text
 from raybundle.orientation.rays import rays_of
 from raybundle.orientation.skeleton import skeleton
 from raybundle.orientation.start import favoured, start_from_control, start_from_pair
@@ -63,7 +62,7 @@ class ApproximateValues:
 
 @dataclass(slots=True)
 class _Failures:
-    reasons: dict[int, str] = field(default_factory=dict[int, str])
+    reasons: dict[int, Text] = field(default_factory=dict[int, Text])
 
 
 def approximate_values(block: Block, progress: Progress = silent) -> ApproximateValues:
@@ -78,7 +77,7 @@ def approximate_values(block: Block, progress: Progress = silent) -> Approximate
         observed = len(np.unique(block.observations.image))
         raise NoOrientation(
             "orientation.not_found",
-            details=[message("orientation.image_not_found", image=n, detail=r) for n, r in list(left.items())[:20]],
+            details=excluded(list(left.items())),
             n=len(left),
             total=observed,
             images=left,
@@ -116,7 +115,7 @@ def image_values(block: Block, progress: Progress = silent) -> ApproximateValues
         block=replace(growth.block, points=replace(growth.block.points, xyz=xyz)),
         notices=(*constants, *_notices(block, found)),
         outliers=found.outliers,
-        not_oriented={ids[i]: failures.reasons.get(int(i), "not connected") for i in left},
+        not_oriented={ids[i]: failures.reasons.get(int(i), text_of("not_oriented.not_connected")) for i in left},
         system=growth.system,
         scaled=frozenset(growth.scaled),
     )
@@ -188,9 +187,7 @@ def _begin(growth: Growth, left: Mask, failures: _Failures) -> bool:
         return True
     for i in np.flatnonzero(left):
         known = growth.known_points(int(i))
-        reason = growth.remarks.get(
-            int(i), f"{counted(known, 'known point')}, no second image with enough common points"
-        )
+        reason = growth.remarks.get(int(i)) or text_of("not_oriented.no_second_image", n=known)
         failures.reasons.setdefault(int(i), reason)
     return False
 
@@ -214,7 +211,9 @@ def _grow(growth: Growth, failures: _Failures, progress: Progress, total: int) -
                 share = FEW
             else:
                 for i in refused:
-                    failures.reasons[i] += axes_words(growth, i)
+                    axes = axes_text(growth, i)
+                    if axes is not None:
+                        failures.reasons[i] = joined_texts(failures.reasons[i], axes)
                 return
             refused.clear()
             continue
@@ -226,9 +225,9 @@ def _grow(growth: Growth, failures: _Failures, progress: Progress, total: int) -
                 known = growth.known_points(i)
                 refused[i] = known
                 failures.reasons[i] = (
-                    f"{counted(known, 'point')} in common with the rest, {LEAST} needed"
+                    text_of("not_oriented.few_common", n=known, least=LEAST)
                     if known < LEAST
-                    else f"{counted(known, 'point')} in common with the rest, but no pose that fits {share:.0%} of them"
+                    else text_of("not_oriented.no_pose", n=known, share=share)
                 )
                 continue
             growth.set_pose(i, pose)
@@ -292,9 +291,7 @@ def _place(growth: Growth, before: Mask, placed: Array, failures: _Failures) -> 
             part = growth.oriented & ~before
             growth.give_up(part)
             for i in np.flatnonzero(part):
-                failures.reasons[int(i)] = (
-                    f"oriented with {int(part.sum()) - 1} others, but their points contradict those of the other images"
-                )
+                failures.reasons[int(i)] = text_of("not_oriented.contradicting_part", n=int(part.sum()) - 1)
         if fit == "joined":
             growth.system[mine] = _system_of(growth, mine, before)
             growth.end_part()

@@ -9,7 +9,7 @@ import numpy as np
 from raybundle.adjustment.engine import estimate_only, free_parameters
 from raybundle.adjustment.options import AdjustmentOptions
 from raybundle.block import Block, Role
-from raybundle.errors import InputError
+from raybundle.errors import InputError, Text
 from raybundle.numerics.arrays import Array, Index, Mask
 from raybundle.numerics.rows import rows_of_each
 from raybundle.orientation.candidates import Pose
@@ -72,7 +72,7 @@ class Growth:
     """(n,) how often adjustments of the current part took the orientation of an image back"""
     own_limits: dict[int, float] = field(default_factory=dict[int, float])
     """`limit` of images, as long as the interior orientations stay"""
-    remarks: dict[int, str] = field(default_factory=dict[int, str])
+    remarks: dict[int, Text] = field(default_factory=dict[int, Text])
     """Why an image could not serve at the start"""
     system: Index = field(default_factory=lambda: np.zeros(0, np.int64))
     """(n,) coordinate system in which the orientation of an image stands: 0 that of what was given, others free ones"""

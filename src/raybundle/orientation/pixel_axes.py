@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
+from raybundle.errors import Text, text_of
 from raybundle.numerics.arrays import Array
 from raybundle.orientation.candidates import resect_robust
 from raybundle.orientation.growth import Growth
@@ -14,12 +15,12 @@ SHARE, FEWEST = 0.5, 8
 which an image is believed"""
 
 
-def axes_words(growth: Growth, image: int) -> str:
-    """With which axes the known points of an image that has no pose fit one, and how many; "" where with none."""
+def axes_text(growth: Growth, image: int) -> Text | None:
+    """With which axes the known points of an image that has no pose fit one, and how many; None where with none."""
     rows = growth.by_image[image]
     rows = rows[growth.known[growth.rays.point[rows]]]
     if len(rows) < FEWEST:
-        return ""
+        return None
     camera = growth.block.cameras[growth.block.images.camera[image]]
     xyz, measured = growth.block.points.xyz[growth.rays.point[rows]], growth.block.observations.xy_px[rows]
     fits: dict[str, int] = {}
@@ -30,11 +31,8 @@ def axes_words(growth: Growth, image: int) -> str:
         fits[name] = 0 if pose is None else int(pose.inliers.sum())
     best = max(fits, key=lambda name: fits[name], default="")
     if not best or fits[best] < max(FEWEST, SHARE * len(rows)):
-        return ""
-    return (
-        f"; {fits[best]} of them fit with {best}. Correct its image points, and look at those of other images: pixels "
-        "count from the upper left corner, x to the right and y down"
-    )
+        return None
+    return text_of("not_oriented.axes", n=fits[best], axes=best)
 
 
 def _mended(xy_px: Array, width: int, height: int) -> dict[str, Array]:
@@ -44,9 +42,9 @@ def _mended(xy_px: Array, width: int, height: int) -> dict[str, Array]:
     """
     x, y = xy_px.T
     ways = {
-        "y counted upward or x to the left": (x, height - y),
-        "x and y exchanged": (y, x),
-        "the origin in the middle of the image": (x + width / 2, y + height / 2),
-        "the origin in the middle of the image and y counted upward": (x + width / 2, height / 2 - y),
+        "mirrored": (x, height - y),
+        "exchanged": (y, x),
+        "middle": (x + width / 2, y + height / 2),
+        "middle_mirrored": (x + width / 2, height / 2 - y),
     }
     return {name: np.stack(xy, axis=1) for name, xy in ways.items()}

@@ -19,8 +19,8 @@ from raybundle.block.rigs import (
     with_shared_orientation,
     without_rigs,
 )
+from raybundle.errors import Text, joined_texts, text_of
 from raybundle.numerics.arrays import Mask
-from raybundle.numerics.counting import counted
 from raybundle.numerics.progress import Progress, silent
 from raybundle.numerics.rows import rows_of_each
 from raybundle.orientation.assembly import ApproximateValues, image_values
@@ -168,12 +168,12 @@ def _values(rigs: Rigs, first: ApproximateValues) -> ApproximateValues:
     )  # fmt: skip
 
 
-def _reason(rigs: Rigs, image: int, first: ApproximateValues) -> str:
+def _reason(rigs: Rigs, image: int, first: ApproximateValues) -> Text:
     """Why an image could not be oriented: its own reason, and how much its station has."""
-    own = first.not_oriented.get(rigs.block.images.ids[image], "")
+    own = first.not_oriented.get(rigs.block.images.ids[image])
     if rigs.system[image] != rigs.system[rigs.oriented].max(initial=0) and not own:
-        own = "shares no points with the other cameras, and too few stations or turns join them"
+        own = text_of("not_oriented.other_cameras")
     mine = rigs.growth.seen & (rigs.station == rigs.station[image])
     rays = int(mine[rigs.growth.rays.image].sum())
-    of_station = f"{counted(rays, 'image point')} at its station in {counted(int(mine.sum()), 'image')}"
-    return f"{own}; {of_station}" if own else of_station
+    of_station = text_of("not_oriented.station", n=rays, images=int(mine.sum()))
+    return joined_texts(own, of_station) if isinstance(own, Text) else of_station

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
+from raybundle.errors import text_of
 from raybundle.numerics.arrays import Array, Mask
 from raybundle.orientation.candidates import Pose, relative_all, resect_all
 from raybundle.orientation.growth import Growth
@@ -145,9 +146,8 @@ def start_from_pair(growth: Growth, left: Mask) -> bool:
             inliers = int(pose.inliers.sum())
             if angle <= np.radians(2.0):
                 ids = growth.block.images.ids
-                growth.remarks[a] = growth.remarks[b] = (
-                    f"images {ids[a]} and {ids[b]}: rays to common points are parallel within "
-                    f"{np.degrees(angle):.2f} degrees, no base (the same photo twice?)"
+                growth.remarks[a] = growth.remarks[b] = text_of(
+                    "not_oriented.no_base", first=ids[a], second=ids[b], angle_deg=np.degrees(angle)
                 )
             if inliers >= 0.5 * common and angle > np.radians(2.0):
                 quality = inliers * min(angle, np.radians(20)) / np.radians(20) / (1 + pose.rms / growth.limit(a))

@@ -11,6 +11,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from raybundle.block import Block
+from raybundle.errors import text_of
 from raybundle.numerics.arrays import Array, Index, Mask
 from raybundle.numerics.rows import rows_of_each
 
@@ -47,12 +48,9 @@ class PairOfImages:
     def refusal(self) -> str:
         """Why depths are not measured with this pair; empty where they are."""
         if self.angle_deg < FLATTEST_DEG:
-            return (
-                f"their rays meet at {self.angle_deg:.2g} deg in the median, {FLATTEST_DEG:g} are needed: the base is "
-                "too short or lies along the viewing direction"
-            )
+            return text_of("depths.small_angle", angle_deg=self.angle_deg, least_deg=FLATTEST_DEG)
         if not 1 / LARGEST_SCALE <= self.scale <= LARGEST_SCALE:
-            return f"their scales differ {max(self.scale, 1 / self.scale):.2g} times, {LARGEST_SCALE:g} is the limit"
+            return text_of("depths.scales_differ", ratio=max(self.scale, 1 / self.scale), limit=LARGEST_SCALE)
         return ""
 
 

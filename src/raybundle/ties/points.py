@@ -191,7 +191,7 @@ def find_features(
         for p, n, m in zip(photos, counts, worn, strict=True)
     ]  # fmt: skip
     failed = means.do(tasks, "features")
-    lost = {i: failed[t.key].removeprefix(f"{photos[i].path}: ") for i, t in enumerate(tasks) if t.key in failed}
+    lost = {i: without_file(failed[t.key], photos[i].path) for i, t in enumerate(tasks) if t.key in failed}
     return FeatureStore(means.store, tuple(t.key for t in tasks)), lost
 
 

@@ -12,7 +12,7 @@ from typing import Literal
 import numpy as np
 
 from raybundle.block import Block
-from raybundle.errors import InputError
+from raybundle.errors import InputError, message_of_text
 from raybundle.io.block.folder import write_block
 from raybundle.io.block.scenes import local_in
 from raybundle.io.folders import check_free, new_folder
@@ -104,7 +104,7 @@ def straightened(
     with new_folder(folder) as temporary:
         remarks = write_undistorted(export.block, photos, temporary, area=area, progress=progress)
         if not any(p.is_file() for p in temporary.rglob("*")):
-            raise InputError(f"no photograph of the block could be read: {remarks[0]}", file=photos)
+            raise InputError("photograph.none_readable", details=[message_of_text(remarks[0])], file=photos)
         block, more = undistorted_block(export.block, area=area)
         yield replace(export, block=block), (*remarks, *more)
 

@@ -10,7 +10,7 @@ from typing import Any
 
 from raybundle.adjustment.result import Adjustment
 from raybundle.block import Camera
-from raybundle.errors import InputError
+from raybundle.errors import InputError, text_json
 from raybundle.io.geo.coordinate_systems import LocalFrame
 from raybundle.io.photos.cameras import CameraGroup
 from raybundle.io.photos.photo import Photo
@@ -100,7 +100,7 @@ class Orientation:
 
     def additions(self) -> dict[str, object]:
         """What result.json says beside the adjustment."""
-        lost = [{"file": f, "reason": r} for f, r in (*self.refused, *self.not_oriented)]
+        lost = [{"file": f, "reason": r, **text_json(r)} for f, r in (*self.refused, *self.not_oriented)]
         return {
             "images": {
                 "given": self.given,

@@ -16,7 +16,7 @@ import numpy as np
 
 from raybundle.adjustment.result import Adjustment
 from raybundle.block import Block
-from raybundle.errors import InputError
+from raybundle.errors import InputError, message_of_text
 from raybundle.io.photos.masks import Masks, find_masks
 from raybundle.measuring.session import adjusted_again
 from raybundle.numerics.counting import counted
@@ -134,7 +134,7 @@ def surface(
         clouds = tuple(sorted(state.clouds.items()))
         counts = tuple(len(project.products.wanted(key, ("image",))["image"]) for _, key in clouds)
         if not sum(counts):
-            raise InputError(_nothing(state, project.products, others))
+            raise _nothing(state, project.products, others)
         return Surface(
             adjustment=adjustment, store=project.products, clouds=clouds, counts=counts, options=options,
             maps=state.maps, sigmas=state.sigmas, heights=state.heights, orthophoto=state.orthophoto,
@@ -170,20 +170,18 @@ def mended_words(keys: Collection[str]) -> tuple[str, ...]:
     return (f"{counted(len(keys), 'product')} of earlier runs, damaged or gone, made again: {what}",)
 
 
-def _nothing(state: SurfaceState, store: Folder, others: str) -> str:
+def _nothing(state: SurfaceState, store: Folder, others: str) -> InputError:
     """Why a surface has no point; first that photographs are not those that were oriented."""
     depths, pixels = 0, 0
     for key in state.maps.values():
         t = store.wanted(key, ("t",))["t"]
         depths, pixels = depths + int(np.isfinite(t).sum()), pixels + t.size
-    share = f"{depths / max(pixels, 1):.1%} of {pixels} pixels have a depth, and other photographs do not confirm them"
-    of = "" if state.options.region is None else " of the region"
+    share, region = depths / max(pixels, 1), state.options.region is not None
     if others:
-        return f"nothing could be measured{of}: {others} ({share})"
-    return (
-        f"nothing could be measured{of}: {share}. Sky, water, glass and bare walls have no texture that stays, and "
-        "what moves is not where it was; take photographs of it with texture, overlapping by 60 % or more"
-    )
+        return InputError(
+            "surface.other_photographs", share=share, pixels=pixels, region=region, details=[message_of_text(others)]
+        )
+    return InputError("surface.nothing_measured", share=share, pixels=pixels, region=region)
 
 
 def _remarks(masks: Masks | None) -> tuple[str, ...]:

@@ -6,10 +6,9 @@ import re
 from collections.abc import Sequence
 from pathlib import Path
 
-from raybundle.errors import InputError
+from raybundle.errors import InputError, message_of_text
 from raybundle.io.reading.words import number_of
 from raybundle.numerics.arrays import Array
-from raybundle.settings import option
 from raybundle.workflows.height_grid import HeightPlane
 from raybundle.workflows.heights_read import areas_in
 from raybundle.workflows.surface_region import SurfaceRegion
@@ -34,7 +33,8 @@ def region_asked(
         except InputError as error:
             if error.file is not None:
                 raise
-            raise InputError(f"{option('region')}: {given!r}: {error.text()}") from None
+            details = [error.message] if error.message else [message_of_text(str(error))]
+            raise InputError("surface.region_invalid", given=given, details=details) from None
     found = SurfaceRegion.of(plane, areas_in(wkt, [], extent) if extent is not None else areas)
     left, bottom, right, top = found.extent.tolist()
     if min(right - left, top - bottom) < apart:

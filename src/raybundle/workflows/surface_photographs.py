@@ -7,11 +7,11 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from raybundle.block import Block
-from raybundle.errors import InputError
+from raybundle.errors import InputError, Message, Text, message, named, text_of, text_of_error, without_file
 from raybundle.io.photos.photo import Photo, read_photo
-from raybundle.numerics.counting import some_of
-from raybundle.settings import option
 
+SHOWN = 3
+"""Names of photographs with one reason that a message has"""
 LEAST = 2
 """Photographs of a surface"""
 
@@ -28,7 +28,7 @@ class Lost:
     @property
     def told(self) -> tuple[str, str]:
         """The image, and why it takes no part."""
-        return self.image, f"{self.name}: {self.why}"
+        return self.image, Text.of(named(self.name, self.why))
 
 
 def photographs_there(block: Block, folders: Sequence[Path]) -> tuple[dict[int, Photo], tuple[Lost, ...]]:
@@ -46,11 +46,10 @@ def photographs_there(block: Block, folders: Sequence[Path]) -> tuple[dict[int, 
         else:
             lost.append(Lost(image=block.images.ids[i], name=name, why=photo))
     if lost and len(found) < LEAST:
-        first = "a surface needs two photographs that show the same part of the object from different places"
         raise InputError(
-            f"{first if found else 'no photograph of the result was found'}; "
-            f"{lost_words(lost, len(found) + len(lost))}; say where they are with {option('photos', 'FOLDER')}"
-        )
+            "surface.too_few_photographs", n=len(found), least=LEAST,
+            details=[lost_message(lost, len(found) + len(lost))],
+        )  # fmt: skip
     return found, tuple(lost)
 
 
@@ -59,21 +58,28 @@ def _photograph(block: Block, i: int, folders: Sequence[Path]) -> Photo | str:
     name, camera = block.images.file[i], block.cameras[int(block.images.camera[i])]
     path = next((f / name for f in folders if (f / name).is_file()), None)
     if path is None:
-        return "in none of the folders of the photographs"
+        return text_of("photograph.in_no_folder")
     try:
         photo = read_photo(path, name=name)
     except InputError as error:
-        return error.text().removeprefix(f"{path}: ")
+        return without_file(text_of_error(error), path)
     frame = block.images.frames.get(i, camera)
     if (photo.width_px, photo.height_px) != (frame.width_px, frame.height_px):
-        return f"of {photo.width_px} x {photo.height_px} px, its camera of {frame.width_px} x {frame.height_px}"
+        return text_of(
+            "photograph.other_size", width_px=photo.width_px, height_px=photo.height_px,
+            block_width_px=frame.width_px, block_height_px=frame.height_px,
+        )  # fmt: skip
     return photo
 
 
-def lost_words(lost: Sequence[Lost], of: int) -> str:
+def lost_message(lost: Sequence[Lost], of: int) -> Message:
     """How many of so many photographs are lost, which, and why."""
-    each = "; ".join(f"{some_of([one.name for one in alike])}: {alike[0].why}" for alike in of_one_reason(lost))
-    return f"{len(lost)} of {of} photographs that were adjusted cannot be used: {each}"
+    details = list[Message]()
+    for alike in of_one_reason(lost):
+        names = [one.name for one in alike]
+        more = f" (+{len(names) - SHOWN})" if len(names) > SHOWN else ""
+        details.append(named(", ".join(names[:SHOWN]) + more, alike[0].why))
+    return message("surface.photographs_lost", n=len(lost), photographs=of, details=details)
 
 
 def of_one_reason(lost: Sequence[Lost]) -> list[list[Lost]]:

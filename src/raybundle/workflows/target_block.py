@@ -12,11 +12,10 @@ from raybundle.block import Block, Camera, Images, Observations, Points
 from raybundle.block.points import dot_name
 from raybundle.block.select import with_rows
 from raybundle.calibration.eccentricity import circle_images
-from raybundle.errors import InputError
+from raybundle.errors import InputError, Text, message, message_of_text
 from raybundle.io.photos.cameras import CameraGroup, camera_of
 from raybundle.io.photos.photo import Photo
 from raybundle.numerics.arrays import Array, Index, Mask
-from raybundle.numerics.counting import counted_are
 from raybundle.numerics.rows import rows_of_each
 from raybundle.platforms.station import sensor_from_object
 from raybundle.targets.marks import Marks, Target
@@ -113,8 +112,8 @@ def _too_few(sets: Sequence[Marks]) -> str:
     count = sum(int(m.named.sum()) for m in sets)
     if count >= FEWEST_TARGETS:
         return ""
-    why = "; ".join(r for m in sets for r in m.remarks)
-    return f"{counted_are(count, 'named target')} found, {FEWEST_TARGETS} are needed{f' ({why})' if why else ''}"
+    few = message("not_oriented.few_targets", n=count, least=FEWEST_TARGETS)
+    return Text.of(few, *(message_of_text(r) for m in sets for r in m.remarks))
 
 
 def _joined(parts: Sequence[Array], columns: int) -> Array:

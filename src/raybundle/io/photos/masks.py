@@ -20,7 +20,7 @@ from threading import Lock
 
 import numpy as np
 
-from raybundle.errors import InputError
+from raybundle.errors import InputError, Text, text_of, text_of_error
 from raybundle.io.photos.container import SUFFIXES, Header, Unusable, decode_channels, read_header
 from raybundle.io.photos.exif import read_tags
 from raybundle.io.photos.photo import LIMIT_PIXELS, Photo, shown, stored_from_turned, upright
@@ -148,12 +148,12 @@ def find_masks(folder: Path, photos: Sequence[Photo]) -> Masks:
         path = mask_file(folder, photo)
         if path is None:
             other = _named_alike(folder, photo, own)
-            alike += [] if other is None else [(photo.name, _alike_words(other, photo))]
+            alike += [] if other is None else [(photo.name, _alike_text(other, photo))]
             continue
         try:
             files[photo.name] = _examined(path, photo)
         except InputError as error:
-            refused.append((photo.name, error.text()))
+            refused.append((photo.name, text_of_error(error)))
     if photos and not files and not refused:
         one = photos[0]
         raise InputError(
@@ -177,13 +177,8 @@ def _mask_names(photo: Photo) -> list[str]:
     return [f"{photo.path.name}.png", f"{photo.path.stem}_mask.png", f"{photo.path.stem}.png"]
 
 
-def _names(photo: Photo) -> str:
-    first, second, third = _mask_names(photo)
-    return f"{first} (COLMAP), {second} or {third} (Metashape)"
-
-
-def _alike_words(other: Path, photo: Photo) -> str:
-    return f"{shown(other).name} is there, but a mask is named {_names(photo)}, in these letters"
+def _alike_text(other: Path, photo: Photo) -> Text:
+    return text_of("mask.other_name", name=shown(other).name, names=_mask_names(photo))
 
 
 def mask_file(folder: Path, photo: Photo) -> Path | None:

@@ -6,14 +6,13 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 
 from raybundle.block import Camera
+from raybundle.errors import text_of
 from raybundle.io.cameras.library import with_library
 from raybundle.io.photos.cameras import CameraGroup, camera_groups
 from raybundle.io.photos.photo import Photo
 from raybundle.numerics.counting import counted
 from raybundle.pipeline.stage import Means, Stage
 from raybundle.workflows.orient_state import ORIENT, OrientState
-
-ALONE = "one photograph alone cannot be oriented; at least 2 are needed"
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -45,7 +44,9 @@ def tell(i: Inputs, means: Means) -> tuple[CameraGroup, ...]:
 def _put(state: OrientState, groups: tuple[CameraGroup, ...]) -> OrientState:
     if len(state.photos) >= 2:
         return replace(state, groups=groups)
-    return replace(state, groups=groups, photos=(), lost=tuple((p.name, ALONE) for p in state.photos))
+    return replace(
+        state, groups=groups, photos=(), lost=tuple((p.name, text_of("not_oriented.alone")) for p in state.photos)
+    )
 
 
 STAGE = ORIENT.register(

@@ -106,12 +106,12 @@ def find_scenes(inputs: Sequence[Path]) -> FoundScenes:
         try:
             scene = read_scene_image(path, model)
         except InputError as error:
-            refused.append((shown(path).name, error.text().removeprefix(f"{path}: ")))
+            refused.append((shown(path).name, without_file(text_of_error(error), path)))
             continue
         if scene.sha256 in first:
-            refused.append((scene.name, f"the same content as {first[scene.sha256]}, byte for byte"))
+            refused.append((scene.name, text_of("photograph.copy", original=first[scene.sha256])))
         elif scene.name in first.values():
-            refused.append((scene.name, "another scene has this name; rename one of the two"))
+            refused.append((scene.name, text_of("scene.name_taken")))
         else:
             first[scene.sha256] = scene.name
             scenes.append(scene)

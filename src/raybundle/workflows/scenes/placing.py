@@ -7,6 +7,7 @@ from dataclasses import replace
 
 from raybundle.adjustment.result import Notice, notice_of_text
 from raybundle.block import Block
+from raybundle.errors import text_of
 from raybundle.io.photos.photo import Photo
 from raybundle.matching.features import FeatureMethod
 from raybundle.placing.georeference import Georeferenced, Surroundings
@@ -25,11 +26,6 @@ from raybundle.workflows.scenes.place import (
     marks_in,
     place_scenes,
     places_of_marks,
-)
-
-NOT_JOINED = (
-    "nothing joins it to the photographs: mark three points, control or not, in it and in two photographs, or give "
-    "control for the photographs"
 )
 
 
@@ -64,7 +60,10 @@ def place_with_scenes(
         return replace(whole, block=block, notices=(*more, *whole.notices)), apart, state.lost
     if not len(placing.block.observations):
         # scenes in which nothing is measured: there is no block but that of the photographs
-        lost = (*((n, w) for n, w in state.lost if n not in names), *((n, NOT_JOINED) for n in names))
+        lost = (
+            *((n, w) for n, w in state.lost if n not in names),
+            *((n, text_of("not_oriented.not_joined")) for n in names),
+        )
         return first, apart, lost
     return finish(placing, None, placed, notices), (first, *apart), state.lost
 

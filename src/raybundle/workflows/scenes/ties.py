@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import lru_cache
@@ -9,7 +10,7 @@ from pathlib import Path
 
 import numpy as np
 
-from raybundle.errors import InputError
+from raybundle.errors import InputError, Message, Text, message, message_of, message_of_text, without_file
 from raybundle.matching.features import FeatureMethod
 from raybundle.matching.methods import feature_method
 from raybundle.matching.strips import agreement, by_appearance, match_strips
@@ -63,8 +64,8 @@ class ScenePair:
     """Misfit on which the matches agree; NaN without any"""
     scatter_px: float
     limit_px: float
-    trouble: str = ""
-    """Why image and geometry of one of the two cannot belong together; empty: they can"""
+    trouble: Message | None = None
+    """Why image and geometry of one of the two cannot belong together; None: they can"""
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -115,7 +116,7 @@ def find_scene_features(
         for s, n in zip(images, counts, strict=True)
     ]  # fmt: skip
     failed = means.do(tasks, "features")
-    lost = {i: failed[t.key].removeprefix(f"{images[i].path}: ") for i, t in enumerate(tasks) if t.key in failed}
+    lost = {i: without_file(failed[t.key], images[i].path) for i, t in enumerate(tasks) if t.key in failed}
     return FeatureStore(means.store, tuple(t.key for t in tasks)), lost
 
 
@@ -144,9 +145,8 @@ def scene_pair_of(store: Folder, task: ScenePairTask) -> Product:
     one = matched(
         (0, 1), a, b, (f.xy_px, g.xy_px), (method.vectors(f.descriptors), method.vectors(g.descriptors)), task.bias
     )
-    facts = {
-        "shift_px": one.shift_px, "scatter_px": one.scatter_px, "limit_px": one.limit_px, "trouble": one.trouble,
-    }  # fmt: skip
+    trouble = "" if one.trouble is None else json.dumps(one.trouble.json())
+    facts = {"shift_px": one.shift_px, "scatter_px": one.scatter_px, "limit_px": one.limit_px, "trouble": trouble}
     return {**arrays_of_pair(one.pair), **{name: np.array(value) for name, value in facts.items()}}
 
 
@@ -186,7 +186,15 @@ OWN = ("shift_px", "scatter_px", "limit_px", "trouble")
 
 def _scene_pair(pair: tuple[int, int], product: Product) -> ScenePair:
     own = {name: product[name].item() for name in OWN}
+    own["trouble"] = _trouble(own["trouble"])
     return ScenePair(pair=pair_from(*pair, {n: v for n, v in product.items() if n not in OWN}), **own)
+
+
+def _trouble(text: str) -> Message | None:
+    """A message of a product; the words that earlier versions wrote."""
+    if not text:
+        return None
+    return message_of(json.loads(text)) if text.startswith("{") else message_of_text(text)
 
 
 def matched(
@@ -243,25 +251,19 @@ def _without_geometry(
     limit = BELIEVED * met.prior_px + width
     share = float(common.inside.mean())
     low, high = max(a.heights[0], b.heights[0]), min(a.heights[1], b.heights[1])
-    height = float(np.median(met.height_m))
+    height, n = float(np.median(met.height_m)), len(found.matches)
     if share > 0.5 and abs(common.value) > limit:
-        trouble = (
-            f"their {len(found.matches)} common points agree on a step of {abs(common.value):.0f} px between the two, "
-            f"the stated accuracy allows {limit:.0f} px ({BELIEVED:g} times {met.prior_px:.1f} px)"
-        )
+        trouble = message(
+            "scene.pair_shifted", n=n, shift_px=abs(common.value), limit_px=limit, prior_px=met.prior_px,
+            times=BELIEVED,
+        )  # fmt: skip
     elif share <= 0.5:
         spread = 1.4826 * float(np.median(np.abs(met.misfit_px - np.median(met.misfit_px))))
-        trouble = (
-            f"their {len(found.matches)} common points fit no constant step: they scatter by {spread:.0f} px "
-            f"(limit {width:g} px)"
-        )
+        trouble = message("scene.pair_scattered", n=n, spread_px=spread, limit_px=width)
     elif not low - HEIGHT_M <= height <= high + HEIGHT_M:
-        trouble = (
-            f"the rays of their {len(found.matches)} common points meet at a height of {height:.0f} m, the RPCs are "
-            f"for {low:.0f} to {high:.0f} m"
-        )
+        trouble = message("scene.pair_height", n=n, height_m=height, low_m=low, high_m=high)
     else:
-        trouble = ""
+        trouble = None
     return ScenePair(pair=none, shift_px=common.value, scatter_px=common.scatter, limit_px=limit, trouble=trouble)
 
 
@@ -270,22 +272,22 @@ def contradicting(images: Sequence[SceneImage], pairs: Sequence[ScenePair]) -> d
 
     raises  InputError where two scenes contradict each other and nothing tells which of them is wrong
     """
-    bad = [p for p in pairs if p.trouble]
+    bad = [(p, p.trouble) for p in pairs if p.trouble is not None]
     if not bad:
         return {}
     good = {k for p in pairs if len(p.pair.matches) for k in (p.pair.first, p.pair.second)}
     out: dict[int, str] = {}
-    for p in bad:
+    for p, trouble in bad:
         ends = p.pair.first, p.pair.second
         wrong = [k for k in ends if k not in good]
         names = [images[k].name for k in ends]
-        advice = "look whether each image has its own RPC or XML beside it, and whether it was cut, scaled or turned"
         if len(wrong) == 1:
             other = names[1 - ends.index(wrong[0])]
-            out[wrong[0]] = (
-                f"its geometry ({images[wrong[0]].model.name}) contradicts that of {other}, which agrees with other "
-                f"scenes: {p.trouble}; {advice}"
-            )
+            model = images[wrong[0]].model.name
+            out[wrong[0]] = Text.of(message("scene.contradicts_other", model=model, other=other), trouble)
         elif len(wrong) == 2:
-            raise InputError(f"{names[0]} and {names[1]}: {p.trouble}; {advice}", file=images[ends[0]].path)
+            raise InputError(
+                "scene.pair_contradicts", first=names[0], second=names[1], details=[trouble],
+                file=images[ends[0]].path,
+            )  # fmt: skip
     return out

@@ -8,7 +8,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from raybundle.adjustment.result import Adjustment
-from raybundle.errors import InputError
+from raybundle.errors import InputError, message_of_text
 from raybundle.io.block.arrays import block_of_arrays
 from raybundle.io.photos.framed import in_camera_frame
 from raybundle.io.photos.masks import MaskFile, Masks
@@ -109,7 +109,7 @@ def measure(i: Inputs, means: Means) -> Maps:
     failed = means.do(tasks, "depth maps", apart=True)
     made = {s.reference: t.key for s, t in zip(i.chosen, tasks, strict=True) if t.key not in failed}
     if not made:
-        raise InputError(f"no depth map could be made: {next(iter(failed.values()))}")
+        raise InputError("surface.no_depth_map", details=[message_of_text(next(iter(failed.values())))])
     lost = tuple((s.reference, failed[t.key]) for s, t in zip(i.chosen, tasks, strict=True) if t.key in failed)
     return Maps(keys=made, failed=lost)
 

@@ -6,13 +6,13 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 
 from raybundle.block import Block
-from raybundle.errors import InputError
+from raybundle.errors import InputError, Text, message, message_of_text, named, text_of
 from raybundle.pipeline.stage import Means, Stage
 from raybundle.surfaces.depth_map import depth_range
 from raybundle.surfaces.pairs import Sources, sources_of_each
 from raybundle.surfaces.rays import ReferenceRays
 from raybundle.surfaces.region import shown_part
-from raybundle.workflows.surface_photographs import Lost, lost_words
+from raybundle.workflows.surface_photographs import Lost, lost_message
 from raybundle.workflows.surface_region import SurfaceRegion
 from raybundle.workflows.surface_state import SURFACE, SurfaceState
 
@@ -48,14 +48,13 @@ def choose(i: Inputs, means: Means) -> Chosen:
     if not any(s.sources for s in found):
         refused = [p for s in found for p in s.refused]
         ids = i.block.images.ids
-        why = "no two of them have enough points in common"
+        details = [message("depths.no_common_points")]
         if refused:
             p = max(refused, key=lambda p: p.points)
-            why = f"as {ids[p.reference]} and {ids[p.source]}: {p.refusal}"
-        gone = f"; {lost_words(i.lost, len(there) + len(i.lost))}" if i.lost else ""
-        raise InputError(
-            f"a surface needs two photographs that show the same part of the object from different places; {why}{gone}"
-        )
+            details = [named(f"{ids[p.reference]}, {ids[p.source]}", p.refusal)]
+        if i.lost:
+            details.append(lost_message(i.lost, len(there) + len(i.lost)))
+        raise InputError("surface.no_pair", details=details)
     if i.region is None:
         return Chosen(sources=tuple(found))
     shares = dict[int, float]()
@@ -90,18 +89,19 @@ def _put(state: SurfaceState, found: Chosen) -> SurfaceState:
         for p in s.refused
         if p.reference < p.source
     ]
-    unseen = [(ids[k], "shows nothing of the region") for k in blind]
+    unseen = [(ids[k], text_of("depths.region_not_shown")) for k in blind]
     return replace(
         state, chosen=tuple(s for s in chosen if s.sources and s.reference not in blind), shares=found.shares,
         left_out=(*state.left_out, *alone, *unseen, *pairs),
     )  # fmt: skip
 
 
-def _why(s: Sources) -> str:
+def _why(s: Sources) -> Text:
     """Why a photograph measures nothing."""
     if not s.pairs:
-        return "no other photograph has enough points in common with it"
-    return f"no other photograph is of use with it: {max(s.pairs, key=lambda p: p.points).refusal}"
+        return text_of("depths.no_partner")
+    refusal = max(s.pairs, key=lambda p: p.points).refusal
+    return Text.of(message("depths.no_useful_partner"), message_of_text(refusal))
 
 
 def _told(state: SurfaceState) -> str:
