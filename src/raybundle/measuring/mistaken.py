@@ -18,11 +18,10 @@ from raybundle.adjustment.predict import residuals_px
 from raybundle.adjustment.result import Adjustment, Notice
 from raybundle.adjustment.severity import Severity
 from raybundle.block.rejection import RejectionKind
-from raybundle.errors import NotSolvable
+from raybundle.errors import NotSolvable, Text, Value, text_of
 from raybundle.numerics.arrays import Index
 from raybundle.numerics.statistics import ALPHA, family_wise_tau
 from raybundle.observations import observation_kinds
-from raybundle.settings import option
 
 BENT = frozenset(
     {"camera_contradicts", "image_contradicts", "pixel_shape"} | {f"{k}_suspect" for k in observation_kinds}
@@ -45,13 +44,15 @@ class Wrong:
     """how far it lies from where the others see it; NaN where that hangs on which of several is wrong"""
 
     @property
-    def words(self) -> str:
-        """A sentence for the person who measures."""
-        test = "" if np.isnan(self.tau) else f" (test value {self.tau:.1f})"
-        far = "" if np.isnan(self.size_px) else f" by {self.size_px:.2g} px"
-        if len(self.images) == 1:
-            return f"the mark of {self.point} in {self.images[0]} contradicts the others{far}{test}: look at it again"
-        return f"the marks of {self.point} contradict each other{test}: look at {', '.join(self.images)}"
+    def values(self) -> dict[str, Value]:
+        """The values of its messages; 0 for numbers that are not known."""
+        known = {name: 0.0 if np.isnan(v) else v for name, v in (("tau", self.tau), ("size_px", self.size_px))}
+        return {"point": self.point, "images": self.images, "n": len(self.images), **known}
+
+    @property
+    def words(self) -> Text:
+        """For the person who measures."""
+        return text_of("mark.contradicts", **self.values)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)
@@ -121,15 +122,9 @@ def _told(result: Adjustment, tested: Adjustment, found: Sequence[Wrong]) -> Adj
 
 
 def _notice(wrong: Wrong, *, took_part: bool) -> MarkNotice:
-    after = (
-        "It took part, and bends orientations, cameras and points: move it, or remove it "
-        f"({option('reject', 'snooping')} leaves such marks out)"
-        if took_part
-        else "Without it the result stands"
-    )
     return MarkNotice(
-        code="mark_contradicts", message=f"{wrong.words}. {after}", ids=(wrong.point, *wrong.images), wrong=wrong,
-        measured=Severity.FAULT if took_part else Severity.CAUTION,
+        code="mark_contradicts" if took_part else "mark_contradicts.excluded", values=wrong.values,
+        ids=(wrong.point, *wrong.images), wrong=wrong, measured=Severity.FAULT if took_part else Severity.CAUTION,
     )  # fmt: skip
 
 
