@@ -24,7 +24,6 @@ from raybundle.workflows.connected_components import (
     FEWEST_IMAGES,
     apart_notice,
     joined_notice,
-    kinds,
     merged,
     place_components,
     start_components,
@@ -139,11 +138,9 @@ def test_a_part_without_control_stays_apart_and_is_told(flight):
     assert not apart[0].fixed
     told = apart_notice(placed.block, apart, ["result-2"])
     assert "2 parts" in told.text
-    assert told.text.startswith(
-        "the photographs fall into 2 parts that nothing joins: 5 photographs are in this result, 5 photographs in "
-        "result-2 ("
-    )
-    assert told.text.endswith("or mark three control points in each part")
+    assert (told.code, told.variant, told.values) == ("parts_apart", "", {"what": "photograph", "parts": 2, "n": 5})
+    (part,) = told.details
+    assert (part.code, part.values["folder"], part.values["photographs"]) == ("parts_apart.part", "result-2", 5)
     assert set(told.ids) == set(flight.truth.images.ids[5:])
     decide(apart[0].block, AdjustmentOptions(jobs=1))
 
@@ -158,14 +155,14 @@ def test_what_is_apart_is_called_by_its_name(flight):
     of_scene = replace(
         placed.block, cameras=(scene, photograph), images=replace(images, camera=np.array([0] + [1] * 9, np.int32))
     )
-    assert kinds(of_scene) == "1 scene and 4 photographs"
+    (mixed,) = apart_notice(placed.block, [replace(apart[0], block=of_scene)], ["result-2"]).details
+    assert (mixed.values["scenes"], mixed.values["photographs"], mixed.values["panoramas"]) == (1, 4, 0)
     alone = replace(of_scene, images=replace(of_scene.images, camera=np.zeros(10, np.int32)))
     of_panoramas = replace(apart[0], block=replace(apart[0].block, cameras=(panorama,)))
-    told = apart_notice(alone, [of_panoramas], ["result-2"]).message
-    assert told.startswith(
-        "the images fall into 2 parts that nothing joins: 5 scenes are in this result, 5 panoramas in result-2 ("
-    )
-    assert told.endswith("both in the scenes and in two photographs of each other part")
+    told = apart_notice(alone, [of_panoramas], ["result-2"])
+    assert (told.code, told.variant) == ("parts_apart", "scenes")
+    assert told.values == {"what": "image", "parts": 2, "n": 5}
+    assert (told.details[0].values["folder"], told.details[0].values["panoramas"]) == ("result-2", 5)
 
 
 def test_without_control_nothing_is_joined(flight):

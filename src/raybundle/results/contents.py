@@ -71,6 +71,7 @@ def result_json(adjustment: Adjustment) -> dict[str, Any]:
             {
                 "code": n.code,
                 **({"variant": n.variant} if n.variant else {}),
+                **({"words": n.words} if n.words else {}),
                 "severity": n.severity.value,
                 "message": n.text,
                 "ids": list(n.ids),

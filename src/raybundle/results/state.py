@@ -83,8 +83,11 @@ def notice_of(stored: Mapping[str, Any]) -> Notice:
     """A notice of result.json; with its text where this version lacks the code, or an older one wrote no values."""
     code, values = ".".join(filter(None, (stored.get("code"), stored.get("variant")))), stored.get("values") or {}
     ids = tuple(str(i) for i in stored.get("ids") or ())
-    known = code in words.codes() and {*words.examples(code)} <= {*values, *(["ids"] if ids else [])}
+    other = str(stored.get("words", ""))
+    shown = other or code
+    known = shown in words.codes() and {*words.examples(shown)} <= {*values, *(["ids"] if ids else [])}
     return Notice(
-        code=code, message="" if known else str(stored.get("message", "")), measured=severity_of(stored), ids=ids,
-        values=values, details=tuple(map(message_of, stored.get("details") or ())),
+        code=code, words=other if known else "", message="" if known else str(stored.get("message", "")),
+        measured=severity_of(stored), ids=ids, values=values,
+        details=tuple(map(message_of, stored.get("details") or ())),
     )  # fmt: skip
