@@ -2,15 +2,20 @@
 
 from __future__ import annotations
 
+import io
+import math
 from collections.abc import Sequence
+from contextlib import ExitStack
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 
 from raybundle.errors import InputError, message
-from raybundle.report.drawing.content import Drawing, Field
-from raybundle.report.drawing.fonts import load_fonts
-from raybundle.report.drawing.legend import Legend, legend
+from raybundle.numerics.arrays import Array
+from raybundle.report.drawing.content import Drawing, Field, within
+from raybundle.report.drawing.fonts import PLAIN, load_fonts, shown, width
+from raybundle.report.drawing.legend import Legend, draw_legend, legend
 from raybundle.report.drawing.paper import (
     MOST_SHEETS,
     OVERLAP,
@@ -18,11 +23,15 @@ from raybundle.report.drawing.paper import (
     SMALLEST,
     Division,
     Paper,
+    Part,
     divided,
     scale_that_fits,
     usual_length,
 )
-from raybundle.report.drawing.title_block import WIDTH, TitleBlock, title_block
+from raybundle.report.drawing.pictures import cut, opened
+from raybundle.report.drawing.symbols import SIZE, draw_line, draw_register, draw_symbol, draw_words
+from raybundle.report.drawing.title_block import WIDTH, TitleBlock, draw_title_block, title_block
+from raybundle.report.figures.labels import placed_labels
 
 POINT = 72 / 25.4
 """Points of a PDF in a millimetre"""
@@ -149,3 +158,226 @@ def _misfit(drawing: Drawing, name: str, scale: int | None, ways: Sequence[bool]
         "drawing.does_not_fit", width_m=size[0], height_m=size[1], paper=name, scale=scale or 0,
         sheets=MOST_SHEETS if several else 0, details=remedies or [message("drawing.title_block")],
     )  # fmt: skip
+
+
+def sheets_pdf(drawing: Drawing, sheets: Sheets) -> bytes:
+    """The PDF; with the environment variable SOURCE_DATE_EPOCH the same drawing gives the same bytes.
+
+    Without it the file says when it was made.
+    """
+    from reportlab import rl_config  # noqa: PLC0415  (only for printing)
+    from reportlab.pdfgen.canvas import Canvas  # noqa: PLC0415
+
+    settings: Any = rl_config
+    buffer, kept = io.BytesIO(), settings.useA85
+    settings.useA85 = 0  # pictures as they are, and not a quarter longer as text
+    try:
+        # the library states a number for what is the name of a font
+        canvas = Canvas(buffer, invariant=0, pageCompression=1, initialFontName=PLAIN)  # pyright: ignore[reportArgumentType]
+        canvas.setTitle(shown(drawing.title))
+        canvas.setCreator("raybundle")
+        canvas.setAuthor(shown(drawing.author))
+        with ExitStack() as files:
+            pictures = [files.enter_context(opened(p.file)) for p in drawing.pictures]
+            for part in sheets.division.parts:
+                canvas.setPageSize((sheets.paper.width * POINT, sheets.paper.height * POINT))
+                canvas.scale(POINT, POINT)
+                _Page(canvas, drawing, sheets, part).draw(pictures)
+                canvas.showPage()
+        canvas.save()
+    finally:
+        settings.useA85 = kept
+    return buffer.getvalue()
+
+
+class _Page:
+    """One sheet."""
+
+    def __init__(self, canvas: Any, drawing: Drawing, sheets: Sheets, part: Part) -> None:
+        self.c, self.d, self.s, self.part = canvas, drawing, sheets, part
+        self.per_unit = drawing.millimetres / sheets.scale
+        self.left, self.bottom, self.right, self.top = sheets.paper.window
+        self.low = part.corner
+        self.high = part.corner + sheets.paper.room / self.per_unit
+
+    def at(self, xy: Array) -> Array:
+        """Millimetres on the paper of places (..., 2) in the plane."""
+        return np.array([self.left, self.bottom]) + (xy - self.low) * self.per_unit
+
+    def draw(self, pictures: Sequence[Any]) -> None:
+        c = self.c
+        c.saveState()
+        path = c.beginPath()
+        path.rect(self.left, self.bottom, self.right - self.left, self.top - self.bottom)
+        c.clipPath(path, stroke=0, fill=0)
+        self._pictures(pictures)
+        self._grid()
+        for line in self.d.lines:
+            draw_line(c, line.kind, [tuple(p) for p in self.at(line.xy).tolist()], closed=line.closed)
+        written = self._lengths()
+        self._points(written)
+        self._joints()
+        c.restoreState()
+        self._frame()
+        self._numbers()
+        self._strip()
+
+    def _pictures(self, pictures: Sequence[Any]) -> None:
+        from reportlab.lib.utils import ImageReader  # noqa: PLC0415
+
+        for drawn, picture in zip(self.d.pictures, pictures, strict=True):
+            found = cut(picture, drawn, self.low, self.high, self.per_unit)
+            if found is not None:
+                (x, y), (right, top) = self.at(found[1][:2]), self.at(found[1][2:])
+                self.c.drawImage(ImageReader(io.BytesIO(found[0])), x, y, right - x, top - y)
+
+    def _lengths(self) -> Array:
+        """Words along lines, where these are longer than they; the strips (k, 2, 2) that they take [mm]."""
+        c, taken = self.c, list[Array]()
+        for line in self.d.lines:
+            ends = self.at(line.xy)[[0, -1]]
+            ends = ends if tuple(ends[0]) <= tuple(ends[1]) else ends[::-1]  # read from the left, or from below
+            along, long = ends[1] - ends[0], float(np.linalg.norm(ends[1] - ends[0]))
+            words, wide = shown(line.words), width(shown(line.words), NUMBER)
+            if not words or long < wide + 2 * SIZE:
+                continue
+            c.saveState()
+            c.translate(*ends.mean(axis=0).tolist())
+            c.rotate(math.degrees(math.atan2(along[1], along[0])))
+            draw_words(c, words, -wide / 2, ABOVE, PLAIN, NUMBER)
+            c.restoreState()
+            off = np.array([-along[1], along[0]]) / long * (ABOVE + 0.4 * NUMBER)
+            taken.append(ends.mean(axis=0) + off + np.outer([-0.5, 0.5], along) * (wide / long))
+        return np.array(taken).reshape(-1, 2, 2)
+
+    def _points(self, written: Array) -> None:
+        c, names, dots = self.c, list[str](), list[Array]()
+        for group in sorted(self.d.points, key=lambda p: p.kind != "tie"):
+            here = within(group.xy, self.low, self.high)
+            for k in np.flatnonzero(here).tolist():
+                x, y = self.at(group.xy[k]).tolist()
+                draw_symbol(c, group.kind, x, y)
+                if group.names[k]:
+                    names.append(shown(group.names[k]))
+                    dots.append(np.array([x, y]))
+        if not names:
+            return
+        at = np.array(dots) * POINT
+        sizes = np.array([(width(n, NAME) * POINT, 0.75 * NAME * POINT) for n in names])
+        lines = [np.stack([self.at(line.xy)[:-1], self.at(line.xy)[1:]], axis=1) for line in self.d.lines]
+        taken = np.concatenate([written, *lines]) * POINT if len(names) < 500 else np.zeros((0, 2, 2))
+        area = np.array([[self.left + 1, self.bottom + 1], [self.right - 1, self.top - 1]]) * POINT
+        ways = np.tile([0.8, 0.6], (len(names), 1))
+        placed = placed_labels(at, SIZE * POINT, sizes, ways, taken, area)
+        for k in np.flatnonzero(placed.fits).tolist():
+            if placed.led[k]:
+                c.setStrokeGray(0.2)
+                c.setLineWidth(0.1)
+                (x, y), (u, v) = (placed.start[k] / POINT).tolist(), (placed.end[k] / POINT).tolist()
+                c.line(x, y, u, v)
+            x, y = (placed.box[k, :2] / POINT).tolist()
+            draw_words(c, names[k], x, y, PLAIN, NAME)
+
+    # ---- grid
+
+    @property
+    def grid(self) -> float:
+        """Distance of its lines in the plane; 0: none."""
+        return usual_length(GRID / self.per_unit) if self.d.grid is None else self.d.grid
+
+    def _lines(self, axis: int) -> Array:
+        step = self.grid
+        if not step:
+            return np.zeros(0)
+        first, last = math.ceil(self.low[axis] / step - 1e-9), math.floor(self.high[axis] / step + 1e-9)
+        return np.arange(first, last + 1) * step
+
+    def _grid(self) -> None:
+        """Crosses, so that little of the picture is covered."""
+        c = self.c
+        for grey, thick in ((1.0, 0.5), (0.0, 0.13)):
+            c.setStrokeGray(grey)
+            c.setLineWidth(thick)
+            for u in self._lines(0):
+                for v in self._lines(1):
+                    x, y = self.at(np.array([u, v])).tolist()
+                    c.line(x - CROSS, y, x + CROSS, y)
+                    c.line(x, y - CROSS, x, y + CROSS)
+
+    def _numbers(self) -> None:
+        """Ticks at all four sides with coordinates beside them."""
+        c, step = self.c, self.grid
+        digits = max(-math.floor(math.log10(step) + 1e-9), 0) if step else 0
+        c.setStrokeGray(0)
+        c.setLineWidth(0.18)
+        c.setFillGray(0)
+        c.setFont(PLAIN, NUMBER)
+        for axis in (0, 1):
+            for k, value in enumerate(self._lines(axis)):
+                words = f"{value:.{digits}f}".replace("-0", "0") if abs(value) < step / 2 else f"{value:.{digits}f}"
+                words = self.d.language.text(words)
+                words = f"{self.d.axes[axis]} {words}" if k == 0 else words
+                here = float(self.at(np.array([value, value]))[axis])
+                if axis == 0:
+                    for y, way, base in ((self.bottom, -1, -2.0 - 0.75 * NUMBER), (self.top, 1, 2.0)):
+                        c.line(here, y, here, y + 1.5 * way)
+                        c.drawCentredString(here, y + base, words)
+                else:
+                    for x, way, base in ((self.left, -1, -2.0), (self.right, 1, 2.0 + 0.75 * NUMBER)):
+                        c.line(x, here, x + 1.5 * way, here)
+                        c.saveState()
+                        c.translate(x + base, here)
+                        c.rotate(90)
+                        c.drawCentredString(0, 0, words)
+                        c.restoreState()
+
+    # ---- frame and joints
+
+    def _frame(self) -> None:
+        c = self.c
+        left, bottom, right, top = self.s.paper.frame
+        c.setStrokeGray(0)
+        c.setLineWidth(0.7)
+        c.rect(left, bottom, right - left, top - bottom, stroke=1, fill=0)
+        c.setLineWidth(0.25)
+        c.rect(self.left, self.bottom, self.right - self.left, self.top - self.bottom, stroke=1, fill=0)
+
+    def _joints(self) -> None:
+        """Where neighbouring sheets begin, and marks that both have at the same places."""
+        c, div, p = self.c, self.s.division, self.part
+        lap = div.overlap * self.per_unit
+        wide, tall = self.right - self.left, self.top - self.bottom
+        sides = [
+            (0, self.left, p.column > 0, p.number - 1),
+            (0, self.right - lap[0], p.column < div.columns - 1, p.number + 1),
+            (1, self.bottom, p.row < div.rows - 1, p.number + div.columns),
+            (1, self.top - lap[1], p.row > 0, p.number - div.columns),
+        ]  # fmt: skip
+        for axis, begin, there, number in sides:
+            if not there:
+                continue
+            middle = float(begin + lap[axis] / 2)
+            for share in (0.2, 0.8):
+                # at places of the object, so that they are the same on both sheets
+                x, y = (middle, self.bottom + share * tall) if axis == 0 else (self.left + share * wide, middle)
+                draw_register(c, x, y)
+            words = self.d.language.text(f"sheet {number}")
+            if axis == 0:
+                c.saveState()
+                c.translate(middle + 0.4 * NAME, self.bottom + tall / 2)
+                c.rotate(90)
+                draw_words(c, words, -width(words, NAME) / 2, 0, PLAIN, NAME)
+                c.restoreState()
+            else:
+                draw_words(c, words, self.left + wide / 2 - width(words, NAME) / 2, middle - 0.4 * NAME, PLAIN, NAME)
+
+    def _strip(self) -> None:
+        """Title block and legend."""
+        s, c = self.s, self.c
+        left, bottom, right, _ = s.paper.frame
+        told = _fields(self.d, s.paper, s.scale, self.part.number, len(s.division.parts))
+        draw_title_block(c, title_block(self.d.title, told), right - WIDTH, bottom)
+        c.setStrokeGray(0)
+        c.setLineWidth(0.25)
+        c.line(left, bottom + s.paper.strip, right, bottom + s.paper.strip)
+        draw_legend(c, s.legend, self.d, s.scale, self.part, left, bottom + s.paper.strip)
