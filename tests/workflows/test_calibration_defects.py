@@ -18,10 +18,9 @@ from tests.workflows.flat_views import patched
 def test_square_views_of_a_sheet_say_what_is_missing(monkeypatch, tmp_path, photographs, rolls):
     """Points of 0.3 px: no verdict is reached, the network falls apart at the start."""
     patched(monkeypatch, tmp_path, 0.0, photographs=photographs, sigma_px=0.3, rolls=rolls, seed=photographs)
-    with pytest.raises(NotSolvable, match="something flat from nearly the same direction") as told:
+    with pytest.raises(NotSolvable, match=r"15.*calibration\.flat_views") as told:
         calibrate([tmp_path], CalibrateOptions(targets=("aicon14",), jobs=1))
     said = str(told.value)
-    assert "photographs that converge" in said
     assert "has no observations" not in said
     assert "--datum" not in said
     assert "`estimate`" not in said

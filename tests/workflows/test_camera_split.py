@@ -41,7 +41,7 @@ def unsteady():
 
 def test_the_groups_are_named_in_full_as_an_option(unsteady):
     (notice,) = [n for n in unsteady.notices if n.code == "unstable_camera"]
-    (pattern,) = [json.loads(found) for found in re.findall(r'own_camera=("[^"]*[|][^"]*")', notice.reason)]
+    (pattern,) = [json.loads(found) for found in re.findall(r'own_camera=("[^"]*[|][^"]*")', notice.text)]
     ids = unsteady.given.images.ids
     named = {i for i, name in enumerate(ids) if any(fnmatchcase(name, p) for p in pattern.split("|"))}
     assert named in (set(MOVED), set(range(len(ids))) - set(MOVED))

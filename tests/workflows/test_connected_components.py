@@ -112,7 +112,7 @@ def test_control_in_both_parts_joins_them(flight):
     assert placed.block.images.oriented.all()
     (told,) = joined_notice(placed.joined, placed.block)
     assert told.code == "parts_joined"
-    assert told.text.startswith("the photographs fall into 2 parts (")
+    assert told.values["parts"] == 2
     # of photographs that the adjustment leaves out nothing is said
     images, (first, second) = placed.block.images, placed.joined
     kept = np.array([n in first for n in images.ids])

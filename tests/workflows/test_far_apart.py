@@ -49,7 +49,8 @@ def test_a_photograph_that_only_far_ones_join_leaves_by_name(block, degrees, lea
     assert list(failed) == ([far.images.ids[2]] if leaves else [])
     assert np.array_equal(keep, (far.observations.image != 2) | (not leaves))
     if leaves:
-        assert "nothing looks alike (limit 65)" in failed[far.images.ids[2]]
+        (why,) = failed[far.images.ids[2]].messages
+        assert (why.code, round(why.values["limit_deg"])) == ("not_oriented.wide_baseline", 65)
 
 
 def test_many_points_are_no_chance(block):

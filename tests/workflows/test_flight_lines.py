@@ -79,10 +79,8 @@ def test_lines_with_constants_of_their_own_fit_by_their_differences():
     assert _relative(placed, shots, "") is placed
     found = _relative(placed, shots, "shift")
     (notice,) = found.notices
-    assert notice.text.startswith(
-        "relative aerial control: the positions of 15 photographs on 3 flight lines are used by their differences"
-    )
-    assert "No control tells the place in X, Y, Z" in notice.text
+    assert (notice.code, notice.values) == ("relative_control", {"photographs": 15, "lines": 3, "drift": False})
+    assert [d.values["axes"] for d in notice.details if d.code == "relative_control.open"] == [["X", "Y", "Z"]]
     result = adjust_block(found.block)
     assert result.global_test[0] < result.global_test[1] < result.global_test[2]
     lines = [r.parameters["sx"] for r in result.interior if r.camera.startswith("line")]

@@ -249,7 +249,7 @@ def orientation(path: Path) -> Generator[Mapping[str, Array]]:
             yield kept
     except DAMAGED as error:
         if isinstance(error, KeyError) and error.args:
-            raise InputError("surface_files.entry_missing", name=str(error.args[0]), file=path) from None
+            raise InputError("surface_files.entry_missing", name=str(error.args[0]).partition(" ")[0], file=path) from None
         raise InputError("surface_files.damaged", file=path) from None
 
 
@@ -288,7 +288,7 @@ def other_heights(one: str, other: str) -> Message | None:
     datums = [_vertical_datum(s) for s in (one, other)]
     if datums[0] == datums[1]:
         return None
-    names = [system_name(s) if s else "" for s in (one, other)]
+    names = [system_name(s) if s else "none" for s in (one, other)]
     return message(
         "surface_files.vertical_datums_differ", system=names[0], datum=datums[0] or "unknown",
         other_system=names[1], other_datum=datums[1] or "unknown",

@@ -73,11 +73,17 @@ surface_files-entry_missing = Die Datei hat keinen Eintrag { $name }.
 surface_files-damaged = Die Datei ist beschädigt.
     .do = surface mit denselben Einstellungen neu ausführen.
 
-surface_files-vertical_datums_differ = Die Höhenbezüge sind verschieden: { $system } ({ $datum ->
+surface_files-vertical_datums_differ = Die Höhenbezüge sind verschieden: { $system ->
+    [none] eine Oberfläche
+   *[other] { $system }
+} ({ $datum ->
         [unknown] kein Höhenbezug
         [ellipsoid] ellipsoidische Höhen
        *[other] { $datum }
-    }), { $other_system } ({ $other_datum ->
+    }), { $other_system ->
+    [none] eine Oberfläche
+   *[other] { $other_system }
+} ({ $other_datum ->
         [unknown] kein Höhenbezug
         [ellipsoid] ellipsoidische Höhen
        *[other] { $other_datum }

@@ -120,11 +120,17 @@ surface_files-damaged = The file is damaged.
 # $datum = "unknown"
 # $other_system = "EPSG:7837"
 # $other_datum = "DHHN2016 height (EPSG:7837)"
-surface_files-vertical_datums_differ = Vertical datums differ: { $system } ({ $datum ->
+surface_files-vertical_datums_differ = Vertical datums differ: { $system ->
+    [none] one surface
+   *[other] { $system }
+} ({ $datum ->
         [unknown] no vertical datum
         [ellipsoid] ellipsoidal heights
        *[other] { $datum }
-    }), { $other_system } ({ $other_datum ->
+    }), { $other_system ->
+    [none] one surface
+   *[other] { $other_system }
+} ({ $other_datum ->
         [unknown] no vertical datum
         [ellipsoid] ellipsoidal heights
        *[other] { $other_datum }
