@@ -166,4 +166,4 @@ def test_pairs_of_scenes_know_angles_and_sizes_of_pixels(block):
     other = replace(block, cameras=(block.cameras[0], coarse, block.cameras[2]))
     pair = next(p for p in sources_of_each(other)[0].pairs if p.source == 1)
     assert pair.scale == pytest.approx(2.2, rel=0.1)
-    assert "their scales differ 2." in pair.refusal
+    assert "by a factor of 2." in pair.refusal

@@ -121,7 +121,7 @@ def test_a_known_read_out_that_is_of_no_use_says_why():
     block, when = flight(SECONDS)
     (notice,) = rolling_shutters(adjusted(block), block, photographs(when), SECONDS).notices
     assert notice.code == "read_out_unused"
-    assert "nothing fixes the scale" in notice.text
+    assert [d.values["lacking"] for d in notice.details] == ["scale"]
     (notice,) = rolling_shutters(
         adjusted(placed(block)), placed(block), photographs(dict.fromkeys(when)), SECONDS
     ).notices
@@ -155,7 +155,7 @@ def test_a_rolling_shutter_is_named_with_its_read_out_time():
     assert "rolling_shutter" in codes
     assert "pixel_shape" not in codes
     notice = told.notices[codes.index("rolling_shutter")]
-    assert "photographs with the times" in notice.text
+    assert notice.variant == ""
     assert notice.severity in {Severity.FAULT, Severity.CAUTION}
 
 
@@ -183,7 +183,7 @@ def test_without_times_the_interval_is_the_unit():
     found = read_out(adjusted(block), "1", dict.fromkeys(when))
     assert found is not None
     assert not found.timed
-    assert "of the interval between two photographs" in found.notice().message
+    assert [d.code for d in found.notice().details] == ["read_out.share"]
 
 
 def test_no_velocity_is_taken_across_a_turn_or_a_gap():

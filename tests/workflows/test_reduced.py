@@ -92,7 +92,7 @@ def test_reduced_copies_are_tried_where_photographs_are_left_and_taken_where_the
     if better:
         (told,) = state.notices
         assert (told.code, told.severity) == ("reduced_features", "remark")
-        assert f"2 of 2 photographs hang together by them, {counts[0] or 0} by" in told.text
+        assert (told.values["oriented"], told.values["photographs"], told.values["whole"]) == (2, 2, counts[0] or 0)
 
 
 def test_where_neither_way_finds_anything_the_first_one_says_why(tmp_path, photos):
