@@ -3,6 +3,7 @@
 import csv
 import html
 import os
+import re
 from dataclasses import replace
 from itertools import combinations
 from pathlib import Path
@@ -14,7 +15,7 @@ import raybundle as rb
 from raybundle.adjustment.result import Notice
 from raybundle.adjustment.severity import Severity
 from raybundle.cli.main import main
-from raybundle.errors import InputError
+from raybundle.errors import InputError, text_of
 from raybundle.io.block.folder import read_block, write_block
 from raybundle.metrology.notices import of_a_tool
 from raybundle.numerics.natural import natural
@@ -418,8 +419,8 @@ def test_a_photograph_that_takes_no_part_is_named_with_its_reason(field, tmp_pat
     block = simulate(field_scene(TargetField()), Survey(seed=5, image_sigma_px=0.1)).observed
     done = Calibration(
         adjustment=rb.adjust(block, rb.AdjustmentOptions(jobs=1, datum="inner")), quality=(), photos=(), groups=(),
-        refused=(("broken.jpg", "the same picture as a.jpg"),), marks=(), targets=(), completed=0, dots=0,
-        not_used=(("wall.jpg", "0 named targets are found, 6 are needed"),), largest_eccentricity_px=0.0,
+        refused=(("broken.jpg", text_of("photograph.copy", original="a.jpg")),), marks=(), targets=(), completed=0, dots=0,
+        not_used=(("wall.jpg", text_of("not_oriented.few_targets", n=0, least=6)),), largest_eccentricity_px=0.0,
     )  # fmt: skip
     monkeypatch.setattr("raybundle.workflows.calibrate.calibrate", lambda *_, **__: done)
     photos = tmp_path / "photos"
@@ -427,13 +428,12 @@ def test_a_photograph_that_takes_no_part_is_named_with_its_reason(field, tmp_pat
     words = ["measure", str(photos), *bar(truth, "1", "20"), "--progress", "none", "--language", language]
     assert main([*words, "--out", str(tmp_path / "m")]) == 0
     said = capsys.readouterr().out
-    assert "caution: wall.jpg is left out: 0 named targets are found, 6 are needed" in said
-    assert "caution: broken.jpg is left out: the same picture as a.jpg" in said
+    assert all(re.search(rf"caution: .*{name}.*\[image_left_out\]", said) for name in ("wall.jpg", "broken.jpg"))
     result = rb.read_result(tmp_path / "m").result
     assert {w["ids"][0] for w in result["warnings"] if w["code"] == "image_left_out"} == {"broken.jpg", "wall.jpg"}
-    assert {x["file"] for x in result["images"]["not_oriented"]} == {"broken.jpg", "wall.jpg"}
+    assert {x["code"] for x in result["images"]["not_oriented"]} == {"photograph.copy", "not_oriented.few_targets"}
     page = (tmp_path / "m/report.html").read_text(encoding="utf-8").replace("\u00a0", " ")
-    words = {"en": "wall.jpg is left out: 0 named targets are found", "de": "0 benannte Zielmarken sind gefunden"}
+    words = {"en": "0 named targets were detected", "de": "0 Zielmarken mit Namen erkannt"}
     assert words[language] in page
 
 

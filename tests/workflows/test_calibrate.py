@@ -138,7 +138,7 @@ def test_wrong_size_of_the_board():
 @needs_board
 def test_one_photograph_is_too_few(tmp_path):
     shutil.copy(BOARD / "left01.jpg", tmp_path)
-    with pytest.raises(InputError, match="1 usable photograph; a calibration needs at least 3"):
+    with pytest.raises(InputError, match=r"1.* 3.*calibration\.too_few_photographs"):
         calibrate([tmp_path], WANTED)
 
 

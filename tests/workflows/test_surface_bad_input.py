@@ -98,7 +98,7 @@ def test_photographs_without_overlap_are_named(half, tmp_path, capsys):
     words = ["surface", str(tmp_path / "block"), "--photos", str(half), "--out", str(tmp_path / "s"), "--free-scale"]
     assert main(words) != 0
     told = capsys.readouterr().err
-    assert "a surface needs two photographs that show the same part of the object" in told
+    assert "[surface.no_pair]" in told
     assert not (tmp_path / "s").exists()
 
 
@@ -255,11 +255,11 @@ def test_photographs_that_are_gone_are_named(half, tmp_path, capsys):
     words = ["surface", str(half / "block"), "--photos", str(tmp_path / "photos"), "--out", str(tmp_path / "s")]
     assert main(words) == 2
     told = capsys.readouterr().err
-    gone = f"2 of 3 photographs that were adjusted cannot be used: {', '.join(names)}: in none of the folders"
-    assert gone in told
-    assert "say where they are with --photos" in told
-    assert "no two of them" not in told
-    assert "points in common" not in told
+    assert "[surface.too_few_photographs]" in told
+    assert "2 of 3 adjusted photographs" in told
+    assert f"{', '.join(names)}: The file is in none of the folders" in told
+    assert "--photos" in told
+    assert "common points" not in told
     assert not (tmp_path / "s").exists()
 
 
@@ -268,11 +268,11 @@ def test_a_surface_without_some_photographs_says_so_first(half, tmp_path, capsys
     words = ["surface", str(half / "block"), "--photos", str(tmp_path / "photos"), "--out", str(tmp_path / "s")]
     assert main([*words, "--density", "4", "--jobs", "1", "--extent", *map(str, BOX), "--json"]) == 0
     found = json.loads(capsys.readouterr().out)
-    gone = f"1 of 3 photographs that were adjusted cannot be used: {name}: in none of the folders of the photographs"
-    assert gone in found["cautions"]
+    assert "1 of 3 adjusted photographs cannot be used:" in found["cautions"]
+    assert f"  {name}: The file is in none of the folders of the photographs." in found["cautions"]
     page = (tmp_path / "s/surface.html").read_text()
     assert "1 photograph of the adjustment could not be used" in page
-    assert f"{name}: in none of the folders of the photographs" in page
+    assert f"{name}: The file is in none of the folders of the photographs" in page
 
 
 def test_lost_photographs_are_told_where_the_others_show_nothing_together(half, tmp_path, capsys):
@@ -284,8 +284,9 @@ def test_lost_photographs_are_told_where_the_others_show_nothing_together(half, 
     words = ["surface", str(tmp_path / "block"), "--photos", str(tmp_path / "photos"), "--free-scale"]
     assert main([*words, "--out", str(tmp_path / "s")]) == 2
     told = capsys.readouterr().err
-    assert "a surface needs two photographs that show the same part" in told
-    assert f"1 of 3 photographs that were adjusted cannot be used: {name}" in told
+    assert "[surface.no_pair]" in told
+    assert "1 of 3 adjusted photographs" in told
+    assert f"{name}: The file is" in told
 
 
 def with_contents(half, folder):

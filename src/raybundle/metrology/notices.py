@@ -10,7 +10,7 @@ import numpy as np
 
 from raybundle.adjustment.result import Adjustment, Notice
 from raybundle.adjustment.severity import POOR_FIT, Severity
-from raybundle.errors import Message, Value, message
+from raybundle.errors import Message, Value, message, message_of_text
 from raybundle.metrology.bars import BarTest
 from raybundle.metrology.best_fit import BestFit
 from raybundle.metrology.lengths import LengthTest
@@ -116,7 +116,7 @@ def tolerances_ignored(file: str) -> Notice:
 def photographs_lost(lost: Sequence[tuple[str, str]]) -> tuple[Notice, ...]:
     """Of photographs that take no part, and why."""
     return tuple(
-        Notice(code="image_left_out", message=f"{name} is left out: {why}", ids=(name,), reason=why)
+        Notice(code="image_left_out", values={"image": name}, ids=(name,), reason=why, details=(message_of_text(why),))
         for name, why in lost
     )
 
