@@ -102,7 +102,7 @@ def test_every_bad_file_costs_that_file_and_is_named_with_its_reason(orient, pho
         "twice.jpg": "identical",
         "bomb.png": "megapixels",
         "thumbnail.jpg": "thumbnail",
-        "something else.jpg": "in common with other photographs",
+        "something else.jpg": "in common with the others",
     }
     import re
 

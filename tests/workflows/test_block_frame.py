@@ -139,7 +139,7 @@ def test_a_block_keeps_its_frame_through_its_folder(observed, tmp_path):
 def test_coordinates_from_the_origin_are_no_map_coordinates(observed, tmp_path):
     place = projected("EPSG:25832", (565_000.0, 5_933_000.0, 31.5))
     write_block(replace(observed, place=place), tmp_path / "block")
-    with pytest.raises(InputError, match='say kind = "local" with the same crs and origin'):
+    with pytest.raises(InputError, match=r"object_frame\.far_from_origin"):
         in_block_frame(read_block(tmp_path / "block"))
 
 

@@ -125,13 +125,13 @@ def test_spoiled_photographs_are_named(tmp_path, how):
             return cv2.GaussianBlur(image, (0, 0), 9)
         return np.clip(image.astype(float) * 6 + 100, 0, 255).astype(np.uint8)
 
-    with pytest.raises(InputError, match=r"0 of 13 photographs show 6 points(.|\n)*left01.png: "):
+    with pytest.raises(InputError, match=r"0.*13.*6.*left01\.png.*calibration\.too_few_points"):
         calibrate([changed(tmp_path / "spoiled", spoil)], WANTED)
 
 
 @needs_board
 def test_wrong_size_of_the_board():
-    with pytest.raises(InputError, match="more than 8 x 6 inner corners"):
+    with pytest.raises(InputError, match=r"6.*8.*calibration\.too_few_points"):
         calibrate([BOARD], CalibrateOptions(targets=("chessboard-8x6",)))
 
 
@@ -193,9 +193,9 @@ def test_command_line(tmp_path, capsys):
 def test_what_cannot_be(tmp_path, capsys):
     assert main(["calibrate", str(BOARD), "--target", "chessbord", "--out", str(tmp_path / "r")]) == 2
     assert "[target.unknown_family]" in capsys.readouterr().err
-    with pytest.raises(InputError, match="unknown sensor model 'browne'"):
+    with pytest.raises(InputError, match=r"browne.*camera\.calibration_model_unknown"):
         calibrate([BOARD], CalibrateOptions(model="browne"))
-    with pytest.raises(InputError, match="a board .* is calibrated with alone"):
+    with pytest.raises(InputError, match=r"board\.not_alone"):
         calibrate([BOARD], CalibrateOptions(targets=("chessboard-9x6", "aicon14")))
 
 

@@ -287,7 +287,7 @@ def test_what_cannot_be_is_told(tmp_path):
         rb.estimate_cost(tmp_path, images=5, shipped=True)
     with pytest.raises(InputError, match=r"photograph\.too_few"):
         rb.estimate_cost(tmp_path, shipped=True)
-    with pytest.raises(InputError, match="is no folder"):
+    with pytest.raises(InputError, match=r"folder\.missing_itself"):
         rb.estimate_cost(tmp_path / "none", shipped=True)
     with pytest.raises(InputError, match=r"costs\.measure_and_shipped"):
         rb.estimate_cost(images=5, shipped=True, measure=True)

@@ -48,7 +48,7 @@ def test_targets_that_control_names_are_its_measurements_and_replace_marks_by_ha
 
 
 def test_a_family_is_named_once_and_has_to_be_one():
-    with pytest.raises(InputError, match="twice"):
+    with pytest.raises(InputError, match=r"target\.family_twice"):
         wanted(("aicon14", "aicon14"))
     with pytest.raises(InputError, match=r"aicon99.*target\.unknown_family"):
         wanted(("aicon99",))

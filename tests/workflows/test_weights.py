@@ -208,7 +208,7 @@ def test_an_image_with_few_common_points_is_named_and_the_others_are_oriented():
     tie = started(with_rows(raw, keep))
     ((name, reason),) = tie.not_oriented
     assert name == raw.images.ids[4]
-    assert reason == "only 5 points in common with other photographs (12 are needed)"
+    assert reason == text_of("not_oriented.few_common", n=5, least=12)
     assert not (tie.block.observations.image == 4).any()
 
 
