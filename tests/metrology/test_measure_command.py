@@ -419,8 +419,9 @@ def test_a_photograph_that_takes_no_part_is_named_with_its_reason(field, tmp_pat
     block = simulate(field_scene(TargetField()), Survey(seed=5, image_sigma_px=0.1)).observed
     done = Calibration(
         adjustment=rb.adjust(block, rb.AdjustmentOptions(jobs=1, datum="inner")), quality=(), photos=(), groups=(),
-        refused=(("broken.jpg", text_of("photograph.copy", original="a.jpg")),), marks=(), targets=(), completed=0, dots=0,
-        not_used=(("wall.jpg", text_of("not_oriented.few_targets", n=0, least=6)),), largest_eccentricity_px=0.0,
+        refused=(("broken.jpg", text_of("photograph.copy", original="a.jpg")),), marks=(), targets=(),
+        completed=0, dots=0, not_used=(("wall.jpg", text_of("not_oriented.few_targets", n=0, least=6)),),
+        largest_eccentricity_px=0.0,
     )  # fmt: skip
     monkeypatch.setattr("raybundle.workflows.calibrate.calibrate", lambda *_, **__: done)
     photos = tmp_path / "photos"

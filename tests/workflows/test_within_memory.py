@@ -4,7 +4,6 @@ import errno
 import gc
 import mmap
 import os
-import re
 from contextlib import suppress
 from dataclasses import fields, replace
 from functools import partial
@@ -109,7 +108,6 @@ def test_noise_fields_need_one_piece_and_that_is_said(tmp_path):
     assert few.noise.reason == "the normal equations were reduced in parts, and fields need them in one piece"
     (told,) = (n for n in few.notices if n.code == "noise_in_parts")
     assert told.severity is Severity.CAUTION
-    assert "standard deviations rest on white noise" in told.text
 
 
 def smooth_errors():
@@ -125,7 +123,7 @@ def factors(notice):
     """What standard deviations of object points are to be multiplied by."""
     if notice.code == "residual_structure":
         return notice.values["ratio_points"]
-    return float(re.search(r"([\d.]+) for object points", notice.text)[1])
+    return next(d.values["factor"] for d in notice.details if d.values.get("object") == "points")
 
 
 @pytest.mark.parametrize("noise", ["auto", "fields"])
@@ -138,8 +136,7 @@ def test_in_parts_errors_that_image_points_share_are_told_by_a_sample(tmp_path, 
     (whole,) = (n for n in one.notices if n.code == "residual_structure")
     code = "residual_structure" if noise == "auto" else "noise_in_parts"
     (part,) = (n for n in few.notices if n.code == code)
-    sample = "residual_structure.sample" in {d.code for d in part.details}
-    assert sample or {d.code for d in part.details} == {"noise_in_parts.factor"}
+    assert "residual_structure.sample" in {d.code for d in part.details}
     assert part.severity is Severity.CAUTION
     assert factors(whole) > 1.3
     assert factors(part) == pytest.approx(factors(whole), rel=0.3)
@@ -159,9 +156,10 @@ def test_the_command_says_what_it_did(tmp_path):
     write_block(flight(), tmp_path / "block")
     done = run_adjust(AdjustSettings(block=tmp_path / "block", out=tmp_path / "out", memory=0.1, report=False))
     told = next(n for n in done.notices if n.code == "in_parts")
-    assert "in one piece the adjustment would take" in told.text
-    assert "and 0.1 GB were allowed (memory=)" in told.text
-    assert "So many image points take about" in told.text
+    assert told.variant == "least"
+    assert told.values["allowed_gb"] == pytest.approx(0.1)
+    assert told.values["needed_gb"] > 0
+    assert told.values["least_gb"] > 0.1
     assert done.converged
 
 

@@ -26,8 +26,11 @@ def without_fields(result: Adjustment) -> tuple[Notice, ...]:
     if found is not None and shared is not None:
         ratios = {"interior": found.noise.ratio_interior, "points": found.noise.ratio_points}
         details = [
-            message("noise_in_parts.factor", of=of, factor=factor, images=len(found.given.images))
-            for of, factor in ratios.items()
-            if np.isfinite(factor)
+            message("residual_structure.sample", images=len(found.given.images)),
+            *(
+                message("residual_structure.times", object=of, factor=factor)
+                for of, factor in ratios.items()
+                if np.isfinite(factor)
+            ),
         ]
     return (Notice(code="noise_in_parts", details=tuple(details)),)
