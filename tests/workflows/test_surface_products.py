@@ -246,7 +246,7 @@ def test_of_each_cube_the_best_point_stays(made, half, tmp_path, cloud):
     sigma = np.sqrt(sum(np.asarray(las[f"sigma_{a}"]) ** 2 for a in "xyz"))
     assert np.allclose(np.sort(sigma), np.sort(list(best.values())))
     assert f"element vertex {len(best)}\n".encode() in (made[1] / "points.ply").read_bytes()[:2000]
-    with pytest.raises(InputError, match="more cubes than"):
+    with pytest.raises(InputError, match=r"surface\.too_many_cubes"):
         surface(half / "block", made[1], photos=(half,), jobs=1, density="4", thin=1e-9)
 
 
@@ -302,11 +302,11 @@ def test_what_cannot_be_is_refused_before_it_is_computed(half, tmp_path, monkeyp
     def ask(**given):
         return surface(half / "block", tmp_path / "s", photos=(half,), density="4", **given)
 
-    with pytest.raises(InputError, match=r"a pixel of 50 is larger than the area .* take a smaller ortho="):
+    with pytest.raises(InputError, match=r"50.*picture\.pixel_too_large"):
         ask(ortho=50.0)
-    with pytest.raises(InputError, match=r"\d+ x \d+ px, 4e\+08 are the limit; take ortho="):
+    with pytest.raises(InputError, match=r"picture\.too_large"):
         ask(ortho=1e-5)
-    with pytest.raises(InputError, match=r"2e\+06 are the limit; take mesh="):
+    with pytest.raises(InputError, match=r"2.*picture\.too_large"):
         ask(mesh=1e-4)
     with pytest.raises(InputError, match="ortho=.* or mesh="):
         ask(axis=("A", "B"))
@@ -360,7 +360,7 @@ def test_a_full_disk_is_told_and_leaves_nothing_half_written(made, half, monkeyp
 
     before = (made[1] / "mesh.obj").read_bytes()
     monkeypatch.setattr("raybundle.workflows.surface_products.mesh._write_glb", full)
-    with pytest.raises(InputError, match=r"No space left on device; free space or choose another folder"):
+    with pytest.raises(InputError, match=r"No.*file\.not_writable"):
         surface(half / "block", made[1], photos=(half,), jobs=1, **{**ASKED, "mesh": 0.2})
     assert (made[1] / "mesh.obj").read_bytes() == before
     assert not list(made[1].glob(".*.partial"))
