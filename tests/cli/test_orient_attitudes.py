@@ -76,8 +76,14 @@ def test_options_that_do_not_fit(tmp_path, capsys):
     ("more", "words"),
     [
         (["--crs", "EPSG:999999"], "[crs.unknown]"),
-        (["--lever-arm", "1", "1", "1", "0"], "a lever arm is asked for, and no photograph has a position"),
-        (["--no-gps", "--relative", "shift"], "relative aerial control is asked for, and --no-gps leaves"),
+        (
+            ["--lever-arm", "1", "1", "1", "0"],
+            "--lever-arm needs positions: no photograph has one.",
+        ),
+        (
+            ["--no-gps", "--relative", "shift"],
+            "--relative needs positions: --no-gps excludes",
+        ),
     ],
 )
 def test_what_can_have_no_effect_is_refused_before_anything_is_computed(tmp_path, capsys, more, words):

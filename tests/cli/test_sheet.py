@@ -289,7 +289,7 @@ def test_a_sheet_is_in_the_language_of_its_project(wall, tmp_path):
     for left in ("landscape", "client", "Plumb plane", "degrees", "Standard deviation", "X right"):
         assert left not in german
     assert "landscape" in words("again.pdf", language="en")
-    with pytest.raises(InputError, match="en, de"):
+    with pytest.raises(InputError, match=r"en, de.*report\.unknown_language"):
         rb.drawing_sheet(project / "result", tmp_path / "x.pdf", language="xx", **asked)
 
 

@@ -128,15 +128,17 @@ def test_a_part_is_an_outline_a_file_or_a_rectangle(half, tmp_path):
 
     with pytest.raises(InputError, match="region= and extent= both say which part"):
         ask(region=("0 0, 1 0, 1 1",), extent=BOX)
-    with pytest.raises(InputError, match=r"surface\.region_invalid"):
+    with pytest.raises(InputError, match=r"surface\.region_invalid") as error:
         ask(region=("0 0, 1 1, 1 0, 0 1",))
+    assert [d.code for d in error.value.message.details] == ["flight_area.crosses_itself"]
     with pytest.raises(InputError, match=r"1.*0.*outline\.extent_empty"):
         ask(extent=(1.0, 0.0, 0.0, 1.0))
     with pytest.raises(InputError, match=r"100.*101.*surface\.region_not_shown"):
         ask(extent=(100.0, 0.0, 101.0, 1.0))
     (tmp_path / "l.csv").write_text("0,0\n1,0\n")
-    with pytest.raises(InputError, match=r"2.*surface\.region_invalid"):
+    with pytest.raises(InputError, match=r"surface\.region_invalid") as error:
         ask(region=(str(tmp_path / "l.csv"),))
+    assert [d.code for d in error.value.message.details] == ["flight_area.too_few_corners"]
     assert not (tmp_path / "s").exists()
 
 
