@@ -125,7 +125,7 @@ def test_a_known_read_out_that_is_of_no_use_says_why():
     (notice,) = rolling_shutters(
         adjusted(placed(block)), placed(block), photographs(dict.fromkeys(when)), SECONDS
     ).notices
-    assert "state no times" in notice.text
+    assert [d.values["lacking"] for d in notice.details] == ["times"]
 
 
 @pytest.mark.parametrize(
