@@ -108,7 +108,7 @@ def test_bad_outlines_are_refused(cone, capsys, tmp_path):
     assert "[volume.rim_needs_outline]" in refused(capsys, "heights", "volume", cone)
     (tmp_path / "area.kml").write_text("<kml/>")
     assert "area.kml" in refused(capsys, *volume, "--outline", tmp_path / "area.kml")
-    assert "there is no such folder" in refused(capsys, "heights", "volume", tmp_path / "no")
+    assert "[folder.missing_itself]" in refused(capsys, "heights", "volume", tmp_path / "no")
     assert "has no heights.tif" in refused(capsys, "heights", "volume", tmp_path)
 
 

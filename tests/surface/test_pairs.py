@@ -49,7 +49,7 @@ def test_pairs_of_no_use_are_refused_with_the_number(flight):
     (refused,) = [p for p in found.refused if p.source == 11]
     assert f"{FLATTEST_DEG:g}° are needed" in refused.refusal
     far = PairOfImages(reference=0, source=1, points=50, angle_deg=15.0, scale=2.5)
-    assert f"2.5 times, {LARGEST_SCALE:g} is the limit" in far.refusal
+    assert f"2.5 (limit {LARGEST_SCALE:g})" in far.refusal
     assert not PairOfImages(reference=0, source=1, points=50, angle_deg=15.0, scale=1.2).refusal
 
 

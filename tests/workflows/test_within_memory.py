@@ -212,7 +212,7 @@ def test_a_full_disk_is_told_before_anything_is_written(tmp_path, monkeypatch):
         raise OSError(errno.ENOSPC, os.strerror(errno.ENOSPC))
 
     monkeypatch.setattr(os, "posix_fallocate", full, raising=False)
-    with large.in_files(tmp_path), pytest.raises(InputError, match=r"no room for an array of 8 MB \(No space left"):
+    with large.in_files(tmp_path), pytest.raises(InputError, match=r" 8 MB \(No space left.*memory\.no_room"):
         large.zeros(1_000_000)
     assert not list(tmp_path.iterdir())
 
@@ -309,7 +309,7 @@ def test_processes_take_part_where_memory_allows(tmp_path, all_large, monkeypatc
 
 def test_shards_are_refused(tmp_path):
     with (
-        pytest.raises(InputError, match="dozens of sweeps"),
+        pytest.raises(InputError, match=r"cluster\.no_shards"),
         within_memory(flight(), tmp_path / "r", 8.0, cluster="shards"),
     ):
         pass
