@@ -249,7 +249,9 @@ def orientation(path: Path) -> Generator[Mapping[str, Array]]:
             yield kept
     except DAMAGED as error:
         if isinstance(error, KeyError) and error.args:
-            raise InputError("surface_files.entry_missing", name=str(error.args[0]).partition(" ")[0], file=path) from None
+            raise InputError(
+                "surface_files.entry_missing", name=str(error.args[0]).partition(" ")[0], file=path
+            ) from None
         raise InputError("surface_files.damaged", file=path) from None
 
 

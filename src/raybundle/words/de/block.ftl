@@ -62,3 +62,15 @@ block-scale_free = Der Maßstab des Blocks ist nicht bestimmt: Keine Länge legt
 
 block-not_adjusted = Bilder haben keine Orientierung oder Punkte keine Koordinaten: Der Block ist nicht ausgeglichen.
     .do = Ihn ausgleichen und das Ergebnis angeben.
+
+block-heights_defined = Block { $block } legt den Bezug seiner Höhen bereits fest.
+    .do = { OPTION("undulation") } weglassen.
+
+block-place_defined = Block { $block } legt die Lage seines Systems auf der Erde bereits fest.
+    .do = { OPTION("crs") } weglassen oder auch { OPTION("frame_origin") } angeben.
+
+block-origin_missing = Block { $block } hat Längen in { $unit }; seine Koordinaten sind nicht die von { $system }.
+    .do = { OPTION("frame_origin") } angeben.
+
+block-folder_needs_observations = Block { $block } hat keine Bildbeobachtungen; ein Blockordner benötigt sie.
+    .do = In ein anderes Format umwandeln.

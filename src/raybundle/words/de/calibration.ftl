@@ -104,3 +104,36 @@ calibration-photograph_next = { $n } weitere { $n ->
         [one] Aufnahme
         *[other] Aufnahmen
     } machen: Liste mit { OPTION("verbose", "True") }.
+
+calibration-several = Kameras in dieser Datei: { $n }; keine ist genannt.
+    .do = Eine mit { OPTION("camera") } nennen: { LIST($cameras, most: 20) }.
+
+calibration-one_for_one = Kameras in dieser Datei: { $n }; Kameras der Aufnahmen: { $photographed }. Möglich ist je eine.
+    .do = Die Kalibrierung der einen Kamera der Aufnahmen angeben.
+
+calibration-no_camera_of_size = Kameras dieser Datei mit { $width_px } x { $height_px } px, der Größe der Aufnahme: { $n }; nötig ist eine.
+    .do = Die Kalibrierung der Kamera der Aufnahme angeben.
+
+calibration-too_few_photographs = { $n } brauchbare { $n ->
+        [one] Aufnahme
+       *[other] Aufnahmen
+    }; eine Kalibrierung benötigt mindestens { $least }.
+    .do = 10 bis 20 Aufnahmen von verschiedenen Seiten machen, einige mit um 90° gekanteter Kamera.
+
+calibration-spline_parameters = Die Parameter des Modells spline lassen sich nicht auswählen.
+    .do = { OPTION("parameters") } oder { OPTION("model") } weglassen.
+
+calibration-too_few_points = { $n } von { $photographs } Aufnahmen zeigen { $least } gemeinsame Punkte von { $families }; nötig sind 2.
+    .why = { $points } Punkte wurden gelesen, { $unnamed } ohne Code.
+    .do = Die gedruckten Zielmarken nennen ({ OPTION("target") }) und so aufnehmen, dass ein Punkt oder Feld 10 px groß ist.
+
+calibration-flat_views = Die Blickrichtungen auf das ebene Objekt weichen nur um { NUM($angle_deg, decimals: 0) }° ab; nötig sind { NUM($least_deg, decimals: 0) }°.
+    .why = Aus fast einer Richtung lassen sich Kamerakonstante und Entfernung eines ebenen Objekts nicht trennen.
+    .do = Konvergente Aufnahmen hinzufügen: von links, rechts, oben und unten, 30° bis 45° gegen die Normale, einige um 90° gekantet.
+
+calibration-not_possible = Die Kamera lässt sich aus diesen Aufnahmen nicht kalibrieren.
+    .do = 6 bis 20 Aufnahmen derselben Punkte machen, die um 30° bis 45° konvergieren, einige um 90° gekantet; hier genannte Aufnahmen ausschließen.
+
+calibration-spline_worse = Kamera { $camera }: Das Modell spline endet schlechter ({ NUM($rms_px, digits: 2) } px) als der Anfang ({ NUM($start_rms_px, digits: 2) } px).
+    .why = Diese Aufnahmen bestimmen seine Flächen nicht (Kamerakonstante { $c_mm } mm).
+    .do = { OPTION("model") } weglassen oder Aufnahmen hinzufügen, die das Format bis in die Ecken füllen.

@@ -118,3 +118,13 @@ camera-no_motion = Kamera { $camera }: Die Geschwindigkeit vy ist 0.
 
 camera-no_covariance = Kamera { $camera } hat keine Kovarianzmatrix.
     .do = Sie mit Genauigkeitsangaben kalibrieren.
+
+camera-calibration_model_unknown = Das Sensormodell { $model } ist unbekannt.
+    .do = Eines von { LIST($known, most: 30) } angeben.
+
+camera-not_by_targets = Das Sensormodell { $model } lässt sich nicht aus Aufnahmen von Zielmarken kalibrieren.
+    .why = Es bildet nicht alles zu einer Zeit von einem Ort ab.
+    .do = Eines von { LIST($known, most: 30) } angeben oder raybundle adjust mit einem Block ausführen, der { $model } verwendet.
+
+camera-model_not_fitted = Kamera { $camera }: Das Modell { $model } lässt sich nicht an die Näherungswerte anpassen.
+    .do = Ein anderes Modell angeben.

@@ -27,3 +27,16 @@ control-point_twice = Der Punkt { $point } steht auch in { $table }.
 control-other_photographs = Keine der Aufnahmen, in denen die Datei Punkte misst, ist dabei.
     .why = Die Datei hat { LIST($names, most: 3) }; vorhanden sind { LIST($photographs, most: 3) }.
     .do = Prüfen, ob die Datei zu diesen Aufnahmen gehört, und die Namen prüfen.
+
+control-points_in_line = Die { $n } gemessenen Passpunkte liegen auf einer Geraden oder sind ein Punkt: { LIST($points, most: 5) }.
+    .do = Das Datum durch drei Passpunkte festlegen, die nicht auf einer Geraden liegen.
+
+control-other_unit = Die Maßstabsstrecken machen das Netz { NUM($ratio, digits: 4) }-mal so groß wie die Passpunkte.
+    .why = Die Einheit von einem der beiden ist falsch{ $likely ->
+        [yes] { " " }(vermutlich { $units })
+       *[no] { "" }
+     }.
+    .do = Die Einheit der Passpunktdatei angeben: { OPTION("unit") }.
+
+control-none_in_photograph = Kein Punkt mit X und Y ist in { $photograph } gemessen.
+    .do = Prüfen, ob die Bildnamen übereinstimmen.

@@ -86,3 +86,13 @@ crs-outside_use = { $table }: { NUM($x, digits: 10) }, { NUM($y, digits: 10) } l
      [yes] Prüfen, ob Ost- und Nordwerte vertauscht sind
      *[no] Das Koordinatensystem prüfen
     }.
+
+crs-needed_by_settings = { OPTION("frame_origin") } und { OPTION("undulation") } brauchen ein Koordinatensystem.
+    .do = { OPTION("crs") } angeben.
+
+crs-not_projected = { $system } ist kein projiziertes Koordinatensystem.
+    .why = Eine Zeichnung hat nur in einem projizierten System einen Maßstab.
+    .do = Ein projiziertes System wie UTM verwenden.
+
+crs-plane_needed = { OPTION("crs", $system) } ist kein ebenes Koordinatensystem; eine Karte benötigt eines.
+    .do = Ein ebenes oder geographisches System ohne Höhen angeben.

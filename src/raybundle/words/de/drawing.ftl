@@ -15,3 +15,23 @@ drawing-several_results = Punkte und Linien eines Ergebnisses lassen sich zeichn
 
 drawing-plane_of_picture = { OPTION($setting) } legt die Ebene eines Ergebnisses fest; ein Bild hat seine eigene Ebene.
     .do = Es weglassen oder das Bild damit entzerren.
+
+drawing-grid_too_dense = Linien des Gitters { $grid } lägen auf dem Papier { NUM($apart_mm, digits: 2) } mm auseinander (mindestens { $least_mm } mm).
+    .do = { OPTION("grid", $needed) } verwenden.
+
+drawing-does_not_fit = Das Objekt mit { $width_m } x { $height_m } m passt { $scale ->
+    [0] in keinem Maßstab
+   *[other] im Maßstab 1:{ $scale } nicht
+} auf { $paper }{ $sheets ->
+    [0] .
+   *[other] {" "}mit { $sheets } Blättern.
+}
+    .do = Eine dieser Möglichkeiten wählen:
+
+drawing-fitting_scale = Ein kleinerer Maßstab: { OPTION("scale", $scale) }.
+
+drawing-fitting_paper = Ein größeres Papier: { OPTION("paper", $paper) }.
+
+drawing-joined_sheets = Mehrere Blätter, die aneinandergelegt werden: { OPTION("several", "True") }.
+
+drawing-title_block = Weniger Text im Schriftfeld.

@@ -49,3 +49,6 @@ epochs-stable_points_differ = Stabile Punkte weichen um mehr als ihre Standardab
 epochs-free_scale = Der Maßstab von { $names } ist nicht festgelegt: ein Wachsen aller Punkte bleibt unentdeckt ({ $scale_ppm } ppm).
     .why = Passpunkte sind in diesem Test frei; Längen sind die der ersten Epoche.
     .do = In jeder Epoche eine Maßstabsstrecke messen.
+
+epochs-points_unknown = Keine Messung hat { LIST($points, most: 10) }.
+    .do = { OPTION("points") } berichtigen.

@@ -46,3 +46,5 @@ film-camera_missing = Filmscans brauchen eine kalibrierte Kamera.
     .do = Ihr Kalibrierprotokoll angeben: { OPTION("calibration", "CAMERA") }.
 
 film-scans_not_transformed = Scans, die sich nicht transformieren lassen: { $n }. Nichts wird geschrieben.
+
+film-one_camera = Angegebene Kameras: { $n }; Scans von Film benötigen genau eine, die Kamera des Films.

@@ -28,3 +28,6 @@ folder-missing = Den Ordner dieser Datei gibt es nicht.
 
 folder-other_block = Der Ordner enthält einen anderen Block; er wird nicht überschrieben.
     .do = { OPTION("out") } anders wählen.
+
+folder-missing_itself = Diesen Ordner gibt es nicht.
+    .do = Den Pfad prüfen.

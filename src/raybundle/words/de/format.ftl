@@ -34,3 +34,15 @@ format-no_tables = { OPTION("tables") } gehört zu Blockordnern; das Format { $f
 format-csv = Es gibt kein Format csv.
     .why = Ein Blockordner (Format block) und ein Ergebnisordner bestehen aus CSV-Tabellen: images.csv, points.csv, observations.csv.
     .do = Die gewünschte Tabelle kopieren.
+
+format-file_suffix = Das Format { $format } ist eine Datei mit der Endung { $suffix }.
+    .do = Einen Namen mit der Endung { $suffix } angeben.
+
+format-no_scenes = Das Format { $format } kennt keine Satellitenszenen; der Block hat { $scenes }.
+    .do = { $whole } für die Szenen oder eines von { LIST($points, most: 20) } für die Punkte wählen.
+
+format-ambiguous = Die Datei passt zu mehreren Formaten: { $names }.
+    .do = Eines davon angeben: { OPTION("read_as", flag: "from") }.
+
+format-not_recognised = Das Format ist nicht erkannt.
+    .do = { OPTION("read_as", flag: "from") } angeben, eines von { LIST($known, most: 60) }.

@@ -13,3 +13,10 @@ height_grid-no_four_cells = Höhenraster { $name }: Keine vier benachbarten Zell
 
 height_grid-void_cells = { $n } von { $total } Zellen haben keine Höhe.
     .do = Diese Zellen weglassen oder füllen.
+
+height_grid-no_common_cell = Keine Zelle hat hier und in { $other } eine Höhe.
+    .do = Höhenraster desselben Gebiets angeben.
+
+height_grid-identical = Alle Höhen sind gleich denen von { $other }.
+    .why = Es ist dieselbe Messung.
+    .do = Ein anderes Höhenraster angeben.

@@ -3,3 +3,10 @@ identical_images-copies = { $n } { $n ->
      *[other] Aufnahmen sind Kopien anderer oder haben keine Basis zu ihnen; weggelassen:
     } { LIST($names, most: 3) }.
     .why = Eine Kopie wiederholt das Rauschen ihres Originals; Standardabweichungen würden zu klein.
+
+identical_images = { $pairs } { $pairs ->
+        [one] Bildpaar hat
+       *[other] Bildpaare haben
+    } auf ein halbes Pixel dieselben Bildpunkte.
+    .why = Es ist zweimal dieselbe Aufnahme, oder es fehlt die Basis.
+    .do = Von jedem Paar ein Bild ausschließen.

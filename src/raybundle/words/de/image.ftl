@@ -50,3 +50,6 @@ image-points_and_unknowns = { $images }: { $n } { $n ->
 
 image-not_oriented = Bild { $image } hat keine äußere Orientierung.
     .do = Es zuerst orientieren.
+
+image-photograph_missing = Bild { $image }: Seine Aufnahme ist nicht in den Ordnern des Projekts.
+    .do = Die Aufnahme wiederherstellen.

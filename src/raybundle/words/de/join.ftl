@@ -119,3 +119,27 @@ join-other_frame = { $name } ist in den Rahmen von { $base } transformiert, dess
            *[no] { " " }(Länge, Breite, Höhe)
         }, Ursprung { $origin }
      }.
+
+join-point_incomplete = Punkt { $point } von { $block } fehlt eine Koordinate; er lässt sich nicht in das andere System überführen.
+    .do = Den Block zuerst ausgleichen.
+
+join-vertical_of_tables = Die Lotrichtungen der Systeme weichen um { NUM($tilt_deg, digits: 2) }° ab (Grenze { NUM($limit_deg, digits: 2) }°).
+    .why = { $tables } von { $block } beziehen sich auf die Lotrichtung.
+    .do = Beide Blöcke in Systemen mit demselben Ursprung angeben.
+
+join-frames_differ = { $block } ({ $unit }) und { $other } ({ $other_unit }) sind in Systemen, die sich nicht ineinander überführen lassen.
+    .do = Beide in ein Koordinatensystem in Metern überführen (convert in einen Block, { OPTION("crs") }) oder [frame] in der block.toml eines Blocks ohne bekannte Lage löschen.
+
+join-transformed = { $block } wurde in das System von { $other } überführt; die Ursprünge liegen { NUM($away_m, decimals: 3) } m auseinander.
+
+join-frame_projected = { $block } ist in Koordinaten von { $system }.
+
+join-frame_geocentric = { $block } ist in einem geozentrischen System.
+
+join-frame_local = { $block } ist in einem lokalen System bei { NUM($longitude_deg, decimals: 6) }° Länge, { NUM($latitude_deg, decimals: 6) }° Breite, { NUM($height_m, decimals: 3) } m.
+
+join-frame_of_system = { $block } ist in einem lokalen System von { $system }.
+    .why = Sein Ursprung ist { NUM($x_m, decimals: 3) }, { NUM($y_m, decimals: 3) }, { NUM($height_m, decimals: 3) } m{ $geoid ->
+        [yes] {" "}(Geoid { $geoid_m } m über dem Ellipsoid)
+       *[no] {""}
+    }.

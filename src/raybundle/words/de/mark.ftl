@@ -107,3 +107,24 @@ mark-outside_photograph = { NUM($x_px, digits: 6) }, { NUM($y_px, digits: 6) } l
      [yes] { "" }, und so, wie sie gespeichert ist (Bildbetrachter drehen sie nach ihrer EXIF-Orientierung { $orientation })
      *[no] { "" }
     }.
+
+mark-not_in_result = Punkt { $point } ist von Hand gemessen, aber nicht in diesem Ergebnis.
+    .do = { $adjusted ->
+        [yes] { $folder } verwenden, das Ergebnis mit den gemessenen Punkten
+       *[no] Ihn zuerst mit dem Block ausgleichen: raybundle mark adjust
+     }.
+
+mark-nothing_to_reject = Weder ein Bildpunkt noch eine Grenze ist angegeben.
+    .do = Ein Bild und einen Punkt oder eines von { LIST($limits, most: 9) } angeben.
+
+mark-contradicts = { $n ->
+        [one] Die Markierung von { $point } in { $images } widerspricht den anderen{ $size_px ->
+            [0] {""}
+           *[other] {" "}um { NUM($size_px, digits: 2) } px
+        }
+       *[other] Die Markierungen von { $point } widersprechen sich: { $images }
+    }{ $tau ->
+        [0] .
+       *[other] {" "}(Testwert { NUM($tau, decimals: 1) }).
+    }
+    .do = Die Markierung prüfen.

@@ -12,3 +12,6 @@ mask-size_differs = Die Maske hat { $width_px } x { $height_px } px, die Aufnahm
 
 mask-corner_form = Ecke { $corner } des Polygons ist { $word }.
     .do = x und y mit Komma, Ecken mit Leerzeichen dazwischen angeben: '10,20 300,20 300,200'
+
+mask-other_name = { $name } weicht von den Namen einer Maske für diese Aufnahme ab.
+    .do = In einen der Namen { $names } (COLMAP, Metashape) umbenennen, Groß- und Kleinschreibung gleich.

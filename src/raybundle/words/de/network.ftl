@@ -22,3 +22,7 @@ network-variance_not_positive = Eine Varianz ist { $variance }; sie muss positiv
 
 network-covariance_not_symmetric = Die Kovarianzmatrix des Punkts ist nicht symmetrisch.
     .do = cXY, cXZ und cYZ berichtigen.
+
+network-no_depth = Die Strahlen zu jedem Objektpunkt sind parallel: Das Netz hat keine Basis.
+    .why = Die Aufnahmen sind von einem Ort aus gemacht oder zeigen ein ebenes Objekt senkrecht.
+    .do = Aufnahmen von anderen Orten hinzufügen, mindestens ein Zehntel der Objektentfernung auseinander.

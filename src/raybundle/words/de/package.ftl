@@ -24,3 +24,17 @@ package-pyogrio_reading = Dieses Format zu lesen erfordert das Paket pyogrio.
 
 package-contourpy_missing = Höhenlinien erfordern das Paket contourpy.
     .do = pip install 'raybundle[geo]' ausführen.
+
+package-rioxarray_missing = Die Karte als DataArray zu lesen braucht das Paket rioxarray.
+    .do = Ausführen: pip install rioxarray
+
+package-several_missing = { $n } Pakete fehlen:
+
+package-typst_missing = Ein Bericht als PDF benötigt das Paket typst.
+    .do = Ausführen: pip install 'raybundle[pdf]'
+
+package-matplotlib_missing = Abbildungen benötigen das Paket matplotlib.
+    .do = Ausführen: pip install 'raybundle[plots]'
+
+package-tables_missing = Das Paket { $package } ist nicht installiert.
+    .do = pip install { $package } ausführen oder { OPTION("to", "numpy") } angeben.

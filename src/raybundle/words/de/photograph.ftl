@@ -106,3 +106,27 @@ photograph-too_few = Aufnahmen in diesem Ordner: { $n }; nötig sind zwei.
 
 photograph-none = Hier ist keine Aufnahme.
     .do = Aufnahmen oder Ordner mit Aufnahmen angeben.
+
+photograph-other_size = Die Datei hat { $width_px } x { $height_px } px, ihr Bild im Block { $block_width_px } x { $block_height_px } px.
+    .why = Das ist eine andere Aufnahme.
+    .do = Die Aufnahme angeben, die für den Block verwendet wurde.
+
+photograph-not_in_result = Nicht im Ergebnis: { $names }.
+    .do = Aufnahmen des Ergebnisses angeben.
+
+photograph-no_longer_readable = Aufnahmen wurden während des Laufs unlesbar.
+    .do = Das Laufwerk oder Netzlaufwerk prüfen und neu starten.
+
+photograph-too_few_usable = { $n } brauchbare { $n ->
+        [one] Aufnahme
+       *[other] Aufnahmen
+    }; mindestens { $least } { $least ->
+        [one] ist
+       *[other] sind
+    } nötig.
+    .do = Einen Ordner mit Aufnahmen oder ihre Dateien angeben.
+
+photograph-in_no_folder = Die Datei ist in keinem der Ordner der Aufnahmen.
+
+photograph-none_readable = Keine Aufnahme des Blocks ist lesbar.
+    .do = Den Ordner der Aufnahmen prüfen.

@@ -13,3 +13,51 @@ picture-suffix = Der Name des Bildes endet nicht auf { LIST($known, most: 8) }.
 
 picture-not_geotiff = Das Bild lässt sich nicht als GeoTIFF schreiben ({ $detail }).
     .do = Ein Raster angeben, das GDAL liest, oder NAME_RPC.TXT, NAME.RPB oder NAME.geom schreiben.
+
+picture-free_scale = Der Maßstab dieses Bildes ist nicht bestimmt; eine Zeichnung braucht ihn.
+    .do = Der Ausgleichung eine Maßstabsstrecke, zwei Passpunkte oder beobachtete Positionen geben und neu entzerren.
+
+picture-world_file_only = Ein World-File legt die Lage der Ebene im Raum nicht fest.
+    .why = Punkte eines Blocks lassen sich auf dieses Bild nicht zeichnen.
+    .do = { $missing } ergänzen, das rectify schreibt.
+
+picture-no_plane_points = Eine einzelne Aufnahme braucht Punkte der Ebene.
+    .do = { OPTION("control", "FILE") } angeben.
+
+picture-setting_of_other_source = { OPTION($setting) } gehört zu { $result ->
+        [yes] einem Ergebnis
+       *[no] einer einzelnen Aufnahme
+     }.
+    .do = Es weglassen{ $result ->
+        [yes] ; eine Aufnahme hat { OPTION("control") }
+       *[no] ; ein Ergebnis hat Kalibrierung und Orientierung schon
+     }.
+
+picture-not_readable = Das Bild ist nicht lesbar ({ $detail }).
+    .do = Das Bild neu schreiben.
+
+picture-area_empty = Ein Gebiet von { $width } x { $height } mit einem Pixel von { $pixel } ergibt kein Bild.
+    .do = Gebiet und Pixel größer als 0 angeben.
+
+picture-pixel_too_large = Ein Pixel von { $pixel } ist größer als das Gebiet von { NUM($width, digits: 4) } x { NUM($height, digits: 4) }.
+    .do = { OPTION($setting) } kleiner wählen.
+
+picture-too_large = Das Bild hätte { $width_px } x { $height_px } px (Grenze { $limit_px } px).
+    .do = { OPTION($setting, $needed) } oder eine kleinere { OPTION("extent") } angeben.
+
+picture-area_far_away = { OPTION($setting) } liegt weit entfernt von den Punkten des Ergebnisses.
+    .why = Es ist Ost { NUM($west, digits: 10) } bis { NUM($east, digits: 10) }, Nord { NUM($south, digits: 10) } bis { NUM($north, digits: 10) }; die Punkte liegen in { NUM($block_west, decimals: 0) } bis { NUM($block_east, decimals: 0) }, { NUM($block_south, decimals: 0) } bis { NUM($block_north, decimals: 0) }.
+    .do = Kartenkoordinaten angeben ({ $system }).
+
+picture-no_photograph = Keine Aufnahme zeigt das Gebiet, oder keine wurde gelesen.
+    .do = Den Ordner der Aufnahmen ({ OPTION("photos") }) oder eine andere { OPTION("extent") } angeben.
+
+picture-control_on_line = Die Passpunkte liegen auf einer Geraden (Grenze { PERCENT($limit) } % ihrer Länge).
+    .why = { $alone ->
+        [yes] Nur { $exception } liegt neben der Geraden; neben ihr ist nichts geprüft
+       *[no] Das Bild neben der Geraden ist nicht bestimmt
+    }.
+    .do = Punkte rings um das Gebiet des Bildes messen.
+
+picture-area_not_shown = Die Aufnahme zeigt das Gebiet nicht.
+    .do = Eine andere { OPTION("extent") } angeben.

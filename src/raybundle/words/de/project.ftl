@@ -48,3 +48,6 @@ project-missing = Es gibt kein solches Projekt.
         [0] Eines
        *[other] Prüfen, ob { LIST($near, most: 1) } gemeint ist, oder eines
      } mit einer Angabe wie { OPTION("object", "NAME") } und { OPTION("new", "True") } beginnen.
+
+project-no_result = Das Projekt hat noch kein Ergebnis.
+    .do = Zuerst die Aufnahmen orientieren.

@@ -18,3 +18,9 @@ result-not_of_adjustment = Die Datei ist nicht result.json einer Ausgleichung.
 
 result-unknown_id = { $id } steht nicht in { $table }; das Ergebnis ist beschädigt.
     .do = Erneut ausgleichen.
+
+result-no_folder = Es gibt keinen solchen Ordner.
+    .do = Ein Ergebnis oder ein Projekt von orient angeben.
+
+result-none_in_folder = Der Ordner hat weder result.json noch block.toml noch project.db.
+    .do = Ein Ergebnis, einen Blockordner oder ein Projekt von orient angeben.

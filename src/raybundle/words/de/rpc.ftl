@@ -110,3 +110,65 @@ rpc-error_sources = 1 m Höhenfehler verschiebt einen Punkt um { NUM($east, digi
         }.
 
 rpc-refitted = Neu angepasster RPC: höchstens { NUM($largest_px, digits: 2) } px vom korrigierten.
+
+rpc-other_image = Das RPC gehört nicht zu diesem Bild von { $width_px } x { $height_px } px.
+    .why = Das RPC umfasst die Spalten { $first_column } bis { $last_column } und die Zeilen { $first_row } bis { $last_row }.
+    .do = Das RPC dieses Bildes angeben; für ein verkleinertes oder beschnittenes Bild Verschiebungen und Maßstäbe anpassen.
+
+rpc-projection_not_finite = RPC: Seine Abbildung ist innerhalb der Szene nicht endlich.
+    .do = Die Datei neu beschaffen; sie ist beschädigt.
+
+rpc-keys_missing = Das RPC ist unvollständig; es fehlt: { LIST($names, most: 10) }.
+    .do = Die vollständige Datei beschaffen.
+
+rpc-coefficient_count = Das RPC ist unvollständig: { $name } hat { $n } von 20 Koeffizienten.
+    .do = Die vollständige Datei in der Form RPC00B beschaffen.
+
+rpc-metadata_below = Metadaten des Bereichs RPC stehen in einem tieferen Element, nicht in der Wurzel.
+    .do = Die Datei des Rasters angeben, das das RPC hat.
+
+rpc-not_one = Die Datei enthält { $n } RPC{ $n ->
+     [0] { "" }
+     *[other] { " " }({ $names })
+    }; genau eines ist nötig.
+    .do = Eine Datei mit einem Bild angeben.
+
+rpc-two_values = Dieser Schlüssel ist hier { $value } und in Zeile { $other_line } { $other }.
+    .do = Einen der beiden löschen.
+
+rpc-unit = Die Einheit ist { $unit }; das RPC braucht { $needed }.
+    .do = Das RPC umrechnen.
+
+rpc-no_tag = Die TIFF-Datei enthält kein RPC (Tag 50844).
+    .do = Die Datei mit dem RPC angeben (_RPC.TXT, .RPB, .XML).
+
+rpc-tag_count = Das RPC-Tag hat { $n } Zahlen; 92 sind nötig.
+    .do = Die Datei neu beschaffen; sie ist beschädigt.
+
+rpc-not_finite = RPC: Eine Zahl ist nicht endlich.
+    .do = Die Datei neu beschaffen; sie ist beschädigt.
+
+rpc-geotiff_needs_picture = Ein GeoTIFF mit RPC braucht das Bild der Szene, das fehlt.
+    .do = Das Raster als Szene angeben oder NAME_RPC.TXT, NAME.RPB oder NAME.geom schreiben.
+
+rpc-file_precedes_tag = { $name } liegt im selben Ordner; GDAL würde ihr RPC statt des Tags lesen.
+    .do = Sie verschieben oder einen anderen Namen wählen.
+
+rpc-name_ending = { $ending ->
+     [blank] Der Name hat keine Endung
+     *[other] Die Endung { $ending } gehört zu keinem Format von RPC
+    }.
+    .do = NAME_RPC.TXT, NAME.RPB, NAME.geom wählen oder NAME.tif für das Bild mit seinem RPC.
+
+rpc-tag_differs = Das von GDAL geschriebene Tag weicht vom RPC ab; keine Datei wird geschrieben.
+    .do = NAME_RPC.TXT, NAME.RPB oder NAME.geom schreiben.
+
+rpc-terms_reordered = Die Glieder des RPC00A wurden in die Reihenfolge von RPC00B gebracht.
+
+rpc-specification_assumed = { $specification ->
+     [none] Die Spezifikation des RPC fehlt
+     *[other] Die Spezifikation des RPC ist { $specification }
+    }; RPC00B wird angenommen.
+
+rpc-point_far_away = Ein Punkt ist das { NUM($ratio, digits: 4) }-Fache des Bereichs der RPC von der Szenenmitte entfernt (Grenze { $limit }).
+    .do = Folge und Einheiten der Koordinaten prüfen.

@@ -9,3 +9,24 @@ scale_bar-too_few_rays = Maßstabsstrecke { $start } - { $end }: Ihre Endpunkte 
 
 scale_bar-end_not_measured = Maßstabsstrecke { $start } - { $end }: Punkt { $point } ist in keiner Aufnahme gemessen.
     .do = Seine Bildmessungen mit { OPTION("control") } angeben oder Zielmarken mit { OPTION("target") } erkennen lassen.
+
+scale_bar-sigma_too_large = Maßstabsstrecke { $start } - { $end }: Die Standardabweichung { $sigma_m } m ist nicht kleiner als die Länge { $length_m } m.
+    .do = Beide in Metern angeben.
+
+scale_bar-no_length = Maßstabsstrecke { $start } - { $end }: Ihre Enden sind ein Punkt oder haben keine Koordinaten.
+    .do = Die Namen der Enden berichtigen.
+
+scale_bar-contradict = Maßstabsstrecken widersprechen sich um den Faktor { $factor }.
+    .why = { $exchanged ->
+        [yes] Mit vertauschten Längen von { $first } und { $second } stimmen sie überein.
+       *[no] { "" }
+     }
+    .do = { $exchanged ->
+        [yes] Prüfen, ob die Zertifikate der beiden vertauscht sind
+       *[no] Längen in Metern angeben und die Namen der Enden prüfen
+     }.
+
+scale_bar-given_and_measured = { $bar }: angegeben { NUM($given_m, digits: 6) } m, nach { $pair ->
+        [yes] { $others }
+       *[no] den übrigen
+     } { NUM($measured_m, digits: 6) } m

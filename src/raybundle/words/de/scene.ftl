@@ -92,3 +92,118 @@ scene-rpc_range_adapted = Das RPC wurde für den Bereich dieses Bildes umgeschri
     .why = Seine Verschiebungen lagen außerhalb des Bildes; die Polynome sind dieselben.
 
 scene-one_band = Die Szene hat { $n } Kanäle; die Blickrichtungen des Kanals { $band } werden verwendet.
+
+scene-model_missing = Die Szene hat { $model ->
+        [rpc] keine RPC
+       *[rigorous] kein strenges Modell
+     }.
+    .do = { $choice ->
+        [yes] { OPTION("model", "auto") } verwenden
+       *[no] Eine Szene mit strengem Modell angeben, aus dem sich RPC berechnen lassen
+     }.
+
+scene-none_here = Hier ist keine Szene: kein Bild mit RPC und keine Datei mit RPC.
+    .do = Den Pfad prüfen.
+
+scene-none_corrected = Keine von { $n } { $n ->
+        [one] Szene
+       *[other] Szenen
+     } lässt sich verbessern:
+
+scene-not_corrected = Szene { $scene }:
+
+scene-name_twice = Zwei Szenen heißen { $name }.
+    .do = Eine umbenennen.
+
+scene-rpc_missing = Die Szene hat keine RPC.
+    .do = Sie berechnen: raybundle rpc fit.
+
+scene-height_range_missing = Der Höhenbereich ist unbekannt: Die Szene hat keine RPC.
+    .do = { OPTION("heights", "LOW", "HIGH") } angeben.
+
+scene-original_rpc = Die Datei der ursprünglichen RPC existiert schon; sie wird nie überschrieben.
+    .do = Sie verschieben oder eine neue Datei schreiben: { OPTION("out", "FILE") }.
+
+scene-no_geotiff = Dies ist kein GeoTIFF; RPC lassen sich nur in ein GeoTIFF schreiben.
+    .do = Eine neue Datei schreiben: { OPTION("out", "FILE") }.
+
+scene-rpc_of_no_picture = { OPTION("rpc") } gehört zu einem Bild; dies ist keines.
+    .do = Es weglassen.
+
+scene-object_without_rpc = Weder das Objekt vom Typ { $kind } noch seine Datei hat RPC.
+    .do = { OPTION("rpc", "FILE") } angeben.
+
+scene-rpc_not_in_picture = In diesem Bild (Tag 50844) und daneben sind keine RPC.
+    .why = Dateien daneben sind NAME_RPC.TXT, NAME.RPB, NAME.rpc, NAME.XML und NAME.geom.
+    .do = Die Datei mit den RPC angeben: { OPTION("rpc", "FILE") }.
+
+scene-outside_map = Die Szene zeigt keinen Teil des Kartengebiets.
+    .do = { OPTION("extent") } anders wählen.
+
+scene-map_too_large = Die Karte hat { $width_px } x { $height_px } px mit { $bands } Kanälen, zu viele für den Speicher.
+    .do = Sie in eine Datei schreiben: { OPTION("out", "FILE.tif") }.
+
+scene-no_data_type = { OPTION("nodata", $value) } ist kein Wert vom Typ { $type } der Pixel.
+    .do = Einen Wert dieses Typs angeben.
+
+scene-single = Es gibt eine Satellitenszene und keine Aufnahme; zwei Bilder desselben Geländes sind nötig.
+    .do = Eine zweite Szene oder Aufnahmen desselben Geländes angeben.
+
+scene-no_tie_points = { $n } { $n ->
+        [one] brauchbare Szene
+       *[other] brauchbare Szenen
+    } ohne Verknüpfungspunkte und ohne markierte Passpunkte.
+    .why = Paare mit gemeinsamem Gelände: { $pairs }.
+    .do = Prüfen, ob die Szenen denselben Ort zu ähnlicher Jahreszeit mit ihren eigenen RPC zeigen, oder Passpunkte markieren: { OPTION("control") }.
+
+scene-middle = Szene { $scene }: Mitte bei { NUM($longitude_deg, decimals: 3) }° Länge, { NUM($latitude_deg, decimals: 3) }° Breite.
+
+scene-control_far_away = In dieser Szene markierte Passpunkte liegen weit außerhalb.
+    .do = Das Koordinatensystem und die Nummern der Passpunkte prüfen.
+
+scene-control_shifted = { $n } markierte Passpunkte liegen um { NUM($dx_px, decimals: 0) }, { NUM($dy_px, decimals: 0) } px daneben (Grenze { NUM($limit_x_px, decimals: 0) }, { NUM($limit_y_px, decimals: 0) } px).
+    .why = Die Grenze folgt aus der angegebenen Genauigkeit von { $model }.
+    .do = Prüfen, ob { $model } zu diesem Bild gehört, dazu Koordinatensystem, Höhen und Nummern der Passpunkte.
+
+scene-control_scattered = { $n } markierte Passpunkte streuen um { NUM($spread_x_px, decimals: 1) }, { NUM($spread_y_px, decimals: 1) } px (Grenze { NUM($limit_x_px, decimals: 1) }, { NUM($limit_y_px, decimals: 1) } px).
+    .why = Keine gemeinsame Verschiebung passt (Median { NUM($dx_px, decimals: 0) }, { NUM($dy_px, decimals: 0) } px).
+    .do = Prüfen, ob { $model } zu diesem Bild gehört, dazu Koordinatensystem, Höhen und Nummern der Passpunkte.
+
+scene-pixels_not_supported = Pixel von { $suffix }-Dateien werden nicht unterstützt.
+    .do = In TIFF umwandeln (gdal_translate { $source } { $target }), die RPC daneben.
+
+scene-other_size = Das Bild hat { $width_px } x { $height_px } px, { $model } gilt für { $model_width_px } x { $model_height_px } px.
+    .do = Die Datei dieses Bildes angeben.
+
+scene-all_zero = Das Bild hat keinen Grauwert über 0.
+    .do = Ein Bild des Geländes angeben.
+
+scene-no_texture = Das Bild hat keine Textur.
+    .do = Prüfen, ob es ein Bild des Geländes ist.
+
+scene-outside_system = Die Szene bei { NUM($longitude_deg, decimals: 4) }° Länge, { NUM($latitude_deg, decimals: 4) }° Breite liegt außerhalb von { $system }.
+    .do = Ein anderes Koordinatensystem angeben: { OPTION("crs") }.
+
+scene-not_covered = Das Raster deckt die Szene nicht, bei { NUM($longitude_deg, decimals: 5) }° Länge, { NUM($latitude_deg, decimals: 5) }° Breite.
+    .do = Das Höhenraster dieses Gebiets angeben.
+
+scene-control_without_system = Die Passpunkte haben kein Koordinatensystem, und { NUM($x, digits: 8) }, { NUM($y, digits: 8) } sind keine Grad nahe den Szenen.
+    .why = Die Szenen liegen bei { NUM($longitude_deg, decimals: 4) }° Länge, { NUM($latitude_deg, decimals: 4) }° Breite.
+    .do = Das Koordinatensystem angeben: { OPTION("crs", "EPSG:...") }.
+
+scene-name_taken = Eine andere Szene hat denselben Namen.
+    .do = Eine der beiden umbenennen.
+
+scene-pair_shifted = { $n } gemeinsame Punkte ergeben eine Verschiebung von { NUM($shift_px, decimals: 0) } px (Grenze { NUM($limit_px, decimals: 0) } px).
+    .why = Die Grenze ist das { $times }-Fache der angegebenen Genauigkeit von { NUM($prior_px, decimals: 1) } px.
+    .do = Prüfen, ob jedes Bild seine eigene RPC- oder XML-Datei hat und ob es beschnitten, skaliert oder gedreht wurde.
+
+scene-pair_scattered = { $n } gemeinsame Punkte streuen um { NUM($spread_px, decimals: 0) } px (Grenze { $limit_px } px); keine gemeinsame Verschiebung passt.
+    .do = Prüfen, ob jedes Bild seine eigene RPC- oder XML-Datei hat und ob es beschnitten, skaliert oder gedreht wurde.
+
+scene-pair_height = Die Strahlen von { $n } gemeinsamen Punkten schneiden sich bei { NUM($height_m, decimals: 0) } m; die RPC gelten für { NUM($low_m, decimals: 0) } bis { NUM($high_m, decimals: 0) } m.
+    .do = Prüfen, ob jedes Bild seine eigene RPC- oder XML-Datei hat und ob es beschnitten, skaliert oder gedreht wurde.
+
+scene-contradicts_other = Ihre Geometrie ({ $model }) widerspricht der Szene { $other }, die zu anderen Szenen passt.
+
+scene-pair_contradicts = Die Szenen { $first } und { $second } widersprechen sich; welche falsch ist, ist mehrdeutig.

@@ -79,3 +79,9 @@ scene_control-wgs84_assumed = Koordinatensystem der Passpunkte: nicht angegeben;
 scene_control-columns_missing = Die Spalten { LIST($header, most: 12) } ergeben keine Passpunkttabelle.
     .why = Nötig sind { LIST($geographic, most: 9) } oder { LIST($grid, most: 9) }.
     .do = Die fehlenden Spalten ergänzen oder eine Tabelle { LIST($image_points, most: 9) } als { OPTION("image_points", "FILE.csv") } angeben.
+
+scene_control-check_only = Alle Punkte sind Kontrollpunkte.
+    .do = Mindestens einen davon zum Passpunkt machen.
+
+scene_control-image_missing = Es gibt { $n } Szenen, aber Punkte nennen nicht das Bild, in dem sie gemessen sind.
+    .do = Eine Spalte image ergänzen.

@@ -71,3 +71,6 @@ sheet-dots_without_numbers = Punkte haben keine Nummern, die { OPTION("codes") }
 
 sheet-board_without_numbers = { $family } ist eine Tafel; ihre Punkte haben keine Nummern zur Auswahl.
     .do = { OPTION("codes") } und { OPTION("count") } weglassen.
+
+sheet-other_targets = Die Aufnahmen zeigen Zielmarken, die nicht auf dem Blatt sind: { LIST($names, most: 10) }.
+    .do = Die Datei des aufgenommenen Blatts angeben oder nur die Familie: { OPTION("target") }.

@@ -8,3 +8,35 @@ studio-not_started = Das Studio von { $folder } endete mit Status { $status }{ $
         [0] { " " }ohne Ausgabe
        *[other] : { $detail }
      }
+
+studio-no_figure = Es gibt keine Abbildung { $number }; es sind { $n }, ab 0 gezählt.
+
+studio-no_adjustment = Es gibt noch keine Ausgleichung.
+    .do = Zuerst ausgleichen oder das Ende der laufenden Ausgleichung abwarten.
+
+studio-no_photographs = Kein Ordner und keine Datei mit Aufnahmen ist angegeben.
+    .do = Den Ordner der Aufnahmen im ersten Feld angeben.
+
+studio-nothing_to_run = In diesem Ordner können keine Schritte laufen; sein Block lässt sich ausgleichen.
+    .do = Einen Projektordner von orient, einen Ergebnisordner von calibrate oder einen Ordner mit Aufnahmen öffnen.
+
+studio-busy = Ein Lauf oder eine Ausgleichung ist im Gang.
+    .do = Anhalten oder das Ende abwarten.
+
+studio-port_in_use = Port { $port } ist nicht verwendbar ({ $detail }).
+    .do = { OPTION("port") } weglassen; dann wird ein freier Port verwendet.
+
+studio-adjustment_not_stored = Ausgleichung { $number } ist nicht gespeichert; { $n ->
+        [0] keine ist gespeichert
+       *[other] gespeichert: { LIST($stored, most: 20) }
+    }.
+
+studio-adjustment_without_page = Ausgleichung { $number } hat keine { $name }.
+    .do = Neu ausgleichen; dabei wird die Seite geschrieben.
+
+studio-photograph_file_unknown = Die Datei dieser Aufnahme ist nicht bekannt.
+    .do = Das Studio mit dem Ordner der Aufnahmen starten: { OPTION("photos") }.
+
+studio-no_level = Es gibt keine Stufe { $level }; es sind { $n }, ab 0 gezählt.
+
+studio-tile_outside = Kachel { $across }, { $down } der Stufe { $level } liegt außerhalb der Aufnahme.

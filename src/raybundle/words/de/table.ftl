@@ -70,3 +70,6 @@ table-one_position = Die Tabelle braucht entweder { $grid } oder { $geographic }
 
 table-not_increasing = { NUM($value, digits: 10) } folgt auf { NUM($before, digits: 10) }; die Spalte muss ansteigen.
     .do = Die Zeilen nach dieser Spalte sortieren und wiederholte Werte löschen.
+
+table-no_such_column = Die Tabelle hat keine Spalte { $name }.
+    .do = Eine von { LIST($known, most: 40) } angeben.

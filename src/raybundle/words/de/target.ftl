@@ -44,3 +44,21 @@ target-code_range = { OPTION("codes") }: { $word } ist mehr als die { $most } m�
 
 target-code_twice = { OPTION("codes", $text) }: Eine Nummer kommt zweimal vor, oder ein Bereich läuft abwärts.
     .do = Die Liste berichtigen.
+
+target-family_twice = Zielmarkenfamilien zweimal angegeben: { $names }.
+    .do = Jede Familie einmal angeben.
+
+target-family_ambiguous = Die Zielmarken in { $photographs } Aufnahmen passen zu mehreren Familien; Codes und Ringbreiten entscheiden nicht.
+    .do = Die gedruckte Familie nennen: { OPTION("target", $best) }.
+
+target-family_points = { $family }: { $n } Punkte.
+
+target-board_ambiguous = { $board ->
+        [raster] Ein Punktraster
+       *[chessboard] Ein Schachbrett
+    } ist sichtbar, aber seine Größe ist mehrdeutig: { $names }.
+    .why = Es muss in den meisten von { $photographs } Aufnahmen vollständig und gleich aussehen. Auch geprüft: { LIST($families, most: 30) }, AprilTag, ArUco, ChArUco.
+    .do = Die Tafel nennen: { $board ->
+        [raster] { OPTION("target", "circles-7x5") } oder acircles-4x11, wenn versetzt
+       *[chessboard] { OPTION("target", "chessboard-9x6") }, nach ihren inneren Ecken
+    }.

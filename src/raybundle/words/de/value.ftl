@@ -46,3 +46,15 @@ value-unit_unknown = Die Einheit { $unit } wird nicht unterstützt.
 
 value-no_time = { $value } ist keine Datums- und Zeitangabe.
     .do = Sie wie 2021-11-07T10:29:11.950343Z schreiben.
+
+value-size_out_of_range = { $value } liegt außerhalb des Bereichs: Eine Zahl ist 0 oder dem Betrag nach { $least } bis { $most }.
+    .do = Die Zahl oder ihre Einheit berichtigen.
+
+value-no_length = { $value } ist keine Länge.
+    .do = Eine Länge wie 5mm, 0.5cm oder 0.2in angeben.
+
+value-no_number_or_text = { $value } ist weder Zahl noch Text.
+    .do = Eine Zahl oder einen Text in Anführungszeichen angeben.
+
+value-not_one_of = { $entry } = { $given } ist unbekannt.
+    .do = Eines von { LIST($known, most: 20) } angeben.

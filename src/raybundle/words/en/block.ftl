@@ -98,3 +98,21 @@ block-scale_free = The scale of the block is not determined: no length fixes it.
 
 block-not_adjusted = Images have no orientation, or points no coordinates: the block is not adjusted.
     .do = Adjust it, and give the result.
+
+# $block = "bridge"
+block-heights_defined = Block { $block } already defines the reference of its heights.
+    .do = Omit { OPTION("undulation") }.
+
+# $block = "bridge"
+block-place_defined = Block { $block } already defines the place of its frame on the earth.
+    .do = Omit { OPTION("crs") }, or give { OPTION("frame_origin") } too.
+
+# $block = "part"
+# $unit = "mm"
+# $system = "EPSG:25832"
+block-origin_missing = Block { $block } has lengths in { $unit }, so its coordinates are not those of { $system }.
+    .do = Give { OPTION("frame_origin") }.
+
+# $block = "bridge"
+block-folder_needs_observations = Block { $block } has no image observations; a block folder needs them.
+    .do = Convert it to another format.

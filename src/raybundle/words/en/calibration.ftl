@@ -168,3 +168,57 @@ calibration-photograph_next = Take { $n } further { $n ->
         [one] photograph
         *[other] photographs
     }: { OPTION("verbose", "True") } lists them.
+
+# $n = 2
+# $cameras = ["d5100", "d7200"]
+calibration-several = Cameras in this file: { $n }; none is named.
+    .do = Name one with { OPTION("camera") }: { LIST($cameras, most: 20) }.
+
+# $n = 2
+# $photographed = 1
+calibration-one_for_one = Cameras in this file: { $n }; cameras of the photographs: { $photographed }. One of each is possible.
+    .do = Give the calibration of the one camera of the photographs.
+
+# $n = 0
+# $width_px = 6000
+# $height_px = 4000
+calibration-no_camera_of_size = Cameras of this file with { $width_px } x { $height_px } px, the size of the photograph: { $n }; one is needed.
+    .do = Give the calibration of the camera of the photograph.
+
+# $n = 2
+# $least = 3
+calibration-too_few_photographs = { $n } usable { $n ->
+        [one] photograph
+       *[other] photographs
+    }; a calibration needs at least { $least }.
+    .do = Take 10 to 20 photographs from different sides, some with the camera rolled by 90°.
+
+calibration-spline_parameters = The parameters of model spline cannot be selected.
+    .do = Omit { OPTION("parameters") } or { OPTION("model") }.
+
+# $n = 1
+# $photographs = 8
+# $least = 6
+# $families = ["aicon14"]
+# $points = 40
+# $unnamed = 12
+calibration-too_few_points = { $n } of { $photographs } photographs show { $least } common points of { $families }; 2 are needed.
+    .why = { $points } points were read, { $unnamed } without a code.
+    .do = Name the printed targets ({ OPTION("target") }), and photograph them so that a dot or square is 10 px large.
+
+# $angle_deg = 8.0
+# $least_deg = 15.0
+calibration-flat_views = The views of the flat object differ by { NUM($angle_deg, decimals: 0) }° only; { NUM($least_deg, decimals: 0) }° are needed.
+    .why = From nearly one direction, camera constant and distance of a flat object cannot be separated.
+    .do = Add convergent photographs: from left, right, above and below, 30° to 45° off the normal, some rolled by 90°.
+
+calibration-not_possible = The camera cannot be calibrated from these photographs.
+    .do = Take 6 to 20 photographs of the same points that converge by 30° to 45°, some rolled by 90°; exclude photographs named here.
+
+# $camera = "d5100"
+# $rms_px = 0.8
+# $start_rms_px = 0.3
+# $c_mm = 24.1
+calibration-spline_worse = Camera { $camera }: model spline ends worse ({ NUM($rms_px, digits: 2) } px) than the start ({ NUM($start_rms_px, digits: 2) } px).
+    .why = These photographs do not determine its surfaces (camera constant { $c_mm } mm).
+    .do = Omit { OPTION("model") }, or add photographs that cover the format to its corners.

@@ -210,3 +210,19 @@ camera-no_motion = Camera { $camera }: the velocity vy is 0.
 # $camera = "d5100"
 camera-no_covariance = Camera { $camera } has no covariance matrix.
     .do = Calibrate it with statistics.
+
+# $model = "brwon"
+# $known = ["auto", "brown", "fisheye"]
+camera-calibration_model_unknown = Sensor model { $model } is unknown.
+    .do = Give one of { LIST($known, most: 30) }.
+
+# $model = "panorama"
+# $known = ["auto", "brown", "fisheye"]
+camera-not_by_targets = Sensor model { $model } cannot be calibrated from photographs of targets.
+    .why = It does not image everything at one time from one place.
+    .do = Give one of { LIST($known, most: 30) }, or run raybundle adjust with a block that uses { $model }.
+
+# $camera = "d5100"
+# $model = "fisheye"
+camera-model_not_fitted = Camera { $camera }: model { $model } cannot be fitted to the approximate values.
+    .do = Give another model.

@@ -40,3 +40,22 @@ control-point_twice = Point { $point } is also in { $table }.
 control-other_photographs = None of the photographs in which the file measures points is in the set.
     .why = The file has { LIST($names, most: 3) }; the set has { LIST($photographs, most: 3) }.
     .do = Check that the file belongs to these photographs, and the names.
+
+# $n = 4
+# $points = ["A1", "A2", "A3", "A4"]
+control-points_in_line = The { $n } measured control points lie in one line, or are one point: { LIST($points, most: 5) }.
+    .do = Give a datum by three control points that are not in one line.
+
+# $ratio = 1000.2
+# $likely = true
+# $units = "mm for m"
+control-other_unit = The scale bars make the network { NUM($ratio, digits: 4) } times as large as the control.
+    .why = The unit of one of them is wrong{ $likely ->
+        [yes] { " " }(likely { $units })
+       *[no] { "" }
+     }.
+    .do = Give the unit of the control file: { OPTION("unit") }.
+
+# $photograph = "wall.jpg"
+control-none_in_photograph = No point with X and Y is measured in { $photograph }.
+    .do = Check that the image names agree.

@@ -144,3 +144,15 @@ crs-outside_use = { $table }: { NUM($x, digits: 10) }, { NUM($y, digits: 10) } i
      [yes] Check whether eastings and northings are exchanged
      *[no] Check the coordinate system
     }.
+
+crs-needed_by_settings = { OPTION("frame_origin") } and { OPTION("undulation") } need a coordinate system.
+    .do = Give { OPTION("crs") }.
+
+# $system = "WGS 84"
+crs-not_projected = { $system } is not a projected coordinate system.
+    .why = A drawing has a scale only in a projected system.
+    .do = Use a projected system, such as UTM.
+
+# $system = "EPSG:25832+7837"
+crs-plane_needed = { OPTION("crs", $system) } is not a plane coordinate system; a map needs one.
+    .do = Give a plane or geographic system without heights.

@@ -19,3 +19,34 @@ drawing-several_results = Points and lines of one result can be drawn; this is t
 # $setting = "plane"
 drawing-plane_of_picture = { OPTION($setting) } defines the plane of a result; a picture has its own plane.
     .do = Leave it out, or rectify the picture with it.
+
+# $grid = 0.1
+# $apart_mm = 1.0
+# $least_mm = 10.0
+# $needed = 2.0
+drawing-grid_too_dense = Lines of the grid { $grid } would be { NUM($apart_mm, digits: 2) } mm apart on paper (at least { $least_mm } mm).
+    .do = Use { OPTION("grid", $needed) }.
+
+# $width_m = 24.0
+# $height_m = 9.5
+# $paper = "A4"
+# $scale = 20
+# $sheets = 0
+drawing-does_not_fit = The object of { $width_m } x { $height_m } m does not fit on { $paper }{ $scale ->
+    [0] {" "}at any scale
+   *[other] {" "}at 1:{ $scale }
+}{ $sheets ->
+    [0] .
+   *[other] {" "}with { $sheets } sheets.
+}
+    .do = Use one of the remedies:
+
+# $scale = 200
+drawing-fitting_scale = A smaller scale: { OPTION("scale", $scale) }.
+
+# $paper = "A0"
+drawing-fitting_paper = A larger paper: { OPTION("paper", $paper) }.
+
+drawing-joined_sheets = Sheets that are joined: { OPTION("several", "True") }.
+
+drawing-title_block = Fewer words in the title block.

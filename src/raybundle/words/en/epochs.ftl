@@ -104,3 +104,7 @@ epochs-stable_points_differ = Stable points differ by more than their standard d
 epochs-free_scale = The scale of { $names } is not fixed: a growth of all points is not detected ({ $scale_ppm } ppm).
     .why = Control is free in this test; lengths are those of the first epoch.
     .do = Measure a scale bar in each epoch.
+
+# $points = ["A7"]
+epochs-points_unknown = No measurement has { LIST($points, most: 10) }.
+    .do = Correct { OPTION("points") }.

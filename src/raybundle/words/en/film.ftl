@@ -78,3 +78,6 @@ film-camera_missing = Scans of film need a calibrated camera.
 
 # $n = 2
 film-scans_not_transformed = Scans that cannot be transformed: { $n }. Nothing is written.
+
+# $n = 2
+film-one_camera = Cameras given: { $n }; scans of film need exactly one, the camera of the film.

@@ -34,3 +34,6 @@ folder-missing = The folder of this file does not exist.
 
 folder-other_block = The folder contains another block, which is not overwritten.
     .do = Choose another { OPTION("out") }.
+
+folder-missing_itself = There is no such folder.
+    .do = Check the path.

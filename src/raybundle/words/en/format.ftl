@@ -51,3 +51,23 @@ format-no_tables = { OPTION("tables") } belongs to block folders; format { $form
 format-csv = There is no format csv.
     .why = A block folder (format block) and a result folder consist of CSV tables: images.csv, points.csv, observations.csv.
     .do = Copy the table that you need.
+
+# $format = "bingo"
+# $suffix = ".dat"
+format-file_suffix = Format { $format } is a file with the ending { $suffix }.
+    .do = Give a name that ends in { $suffix }.
+
+# $format = "colmap"
+# $scenes = "scene_1, scene_2"
+# $whole = ["block", "rpc"]
+# $points = ["dxf", "geopackage", "las"]
+format-no_scenes = Format { $format } has no satellite scenes; the block has { $scenes }.
+    .do = Choose { $whole } for the scenes, or one of { LIST($points, most: 20) } for the points.
+
+# $names = ["bingo", "patb"]
+format-ambiguous = The file fits several formats: { $names }.
+    .do = Give one of them: { OPTION("read_as", flag: "from") }.
+
+# $known = ["block", "bingo", "colmap"]
+format-not_recognised = The format is not recognised.
+    .do = Give { OPTION("read_as", flag: "from") }, one of { LIST($known, most: 60) }.

@@ -20,3 +20,12 @@ height_grid-no_four_cells = Height grid { $name }: no four neighbouring cells ha
 # $total = 4000
 height_grid-void_cells = { $n } of { $total } cells have no height.
     .do = Leave these cells out, or fill them.
+
+# $other = "before.tif"
+height_grid-no_common_cell = No cell has a height here and in { $other }.
+    .do = Give height grids of the same area.
+
+# $other = "before.tif"
+height_grid-identical = All heights are identical to those of { $other }.
+    .why = It is the same measurement.
+    .do = Give another height grid.

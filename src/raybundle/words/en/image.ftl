@@ -81,3 +81,7 @@ image-points_and_unknowns = { $images }: { $n } image { $n ->
 # $image = "IMG_1"
 image-not_oriented = Image { $image } has no exterior orientation.
     .do = Orient it first.
+
+# $image = "img_07.jpg"
+image-photograph_missing = Image { $image }: its photograph is not in the folders of the project.
+    .do = Restore the photograph.

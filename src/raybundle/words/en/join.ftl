@@ -228,3 +228,54 @@ join-other_frame = { $name } is transformed to the frame of { $base }, whose ori
            *[no] { " " }(longitude, latitude, height)
         }, origin { $origin }
      }.
+
+# $point = "P12"
+# $block = "bridge"
+join-point_incomplete = Point { $point } of { $block } lacks a coordinate and cannot be transformed into the other frame.
+    .do = Adjust the block first.
+
+# $block = "bridge"
+# $tables = ["height_differences"]
+# $tilt_deg = 0.4
+# $limit_deg = 0.01
+join-vertical_of_tables = The frames differ in their verticals by { NUM($tilt_deg, digits: 2) }° (limit { NUM($limit_deg, digits: 2) }°).
+    .why = { $tables } of { $block } refer to the vertical.
+    .do = Give both blocks in frames of one origin.
+
+# $block = "april"
+# $other = "may"
+# $unit = "m"
+# $other_unit = "mm"
+join-frames_differ = { $block } ({ $unit }) and { $other } ({ $other_unit }) are in frames that cannot be transformed into each other.
+    .do = Transform both into one coordinate system in metres (convert to a block, { OPTION("crs") }), or delete [frame] in block.toml of a block whose place is unknown.
+
+# $block = "april"
+# $other = "may"
+# $away_m = 12.4
+join-transformed = { $block } was transformed into the frame of { $other }; the origins are { NUM($away_m, decimals: 3) } m apart.
+
+# $block = "april"
+# $system = "EPSG:25832"
+join-frame_projected = { $block } is in coordinates of { $system }.
+
+# $block = "april"
+join-frame_geocentric = { $block } is in a geocentric frame.
+
+# $block = "april"
+# $longitude_deg = 11.5
+# $latitude_deg = 48.1
+# $height_m = 520.0
+join-frame_local = { $block } is in a local frame at longitude { NUM($longitude_deg, decimals: 6) }°, latitude { NUM($latitude_deg, decimals: 6) }°, { NUM($height_m, decimals: 3) } m.
+
+# $block = "april"
+# $system = "EPSG:25832"
+# $x_m = 534700.0
+# $y_m = 5338160.0
+# $height_m = 520.0
+# $geoid_m = 46.1
+# $geoid = true
+join-frame_of_system = { $block } is in a local frame of { $system }.
+    .why = Its origin is { NUM($x_m, decimals: 3) }, { NUM($y_m, decimals: 3) }, { NUM($height_m, decimals: 3) } m{ $geoid ->
+        [yes] {" "}(geoid { $geoid_m } m above the ellipsoid)
+       *[no] {""}
+    }.

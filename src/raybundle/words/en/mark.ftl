@@ -184,3 +184,33 @@ mark-outside_photograph = { NUM($x_px, digits: 6) }, { NUM($y_px, digits: 6) } i
      [yes] { "" } and as it is stored (viewers turn it by its EXIF orientation { $orientation })
      *[no] { "" }
     }.
+
+# $point = "M7"
+# $adjusted = true
+# $folder = "facade/measured-result"
+mark-not_in_result = Point { $point } is marked by hand, but is not in this result.
+    .do = { $adjusted ->
+        [yes] Use { $folder }, the result with the marked points
+       *[no] Adjust it with the block first: raybundle mark adjust
+     }.
+
+# $limits = ["--residual", "--tau"]
+mark-nothing_to_reject = Neither an image point nor one limit is given.
+    .do = Give an image and a point, or one of { LIST($limits, most: 9) }.
+
+# $point = "P12"
+# $images = ["a.jpg"]
+# $n = 1
+# $tau = 7.4
+# $size_px = 12.5
+mark-contradicts = { $n ->
+        [one] The mark of { $point } in { $images } contradicts the others{ $size_px ->
+            [0] {""}
+           *[other] {" "}by { NUM($size_px, digits: 2) } px
+        }
+       *[other] The marks of { $point } contradict each other: { $images }
+    }{ $tau ->
+        [0] .
+       *[other] {" "}(test value { NUM($tau, decimals: 1) }).
+    }
+    .do = Check the mark.

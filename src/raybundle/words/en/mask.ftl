@@ -26,3 +26,8 @@ mask-size_differs = The mask has { $width_px } x { $height_px } px, photograph {
 # $word = "'300'"
 mask-corner_form = Corner { $corner } of the polygon is { $word }.
     .do = Give x and y with a comma, corners with a blank between: '10,20 300,20 300,200'
+
+# $name = "IMG_07.JPG.png"
+# $names = ["img_07.jpg.png", "img_07_mask.png", "img_07.png"]
+mask-other_name = { $name } differs from the names of a mask for this photograph.
+    .do = Rename it to one of { $names } (COLMAP, Metashape), with the same upper and lower case.

@@ -31,3 +31,7 @@ network-variance_not_positive = A variance is { $variance }; it must be positive
 
 network-covariance_not_symmetric = The covariance matrix of the point is not symmetric.
     .do = Correct cXY, cXZ and cYZ.
+
+network-no_depth = The rays to every object point are parallel: the network has no base.
+    .why = The photographs were taken from one place, or show a flat object squarely.
+    .do = Add photographs from other places, apart by at least a tenth of the object distance.

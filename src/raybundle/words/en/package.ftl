@@ -24,3 +24,19 @@ package-pyogrio_reading = Reading this format needs the package pyogrio.
 
 package-contourpy_missing = Contour lines need the package contourpy.
     .do = Run pip install 'raybundle[geo]'.
+
+package-rioxarray_missing = Reading the map as a DataArray needs the package rioxarray.
+    .do = Run: pip install rioxarray
+
+# $n = 2
+package-several_missing = { $n } packages are missing:
+
+package-typst_missing = A report as PDF needs the package typst.
+    .do = Run: pip install 'raybundle[pdf]'
+
+package-matplotlib_missing = Figures need the package matplotlib.
+    .do = Run: pip install 'raybundle[plots]'
+
+# $package = "polars"
+package-tables_missing = The package { $package } is not installed.
+    .do = Run pip install { $package }, or give { OPTION("to", "numpy") }.

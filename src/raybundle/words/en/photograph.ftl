@@ -162,3 +162,34 @@ photograph-too_few = Photographs in this folder: { $n }; two are needed.
 
 photograph-none = There is no photograph here.
     .do = Give photographs, or folders of photographs.
+
+# $width_px = 6000
+# $height_px = 4000
+# $block_width_px = 4000
+# $block_height_px = 6000
+photograph-other_size = The file has { $width_px } x { $height_px } px, its image in the block { $block_width_px } x { $block_height_px } px.
+    .why = This is another photograph.
+    .do = Give the photograph that was used for the block.
+
+# $names = ["img_99.jpg"]
+photograph-not_in_result = Not in the result: { $names }.
+    .do = Give photographs of the result.
+
+photograph-no_longer_readable = Photographs became unreadable during the run.
+    .do = Check the disk or network drive, and run again.
+
+# $n = 1
+# $least = 2
+photograph-too_few_usable = { $n } usable { $n ->
+        [one] photograph
+       *[other] photographs
+    }; at least { $least } { $least ->
+        [one] is
+       *[other] are
+    } needed.
+    .do = Give a folder of photographs, or their files.
+
+photograph-in_no_folder = The file is in none of the folders of the photographs.
+
+photograph-none_readable = No photograph of the block can be read.
+    .do = Check the folder of the photographs.

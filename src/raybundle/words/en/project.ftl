@@ -66,3 +66,6 @@ project-missing = There is no such project.
         [0] Begin
        *[other] Check whether { LIST($near, most: 1) } is meant, or begin
      } one by an entry such as { OPTION("object", "NAME") }, with { OPTION("new", "True") }.
+
+project-no_result = The project has no result yet.
+    .do = Orient its photographs first.

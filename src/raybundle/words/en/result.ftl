@@ -22,3 +22,9 @@ result-not_of_adjustment = The file is not the result.json of an adjustment.
 # $table = "block/points.csv"
 result-unknown_id = { $id } is not in { $table }; the result is damaged.
     .do = Adjust again.
+
+result-no_folder = There is no such folder.
+    .do = Give a result or a project of orient.
+
+result-none_in_folder = The folder has no result.json, block.toml or project.db.
+    .do = Give a result, a block folder or a project of orient.

@@ -177,3 +177,87 @@ rpc-error_sources = 1 m of wrong height moves a ground point { NUM($east, digits
 
 # $largest_px = 0.02
 rpc-refitted = Refitted RPC: at most { NUM($largest_px, digits: 2) } px from the corrected one.
+
+# $width_px = 20000
+# $height_px = 12000
+# $first_column = 0
+# $last_column = 5000
+# $first_row = 0
+# $last_row = 4000
+rpc-other_image = The RPC does not belong to this image of { $width_px } x { $height_px } px.
+    .why = The RPC covers columns { $first_column } to { $last_column } and rows { $first_row } to { $last_row }.
+    .do = Give the RPC of this image; for a reduced or cut image, adapt its offsets and scales.
+
+rpc-projection_not_finite = RPC: its projection is not finite inside the scene.
+    .do = Get the file again; it is damaged.
+
+# $names = ["LINE_OFF"]
+rpc-keys_missing = The RPC is incomplete; missing: { LIST($names, most: 10) }.
+    .do = Get the complete file.
+
+# $name = "LINE_NUM_COEFF"
+# $n = 19
+rpc-coefficient_count = The RPC is incomplete: { $name } has { $n } of 20 coefficients.
+    .do = Get the complete file, in the form RPC00B.
+
+rpc-metadata_below = Metadata of domain RPC is in a lower element, not in the root.
+    .do = Give the file of the raster that has the RPC.
+
+# $n = 2
+# $names = ["scene_1", "scene_2"]
+rpc-not_one = The file contains { $n } RPCs{ $n ->
+     [0] { "" }
+     *[other] { " " }({ $names })
+    }; exactly one is needed.
+    .do = Give a file of one image.
+
+# $value = "120.5"
+# $other = "121.5"
+# $other_line = 3
+rpc-two_values = This key is { $value } here and { $other } in line { $other_line }.
+    .do = Delete one of the two.
+
+# $unit = "'feet'"
+# $needed = "meters"
+rpc-unit = The unit is { $unit }; the RPC needs { $needed }.
+    .do = Convert the RPC.
+
+rpc-no_tag = The TIFF file contains no RPC (tag 50844).
+    .do = Give the file with the RPC (_RPC.TXT, .RPB, .XML).
+
+# $n = 90
+rpc-tag_count = The RPC tag has { $n } numbers; 92 are needed.
+    .do = Get the file again; it is damaged.
+
+rpc-not_finite = RPC: a number is not finite.
+    .do = Get the file again; it is damaged.
+
+rpc-geotiff_needs_picture = A GeoTIFF with RPC needs the picture of the scene, which is missing.
+    .do = Give the raster as scene, or write NAME_RPC.TXT, NAME.RPB or NAME.geom.
+
+# $name = "scene_RPC.TXT"
+rpc-file_precedes_tag = { $name } is in the same folder; GDAL would read its RPC instead of the tag.
+    .do = Move it elsewhere, or choose another name.
+
+# $ending = ".xyz"
+rpc-name_ending = { $ending ->
+     [blank] The name has no ending
+     *[other] The ending { $ending } belongs to no format of RPC
+    }.
+    .do = Choose NAME_RPC.TXT, NAME.RPB, NAME.geom, or NAME.tif for the picture with its RPC.
+
+rpc-tag_differs = The tag written by GDAL differs from the RPC; no file is written.
+    .do = Write NAME_RPC.TXT, NAME.RPB or NAME.geom.
+
+rpc-terms_reordered = The terms of the RPC00A were converted to the order of RPC00B.
+
+# $specification = "RPC00X"
+rpc-specification_assumed = { $specification ->
+     [none] The specification of the RPC is missing
+     *[other] The specification of the RPC is { $specification }
+    }; RPC00B is assumed.
+
+# $ratio = 900.0
+# $limit = 50.0
+rpc-point_far_away = A point is { NUM($ratio, digits: 4) } times the range of the RPC from the centre of the scene (limit { $limit }).
+    .do = Check the order and units of the coordinates.

@@ -127,3 +127,181 @@ scene-rpc_range_adapted = The RPC was rewritten for the range of this image, a p
 # $n = 2
 # $band = "PAN"
 scene-one_band = The scene has { $n } bands; the viewing directions of band { $band } are used.
+
+# $model = "rigorous"
+# $choice = true
+scene-model_missing = The scene has no { $model ->
+        [rpc] RPC
+       *[rigorous] rigorous model
+     }.
+    .do = { $choice ->
+        [yes] Use { OPTION("model", "auto") }
+       *[no] Give a scene with a rigorous model, from which an RPC is computed
+     }.
+
+scene-none_here = There is no scene here: no picture with an RPC and no file of an RPC.
+    .do = Check the path.
+
+# $n = 12
+scene-none_corrected = None of { $n } { $n ->
+        [one] scene
+       *[other] scenes
+     } can be corrected:
+
+# $scene = "scene_1.tif"
+scene-not_corrected = Scene { $scene }:
+
+# $name = "scene_1"
+scene-name_twice = Two scenes have the name { $name }.
+    .do = Rename one of them.
+
+scene-rpc_missing = The scene has no RPC.
+    .do = Compute one: raybundle rpc fit.
+
+scene-height_range_missing = The range of heights is unknown: the scene has no RPC.
+    .do = Give { OPTION("heights", "LOW", "HIGH") }.
+
+scene-original_rpc = The file of the original RPC already exists; it is never overwritten.
+    .do = Move it, or write a new file: { OPTION("out", "FILE") }.
+
+scene-no_geotiff = This is not a GeoTIFF; an RPC can be written into a GeoTIFF only.
+    .do = Write a new file: { OPTION("out", "FILE") }.
+
+scene-rpc_of_no_picture = { OPTION("rpc") } belongs to a picture; this is none.
+    .do = Leave it out.
+
+# $kind = "DataArray"
+scene-object_without_rpc = Neither the object of type { $kind } nor its file has an RPC.
+    .do = Give { OPTION("rpc", "FILE") }.
+
+scene-rpc_not_in_picture = There is no RPC in this picture (tag 50844) or beside it.
+    .why = Files beside it are NAME_RPC.TXT, NAME.RPB, NAME.rpc, NAME.XML and NAME.geom.
+    .do = Give the file with the RPC: { OPTION("rpc", "FILE") }.
+
+scene-outside_map = The scene shows no part of the area of the map.
+    .do = Choose another { OPTION("extent") }.
+
+# $width_px = 60000
+# $height_px = 60000
+# $bands = 4
+scene-map_too_large = The map has { $width_px } x { $height_px } px of { $bands } bands, too many for memory.
+    .do = Write it to a file: { OPTION("out", "FILE.tif") }.
+
+# $value = -9999.0
+# $type = "uint8"
+scene-no_data_type = { OPTION("nodata", $value) } is not a value of { $type }, the type of the pixels.
+    .do = Give a value of this type.
+
+scene-single = There is one satellite scene and no photograph; two images of the same ground are needed.
+    .do = Give a second scene, or photographs of the same ground.
+
+# $n = 2
+# $pairs = 1
+scene-no_tie_points = { $n } { $n ->
+        [one] usable scene
+       *[other] usable scenes
+    } without tie points and without marked control.
+    .why = Pairs with common ground: { $pairs }.
+    .do = Check that the scenes show the same place in a similar season with their own RPC, or mark control points: { OPTION("control") }.
+
+# $scene = "scene_1"
+# $longitude_deg = 11.52
+# $latitude_deg = 48.15
+scene-middle = Scene { $scene }: middle at longitude { NUM($longitude_deg, decimals: 3) }°, latitude { NUM($latitude_deg, decimals: 3) }°.
+
+scene-control_far_away = Control marked in this scene is far outside it.
+    .do = Check the coordinate system and the numbers of the control points.
+
+# $n = 4
+# $model = "scene_1.RPB"
+# $dx_px = 120.0
+# $dy_px = -8.0
+# $limit_x_px = 40.0
+# $limit_y_px = 40.0
+scene-control_shifted = { $n } marked control points are off by { NUM($dx_px, decimals: 0) }, { NUM($dy_px, decimals: 0) } px (limit { NUM($limit_x_px, decimals: 0) }, { NUM($limit_y_px, decimals: 0) } px).
+    .why = The limit is that of the stated accuracy of { $model }.
+    .do = Check that { $model } belongs to this image; check coordinate system, heights and numbers of the control points.
+
+# $n = 4
+# $model = "scene_1.RPB"
+# $dx_px = 12.0
+# $dy_px = -8.0
+# $spread_x_px = 14.0
+# $spread_y_px = 2.0
+# $limit_x_px = 5.0
+# $limit_y_px = 5.0
+scene-control_scattered = { $n } marked control points scatter by { NUM($spread_x_px, decimals: 1) }, { NUM($spread_y_px, decimals: 1) } px (limit { NUM($limit_x_px, decimals: 1) }, { NUM($limit_y_px, decimals: 1) } px).
+    .why = No common shift fits them (median { NUM($dx_px, decimals: 0) }, { NUM($dy_px, decimals: 0) } px).
+    .do = Check that { $model } belongs to this image; check coordinate system, heights and numbers of the control points.
+
+# $suffix = "ntf"
+# $source = "a.ntf"
+# $target = "a.tif"
+scene-pixels_not_supported = Pixels of { $suffix } files are not supported.
+    .do = Convert it to TIFF (gdal_translate { $source } { $target }), with its RPC beside it.
+
+# $width_px = 4000
+# $height_px = 3000
+# $model = "scene_1.RPB"
+# $model_width_px = 8000
+# $model_height_px = 6000
+scene-other_size = The image has { $width_px } x { $height_px } px, { $model } is for { $model_width_px } x { $model_height_px } px.
+    .do = Give the file of this image.
+
+scene-all_zero = The image has no grey value above 0.
+    .do = Give an image of the ground.
+
+scene-no_texture = The image has no texture.
+    .do = Check whether it is an image of the ground.
+
+# $longitude_deg = 11.5
+# $latitude_deg = 48.1
+# $system = "EPSG:2056"
+scene-outside_system = The scene at longitude { NUM($longitude_deg, decimals: 4) }°, latitude { NUM($latitude_deg, decimals: 4) }° is outside { $system }.
+    .do = Give another coordinate system: { OPTION("crs") }.
+
+# $longitude_deg = 11.5
+# $latitude_deg = 48.1
+scene-not_covered = The raster does not cover the scene, at longitude { NUM($longitude_deg, decimals: 5) }°, latitude { NUM($latitude_deg, decimals: 5) }°.
+    .do = Give the height raster of this area.
+
+# $x = 534700.0
+# $y = 5338160.0
+# $longitude_deg = 11.5
+# $latitude_deg = 48.1
+scene-control_without_system = The control has no coordinate system, and { NUM($x, digits: 8) }, { NUM($y, digits: 8) } are no degrees near the scenes.
+    .why = The scenes are at longitude { NUM($longitude_deg, decimals: 4) }°, latitude { NUM($latitude_deg, decimals: 4) }°.
+    .do = Give the coordinate system: { OPTION("crs", "EPSG:...") }.
+
+scene-name_taken = Another scene has the same name.
+    .do = Rename one of the two.
+
+# $n = 40
+# $shift_px = 120.0
+# $limit_px = 40.0
+# $prior_px = 8.0
+# $times = 4.0
+scene-pair_shifted = { $n } common points agree on a shift of { NUM($shift_px, decimals: 0) } px (limit { NUM($limit_px, decimals: 0) } px).
+    .why = The limit is { $times } times the stated accuracy of { NUM($prior_px, decimals: 1) } px.
+    .do = Check that each image has its own RPC or XML beside it, and whether it was cut, scaled or turned.
+
+# $n = 40
+# $spread_px = 14.0
+# $limit_px = 4.0
+scene-pair_scattered = { $n } common points scatter by { NUM($spread_px, decimals: 0) } px (limit { $limit_px } px); no common shift fits them.
+    .do = Check that each image has its own RPC or XML beside it, and whether it was cut, scaled or turned.
+
+# $n = 40
+# $height_m = 9000.0
+# $low_m = 0.0
+# $high_m = 1000.0
+scene-pair_height = The rays of { $n } common points meet at { NUM($height_m, decimals: 0) } m; the RPCs are valid for { NUM($low_m, decimals: 0) } to { NUM($high_m, decimals: 0) } m.
+    .do = Check that each image has its own RPC or XML beside it, and whether it was cut, scaled or turned.
+
+# $model = "scene_1.RPB"
+# $other = "scene_2"
+scene-contradicts_other = Its geometry ({ $model }) contradicts scene { $other }, which agrees with other scenes.
+
+# $first = "scene_1"
+# $second = "scene_2"
+scene-pair_contradicts = Scenes { $first } and { $second } contradict each other; which one is wrong is ambiguous.

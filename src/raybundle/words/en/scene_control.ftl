@@ -122,3 +122,10 @@ scene_control-wgs84_assumed = Coordinate system of the control: not defined; WGS
 scene_control-columns_missing = The columns { LIST($header, most: 12) } do not make a table of control.
     .why = Needed are { LIST($geographic, most: 9) }, or { LIST($grid, most: 9) }.
     .do = Add the missing columns, or give a table { LIST($image_points, most: 9) } as { OPTION("image_points", "FILE.csv") }.
+
+scene_control-check_only = All points are check points.
+    .do = Make at least one of them control.
+
+# $n = 12
+scene_control-image_missing = There are { $n } scenes, but points do not name the image in which they are measured.
+    .do = Add a column image.

@@ -115,3 +115,7 @@ sheet-dots_without_numbers = Dots have no numbers from which { OPTION("codes") }
 # $family = "chessboard-9x6"
 sheet-board_without_numbers = { $family } is a board; its points have no numbers to choose from.
     .do = Leave out { OPTION("codes") } and { OPTION("count") }.
+
+# $names = ["41", "42"]
+sheet-other_targets = The photographs show targets that are not on the sheet: { LIST($names, most: 10) }.
+    .do = Give the file of the sheet that was photographed, or the family alone: { OPTION("target") }.

@@ -109,3 +109,8 @@ table-one_position = The table needs either { $grid } or { $geographic }.
 # $before = 13.0
 table-not_increasing = { NUM($value, digits: 10) } follows { NUM($before, digits: 10) }; the column must increase.
     .do = Sort the rows by this column and delete repeated values.
+
+# $name = "sZ"
+# $known = ["id", "x", "y"]
+table-no_such_column = The table has no column { $name }.
+    .do = Give one of { LIST($known, most: 40) }.

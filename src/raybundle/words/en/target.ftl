@@ -72,3 +72,30 @@ target-code_range = { OPTION("codes") }: { $word } is more than the { $most } po
 # $text = "1,1"
 target-code_twice = { OPTION("codes", $text) }: a number occurs twice, or a range runs downwards.
     .do = Correct the list.
+
+# $names = ["rings12"]
+target-family_twice = Target families given twice: { $names }.
+    .do = Give each family once.
+
+# $photographs = 4
+# $best = "aicon14"
+target-family_ambiguous = The targets in { $photographs } photographs fit several families; codes and ring widths do not decide.
+    .do = Name the printed family: { OPTION("target", $best) }.
+
+# $family = "aicon14"
+# $n = 40
+target-family_points = { $family }: { $n } points.
+
+# $board = "raster"
+# $names = ["circles-7x5", "circles-6x5"]
+# $photographs = 4
+# $families = ["aicon12", "aicon14"]
+target-board_ambiguous = { $board ->
+        [raster] A raster of dots
+       *[chessboard] A chessboard
+    } is visible, but its size is ambiguous: { $names }.
+    .why = It must be complete and look alike in most of { $photographs } photographs. Tested too: { LIST($families, most: 30) }, AprilTag, ArUco, ChArUco.
+    .do = Name the board: { $board ->
+        [raster] { OPTION("target", "circles-7x5") }, or acircles-4x11 if staggered
+       *[chessboard] { OPTION("target", "chessboard-9x6") }, by its inner corners
+    }.

@@ -66,3 +66,23 @@ value-unit_unknown = The unit { $unit } is not supported.
 # $value = "'7 November'"
 value-no_time = { $value } is not a date and time.
     .do = Write it like 2021-11-07T10:29:11.950343Z.
+
+# $value = 1e+30
+# $least = 1e-12
+# $most = 1000000000000000.0
+value-size_out_of_range = { $value } is out of range: a number is 0, or { $least } to { $most } in size.
+    .do = Correct the number or its unit.
+
+# $value = "'5 km'"
+value-no_length = { $value } is not a length.
+    .do = Give a length such as 5mm, 0.5cm or 0.2in.
+
+# $value = "True"
+value-no_number_or_text = { $value } is neither a number nor a text.
+    .do = Give a number, or a text in quotes.
+
+# $entry = "kind"
+# $given = "round"
+# $known = ["auto", "corner", "ellipse"]
+value-not_one_of = { $entry } = { $given } is unknown.
+    .do = Give one of { LIST($known, most: 20) }.

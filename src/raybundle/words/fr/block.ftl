@@ -41,3 +41,11 @@ block-open_part = Images { LIST($images, most: 10) } : non déterminé : { datum
 block-scale_free = L'échelle du bloc n'est pas déterminée : aucune longueur ne la fixe.
 
 block-not_adjusted = Le bloc n'est pas compensé : des images sans orientation, ou des points sans coordonnées.
+
+block-heights_defined = Le bloc { $block } définit déjà la référence de ses altitudes.
+
+block-place_defined = Le bloc { $block } définit déjà la place de son repère sur la terre.
+
+block-origin_missing = Le bloc { $block } a des longueurs en { $unit } ; ses coordonnées ne sont pas celles de { $system }.
+
+block-folder_needs_observations = Le bloc { $block } n'a pas d'observations image ; un dossier de bloc en a besoin.

@@ -69,3 +69,21 @@ calibration-grade = Caméra { $camera } : { $grade ->
     }
 
 calibration-photograph_next = Prendre { $n } photographies supplémentaires : liste avec { OPTION("verbose", "True") }.
+
+calibration-several = Caméras dans ce fichier : { $n } ; aucune n'est nommée.
+
+calibration-one_for_one = Caméras dans ce fichier : { $n } ; caméras des photographies : { $photographed }. Il en faut une de chaque.
+
+calibration-no_camera_of_size = Caméras du fichier avec { $width_px } x { $height_px } px, la taille de la photographie : { $n } ; il en faut une.
+
+calibration-too_few_photographs = { $n } photographies utilisables ; un étalonnage en demande au moins { $least }.
+
+calibration-spline_parameters = Les paramètres du modèle spline ne peuvent pas être choisis.
+
+calibration-too_few_points = { $n } des { $photographs } photographies montrent { $least } points communs de { $families } ; il en faut 2.
+
+calibration-flat_views = Les vues de l'objet plan ne diffèrent que de { NUM($angle_deg, decimals: 0) }° ; il faut { NUM($least_deg, decimals: 0) }°.
+
+calibration-not_possible = La caméra ne peut pas être étalonnée à partir de ces photographies.
+
+calibration-spline_worse = Caméra { $camera } : le modèle spline finit moins bien ({ NUM($rms_px, digits: 2) } px) que le départ ({ NUM($start_rms_px, digits: 2) } px).

@@ -70,3 +70,9 @@ camera-no_read_out_time = Caméra { $camera } : le temps de lecture r est 0.
 camera-no_motion = Caméra { $camera } : la vitesse vy est 0.
 
 camera-no_covariance = La caméra { $camera } n'a pas de matrice de covariance.
+
+camera-calibration_model_unknown = Le modèle de capteur { $model } est inconnu.
+
+camera-not_by_targets = Le modèle de capteur { $model } ne peut pas être étalonné par des photographies de cibles.
+
+camera-model_not_fitted = Caméra { $camera } : le modèle { $model } ne s'ajuste pas aux valeurs approchées.

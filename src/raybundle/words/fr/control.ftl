@@ -15,3 +15,9 @@ control-too_few_measured = Points d'appui avec deux rayons ou plus : { $n } ; il
 control-point_twice = Le point { $point } est aussi dans { $table }.
 
 control-other_photographs = Aucune des photographies mesurées dans le fichier n'est présente.
+
+control-points_in_line = Les { $n } points d'appui mesurés sont alignés ou confondus : { LIST($points, most: 5) }.
+
+control-other_unit = Les barres d'échelle rendent le réseau { NUM($ratio, digits: 4) } fois plus grand que les appuis.
+
+control-none_in_photograph = Aucun point avec X et Y n'est mesuré dans { $photograph }.

@@ -38,3 +38,9 @@ crs-undulation_added = { $heights } : altitudes au-dessus du géoïde ; une ondu
     }.
 
 crs-outside_use = { $table } : { NUM($x, digits: 10) }, { NUM($y, digits: 10) } est hors du domaine d'emploi de { $system }.
+
+crs-needed_by_settings = { OPTION("frame_origin") } et { OPTION("undulation") } demandent un système de coordonnées.
+
+crs-not_projected = { $system } n'est pas un système de coordonnées projeté.
+
+crs-plane_needed = { OPTION("crs", $system) } n'est pas un système de coordonnées plan ; une carte en demande un.

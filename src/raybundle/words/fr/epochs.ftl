@@ -23,3 +23,5 @@ epochs-faulty = { $name } a lui-même { $n } fautes.
 epochs-stable_points_differ = Les points stables diffèrent de plus que leurs écarts-types ({ P($p) }).
 
 epochs-free_scale = L'échelle de { $names } n'est pas fixée : une dilatation de tous les points n'est pas détectée ({ $scale_ppm } ppm).
+
+epochs-points_unknown = Aucune mesure ne contient { LIST($points, most: 10) }.

@@ -33,3 +33,5 @@ film-several_wrong_marks = Plus d'une marque est fausse.
 film-camera_missing = Des films numérisés demandent une caméra étalonnée.
 
 film-scans_not_transformed = Numérisations qui ne peuvent pas être transformées : { $n }. Rien n'est écrit.
+
+film-one_camera = Caméras données : { $n } ; des numérisations de film en demandent exactement une.

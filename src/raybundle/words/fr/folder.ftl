@@ -17,3 +17,5 @@ folder-not_listed = Le dossier ne peut être listé ({ $detail }).
 folder-missing = Le dossier de ce fichier n'existe pas.
 
 folder-other_block = Le dossier contient un autre bloc, qui n'est pas écrasé.
+
+folder-missing_itself = Ce dossier n'existe pas.

@@ -19,3 +19,11 @@ format-not_in_plane = { OPTION("within", flag: "in") } concerne les dessins ; le
 format-no_tables = { OPTION("tables") } concerne les dossiers de bloc ; le format { $format } n'en est pas un.
 
 format-csv = Il n'y a pas de format csv.
+
+format-file_suffix = Le format { $format } est un fichier de suffixe { $suffix }.
+
+format-no_scenes = Le format { $format } n'a pas de scènes de satellite ; le bloc a { $scenes }.
+
+format-ambiguous = Le fichier convient à plusieurs formats : { $names }.
+
+format-not_recognised = Le format n'est pas reconnu.

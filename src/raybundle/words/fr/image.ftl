@@ -25,3 +25,5 @@ image-too_few_points = { $n } image(s) ont trop peu de points image : { $images 
 image-points_and_unknowns = { $images } : { $n } points image pour { $unknowns } inconnues
 
 image-not_oriented = L'image { $image } n'a pas d'orientation externe.
+
+image-photograph_missing = Image { $image } : sa photographie n'est pas dans les dossiers du projet.

@@ -56,3 +56,19 @@ join-images_renamed = { $n } image(s) de { $name } ont un nouveau nom, comme { $
 join-cameras_renamed = Les caméras de { $name } sont traitées comme d'autres caméras : { LIST($ids, most: 9) } devient { LIST($renamed, most: 9) }.
 
 join-other_frame = { $name } est transformé dans le repère de { $base }, dont l'origine est à { NUM($away_m, decimals: 3) } m.
+
+join-point_incomplete = Il manque une coordonnée au point { $point } de { $block } ; il ne peut pas être transformé.
+
+join-vertical_of_tables = Les verticales des repères diffèrent de { NUM($tilt_deg, digits: 2) }° (limite { NUM($limit_deg, digits: 2) }°).
+
+join-frames_differ = { $block } ({ $unit }) et { $other } ({ $other_unit }) sont dans des repères qui ne se transforment pas l'un dans l'autre.
+
+join-transformed = { $block } a été transformé dans le repère de { $other } ; les origines sont à { NUM($away_m, decimals: 3) } m.
+
+join-frame_projected = { $block } est en coordonnées de { $system }.
+
+join-frame_geocentric = { $block } est dans un repère géocentrique.
+
+join-frame_local = { $block } est dans un repère local à { NUM($longitude_deg, decimals: 6) }°, { NUM($latitude_deg, decimals: 6) }°, { NUM($height_m, decimals: 3) } m.
+
+join-frame_of_system = { $block } est dans un repère local de { $system }.

@@ -57,3 +57,12 @@ mark-image_not_in_block = Le point { $point } est marqué dans l'image { $image 
 mark-control_far_away = Le point d'appui { $point } est à { $distance } { $unit } des autres, { $ratio } fois leur étendue.
 
 mark-outside_photograph = { NUM($x_px, digits: 6) }, { NUM($y_px, digits: 6) } est hors de la photographie { $image } ({ $width_px } x { $height_px } px).
+
+mark-not_in_result = Le point { $point } est marqué à la main, mais n'est pas dans ce résultat.
+
+mark-nothing_to_reject = Ni point d'image ni limite unique ne sont donnés.
+
+mark-contradicts = { $n ->
+        [one] La marque de { $point } dans { $images } contredit les autres
+       *[other] Les marques de { $point } se contredisent : { $images }
+    }.

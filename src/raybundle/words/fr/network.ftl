@@ -13,3 +13,5 @@ network-point_without_coordinates = Le réseau { $network } n'a pas de ligne ave
 network-variance_not_positive = Une variance vaut { $variance } ; elle doit être positive.
 
 network-covariance_not_symmetric = La matrice de covariance du point n'est pas symétrique.
+
+network-no_depth = Les rayons vers chaque point objet sont parallèles : le réseau n'a pas de base.

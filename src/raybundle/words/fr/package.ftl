@@ -15,3 +15,13 @@ package-reportlab_missing = Écrire un PDF demande le paquet reportlab.
 package-pyogrio_reading = La lecture de ce format exige le paquet pyogrio.
 
 package-contourpy_missing = Les courbes de niveau exigent le paquet contourpy.
+
+package-rioxarray_missing = La lecture de la carte comme DataArray demande le paquet rioxarray.
+
+package-several_missing = { $n } paquets manquent :
+
+package-typst_missing = Un rapport en PDF a besoin du paquet typst.
+
+package-matplotlib_missing = Les figures ont besoin du paquet matplotlib.
+
+package-tables_missing = Le paquet { $package } n'est pas installé.

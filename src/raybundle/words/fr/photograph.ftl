@@ -60,3 +60,15 @@ photograph-folder_unknown = Le dossier des photographies est inconnu.
 photograph-too_few = Photographies dans ce dossier : { $n } ; il en faut deux.
 
 photograph-none = Il n'y a pas de photographie ici.
+
+photograph-other_size = Le fichier a { $width_px } x { $height_px } px, son image dans le bloc { $block_width_px } x { $block_height_px } px.
+
+photograph-not_in_result = Absents du résultat : { $names }.
+
+photograph-no_longer_readable = Des photographies sont devenues illisibles pendant l'exécution.
+
+photograph-too_few_usable = { $n } photographies utilisables ; il en faut au moins { $least }.
+
+photograph-in_no_folder = Le fichier n'est dans aucun des dossiers des photographies.
+
+photograph-none_readable = Aucune photographie du bloc ne peut être lue.

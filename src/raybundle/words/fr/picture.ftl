@@ -7,3 +7,30 @@ picture-earlier_adjustment = L'image vient d'une compensation antérieure : { $p
 picture-suffix = Le nom de l'image ne finit pas par { LIST($known, most: 8) }.
 
 picture-not_geotiff = L'image ne peut être écrite en GeoTIFF ({ $detail }).
+
+picture-free_scale = L'échelle de cette image n'est pas déterminée ; un dessin en demande une.
+
+picture-world_file_only = Un fichier world ne définit pas la position du plan dans l'espace.
+
+picture-no_plane_points = Une photographie seule demande des points du plan.
+
+picture-setting_of_other_source = { OPTION($setting) } concerne { $result ->
+        [yes] un résultat
+       *[no] une photographie seule
+     }.
+
+picture-not_readable = L'image ne peut pas être lue ({ $detail }).
+
+picture-area_empty = Une zone de { $width } x { $height } avec un pixel de { $pixel } ne fait pas d'image.
+
+picture-pixel_too_large = Un pixel de { $pixel } est plus grand que la zone de { NUM($width, digits: 4) } x { NUM($height, digits: 4) }.
+
+picture-too_large = L'image aurait { $width_px } x { $height_px } px (limite { $limit_px } px).
+
+picture-area_far_away = { OPTION($setting) } est loin des points du résultat.
+
+picture-no_photograph = Aucune photographie ne montre la zone, ou aucune n'a été lue.
+
+picture-control_on_line = Les points d'appui sont sur une droite (limite { PERCENT($limit) } % de sa longueur).
+
+picture-area_not_shown = La photographie ne montre pas la zone.

@@ -19,3 +19,5 @@ project-photographs_missing = Photographies du projet qui manquent : { $n } ({ L
 project-not_a_project = Ce n'est pas un dossier de projet.
 
 project-missing = Il n'y a pas de tel projet.
+
+project-no_result = Le projet n'a pas encore de résultat.

@@ -55,3 +55,48 @@ rpc-no_redundancy = { $n } points d'appui ne laissent aucune redondance.
 rpc-error_sources = 1 m d'erreur de hauteur déplace un point de { NUM($east, digits: 2) } m à l'est, { NUM($north, digits: 2) } m au nord.
 
 rpc-refitted = RPC réajusté : au plus { NUM($largest_px, digits: 2) } px du RPC corrigé.
+
+rpc-other_image = Le RPC n'appartient pas à cette image de { $width_px } x { $height_px } px.
+
+rpc-projection_not_finite = RPC : sa projection n'est pas finie dans la scène.
+
+rpc-keys_missing = Le RPC est incomplet ; il manque : { LIST($names, most: 10) }.
+
+rpc-coefficient_count = Le RPC est incomplet : { $name } a { $n } de 20 coefficients.
+
+rpc-metadata_below = Les métadonnées du domaine RPC sont dans un élément inférieur, pas dans la racine.
+
+rpc-not_one = Le fichier contient { $n } RPC{ $n ->
+     [0] { "" }
+     *[other] { " " }({ $names })
+    } ; il en faut exactement un.
+
+rpc-two_values = Cette clé vaut ici { $value } et { $other } à la ligne { $other_line }.
+
+rpc-unit = L'unité est { $unit } ; le RPC exige { $needed }.
+
+rpc-no_tag = Le fichier TIFF ne contient pas de RPC (balise 50844).
+
+rpc-tag_count = La balise RPC a { $n } nombres ; il en faut 92.
+
+rpc-not_finite = RPC : un nombre n'est pas fini.
+
+rpc-geotiff_needs_picture = Un GeoTIFF avec RPC exige l'image de la scène, qui manque.
+
+rpc-file_precedes_tag = { $name } est dans le même dossier ; GDAL lirait son RPC au lieu de la balise.
+
+rpc-name_ending = { $ending ->
+     [blank] Le nom n'a pas d'extension
+     *[other] L'extension { $ending } n'est d'aucun format de RPC
+    }.
+
+rpc-tag_differs = La balise écrite par GDAL diffère du RPC ; aucun fichier n'est écrit.
+
+rpc-terms_reordered = Les termes du RPC00A ont été mis dans l'ordre de RPC00B.
+
+rpc-specification_assumed = { $specification ->
+     [none] La spécification du RPC manque
+     *[other] La spécification du RPC est { $specification }
+    } ; RPC00B est supposé.
+
+rpc-point_far_away = Un point est à { NUM($ratio, digits: 4) } fois l'étendue des RPC du centre de la scène (limite { $limit }).

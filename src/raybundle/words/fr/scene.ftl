@@ -57,3 +57,74 @@ scene-no_geometry = Le fichier ne contient ni RPC ni modèle rigoureux utilisabl
 scene-rpc_range_adapted = Le RPC a été récrit pour l'étendue de cette image, une partie de scène.
 
 scene-one_band = La scène a { $n } bandes ; les directions de visée de la bande { $band } sont utilisées.
+
+scene-model_missing = La scène n'a pas de { $model ->
+        [rpc] RPC
+       *[rigorous] modèle rigoureux
+     }.
+
+scene-none_here = Il n'y a pas de scène ici : ni image avec RPC, ni fichier de RPC.
+
+scene-none_corrected = Aucune scène sur { $n } ne peut être corrigée :
+
+scene-not_corrected = Scène { $scene } :
+
+scene-name_twice = Deux scènes s'appellent { $name }.
+
+scene-rpc_missing = La scène n'a pas de RPC.
+
+scene-height_range_missing = La plage d'altitudes est inconnue : la scène n'a pas de RPC.
+
+scene-original_rpc = Le fichier des RPC d'origine existe déjà ; il n'est jamais écrasé.
+
+scene-no_geotiff = Ce n'est pas un GeoTIFF ; des RPC ne s'écrivent que dans un GeoTIFF.
+
+scene-rpc_of_no_picture = { OPTION("rpc") } va avec une image ; ceci n'en est pas une.
+
+scene-object_without_rpc = Ni l'objet de type { $kind } ni son fichier n'ont de RPC.
+
+scene-rpc_not_in_picture = Il n'y a pas de RPC dans cette image (étiquette 50844) ni à côté.
+
+scene-outside_map = La scène ne montre aucune partie de la zone de la carte.
+
+scene-map_too_large = La carte a { $width_px } x { $height_px } px de { $bands } bandes, trop pour la mémoire.
+
+scene-no_data_type = { OPTION("nodata", $value) } n'est pas une valeur de type { $type }, celui des pixels.
+
+scene-single = Il y a une scène de satellite et aucune photographie ; il faut deux images du même terrain.
+
+scene-no_tie_points = { $n } scènes utilisables sans points de liaison et sans points d'appui marqués.
+
+scene-middle = Scène { $scene } : centre à { NUM($longitude_deg, decimals: 3) }° de longitude, { NUM($latitude_deg, decimals: 3) }° de latitude.
+
+scene-control_far_away = Des points d'appui marqués dans cette scène sont loin en dehors.
+
+scene-control_shifted = { $n } points d'appui marqués sont décalés de { NUM($dx_px, decimals: 0) }, { NUM($dy_px, decimals: 0) } px (limite { NUM($limit_x_px, decimals: 0) }, { NUM($limit_y_px, decimals: 0) } px).
+
+scene-control_scattered = { $n } points d'appui marqués se dispersent de { NUM($spread_x_px, decimals: 1) }, { NUM($spread_y_px, decimals: 1) } px.
+
+scene-pixels_not_supported = Les pixels des fichiers { $suffix } ne sont pas lus.
+
+scene-other_size = L'image a { $width_px } x { $height_px } px, { $model } est pour { $model_width_px } x { $model_height_px } px.
+
+scene-all_zero = L'image n'a aucune valeur de gris supérieure à 0.
+
+scene-no_texture = L'image n'a pas de texture.
+
+scene-outside_system = La scène à { NUM($longitude_deg, decimals: 4) }° de longitude, { NUM($latitude_deg, decimals: 4) }° de latitude est hors de { $system }.
+
+scene-not_covered = La grille ne couvre pas la scène, à { NUM($longitude_deg, decimals: 5) }° de longitude, { NUM($latitude_deg, decimals: 5) }° de latitude.
+
+scene-control_without_system = Les points d'appui n'ont pas de système de coordonnées, et { NUM($x, digits: 8) }, { NUM($y, digits: 8) } ne sont pas des degrés près des scènes.
+
+scene-name_taken = Une autre scène porte le même nom.
+
+scene-pair_shifted = { $n } points communs donnent un décalage de { NUM($shift_px, decimals: 0) } px (limite { NUM($limit_px, decimals: 0) } px).
+
+scene-pair_scattered = { $n } points communs se dispersent de { NUM($spread_px, decimals: 0) } px (limite { $limit_px } px).
+
+scene-pair_height = Les rayons de { $n } points communs se coupent à { NUM($height_m, decimals: 0) } m ; les RPC valent de { NUM($low_m, decimals: 0) } à { NUM($high_m, decimals: 0) } m.
+
+scene-contradicts_other = Sa géométrie ({ $model }) contredit la scène { $other }, qui s'accorde avec d'autres scènes.
+
+scene-pair_contradicts = Les scènes { $first } et { $second } se contredisent ; laquelle est fausse est ambigu.

@@ -42,3 +42,7 @@ scene_control-image_assumed = Les points image de { $name } sont de { $image } ;
 scene_control-wgs84_assumed = Système de coordonnées des points d'appui : non défini ; WGS 84 avec altitudes ellipsoïdales supposé.
 
 scene_control-columns_missing = Les colonnes { LIST($header, most: 12) } ne forment pas une table de points d'appui.
+
+scene_control-check_only = Tous les points sont des points de contrôle.
+
+scene_control-image_missing = Il y a { $n } scènes, mais des points ne nomment pas l'image où ils sont mesurés.

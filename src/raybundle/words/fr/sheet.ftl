@@ -45,3 +45,5 @@ sheet-spacing_missing = { $family } : le côté d'un carré ou la distance des p
 sheet-dots_without_numbers = Les points n'ont pas de numéros que { OPTION("codes") } pourrait choisir.
 
 sheet-board_without_numbers = { $family } est une mire ; ses points n'ont pas de numéros à choisir.
+
+sheet-other_targets = Les photographies montrent des cibles absentes de la feuille : { LIST($names, most: 10) }.

@@ -42,3 +42,5 @@ table-three_angles = Il faut trois angles d'un même type et d'une même unité.
 table-one_position = La table demande soit { $grid }, soit { $geographic }.
 
 table-not_increasing = { NUM($value, digits: 10) } suit { NUM($before, digits: 10) } ; la colonne doit être croissante.
+
+table-no_such_column = Le tableau n'a pas de colonne { $name }.

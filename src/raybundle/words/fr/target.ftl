@@ -21,3 +21,14 @@ target-code_form = { OPTION("codes", $text) } : { $word } n'est ni un nombre ni 
 target-code_range = { OPTION("codes") } : { $word } dépasse les { $most } cibles possibles.
 
 target-code_twice = { OPTION("codes", $text) } : un numéro figure deux fois, ou une plage décroît.
+
+target-family_twice = Familles de cibles données deux fois : { $names }.
+
+target-family_ambiguous = Les cibles de { $photographs } photographies conviennent à plusieurs familles.
+
+target-family_points = { $family } : { $n } points.
+
+target-board_ambiguous = { $board ->
+        [raster] Une grille de points
+       *[chessboard] Un échiquier
+    } est visible, mais sa taille est ambiguë : { $names }.

@@ -31,3 +31,11 @@ value-zero = La valeur est 0.
 value-unit_unknown = L'unité { $unit } n'est pas prise en charge.
 
 value-no_time = { $value } n'est pas une date avec heure.
+
+value-size_out_of_range = { $value } est hors limites : un nombre est 0, ou compris entre { $least } et { $most } en valeur absolue.
+
+value-no_length = { $value } n'est pas une longueur.
+
+value-no_number_or_text = { $value } n'est ni un nombre ni un texte.
+
+value-not_one_of = { $entry } = { $given } est inconnu.
