@@ -150,6 +150,14 @@ def as_detail(error: RaybundleError) -> Message:
     return replace(error.message, place=place) if place is not None and place.text() else error.message
 
 
+def as_error(found: Message) -> InputError:
+    """The error of which `as_detail` gave the message."""
+    place = found.place or Place()
+    if found.code == "error.other":
+        return InputError(str(found.values["detail"]))
+    return InputError(replace(found, place=None), file=place.file or None, line=place.line, column=place.column)
+
+
 def plain(value: Any) -> Any:
     """A value of a message, or several, as JSON has them: numbers of NumPy as those of Python, tuples as lists."""
     match value:
@@ -202,11 +210,6 @@ class Text(str):
         """All messages as one: the first, with the others as its details."""
         first, *others = self.messages
         return replace(first, details=(*first.details, *others))
-
-
-def text_of(code: str, /, **values: Value) -> Text:
-    """The text of a code and its values, as a reason in a list."""
-    return Text.of(Message(code=code, values=plain(values)))
 
 
 def joined_texts(*texts: Text) -> Text:
@@ -370,19 +373,6 @@ class InputError(RaybundleError):
         other.line = line if self.line is None else self.line
         other.column = column if self.column is None else self.column
         return other
-
-
-def reason_of(error: RaybundleError) -> str:
-    """The text of an error for those who can hand on a text only; its message stays with it."""
-    if error.message is None:
-        return str(error)
-    place = error.place if isinstance(error, InputError) else Place()
-    return Text.of(replace(error.message, place=place if place.text() else None)).with_text(str(error))
-
-
-def content_of(reason: str) -> str | Message:
-    """What an error is made of again: the message of a text of `reason_of`, or a text as it stands."""
-    return reason.messages[0] if isinstance(reason, Text) and len(reason.messages) == 1 else reason
 
 
 class TasksWaiting(RaybundleError):

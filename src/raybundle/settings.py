@@ -32,15 +32,15 @@ class Range:
     above: bool = False
     """whether `low` itself is not"""
 
-    def complaint(self, value: float) -> str:
-        """What is wrong with a number; empty: nothing."""
+    def check(self, name: str, value: float) -> None:
+        """Raise InputError for a number that is not finite, or beyond the range."""
+        given = f"{value:g}"
         if not math.isfinite(value):
-            return "is no finite number"
+            raise InputError("setting.not_finite", name=name, given=given)
         if self.low is not None and (value < self.low or (self.above and value == self.low)):
-            return f"must be {'above' if self.above else 'at least'} {self.low:g}"
+            raise InputError("setting.too_small", name=name, given=given, least=self.low, above=self.above)
         if self.high is not None and value > self.high:
-            return f"must be at most {self.high:g}"
-        return ""
+            raise InputError("setting.too_large", name=name, given=given, most=self.high)
 
 
 ANY, POSITIVE, NOT_NEGATIVE = Range(), Range(low=0, above=True), Range(low=0)
@@ -161,13 +161,13 @@ class Setting:
             return path_of(self.name, value)
         if self.choices:
             if value not in self.choices:
-                words = ", ".join(repr(c) for c in self.choices if c)
-                raise InputError(f"{self.name} = {value!r} is not one of {words}")
+                known = [c for c in self.choices if c]
+                raise InputError("setting.not_one_of", name=self.name, given=repr(value), known=known)
             return value
         if get_origin(kind) is tuple:
             parts = get_args(kind)
             if isinstance(value, str) or len(value) != len(parts):
-                raise InputError(f"{self.name} = {value!r}: {len(parts)} values are needed")
+                raise InputError("setting.value_count", name=self.name, given=repr(value), n=len(parts))
             return tuple(
                 self._number(v, p, r) if p in {int, float} else self._as(v, p)
                 for v, p, r in zip(value, parts, self.about.limits or ("text",) * len(parts), strict=True)
@@ -178,24 +178,22 @@ class Setting:
 
     def _as(self, value: Any, kind: Any) -> Any:
         if isinstance(kind, type) and not isinstance(value, kind):
-            raise InputError(f"{self.name} = {value!r} is no {kind.__name__}")
+            raise InputError("setting.wrong_type", name=self.name, given=repr(value), type=kind.__name__)
         return value
 
     def _number(self, value: Any, kind: Any, limits: Part) -> Any:
         if isinstance(value, bool) or not isinstance(value, int | float) or (kind is int and value != int(value)):
-            raise InputError(f"{self.name} = {value!r} is no {'whole ' if kind is int else ''}number")
-        if isinstance(limits, Range) and (wrong := limits.complaint(value)):
-            raise InputError(f"{self.name} = {value!r} {wrong}")
+            code = "setting.no_whole_number" if kind is int else "setting.no_number"
+            raise InputError(code, name=self.name, given=repr(value))
+        if isinstance(limits, Range):
+            limits.check(self.name, value)
         return kind(value)
 
 
 def path_of(name: str, value: Any) -> Path:
     """A path that Python gave; raises InputError for what is none."""
     if not isinstance(value, str | PathLike):
-        raise InputError(
-            f"{name} is a path, no {type(value).__name__}; write a result with write_result, a block with write_block, "
-            "and give the folder"
-        )
+        raise InputError("setting.no_path", name=name, type=type(value).__name__)
     return Path(value)
 
 
@@ -219,7 +217,7 @@ def made(kind: type[T], given: Mapping[str, Any]) -> T:
     own = {f.name for f in dataclasses.fields(cast("Any", kind))} - known.keys()
     for name in given:
         if name not in known and name not in own:
-            raise InputError(f"{name} is no setting; known are {', '.join(known)}")
+            raise InputError("setting.unknown", name=name, known=list(known))
     return kind(**{n: known[n].of(v) if n in known else v for n, v in given.items()})
 
 

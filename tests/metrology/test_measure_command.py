@@ -15,7 +15,7 @@ import raybundle as rb
 from raybundle.adjustment.result import Notice
 from raybundle.adjustment.severity import Severity
 from raybundle.cli.main import main
-from raybundle.errors import InputError, text_of
+from raybundle.errors import InputError, phrase
 from raybundle.io.block.folder import read_block, write_block
 from raybundle.metrology.notices import of_a_tool
 from raybundle.numerics.natural import natural
@@ -419,8 +419,8 @@ def test_a_photograph_that_takes_no_part_is_named_with_its_reason(field, tmp_pat
     block = simulate(field_scene(TargetField()), Survey(seed=5, image_sigma_px=0.1)).observed
     done = Calibration(
         adjustment=rb.adjust(block, rb.AdjustmentOptions(jobs=1, datum="inner")), quality=(), photos=(), groups=(),
-        refused=(("broken.jpg", text_of("photograph.copy", original="a.jpg")),), marks=(), targets=(),
-        completed=0, dots=0, not_used=(("wall.jpg", text_of("not_oriented.few_targets", n=0, least=6)),),
+        refused=(("broken.jpg", phrase("photograph.copy", original="a.jpg")),), marks=(), targets=(),
+        completed=0, dots=0, not_used=(("wall.jpg", phrase("not_oriented.few_targets", n=0, least=6)),),
         largest_eccentricity_px=0.0,
     )  # fmt: skip
     monkeypatch.setattr("raybundle.workflows.calibrate.calibrate", lambda *_, **__: done)

@@ -6,7 +6,7 @@ from datetime import datetime, timedelta
 import numpy as np
 import pytest
 
-from raybundle.errors import InputError, remark
+from raybundle.errors import InputError, note
 from raybundle.io.scenes import read_scene
 from raybundle.scenes.simulate import OrbitPlan, orbit_scene
 
@@ -92,7 +92,7 @@ def test_a_product_file_is_read_as_it_was_written(tmp_path, orbit, how):
     found = read_scene(file)
     assert (found.width_px, found.height_px, found.rpc) == (4000, 4000, None)
     refraction = how.get("refraction") != "false"
-    assert found.remarks[-1] == remark("dimap.corrections", refraction=refraction, aberration=True)
+    assert found.remarks[-1] == note("dimap.corrections", refraction=refraction, aberration=True)
     truth = orbit if refraction else replace(orbit, refraction=False)
     xy = np.random.default_rng(1).uniform(0, 4000, (300, 2))
     heights = np.resize([0.0, 900.0, 300.0], 300)
@@ -105,7 +105,7 @@ def test_a_product_file_is_read_as_it_was_written(tmp_path, orbit, how):
 def test_several_bands_are_told(tmp_path, orbit):
     file = tmp_path / "DIM.XML"
     file.write_text(product(orbit, bands=2))
-    assert remark("scene.one_band", n=2, band="PAN") in read_scene(file).remarks
+    assert note("scene.one_band", n=2, band="PAN") in read_scene(file).remarks
 
 
 @pytest.mark.parametrize(

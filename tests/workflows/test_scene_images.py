@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 from PIL import Image
 
-from raybundle.errors import InputError, text_of
+from raybundle.errors import InputError, phrase
 from raybundle.io.photos.photo import find_photos
 from raybundle.io.scenes.rpc_text import write_rpc_text
 from raybundle.matching.methods import feature_method
@@ -62,7 +62,7 @@ def test_what_cannot_be_used_costs_that_file(folder):
     assert [s.name for s in found.scenes] == ["again.tif"]
     refused = dict(found.refused)
     assert set(refused) == {"good.tif", "broken.tif", "float.tif", "vendor.ntf"}
-    assert refused["good.tif"] == text_of("photograph.copy", original="again.tif")
+    assert refused["good.tif"] == phrase("photograph.copy", original="again.tif")
     assert "coefficients" in refused["broken.tif"]
     assert "whole numbers of 8 or 16 bits" in refused["float.tif"]
     assert "gdal_translate vendor.ntf vendor.tif" in refused["vendor.ntf"]

@@ -9,7 +9,7 @@ import pytest
 from pyproj import CRS, Transformer
 
 from raybundle.commands.surface import surface
-from raybundle.errors import InputError, text_of
+from raybundle.errors import InputError, phrase
 from raybundle.numerics.progress import silent
 from raybundle.pipeline.store import Folder
 from raybundle.surfaces.depth_map import DepthMap
@@ -112,7 +112,7 @@ def test_photographs_that_show_nothing_of_a_part_are_left_out_and_told(part):
             return slab, None
 
     slab, state = next((r, s) for r, s in map(chosen, np.arange(-4.0, 4.0, 0.1)) if s and 0 < len(s.chosen) < 3)
-    told = {name for name, why in state.left_out if why == text_of("depths.region_not_shown")}
+    told = {name for name, why in state.left_out if why == phrase("depths.region_not_shown")}
     assert told == {block.images.ids[k] for k in {0, 1, 2} - {s.reference for s in state.chosen}}
     assert all(0 < state.shares[s.reference] < 0.5 for s in state.chosen)
     # what is left out has none of the tie points in the region, what is not shows some or looks past it

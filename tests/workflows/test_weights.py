@@ -9,7 +9,7 @@ from raybundle.adjustment.engine import adjust_block
 from raybundle.adjustment.options import AdjustmentOptions
 from raybundle.block import Role
 from raybundle.block.select import with_rows
-from raybundle.errors import NoOrientation, text_of
+from raybundle.errors import NoOrientation, phrase
 from raybundle.matching.refine import TrackPoints
 from raybundle.planning.scenes import TargetField, brown_camera, field_scene
 from raybundle.planning.simulate import Survey, simulate
@@ -208,7 +208,7 @@ def test_an_image_with_few_common_points_is_named_and_the_others_are_oriented():
     tie = started(with_rows(raw, keep))
     ((name, reason),) = tie.not_oriented
     assert name == raw.images.ids[4]
-    assert reason == text_of("not_oriented.few_common", n=5, least=12)
+    assert reason == phrase("not_oriented.few_common", n=5, least=12)
     assert not (tie.block.observations.image == 4).any()
 
 
@@ -228,7 +228,7 @@ def test_the_smaller_part_of_a_set_in_two_parts_is_named():
     )  # fmt: skip
     tie = started(double)
     assert [name for name, _ in tie.not_oriented] == list(raw.images.ids[6:])
-    assert {r for _, r in tie.not_oriented} == {text_of("not_oriented.separate_part", n=4, largest=6)}
+    assert {r for _, r in tie.not_oriented} == {phrase("not_oriented.separate_part", n=4, largest=6)}
 
 
 def test_nothing_in_common_says_how_to_photograph():

@@ -11,7 +11,7 @@ import numpy as np
 from raybundle.block.agreement import Rows, codes, once, united
 from raybundle.block.block import Block, Camera, Images, Instrument, Observations, Points, Role
 from raybundle.block.transform import transform_block
-from raybundle.errors import InputError
+from raybundle.errors import InputError, Message, message
 from raybundle.numerics.arrays import Index
 from raybundle.numerics.records import Records
 from raybundle.numerics.transform import SimilarityTransform
@@ -249,9 +249,9 @@ class _Merge:
             fresh = bad and not any(w.rows.any() for t in moved for w in t.faults())
         if fresh:
             k = int(np.flatnonzero(bad[0].rows)[0])
-            raise InputError(
-                "merge.do_not_fit", name=made.row_names(merged)(k), entry=bad[0].column, detail=bad[0].message(k)
-            )
+            found = bad[0].message(k)
+            why = found if isinstance(found, Message) else message("error.other", detail=found)
+            raise InputError("merge.do_not_fit", details=[why], name=made.row_names(merged)(k), entry=bad[0].column)
         return merged
 
     def rows_of(self, what: Subject, numbers: Sequence[Index]) -> Rows:

@@ -12,7 +12,7 @@ from raybundle.adjustment.assemble import State
 from raybundle.blocking import sweeps, tasks
 from raybundle.blocking.network import Network
 from raybundle.blocking.tasks import Known, Store, remember
-from raybundle.errors import InputError, content_of
+from raybundle.errors import as_error
 from raybundle.numerics import large
 from raybundle.numerics.arrays import Array, Index, Mask
 from raybundle.pipeline.executors import Executor
@@ -118,7 +118,7 @@ class Parts:
         self.begin()
         for done in self.executor.run(list(order.values()), self.store):  # pyright: ignore[reportArgumentType]
             if done.failed:
-                raise InputError(content_of(done.failed))
+                raise as_error(done.failed)
 
     def forget(self, keys: Sequence[str]) -> None:
         """Let products go."""

@@ -12,7 +12,7 @@ from raybundle.cli.settings import options_of, values_of
 from raybundle.cli.summary import Summary, of_adjustment, report
 from raybundle.commands.orient import OrientSettings, accuracy_outcome, run_orient
 from raybundle.commands.pages import page_files
-from raybundle.errors import Message, note
+from raybundle.errors import Message, message, note
 from raybundle.settings import made
 
 if TYPE_CHECKING:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -12,7 +13,7 @@ from raybundle.cli.common import FOLDER, NEW_FOLDER, Command, common_options, fa
 from raybundle.cli.settings import options_of, values_of
 from raybundle.cli.summary import Summary, report
 from raybundle.commands.surface import WORK, SurfaceSettings, run_surface
-from raybundle.errors import Message, Severity, note
+from raybundle.errors import Message, Severity, message_of_text, note
 from raybundle.settings import made
 
 if TYPE_CHECKING:
@@ -61,15 +62,16 @@ def command(source: Path, progress: str, **given: Any) -> int:
 
 def _summary(done: MeasuredSurface, work: Path) -> Summary:
     """What the command reports."""
+    from raybundle.workflows.surface_photographs import lost_message  # noqa: PLC0415  (loaded after the help)
+
     s, written = done.surface, done.pages.summary.written
     points = note("surface.points", n=written or len(s), maps=sum(1 for n in s.counts if n))
-    lost = {"n": len(s.lost), "of": int(s.block.images.oriented.sum()), "names": [one.name for one in s.lost]}
-    missing = Message(code="surface.photographs_missing", values=lost, severity=Severity.CAUTION)
-    others = Message(code="surface.other_photographs", severity=Severity.CAUTION)
+    wrong = [lost_message(s.lost, int(s.block.images.oriented.sum()))] if s.lost else []
+    wrong += [message_of_text(s.others)] if s.others else []
     products = [f"{w.files[0]}: {line}" for name, w in done.written if name for line in w.told]
     return Summary(
         done=[points, *_precision(done)[:1]],
-        notices=[*([missing] if s.lost else []), *([others] if s.others else []), *done.pages.warnings],
+        notices=[*(replace(m, severity=Severity.CAUTION) for m in wrong), *done.pages.warnings],
         files=[done.points, *(w.files[0] for name, w in done.written if name), *done.pages.files],
         details=[*_precision(done)[1:], *products, *done.remarks, *_without_part(done), *store_lines(work)],
     )  # fmt: skip

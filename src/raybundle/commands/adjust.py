@@ -56,7 +56,7 @@ class AdjustSettings(AdjustmentOptions):
 def run_adjust(settings: AdjustSettings, progress: Progress = silent) -> Adjustment:
     """Read, adjust and write; raises InputError, NotSolvable."""
     from raybundle.adjustment.accuracy_class import accuracy_class  # noqa: PLC0415  (what computes is loaded later)
-    from raybundle.adjustment.result import Notice  # noqa: PLC0415
+    from raybundle.adjustment.result import notice_of_text  # noqa: PLC0415
     from raybundle.adjustment.severity import Severity  # noqa: PLC0415
     from raybundle.io.parquet import check_tables  # noqa: PLC0415
     from raybundle.report.write import write_result  # noqa: PLC0415
@@ -86,7 +86,7 @@ def run_adjust(settings: AdjustSettings, progress: Progress = silent) -> Adjustm
         done = adjust(block, settings.options(), progress)
     assumed = () if frame is None else frame.remarks
     notices = (
-        Notice(code="coordinate_system", message=r, measured=None if r in assumed else Severity.REMARK) for r in remarks
+        notice_of_text("coordinate_system", r, measured=None if r in assumed else Severity.REMARK) for r in remarks
     )
     done = replace(done, notices=(*done.notices, *notices, *room.notices()))
     write_result(

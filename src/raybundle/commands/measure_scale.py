@@ -236,7 +236,7 @@ def _measured_control(given: ControlFile, place: Mapping[str, int], path: Path) 
     ]  # fmt: skip
     if len(full) < 3:
         raise InputError(
-            "control.too_few_measured",
+            "control.too_few_for_datum",
             n=len(full),
             total=len(given.ids),
             file=path,

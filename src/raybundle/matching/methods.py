@@ -8,7 +8,6 @@ from importlib.util import find_spec
 from raybundle.errors import InputError
 from raybundle.matching.features import FeatureMethod, methods
 from raybundle.matching.reduced import SUFFIX, Reduced
-from raybundle.settings import option
 
 BUILT_IN = ("rootsift", "xfeat", "disk")
 
@@ -23,13 +22,9 @@ def feature_method(name: str) -> FeatureMethod:
     if name not in methods and name in BUILT_IN:
         import_module(f"raybundle.matching.{name}")
     if name not in methods:
-        known = ", ".join(sorted({*methods, *BUILT_IN}))
-        raise InputError(f"unknown feature method {name!r}; known: {known}")
+        raise InputError("features.unknown", name=name, known=sorted({*methods, *BUILT_IN}))
     method = methods[name]
     missing = [package for package in method.needs if find_spec(package) is None]
     if missing:
-        raise InputError(
-            f"feature method {name!r} needs {', '.join(missing)}, not installed here.\n  {method.install}\n"
-            f"  or leave {option('features')} out: rootsift needs nothing more."
-        )
+        raise InputError("features.not_installed", name=name, packages=missing, command=method.install)
     return method

@@ -18,7 +18,7 @@ from raybundle.adjustment.predict import residuals_px
 from raybundle.adjustment.result import Adjustment, Notice
 from raybundle.adjustment.severity import Severity
 from raybundle.block.rejection import RejectionKind
-from raybundle.errors import NotSolvable, Text, Value, text_of
+from raybundle.errors import NotSolvable, Text, Value, phrase
 from raybundle.numerics.arrays import Index
 from raybundle.numerics.statistics import ALPHA, family_wise_tau
 from raybundle.observations import observation_kinds
@@ -52,7 +52,7 @@ class Wrong:
     @property
     def words(self) -> Text:
         """For the person who measures."""
-        return text_of("mark.contradicts", **self.values)
+        return phrase("mark.contradicts", **self.values)
 
 
 @dataclass(frozen=True, slots=True, kw_only=True)

@@ -8,7 +8,7 @@ from typing import Literal
 
 import numpy as np
 
-from raybundle.adjustment.result import Adjustment, Notice
+from raybundle.adjustment.result import Adjustment, Notice, notice_of_text
 from raybundle.adjustment.severity import POOR_FIT, Severity
 from raybundle.errors import Message, Value, message, message_of_text
 from raybundle.metrology.bars import BarTest
@@ -91,9 +91,9 @@ def control_assumed(file: str, off_mm: float) -> Notice:
     return Notice(code="control_file.no_sigma", values={"name": file, "off_mm": off_mm})
 
 
-def control_remarks(file: str, remarks: Sequence[str]) -> tuple[Notice, ...]:
+def control_remarks(remarks: Sequence[str]) -> tuple[Notice, ...]:
     """What was assumed of a file of control."""
-    return tuple(Notice(code="control_file", message=f"{file}: {r.removeprefix(f'{file}: ')}") for r in remarks)
+    return tuple(notice_of_text("control_file", r) for r in remarks)
 
 
 def control_lost(names: Sequence[str]) -> tuple[Notice, ...]:

@@ -160,7 +160,7 @@ class Records:
         """
         for s in self.stuck(by):
             for k in np.flatnonzero(s.rows)[:1].tolist():
-                raise InputError(f"{called(k)} cannot follow the transformation: {s.reason}")
+                raise InputError("transform.row_not_possible", row=called(k), detail=s.reason)
         return self.followed(by)
 
     def followed(self, by: SimilarityTransform) -> Self:

@@ -19,7 +19,7 @@ from raybundle.adjustment.result import Notice
 from raybundle.block import Block
 from raybundle.block.rigs import has_rigs
 from raybundle.block.select import points_left, with_rows
-from raybundle.errors import NoOrientation, Text, excluded, joined_texts, text_of
+from raybundle.errors import NoOrientation, Text, excluded, joined_texts, phrase
 from raybundle.numerics.arrays import Array, Index, Mask
 from raybundle.numerics.progress import Progress, silent
 from raybundle.orientation.absolute import onto_control, onto_points, onto_scale
@@ -115,7 +115,7 @@ def image_values(block: Block, progress: Progress = silent) -> ApproximateValues
         block=replace(growth.block, points=replace(growth.block.points, xyz=xyz)),
         notices=(*constants, *_notices(block, found)),
         outliers=found.outliers,
-        not_oriented={ids[i]: failures.reasons.get(int(i), text_of("not_oriented.not_connected")) for i in left},
+        not_oriented={ids[i]: failures.reasons.get(int(i), phrase("not_oriented.not_connected")) for i in left},
         system=growth.system,
         scaled=frozenset(growth.scaled),
     )
@@ -187,7 +187,7 @@ def _begin(growth: Growth, left: Mask, failures: _Failures) -> bool:
         return True
     for i in np.flatnonzero(left):
         known = growth.known_points(int(i))
-        reason = growth.remarks.get(int(i)) or text_of("not_oriented.no_second_image", n=known)
+        reason = growth.remarks.get(int(i)) or phrase("not_oriented.no_second_image", n=known)
         failures.reasons.setdefault(int(i), reason)
     return False
 
@@ -225,9 +225,9 @@ def _grow(growth: Growth, failures: _Failures, progress: Progress, total: int) -
                 known = growth.known_points(i)
                 refused[i] = known
                 failures.reasons[i] = (
-                    text_of("not_oriented.few_common", n=known, least=LEAST)
+                    phrase("not_oriented.few_common", n=known, least=LEAST)
                     if known < LEAST
-                    else text_of("not_oriented.no_pose", n=known, share=share)
+                    else phrase("not_oriented.no_pose", n=known, share=share)
                 )
                 continue
             growth.set_pose(i, pose)
@@ -291,7 +291,7 @@ def _place(growth: Growth, before: Mask, placed: Array, failures: _Failures) -> 
             part = growth.oriented & ~before
             growth.give_up(part)
             for i in np.flatnonzero(part):
-                failures.reasons[int(i)] = text_of("not_oriented.contradicting_part", n=int(part.sum()) - 1)
+                failures.reasons[int(i)] = phrase("not_oriented.contradicting_part", n=int(part.sum()) - 1)
         if fit == "joined":
             growth.system[mine] = _system_of(growth, mine, before)
             growth.end_part()

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from raybundle.errors import Text, text_of
+from raybundle.errors import Text, phrase
 from raybundle.numerics.arrays import Array
 from raybundle.orientation.candidates import resect_robust
 from raybundle.orientation.growth import Growth
@@ -32,7 +32,7 @@ def axes_text(growth: Growth, image: int) -> Text | None:
     best = max(fits, key=lambda name: fits[name], default="")
     if not best or fits[best] < max(FEWEST, SHARE * len(rows)):
         return None
-    return text_of("not_oriented.axes", n=fits[best], axes=best)
+    return phrase("not_oriented.axes", n=fits[best], axes=best)
 
 
 def _mended(xy_px: Array, width: int, height: int) -> dict[str, Array]:

@@ -19,7 +19,7 @@ from raybundle.block.rigs import (
     with_shared_orientation,
     without_rigs,
 )
-from raybundle.errors import Text, joined_texts, text_of
+from raybundle.errors import Text, joined_texts, phrase
 from raybundle.numerics.arrays import Mask
 from raybundle.numerics.progress import Progress, silent
 from raybundle.numerics.rows import rows_of_each
@@ -172,8 +172,8 @@ def _reason(rigs: Rigs, image: int, first: ApproximateValues) -> Text:
     """Why an image could not be oriented: its own reason, and how much its station has."""
     own = first.not_oriented.get(rigs.block.images.ids[image])
     if rigs.system[image] != rigs.system[rigs.oriented].max(initial=0) and not own:
-        own = text_of("not_oriented.other_cameras")
+        own = phrase("not_oriented.other_cameras")
     mine = rigs.growth.seen & (rigs.station == rigs.station[image])
     rays = int(mine[rigs.growth.rays.image].sum())
-    of_station = text_of("not_oriented.station", n=rays, images=int(mine.sum()))
+    of_station = phrase("not_oriented.station", n=rays, images=int(mine.sum()))
     return joined_texts(own, of_station) if isinstance(own, Text) else of_station

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from raybundle.errors import text_of
+from raybundle.errors import phrase
 from raybundle.numerics.arrays import Array, Mask
 from raybundle.orientation.candidates import Pose, relative_all, resect_all
 from raybundle.orientation.growth import Growth
@@ -146,7 +146,7 @@ def start_from_pair(growth: Growth, left: Mask) -> bool:
             inliers = int(pose.inliers.sum())
             if angle <= np.radians(2.0):
                 ids = growth.block.images.ids
-                growth.remarks[a] = growth.remarks[b] = text_of(
+                growth.remarks[a] = growth.remarks[b] = phrase(
                     "not_oriented.no_base", first=ids[a], second=ids[b], angle_deg=np.degrees(angle)
                 )
             if inliers >= 0.5 * common and angle > np.radians(2.0):

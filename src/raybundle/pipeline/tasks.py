@@ -15,7 +15,7 @@ from typing import Any, cast, get_type_hints
 
 import msgspec
 
-from raybundle.errors import InputError, content_of, reason_of
+from raybundle.errors import InputError, Message, as_detail, as_error, message
 from raybundle.pipeline.store import Folder, Product, ProductGone, StoreLost
 from raybundle.pipeline.task_functions import is_registered
 
@@ -100,7 +100,7 @@ def do(task: Task, store: Folder) -> Done:
     except StoreLost as error:
         return Done(task=task, failed=as_detail(error), stop=as_detail(error))
     except InputError as error:
-        return Done(task=task, failed=reason_of(error))
+        return Done(task=task, failed=as_detail(error))
     except Exception as error:  # noqa: BLE001  (it is told with its traceback in the log, after some attempts)
         failed = message("task.failed", kind=type(error).__name__, detail=str(error))
         return Done(task=task, failed=failed, trouble=traceback.format_exc())
@@ -119,7 +119,7 @@ def made(task: Task, store: Folder) -> None:
     if done.lost:
         raise ProductGone(done.lost, store.place.name)
     if done.failed:
-        raise InputError(content_of(done.failed))
+        raise as_error(done.failed)
 
 
 def written(task: Task) -> bytes:

@@ -15,7 +15,7 @@ import numpy as np
 
 from raybundle.block import Block, Instrument
 from raybundle.block.block import Attitudes
-from raybundle.errors import InputError, Message, Text, message, remark
+from raybundle.errors import InputError, Message, Text, message, note
 from raybundle.io.geo.coordinate_systems import LocalFrame
 from raybundle.io.photos.photo import Photo
 from raybundle.io.trajectories import PhotoAttitudes, Trajectory, attitudes_of_file, attitudes_of_gimbals
@@ -130,7 +130,7 @@ def find_attitudes(
     if found.stated == 0:
         if use != "auto":
             raise InputError("attitude.no_sigma", source=found.source)
-        return None, (Text.of(remark("attitude.no_sigma_unused", source=found.source)),)
+        return None, (Text.of(note("attitude.no_sigma_unused", source=found.source)),)
     return _with_covariance(found), ()
 
 

@@ -11,7 +11,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from raybundle.block import Block
-from raybundle.errors import text_of
+from raybundle.errors import phrase
 from raybundle.numerics.arrays import Array, Index, Mask
 from raybundle.numerics.rows import rows_of_each
 
@@ -48,9 +48,9 @@ class PairOfImages:
     def refusal(self) -> str:
         """Why depths are not measured with this pair; empty where they are."""
         if self.angle_deg < FLATTEST_DEG:
-            return text_of("depths.small_angle", angle_deg=self.angle_deg, least_deg=FLATTEST_DEG)
+            return phrase("depths.small_angle", angle_deg=self.angle_deg, least_deg=FLATTEST_DEG)
         if not 1 / LARGEST_SCALE <= self.scale <= LARGEST_SCALE:
-            return text_of("depths.scales_differ", ratio=max(self.scale, 1 / self.scale), limit=LARGEST_SCALE)
+            return phrase("depths.scales_differ", ratio=max(self.scale, 1 / self.scale), limit=LARGEST_SCALE)
         return ""
 
 

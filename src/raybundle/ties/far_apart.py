@@ -7,7 +7,7 @@ from collections.abc import Iterator, Sequence
 import numpy as np
 
 from raybundle.block import Block
-from raybundle.errors import text_of
+from raybundle.errors import phrase
 from raybundle.numerics.arrays import Array, Index, Mask
 from raybundle.numerics.rows import rows_of_each
 
@@ -32,7 +32,7 @@ def not_too_far(block: Block, failed: dict[str, str]) -> Mask:
         median = float(np.median(angle)) if len(angle) else 0.0
         if median > APART:
             left[i] = True
-            failed[block.images.ids[i]] = text_of(
+            failed[block.images.ids[i]] = phrase(
                 "not_oriented.wide_baseline", n=len(angle), angle_deg=np.degrees(median), limit_deg=np.degrees(APART)
             )
     return ~left[o.image]

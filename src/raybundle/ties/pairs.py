@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from raybundle.errors import InputError, content_of
+from raybundle.errors import InputError
 from raybundle.io.photos.photo import Photo
 from raybundle.matching import pairs as choice
 from raybundle.matching.features import FeatureMethod
@@ -258,4 +258,4 @@ def _shared(means: Means, keys: list[str], method: FeatureMethod, pairs: Index) 
 def _all(means: Means, tasks: Sequence[Task]) -> None:
     """Do all tasks; InputError where one fails."""
     for reason in means.do(tasks, "choosing pairs").values():
-        raise InputError(content_of(reason))
+        raise InputError(reason)

@@ -16,7 +16,7 @@ import numpy as np
 from raybundle.adjustment.options import AdjustmentOptions
 from raybundle.block import Block, Camera
 from raybundle.block.select import selected, with_rows
-from raybundle.errors import NoOrientation, content_of
+from raybundle.errors import NoOrientation
 from raybundle.io.block.arrays import arrays_of_block, block_of_arrays
 from raybundle.numerics.arrays import Array, Index
 from raybundle.numerics.progress import silent
@@ -113,7 +113,7 @@ def by_parts(block: Block, means: Means) -> Found:
 def _do(means: Means, tasks: Sequence[Task], what: str) -> None:
     """Do the tasks, each in a process of its own; raises NoOrientation for the first that failed."""
     for reason in means.do(tasks, what, apart=True).values():
-        raise NoOrientation(content_of(reason))
+        raise NoOrientation(reason)
 
 
 def _task(kind: str, piece: _Piece, options: GrowTask | SettleTask, inputs: tuple[str, ...], seconds: float) -> Task:

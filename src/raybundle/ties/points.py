@@ -8,7 +8,7 @@ from typing import overload
 
 import numpy as np
 
-from raybundle.errors import InputError, NoOrientation, content_of
+from raybundle.errors import InputError, NoOrientation, without_file
 from raybundle.io.photos.cameras import camera_groups
 from raybundle.io.photos.masks import MaskFile, Masks
 from raybundle.io.photos.photo import Photo, read_grey, stored_from_upright, upright, upright_from_stored
@@ -252,7 +252,7 @@ def verified_pairs(
         for i, j in pairs
     ]  # fmt: skip
     for reason in means.do(tasks, "matching").values():
-        raise InputError(content_of(reason))
+        raise InputError(reason)
     return [pair_from(i, j, means.small(t.key)) for t, (i, j) in zip(tasks, pairs, strict=True)]
 
 

@@ -19,7 +19,7 @@ from raybundle.adjustment.result import Adjustment
 from raybundle.block import Block, Camera, Observations
 from raybundle.block.rejection import Rejection, RejectionKind
 from raybundle.block.select import with_rows, without_images
-from raybundle.errors import NotSolvable, text_of
+from raybundle.errors import NotSolvable, phrase
 from raybundle.matching.refine import (
     NEIGHBOURS_FROM,
     WINDOWS,
@@ -256,7 +256,7 @@ def _settle(work: _Work, options: AdjustmentOptions, first: float) -> Adjustment
         used = np.bincount(block.observations.image[~work.rejected], minlength=len(block.images))
         there = np.bincount(block.observations.image, minlength=len(block.images)) > 0
         thin = [int(i) for i in np.flatnonzero(there & (used < FEWEST_HELD)) if i not in work.left_out]
-        if thin and _yield(work, thin, {i: text_of("not_oriented.few_fit", n=int(used[i])) for i in thin}):
+        if thin and _yield(work, thin, {i: phrase("not_oriented.few_fit", n=int(used[i])) for i in thin}):
             continue
         if not (~work.rejected).any():
             return None
@@ -267,7 +267,7 @@ def _settle(work: _Work, options: AdjustmentOptions, first: float) -> Adjustment
         except NotSolvable as error:
             named = [block.images.ids.index(n) for n in error.names("image")]
             worst = [i for i in named if i not in work.left_out][:1]
-            why = text_of("excluded.undetermined")
+            why = phrase("excluded.undetermined")
             if worst and _yield(work, worst, dict.fromkeys(worst, why)):
                 continue
             return None  # the final adjustment has more ways out; the weights stay as they are

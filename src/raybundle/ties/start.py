@@ -15,7 +15,7 @@ from raybundle.adjustment.predict import residuals_px
 from raybundle.block import Block, Camera
 from raybundle.block.known import known_before
 from raybundle.block.select import with_rows
-from raybundle.errors import NoOrientation, text_of
+from raybundle.errors import NoOrientation, phrase
 from raybundle.io.photos.start import BY_FACTOR
 from raybundle.numerics.arrays import Array, Index, Mask
 from raybundle.numerics.progress import Progress, silent
@@ -179,7 +179,7 @@ def by_averaging(block: Block, progress: Progress) -> Found:
     found = average_start(checked_by_pairs(block), progress)
     seen = np.bincount(block.observations.image, minlength=len(block.images)) > 0
     for i in np.flatnonzero(seen & ~found.images.oriented):
-        failed[found.images.ids[i]] = text_of("not_oriented.contradicting_orientations")
+        failed[found.images.ids[i]] = phrase("not_oriented.contradicting_orientations")
     found, rows = kept_part(found, rows, failed)
     return possible_values(found, progress).block, rows, failed
 
@@ -211,7 +211,7 @@ def cleaned(raw: Block, found: Found, threads: int, progress: Progress) -> Found
     out = np.array([n not in names for n in block.images.ids])
     for name in raw.images.ids:
         if name not in names:
-            failed.setdefault(name, text_of("not_oriented.contradicting_points"))
+            failed.setdefault(name, phrase("not_oriented.contradicting_points"))
     images = replace(
         block.images,
         centre=np.where(out[:, None], np.nan, block.images.centre),
@@ -243,7 +243,7 @@ def rigid_part(block: Block, failed: dict[str, str]) -> Mask:
     inside = np.zeros(n, bool)
     inside[image[part == np.bincount(part).argmax()]] = True
     for i in used[~inside[used]]:
-        failed[block.images.ids[i]] = text_of("not_oriented.no_distance", least=FEWEST_TRIPLE)
+        failed[block.images.ids[i]] = phrase("not_oriented.no_distance", least=FEWEST_TRIPLE)
     return inside[o.image]
 
 
@@ -287,7 +287,7 @@ def _connected(block: Block, failed: dict[str, str]) -> Mask:
         if not weak.any():
             break
         for i in np.flatnonzero(weak):
-            failed[block.images.ids[i]] = text_of("not_oriented.few_common", n=int(count[i]), least=FEWEST_POINTS)
+            failed[block.images.ids[i]] = phrase("not_oriented.few_common", n=int(count[i]), least=FEWEST_POINTS)
         out |= weak
     a, b = o.image[keep], o.point[keep]
     graph = coo_matrix((np.ones(len(a)), (a, n + b)), shape=(n + len(block.points),) * 2)
@@ -298,7 +298,7 @@ def _connected(block: Block, failed: dict[str, str]) -> Mask:
     sizes_ = np.bincount(part[:n][used])
     largest = int(sizes_.argmax())
     for i in np.flatnonzero(used & (part[:n] != largest)):
-        failed[block.images.ids[i]] = text_of(
+        failed[block.images.ids[i]] = phrase(
             "not_oriented.separate_part", n=int(sizes_[part[i]]), largest=int(sizes_[largest])
         )
     return keep & (part[:n] == largest)[o.image]

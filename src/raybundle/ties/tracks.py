@@ -11,7 +11,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from raybundle.errors import InputError, content_of
+from raybundle.errors import InputError
 from raybundle.matching import tracks as joining
 from raybundle.matching.tracks import JoinedParts, Matches, Tracks
 from raybundle.matching.verify import VerifiedPair
@@ -80,7 +80,7 @@ def tracks_by_leaves(
         for one, rows, mine in zip(cut, pairs_of_leaf, of_leaf, strict=True)
     ]
     for reason in means.do([one.task for one in leaves], "tracks").values():
-        raise InputError(content_of(reason))
+        raise InputError(reason)
     return _together(means.store, features, leaves, of_leaf, outside, between)
 
 

@@ -13,7 +13,7 @@ from threading import Lock
 
 import numpy as np
 
-from raybundle.errors import InputError, content_of
+from raybundle.errors import InputError
 from raybundle.io.photos.photo import Photo
 from raybundle.matching.refine import (
     LEVELS,
@@ -99,7 +99,7 @@ def matched(means: Means, photos: Sequence[Photo], points: TrackPoints, wanted: 
             )
         )  # fmt: skip
     for reason in means.do(tasks, "least-squares matching").values():
-        raise InputError(content_of(reason))
+        raise InputError(reason)
     for task, rows in zip(tasks, groups, strict=True):
         product = means.store.wanted(task.key)
         found.xy_px[rows], found.cov_px2[rows] = product["xy_px"], product["cov_px2"]

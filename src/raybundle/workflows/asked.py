@@ -41,8 +41,3 @@ def check_asked(
     why = "no positions of a grid are given" if positions is None else f"{positions.path.name} tells its own"
     remark = f"the coordinate system {crs} has no effect: {why}, and no control file lacks one, nor is there a "
     return (remark + "satellite scene",)
-
-
-def _missing(name: str) -> str:
-    """What to give, or to leave out."""
-    return f"give {option('positions')}, or photographs that state theirs, or leave {option(name)} out"

@@ -12,7 +12,7 @@ import numpy as np
 from raybundle.block import Block
 from raybundle.block.joined import TILT
 from raybundle.block.transform import transform_block
-from raybundle.errors import InputError, Message, Severity, Value
+from raybundle.errors import InputError, Message, Severity, Value, message
 from raybundle.io.block.scenes import local_in
 from raybundle.io.geo.coordinate_systems import LocalFrame, local_frame
 from raybundle.io.geo.parsed_systems import parse_crs, system_name

@@ -9,7 +9,7 @@ import numpy as np
 
 from raybundle.block import Block, Camera
 from raybundle.block.boards import planar_start
-from raybundle.errors import InputError, text_of
+from raybundle.errors import InputError, phrase
 from raybundle.numerics.arrays import Array, Index
 from raybundle.sensors import sensor_models
 
@@ -40,7 +40,7 @@ def board_oriented(block: Block, places: Mapping[str, Array], model: str) -> tup
     for k, camera in enumerate(block.cameras):
         images = np.flatnonzero(block.images.camera == k)
         for i in images[rays[images] < POINTS]:
-            lost[block.images.ids[i]] = text_of("not_oriented.board", n=int(rays[i]), least=POINTS)
+            lost[block.images.ids[i]] = phrase("not_oriented.board", n=int(rays[i]), least=POINTS)
         images = images[rays[images] >= POINTS]
         if not len(images):
             cameras.append(camera)

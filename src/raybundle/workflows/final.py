@@ -16,7 +16,7 @@ from raybundle.adjustment.structure import structure_notice
 from raybundle.block import Block, Camera, Role
 from raybundle.block.select import with_rows, without_images
 from raybundle.calibration.given import calibration_notices, held_notices
-from raybundle.errors import Message, NoConvergence, NotSolvable, Text, message, message_of_text, text_of
+from raybundle.errors import Message, NoConvergence, NotSolvable, Text, message, message_of_text, phrase
 from raybundle.io.photos.cameras import CameraGroup
 from raybundle.numerics.arrays import Mask
 from raybundle.numerics.progress import Progress
@@ -161,7 +161,7 @@ def _without_images(placed: Georeferenced, error: NotSolvable) -> Relieved:
     if not named or any(u.kind == "parameter" and u.share > named[0].share for u in error.undetermined):
         return None
     alone = [u.name for u in named if u.share > ALONE] or [named[0].name]
-    return _left_out(placed, alone, text_of("excluded.undetermined"))
+    return _left_out(placed, alone, phrase("excluded.undetermined"))
 
 
 def excluded_image(name: str, reason: Text) -> Notice:
@@ -247,7 +247,7 @@ def _without_smallest(placed: Georeferenced) -> Relieved:
     if not len(oriented):
         return None
     k = int(oriented[rays[oriented].argmin()])
-    return _left_out(placed, [images.ids[k]], text_of("excluded.few_points", n=int(rays[k])))
+    return _left_out(placed, [images.ids[k]], phrase("excluded.few_points", n=int(rays[k])))
 
 
 def _with_block(placed: Georeferenced, block: Block) -> Georeferenced:

@@ -10,7 +10,7 @@ from typing import Any
 
 import numpy as np
 
-from raybundle.errors import InputError
+from raybundle.errors import InputError, Message, plain
 from raybundle.io.geo.parsed_systems import parse_crs, system_name
 from raybundle.io.missions.areas import GEOGRAPHIC, Shape, in_crs, read_shapes
 from raybundle.io.outlines import TEXT, read_outline
@@ -179,7 +179,7 @@ def _check_holes(rings: Sequence[Array]) -> None:
     """
 
     def refuse(code: str, place: Array, **holes: int) -> None:
-        raise InputError(code, x=place[0], y=place[1], **holes)
+        raise InputError(Message(code=code, values=plain({"x": place[0], "y": place[1], **holes})))
 
     outer, *holes = rings
     for k, hole in enumerate(holes, 1):

@@ -5,10 +5,9 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping
 from pathlib import Path
 
-from raybundle.errors import InputError
+from raybundle.errors import InputError, phrase
 from raybundle.io.photos.photo import Photo
 from raybundle.io.reading.trees import read_json
-from raybundle.numerics.counting import some_of
 
 CONTENTS = "photographs_sha256"
 """Key of result.json: what each photograph held when it was oriented, by its file name"""
@@ -34,9 +33,6 @@ def other_contents(photos: Iterable[Photo], known: Mapping[str, str]) -> str:
     names = {content: name for name, content in known.items()}
     exchanged = [p for p in others if p.sha256 in names]
     if exchanged:
-        each = some_of([f"{p.name} holds what was {names[p.sha256]}" for p in exchanged])
-        return f"photographs are not those that were oriented: {each}; give them their names back"
-    return (
-        f"photographs are not the files that were oriented: {some_of([p.name for p in others])}; where more than their "
-        "metadata was changed, depths are wrong or missing"
-    )
+        pairs = [f"{p.name}: {names[p.sha256]}" for p in exchanged]
+        return phrase("surface.photographs_exchanged", n=len(exchanged), names=pairs)
+    return phrase("surface.photographs_replaced", n=len(others), names=[p.name for p in others])

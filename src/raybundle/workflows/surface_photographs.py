@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from raybundle.block import Block
-from raybundle.errors import InputError, Message, Text, message, named, text_of, text_of_error, without_file
+from raybundle.errors import InputError, Message, Text, message, named, phrase, text_of_error, without_file
 from raybundle.io.photos.photo import Photo, read_photo
 
 SHOWN = 3
@@ -58,14 +58,14 @@ def _photograph(block: Block, i: int, folders: Sequence[Path]) -> Photo | str:
     name, camera = block.images.file[i], block.cameras[int(block.images.camera[i])]
     path = next((f / name for f in folders if (f / name).is_file()), None)
     if path is None:
-        return text_of("photograph.in_no_folder")
+        return phrase("photograph.in_no_folder")
     try:
         photo = read_photo(path, name=name)
     except InputError as error:
         return without_file(text_of_error(error), path)
     frame = block.images.frames.get(i, camera)
     if (photo.width_px, photo.height_px) != (frame.width_px, frame.height_px):
-        return text_of(
+        return phrase(
             "photograph.other_size", width_px=photo.width_px, height_px=photo.height_px,
             block_width_px=frame.width_px, block_height_px=frame.height_px,
         )  # fmt: skip

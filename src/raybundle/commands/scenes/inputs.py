@@ -8,7 +8,6 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from raybundle.errors import InputError, Text
-from raybundle.settings import option
 
 if TYPE_CHECKING:
     from raybundle.io.scenes import Scene

@@ -20,7 +20,7 @@ import numpy as np
 
 from raybundle.block import ROLES, Camera, Images, Role
 from raybundle.block.block import Distances, Stations
-from raybundle.errors import InputError, Message, Value, content, remark
+from raybundle.errors import InputError, Message, Value, content, note
 from raybundle.io.block.toml import read_cameras
 from raybundle.io.calibrations.ours import cameras_text
 from raybundle.io.digits import EVERY
@@ -269,7 +269,7 @@ def _cameras(
     for p in contents.photographs:
         if p.camera not in made:
             made[p.camera] = _nominal(p, [q for q in contents.photographs if q.camera == p.camera])
-    remarks.append(remark("import.format_assumed", format=contents.name, pixel_mm=NOMINAL_PIXEL_MM, table=CAMERAS))
+    remarks.append(note("import.format_assumed", format=contents.name, pixel_mm=NOMINAL_PIXEL_MM, table=CAMERAS))
     order = list(made)
     return tuple(made.values()), [order.index(p.camera) for p in contents.photographs]
 
@@ -340,9 +340,7 @@ def _roles(
             assumed += told is None
             sigma[k] = np.where(known, told or (DEFAULTS.plan, DEFAULTS.plan, DEFAULTS.height), np.nan)
     if assumed:
-        remarks.append(
-            remark("import.control_sigma_assumed", n=assumed, plan_m=DEFAULTS.plan, height_m=DEFAULTS.height)
-        )
+        remarks.append(note("import.control_sigma_assumed", n=assumed, plan_m=DEFAULTS.plan, height_m=DEFAULTS.height))
     return role, sigma
 
 
@@ -359,13 +357,13 @@ def _images(
     found = [contents.orientations.get(p.name) for p in contents.photographs]
     reading = _best_reading(contents, found, camera_of, cameras, tracks)
     if reading:
-        remarks.append(remark("import.orientation_convention", reading=contents.readings[reading]))
+        remarks.append(note("import.orientation_convention", reading=contents.readings[reading]))
     for k, o in enumerate(found):
         if o is not None:
             centre[k], rotation[k] = o.centre, o.rotations[reading]
     unknown = [name for name, o in zip(names, found, strict=True) if o is None]
     if unknown:
-        remarks.append(remark("import.not_oriented", n=len(unknown), total=n))
+        remarks.append(note("import.not_oriented", n=len(unknown), total=n))
     return Images(
         ids=tuple(names), camera=np.array(camera_of, np.int32), file=tuple(names), centre=centre, rotation=rotation
     )

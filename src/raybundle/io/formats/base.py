@@ -11,7 +11,7 @@ import numpy as np
 
 from raybundle.block import Block, Camera, Images, Observations, Points, Role
 from raybundle.cameras.conversions import LIMIT_PX, CameraFit, interiors, parameter_vector
-from raybundle.errors import InputError, Message, remark
+from raybundle.errors import InputError, Message, note
 from raybundle.io.folders import check_free, check_new_file, make_parent, new_files, new_folder
 from raybundle.io.geo.coordinate_systems import LocalFrame
 from raybundle.io.ids import check_ids_of
@@ -253,7 +253,7 @@ def fitted_camera(fit: CameraFit, name: str, remarks: list[Message], deviations:
     """
     if fit.deviation_px > EXACT_PX:
         remarks.append(
-            remark(
+            note(
                 "import.camera_fitted", camera=name, model=fit.camera.model, deviation_px=fit.deviation_px,
                 covered=fit.covered, whole=fit.covered == 1,
             )
@@ -433,9 +433,9 @@ def block_of(
     keep = np.sort(first)
     remarks: list[Message] = []
     if len(keep) < len(key):
-        remarks.append(remark("import.repeated_observations", n=len(key) - len(keep)))
+        remarks.append(note("import.repeated_observations", n=len(key) - len(keep)))
     if len(keep):
-        remarks.append(remark("import.sigma_assumed", sigma_px=SIGMA_PX))
+        remarks.append(note("import.sigma_assumed", sigma_px=SIGMA_PX))
     count = len(tracks.point_ids)
     images = replace(images, ids=readable_names(images.ids), file=tuple(map(readable, images.file)))
     block = Block(

@@ -16,7 +16,7 @@ import numpy as np
 
 from raybundle.block import Camera, Images
 from raybundle.cameras.conversions import camera_from_forward, opencv_fit
-from raybundle.errors import InputError, Message, remark
+from raybundle.errors import InputError, Message, note
 from raybundle.io.digits import exact
 from raybundle.io.formats.base import (
     SENSOR_FROM_CV,
@@ -204,7 +204,7 @@ def _import(model: Model, folder: Path) -> Import:
     xy = np.concatenate([np.zeros((0, 2)), *model.xy])
     seen = point != NO_POINT
     if not seen.all():
-        remarks.append(remark("import.points_without_object", n=int((~seen).sum()), total=len(seen)))
+        remarks.append(note("import.points_without_object", n=int((~seen).sum()), total=len(seen)))
     numbers = np.array(list(model.xyz), np.int64)
     at = np.argsort(numbers)
     place = np.searchsorted(numbers, point[seen], sorter=at)

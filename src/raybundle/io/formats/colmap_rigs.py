@@ -6,7 +6,7 @@ from pathlib import Path
 
 import numpy as np
 
-from raybundle.errors import InputError, Message, remark
+from raybundle.errors import InputError, Message, note
 from raybundle.io.formats.colmap_files import CAMERA, Model
 from raybundle.io.reading.ledger import enter
 from raybundle.numerics.arrays import Array
@@ -67,7 +67,7 @@ def image_poses(model: Model, folder: Path, remarks: list[Message]) -> tuple[Arr
     enter("measurement of another sensor in frames", measurements)
     enter("image of frames without a row in images", missing)
     if unposed:
-        remarks.append(remark("import.sensors_without_pose", n=unposed))
+        remarks.append(note("import.sensors_without_pose", n=unposed))
     _compare(model, (R, t), (composed_R, composed_t), remarks)
     return composed_R, composed_t
 
@@ -82,7 +82,7 @@ def _compare(model: Model, given: tuple[Array, Array], composed: tuple[Array, Ar
     if different.any():
         worst = int(np.argmax(np.where(different, distance, -1.0)))
         remarks.append(
-            remark(
+            note(
                 "import.rig_poses_differ", n=int(different.sum()), total=len(distance), apart=float(distance.max()),
                 image=model.names[worst], angle_deg=float(np.degrees(angle.max())),
             )

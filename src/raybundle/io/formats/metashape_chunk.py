@@ -19,7 +19,7 @@ from raybundle.block import Camera, Images, Role
 from raybundle.cameras.conversions import camera_from_forward
 from raybundle.cameras.equirectangular import equirectangular_camera
 from raybundle.cameras.forward_camera import ForwardCamera
-from raybundle.errors import InputError, Message, remark
+from raybundle.errors import InputError, Message, note
 from raybundle.io.formats.base import SENSOR_FROM_CV, Tracks, fitted_camera
 from raybundle.io.geo.coordinate_systems import local_frame
 from raybundle.io.reading.ledger import enter
@@ -70,7 +70,7 @@ def _elements_remark(kind: str, errors: Sequence[InputError]) -> Message:
     """Elements that are left out, and why the first one is."""
     first = next((replace(e.message, place=e.place) for e in errors if e.message is not None), None)
     return replace(
-        remark("import.elements_left_out", kind=kind.replace(" ", "_"), n=len(errors)),
+        note("import.elements_left_out", kind=kind.replace(" ", "_"), n=len(errors)),
         details=() if first is None else (first,),
     )
 
@@ -89,9 +89,9 @@ def chunk_of(chunks: Sequence[Element], found: Reading) -> Element:
             other.leave_out()
     if len(chunks) > 1:
         number = 1 + chunks.index(chunk)
-        found.remarks.append(remark("import.one_chunk", number=number, n=len(chunks)))
+        found.remarks.append(note("import.one_chunk", number=number, n=len(chunks)))
     if disabled(chunk):
-        found.remarks.append(remark("import.chunk_disabled"))
+        found.remarks.append(note("import.chunk_disabled"))
     return chunk
 
 
@@ -101,7 +101,7 @@ def _enabled(elements: list[Element], kind: str, found: Reading) -> list[Element
     for element in off:
         element.leave_out()
     if off:
-        found.remarks.append(remark("import.elements_disabled", kind=kind.replace(" ", "_"), n=len(off)))
+        found.remarks.append(note("import.elements_disabled", kind=kind.replace(" ", "_"), n=len(off)))
     return [e for e in elements if not disabled(e)]
 
 
@@ -139,7 +139,7 @@ def _sensor(sensor: Element, found: Reading) -> Camera | None:
         place.fail("value.not_supported", value=quoted(kind), known=["frame", "fisheye", "spherical"])
     if calibration is None:
         label = sensor.attributes.get("label", "?")
-        found.remarks.append(remark("import.sensor_without_calibration", sensor=label))
+        found.remarks.append(note("import.sensor_without_calibration", sensor=label))
         return None
     forward = _forward(sensor, calibration, kind)
     fit = camera_from_forward(forward, id_, pixel_mm=_pixel(sensor), where=f"{found.path}: ")
@@ -297,13 +297,13 @@ def read_images(chunk: Element, cameras: Mapping[str, Camera], found: Reading) -
     used = scaled or _largest(oriented)
     free = bool(oriented) and not scaled
     if free:
-        found.remarks.append(remark("import.no_object_space"))
+        found.remarks.append(note("import.no_object_space"))
     apart = sum(r.component not in used for r in oriented)
     if apart:
-        found.remarks.append(remark("import.components_apart", n=apart))
+        found.remarks.append(note("import.components_apart", n=apart))
     reference = chunk.find("reference")
     if not free and reference is not None and not _is_local(reference):
-        found.remarks.append(remark("import.geocentric"))
+        found.remarks.append(note("import.geocentric"))
     order = {id_: k for k, id_ in enumerate(cameras)}
     centre, rotation = np.full((len(rows), 3), np.nan), np.full((len(rows), 3, 3), np.nan)
     for k, row in enumerate(rows):
@@ -449,7 +449,7 @@ def _control(chunk: Element, markers: list[Element], found: Reading) -> Control:
             assumed += 1
     if assumed:
         sigma_m = [f"{v:g}" for v in dict.fromkeys(default.tolist())]
-        found.remarks.append(remark("import.marker_sigma_assumed", n=assumed, sigma_m=sigma_m))
+        found.remarks.append(note("import.marker_sigma_assumed", n=assumed, sigma_m=sigma_m))
     return _in_object_space(chunk, Control(role, xyz, sigma), found)
 
 
@@ -493,7 +493,7 @@ def _in_object_space(chunk: Element, control: Control, found: Reading) -> Contro
     except InputError as error:
         frame = None
         why = () if error.message is None else (error.message,)
-        found.remarks.append(replace(remark("import.system_not_read"), details=why))
+        found.remarks.append(replace(note("import.system_not_read"), details=why))
     lost = given & ~whole if frame is not None else given
     xyz[lost], sigma[lost], role[lost] = np.nan, np.nan, Role.TIE
     enter("<reference> of <marker>", int(lost.sum()))
@@ -512,5 +512,5 @@ def _in_metres(reference: Element, control: Control, found: Reading) -> Control:
         reference.fail("metashape.unit_length")
     if unit is None or length == 1:
         return control
-    found.remarks.append(remark("import.markers_converted", unit=unit[1], length_m=f"{length:g}"))
+    found.remarks.append(note("import.markers_converted", unit=unit[1], length_m=f"{length:g}"))
     return Control(control.role, control.xyz * length, control.sigma)

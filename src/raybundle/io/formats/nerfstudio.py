@@ -18,7 +18,7 @@ from raybundle.block import Block, Camera, Images
 from raybundle.cameras.conversions import FISHEYE, camera_from_forward, forward_fit, pinhole_of, terms_for
 from raybundle.cameras.equirectangular import equirectangular_camera
 from raybundle.cameras.forward_camera import ForwardCamera
-from raybundle.errors import InputError, Message, remark
+from raybundle.errors import InputError, Message, note
 from raybundle.io.formats.base import (
     Draft,
     Export,
@@ -158,7 +158,7 @@ def read(path: Path) -> Import:
     )
     return Import(
         block=_bare(path, tuple(cameras), images),
-        remarks=(*remarks, remark("import.no_observations")),
+        remarks=(*remarks, note("import.no_observations")),
         deviation_px=max(deviations, default=0.0),
     )
 
@@ -219,7 +219,7 @@ def _focal(place: Callable[[str], Json], axis: str, size: int, remarks: list[Mes
         return derived
     stated = place(key).get(key).number()
     if derived is not None and place(key) is place(where) and abs(derived - stated) > ANGLE_SHARE * abs(stated):
-        found = remark("import.focal_length_contradicts", name=key, used_px=stated, other=where, other_px=derived)
+        found = note("import.focal_length_contradicts", name=key, used_px=stated, other=where, other_px=derived)
         if found not in remarks:
             remarks.append(found)
     return stated

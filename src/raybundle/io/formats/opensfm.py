@@ -18,7 +18,7 @@ import numpy as np
 from raybundle.block import Camera, Images
 from raybundle.cameras.conversions import FISHEYE, camera_from_forward, forward_fit, terms_for
 from raybundle.cameras.forward_camera import ForwardCamera
-from raybundle.errors import InputError, Message, remark
+from raybundle.errors import InputError, Message, note
 from raybundle.io.digits import exact
 from raybundle.io.formats.base import (
     SENSOR_FROM_CV,
@@ -137,7 +137,7 @@ def read(path: Path) -> Import:
     remarks: list[Message] = []
     deviations: list[float] = []
     if len(everything) > 1:
-        remarks.append(remark("import.first_reconstruction", n=len(everything)))
+        remarks.append(note("import.first_reconstruction", n=len(everything)))
     top = everything[0]
     cameras: list[Camera] = []
     forward: list[ForwardCamera] = []
@@ -223,7 +223,7 @@ def _tracks_in(
     if path.is_file():
         _read_tracks(path, images, forward, ids, rows)
     else:
-        remarks.append(remark("import.no_tracks", name=path.name))
+        remarks.append(note("import.no_tracks", name=path.name))
     return Tracks(
         point_ids=tuple(ids),
         xyz=xyz,

@@ -19,7 +19,7 @@ import numpy as np
 from raybundle.block import Camera, Images
 from raybundle.cameras.conversions import camera_from_forward, forward_fit
 from raybundle.cameras.forward_camera import ForwardCamera
-from raybundle.errors import InputError, Message, remark
+from raybundle.errors import InputError, Message, note
 from raybundle.io.formats.base import (
     Draft,
     Export,
@@ -260,7 +260,7 @@ def read(path: Path) -> Import:
     if "gltf" in resources:
         tracks = _tracks_in(resources["gltf"], place)
     else:
-        remarks.append(remark("import.no_tracks", name="gltf"))
+        remarks.append(note("import.no_tracks", name="gltf"))
     if "scene-reference-frame" in resources:
         remarks += _frame_remark(read_json(resources["scene-reference-frame"]))
     block, more = block_of(
@@ -282,9 +282,9 @@ def _frame_remark(frame: Json) -> list[Message]:
     definition = frame.get("crs").get("definition").value
     system = quoted(definition)
     if not shift.any() and not swapped and (scale == 1).all():
-        return [] if definition == CRS else [remark("import.system_of_file", system=system)]
+        return [] if definition == CRS else [note("import.system_of_file", system=system)]
     return [
-        remark(
+        note(
             "import.processing_frame", system=system, shift=[f"{v:.3f}" for v in shift.tolist()],
             scaled=not (scale == 1).all(), scale=[f"{v:g}" for v in scale.tolist()], swapped=swapped,
         )

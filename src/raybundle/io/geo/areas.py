@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from raybundle.errors import InputError, Text, remark
+from raybundle.errors import InputError, Text, note
 from raybundle.io.geo.parsed_systems import plan_of, system_name
 from raybundle.io.geo.told_systems import told_system
 from raybundle.numerics.arrays import Array, Index
@@ -58,7 +58,7 @@ def check_area(crs: str, xy: Array, file: Path, *, named: bool = False, lines: I
         feet = not exchanged and _beside(crs, UNITS["feet"] * x, UNITS["feet"] * y).off <= BEYOND_DEG
         hint = "degrees" if degrees else "exchanged" if exchanged else "feet" if feet else "system"
         raise _outside(crs, (x, y), here, hint).at(file, line=None if line is None else int(line[0]))
-    outside = remark(
+    outside = note(
         "crs.outside_use", table=file.name, x=x, y=y, system=name, longitude_deg=here.longitude,
         latitude_deg=here.latitude, exchanged=exchanged,
     )  # fmt: skip

@@ -18,7 +18,7 @@ import numpy as np
 
 from raybundle.block import ROLES, Role
 from raybundle.block.frames import in_file_frames
-from raybundle.errors import InputError, Text, Value, message, remark
+from raybundle.errors import InputError, Text, Value, message, note
 from raybundle.io.geo.areas import check_area
 from raybundle.io.geo.gcp_rows import GCP_COLUMNS, GcpRow, content_lines, gcp_rows
 from raybundle.io.geo.parsed_systems import parse_crs
@@ -30,7 +30,7 @@ from raybundle.numerics.arrays import Array, Index, Mask
 XYZ, SIGMA, NORMAL = ("X", "Y", "Z"), ("sX", "sY", "sZ"), ("nX", "nY", "nZ")
 COLUMNS = ("point", *XYZ, *SIGMA, "role", "radius", *NORMAL, "tolerance")
 """Of a table of control"""
-NO_TOLERANCE = Text.of(remark("control_file.tolerance_unused"))
+NO_TOLERANCE = Text.of(note("control_file.tolerance_unused"))
 CHANCE = 0.01
 """Probability below which heights that agree to the last digit are not taken for measured."""
 MEASUREMENTS = "measurements"
@@ -231,7 +231,7 @@ def _behind_names(path: Path, rows: Sequence[GcpRow]) -> tuple[str, ...]:
     more = [r for r in rows if r.rest]
     if not more:
         return ()
-    unread = remark(
+    unread = note(
         "control_file.words_behind_names", name=path.name, n=len(more), words=quoted(more[0].rest),
         point=quoted(more[0].name), line_number=more[0].line,
     )  # fmt: skip
@@ -240,7 +240,7 @@ def _behind_names(path: Path, rows: Sequence[GcpRow]) -> tuple[str, ...]:
 
 def _nameless(stem: str, first: int) -> str:
     names = [f"{stem}{first + k:02d}" for k in range(2)]
-    return Text.of(remark("control_file.no_names", names=names))
+    return Text.of(note("control_file.no_names", names=names))
 
 
 def named_apart(files: Sequence[ControlFile]) -> tuple[ControlFile, ...]:
@@ -262,7 +262,7 @@ def named_apart(files: Sequence[ControlFile]) -> tuple[ControlFile, ...]:
 def assumed_words(defaults: ControlDefaults) -> str:
     """What is said of coordinates whose file states no standard deviation."""
     values: dict[str, Value] = {"plan": defaults.plan, "height": defaults.height, "unit": defaults.unit or "none"}
-    return Text.of(remark("control_file.sigma_assumed", **values))
+    return Text.of(note("control_file.sigma_assumed", **values))
 
 
 def _default_sigma(xyz: Array, defaults: ControlDefaults) -> Array:
@@ -294,7 +294,7 @@ def _with_unknown_heights(control: ControlFile, stated: Mask) -> ControlFile:
     xyz, sigma = control.xyz.copy(), control.sigma.copy()
     xyz[:, 2] *= unknown
     sigma[:, 2] *= unknown
-    equal = remark("control_file.heights_unknown", name=control.path.name, n=n, height=float(heights[0]))
+    equal = note("control_file.heights_unknown", name=control.path.name, n=n, height=float(heights[0]))
     return replace(control, xyz=xyz, sigma=sigma, remarks=(*control.remarks, Text.of(equal)))
 
 

@@ -7,7 +7,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from raybundle.errors import Text, remark
+from raybundle.errors import Text, note
 from raybundle.io.geo.areas import check_area
 from raybundle.io.geo.control_files import ControlFile
 from raybundle.io.geo.coordinate_systems import local_frame
@@ -39,9 +39,7 @@ def in_one_system(files: Sequence[ControlFile], crs: str | None = None) -> tuple
     found: list[ControlFile] = []
     for f in files:
         if f.crs is None and np.isfinite(f.xyz).any():
-            assumed = remark(
-                "control_file.system_of_others", name=f.path.name, others=others, system=system_name(known)
-            )
+            assumed = note("control_file.system_of_others", name=f.path.name, others=others, system=system_name(known))
             beyond = check_area(known, f.xyz[:, :2], f.path)
             more = () if _among(f.xyz[:, :2], around) else (Text.of(assumed), *beyond)
             f = replace(f, crs=known, remarks=(*f.remarks, *more))  # noqa: PLW2901
@@ -77,10 +75,10 @@ def _in_named(file: ControlFile, crs: str | None) -> ControlFile:
     if crs is None:
         if max(abs(x), abs(y)) < MAP_M:
             return file
-        assumed = remark("control_file.cartesian_assumed", name=file.path.name, x=x, y=y)
+        assumed = note("control_file.cartesian_assumed", name=file.path.name, x=x, y=y)
         return replace(file, remarks=(*file.remarks, Text.of(assumed)))
     check_area(crs, xy, file.path, named=True)
-    taken = remark("control_file.system_given", name=file.path.name, system=system_name(crs))
+    taken = note("control_file.system_given", name=file.path.name, system=system_name(crs))
     return replace(file, crs=crs, remarks=(*file.remarks, Text.of(taken)))
 
 

@@ -21,7 +21,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from raybundle.errors import InputError, Text, remark
+from raybundle.errors import InputError, Text, note
 from raybundle.io.geo.parsed_systems import (
     ELLIPSOID,
     code_of,
@@ -200,7 +200,7 @@ def local_frame(
     remarks = height_remarks(crs, undulation_m)
     if np.isnan(z):
         z = 0.0
-        remarks += (Text.of(remark("crs.origin_height_unknown")),)
+        remarks += (Text.of(note("crs.origin_height_unknown")),)
     frame = LocalFrame(crs=crs, origin=(x, y, z), undulation_m=undulation_m, remarks=remarks)
     frame.local_from_crs(np.array([[x, y, z]]))
     return frame
@@ -252,16 +252,16 @@ def height_remarks(crs: str, undulation_m: float | None = None) -> tuple[str, ..
         unit = system.axis_info[0].unit_name if system.is_projected else "metre"
         name = system_name(crs)
         if undulation_m is not None:
-            above = remark("crs.heights_above_geoid", system=name, unit=unit, undulation_m=undulation_m, older=older)
+            above = note("crs.heights_above_geoid", system=name, unit=unit, undulation_m=undulation_m, older=older)
             return (Text.of(above),)
         code = code_of(crs)  # one of another place would move the block there
-        assumed = remark(
+        assumed = note(
             "crs.heights_assumed", system=name, unit=unit, coded=bool(code), code_name=str(code or ""),
             ellipsoidal=f"{code or ''}{ELLIPSOID}", sea=f"{code or ''}+5773",
         )  # fmt: skip
         return (Text.of(assumed),)
     if undulation_m is not None:
-        added = remark("crs.undulation_added", heights=height_name(crs), undulation_m=undulation_m, older=older)
+        added = note("crs.undulation_added", heights=height_name(crs), undulation_m=undulation_m, older=older)
         return (Text.of(added),)
     return ()
 

@@ -20,7 +20,7 @@ from threading import Lock
 
 import numpy as np
 
-from raybundle.errors import InputError, Text, text_of, text_of_error
+from raybundle.errors import InputError, Text, phrase, text_of_error
 from raybundle.io.photos.container import SUFFIXES, Header, Unusable, decode_channels, read_header
 from raybundle.io.photos.exif import read_tags
 from raybundle.io.photos.photo import LIMIT_PIXELS, Photo, shown, stored_from_turned, upright
@@ -178,7 +178,7 @@ def _mask_names(photo: Photo) -> list[str]:
 
 
 def _alike_text(other: Path, photo: Photo) -> Text:
-    return text_of("mask.other_name", name=shown(other).name, names=_mask_names(photo))
+    return phrase("mask.other_name", name=shown(other).name, names=_mask_names(photo))
 
 
 def mask_file(folder: Path, photo: Photo) -> Path | None:

@@ -13,7 +13,7 @@ from contextvars import ContextVar
 from dataclasses import dataclass, field
 from typing import Protocol
 
-from raybundle.errors import Message, remark
+from raybundle.errors import Message, note
 from raybundle.io.reading.words import quoted
 
 NAMED = 6
@@ -81,7 +81,7 @@ def declare(*names: str) -> None:
 
 def not_read_message(counts: Mapping[str, int]) -> Message:
     """The elements passed over, as a remark."""
-    return remark("import.not_read", n=sum(counts.values()), kinds=[f"{n} {kind}" for kind, n in counts.items()])
+    return note("import.not_read", n=sum(counts.values()), kinds=[f"{n} {kind}" for kind, n in counts.items()])
 
 
 def not_read(counts: Mapping[str, int]) -> str:

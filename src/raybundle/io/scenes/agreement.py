@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from raybundle.errors import Message, RaybundleError, remark
+from raybundle.errors import Message, RaybundleError, note
 from raybundle.io.scenes.base import Scene, read_scene
 from raybundle.scenes.model_agreement import ModelAgreement, ModelsContradict, model_agreement
 from raybundle.scenes.rpc import Rpc
@@ -30,7 +30,7 @@ def remarks_of(scene: Scene) -> tuple[Message, ...]:
     try:
         check_agreement(scene)
     except ModelsContradict as contradiction:
-        return (*scene.remarks, remark("scene.rpc_preferred", **contradiction.agreement.values))
+        return (*scene.remarks, note("scene.rpc_preferred", **contradiction.agreement.values))
     return scene.remarks
 
 

@@ -8,7 +8,7 @@ from pathlib import Path
 
 import numpy as np
 
-from raybundle.errors import InputError, Message, remark
+from raybundle.errors import InputError, Message, note
 from raybundle.io.reading.files import as_utf8, guarded, opened
 from raybundle.io.reading.xml import Element
 from raybundle.numerics.arrays import Array
@@ -103,7 +103,7 @@ def _placed(path: Path, format_: SceneFormat) -> Scene:
     return scene
 
 
-CUT_OUT = remark("scene.rpc_range_adapted")
+CUT_OUT = note("scene.rpc_range_adapted")
 
 
 def rpc_of_image(rpc: Rpc, width_px: int, height_px: int, file: Path | str) -> Rpc:

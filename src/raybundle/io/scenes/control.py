@@ -22,7 +22,7 @@ from typing import Any
 import numpy as np
 
 from raybundle.block import Role
-from raybundle.errors import InputError, Text, remark
+from raybundle.errors import InputError, Text, note
 from raybundle.io.geo.control_files import (
     COLUMNS,
     DEFAULTS,
@@ -94,7 +94,7 @@ class SceneControl:
             return self.rows(rows)
         others = list(dict.fromkeys(self.image))
         if alone and len(others) == 1:
-            assumed = remark("scene_control.image_assumed", name=self.file.name, image=others[0], scene=names[0])
+            assumed = note("scene_control.image_assumed", name=self.file.name, image=others[0], scene=names[0])
             return replace(self, remarks=(*self.remarks, Text.of(assumed)))
         raise InputError("scene_control.other_images", scene=names[0], others=others, file=self.file)
 
@@ -472,7 +472,7 @@ def _system(rows: _Rows, crs: str | None) -> tuple[str, tuple[str, ...]]:
             y=y,
             file=rows.file,
         )
-    return WGS84, (Text.of(remark("scene_control.wgs84_assumed")),)
+    return WGS84, (Text.of(note("scene_control.wgs84_assumed")),)
 
 
 def _plan(crs: str) -> Any:

@@ -13,7 +13,7 @@ from pathlib import Path
 
 import numpy as np
 
-from raybundle.errors import InputError, Message, remark
+from raybundle.errors import InputError, Message, note
 from raybundle.io.reading.trees import Json, read_json
 from raybundle.io.reading.words import quoted
 from raybundle.io.scenes import rpc_json, rpc_keys
@@ -59,14 +59,14 @@ def read(path: Path) -> Scene:
         aberration=False,
         refraction=False,
     )
-    remarks = [remark("isd.no_aberration"), *remarks]
+    remarks = [note("isd.no_aberration"), *remarks]
     if not group.has("unit"):
         far = float(np.linalg.norm(trajectory.positions, axis=1).min())
-        remarks.append(remark("isd.kilometres_assumed", distance_km=far / 1000, radius_km=ellipsoid.a / 1000))
+        remarks.append(note("isd.kilometres_assumed", distance_km=far / 1000, radius_km=ellipsoid.a / 1000))
     P, d = line.rays(np.array([[columns / 2, rows / 2]]))
     if P[0] @ d[0] > 0:
         line = _turned(line)
-        remarks.append(remark("isd.detector_turned"))
+        remarks.append(note("isd.detector_turned"))
     remarks += _reversals(line)
     return Scene(
         file=path,
@@ -95,7 +95,7 @@ def _check_line_scanner(root: Json) -> None:
 def _reversals(line: LineScene) -> list[Message]:
     """A remark where the scan comes back over ground that it has seen."""
     at = line.reversals()
-    return [remark("isd.scan_reverses", lines=[round(float(y)) for y in at])] if at.size else []
+    return [note("isd.scan_reverses", lines=[round(float(y)) for y in at])] if at.size else []
 
 
 def _turned(line: LineScene) -> LineScene:

@@ -10,7 +10,7 @@ from pathlib import Path
 
 import numpy as np
 
-from raybundle.errors import remark
+from raybundle.errors import note
 from raybundle.io.reading.files import read_bytes
 from raybundle.io.reading.xml import Element, read_xml
 from raybundle.io.scenes.base import HEAD_BYTES, Scene, SceneFormat, check_denominators, element_text, register
@@ -85,7 +85,7 @@ def _phr(path: Path) -> Scene:
     return _rpc_scene(path, root, rpc, size)
 
 
-NO_PRIOR = remark("dimap.no_bias_prior")
+NO_PRIOR = note("dimap.no_bias_prior")
 
 
 def _image(root: Element, validity: Element) -> tuple[Array, tuple[int | None, int | None]]:

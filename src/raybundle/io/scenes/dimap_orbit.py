@@ -17,7 +17,7 @@ from datetime import datetime
 
 import numpy as np
 
-from raybundle.errors import Message, remark
+from raybundle.errors import Message, note
 from raybundle.io.reading.words import quoted
 from raybundle.io.reading.xml import Element
 from raybundle.io.scenes.base import element_text, numbers_of
@@ -54,7 +54,7 @@ def line_scene(root: Element) -> tuple[LineScene, tuple[Message, ...]]:
     attitude_times, quaternions = _attitudes(refined.get("Attitudes"), start, rows * period)
     x, look, remarks = _look(refined.get("Geometric_Calibration"), columns)
     refraction, aberration = (_setting(root, k) for k in ("ATMOSPHERIC_REFRACTION_SETTING", "LIGHT_SPEED_SETTING"))
-    corrections = remark("dimap.corrections", refraction=refraction, aberration=aberration)
+    corrections = note("dimap.corrections", refraction=refraction, aberration=aberration)
     return LineScene(
         width_px=columns,
         height_px=rows,
@@ -155,7 +155,7 @@ def _look(group: Element, columns: int) -> tuple[Array, Array, tuple[Message, ..
     remarks: list[Message] = []
     if len(bands) > 1:
         name = element_text(bands[0], "BAND_ID") or "1"
-        remarks.append(remark("scene.one_band", n=len(bands), band=name))
+        remarks.append(note("scene.one_band", n=len(bands), band=name))
     return x, np.stack(value, axis=1), tuple(remarks)
 
 

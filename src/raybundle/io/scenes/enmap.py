@@ -11,7 +11,7 @@ from pathlib import Path
 
 import numpy as np
 
-from raybundle.errors import Message, remark
+from raybundle.errors import Message, note
 from raybundle.io.reading.words import whole_of
 from raybundle.io.reading.xml import Element, read_xml
 from raybundle.io.scenes.base import Scene, SceneFormat, check_denominators, element_text, register
@@ -52,7 +52,7 @@ def _others(rpc: Rpc, bands: list[Element]) -> Message:
     first = rpc.project(ground)
     apart = [float(np.abs(_rpc(b).project(ground) - first).max()) for b in bands[1:]]
     name = bands[0].attributes.get("number", "1")
-    return remark("enmap.one_band", band=name, n=len(bands), apart_px=max(apart, default=0.0))
+    return note("enmap.one_band", band=name, n=len(bands), apart_px=max(apart, default=0.0))
 
 
 def _rpc(band: Element) -> Rpc:

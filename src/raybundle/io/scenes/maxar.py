@@ -11,7 +11,7 @@ from pathlib import Path
 
 import numpy as np
 
-from raybundle.errors import Message, remark
+from raybundle.errors import Message, note
 from raybundle.io.reading.words import quoted
 from raybundle.io.reading.xml import Element, read_xml
 from raybundle.io.scenes.base import Scene, SceneFormat, check_denominators, element_text, numbers_of, register
@@ -44,7 +44,7 @@ def read(path: Path) -> Scene:
         line, more = _line(root, rows, columns, rpc)
         remarks += more
     else:
-        remarks.append(remark("maxar.no_rigorous_model"))
+        remarks.append(note("maxar.no_rigorous_model"))
     return Scene(
         file=path,
         format="maxar",
@@ -72,9 +72,9 @@ def _rpc(group: Element) -> tuple[Rpc, list[Message]]:
     order = list(range(20))
     if specification == "RPC00A":
         order = list(RPC00A_IN_B)
-        remarks.append(remark("rpc.terms_reordered"))
+        remarks.append(note("rpc.terms_reordered"))
     elif specification != "RPC00B":
-        remarks.append(remark("rpc.specification_assumed", specification=specification or "none"))
+        remarks.append(note("rpc.specification_assumed", specification=specification or "none"))
     coefficients = np.zeros((4, 20))
     for k, name in enumerate(("LINENUMCOEF", "LINEDENCOEF", "SAMPNUMCOEF", "SAMPDENCOEF")):
         coefficients[k, order] = image.get(f"{name}List", name).numbers(20)
@@ -97,7 +97,7 @@ def _line(root: Element, rows: int, columns: int, rpc: Rpc | None) -> tuple[Line
     geo, image = root.get("GEO"), root.get("IMD", "IMAGE")
     distortion = geo.find("OPTICAL_DISTORTION")
     if distortion is not None and any(np.any(numbers_of(e)) for e in _lists(distortion)):
-        return None, [remark("maxar.distortion_not_supported")]
+        return None, [note("maxar.distortion_not_supported")]
     start = _time(root.get("EPH", "STARTTIME"))
     ephemeris = _table(root.get("EPH"), "EPHEMLIST", 7)
     attitude = _table(root.get("ATT"), "ATTLIST", 5)

@@ -12,7 +12,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from raybundle.errors import Message, RaybundleError, remark
+from raybundle.errors import Message, RaybundleError, note
 from raybundle.io.reading.words import quoted
 from raybundle.io.reading.xml import Element
 from raybundle.io.scenes.base import element_text
@@ -111,7 +111,7 @@ def chosen_angle(
         if unit == "degrees":
             return angles[unit], []
         finite = bool(np.isfinite(rms["degrees"]))
-        compared = remark(
+        compared = note(
             "maxar.radians_by_rpc", angle=mounting.angle, rms_px=rms[unit], meets=finite,
             rms_degrees_px=rms["degrees"] if finite else None,
         )  # fmt: skip
@@ -122,9 +122,9 @@ def chosen_angle(
     if off[other] > CLEARER * off[nearer] and off[other] - off[nearer] > columns / CLEARER:
         if nearer == "degrees":
             return angles[nearer], []
-        nearest = remark("maxar.radians_by_axis", angle=mounting.angle, off_px=off[nearer], off_degrees_px=off[other])
+        nearest = note("maxar.radians_by_axis", angle=mounting.angle, off_px=off[nearer], off_degrees_px=off[other])
         return angles[nearer], [nearest]
-    return angles["degrees"], [remark("maxar.degrees_assumed", angle=mounting.angle, apart_px=apart)]
+    return angles["degrees"], [note("maxar.degrees_assumed", angle=mounting.angle, apart_px=apart)]
 
 
 def _rms(scene: Callable[[float], LineScene], angle: float, rpc: Rpc) -> float:

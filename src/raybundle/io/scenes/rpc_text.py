@@ -10,7 +10,7 @@ from pathlib import Path
 
 import numpy as np
 
-from raybundle.errors import InputError, Message, remark
+from raybundle.errors import InputError, Message, note
 from raybundle.io.digits import exact
 from raybundle.io.folders import new_files
 from raybundle.io.reading.files import as_utf8, read_bytes
@@ -180,8 +180,8 @@ def _coefficients(path: Path, polynomials: dict[str, dict[int, float]], text: st
 
         ordered = np.zeros((4, 20))
         ordered[:, list(RPC00A_IN_B)] = result
-        return ordered, (remark("rpc.terms_reordered"),)
-    return result, (remark("rpc.specification_assumed", specification=specification[1]),)
+        return ordered, (note("rpc.terms_reordered"),)
+    return result, (note("rpc.specification_assumed", specification=specification[1]),)
 
 
 def write_rpb(rpc: Rpc, path: Path) -> None:

@@ -12,7 +12,7 @@ from pathlib import Path
 
 import numpy as np
 
-from raybundle.errors import Message, remark
+from raybundle.errors import Message, note
 from raybundle.io.reading.words import quoted
 from raybundle.io.reading.xml import Element, read_xml
 from raybundle.io.scenes.base import Scene, SceneFormat, element_text, register
@@ -82,7 +82,7 @@ def _look(group: Element, columns: int) -> tuple[Array, tuple[Message, ...]]:
     if wrong is not None:
         wrong.fail("scene.detector_order", number=wrong.number("DETECTOR_ID"))
     psi = np.array([[e.number("PSI_X"), e.number("PSI_Y")] for e in entries])
-    return psi, () if len(bands) == 1 else (remark("scene.one_band", n=len(bands), band="1"),)
+    return psi, () if len(bands) == 1 else (note("scene.one_band", n=len(bands), band="1"),)
 
 
 def _trajectory(strip: Element, centre: datetime) -> Trajectory:

@@ -10,7 +10,7 @@ from pathlib import Path
 
 import numpy as np
 
-from raybundle.errors import InputError, remark
+from raybundle.errors import InputError, note
 from raybundle.io.reading.tiff import tiff_tags
 from raybundle.io.reading.words import no_number, number_of, numbers_of, quoted, whole_of
 from raybundle.io.scenes.base import Scene, SceneFormat, check_denominators, register
@@ -91,7 +91,7 @@ def _nitf_scene(path: Path, name: str, subheader: bytes, data: bytes) -> Scene:
     if name == "RPC00A":
         ordered = np.zeros((4, 20))
         ordered[:, list(RPC00A_IN_B)] = coefficients
-        coefficients, remarks = ordered, (remark("rpc.terms_reordered"),)
+        coefficients, remarks = ordered, (note("rpc.terms_reordered"),)
     rows, columns = (_digits(path, subheader, at, 8, key) for at, key in ((333, "NROWS"), (341, "NCOLS")))
     return Scene(
         file=path,

@@ -40,3 +40,6 @@ control-other_unit = Die Maßstabsstrecken machen das Netz { NUM($ratio, digits:
 
 control-none_in_photograph = Kein Punkt mit X und Y ist in { $photograph } gemessen.
     .do = Prüfen, ob die Bildnamen übereinstimmen.
+
+control-too_few_for_datum = { $n } von { $total } Punkten sind gemessene Passpunkte mit X, Y und Z; ein Datum braucht drei.
+    .do = Passpunkte nach den Codes ihrer Zielmarken benennen.

@@ -130,8 +130,6 @@ join-vertical_of_tables = Die Lotrichtungen der Systeme weichen um { NUM($tilt_d
 join-frames_differ = { $block } ({ $unit }) und { $other } ({ $other_unit }) sind in Systemen, die sich nicht ineinander überführen lassen.
     .do = Beide in ein Koordinatensystem in Metern überführen (convert in einen Block, { OPTION("crs") }) oder [frame] in der block.toml eines Blocks ohne bekannte Lage löschen.
 
-join-transformed = { $block } wurde in das System von { $other } überführt; die Ursprünge liegen { NUM($away_m, decimals: 3) } m auseinander.
-
 join-frame_projected = { $block } ist in Koordinaten von { $system }.
 
 join-frame_geocentric = { $block } ist in einem geozentrischen System.

@@ -13,5 +13,5 @@ merge-no_blocks = Es gibt keine Blöcke zum Zusammenführen.
 merge-contradiction = { $name } ist { $value } in Block { $first } ({ $block }), { $other } in Block { $second } ({ $other_block }).
     .do = Einen der Werte berichtigen oder den Block wählen, der Vorrang hat: prefer=dict({ $subject }={ $first }).
 
-merge-do_not_fit = Die Blöcke passen nicht zusammen: { $name }, { $entry } ({ $detail }).
+merge-do_not_fit = Die Blöcke passen nicht zusammen: { $name }, { $entry }.
     .do = Diesen Eintrag in einem der Blöcke berichtigen.

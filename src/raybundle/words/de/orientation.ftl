@@ -8,4 +8,3 @@ orientation-images_missing = Bilder ohne äußere Orientierung: { $names }.
 orientation-not_found = { $n } von { $total } Bildern haben keine genäherte Orientierung.
     .do = Mehr gemeinsame Punkte messen oder Näherungswerte in images.csv angeben.
 
-orientation-image_not_found = Bild { $image }: { $detail }.

@@ -32,3 +32,26 @@ setting-needs_positions = { OPTION($name) } benötigt Positionen: { $gps ->
        *[no] { OPTION("gps", "False", flag: "no-gps") } schließt die der Aufnahmen aus
     }.
     .do = { OPTION("positions") } oder Aufnahmen mit Positionen angeben oder { OPTION($name) } weglassen.
+
+setting-not_finite = { $name } = { $given } ist keine endliche Zahl.
+    .do = Eine endliche Zahl angeben.
+
+setting-too_small = { $name } = { $given } ist zu klein; gefordert ist { $above ->
+        [yes] mehr als
+        *[no] mindestens
+    } { $least }.
+
+setting-too_large = { $name } = { $given } ist zu groß; die Grenze ist { $most }.
+
+setting-not_one_of = { $name } = { $given } ist kein möglicher Wert.
+    .do = Einen von { LIST($known, most: 60) } angeben.
+
+setting-value_count = { $name } = { $given }: { $n } Werte sind nötig.
+
+setting-wrong_type = { $name } = { $given } ist nicht vom Typ { $type }.
+
+setting-no_whole_number = { $name } = { $given } ist keine ganze Zahl.
+    .do = Eine ganze Zahl angeben.
+
+setting-no_path = { $name } ist ein Objekt vom Typ { $type }, kein Pfad.
+    .do = Mit write_result oder write_block schreiben und den Ordner angeben.

@@ -3,14 +3,6 @@ surface-points = Oberfläche: { $n } Punkte aus { $maps } { $maps ->
         *[other] Tiefenkarten
     }.
 
-surface-photographs_missing = { $n } von { $of } ausgeglichenen Aufnahmen sind nicht verwendbar: { $names }.
-    .why = Die Oberfläche hat Lücken, wo nur sie etwas zeigen.
-    .do = Ihren Ordner mit { OPTION("photos", "ORDNER") } angeben.
-
-surface-other_photographs = Aufnahmen sind nicht die Dateien, die orientiert wurden.
-    .why = Tiefen sind falsch oder fehlen, wo die Pixel verschieden sind.
-    .do = Die ursprünglichen Dateien und Namen wiederherstellen.
-
 surface-precision = Standardabweichung eines Punktes: { NUM($median, digits: 2) } { $free_scale ->
         [yes] Einheiten (Median, Maßstab willkürlich)
         *[no] { $unit } (Median)
@@ -63,7 +55,9 @@ surface-too_few_photographs = { $n } { $n ->
     } verfügbar; eine Oberfläche benötigt { $least }.
     .do = Den Ordner der Aufnahmen angeben: { OPTION("photos", "FOLDER") }.
 
-surface-photographs_lost = { $n } von { $photographs } ausgeglichenen Aufnahmen sind nicht verwendbar:
+surface-photographs_lost = { $n } von { $photographs } ausgeglichenen Aufnahmen sind nicht verwendbar.
+    .why = Die Oberfläche hat Lücken, wo nur sie etwas zeigen.
+    .do = Ihren Ordner mit { OPTION("photos", "ORDNER") } angeben.
 
 surface-nothing_measured = { $region ->
         [yes] Im Gebiet wurde nichts gemessen
@@ -75,3 +69,23 @@ surface-nothing_measured = { $region ->
 surface-region_invalid = { OPTION("region", $given) } ist kein gültiges Gebiet.
 
 surface-no_depth_map = Es ließ sich keine Tiefenkarte berechnen.
+
+surface-other_photographs = { $region ->
+        [yes] Im Gebiet wurde nichts gemessen
+       *[no] Es wurde nichts gemessen
+    }: Aufnahmen weichen von den orientierten ab.
+    .why = { PERCENT($share) } % von { $pixels } Pixeln haben eine Tiefe, von anderen Aufnahmen nicht bestätigt.
+
+surface-photographs_replaced = { $n } { $n ->
+        [one] Aufnahme ist nicht die Datei, die orientiert wurde
+        *[other] Aufnahmen sind nicht die Dateien, die orientiert wurden
+    }: { $names }.
+    .why = Tiefen sind falsch oder fehlen, wo Pixel verschieden sind.
+    .do = Die ursprünglichen Dateien wiederherstellen.
+
+surface-photographs_exchanged = { $n } { $n ->
+        [one] Aufnahme hat
+        *[other] Aufnahmen haben
+    } den Inhalt einer anderen: { $names }.
+    .why = Tiefen sind falsch.
+    .do = Die ursprünglichen Namen wiederherstellen.

@@ -31,3 +31,5 @@ transform-partly_free = { $name } lässt sich nicht drehen: Von { $parameters } 
 
 transform-calibration_incomplete = { $name } lässt sich nicht drehen: Die Kalibrierung hat keinen Wert für { $parameter }.
     .do = Mit diesem Parameter kalibrieren oder ohne Drehung transformieren.
+
+transform-row_not_possible = { $row } kann nicht transformiert werden ({ $detail }).

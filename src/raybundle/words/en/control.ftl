@@ -59,3 +59,8 @@ control-other_unit = The scale bars make the network { NUM($ratio, digits: 4) } 
 # $photograph = "wall.jpg"
 control-none_in_photograph = No point with X and Y is measured in { $photograph }.
     .do = Check that the image names agree.
+
+# $n = 2
+# $total = 8
+control-too_few_for_datum = { $n } of { $total } points are measured control with X, Y and Z; a datum needs three.
+    .do = Name control points by the codes of their targets.

@@ -250,11 +250,6 @@ join-frames_differ = { $block } ({ $unit }) and { $other } ({ $other_unit }) are
     .do = Transform both into one coordinate system in metres (convert to a block, { OPTION("crs") }), or delete [frame] in block.toml of a block whose place is unknown.
 
 # $block = "april"
-# $other = "may"
-# $away_m = 12.4
-join-transformed = { $block } was transformed into the frame of { $other }; the origins are { NUM($away_m, decimals: 3) } m apart.
-
-# $block = "april"
 # $system = "EPSG:25832"
 join-frame_projected = { $block } is in coordinates of { $system }.
 

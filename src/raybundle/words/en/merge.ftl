@@ -30,6 +30,5 @@ merge-contradiction = { $name } is { $value } in block { $first } ({ $block }), 
 
 # $name = "distances.csv: P1 - P2"
 # $entry = "sigma"
-# $detail = "it must be above 0"
-merge-do_not_fit = The blocks do not fit together: { $name }, { $entry } ({ $detail }).
+merge-do_not_fit = The blocks do not fit together: { $name }, { $entry }.
     .do = Correct this entry in one of the blocks.

@@ -12,6 +12,3 @@ orientation-images_missing = Images without exterior orientation: { $names }.
 orientation-not_found = { $n } of { $total } images have no approximate orientation.
     .do = Measure more common points, or give approximate values in images.csv.
 
-# $image = "left.jpg"
-# $detail = "2 known points"
-orientation-image_not_found = Image { $image }: { $detail }.

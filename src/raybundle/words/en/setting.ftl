@@ -53,3 +53,48 @@ setting-needs_positions = { OPTION($name) } needs positions: { $gps ->
        *[no] { OPTION("gps", "False", flag: "no-gps") } excludes those of the photographs
     }.
     .do = Give { OPTION("positions") } or photographs with positions, or omit { OPTION($name) }.
+
+# $name = "memory"
+# $given = "nan"
+setting-not_finite = { $name } = { $given } is not a finite number.
+    .do = Give a finite number.
+
+# $name = "memory"
+# $given = "-1"
+# $least = 0
+# $above = true
+setting-too_small = { $name } = { $given } is too small; it must be { $above ->
+        [yes] greater than
+        *[no] at least
+    } { $least }.
+
+# $name = "lines"
+# $given = "99"
+# $most = 40
+setting-too_large = { $name } = { $given } is too large; the limit is { $most }.
+
+# $name = "noise"
+# $given = "'pink'"
+# $known = ["white", "fields", "auto"]
+setting-not_one_of = { $name } = { $given } is not a possible value.
+    .do = Give one of { LIST($known, most: 60) }.
+
+# $name = "control_sigma"
+# $given = "(0.1,)"
+# $n = 2
+setting-value_count = { $name } = { $given }: { $n } values are needed.
+
+# $name = "target"
+# $given = "7"
+# $type = "str"
+setting-wrong_type = { $name } = { $given } is not of type { $type }.
+
+# $name = "feature_count"
+# $given = "99.5"
+setting-no_whole_number = { $name } = { $given } is not a whole number.
+    .do = Give a whole number.
+
+# $name = "source"
+# $type = "Block"
+setting-no_path = { $name } is an object of type { $type }, not a path.
+    .do = Write it with write_result or write_block, and give the folder.

@@ -5,17 +5,6 @@ surface-points = Surface: { $n } points from { $maps } { $maps ->
         *[other] depth maps
     }.
 
-# $n = 2
-# $of = 11
-# $names = ["a.jpg", "b.jpg"]
-surface-photographs_missing = { $n } of { $of } adjusted photographs cannot be used: { $names }.
-    .why = The surface has gaps where only they show it.
-    .do = Give their folder with { OPTION("photos", "FOLDER") }.
-
-surface-other_photographs = Photographs are not the files that were oriented.
-    .why = Depths are wrong or missing where the pixels differ.
-    .do = Restore the original files and names.
-
 # $median = 0.84
 # $unit = "mm"
 # $free_scale = false
@@ -98,7 +87,9 @@ surface-too_few_photographs = { $n } { $n ->
 
 # $n = 2
 # $photographs = 12
-surface-photographs_lost = { $n } of { $photographs } adjusted photographs cannot be used:
+surface-photographs_lost = { $n } of { $photographs } adjusted photographs cannot be used.
+    .why = The surface has gaps where only they show it.
+    .do = Give their folder with { OPTION("photos", "FOLDER") }.
 
 # $share = 0.012
 # $pixels = 120000
@@ -114,3 +105,30 @@ surface-nothing_measured = Nothing was measured{ $region ->
 surface-region_invalid = { OPTION("region", $given) } is not a valid region.
 
 surface-no_depth_map = No depth map could be computed.
+
+# $share = 0.012
+# $pixels = 120000
+# $region = false
+surface-other_photographs = Nothing was measured{ $region ->
+        [yes] {" "}in the region
+       *[no] {""}
+    }: photographs differ from those that were oriented.
+    .why = { PERCENT($share) } % of { $pixels } pixels have a depth, unconfirmed by other photographs.
+
+# $n = 2
+# $names = ["a.jpg", "b.jpg"]
+surface-photographs_replaced = { $n } { $n ->
+        [one] photograph is not the file that was
+        *[other] photographs are not the files that were
+    } oriented: { $names }.
+    .why = Depths are wrong or missing where pixels differ.
+    .do = Restore the original files.
+
+# $n = 2
+# $names = ["a.jpg: b.jpg", "b.jpg: a.jpg"]
+surface-photographs_exchanged = { $n } { $n ->
+        [one] photograph has
+        *[other] photographs have
+    } the content of another one: { $names }.
+    .why = Depths are wrong.
+    .do = Restore the original names.

@@ -46,3 +46,7 @@ transform-partly_free = { $name } cannot be rotated: some of { $parameters } are
 # $parameter = "Z"
 transform-calibration_incomplete = { $name } cannot be rotated: its calibration has no value of { $parameter }.
     .do = Calibrate with this parameter, or transform without rotation.
+
+# $row = "row 3"
+# $detail = "it is an angle"
+transform-row_not_possible = { $row } cannot be transformed ({ $detail }).

@@ -21,3 +21,5 @@ control-points_in_line = Les { $n } points d'appui mesurés sont alignés ou con
 control-other_unit = Les barres d'échelle rendent le réseau { NUM($ratio, digits: 4) } fois plus grand que les appuis.
 
 control-none_in_photograph = Aucun point avec X et Y n'est mesuré dans { $photograph }.
+
+control-too_few_for_datum = { $n } points sur { $total } sont des points d'appui mesurés avec X, Y et Z ; il en faut trois.

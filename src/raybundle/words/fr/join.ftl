@@ -63,8 +63,6 @@ join-vertical_of_tables = Les verticales des repères diffèrent de { NUM($tilt_
 
 join-frames_differ = { $block } ({ $unit }) et { $other } ({ $other_unit }) sont dans des repères qui ne se transforment pas l'un dans l'autre.
 
-join-transformed = { $block } a été transformé dans le repère de { $other } ; les origines sont à { NUM($away_m, decimals: 3) } m.
-
 join-frame_projected = { $block } est en coordonnées de { $system }.
 
 join-frame_geocentric = { $block } est dans un repère géocentrique.

@@ -8,4 +8,4 @@ merge-no_blocks = Il n'y a pas de blocs à fusionner.
 
 merge-contradiction = { $name } vaut { $value } dans le bloc { $first } ({ $block }), { $other } dans le bloc { $second } ({ $other_block }).
 
-merge-do_not_fit = Les blocs ne vont pas ensemble : { $name }, { $entry } ({ $detail }).
+merge-do_not_fit = Les blocs ne vont pas ensemble : { $name }, { $entry }.

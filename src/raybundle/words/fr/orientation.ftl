@@ -4,4 +4,3 @@ orientation-images_missing = Images sans orientation externe : { $names }.
 
 orientation-not_found = { $n } images sur { $total } n'ont pas d'orientation approchée.
 
-orientation-image_not_found = Image { $image } : { $detail }.

@@ -1,9 +1,5 @@
 surface-points = Surface : { $n } points de { $maps } cartes de profondeur.
 
-surface-photographs_missing = { $n } photographies compensées sur { $of } ne sont pas utilisables : { $names }.
-
-surface-other_photographs = Des photographies ne sont pas les fichiers qui ont été orientés.
-
 surface-precision = Écart-type d'un point : { NUM($median, digits: 2) } { $free_scale ->
         [yes] unités (médiane, échelle arbitraire)
         *[no] { $unit } (médiane)
@@ -37,10 +33,16 @@ surface-no_pair = Aucune paire de photographies ne peut mesurer des profondeurs.
 
 surface-too_few_photographs = { $n } photographies du résultat sont disponibles ; une surface en demande { $least }.
 
-surface-photographs_lost = { $n } des { $photographs } photographies compensées sont inutilisables :
+surface-photographs_lost = { $n } photographies compensées sur { $photographs } ne sont pas utilisables.
 
 surface-nothing_measured = Rien n'a été mesuré : { PERCENT($share) } % de { $pixels } pixels ont une profondeur, aucune confirmée.
 
 surface-region_invalid = { OPTION("region", $given) } n'est pas une région valable.
 
 surface-no_depth_map = Aucune carte de profondeur n'a pu être calculée.
+
+surface-other_photographs = Rien n'a été mesuré : des photographies diffèrent de celles qui ont été orientées.
+
+surface-photographs_replaced = { $n } photographies ne sont pas les fichiers qui ont été orientés : { $names }.
+
+surface-photographs_exchanged = { $n } photographies ont le contenu d'une autre : { $names }.

@@ -19,3 +19,5 @@ transform-sigmas_correlated = { $name } ne peut pas être transformé : les éca
 transform-partly_free = { $name } ne peut pas être tourné : parmi { $parameters }, certains sont fixes, d'autres libres.
 
 transform-calibration_incomplete = { $name } ne peut pas être tourné : son étalonnage n'a pas de valeur de { $parameter }.
+
+transform-row_not_possible = { $row } ne peut pas être transformé ({ $detail }).

@@ -16,7 +16,7 @@ from raybundle.block import Block, Camera
 from raybundle.block.boards import spline_camera
 from raybundle.block.select import with_rows
 from raybundle.calibration.eccentricity import RadiusScale, eccentricity_px, radius_scale, target_normals
-from raybundle.errors import InputError, NotSolvable, text_of
+from raybundle.errors import InputError, NotSolvable, phrase
 from raybundle.io.photos.cameras import CameraGroup
 from raybundle.io.photos.photo import Found
 from raybundle.numerics.arrays import Array, Index, Mask
@@ -171,7 +171,7 @@ def _strange(result: Adjustment) -> dict[int, str]:
     found = np.flatnonzero((out > STRANGE * count) & (out >= FEWEST_TARGETS))
     if len(found) > np.count_nonzero(count) / 3:  # then it is the others, or the model
         return {}
-    return {int(i): text_of("not_oriented.contradicting_share", n=int(out[i]), points=int(count[i])) for i in found}
+    return {int(i): phrase("not_oriented.contradicting_share", n=int(out[i]), points=int(count[i])) for i in found}
 
 
 def _without_images(block: Block, rows: Index, images: tuple[int, ...]) -> tuple[Block, Index]:

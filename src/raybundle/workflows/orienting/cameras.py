@@ -6,7 +6,7 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 
 from raybundle.block import Camera
-from raybundle.errors import text_of
+from raybundle.errors import phrase
 from raybundle.io.cameras.library import with_library
 from raybundle.io.photos.cameras import CameraGroup, camera_groups
 from raybundle.io.photos.photo import Photo
@@ -45,7 +45,7 @@ def _put(state: OrientState, groups: tuple[CameraGroup, ...]) -> OrientState:
     if len(state.photos) >= 2:
         return replace(state, groups=groups)
     return replace(
-        state, groups=groups, photos=(), lost=tuple((p.name, text_of("not_oriented.alone")) for p in state.photos)
+        state, groups=groups, photos=(), lost=tuple((p.name, phrase("not_oriented.alone")) for p in state.photos)
     )
 
 

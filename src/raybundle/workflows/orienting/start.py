@@ -10,7 +10,7 @@ import numpy as np
 
 from raybundle.adjustment.result import Notice
 from raybundle.block import Camera
-from raybundle.errors import text_of
+from raybundle.errors import phrase
 from raybundle.io.photos.cameras import CameraGroup, camera_of, with_what_is_known
 from raybundle.io.photos.photo import Photo
 from raybundle.matching.tracks import Tracks
@@ -106,7 +106,7 @@ def begin(i: Inputs, means: Means) -> Started:
 def _put(state: OrientState, started: Started) -> OrientState:
     ties = started.ties
     same = {
-        state.photos[i].name: text_of("not_oriented.same_picture", other=state.photos[k].name)
+        state.photos[i].name: phrase("not_oriented.same_picture", other=state.photos[k].name)
         for i, k in state.repeats.items()
     }
     count = sum(len(t.block.observations) for t in ties)

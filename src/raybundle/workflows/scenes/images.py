@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from raybundle.errors import InputError, Place, Text
+from raybundle.errors import InputError, Place, Text, phrase, text_of_error, without_file
 from raybundle.io.photos.container import SUFFIXES, decode, kind_of, read_header
 from raybundle.io.photos.photo import LIMIT_PIXELS, shown
 from raybundle.io.photos.windows import Windows
@@ -109,9 +109,9 @@ def find_scenes(inputs: Sequence[Path]) -> FoundScenes:
             refused.append((shown(path).name, without_file(text_of_error(error), path)))
             continue
         if scene.sha256 in first:
-            refused.append((scene.name, text_of("photograph.copy", original=first[scene.sha256])))
+            refused.append((scene.name, phrase("photograph.copy", original=first[scene.sha256])))
         elif scene.name in first.values():
-            refused.append((scene.name, text_of("scene.name_taken")))
+            refused.append((scene.name, phrase("scene.name_taken")))
         else:
             first[scene.sha256] = scene.name
             scenes.append(scene)

@@ -7,7 +7,7 @@ from dataclasses import replace
 
 from raybundle.adjustment.result import Notice, notice_of_text
 from raybundle.block import Block
-from raybundle.errors import text_of
+from raybundle.errors import phrase
 from raybundle.io.photos.photo import Photo
 from raybundle.matching.features import FeatureMethod
 from raybundle.placing.georeference import Georeferenced, Surroundings
@@ -62,7 +62,7 @@ def place_with_scenes(
         # scenes in which nothing is measured: there is no block but that of the photographs
         lost = (
             *((n, w) for n, w in state.lost if n not in names),
-            *((n, text_of("not_oriented.not_joined")) for n in names),
+            *((n, phrase("not_oriented.not_joined")) for n in names),
         )
         return first, apart, lost
     return finish(placing, None, placed, notices), (first, *apart), state.lost

@@ -6,7 +6,7 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 
 from raybundle.block import Block
-from raybundle.errors import InputError, Text, message, message_of_text, named, text_of
+from raybundle.errors import InputError, Text, message, message_of_text, named, phrase
 from raybundle.pipeline.stage import Means, Stage
 from raybundle.surfaces.depth_map import depth_range
 from raybundle.surfaces.pairs import Sources, sources_of_each
@@ -89,7 +89,7 @@ def _put(state: SurfaceState, found: Chosen) -> SurfaceState:
         for p in s.refused
         if p.reference < p.source
     ]
-    unseen = [(ids[k], text_of("depths.region_not_shown")) for k in blind]
+    unseen = [(ids[k], phrase("depths.region_not_shown")) for k in blind]
     return replace(
         state, chosen=tuple(s for s in chosen if s.sources and s.reference not in blind), shares=found.shares,
         left_out=(*state.left_out, *alone, *unseen, *pairs),
@@ -99,7 +99,7 @@ def _put(state: SurfaceState, found: Chosen) -> SurfaceState:
 def _why(s: Sources) -> Text:
     """Why a photograph measures nothing."""
     if not s.pairs:
-        return text_of("depths.no_partner")
+        return phrase("depths.no_partner")
     refusal = max(s.pairs, key=lambda p: p.points).refusal
     return Text.of(message("depths.no_useful_partner"), message_of_text(refusal))
 
