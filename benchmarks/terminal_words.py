@@ -44,7 +44,9 @@ def commands(data: Path, work: Path) -> dict[str, list[list[str]]]:
             ["measure", str(photos / "cern-targets/images"), "--target", "aicon14", "--scale-bar", "2", "74", "0.9512",
              "0.00001", "--out", str(work / "measure")],
         ],
-        "moved": [*demo, *blocks, ["moved", str(work / "epoch-1"), str(work / "epoch-2"), "--out", str(work / "moved")]],
+        "moved": [
+            *demo, *blocks, ["moved", str(work / "epoch-1"), str(work / "epoch-2"), "--out", str(work / "moved")]
+        ],
         "rpc correct": [
             ["demo", "--set", "scene", "--out", str(scene)],
             ["rpc", "correct", str(scene / "scene.tif"), str(scene / "control.gpkg"), *corrected],

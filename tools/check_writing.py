@@ -19,15 +19,25 @@ from collections import Counter
 from collections.abc import Iterator
 from pathlib import Path
 
+import click
+
+import raybundle
+from raybundle import words
+from raybundle.cli.main import cli
+
 ROOT = Path(__file__).resolve().parents[1]
 LONGEST = 25
 """Words of a sentence"""
-SPOKEN = re.compile(r"\b(told|tells?|said|says|unsaid|whose|what it is|what was|of what|none of these|as it is)\b", re.I)
+SPOKEN = re.compile(
+    r"\b(told|tells?|said|says|unsaid|whose|what it is|what was|of what|none of these|as it is)\b", re.IGNORECASE
+)
 EXCEPTIONS = frozenset({"docs/reference/glossary.md"})
 """It lists the words to avoid"""
 PAGES = frozenset((ROOT / "tools/unchecked_pages.txt").read_text(encoding="utf-8").split())
 """Pages of docs/ that are not checked yet"""
-_CODE = re.compile(r"```.*?```|``[^`]*``|`[^`]*`|<!--.*?-->|\[\^?[^\]]*\]\([^)]*\)|^    .*?$|^\|.*?$|^#.*?$", re.S | re.M)
+_CODE = re.compile(
+    r"```.*?```|``[^`]*``|`[^`]*`|<!--.*?-->|\[\^?[^\]]*\]\([^)]*\)|^    .*?$|^\|.*?$|^#.*?$", re.DOTALL | re.MULTILINE
+)
 _END = re.compile(r"(?<=[.!?:;])[)\"']*\s+|\n\s*\n|\n\s*[-*] |\n\s*\d+\. ")
 
 
@@ -65,20 +75,18 @@ def glossary() -> dict[re.Pattern[str], str]:
 
 def catalogue() -> Iterator[tuple[str, str]]:
     """Every English message with its example values."""
-    from raybundle import words
-
     for code in words.codes():
         yield f"message {code}", words.sentences(code, words.examples(code), words.COMMAND_LINE)
 
 
 def help_texts() -> Iterator[tuple[str, str]]:
     """Help of every command and option."""
-    import click
-
-    from raybundle.cli.main import cli
 
     def walk(command: click.Command, name: str) -> Iterator[tuple[str, str]]:
-        yield f"help of {name}", re.sub(r"\x08\n.*?(\n\s*\n|$)", "\n\n", inspect.cleandoc(command.help or ""), flags=re.S)
+        yield (
+            f"help of {name}",
+            re.sub(r"\x08\n.*?(\n\s*\n|$)", "\n\n", inspect.cleandoc(command.help or ""), flags=re.DOTALL),
+        )
         for option in command.params:
             if isinstance(option, click.Option) and option.help:
                 yield f"help of {name} {option.opts[-1]}", re.sub(r"\[default:.*?\]", "", option.help)
@@ -98,13 +106,11 @@ def help_texts() -> Iterator[tuple[str, str]]:
 
 def docstrings() -> Iterator[tuple[str, str]]:
     """Docstrings of the public functions and classes: what stands before their lists of arguments."""
-    import raybundle
-
     for name in sorted(raybundle.__all__):
         thing = getattr(raybundle, name)
         text = inspect.getdoc(thing) if callable(thing) else None
         if text:
-            yield f"docstring of {name}", re.sub(r"^\w[\w, *]*\s{2,}", "\n\n", text, flags=re.M)
+            yield f"docstring of {name}", re.sub(r"^\w[\w, *]*\s{2,}", "\n\n", text, flags=re.MULTILINE)
 
 
 def pages() -> Iterator[tuple[str, str]]:

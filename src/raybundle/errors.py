@@ -57,10 +57,15 @@ class Severity(StrEnum):
     """There is no result."""
     FAULT = "fault"
     """The result, or its standard deviations, are wrong in some part until someone decides."""
-    CAUTION = "caution"
+    WARNING = "warning"
     """The result stands; part of it is weaker, or less, than it might be taken for."""
-    REMARK = "remark"
+    NOTE = "note"
     """What was done or chosen."""
+
+    @classmethod
+    def _missing_(cls, value: object) -> Severity | None:
+        """Names of earlier results."""
+        return {"caution": cls.WARNING, "remark": cls.NOTE}.get(str(value))
 
 
 @dataclass(frozen=True, slots=True)
@@ -132,7 +137,7 @@ def message(code: str, /, *, details: Iterable[Message] = (), **values: Value) -
 
 def note(code: str, /, **values: Value) -> Message:
     """What was done, found or chosen, as a message."""
-    return Message(code=code, values=plain(values), severity=Severity.REMARK)
+    return Message(code=code, values=plain(values), severity=Severity.NOTE)
 
 
 def content(code: str | Message, values: Mapping[str, Value]) -> str | Message:

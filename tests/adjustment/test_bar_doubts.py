@@ -117,7 +117,7 @@ def test_right_bars_are_not_accused(kind, factor):
 def test_bars_of_another_unit_than_the_approximate_values_are_named(kind, factor, unit):
     block = with_factors(simulation(kind).observed, dict.fromkeys(range(3), factor))
     result = adjust(block, PLAIN)
-    cautions = [n for n in result.notices if n.severity in ("caution", "fault")]
+    cautions = [n for n in result.notices if n.severity in ("warning", "fault")]
     assert [n.code for n in cautions] == ["approximate_scale"]
     assert [cautions[0].values[k] for k in ("of", "likely", "unit")] == ["bars", unit, "m"]
 

@@ -57,7 +57,7 @@ def test_gross_differences_are_a_fault_that_the_headline_hears():
 def test_differences_that_only_uncorrelated_errors_would_not_make_are_a_caution():
     result = adjust(block_with_checks(shift=(0.0, 0.0, 3.2 * SIGMA), count=12), OPTIONS)
     (notice,) = told(result)
-    assert notice.severity.value == "caution"
+    assert notice.severity.value == "warning"
 
 
 def test_points_are_named_with_their_value_and_limit_where_they_are_beyond_it():

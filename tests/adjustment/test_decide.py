@@ -71,9 +71,9 @@ def test_what_lenses_seldom_have_is_held_with_a_remark_and_the_rest_with_a_cauti
     assert graded
     for symbol, severity in graded.items():
         none = GIVEN.get(symbol, 0.0) == 0 and symbol in ("K2", "K3", "P1", "P2", "A", "S")
-        assert severity is (Severity.REMARK if none else Severity.CAUTION), symbol
-    assert Severity.REMARK in graded.values()
-    assert Severity.CAUTION in graded.values()
+        assert severity is (Severity.NOTE if none else Severity.WARNING), symbol
+    assert Severity.NOTE in graded.values()
+    assert Severity.WARNING in graded.values()
 
 
 def test_the_highest_terms_of_a_quotient_are_held_before_the_first():
@@ -86,7 +86,7 @@ def test_the_highest_terms_of_a_quotient_are_held_before_the_first():
     result = decide(replace(block, cameras=(camera,)), AdjustmentOptions(jobs=1))
     held = [n for n in result.notices if n.code == "held_not_determinable"]
     assert [n.ids[1] for n in held] == ["k6", "k5", "k4"]
-    assert {n.severity for n in held} == {Severity.REMARK}
+    assert {n.severity for n in held} == {Severity.NOTE}
     assert {"k1", "k2", "k3", "p1", "p2"} <= set(result.interior[0].free)
 
 

@@ -56,7 +56,7 @@ def test_tie_points_that_nobody_named_are_mismatches(named):
     result = adjust(replace(block, points=replace(block.points, ids=tuple(ids))), SNOOPING)
     (notice,) = [n for n in result.notices if n.code in {"names_exchanged", "ties_mismatched"}]
     assert notice.code == "ties_mismatched"
-    assert notice.severity is Severity.REMARK
+    assert notice.severity is Severity.NOTE
     assert set(notice.ids) == {ids[k] for k in block.observations.point[bad]}
 
 

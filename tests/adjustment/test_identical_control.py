@@ -57,7 +57,7 @@ def test_two_names_of_one_point_are_a_caution_and_neighbours_nothing():
         xy[k] = first[int(o.image[k])] + rng.normal(0, 0.1, 2)
     same = copied(replace(block, observations=replace(o, xy_px=xy)), names[1:2], onto=names[0], by=0.004)
     (notice,) = identical_notices(same)
-    assert notice.severity == "caution"
+    assert notice.severity == "warning"
     assert notice.data.code == "control_identical.alike"
     assert not identical_notices(copied(block, names[1:2], onto=names[0], by=0.02))
 
@@ -84,9 +84,9 @@ def test_standard_deviations_as_large_as_the_distances_are_no_copied_lines():
     given = block.points.is_control
     loose = replace(block, points=replace(block.points, sigma=np.where(given, extent, block.points.sigma)))
     (notice,) = identical_notices(loose)
-    assert notice.severity == "caution"
+    assert notice.severity == "warning"
     assert notice.data.code == "control_identical.alike"
     names = control_names(loose)
     copy, rest = identical_notices(copied(loose, names[1:2], onto=names[0]))
     assert (copy.severity, set(copy.ids)) == ("fault", set(names[:2]))
-    assert rest.severity == "caution"
+    assert rest.severity == "warning"

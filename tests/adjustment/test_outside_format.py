@@ -26,7 +26,7 @@ def test_the_farthest_is_told_with_its_image_and_format():
     (notice,) = outside(decide(small, OPTIONS))
     beyond = np.maximum(-xy, xy - [smaller.width_px, smaller.height_px])
     k = beyond.max(axis=1).argmax()
-    assert notice.severity == "caution"
+    assert notice.severity == "warning"
     assert notice.values["n"] == (beyond > 1.1).any(axis=1).sum()
     assert notice.values["image"] == block.images.ids[o.image[k]]
     assert notice.values["width_px"] == smaller.width_px

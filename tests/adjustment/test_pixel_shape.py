@@ -44,7 +44,7 @@ def test_what_no_sensor_has_is_held_and_said(symbol, value):
     result = decided({symbol: value})
     (notice,) = told(result)
     assert notice.ids[1] == symbol
-    assert notice.severity is Severity.CAUTION
+    assert notice.severity is Severity.WARNING
     assert notice.values["limit"] == shape_limit(result.given.cameras[0], symbol)
     assert notice.values["shear"] == (symbol == "S")
     assert result.interior[0].parameters[symbol].value == 0
@@ -93,7 +93,7 @@ def test_what_is_said_rests_on_the_noise_that_the_result_has(ratio, code):
     if code == "pixel_shape":
         assert notice.std == pytest.approx(ratio * white.std)
     else:
-        assert notice.severity is Severity.REMARK
+        assert notice.severity is Severity.NOTE
         assert notice.values["sigma"] == pytest.approx(60 * white.std)
 
 

@@ -83,7 +83,7 @@ def test_figures_of_windows_that_are_there_in_part_are_a_caution():
         points = replace(whole.points, **{missing: None})
         notices = adjust_block(replace(whole, points=points), AdjustmentOptions()).notices
         (notice,) = [n for n in notices if n.code == "relief_unknown"]
-        assert notice.severity is Severity.CAUTION
+        assert notice.severity is Severity.WARNING
         assert notice.ids == (missing,)
     for block in (whole, BLOCK):
         codes = {n.code for n in adjust_block(block, AdjustmentOptions()).notices}

@@ -75,5 +75,5 @@ def test_factors_of_groups_that_do_not_settle_leave_one_factor_and_name_what_con
     result = by_groups(block, replace(OPTIONS, variance_groups=True), decide)
     assert not result.options.variance_groups
     assert result.variance_factor == pytest.approx(result.sigma0**2)
-    assert [n.severity for n in result.notices if n.data.code == "variance_groups.unsettled"] == ["caution"]
+    assert [n.severity for n in result.notices if n.data.code == "variance_groups.unsettled"] == ["warning"]
     assert set(suspects(result)) == set(names)

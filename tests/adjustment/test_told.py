@@ -55,7 +55,7 @@ def test_photographs_with_next_to_no_redundancy_say_to_what_factor_sigma0_is_kno
     assert result.redundancy < 6
     (notice,) = told(result, "little_redundancy")
     assert notice.values["redundancy"] == result.redundancy
-    assert notice.severity == "caution"
+    assert notice.severity == "warning"
 
 
 def test_what_lies_behind_the_camera_is_a_fault_of_names_a_wrong_match_or_a_turned_image():
@@ -67,7 +67,7 @@ def test_what_lies_behind_the_camera_is_a_fault_of_names_a_wrong_match_or_a_turn
     fault, match, turned = _behind(named, one), _behind(found, one), _behind(found, many)
     assert fault.severity == "fault"
     assert fault.code == "behind_camera"
-    assert match.severity == "remark"
+    assert match.severity == "note"
     assert match.data.code == "behind_camera.matches"
     assert turned.severity == "fault"
     assert turned.ids == (named.given.images.ids[0],)
@@ -79,7 +79,7 @@ def test_control_that_nothing_checks_is_named_with_the_least_error_that_would_be
     assert not told(adjust(observed(control=8, control_sigma=loose), OPTIONS), "control_unchecked")
     result = adjust(observed(control=8, control_sigma=precise), OPTIONS)
     (notice,) = told(result, "control_unchecked")
-    assert notice.severity == "remark"
+    assert notice.severity == "note"
     assert "X" in {d.values["axis"] for d in notice.details}
     group = next(g for g in result.groups if g.kind == "control")
     assert set(notice.ids) == {n for n, r in zip(group.ids, group.redundancy, strict=True) if r < 0.01}

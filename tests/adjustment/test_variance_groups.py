@@ -93,7 +93,7 @@ def test_it_is_said_in_the_notices():
     (notice,) = [n for n in result.notices if n.code == "variance_groups"]
     (images,) = [d.values for d in notice.details if d.values["kind"] == "image_observations"]
     assert images["factor"] == pytest.approx(2, rel=0.1)
-    assert notice.severity == "remark"
+    assert notice.severity == "note"
 
 
 def test_without_statistics_nothing_tells_factors():
@@ -110,7 +110,7 @@ def test_image_points_that_are_thousands_of_times_less_precise_are_said_to_be():
     assert ratio == pytest.approx(1, rel=0.01)
 
 
-@pytest.mark.parametrize(("stated", "severity"), [(1 / 2, "caution"), (1 / 5, "fault")])
+@pytest.mark.parametrize(("stated", "severity"), [(1 / 2, "warning"), (1 / 5, "fault")])
 def test_a_group_that_is_less_precise_than_stated_is_said_to_be(stated, severity):
     result = adjust(restated(survey(), control=stated), GROUPS)
     (notice,) = [n for n in result.notices if n.code == "group_less_precise"]
@@ -180,7 +180,7 @@ def test_control_that_fits_better_than_sigma0_states_is_a_remark(control, stated
     found = [n for n in result.notices if n.code == "control_precise"]
     assert bool(found) == stated
     if stated:
-        assert found[0].severity == "remark"
+        assert found[0].severity == "note"
         assert found[0].values["wider"] == pytest.approx(result.sigma0 / 1.14, rel=0.05)
         grouped = adjust(block, AdjustmentOptions(jobs=1, noise="fields", variance_groups=True))
         assert "control_precise" not in {n.code for n in grouped.notices}

@@ -74,7 +74,7 @@ def test_what_projection_centres_leave_open_is_a_caution_as_for_control(bend, to
     said = [n for n in result.notices if n.code == "control_leaves_open"]
     assert bool(said) == told
     for notice in said:
-        assert notice.severity.value == "caution"
+        assert notice.severity.value == "warning"
         assert notice.data.code == "control_leaves_open.line"
         assert (notice.values["kind"], notice.values["part"]) == ("centres", "about_line")
         assert notice.ids == tuple(result.given.images.ids)

@@ -149,7 +149,7 @@ def test_the_command_merges_results(whole, tmp_path, capsys):
     assert main(["merge", *sources, "--same-camera", "--out", both]) == 0
     told = capsys.readouterr().out
     assert f"{len(whole.points)} common points" in told
-    assert "caution" not in told
+    assert "warning" not in told
     assert main(["adjust", both, "--datum", "inner", "--no-report", "--out", result]) == 0
     assert main(["merge", *sources, "--out", both]) != 0
     assert "[folder.exists]" in capsys.readouterr().err

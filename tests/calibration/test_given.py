@@ -48,7 +48,7 @@ def test_a_calibration_of_another_focus_is_contradicted(block):
     assert (c["symbol"], c["given"], c["unit"]) == ("c", 20.5, "mm")
     assert c["found"] == pytest.approx(20.4, abs=0.01)
     assert c["limit"] == pytest.approx(3.6, abs=0.05)
-    assert notice.severity == "caution"
+    assert notice.severity == "warning"
 
 
 def test_a_parameter_less_precise_than_it_was_given_is_told_with_both(block):
@@ -164,5 +164,5 @@ def test_a_calibration_that_moves_no_projection_centre_beyond_its_precision_is_n
     found = {}
     for off in (0.01, 0.05):
         (found[off],) = held_notices(adjust(held(smooth, x0=off), AdjustmentOptions(jobs=1, noise="fields")), ["1"])
-    assert {off: n.severity for off, n in found.items()} == {0.01: "caution", 0.05: "fault"}
+    assert {off: n.severity for off, n in found.items()} == {0.01: "warning", 0.05: "fault"}
     assert found[0.01].values["centres"] < found[0.01].values["centres_limit"] < found[0.05].values["centres"]

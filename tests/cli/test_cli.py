@@ -294,7 +294,7 @@ def test_compare_reads_two_results_and_hands_them_on(field, tmp_path, capsys, mo
     assert handed[0][0].result["datum"] != handed[0][1].result["datum"]
     told = capsys.readouterr().out
     assert "redundancy" in told
-    assert " caution: it rests on little\n" in told
+    assert " warning: it rests on little\n" in told
 
 
 @pytest.mark.parametrize("out", ["folder", "image.png", "nowhere/c.html"])

@@ -344,7 +344,7 @@ def test_formats_in_metres_want_a_length(free_and_fixed, tmp_path, capsys):
                 "--frame-origin", "500000", "5400000", "100")  # fmt: skip
     capsys.readouterr()
     convert(free_and_fixed / "free", "--to", "las", "--out", tmp_path / "a.las", "--free-scale")
-    assert "remark: the scale of the block is free" in capsys.readouterr().out
+    assert "note: the scale of the block is free" in capsys.readouterr().out
     convert(free_and_fixed / "fixed", "--to", "las", "--out", tmp_path / "b.las")
     assert "scale" not in capsys.readouterr().out
 

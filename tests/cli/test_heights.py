@@ -302,7 +302,7 @@ def test_differences_of_height_are_of_places_that_were_measured(cone, capsys):
     assert "[section.no_height]" in refused(capsys, *inside)
     assert "0.2 twice. [section.same_place]" in refused(capsys, *line, "--between", 0.2, 0.2)
     assert main([*map(str, hole)]) == 0
-    assert "caution: that mean is of" in capsys.readouterr().out
+    assert "warning: that mean is of" in capsys.readouterr().out
 
 
 def test_bad_lines_are_refused(cone, capsys, tmp_path):
@@ -421,7 +421,7 @@ def test_what_has_moved_is_written(tmp_path, capsys):
     assert "  1: mean 0.00" in said
     assert "; its inner part 0.00" in said
     assert "; significance: its strongest window" in said
-    assert "caution" not in said
+    assert "warning" not in said
     assert "smallest movement that would be found with a chance of 80 %, in the median over the surface [m]:" in said
     assert " over 0.05 x 0.05" in said
 

@@ -26,7 +26,7 @@ def test_one_heading_is_warned_of_and_mended(capsys, tmp_path):
     (turned,) = [line for line in told.splitlines() if line.startswith(" headings alternate  ")]
     assert turned.endswith("none (c)")
     assert (
-        "caution: c, x0, y0 hang on the unevenness of the flight alone; what mends it: headings alternate, lines"
+        "warning: c, x0, y0 hang on the unevenness of the flight alone; what mends it: headings alternate, lines"
         in told
     )
     assert len(read_block(out).images) == 32
@@ -171,7 +171,7 @@ def test_a_mission_tells_its_precision(capsys, tmp_path):
     told = capsys.readouterr().out
     assert "predicted without control" in told
     assert "  RTK (0.02, 0.02, 0.03 m): plan " in told
-    assert "caution: flown exactly as planned, c cannot be determined" in told
+    assert "warning: flown exactly as planned, c cannot be determined" in told
     written = json.loads((out / "precision.json").read_text(encoding="utf-8"))
     assert written["not_determinable_as_planned"] == ["c"]
     assert written["rtk"]["not_determinable"] == []

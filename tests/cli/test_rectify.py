@@ -139,7 +139,7 @@ def test_a_wall_of_one_photograph(wall, tmp_path, capsys):
     assert main([*common, "--out", str(tmp_path / "one.png"), "--calibration", str(calibration)]) == 0
     told = capsys.readouterr().out
     assert "sigma0" in told
-    assert "caution" not in told
+    assert "warning" not in told
     picture = seen(tmp_path / "one.png")
     u, v = np.meshgrid(-0.4 + 0.01 * (np.arange(80) + 0.5), 0.3 - 0.01 * (np.arange(60) + 0.5))
     good = picture[..., 3] > 0
@@ -147,7 +147,7 @@ def test_a_wall_of_one_photograph(wall, tmp_path, capsys):
     assert np.abs(picture[..., :3] - painted(u, v))[good].max() < 2.5
     # without the calibration the distortion is in the residuals, and is told
     assert main([*common, "--out", str(tmp_path / "bent.png")]) == 0
-    assert "caution" in capsys.readouterr().out
+    assert "warning" in capsys.readouterr().out
 
 
 def test_python_makes_the_same_pictures(wall, tmp_path):
@@ -283,7 +283,7 @@ def test_a_plane_of_few_points_is_a_caution(wall, tmp_path, capsys):
     assert main(arguments) == 0
     told = capsys.readouterr().out
     assert "plane of 18 of 56 points" in told
-    assert "caution: 32 % of the points lie in this plane" in told
+    assert "warning: 32 % of the points lie in this plane" in told
 
 
 @pytest.mark.parametrize("given", [{"transformation": "affine"}, {"mark_sigma": 1.0}, {"control": "marks.csv"}])

@@ -136,7 +136,7 @@ def test_quiet_says_what_is_wrong_alone(ring, tmp_path, capsys):
     assert main(["plan", "flight", "--alternate", "--tie-points", "9", "--quiet"]) == 0
     said = capsys.readouterr()
     assert said.out == ""
-    assert said.err.startswith(" caution: c hangs on the unevenness of the flight")
+    assert said.err.startswith(" warning: c hangs on the unevenness of the flight")
     assert len(said.err.splitlines()) == 1
 
 

@@ -12,7 +12,7 @@ from raybundle.words import COMMAND_LINE, action, reading
 
 FAULT = Message(code="mesh.no_triangles", values={"name": "b"}, severity=Severity.FAULT)
 MANY = tuple(Notice(code="scale_unchecked", values={"n": 1, "names": [f"bar {k}"]}) for k in range(7))
-REMARK = Notice(code="scale_checked", measured=Severity.REMARK)
+REMARK = Notice(code="scale_checked", measured=Severity.NOTE)
 DONE = (note("demo.interior", n=8, ratio=1.2, symbol="c"), note("summary.no_statistics"))
 
 

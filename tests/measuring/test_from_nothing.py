@@ -207,7 +207,7 @@ def test_adjusting_names_a_mistaken_mark_in_place_of_the_camera(tmp_path):
     assert notice is result.notices[0]
     assert not {"camera_contradicts", "pixel_shape"} & {n.code for n in result.notices}
     left, _ = rb.adjust_marks(photos, reject="snooping")
-    assert [n.severity for n in named(left)] == ["caution"]
+    assert [n.severity for n in named(left)] == ["warning"]
     assert left.sigma0 < 1.5 < result.sigma0
     done = CliRunner().invoke(cli, ["mark", "adjust", str(photos), "--no-report"], standalone_mode=False)
     assert "mark of P7 in old_3.jpg contradicts" in done.output

@@ -337,7 +337,7 @@ def test_what_the_terminal_cautions_of_lengths_stands_everywhere(field, tmp_path
     assert main(words) == 0
     said = capsys.readouterr().out
     told = warnings_of(tmp_path / "m")["lengths_contradict"]
-    assert told["severity"] in {"caution", "fault"}
+    assert told["severity"] in {"warning", "fault"}
     assert f"{told['severity']}: Errors of" in said
     assert "[lengths_contradict.one]" in said
     a, b = SIX[5]
@@ -381,7 +381,7 @@ def test_control_may_have_a_column_of_tolerances(field, tmp_path, capsys):
     words = ["measure", str(folder / "free"), "--control", str(tmp_path / "five.csv"), "--unit", "0.001", *QUIET]
     assert main([*words, "--out", str(tmp_path / "m")]) == 0
     (told,) = [w for w in rb.read_result(tmp_path / "m").result["warnings"] if w.get("variant") == "tolerance"]
-    assert told["severity"] == "remark"
+    assert told["severity"] == "note"
     bad = tmp_path / "bad.csv"
     bad.write_text("point,X,Y,Z,tolerance\n1,0,0,0,1\n2,0,x,0,1\n")
     assert main([*words[:3], str(bad), *QUIET, "--out", str(tmp_path / "n")]) == 2
@@ -429,7 +429,7 @@ def test_a_photograph_that_takes_no_part_is_named_with_its_reason(field, tmp_pat
     words = ["measure", str(photos), *bar(truth, "1", "20"), "--progress", "none", "--language", language]
     assert main([*words, "--out", str(tmp_path / "m")]) == 0
     said = capsys.readouterr().out
-    assert all(re.search(rf"caution: .*{name}.*\[image_left_out\]", said) for name in ("wall.jpg", "broken.jpg"))
+    assert all(re.search(rf"warning: .*{name}.*\[image_left_out\]", said) for name in ("wall.jpg", "broken.jpg"))
     result = rb.read_result(tmp_path / "m").result
     assert {w["ids"][0] for w in result["warnings"] if w["code"] == "image_left_out"} == {"broken.jpg", "wall.jpg"}
     assert {x["code"] for x in result["images"]["not_oriented"]} == {"photograph.copy", "not_oriented.few_targets"}
@@ -444,7 +444,7 @@ def test_correlated_parameters_of_a_camera_are_a_remark_here():
         simulate(field_scene(TargetField()), Survey(seed=5)).observed, rb.AdjustmentOptions(jobs=1, datum="inner")
     )
     (told,) = of_a_tool(replace(result, notices=(notice,)), None).notices
-    assert told.severity is Severity.REMARK
+    assert told.severity is Severity.NOTE
     assert [d.code for d in told.details] == ["correlation.contained"]
     assert told.text.startswith("camera 1: x0 and P1 correlate by 0.95.")
 

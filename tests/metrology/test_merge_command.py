@@ -148,7 +148,7 @@ def test_control_that_shifts_a_whole_project_is_told(flown, tmp_path):
     done = merged(tmp_path, flown, replace(other, points=replace(p, ids=names, xyz=xyz)))
     (caution,) = done.cautions
     assert caution.code == "join.frames_contradict"
-    assert caution.severity is Severity.CAUTION
+    assert caution.severity is Severity.WARNING
     assert caution.values["shift_m"] == pytest.approx(0.5, abs=0.1)
 
 
@@ -161,7 +161,7 @@ def test_scale_bars_that_contradict_are_told_with_factor_and_sigma(tmp_path, cap
     assert not merged(tmp_path / "alike", field(3), field(4)).cautions
     sources = [str(tmp_path / f"project-{k}") for k in (1, 2)]
     assert main(["merge", *sources, "--out", str(tmp_path / "b")]) == 0
-    assert "caution: Lengths of project-2" in capsys.readouterr().out
+    assert "warning: Lengths of project-2" in capsys.readouterr().out
 
 
 def test_a_unit_that_lies_is_refused_and_named(tmp_path):

@@ -46,7 +46,7 @@ def test_points_far_off_cost_no_observation(seed, metres):
     assert result.sigma0 == pytest.approx(clean.sigma0, rel=1e-6)
     told = [n for n in result.notices if n.code == "approximate_values_replaced"]
     assert bad.any()
-    assert [n.severity for n in told] == [Severity.REMARK]
+    assert [n.severity for n in told] == [Severity.NOTE]
     assert "points.csv" in told[0].text
 
 

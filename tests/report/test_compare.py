@@ -256,10 +256,10 @@ def test_folders_of_one_name_are_told_apart(case, tmp_path):
 def test_notices_stand_with_their_severity_the_gravest_first(folder, tmp_path):
     first, second = folder("rich"), folder("free")
     first.result["warnings"] = [
-        {"code": "rejected", "severity": "remark", "message": "the remark", "ids": []},
+        {"code": "rejected", "severity": "note", "message": "the remark", "ids": []},
         {"code": "control_suspect", "message": "the fault of an older file", "ids": []},
     ]
-    second.result["warnings"] = [{"code": "small_angle", "severity": "caution", "message": "the caution", "ids": []}]
+    second.result["warnings"] = [{"code": "small_angle", "severity": "warning", "message": "the caution", "ids": []}]
     text = compared(first, second, tmp_path)
     told = [text.index(w) for w in ("the fault of an older file", "the caution", "the remark")]
     assert told == sorted(told)

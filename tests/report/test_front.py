@@ -168,8 +168,8 @@ def test_a_class_that_is_not_kept_has_no_statement(flight):
 SEVERE = [
     (("behind_camera",), "attention", "Not to be used yet"),
     (("behind_camera", "levelled"), "attention", "Not to be used yet"),
-    (("levelled",), "remarks", "Usable with 1 caution"),
-    (("levelled", "model"), "remarks", "Usable with 1 caution"),
+    (("levelled",), "remarks", "Usable with 1 warning"),
+    (("levelled", "model"), "remarks", "Usable with 1 warning"),
     (("model",), "good", "Usable as it stands."),
     ((), "good", "Usable as it stands."),
 ]
@@ -193,7 +193,7 @@ RANK = {"attention": 0, "remarks": 1, "good": 2}
 def test_of_every_state_the_grade_follows_the_notices(any_case):
     o = occasion(any_case)
     worst = {n.severity for n in any_case.notices}
-    most = 0 if Severity.FAULT in worst else 1 if Severity.CAUTION in worst else 2
+    most = 0 if Severity.FAULT in worst else 1 if Severity.WARNING in worst else 2
     assert RANK[grade_of(o)] <= most
     begins = ("Not ",) if most == 0 else ("Not ", "Usable with", "Usable;") if most == 1 else ("Not ", "Usable")
     assert verdict_sentence(o).startswith(begins)
@@ -475,4 +475,4 @@ def test_one_step_for_all_cautions_of_one_kind(flight):
     )
     o = occasion(replace(flight, notices=told))
     assert len(next_steps(o)) == 1
-    assert verdict_sentence(o).startswith("Usable with 1 caution")
+    assert verdict_sentence(o).startswith("Usable with 1 warning")

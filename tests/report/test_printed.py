@@ -71,7 +71,7 @@ def test_what_was_dropped_is_counted_in_sentences():
 def test_a_shortened_notice_ends_in_a_whole_clause():
     long = "x lies 3071 px from where its other measurements put it and is left out"
     message = f"the measurement of point {long}; point b is marked there, {'or elsewhere, ' * 9}not; look at it again"
-    adjustment = replace(made("rich"), notices=(Notice(code="gps", message=message, measured=Severity.CAUTION),))
+    adjustment = replace(made("rich"), notices=(Notice(code="gps", message=message, measured=Severity.WARNING),))
     view = view_of(adjustment)
     ((_, step),) = next_steps(Occasion(view=view, told=verdict(view), delivery=delivery_of(adjustment)))
     assert step.endswith("is left out (…); look at it again.")
@@ -101,7 +101,7 @@ def hanging(times):
     ],
 )  # fmt: skip
 def test_a_shortened_notice_keeps_what_its_end_refers_to(message, ends):
-    adjustment = replace(made("rich"), notices=(Notice(code="gps", message=message, measured=Severity.CAUTION),))
+    adjustment = replace(made("rich"), notices=(Notice(code="gps", message=message, measured=Severity.WARNING),))
     view = view_of(adjustment)
     ((_, step),) = next_steps(Occasion(view=view, told=verdict(view), delivery=delivery_of(adjustment)))
     said = step.replace("\u00a0", " ")
@@ -152,7 +152,7 @@ def test_a_client_has_one_page_however_many_warnings(case, tmp_path):
     pypdf = pytest.importorskip("pypdf")
     notices = tuple(
         Notice(code="gps", message=f"warning {k} " + "says a good deal of what is weaker in this " * 7, measured=c)
-        for k in range(9) for c in (Severity.CAUTION,)
+        for k in range(9) for c in (Severity.WARNING,)
     )  # fmt: skip
     adjustment = replace(case("rich"), notices=notices)
     delivery = replace(delivery_of(adjustment), files=("points.csv", "block"))

@@ -122,7 +122,7 @@ def test_what_the_figures_call_systematic_is_a_caution():
     bent = ((o.xy_px / [camera.width_px, camera.height_px] - 0.5) ** 2).sum(axis=1)
     wrong = with_residuals(a, a.image_observations.residuals_px + (1.5 * bent - 0.3)[:, None] * [1.0, 0.0])
     (notice,) = systematic_notices(wrong)
-    assert notice.severity is Severity.CAUTION
+    assert notice.severity is Severity.WARNING
     cells = cells_of(wrong)
     (found,) = [d.values for d in notice.details]
     assert (found["camera"], found["cells"]) == (camera.id, int(cells.significant.sum()))

@@ -55,7 +55,7 @@ def test_every_code_has_a_severity_and_no_severity_stands_without_its_code():
 def test_the_order_is_by_severity_and_keeps_the_order_within_one():
     second = replace(FAULT, message="another fault")
     assert gravest_first([REMARK, FAULT, CAUTION, second]) == [FAULT, second, CAUTION, REMARK]
-    assert Notice(code="never seen", message="m").severity is Severity.CAUTION
+    assert Notice(code="never seen", message="m").severity is Severity.WARNING
 
 
 def test_many_notices_of_one_kind_are_read_as_one(case):
@@ -77,13 +77,13 @@ def test_many_notices_of_one_kind_are_read_as_one(case):
 def test_report_command_line_and_file_show_the_gravest_first(case):
     a = replace(case("rich"), notices=(REMARK, CAUTION, FAULT))
     shown = next(p for p in result_section(view_of(a), verdict(view_of(a))).parts if p.kind == "table")
-    assert [row[0].text if hasattr(row[0], "text") else row[0] for row in shown.rows] == ["fault", "caution", "remark"]
+    assert [row[0].text if hasattr(row[0], "text") else row[0] for row in shown.rows] == ["fault", "warning", "note"]
     printed = [line.partition(": ")[0] for line in lines(of_adjustment(a, []), verbose=True)]
-    assert [word for word in printed if word in set(Severity)] == ["fault", "caution", "remark"]
-    assert not any(line.startswith("remark") for line in lines(of_adjustment(a, []), verbose=False))
+    assert [word for word in printed if word in set(Severity)] == ["fault", "warning", "note"]
+    assert not any(line.startswith("note") for line in lines(of_adjustment(a, []), verbose=False))
     written = json.loads(json.dumps(result_json(a)["warnings"]))
     assert [(w["severity"], w["code"]) for w in written] == [
-        ("fault", "control_suspect"), ("caution", "small_angle"), ("remark", "not_significant"),
+        ("fault", "control_suspect"), ("warning", "small_angle"), ("note", "not_significant"),
     ]  # fmt: skip
 
 
@@ -91,7 +91,7 @@ def test_a_fault_is_printed_however_many_remarks_stand_before_it(case):
     many = replace(case("rich"), notices=(*[REMARK] * (2 * SHOWN), *[CAUTION] * (2 * SHOWN), FAULT))
     printed = lines(of_adjustment(many, []), verbose=False)
     assert sum(line.startswith("fault") for line in printed) == 1
-    assert sum(line.startswith(("fault", "caution")) for line in printed) <= SHOWN
+    assert sum(line.startswith(("fault", "warning")) for line in printed) <= SHOWN
 
 
 @pytest.mark.parametrize(
@@ -108,8 +108,8 @@ def test_residuals_three_times_too_large_are_a_fault_and_too_small_ones_a_remark
     a = case("rich")
     lower, _, upper = a.global_test
     for value, sigma0, severity in (
-        (1.05 * upper, 1.05, Severity.REMARK),
-        (2 * upper, 1.4, Severity.CAUTION), (20 * upper, 4.5, Severity.FAULT), (0.5 * lower, 0.7, Severity.REMARK),
+        (1.05 * upper, 1.05, Severity.NOTE),
+        (2 * upper, 1.4, Severity.WARNING), (20 * upper, 4.5, Severity.FAULT), (0.5 * lower, 0.7, Severity.NOTE),
     ):  # fmt: skip
         changed = replace(a, global_test=(lower, value, upper), sigma0=sigma0)
         (told,) = [n for n in notices_of(changed, None) if n.code == "global_test"]
@@ -125,9 +125,9 @@ def test_commands_grade_what_they_print_with_the_same_three_words():
 
 
 def test_heights_that_nobody_measured_travel_with_what_is_made_of_a_result():
-    levelled = {"code": "levelled", "message": "heights of the control are not known", "severity": "caution"}
+    levelled = {"code": "levelled", "message": "heights of the control are not known", "severity": "warning"}
     assert "heights are relative" in state_words({"warnings": [levelled]})
-    assert state_line(state_words({"warnings": [levelled]})).startswith("caution: its heights")
+    assert state_line(state_words({"warnings": [levelled]})).startswith("warning: its heights")
     wrong = {"code": "control_contradicts", "message": "P1", "severity": "fault"}
     assert state_line(state_words({"warnings": [levelled, wrong]})).startswith("fault: not to be used yet")
-    assert state_words({"warnings": [{"code": "model", "message": "x", "severity": "caution"}]}) == ""
+    assert state_words({"warnings": [{"code": "model", "message": "x", "severity": "warning"}]}) == ""

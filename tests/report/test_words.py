@@ -113,7 +113,7 @@ def test_a_scale_that_nothing_controls_is_a_caution_and_stands_in_the_headline()
     block = simulate(field_scene(TargetField()), Survey(scale_bars=1)).observed
     one = adjust(block)
     (notice,) = [n for n in one.notices if n.code == "scale_unchecked"]
-    assert notice.severity is Severity.CAUTION
+    assert notice.severity is Severity.WARNING
     assert notice.values["n"] == 1
     assert "nothing controls" in told(one)[1]
     two = adjust(simulate(field_scene(TargetField()), Survey(scale_bars=2)).observed)

@@ -145,7 +145,7 @@ def test_correct_names_a_wrong_point_and_leaves_it_out(file, rpc, tmp_path, caps
     points, out = control(rpc, tmp_path / "c.csv", wrong=3), tmp_path / "new_RPC.TXT"
     assert main(["rpc", "correct", str(file), points, "--image-sigma", "0.2", "--out", str(out)]) == 0
     said = capsys.readouterr().out
-    assert re.search(r"caution: 1 point of 8 contradicts .*: P3 \(\+60\.\d\d, [+-]0\.\d\d px\)", said)
+    assert re.search(r"warning: 1 point of 8 contradicts .*: P3 \(\+60\.\d\d, [+-]0\.\d\d px\)", said)
     assert read_scene(out).rpc.image_offset - rpc.image_offset == pytest.approx([12, -7], abs=0.4)
 
 
@@ -170,8 +170,8 @@ def test_every_point_keeps_its_row(file, rpc, tmp_path, capsys):
     expected = rpc.project(np.array([[lon, lat, 120.0]]))[0]
     assert [float(inside[k]) for k in ("x_px", "y_px")] == pytest.approx(expected, abs=1e-6)
     assert inside["note"] == ""
-    assert "remark: 1 point outside the range for which the RPC was made: high (height 1500 m" in said
-    assert "caution: 1 point without image coordinates, their cells are empty: away (" in said
+    assert "note: 1 point outside the range for which the RPC was made: high (height 1500 m" in said
+    assert "warning: 1 point without image coordinates, their cells are empty: away (" in said
     assert (away["x_px"], away["y_px"]) == ("", "")
     assert "[rpc.point_far_away]" in away["note"]
     assert high["x_px"] != ""

@@ -54,7 +54,7 @@ def test_a_folder(folder, control, rpc, tmp_path, capsys):
     assert main(words) == 0
     printed = capsys.readouterr().out
     assert "3 of 4 scenes corrected" in printed
-    assert "caution: d_RPC.TXT is left out" in printed
+    assert "warning: d_RPC.TXT is left out" in printed
     assert sorted(p.name for p in out.iterdir()) == ["a_RPC.TXT", "b_RPC.TXT", "biases.csv", "c_RPC.TXT"]
     rows = table(out / "biases.csv")
     assert list(rows) == ["a.tif", "b.tif", "c_RPC.TXT", "d_RPC.TXT"]

@@ -74,7 +74,7 @@ def test_a_neglected_eccentricity_is_noticed():
     result = adjust_block(replace(noisy, cameras=(without,)))
     _, statistic, upper = result.global_test
     assert statistic > 5 * upper
-    assert any(n.code == "global_test" and n.severity != "remark" for n in result.notices)
+    assert any(n.code == "global_test" and n.severity != "note" for n in result.notices)
     assert np.abs(result.image_observations.residuals_px).max() > 2
 
 

@@ -280,6 +280,6 @@ def test_fewer_than_five_photographs_have_the_caution_of_orient(board):
     """White noise of so few is not chosen for being right; with five or more it is estimated, and nothing said."""
     done = calibrate(sorted(BOARD.glob("*.jpg"))[:4], WANTED)
     (told,) = [n for n in done.adjustment.notices if n.code == "errors_independent"]
-    assert told.severity == "caution"
+    assert told.severity == "warning"
     assert (told.values["images"], told.values["least"]) == (4, 5)
     assert not [n for n in board.adjustment.notices if n.code == "errors_independent"]

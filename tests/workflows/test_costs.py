@@ -247,13 +247,13 @@ def test_the_table_and_what_gives_way(capsys):
     words = ["estimate-cost", "--images", "1000000", "--flight-overlap", "0.8", "0.6", "--workers", "256"]
     assert main([*words, "--memory", "4", "--disk", "1000", "--no-measure"]) == 0
     said = capsys.readouterr().out
-    rows = [line for line in said.splitlines() if line.startswith(" ") and "caution" not in line]
+    rows = [line for line in said.splitlines() if line.startswith(" ") and "warning" not in line]
     assert not [line for line in rows if re.search(r"\d (s|min|h|d|[MGT]B)[\d<]", line)]  # columns stand apart
     for stage in ("features", "matching", "precision", "reduction up", "solution down", "covariances", "statistics"):
         assert f"\n {stage} " in said
     assert "12.5 show a place" in said
-    assert "caution: disk: " in said
-    assert "caution: memory of the driver: " in said
+    assert "warning: disk: " in said
+    assert "warning: memory of the driver: " in said
     assert main([*words, "--no-measure", "--json"]) == 0
     told = json.loads(capsys.readouterr().out)
     assert told["asked"]["images"] == 1_000_000
@@ -326,6 +326,6 @@ def test_memory_is_that_of_this_machine_and_what_helps_is_said(capsys, monkeypat
     assert "not counted: the further adjustments by which orient rejects blunders" in said
     assert main([*words, "--workers", "16", "--network", "0", "--memory", "2"]) == 0
     alone = capsys.readouterr().out
-    assert "caution: memory of driver and workers together: " in alone
+    assert "warning: memory of driver and workers together: " in alone
     assert main([*words, "--workers", "16", "--memory", "2"]) == 0
     assert "workers together" not in capsys.readouterr().out

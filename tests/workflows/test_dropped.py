@@ -23,7 +23,7 @@ def test_the_reasons_add_up():
     assert d.matched + d.added - sum(d.reasons.values()) + d.reasons["without_partner"] == d.adjusted
     assert d.share == pytest.approx(11_744 / 17_044)
     told = d.notice(5_300)
-    assert told.severity is Severity.CAUTION
+    assert told.severity is Severity.WARNING
     assert told.values == {
         "share": d.share, "features": 40_000, "matched": 16_744, "added": 300, "contradict_orientation": 744,
         "not_measured": 10_900, "contradict_others": 100, "adjusted": 5_300, "given": 5_300,
@@ -37,7 +37,7 @@ def test_without_least_squares_matching_only_what_contradicts_is_dropped():
     d = Dropped(features=900, matched=500, started=450, adjusted=450)
     assert d.reasons["not_measured_precisely"] == 0
     assert d.share == pytest.approx(0.1)
-    assert d.notice(450).severity is Severity.REMARK
+    assert d.notice(450).severity is Severity.NOTE
 
 
 @pytest.mark.skipif(not PORTAL.is_dir(), reason="demo_data/portal is part of the repository, not of the package")

@@ -27,7 +27,7 @@ def test_a_result_of_arbitrary_scale_over_one_of_known_scale_is_a_caution(result
     write_result(fixed, tmp_path / "result", report="none")
     lost = less_fixed(tmp_path / "result", free)
     assert lost is not None
-    assert lost.severity == "caution"
+    assert lost.severity == "warning"
     assert "scale" in lost.text
     assert less_fixed(tmp_path / "result", fixed) is None
 

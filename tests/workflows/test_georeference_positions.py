@@ -103,7 +103,7 @@ def test_positions_too_near_each_other_are_not_used(flight):
 def test_the_place_is_stated_with_its_hemisphere(flight):
     photos = with_gps(flight)
     (notice,) = [n for n in georeference(flight.free, photos, Given()).notices if n.code == "place"]
-    assert (notice.severity, notice.values["of"]) == ("remark", "positions")
+    assert (notice.severity, notice.values["of"]) == ("note", "positions")
     assert "50.0038° N, 8.0111° E (WGS 84)" in notice.text
     for p in photos:
         p.metadata.gps.latitude_deg *= -1
@@ -124,7 +124,7 @@ def test_positions_without_standard_deviations_name_those_that_are_assumed(fligh
     for p in photos[:3]:
         p.metadata.gps.sigma_m = None
     (notice,) = [n for n in georeference(flight.free, photos, Given()).notices if n.code == "positions_assumed"]
-    assert notice.severity == "remark"
+    assert notice.severity == "note"
     assert notice.values == {"n": 3, "plan_m": 5.0, "height_m": 10.0}
 
 

@@ -207,7 +207,7 @@ def test_heights_that_were_edited_are_taken_with_a_caution(tmp_path, capsys, edi
         assert main(["heights", *map(str, words)]) == 0, capsys.readouterr().err
         told = capsys.readouterr().out
         assert told.count("has other values than were written: standard deviations are those of the values before") == 1
-        assert f"caution: {wall / 'heights.tif'}: has" in told
+        assert f"warning: {wall / 'heights.tif'}: has" in told
 
 
 def test_lossless_copies_are_as_good(wall, tmp_path, capsys):
@@ -226,7 +226,7 @@ def test_lossless_copies_are_as_good(wall, tmp_path, capsys):
                 file.write(values.astype(float))
         capsys.readouterr()
         assert main(["heights", "volume", str(folder), "--above", "0"]) == 0
-        assert "caution" not in capsys.readouterr().out
+        assert "warning" not in capsys.readouterr().out
     assert not read_heights(holed)[0].known[:4].any()
 
 
@@ -287,13 +287,13 @@ def test_heights_of_a_result_that_was_adjusted_again_are_told(tmp_path, capsys):
     ground = ("heights", "volume", str(wall / "ground"), "--above", "0")
     assert main(["heights", "ground", str(wall)]) == 0
     assert main([*ground]) == 0
-    assert "caution" not in capsys.readouterr().out
+    assert "warning" not in capsys.readouterr().out
     images = project / "result/block/images.csv"
     images.write_text(images.read_text().replace("1", "2"))
     for command in (["heights", "volume", str(wall), "--above", "0"], ground):
         assert main([*command]) == 0
         told = capsys.readouterr().out
-        assert "caution: " in told
+        assert "warning: " in told
         assert "p was adjusted again since this surface was measured: run `surface p` again" in told
     assert main(["heights", "volume", str(away), "--above", "0"]) == 0
-    assert "caution" not in capsys.readouterr().out
+    assert "warning" not in capsys.readouterr().out

@@ -44,8 +44,8 @@ def test_measurements_of_photographs_that_are_not_here_are_a_remark_where_others
     first = flight.marks.image[0]
     count = sum(name == first for name in flight.marks.image)
     (some,) = told(lambda name: "elsewhere.jpg" if name == first else name)
-    assert some.severity is Severity.REMARK
+    assert some.severity is Severity.NOTE
     assert some.values == {"n": count, "table": "control.csv", "names": ["elsewhere.jpg"]}
     (none,) = told(lambda name: f"of-another-flight-{name}")
-    assert none.severity is Severity.CAUTION
+    assert none.severity is Severity.WARNING
     assert not told(lambda name: name)

@@ -83,7 +83,7 @@ def test_what_is_missing_within_groups_as_well_tells_nothing(seed):
     usual, near = usual_share(glossy, (np.arange(5), np.arange(5, 10)))
     assert usual > 0.2
     assert near
-    assert [n.severity.value for n in missing_notices(glossy)] in ([], ["caution"])
+    assert [n.severity.value for n in missing_notices(glossy)] in ([], ["warning"])
     usual, _ = usual_share(block, (np.arange(5), np.arange(5, 10)))
     assert usual < 0.05
     assert [n.severity.value for n in missing_notices(block)] == ["fault"]

@@ -131,7 +131,7 @@ def test_errors_of_few_photographs_are_said_to_be_taken_as_independent():
     told = {n: independent_notices("auto", noise_of_photographs("auto", n), n) for n in (3, 4, 5)}
     assert not told[5]
     assert not independent_notices("white", "white", 3)
-    assert told[3][0].severity is Severity.CAUTION
+    assert told[3][0].severity is Severity.WARNING
     assert told[4][0].values["images"] == 4
     block, _ = features(stations=2)
     assert len(block.images) < 5

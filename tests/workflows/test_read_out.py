@@ -156,7 +156,7 @@ def test_a_rolling_shutter_is_named_with_its_read_out_time():
     assert "pixel_shape" not in codes
     notice = told.notices[codes.index("rolling_shutter")]
     assert notice.variant == ""
-    assert notice.severity in {Severity.FAULT, Severity.CAUTION}
+    assert notice.severity in {Severity.FAULT, Severity.WARNING}
 
 
 def test_a_shear_of_the_pixels_is_not_taken_for_one():

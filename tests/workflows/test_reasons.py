@@ -89,13 +89,13 @@ def test_a_notice_with_the_words_of_a_remark_is_kept():
 
 
 def test_notices_of_earlier_projects_are_read():
-    rows = np.array([["photographs", "2 of 3 are small", "remark", "[]", "{}", "[]"]])
+    rows = np.array([["photographs", "2 of 3 are small", "note", "[]", "{}", "[]"]])
     (found,) = notices_of_array(rows)
     assert (found.code, found.text) == ("photographs", "2 of 3 are small")
 
 
 def test_a_notice_of_result_json_has_the_words_of_another_code():
-    stored = {"code": "photographs", "words": "not_oriented.alone", "severity": "remark", "message": "in English"}
+    stored = {"code": "photographs", "words": "not_oriented.alone", "severity": "note", "message": "in English"}
     assert notice_of(stored).data.code == "not_oriented.alone"
     assert notice_of({**stored, "words": "not_oriented.unknown"}).text == "in English"
 

@@ -91,7 +91,7 @@ def test_reduced_copies_are_tried_where_photographs_are_left_and_taken_where_the
     assert isinstance(state.method, Reduced) is bool(better)
     if better:
         (told,) = state.notices
-        assert (told.code, told.severity) == ("reduced_features", "remark")
+        assert (told.code, told.severity) == ("reduced_features", "note")
         assert (told.values["oriented"], told.values["photographs"], told.values["whole"]) == (2, 2, counts[0] or 0)
 
 

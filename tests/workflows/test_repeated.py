@@ -110,7 +110,7 @@ def test_pairs_of_different_windows_are_left_out_by_name_and_the_others_stay(sce
     assert kept == {(p.first, p.second) for p, r in zip(pairs, right, strict=True) if r}
     (notice,) = sound.notices
     assert notice.code == "repeated_structure"
-    assert notice.severity.value == "caution"
+    assert notice.severity.value == "warning"
     assert notice.values["pairs"] == (~right).sum()
     wrong = next(p for p, r in zip(pairs, right, strict=True) if not r)
     assert f"p{wrong.first:02d} - p{wrong.second:02d}" in notice.values["names"]

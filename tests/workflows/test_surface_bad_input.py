@@ -271,7 +271,7 @@ def test_a_surface_without_some_photographs_says_so_first(half, tmp_path, capsys
     gone = (
         f"1 of 3 adjusted photographs cannot be used:\n  {name}: The file is in none of the folders of the photographs."
     )
-    assert gone in found["cautions"]
+    assert gone in found["warnings"]
     page = (tmp_path / "s/surface.html").read_text()
     assert "1 photograph of the adjustment could not be used" in page
     assert f"{name}: The file is in none of the folders of the photographs" in page
@@ -332,7 +332,7 @@ def test_photographs_with_other_bytes_are_told_and_used(half, tmp_path, capsys):
     words = ["surface", str(source), "--photos", str(tmp_path / "photos"), "--density", "4", "--jobs", "1"]
     assert main([*words, "--extent", *map(str, BOX)]) == 0
     told = "photographs are not the files that were oriented: portal_02.png; where more than their metadata"
-    assert f"caution: {told}" in capsys.readouterr().out
+    assert f"warning: {told}" in capsys.readouterr().out
     assert told in (source / "surface/surface.html").read_text()
     as_they_were, _ = photographs_there(read_block(half / "block"), [half])
     assert not other_contents(as_they_were.values(), contents_of(source))

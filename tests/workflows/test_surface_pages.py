@@ -49,9 +49,9 @@ def warned(half, tmp_path_factory):
     folder = tmp_path_factory.mktemp("warned")
     notices = (
         Notice(code="a", message=FAULT, measured=Severity.FAULT),
-        *(Notice(code=f"c{k}", message=m, measured=Severity.CAUTION) for k, m in enumerate(CAUTIONS)),
+        *(Notice(code=f"c{k}", message=m, measured=Severity.WARNING) for k, m in enumerate(CAUTIONS)),
         Notice(code="levelled", message="heights are relative"),
-        Notice(code="r", message="what was chosen", measured=Severity.REMARK),
+        Notice(code="r", message="what was chosen", measured=Severity.NOTE),
     )  # fmt: skip
     return result_of(half, folder / "result", notices)
 
@@ -68,7 +68,7 @@ def measured(half, warned):
 def test_notices_of_a_result_are_those_of_its_adjustment_made_again(warned):
     again = as_its_result(rb.adjust(read_block(warned / "block")), warned)
     assert [n.text for n in again.notices if n.severity is Severity.FAULT] == [FAULT]
-    assert sum(n.severity is Severity.CAUTION for n in again.notices) == 5
+    assert sum(n.severity is Severity.WARNING for n in again.notices) == 5
 
 
 def test_the_page_has_the_verdict_the_warnings_and_whom_it_is_for(measured):
@@ -111,8 +111,8 @@ def test_the_command_tells_the_fault_and_the_gravest_cautions_and_names_its_page
     assert f"fault: {FAULT}" in told
     assert re.search(r"standard deviation of a point [\d.]+ mm in the median \(X [\d.]+, ", told)
     assert re.search(r"along its ray [\d.]+ mm, of whose square", told)
-    assert told.count("caution: ") == 3
-    assert "caution: heights are relative" in told  # of all points, before what is of single marks
+    assert told.count("warning: ") == 3
+    assert "warning: heights are relative" in told  # of all points, before what is of single marks
     assert "and 2 more cautions, see surface.html" in told
     assert "the adjustment behind it: Not to be used yet" in told
     assert told.count("points.ply") == 1
@@ -140,7 +140,7 @@ def test_status_of_a_result_of_its_surface_and_of_its_work_tells_the_stages(warn
 def test_status_tells_of_a_result_that_was_adjusted_again(warned, measured, tmp_path, capsys):
     del measured
     shutil.copytree(warned, tmp_path / "r", ignore=shutil.ignore_patterns("cache"))
-    words = "caution: r was adjusted again since this surface was measured: run `surface r` again"
+    words = "warning: r was adjusted again since this surface was measured: run `surface r` again"
     for change, told in (("", 0), ("9", 1)):
         images = tmp_path / "r/block/images.csv"
         images.write_text(images.read_text().rstrip("\n") + change + "\n")
@@ -149,7 +149,7 @@ def test_status_tells_of_a_result_that_was_adjusted_again(warned, measured, tmp_
             assert main(["status", str(folder)]) == 0
             assert capsys.readouterr().out.count(words) == told
     assert main(["heights", "volume", str(tmp_path / "r/surface"), "--above", "0", "--most-filled", "100"]) == 0
-    assert words.removeprefix("caution: ") in capsys.readouterr().out
+    assert words.removeprefix("warning: ") in capsys.readouterr().out
 
 
 @pytest.mark.parametrize("state", ["without points", "without heights", "killed while it wrote", "in work"])

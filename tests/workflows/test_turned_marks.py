@@ -61,7 +61,7 @@ def test_marks_as_a_viewer_shows_them_are_taken_turned_back(flight, tag, every):
     turned = tagged(flight, tag, every)
     placed = placed_with(turned, inside(turned, shown(turned)))
     (notice,) = [n for n in placed.notices if n.code == "marks_turned"]
-    assert notice.severity == "caution"
+    assert notice.severity == "warning"
     assert (notice.variant, notice.values["orientations"]) == ("", [tag])
     assert "mark_rejected" not in codes(placed)
     assert error(turned, placed) < 0.5
@@ -102,7 +102,7 @@ def test_marks_that_agree_nowhere_are_not_called_turned(flight, seed):
     rng = np.random.default_rng(seed)
     size = flight.photos[0].width_px, flight.photos[0].height_px
     placed = placed_with(turned, replace(turned.marks, xy_px=rng.uniform(0, size, turned.marks.xy_px.shape)))
-    assert "marks_turned" not in {n.code for n in placed.notices if n.severity == "caution"}
+    assert "marks_turned" not in {n.code for n in placed.notices if n.severity == "warning"}
 
 
 def test_what_so_few_marks_do_not_decide_is_a_fault_and_stays(flight):

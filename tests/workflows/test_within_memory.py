@@ -107,7 +107,7 @@ def test_noise_fields_need_one_piece_and_that_is_said(tmp_path):
     assert few.noise.kind == "white"
     assert few.noise.reason == "the normal equations were reduced in parts, and fields need them in one piece"
     (told,) = (n for n in few.notices if n.code == "noise_in_parts")
-    assert told.severity is Severity.CAUTION
+    assert told.severity is Severity.WARNING
 
 
 def smooth_errors():
@@ -137,7 +137,7 @@ def test_in_parts_errors_that_image_points_share_are_told_by_a_sample(tmp_path, 
     code = "residual_structure" if noise == "auto" else "noise_in_parts"
     (part,) = (n for n in few.notices if n.code == code)
     assert "residual_structure.sample" in {d.code for d in part.details}
-    assert part.severity is Severity.CAUTION
+    assert part.severity is Severity.WARNING
     assert factors(whole) > 1.3
     assert factors(part) == pytest.approx(factors(whole), rel=0.3)
 

@@ -92,7 +92,7 @@ def check_notice(a: Adjustment) -> Notice | None:
         ratio = difference / np.hypot(a.precision.object_point_std[rows], given)
     found: list[Message] = []
     limits = np.full(3, np.nan)
-    severity = Severity.REMARK
+    severity = Severity.NOTE
     level = LEVEL / 3
     for k, (axis, column) in enumerate(zip("XYZ", ratio.T, strict=True)):
         known = column[np.isfinite(column)]
@@ -103,7 +103,7 @@ def check_notice(a: Adjustment) -> Notice | None:
         if square <= apart:
             continue
         certain = square > float(chdtri(1, level))
-        severity = Severity.FAULT if certain else Severity.CAUTION if severity is Severity.REMARK else severity
+        severity = Severity.FAULT if certain else Severity.WARNING if severity is Severity.NOTE else severity
         limits[k] = math.sqrt(float(chdtri(1, level / len(known))))
         found.append(message("check_points_apart.axis", axis=axis, factor=math.sqrt(square), limit=math.sqrt(apart)))
     if not found:

@@ -104,7 +104,7 @@ def identical_notices(block: Block) -> list[Notice]:
                     code="control_identical" if wrong else "control_identical.alike",
                     values={"pairs": len(mine)},
                     ids=tuple(dict.fromkeys(name for p in mine for name in (p.first, p.second)))[:100],
-                    measured=Severity.FAULT if wrong else Severity.CAUTION,
+                    measured=Severity.FAULT if wrong else Severity.WARNING,
                     details=tuple(map(_pair, mine[:SHOWN])),
                 )
             )

@@ -51,7 +51,7 @@ def matrices(result: Adjustment) -> Matrices:
 
     raises  InputError for a copy of a result, or one without statistics
 
-    What it does not tell: the datum's constraints, which are no observations, and the enlargement of covariances by
+    Limits: the datum's constraints, which are no observations, and the enlargement of covariances by
     noise that is not white (`Adjustment.noise`).
     """
     work = result.handle.work

@@ -39,7 +39,7 @@ multiplies what is missing by (3 t + SHIFT f) / (f + SHIFT f), from -2/3 up."""
 def weak_images(figures: NetworkFigures, images: int) -> Index:
     """Positions of images with points and fewer than two neighbours of FEW common points; none of two images.
 
-    What it does not tell: whether the points of the one connection lie well; see the standard deviations.
+    Limits: whether the points of the one connection lie well; see the standard deviations.
     """
     firm = figures.pair_images[figures.pair_points >= FEW]
     partners = np.bincount(firm.ravel(), minlength=images)

@@ -27,7 +27,7 @@ photographs.md), and their adjustment takes seconds."""
 def sample_under_noise(result: Adjustment) -> Adjustment | None:
     """Some neighbouring images of a result adjusted by themselves, with noise fields; None where that cannot be.
 
-    They begin with the adjusted values, without what was rejected.  What it does not tell: whether other parts of the
+    They begin with the adjusted values, without what was rejected.  Limits: whether other parts of the
     block are as these.
     """
     block = _part(result)

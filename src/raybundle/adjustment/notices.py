@@ -89,8 +89,8 @@ def _fit(result: Adjustment) -> list[Notice]:
     if not value > upper and not value < lower:
         return []
     more = value > upper
-    grave = Severity.FAULT if result.sigma0 > POOR_FIT else Severity.CAUTION
-    grave = Severity.REMARK if result.sigma0 < NEARLY else grave
+    grave = Severity.FAULT if result.sigma0 > POOR_FIT else Severity.WARNING
+    grave = Severity.NOTE if result.sigma0 < NEARLY else grave
     values: dict[str, Value] = {
         "sigma0": result.sigma0, "percent": 100 * abs(result.sigma0 - 1), "square_sum": value, "lower": lower,
         "upper": upper,
@@ -102,7 +102,7 @@ def _fit(result: Adjustment) -> list[Notice]:
     elif not more:
         estimated = result.options.weights == "residuals"
         code = "global_test.estimated_weights" if estimated else "global_test.smaller"
-    return [Notice(code=code, measured=grave if more else Severity.REMARK, values=values)]
+    return [Notice(code=code, measured=grave if more else Severity.NOTE, values=values)]
 
 
 def _behind(result: Adjustment, rows: Sequence[int]) -> Notice:
@@ -119,7 +119,7 @@ def _behind(result: Adjustment, rows: Sequence[int]) -> Notice:
     if turned:
         values = {"n": len(turned), "limit": TURNED}
         return Notice(code="behind_camera.photographs", values=values, ids=tuple(turned))
-    return Notice(code="behind_camera.matches", values=values, ids=ids, measured=Severity.REMARK)
+    return Notice(code="behind_camera.matches", values=values, ids=ids, measured=Severity.NOTE)
 
 
 def _pairs(result: Adjustment, rows: list[int]) -> list[tuple[str, str]]:
@@ -147,7 +147,7 @@ def _rejected(result: Adjustment) -> list[Notice]:
         found.append(
             Notice(
                 code="blunder_not_located",
-                measured=Severity.REMARK if automatic(names).all() else Severity.CAUTION,
+                measured=Severity.NOTE if automatic(names).all() else Severity.WARNING,
                 values={"n": len(names)},
                 ids=tuple(names[:100]),
             )
@@ -190,7 +190,7 @@ def _points(result: Adjustment) -> list[Notice]:
     lost = [points.ids[i] for i in np.flatnonzero((points.role == Role.CHECK) & (rays < 2))]
     if lost:
         found.append(
-            Notice(code="check_unseen", values={"n": len(lost)}, ids=tuple(lost[:100]), measured=Severity.REMARK)
+            Notice(code="check_unseen", values={"n": len(lost)}, ids=tuple(lost[:100]), measured=Severity.NOTE)
         )
     network = result.network
     if network is not None:
@@ -286,7 +286,7 @@ def _photographs(result: Adjustment) -> list[Notice]:
         found.append(
             Notice(
                 code="weak_photographs",
-                measured=Severity.FAULT if grave else Severity.CAUTION,
+                measured=Severity.FAULT if grave else Severity.WARNING,
                 values={"weak": len(weak), "photographs": len(used), "common": FIRM},
                 ids=tuple(weak[:100]),
             )
@@ -376,7 +376,7 @@ def _group_notice(component: VarianceComponent, sigma0: float) -> Notice:
         code="group_less_precise",
         ids=(component.kind,),
         # a-priori standard deviations are guesses of a factor of two: below POOR_FIT what is stated is a little small
-        measured=Severity.FAULT if component.ratio >= POOR_FIT else Severity.CAUTION,
+        measured=Severity.FAULT if component.ratio >= POOR_FIT else Severity.WARNING,
         values={
             "kind": component.kind.replace(" ", "_"),
             "ratio": component.ratio,

@@ -68,7 +68,7 @@ def own_field_notices(result: Adjustment) -> list[Notice]:
     (`wrong_images`), has to be more than POOR_FIT^2, and the field LARGE.  In samples of large blocks only the images
     in them are tested.
 
-    What it does not tell: an image that differs where all do, an image so weakly connected that its orientation and
+    Limits: an image that differs where all do, an image so weakly connected that its orientation and
     points absorb the difference, and whether the image or what it is compared with is wrong.
     """
     if any(n.severity is Severity.FAULT and n.code.startswith("control") for n in result.notices):

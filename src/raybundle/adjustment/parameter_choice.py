@@ -323,7 +323,7 @@ def _hold(choices: Decisions, camera: Camera, symbol: str, value: float, reason:
     choices.notices.append(
         Notice(
             code="held_not_determinable",
-            measured=Severity.REMARK if not value and _is_refinement(camera, symbol) else Severity.CAUTION,
+            measured=Severity.NOTE if not value and _is_refinement(camera, symbol) else Severity.WARNING,
             values={"camera": camera.id, "symbol": symbol, "at": value, "unit": unit},
             ids=(camera.id, symbol),
             details=(reason,),

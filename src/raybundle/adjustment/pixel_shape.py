@@ -169,5 +169,5 @@ def _notice(
     return ShapeNotice(
         code="pixel_shape", values=values, ids=(camera, symbol), value=value,
         std=std, limit=limit, critical=critical, shear=shear,
-        measured=Severity.FAULT if abs(value) > UNTOLD else Severity.CAUTION,
+        measured=Severity.FAULT if abs(value) > UNTOLD else Severity.WARNING,
     )  # fmt: skip

@@ -109,7 +109,7 @@ def projected(camera: Camera, points: Array, values: Array, start: Array) -> tup
 def exact_tables(block: Block) -> tuple[Table, ...]:
     """The observations outside the images as the block's values have them, without errors.
 
-    Values of points, images, cameras and instruments count as true.  What it does not tell: unknowns of a kind of its
+    Values of points, images, cameras and instruments count as true.  Limits: unknowns of a kind of its
     own, as a total station's orientation, start where that kind starts them.
     """
     none = {owner.id: () for owner in block.parametrised}

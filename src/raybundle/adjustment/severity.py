@@ -17,7 +17,7 @@ _CODES = {
         "positions_distant positions_exchanged positions_unit redundancy_sum several_cameras "
         "snooping_masked snooping_unfinished weak_convergence"
     ),
-    Severity.CAUTION: (
+    Severity.WARNING: (
         "approximate_values_replaced attitude_wrong attitudes_convergence attitudes_mount attitudes_nominal "
         "attitudes_steep blunder_not_located board_alike calibration_contradicted calibration_outweighed "
         "camera_constant camera_kept_apart camera_projection check_points_apart check_unseen control_file "
@@ -33,7 +33,7 @@ _CODES = {
         "start_parallel static_background systematic_residuals "
         "target_without_normal two_cameras unstable_camera unusual_errors up_ambiguous up_uncertain weak_photographs"
     ),
-    Severity.REMARK: (
+    Severity.NOTE: (
         "attitudes axes_fitted camera camera_joined check_points_open control_unchecked dropped given_rejected gps "
         "in_parts masks memory_exceeded model not_significant parallel_rays parts_joined photographs place "
         "positions_assumed read_out reduced_features rejected relative_positions "
@@ -52,7 +52,7 @@ SEVERITY: Mapping[str, Severity] = OfKinds(
 
 def severity_of(code: str) -> Severity:
     """The severity of a code, or of its subject: that of `behind_camera` for `behind_camera.matches`."""
-    return SEVERITY.get(code) or SEVERITY.get(code.partition(".")[0], Severity.CAUTION)
+    return SEVERITY.get(code) or SEVERITY.get(code.partition(".")[0], Severity.WARNING)
 
 
 POOR_FIT = 3.0

@@ -12,7 +12,7 @@ from raybundle.numerics.counting import counted, grouped
 if TYPE_CHECKING:
     from raybundle.adjustment.result import Adjustment, ParameterResult
 
-COLOURS = {Severity.FAULT: "#a12f2f", Severity.CAUTION: "#b5532a", Severity.REMARK: "#5b6774"}
+COLOURS = {Severity.FAULT: "#a12f2f", Severity.WARNING: "#b5532a", Severity.NOTE: "#5b6774"}
 NOTICES = 5
 """Notices that a notebook shows."""
 

@@ -51,7 +51,7 @@ def residual_structure(result: Adjustment) -> ResidualStructure | None:
     mean says that the image points share errors: a term is missing in the model, the interior orientation was not the
     same in all images (stabilised lens, refocusing, zoom), the film or the shutter deformed the image, or what is
     measured is not the same in all images.  The sum over all neighbours is the factor by which n points carry less
-    information than n independent ones.  What it does not tell: errors that are common to a whole image, which its
+    information than n independent ones.  Limits: errors that are common to a whole image, which its
     orientation absorbs.
     """
     o, block = result.given.observations, result.given
@@ -115,7 +115,7 @@ def repeated_residuals(result: Adjustment, camera: int) -> RepeatedResiduals | N
     camera  position in `Block.cameras`
     Image points of different images and of different object points within a cell (CELL diagonals of the format wide)
     are multiplied, all pairs of them.  A positive mean says that the distortion model lacks something that the camera
-    does to every image.  What it does not tell: distortion that changes within a cell, and what exterior orientations
+    does to every image.  Limits: distortion that changes within a cell, and what exterior orientations
     and object coordinates absorb.
     """
     o, block, s = result.given.observations, result.given, result.image_observations

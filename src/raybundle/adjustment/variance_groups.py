@@ -45,7 +45,7 @@ def by_groups(block: Block, options: AdjustmentOptions, adjusted: Adjust) -> Adj
     Where the factors do not settle, observations contradict each other: all have one factor, and a caution says so.
     raises    InputError without statistics
 
-    What it does not tell: a group without redundancy is taken at its word, and little redundancy seldom sees a factor
+    Limits: a group without redundancy is taken at its word, and little redundancy seldom sees a factor
     of 2 (`chance_to_see`).
     """
     if not options.statistics:
@@ -124,7 +124,7 @@ def _settled(
 
 
 def _unsettled() -> Notice:
-    return Notice(code="variance_groups.unsettled", measured=Severity.CAUTION)
+    return Notice(code="variance_groups.unsettled", measured=Severity.WARNING)
 
 
 def _steps(result: Adjustment) -> dict[Key, VarianceComponent]:
@@ -179,7 +179,7 @@ def _contradictions(told: tuple[GroupFactor, ...]) -> tuple[Notice, ...]:
     return tuple(
         Notice(
             code="group_less_precise.weighted",
-            measured=Severity.FAULT if g.factor > POOR_FIT else Severity.CAUTION,
+            measured=Severity.FAULT if g.factor > POOR_FIT else Severity.WARNING,
             values={"kind": g.kind.replace(" ", "_"), "ratio": g.factor, "count": g.count, "redundancy": g.redundancy},
             ids=(g.kind,),
         )
@@ -192,7 +192,7 @@ def _notice(told: tuple[GroupFactor, ...]) -> tuple[Notice, ...]:
     if not told:
         return ()
     each = tuple(map(_group, told))
-    return (Notice(code="variance_groups", values={"n": len(told)}, details=each, measured=Severity.REMARK),)
+    return (Notice(code="variance_groups", values={"n": len(told)}, details=each, measured=Severity.NOTE),)
 
 
 def _group(g: GroupFactor) -> Message:

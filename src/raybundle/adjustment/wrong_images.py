@@ -60,7 +60,7 @@ def wrong_images(result: Adjustment) -> tuple[WrongImage, ...]:
     the largest number is taken, up to a third of the images, of which each stands against those that are left (Rosner
     1983), so that two wrong ones hide each other less; among few images they still do.
 
-    What it does not tell: which of two images is wrong; wrong images whose errors the unknowns take up, or so many that
+    Limits: which of two images is wrong; wrong images whose errors the unknowns take up, or so many that
     the others fit no better.
     """
     r = np.nansum(result.image_observations.redundancy, axis=1)

@@ -93,7 +93,7 @@ def join_blocks(
     what comes out has the rest to say.
     Blocks that control, positions or a place on the earth fix stand in one frame already.  Given coordinates of control
     and check points are of the frame in which they were surveyed: they stay as they are.
-    What it does not tell: whether points of one name are one point (`raybundle.metrology.congruence`).
+    Limits: whether points of one name are one point (`raybundle.metrology.congruence`).
     """
     if len(blocks) < 2:
         raise InputError("join.one_block")
@@ -102,7 +102,7 @@ def join_blocks(
     base, joints, remarks = blocks[first], list[Joint](), list[Message]()
     if first != 0:
         values: dict[str, Value] = {"name": names[first], "control": fixed(base) == 2}
-        remarks.append(Message(code="join.frame_of", severity=Severity.REMARK, values=values))
+        remarks.append(Message(code="join.frame_of", severity=Severity.NOTE, values=values))
     taken = replace(base, name=names[first])
     for k in order[1:]:
         block, joint, told = _brought(
@@ -249,10 +249,10 @@ def _renamed(
         cameras = {c.id: _new(c.id, name, list(taken)) for c in block.cameras if c.id in taken}
     if images:
         values: dict[str, Value] = {"n": len(images), "name": name, "example": next(iter(images.values()))}
-        remarks.append(Message(code="join.images_renamed", severity=Severity.REMARK, values=values))
+        remarks.append(Message(code="join.images_renamed", severity=Severity.NOTE, values=values))
     if cameras:
         values = {"n": len(cameras), "name": name, "ids": list(cameras), "renamed": list(cameras.values())}
-        remarks.append(Message(code="join.cameras_renamed", severity=Severity.REMARK, values=values))
+        remarks.append(Message(code="join.cameras_renamed", severity=Severity.NOTE, values=values))
     return replace(
         block,
         points=replace(block.points, ids=tuple(points.get(n, n) for n in block.points.ids)),
@@ -283,7 +283,7 @@ def words_of(joint: Joint, unit: str) -> list[str]:
         names = ", ".join(f"{p} ({significant(d)} {unit})" if np.isfinite(d) else p for p, d in joint.apart[:8])
         more = " ..." if len(joint.apart) > 8 else ""
         lines.append(
-            f"caution: {counted(len(joint.apart), 'point')} of one name lie apart and are kept as two: {names}{more}; "
+            f"warning: {counted(len(joint.apart), 'point')} of one name lie apart and are kept as two: {names}{more}; "
             "has it moved, or is it another point?"
         )
     return lines

@@ -14,7 +14,7 @@ SHARE = 0.5
 def images_measured_alike(block: Block, other: Block) -> tuple[str, ...]:
     """Ids of the images of a block most of whose image points are those of one image of another, to the last digit.
 
-    What it does not tell: photographs that were measured twice; their image points differ.
+    Limits: photographs that were measured twice; their image points differ.
     """
     mine, theirs = _keys(block.observations.xy_px), _keys(other.observations.xy_px)
     order = np.argsort(theirs, kind="stable")

@@ -21,7 +21,7 @@ def observed_jointly(camera: Camera, free: tuple[str, ...], covariance: Array) -
 
     free        symbols that the calibration estimated; the others stay held
     covariance  (u, u) of `free`, positive definite
-    What it does not tell: whether zoom, focus or stabilisation have moved since; the residuals of the observations do.
+    Limits: whether zoom, focus or stabilisation have moved since; the residuals of the observations do.
     """
     plain = replace(camera, estimate=free, sigma={}, relations=(), calibrated=None)
     if not free:

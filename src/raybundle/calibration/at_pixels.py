@@ -26,7 +26,7 @@ def projection_uncertainty(
     The rotation (and for objects at a distance the translation) that fits the motion over the whole format best is
     taken out: whoever uses the calibration determines it anew.  NaN where the model sees nothing.
 
-    What it does not tell: errors of a model that does not fit the lens.
+    Limits: errors of a model that does not fit the lens.
     """
     found, free, covariance = interior_of(result, camera, image)
     if covariance is None:

@@ -84,7 +84,7 @@ def cross_validation(
 
     None where there are fewer than FEWEST photographs, or a fold leaves too little to calibrate with.  Residuals are
     divided by the root of their redundancy share, so that the few unknowns of an orientation do not make them look
-    small.  What it does not tell: errors that all photographs share.
+    small.  Limits: errors that all photographs share.
     """
     from scipy.special import fdtri  # noqa: PLC0415  (scipy.stats takes half a second to load)
 

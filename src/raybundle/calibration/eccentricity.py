@@ -75,7 +75,7 @@ def circle_images(block: Block, rows: Index, radius: Array, normal: Array) -> Ci
     """Ellipses as which these observations (k,) of circular targets are measured, by the block as it stands.
 
     radius  (k,) in length units; normal  (k, 3) unit normals in object space; their sign does not matter
-    What it does not tell: an uneven light or a blur that is not the same to all sides, which move the centre as well.
+    Limits: an uneven light or a blur that is not the same to all sides, which move the centre as well.
     """
     o = block.observations
     offset, size = np.zeros((len(rows), 2)), np.full(len(rows), np.nan)
@@ -165,7 +165,7 @@ def radius_scale(result: Adjustment, offset: Array) -> RadiusScale | None:
     offset  (m, 2) [px] `eccentricity_px`, which the image observations of `result` are already without
     Eccentricity grows with r^2, so that its part that no other unknown takes up is one more column of the design
     matrix: it is what the residuals change by when the offsets change (Gauss-Newton step of that unknown alone, exact
-    for all the others).  What it does not tell: radii that differ from target to target.
+    for all the others).  Limits: radii that differ from target to target.
     """
     s = result.image_observations
     used = s.used

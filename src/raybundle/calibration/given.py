@@ -82,7 +82,7 @@ def held_notices(result: Adjustment, cameras: Sequence[str]) -> tuple[Notice, ..
     It is a fault where the result suffers: where a projection centre of the camera moves, from the block with the
     calibration held to that with it free, by more than F(3, f) of its covariance in the latter allows, family-wise.
     Below, the photographs by themselves do not place the camera better than the calibration does.
-    What it does not tell: which of them is wrong where photographs determine only several parameters together.
+    Limits: which of them is wrong where photographs determine only several parameters together.
     """
     found = [_contradicted_held(result, c) for c in result.given.cameras if c.id in cameras]
     return tuple(n for n in found if n is not None)
@@ -106,7 +106,7 @@ def _contradicted_held(result: Adjustment, camera: Camera) -> Notice | None:
     return Notice(
         code="calibration_contradicted.held" if suffers else "calibration_contradicted.harmless", details=by,
         ids=(camera.id, *(m.symbol for m in free.moved)),
-        measured=Severity.FAULT if suffers else Severity.CAUTION,
+        measured=Severity.FAULT if suffers else Severity.WARNING,
         values={
             "camera": camera.id, "F": free.F, "limit": limit, "n": len(free.moved), "level_percent": 100 * LEVEL,
             "effect_px": free.effect_px, "sigma_px": free.sigma_px, "centres": farthest, "centres_limit": allowed,

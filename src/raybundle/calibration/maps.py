@@ -64,7 +64,7 @@ def projection_uncertainty(
     free        symbols of the estimated parameters, in the order of `covariance` (u, u)
     distance    of the object along each ray; None: infinitely far.  Nearer, the user's exterior orientation takes up
                 a translation too
-    What it does not tell: errors of a model that does not fit the lens.
+    Limits: errors of a model that does not fit the lens.
     """
     return projection_shifts(camera, free, distance=distance, columns=columns, rows=rows).uncertainty(covariance)
 

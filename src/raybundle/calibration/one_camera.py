@@ -47,7 +47,7 @@ def own_interiors(result: Adjustment, camera: str) -> tuple[Index, Array, Array]
 
     Each image is taken alone with the adjusted object points held: six unknowns of its orientation and three of its
     interior orientation, one step from the adjusted values.  Covariances carry the a-posteriori sigma0.
-    What it does not tell: with points adjusted from the same images, deviations are somewhat too small.
+    Limits: with points adjusted from the same images, deviations are somewhat too small.
     """
     block, o = result.adjusted, result.given.observations
     k = next(i for i, c in enumerate(block.cameras) if c.id == camera)

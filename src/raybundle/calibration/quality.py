@@ -121,7 +121,7 @@ def calibration_quality(
     """The verdict on the calibration of one camera; the adjustment must have statistics.
 
     validation  of this camera's photographs; structure  of the whole adjustment
-    What it does not tell: whether zoom, focus or stabilisation move before the camera is used.
+    Limits: whether zoom, focus or stabilisation move before the camera is used.
     """
     interior = next(i for i in result.interior if i.camera == camera and i.image is None)
     k = next(i for i, c in enumerate(result.given.cameras) if c.id == camera)

@@ -119,7 +119,7 @@ def first_limit(vector: Array) -> tuple[float, Literal["fold", "pole", ""]]:
     """Smallest ideal radius at which the radial part L r stops growing (fold) or is infinite (pole); inf: none.
 
     vector  (25,) real parameters
-    What it does not tell: where decentring and thin-prism terms alone fold the image over.
+    Limits: where decentring and thin-prism terms alone fold the image over.
     """
     values: dict[str, float] = dict(zip(TERMS, np.real(vector).tolist(), strict=True))
     top = np.polynomial.Polynomial([1.0, *(values[f"k{n}"] for n in range(1, 6))])

@@ -92,7 +92,7 @@ def opencv_camera(
     point, are fitted over the format.  The covariance is propagated through the images of fixed rays: d q = F^+ G d p,
     with G the change of image points by our parameters p, F by OpenCV's q, over a grid on the format.
 
-    What it does not tell: errors of the model that all photographs share.
+    Limits: errors of the model that all photographs share.
     """
     fit, terms = _fitted(camera, coefficients)
     forward = fit.camera

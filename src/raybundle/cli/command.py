@@ -19,13 +19,13 @@ from raybundle.errors import InputError
 
 COMMAND_SETTINGS = {"help_option_names": ["-h", "--help"], "max_content_width": 110}
 FACTS, JSON, QUIET, VERBOSE = (f"raybundle.{word}" for word in ("facts", "json", "quiet", "verbose"))
-GRAVE = {"fault": "faults", "caution": "cautions", "remark": "remarks", "left out": "left_out"}
+GRAVE = {"fault": "faults", "warning": "warnings", "note": "notes", "left out": "left_out"}
 """Words with which a line begins that says what is wrong, and their names in JSON"""
 NOT_KEPT = 4
 """Exit status where something that was asked for, a tolerance or an accuracy, is not kept"""
 NEAR = 0.6
 """Likeness from which on a mistyped word is told with what may be meant, as difflib counts it"""
-ALOUD = ("fault", "caution", "left out")
+ALOUD = ("fault", "warning", "left out")
 """Of these the lines that are told by a quiet command as well"""
 WRITTEN = (
     "result.json", "moved.json", "plan.json", "next.json", "transformation.json", "model.json", "check.json",

@@ -42,5 +42,5 @@ def command(first: Path, second: Path, progress: str, **given: Any) -> None:
         facts(same=done.same)
         click.echo(f" {done.same}")
     for caution in done.cautions:
-        click.echo(f" caution: {caution}")
+        click.echo(f" warning: {caution}")
     click.echo(f" comparison: {settings.out}")

@@ -77,7 +77,7 @@ def command(source: Path, progress: str, **given: Any) -> None:
 
         click.echo(f" {state_line(done.state)}")
     for remark in done.remarks:
-        click.echo(f" remark: {remark}")
+        click.echo(f" note: {remark}")
     if done.deviation_px > 0:
         click.echo(f" cameras: largest deviation {done.deviation_px:.3g} px")
     more = done.files - len(done.written)

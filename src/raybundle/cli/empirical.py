@@ -85,4 +85,4 @@ def _tell_fit(fit: EmpiricalFit, s: EmpiricalStatistics, ids: Sequence[str]) -> 
             f" w of {ids[row]} in {'xy'[axis]}: {s.w[row, axis]:+.1f} (limit {s.critical_w:.1f}); residual "
             f"{fit.residuals_px[row, axis]:+.3g} px, look at it again"
         )
-    click.echo(f" {'' if fit.adequate else 'caution: '}{fit.reason.text()}")
+    click.echo(f" {'' if fit.adequate else 'warning: '}{fit.reason.text()}")

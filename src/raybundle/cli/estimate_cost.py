@@ -108,7 +108,7 @@ def _limits(found: Estimate) -> Iterator[str]:
     first = found.limits[0]
     over = [x for x in found.limits if x.share > 1]
     for x in over:
-        yield f" caution: {x.what}: {_size(x.needed)} needed, {_size(x.given)} there"
+        yield f" warning: {x.what}: {_size(x.needed)} needed, {_size(x.given)} there"
     if over:
         yield from _remedies(over)
     else:

@@ -79,5 +79,5 @@ def _print(films: Mapping[str, Film], points: Marks | None) -> None:
             click.echo(f"    suspect marks: {', '.join(bad)}; measure them again")
     if all(f.redundancy == 0 for f in films.values()):
         click.echo(
-            " remark: as many marks as unknowns: a wrong one is not noticed; measure more, or take a simpler model"
+            " note: as many marks as unknowns: a wrong one is not noticed; measure more, or take a simpler model"
         )

@@ -37,5 +37,5 @@ def command(video: Path, progress: str, **given: Any) -> None:
     facts(frames=len(a.time_s), width_px=a.width_px, height_px=a.height_px, photographs=frames.files)
     click.echo(f" {counted(len(a.time_s), 'frame')}, {seconds}; {counted(len(frames.files), 'photograph')} chosen")
     for remark in frames.remarks:
-        click.echo(f" remark: {remark}")
+        click.echo(f" note: {remark}")
     click.echo(f" photographs: {settings.out}")

@@ -402,7 +402,7 @@ def export(folder: Path, out: Path, as_masks: bool, crs: str) -> None:  # noqa: 
     done = export_masks(folder, out) if as_masks else export_marks(folder, out, crs=crs)
     facts(files=done.files)
     for remark in done.remarks:
-        click.echo(f" remark: {remark}")
+        click.echo(f" note: {remark}")
     click.echo(f" {', '.join(str(p) for p in done.files)}")
 
 

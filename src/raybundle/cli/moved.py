@@ -70,7 +70,7 @@ def _summary(done: Congruence, settings: MovedSettings, files: list[Path]) -> Su
     if settings.axes is not None:
         more.append(note("displacement.axes", file_name=settings.axes.name, points=list(settings.by)))
     return Summary(
-        done=first, notices=[*_faults(settings.epochs), *_cautions(done), *done.told], files=files, details=more
+        done=first, notices=[*_faults(settings.epochs), *_warnings(done), *done.told], files=files, details=more
     )
 
 
@@ -82,16 +82,16 @@ def _faults(epochs: tuple[Path, ...]) -> list[Message]:
     ]
 
 
-def _cautions(done: Congruence) -> list[Message]:
+def _warnings(done: Congruence) -> list[Message]:
     """What the tests object to."""
     found: list[Message] = []
     if done.after[1] < done.significance:
         values = {"p": float(done.after[1])}
-        found.append(Message(code="epochs.stable_points_differ", values=values, severity=Severity.CAUTION))
+        found.append(Message(code="epochs.stable_points_differ", values=values, severity=Severity.WARNING))
     if done.scale:
         ppm = [1e6 * (t.scale - 1) for t in done.transforms]
         values = {"names": list(done.epochs[1:]), "scale_ppm": ppm}
-        found.append(Message(code="epochs.free_scale", values=values, severity=Severity.CAUTION))
+        found.append(Message(code="epochs.free_scale", values=values, severity=Severity.WARNING))
     return found
 
 

@@ -94,9 +94,9 @@ def lines(found: Found, groups: Sequence[CameraGroup]) -> list[str]:
             f" camera {g.id}: {g.name}, {counted(len(g.photos), 'photograph')} of {g.width_px} x {g.height_px} px",
             f"   c = {g.c_px:.1f} +- {g.sigma_c_px:.1f} px = {g.c_mm:.4g} mm ({g.source})",
         ]
-        text += [f"   remark: {r}" for r in g.said]
+        text += [f"   note: {r}" for r in g.said]
     text += _table(found, groups)
-    text += [f" remark: {r}" for r in found.remarks]
+    text += [f" note: {r}" for r in found.remarks]
     text += [f" left out: {path.name}: {reason}" for path, reason in found.refused]
     return text
 

@@ -62,7 +62,7 @@ def _lines(done: Rectification, settings: RectifySettings) -> list[str]:
         f"{settings.out}: {grid.width} x {grid.height} px of {grid.pixel:g} {done.unit}".rstrip()
         + f", {covered:.0f} % covered from {counted(len(done.picture.shares), 'photograph')}",
         *([state_line(done.state)] if done.state else []),
-        *(f"remark: {r}" for r in done.remarks),
+        *(f"note: {r}" for r in done.remarks),
     ]
 
 
@@ -78,10 +78,10 @@ def _of_plane(plane: Plane, done: Rectification) -> list[str]:
     told = [(by or f"plane of {plane.points}{of} points") + (", plumb" if exact else f", which lie {off} off it (rms)")]
     if plane.points < FEW * plane.of:
         told.append(
-            f"caution: {100 * plane.points / plane.of:.0f} % of the points lie in this plane, so that most of what the "
+            f"warning: {100 * plane.points / plane.of:.0f} % of the points lie in this plane, so that most of what the "
             "picture shows is displaced; --plane A,B,C takes the wall that you mean"
         )
-    told += [f"caution: {words}" for words in plane.cautions]
+    told += [f"warning: {words}" for words in plane.cautions]
     if plane.lean is not None and plane.plumb is not None and not plane.cautions:
         told.append(f"its points lean {plane.lean.words} (vertical: {plane.plumb.words})")
     slope, largest = done.picture.slope
@@ -93,7 +93,7 @@ def _of_plane(plane: Plane, done: Rectification) -> list[str]:
         return told
     off, pixels = significant(slope * plane.rms, 2), significant(slope * plane.rms / done.grid.pixel, 2)
     told.append(
-        f"caution: its points, as far off it as they are, are displaced by {off} {done.unit} in the picture (rms, "
+        f"warning: its points, as far off it as they are, are displaced by {off} {done.unit} in the picture (rms, "
         f"{pixels} px); what must be truer is measured in the photographs"
     )
     return told
@@ -114,16 +114,16 @@ def _of_photo(single: SinglePhoto, sigma_px: float) -> list[str]:
             worst = names[int(np.linalg.norm(fit.residuals_px, axis=1).argmax())]
             x, y = np.sqrt(np.mean(fit.residuals_px**2, axis=0))
             lines.append(
-                f"caution: residuals of {x:.3g}, {y:.3g} px (rms) are {fit.sigma0:.3g} times what marks of "
+                f"warning: residuals of {x:.3g}, {y:.3g} px (rms) are {fit.sigma0:.3g} times what marks of "
                 f"{sigma_px:g} px explain; the largest is that of {worst}. A mark or a coordinate is wrong, two names "
                 "are exchanged, a point does not lie in the plane, or the lens bends straight lines (a calibrated "
                 "camera takes that off)"
             )
     else:
-        lines.append("caution: just enough points; one more would show whether they are right")
+        lines.append("warning: just enough points; one more would show whether they are right")
     if single.mirrored:
         lines.append(
-            "caution: the picture is mirrored: the control runs the other way round in the photograph than in the "
+            "warning: the picture is mirrored: the control runs the other way round in the photograph than in the "
             "plane. Is right taken for left, an axis for its opposite, or the film turned over?"
         )
     if single.off_plane > 0:

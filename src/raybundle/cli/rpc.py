@@ -68,7 +68,7 @@ def info(scene: Path) -> None:
     if s.line is not None:
         _tell_line(s, s.line)
     for remark in s.remarks:
-        click.echo(f" remark: {remark.text()}")
+        click.echo(f" note: {remark.text()}")
     _tell_agreement(s)
 
 
@@ -92,11 +92,11 @@ def project(scene: Path, points: Path, **given: Any) -> None:
     facts(points=len(done.ids), beyond=[done.ids[k] for k in done.beyond], lost=[done.ids[k] for k in done.lost])
     if done.beyond:
         told = f"{counted(len(done.beyond), 'point')} outside the range for which the RPC was made"
-        click.echo(f" remark: {told}: {_named(done.ids, done.notes, done.beyond)}")
+        click.echo(f" note: {told}: {_named(done.ids, done.notes, done.beyond)}")
     if done.lost:
         which = "ground" if settings.to_ground else "image"
         told = f"{counted(len(done.lost), 'point')} without {which} coordinates, their cells are empty"
-        click.echo(f" caution: {told}: {_named(done.ids, done.notes, done.lost)}")
+        click.echo(f" warning: {told}: {_named(done.ids, done.notes, done.lost)}")
     click.echo(f" {counted(len(done.ids), 'point')}: {settings.out}")
 
 
@@ -113,7 +113,7 @@ def fit(scene: Path, **given: Any) -> None:
     settings = made(RpcFitSettings, {"scene": scene, **values_of(RpcFitSettings, given)})
     result, remarks = run_fit(settings)
     for remark in remarks:
-        click.echo(f" remark: {remark}")
+        click.echo(f" note: {remark}")
     facts(heights_m=result.height_range, rms_px=result.rms_px, largest_px=result.largest_px, points=result.points)
     low, high = result.height_range
     x, y = result.rms_px

@@ -46,11 +46,11 @@ def batch(scenes: tuple[Path, ...], progress: str, **given: Any) -> None:
         used = len(c.ids) - len(c.advice.set_aside)
         click.echo(f" {scene.name[:31]:32}{c.fit.kind:>8}{used:8d}{rms:>18}{significant(c.errors.err_bias_m):>14}")
         for remark in scene.remarks:
-            click.echo(f"   remark: {remark}")
+            click.echo(f"   note: {remark}")
         for k in c.advice.set_aside:
-            click.echo(f"   caution: {c.ids[k]} contradicts the others and took no part")
+            click.echo(f"   warning: {c.ids[k]} contradicts the others and took no part")
     for scene in done.failed:
-        click.echo(f" caution: {scene.name} is left out: {scene.problem_line}")
+        click.echo(f" warning: {scene.name} is left out: {scene.problem_line}")
     click.echo(f" {len(done.corrected)} of {counted(len(done.scenes), 'scene')} corrected: {done.table}")
 
 

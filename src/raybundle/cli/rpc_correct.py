@@ -71,34 +71,34 @@ def _summary(found: Correction, done: Correction) -> Summary:
     texts = [str(r) for r in found.remarks]
     texts += [f"{found.ids[k]}: {why}" for k, why in found.beyond.items()]
     return Summary(
-        done=first, notices=_cautions(found), files=done.written,
+        done=first, notices=_warnings(found), files=done.written,
         details=[*texts, *_models(advice), *_terms(found), *_errors(done)],
     )  # fmt: skip
 
 
-def _cautions(found: Correction) -> list[Message]:
+def _warnings(found: Correction) -> list[Message]:
     """What the points have against the correction."""
     advice, fit = found.advice, found.fit
 
-    def caution(code: str, **values: Value) -> Message:
-        return Message(code=code, values=values, severity=Severity.CAUTION)
+    def warning(code: str, **values: Value) -> Message:
+        return Message(code=code, values=values, severity=Severity.WARNING)
 
     notices: list[Message] = []
     if advice.set_aside:
         names = [found.ids[k] for k in advice.set_aside]
         largest = float(abs(advice.set_aside_px).max())
         notices.append(
-            caution("rpc.points_contradict", n=len(names), of=len(found.ids), names=names, largest_px=largest)
+            warning("rpc.points_contradict", n=len(names), of=len(found.ids), names=names, largest_px=largest)
         )
     if found.beyond:
         names = [found.ids[k] for k in found.beyond]
-        notices.append(caution("rpc.points_outside", n=len(names), names=names))
+        notices.append(warning("rpc.points_outside", n=len(names), names=names))
     if advice.is_far and advice.prior_ratio is not None:
-        notices.append(caution("rpc.shift_large", ratio=advice.prior_ratio))
+        notices.append(warning("rpc.shift_large", ratio=advice.prior_ratio))
     if fit is not None and fit.misfit > 1:
-        notices.append(caution("rpc.residuals_large", ratio=fit.misfit, sigma_px=advice.sigma_px))
+        notices.append(warning("rpc.residuals_large", ratio=fit.misfit, sigma_px=advice.sigma_px))
     if fit is not None and fit.redundancy == 0:
-        notices.append(caution("rpc.no_redundancy", n=len(found.ids)))
+        notices.append(warning("rpc.no_redundancy", n=len(found.ids)))
     return notices
 
 

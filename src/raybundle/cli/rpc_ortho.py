@@ -40,10 +40,10 @@ def ortho(scene: Path, progress: str, **given: Any) -> None:
     facts(width=done.width, height=done.height, pixel=done.pixel, left=done.left, top=done.top, crs=done.crs)
     facts(seen_share=done.share, nodata=done.nodata, bands=done.bands)
     for remark in done.remarks:
-        click.echo(f" remark: {remark}")
+        click.echo(f" note: {remark}")
     click.echo(
         f" {done.width} x {done.height} px of {done.pixel:g} in {done.crs}, {done.share:.1%} of them seen; "
         f"{done.nodata:g} where nothing is"
     )
-    click.echo(" remark: what hides what is not found out: behind steep slopes and buildings a place may appear twice")
+    click.echo(" note: what hides what is not found out: behind steep slopes and buildings a place may appear twice")
     click.echo(f" map: {done.out}")

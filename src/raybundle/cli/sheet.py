@@ -54,5 +54,5 @@ def _lines(done: DrawingSheet) -> list[str]:
         f"{done.file}: 1 : {done.scale} on {done.paper}, {counted(done.sheets, 'sheet')}{of}; "
         + ", ".join(counted(n, word) for n, word in drawn if n),
         *([state_line(done.state)] if done.state else []),
-        *(f"remark: {r}" for r in done.remarks),
+        *(f"note: {r}" for r in done.remarks),
     ]

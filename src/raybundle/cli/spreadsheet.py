@@ -35,5 +35,5 @@ def command(source: Path, progress: str, **given: Any) -> None:
         done = run_spreadsheet(settings, tell)
     facts(sheets=list(done.sheets))
     click.echo("\n".join(f" {line}" for line in (
-        f"{done.file}: {', '.join(done.sheets)}", *(f"remark: {r}" for r in done.left_out)
+        f"{done.file}: {', '.join(done.sheets)}", *(f"note: {r}" for r in done.left_out)
     )))  # fmt: skip

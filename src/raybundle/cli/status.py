@@ -64,7 +64,7 @@ def lines(found: Status) -> Iterator[str]:
         where = f"{found.store}, which the next run takes too; " if found.store else ""
         yield f" products: {where}in its folder {_size(found.bytes)}"
     if found.outgrown:
-        yield f" caution: {found.outgrown}"
+        yield f" warning: {found.outgrown}"
     if found.folder is not None and found.written and not found.works:
         yield f" {found.folder} may be deleted: what is measured stays, and the next run measures all of it again"
     if found.surface is not None:

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any, Protocol
 
 import click
 
-from raybundle.errors import Message, note
+from raybundle.errors import Message, Severity, note
 
 if TYPE_CHECKING:
     from raybundle.adjustment.result import Adjustment
@@ -76,7 +76,7 @@ def lines(summary: Summary, *, verbose: bool) -> list[str]:
     if len(grave) > len(shown):
         found.append(headline("summary.more", {"n": len(grave) - len(shown)}))
     if verbose:
-        found += [_line(n) for n in summary.notices if _message(n).severity == "remark"]
+        found += [_line(n) for n in summary.notices if _message(n).severity is Severity.NOTE]
     step = _remedy(grave) or (summary.next_step.headline() if summary.next_step else "")
     if step:
         found.append(headline("summary.next", {"step": step}))
@@ -93,8 +93,8 @@ def loud(summary: Summary) -> list[str]:
 def data(summary: Summary) -> dict[str, Any]:
     """The same for JSON: messages as code, values and text."""
     found: dict[str, Any] = {"summary": [_object(m) for m in summary.done]}
-    for name, severity in (("faults", "fault"), ("warnings", "caution"), ("notes", "remark")):
-        found[name] = [_object(n) for n in summary.notices if _message(n).severity == severity]
+    for name, severity in (("faults", Severity.FAULT), ("warnings", Severity.WARNING), ("notes", Severity.NOTE)):
+        found[name] = [_object(n) for n in summary.notices if _message(n).severity is severity]
     found["details"] = [_object(d) for d in summary.details if not isinstance(d, str)]
     if summary.next_step:
         found["next"] = _object(summary.next_step)
@@ -106,7 +106,7 @@ def _message(notice: Message | Coded) -> Message:
 
 
 def _grave(notices: Iterable[Message | Coded]) -> Iterable[Message | Coded]:
-    return (n for n in notices if _message(n).severity != "remark")
+    return (n for n in notices if _message(n).severity is not Severity.NOTE)
 
 
 def _line(notice: Message | Coded) -> str:

@@ -71,7 +71,7 @@ def _summary(done: MeasuredSurface, work: Path) -> Summary:
     products = [f"{w.files[0]}: {line}" for name, w in done.written if name for line in w.told]
     return Summary(
         done=[points, *_precision(done)[:1]],
-        notices=[*(replace(m, severity=Severity.CAUTION) for m in wrong), *done.pages.warnings],
+        notices=[*(replace(m, severity=Severity.WARNING) for m in wrong), *done.pages.warnings],
         files=[done.points, *(w.files[0] for name, w in done.written if name), *done.pages.files],
         details=[*_precision(done)[1:], *products, *done.remarks, *_without_part(done), *store_lines(work)],
     )  # fmt: skip

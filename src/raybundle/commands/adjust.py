@@ -86,7 +86,7 @@ def run_adjust(settings: AdjustSettings, progress: Progress = silent) -> Adjustm
         done = adjust(block, settings.options(), progress)
     assumed = () if frame is None else frame.remarks
     notices = (
-        notice_of_text("coordinate_system", r, measured=None if r in assumed else Severity.REMARK) for r in remarks
+        notice_of_text("coordinate_system", r, measured=None if r in assumed else Severity.NOTE) for r in remarks
     )
     done = replace(done, notices=(*done.notices, *notices, *room.notices()))
     write_result(

@@ -95,7 +95,7 @@ def calibrate(
     settings  as of the command line, by the names of `CalibrateSettings`: target="aicon14", model="rational"
     raises    InputError where too few targets are found; NotSolvable where they orient no photographs
 
-    What it does not tell: the calibration holds for the zoom and focus of the photographs, and for the part of the
+    Limits: the calibration holds for the zoom and focus of the photographs, and for the part of the
     format in which targets were seen.
     """
     return run_calibrate(asked(CalibrateSettings, photos, out, settings), progress)

@@ -98,7 +98,7 @@ def our_camera(calibration: Calibration) -> tuple[Camera, str]:
 def calibrations_of_files(folder: Path) -> tuple[tuple[Calibration, ...], tuple[str, ...]]:
     """A calibration for each way in which files are stored other than their camera has its pixels, and cautions.
 
-    Where the camera's model cannot be turned, that is a caution: the camera of the result is then the only one.
+    Where the camera's model cannot be turned, that is a warning: the camera of the result is then the only one.
     """
     from raybundle.block.frames import stored_ways  # noqa: PLC0415
     from raybundle.io.calibrations import Calibration  # noqa: PLC0415

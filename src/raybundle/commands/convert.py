@@ -90,7 +90,7 @@ def convert(source: str | Path, out: str | Path, *, to: str, progress: Progress 
     settings  as of the command line, by the names of `ConvertSettings`: crs="EPSG:25832", undistort="inside"
     raises    InputError for what cannot be read or written, and where a camera would deviate by more than 0.1 px
 
-    What it does not tell: what the format cannot hold is lost; the remarks of the answer name what had to be changed.
+    Limits: what the format cannot hold is lost; the remarks of the answer name what had to be changed.
     """
     given = {"source": path_of("source", source), "out": path_of("out", out), "to": to, **settings}
     return run_convert(made(ConvertSettings, given), progress)

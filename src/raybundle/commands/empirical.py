@@ -74,7 +74,7 @@ def empirical(points: str | Path, **settings: Any) -> Empirical:
     settings  as of the command line, by the names of `EmpiricalSettings`: model="dlt-brown", without="K3"
     raises    InputError for what cannot be read, and for points to which the model cannot be fitted
 
-    What it does not tell: an inadequate model is returned as well; `fit.adequate` and `fit.reason` say so.
+    Limits: an inadequate model is returned as well; `fit.adequate` and `fit.reason` say so.
     """
     return run_empirical(made(EmpiricalSettings, {"points": path_of("points", points), **settings}))
 

@@ -73,7 +73,7 @@ def estimate_cost(photos: str | Path | None = None, *, progress: Progress = sile
     settings  as of the command line, by the names of `EstimateCostSettings`: images=10_000, overlap=12.0
     raises    InputError where neither photographs nor their number are given
 
-    What it does not tell: how photographs of this object match.
+    Limits: how photographs of this object match.
     """
     folder = None if photos is None else path_of("photos", photos)
     return run_estimate_cost(made(EstimateCostSettings, settings), folder, progress)

@@ -54,7 +54,7 @@ def film(marks: str | Path, out: str | Path, **settings: Any) -> StraightFilm:
     settings  as of the command line, by the names of `FilmSettings`: calibrated="certificate.csv", camera="rmk.toml"
     raises    InputError for what cannot be read, and where the marks of a scan do not fit the certificate
 
-    What it does not tell: with as many marks as unknowns a wrong mark is not noticed.
+    Limits: with as many marks as unknowns a wrong mark is not noticed.
     """
     return run_film(made(FilmSettings, {"marks": path_of("marks", marks), "out": path_of("out", out), **settings}))
 

@@ -131,7 +131,7 @@ def measure(
     out       result folder with coordinate_list.csv, nominal.csv and lengths.csv; an older one is replaced
     settings  as of the command line, by the names of `MeasureSettings`
     raises    InputError for points that were not measured; NotSolvable where the photographs cannot be oriented
-    What it does not tell: a length test looks at no arrangement of lines, as guidelines ask of an acceptance test.
+    Limits: a length test looks at no arrangement of lines, as guidelines ask of an acceptance test.
     """
     return run_measure(asked(MeasureSettings, photos, out, settings), progress)
 

@@ -201,7 +201,7 @@ def controlled(block: Block, path: Path, unit: float) -> tuple[Block, tuple[Noti
         own = np.where(assumed[:, None], off, own)
         remarks = [r for r in remarks if assumed_words(usual) not in r]
         told.append(control_assumed(path.name, 1000 * off))
-    told += control_remarks(path.name, remarks)
+    told += control_remarks(remarks)
     out = {n for n, f in zip(names, fits.tolist(), strict=True) if not f}
     told += control_lost([n for n in given.ids if n not in place])
     return _with_control(block, given, unit, own, out), tuple(told)

@@ -45,7 +45,7 @@ def merge_projects(
     settings  as of the command line, by the names of `MergeSettings`
     raises    InputError for fewer than three common points without a common datum, given coordinates, scales, cameras
               or places on the earth that contradict each other, a project that is given twice
-    What it does not tell: whether common points stayed where they were; `moved_points` does.
+    Limits: whether common points stayed where they were; `moved_points` does.
     """
     given = {"sources": tuple(Path(s) for s in sources), "out": Path(out), **settings}
     return run_merge(made(MergeSettings, given), progress)

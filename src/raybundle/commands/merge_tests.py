@@ -177,12 +177,12 @@ def _other_unit(base: Member, member: Member, found: Between) -> Message:
 
 def caution(code: str, /, *, details: Iterable[Message] = (), **values: Value) -> Message:
     """A message that part of the merged block is weaker than it might be taken for."""
-    return replace(message(code, details=details, **values), severity=Severity.CAUTION)
+    return replace(message(code, details=details, **values), severity=Severity.WARNING)
 
 
 def remark(code: str, /, *, details: Iterable[Message] = (), **values: Value) -> Message:
     """A message about what was done or chosen."""
-    return replace(message(code, details=details, **values), severity=Severity.REMARK)
+    return replace(message(code, details=details, **values), severity=Severity.NOTE)
 
 
 def check_cameras(base: Member, member: Member) -> list[Message]:
@@ -215,7 +215,7 @@ def check_cameras(base: Member, member: Member) -> list[Message]:
             raise InputError(Message(code="join.camera_contradicts", values={**values, "limit": CONTRADICTS}))
         F, p = _together(a, b, base.as_free.redundancy + member.as_free.redundancy)
         if p < LEVEL:
-            cautions.append(Message(code="join.camera_differs", severity=Severity.CAUTION, values={**values, "F": F}))
+            cautions.append(Message(code="join.camera_differs", severity=Severity.WARNING, values={**values, "F": F}))
     return cautions
 
 

@@ -79,7 +79,7 @@ def moved_points(
     out       new folder: report.html, points.csv (displacements with standard deviations), moved.json
     settings  as of the command line, by the names of `MovedSettings`
     raises    InputError for fewer than four common points, or points that are held without error
-    What it does not tell: a motion that all points share.
+    Limits: a motion that all points share.
     """
     names = tuple(Path(e) if isinstance(e, str | Path) else Path(f"epoch {k + 1}") for k, e in enumerate(epochs))
     asked = made(MovedSettings, {"epochs": names, "out": Path(out), **settings})

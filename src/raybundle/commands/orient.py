@@ -205,7 +205,7 @@ def orient(
     settings  as of the command line, by the names of `OrientSettings`: control="gcp.csv", crs="EPSG:32633"
     raises    InputError, NoOrientation; nothing that is finished is lost
 
-    What it does not tell: without control or scale bars the position, orientation and scale of the result are
+    Limits: without control or scale bars the position, orientation and scale of the result are
     arbitrary; and a set of photographs whose parts look alike can be oriented wrongly with small residuals.
     """
     return run_orient(asked(OrientSettings, photos, out, settings), progress)

@@ -80,7 +80,7 @@ def frames(video: str | Path, out: str | Path, *, progress: Progress = silent, *
     settings  as of the command line, by the names of `FramesSettings`: count=60, or every=2.0 (seconds)
     raises    InputError where the file is no video, or `out` holds something
 
-    What it does not tell: the camera constant; many cameras crop and stabilise electronically for video.
+    Limits: the camera constant; many cameras crop and stabilise electronically for video.
     """
     given = {"video": path_of("video", video), "out": path_of("out", out), **settings}
     return run_frames(made(FramesSettings, given), progress)

@@ -85,7 +85,7 @@ def rectify(source: str | Path, out: str | Path, *, progress: Progress = silent,
     settings  as of the command line, by the names of `RectifySettings`: pixel=0.002, plane=("A", "B", "C")
     raises    InputError for what cannot be read or does not fit together, and where the scale is free
 
-    What it does not tell: what lies off the plane is displaced, and what hides it is in the picture.
+    Limits: what lies off the plane is displaced, and what hides it is in the picture.
     """
     given = {"source": path_of("source", source), "out": path_of("out", out), **settings}
     return run_rectify(made(RectifySettings, given), progress)

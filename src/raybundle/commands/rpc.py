@@ -71,7 +71,7 @@ def rpc_project(scene: str | Path, points: str | Path, out: str | Path, **settin
     settings  as of the command line, by the names of `RpcProjectSettings`: model="rigorous"
     raises    InputError for what cannot be read, and where no point has a place
 
-    What it does not tell: how well the model is known; an RPC is off by its bias until it is corrected.
+    Limits: how well the model is known; an RPC is off by its bias until it is corrected.
     """
     given = {"scene": path_of("scene", scene), "points": path_of("points", points), "out": path_of("out", out)}
     return run_project(made(RpcProjectSettings, {**given, **settings}))
@@ -85,7 +85,7 @@ def rpc_fit(scene: str | Path, out: str | Path, **settings: Any) -> RpcFit:
     settings  as of the command line, by the names of `RpcFitSettings`: heights=(0.0, 400.0)
     raises    InputError for what cannot be read or written
 
-    What it does not tell: how well the rigorous model is known.
+    Limits: how well the rigorous model is known.
     """
     given = {"scene": path_of("scene", scene), "out": path_of("out", out)}
     return run_fit(made(RpcFitSettings, {**given, **settings}))[0]

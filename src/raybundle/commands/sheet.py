@@ -104,7 +104,7 @@ def drawing_sheet(
     raises    InputError for what has no plane or no unit, for pictures of different planes, and where the object does
               not fit, with a scale and a paper that do
 
-    What it does not tell: whether the printer keeps the scale; measure the scale bar on the print.
+    Limits: whether the printer keeps the scale; measure the scale bar on the print.
     """
     several = [sources] if isinstance(sources, str | Path) else list(sources)
     given = {"sources": tuple(path_of("sources", s) for s in several), "out": path_of("out", out), **settings}

@@ -48,7 +48,7 @@ def spreadsheet(source: str | Path, out: str | Path, *, tables: tuple[str, ...] 
     out     new file
     tables  these alone, by the names of their files without .csv; (): all that have rows
     raises  InputError for a folder without tables, and for a name that is none of them
-    What it does not tell: tables that are longer than a sheet's 1 048 575 rows are left out and named.
+    Limits: tables that are longer than a sheet's 1 048 575 rows are left out and named.
     """
     return run_spreadsheet(SpreadsheetSettings(source=Path(source), out=Path(out), tables=tables))
 

@@ -136,7 +136,7 @@ def surface(
     settings  as of the command line, by the names of `SurfaceSettings`: density="2"
     raises    InputError where no two photographs show the same part, and where the scale is free
 
-    What it does not tell: errors that all photographs of a place share, as of reflections, water and moving shadows.
+    Limits: errors that all photographs of a place share, as of reflections, water and moving shadows.
     """
     given = {"source": path_of("source", source), **settings}
     if out is not None:

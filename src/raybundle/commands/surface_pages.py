@@ -78,7 +78,7 @@ def write_pages(
     title = given or language_of(settings.language, [name]).text(f"Surface of {name}")
     cloud = sample_of(done) if len(done) else None
     write_network_page(done.adjustment, out / IN_3D, title=title, language=settings.language, cloud=cloud)
-    told = as_told(n for n in rests.view.adjustment.notices if n.severity is not Severity.REMARK)
+    told = as_told(n for n in rests.view.adjustment.notices if n.severity is not Severity.NOTE)
     rank = {code: k for k, code in enumerate(OF_ALL)}
     told.sort(key=lambda n: (n.severity is not Severity.FAULT, rank.get(n.code, len(OF_ALL))))
     return SurfacePages(

@@ -46,7 +46,7 @@ def detect_targets(
     settings  as of the command line, by the names of `DetectSettings`: polarity="light", overlay="found"
     raises    InputError for an unknown family, files that do not exist, and a photograph that cannot be read
 
-    What it does not tell: standard deviations come from the grey values alone; what lens and panel add is for the
+    Limits: standard deviations come from the grey values alone; what lens and panel add is for the
     adjustment to find.
     """
     inputs = [Path(p) for p in ((photos,) if isinstance(photos, str | Path) else photos)]

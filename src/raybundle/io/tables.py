@@ -193,7 +193,7 @@ def _read_parquet(path: Path, columns: Sequence[Column], unique: tuple[str, ...]
 def table_pieces(path: Path, columns: Sequence[Column]) -> Iterator[Table]:
     """The table in a Parquet file, a group of rows at a time; `first_line` says where in the table each begins.
 
-    What it does not tell: whether a pair of references stands twice.
+    Limits: whether a pair of references stands twice.
     """
     first_line = 2
     for piece in groups(path, lambda names: _check_names(path, names, columns)):

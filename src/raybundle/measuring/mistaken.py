@@ -124,7 +124,7 @@ def _told(result: Adjustment, tested: Adjustment, found: Sequence[Wrong]) -> Adj
 def _notice(wrong: Wrong, *, took_part: bool) -> MarkNotice:
     return MarkNotice(
         code="mark_contradicts" if took_part else "mark_contradicts.excluded", values=wrong.values,
-        ids=(wrong.point, *wrong.images), wrong=wrong, measured=Severity.FAULT if took_part else Severity.CAUTION,
+        ids=(wrong.point, *wrong.images), wrong=wrong, measured=Severity.FAULT if took_part else Severity.WARNING,
     )  # fmt: skip
 
 

@@ -195,7 +195,7 @@ class Visible:
 def visible(session: Session, state: State, point: str, most: int = 50) -> list[Visible]:
     """Images in which a point should be seen and is not measured, the likeliest first.
 
-    What it does not tell: what stands in between.  Images that look at it from far another side are left out.
+    Limits: what stands in between.  Images that look at it from far another side are left out.
     """
     located = locate(session, state, point)
     if located.xyz is None:
@@ -279,7 +279,7 @@ def affine(session: Session, state: State, point: str, image: str, other: str) -
     """How small vectors of one image's file look in another's at a point (2, 2): other_from_image; None: not known.
 
     The object is taken as a plane there that faces both images; where the depth of the point is not known, in the
-    middle of the depths that the block suggests.  What it does not tell: the true slope of the object.
+    middle of the depths that the block suggests.  Limits: the true slope of the object.
     """
     i, k = session.position(image), session.position(other)
     if not (session.oriented(i) and session.oriented(k)):

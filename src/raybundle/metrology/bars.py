@@ -82,7 +82,7 @@ def bars_compared(points: PointSet, bars: Sequence[Bar]) -> BarTest | None:
 
     points  with the ends of the bars
     returns None for fewer than two bars between points that are there
-    What it does not tell: which of two bars is wrong, and an error that all of them share.
+    Limits: which of two bars is wrong, and an error that all of them share.
     """
     place = {name: k for k, name in enumerate(points.ids)}
     bars = tuple(b for b in bars if b.start in place and b.end in place)

@@ -91,7 +91,7 @@ class BestFit:
     def turn(self) -> Array:
         """(3, 3) covariance of the rotation vector about the nominal axes, by the misfit of the fitted points [rad^2].
 
-        What it does not tell: the part of it that an error shared by all nominal points has.
+        Limits: the part of it that an error shared by all nominal points has.
         """
         target = self.xyz - self.deviation
         return similarity(self.xyz[self.fitted], target[self.fitted], scale=1.0).covariance[3:6, 3:6]
@@ -141,7 +141,7 @@ def best_fit(
     Dots without a code, numbered anew in each measurement, are the same by their place (`dots`), under their measured
     names.
     raises  InputError for fewer than three points in common, or points in a line
-    What it does not tell: by which points axes ought to be fitted; a deviation of few fitted points spreads over all.
+    Limits: by which points axes ought to be fitted; a deviation of few fitted points spreads over all.
     """
     called = _called(measured, nominal)
     nominal = replace(nominal, ids=tuple(called.get(i, i) for i in nominal.ids))

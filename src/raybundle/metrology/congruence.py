@@ -124,7 +124,7 @@ def congruence(
     scale   whether epochs may differ in scale; None: where one of them has none
     datum   points that are known to have stayed; (): all can have moved, those that stayed are found
     raises  InputError for fewer than four common points, points in a line, or covariances that test nothing
-    Variance factors of epochs that are estimated are taken as one.  What it does not tell: a motion that all points
+    Variance factors of epochs that are estimated are taken as one.  Limits: a motion that all points
     share, and of points of which more than half moved alike, which half it was.
     """
     ids = common_ids(epochs)
@@ -169,7 +169,7 @@ def common_ids(epochs: Sequence[PointSet]) -> tuple[str, ...]:
 def probability_to_find(shift: float, count: int, significance: float = SIGNIFICANCE, dof: int = 3) -> float:
     """Power of the test of one among `count` points that moved by `shift` standard deviations of its difference.
 
-    What it does not tell: the part of a shift that the datum of few points takes up.
+    Limits: the part of a shift that the datum of few points takes up.
     """
     from scipy.special import chndtr  # noqa: PLC0415
 

@@ -20,7 +20,7 @@ AGREE = 0.02
 WITHIN = 0.5
 """Share of the distance to the next dot within which a dot is the same: nearer to it than to the middle between both.
 
-What it does not tell: a dot that moved by more than half of that distance is another one, or none."""
+Limits: a dot that moved by more than half of that distance is another one, or none."""
 
 
 @dataclass(slots=True)

@@ -99,6 +99,6 @@ def others_as_well(done: Congruence) -> tuple[Notice, ...]:
         each = tuple(message("moved_ambiguous.other", point=a.other, F=a.F) for a in others)
         values: dict[str, Value] = {"point": point, "others": [a.other for a in others], "F": done.after[0]}
         found.append(
-            Notice(code="moved_ambiguous", values=values, ids=(point,), measured=Severity.CAUTION, details=each)
+            Notice(code="moved_ambiguous", values=values, ids=(point,), measured=Severity.WARNING, details=each)
         )
     return tuple(found)

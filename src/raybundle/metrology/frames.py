@@ -45,7 +45,7 @@ def between(first: PointSet, other: PointSet, points: Sequence[str], *, placed: 
     points  that stayed where they were
     placed  whether both have a frame of their own, so that shift and turn are tested too; otherwise these are free
     raises  InputError for fewer than three points
-    Both have a scale of their own.  What it does not tell: which of both is wrong.
+    Both have a scale of their own.  Limits: which of both is wrong.
     """
     if len(points) < FEWEST:
         raise InputError("frames.too_few_points", first=first.name, second=other.name, n=len(points), least=FEWEST)

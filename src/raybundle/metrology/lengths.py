@@ -149,7 +149,7 @@ def length_test(
     allowed  A [m] and K: errors up to A + K L are allowed
     bars     pairs of ends between which a distance took part in the adjustment
     raises   InputError for points that were not measured, lengths that are none, a scale that nothing measured
-    Known lengths are taken as independent.  What it does not tell: whether points or certificates are wrong where they
+    Known lengths are taken as independent.  Limits: whether points or certificates are wrong where they
     contradict each other.
     """
     if not known:

@@ -93,7 +93,7 @@ def misfit(source: Array, target: Array, *, scale_sigma: float | None = 0.0, flo
     scale_sigma  standard deviation with which the scales are known to be the same, as a share; None: scale is free
     floor        standard deviation of a coordinate below which no scatter is taken for small [unit of the target]
     raises       InputError for fewer than three points, or points in a line
-    What it does not tell: an error that most of the points share; that few points are wrong, where fewer than five are
+    Limits: an error that most of the points share; that few points are wrong, where fewer than five are
     given (`instead` then has those that may be it).
     """
     n = len(source)

@@ -68,7 +68,7 @@ def nominal_contradicted(fit: BestFit) -> tuple[Notice, ...]:
     if m.mirrored:
         found.append(Notice(code="nominal_mirrored", values=values, measured=Severity.FAULT))
     if m.scaled:
-        grave = Severity.FAULT if m.rms_kept > POOR_FIT * m.rms else Severity.CAUTION
+        grave = Severity.FAULT if m.rms_kept > POOR_FIT * m.rms else Severity.WARNING
         found.append(Notice(code="nominal_scale", values=values, measured=grave))
     if m.wrong and not m.mirrored:
         out = any(not f and i in set(n) for i, f in zip(fit.ids, fit.fitted.tolist(), strict=True))
@@ -92,8 +92,8 @@ def axes_notices(fit: BestFit, file: str, largest: float) -> tuple[Notice, ...]:
         "name": file, "n": int(fit.fitted.sum()), "rms_mm": MM * fit.rms, "rotation_mrad": 1e3 * turn,
         "largest_mm": MM * turn * largest,
     }  # fmt: skip
-    fitted = Notice(code="axes_fitted", values=values, measured=Severity.REMARK)
-    return (*(replace(n, measured=Severity.CAUTION) for n in nominal_contradicted(fit)), fitted)
+    fitted = Notice(code="axes_fitted", values=values, measured=Severity.NOTE)
+    return (*(replace(n, measured=Severity.WARNING) for n in nominal_contradicted(fit)), fitted)
 
 
 def control_contradicted(found: Misfit, file: str, names: Sequence[str]) -> tuple[Notice, ...]:

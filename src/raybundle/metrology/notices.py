@@ -67,7 +67,7 @@ def length_notices(test: LengthTest | None) -> tuple[Notice, ...]:
         values["length"] = f"{k.start} - {k.end}"
     elif abs(off) > 2 * sigma:
         code = "lengths_contradict.scale"
-    grave = Severity.FAULT if test.factor > POOR_FIT else Severity.CAUTION
+    grave = Severity.FAULT if test.factor > POOR_FIT else Severity.WARNING
     ids = tuple(f"{test.known[k].start} - {test.known[k].end}" for k in beyond)
     details = tuple(
         message(
@@ -110,7 +110,7 @@ def given_twice(kind: Literal["length", "scale_bar"], names: Sequence[str]) -> t
 
 def tolerances_ignored(file: str) -> Notice:
     """Of a column of a file of control that is for nominal coordinates."""
-    return Notice(code="control_file.tolerance", values={"name": file}, measured=Severity.REMARK)
+    return Notice(code="control_file.tolerance", values={"name": file}, measured=Severity.NOTE)
 
 
 def photographs_lost(lost: Sequence[tuple[str, str]]) -> tuple[Notice, ...]:
@@ -138,7 +138,7 @@ def of_a_tool(result: Adjustment, test: LengthTest | None) -> Adjustment:
     for n in result.notices:
         if n.code == "correlation":
             contained = message("correlation.contained")
-            found.append(replace(n, details=(*n.details, contained), measured=Severity.REMARK))
+            found.append(replace(n, details=(*n.details, contained), measured=Severity.NOTE))
         elif n.code == "scale_unchecked" and test is not None and test.controlled.any():
             found += [] if test.contradicts else [_scale_checked(n, test)]
         else:

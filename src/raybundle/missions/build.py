@@ -166,7 +166,7 @@ def _speed(task: Task, base: float, remarks: list[str]) -> float:
     if task.speed > by_blur * (1 + 1e-9):
         blur = task.speed * camera.exposure_s / task.wish.gsd
         remarks.append(
-            f"caution: at {task.speed:g} m/s and 1/{1 / camera.exposure_s:.0f} s the image moves by {blur:.1f} px, "
+            f"warning: at {task.speed:g} m/s and 1/{1 / camera.exposure_s:.0f} s the image moves by {blur:.1f} px, "
             f"more than {task.blur_px:g} px; fly at {by_blur:.1f} m/s, or expose more briefly"
         )
     return task.speed

@@ -115,7 +115,7 @@ def check_flight(mission: Mission, flown: Flown, ground: Ground, limits: Limits 
 
     ground  heights where they are known, NaN elsewhere
     raises  InputError where no photograph has a position, or none lies where the plan is
-    What it does not tell: whether photographs can be oriented; the sharpness of what all photographs share; whether a
+    Limits: whether photographs can be oriented; the sharpness of what all photographs share; whether a
     place is hidden by what stands before it.
     """
     limits = limits or Limits()

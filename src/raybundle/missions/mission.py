@@ -165,7 +165,7 @@ class Mission:
 def exposures(mission: Mission) -> Exposures:
     """The photographs of a mission: at each HERE, and every `base` metres of plan from a START to its STOP.
 
-    What it does not tell: how far a vehicle strays from its way, nor how late a camera releases.
+    Limits: how far a vehicle strays from its way, nor how late a camera releases.
     """
     w = mission.way_points
     rows: list[Array] = []

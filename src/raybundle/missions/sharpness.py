@@ -98,7 +98,7 @@ def blur_of(found: Sequence[Sharpness], samples: Sequence[Array]) -> Blur:
 
     found    of all, in the order of their time: those taken one after the other see much the same
     samples  squares (k, side, side) of some photographs of the set, by which the scale is made
-    What it does not tell: a blur that all photographs share, and blur of what has no texture.
+    Limits: a blur that all photographs share, and blur of what has no texture.
     """
     ratio = np.array([f.ratio for f in found]).reshape(-1, 2)
     if not len(samples) or not np.isfinite(ratio).all(axis=1).any():

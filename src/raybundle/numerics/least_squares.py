@@ -61,7 +61,7 @@ def minimum(
               that helps
     enough    a step that lowers the sum of squares by a smaller share is the last; 0: until nothing changes
     rcond     singular values below this share of the largest count as none; None: rounding
-    What it does not tell: whether the minimum is the smallest of all, and whether the unknowns are determined: a step
+    Limits: whether the minimum is the smallest of all, and whether the unknowns are determined: a step
     along what the residuals do not feel is the shortest one.
     """
     values, taken = start, 0

@@ -43,7 +43,7 @@ def plane_of_most(points: Array, sigma: Array, least: float, *, steep: Array | N
     squares is taken (MSAC: Torr, Zisserman 2000), each distance against `LIMIT` times the point's own standard
     deviation across that plane.  The covariances between the coordinates of a point are left out of that deviation.
 
-    What it does not tell: which of two planes with as many points is meant, and whether the few that lie in the best
+    Limits: which of two planes with as many points is meant, and whether the few that lie in the best
     one are a wall or chance.
     """
     variance = np.where(np.isfinite(sigma), sigma, 0.0) ** 2

@@ -136,7 +136,7 @@ def surface_of_heights(grid: HeightGrid, name: str = "ground") -> Surface:
     """The ground as triangles between the centres of cells; holes stay open.
 
     raises  InputError where fewer than four neighbouring cells have heights
-    What it does not tell: what lies between the cells that are taken, of more than 30 000.
+    Limits: what lies between the cells that are taken, of more than 30 000.
     """
     rows, columns = grid.heights.shape
     step = max(1, int(np.ceil(np.sqrt(2 * rows * columns / MOST_TRIANGLES))))

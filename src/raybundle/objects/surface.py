@@ -115,7 +115,7 @@ def spread(surface: Surface, count: int, seed: int = 1) -> SurfacePoints:
 
     Drawn evenly by area by the low-discrepancy sequence of the golden ratio's kin (Roberts 2018), then each the
     farthest from those before (Gonzalez 1985).
-    What it does not tell: whether anything that can be measured is there.
+    Limits: whether anything that can be measured is there.
     """
     rows = np.arange(len(surface.triangles)) if surface.wanted is None else np.flatnonzero(surface.wanted)
     area = surface.areas[rows]

@@ -38,7 +38,7 @@ def surface_of_points(xyz: Array, towards: Array, name: str = "result") -> Surfa
     xyz      (n, 3) points [m]
     towards  (n, 3) directions in which the outer side lies, as the mean of a point's rays; of any length but zero
     raises   InputError where there are too few points
-    What it does not tell: what lies between points that are far apart; edges are rounded by a disc's radius.
+    Limits: what lies between points that are far apart; edges are rounded by a disc's radius.
     """
     xyz, towards = np.asarray(xyz, float), np.asarray(towards, float)
     good = np.isfinite(xyz).all(axis=1) & (np.linalg.norm(towards, axis=1) > 0)

@@ -55,7 +55,7 @@ def average_start(block: Block, progress: Progress = silent) -> Block:
 
     Rotations: L1 and then redescending averages over the pairs (Chatterjee and Govindu 2018, with Gauss-Newton steps
     in the tangent space).  Positions: the sum of squared distances between rays and points is least while the mean
-    depth is held, reweighted to angles.  What it does not tell: a pair of look-alikes that no third image contradicts
+    depth is held, reweighted to angles.  Limits: a pair of look-alikes that no third image contradicts
     enters like any other.
     raises  NoOrientation where no pair is left
     """

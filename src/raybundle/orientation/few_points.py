@@ -113,7 +113,7 @@ def orient_few(block: Block, *, control: bool = True) -> FewPoints:
     """Orient the images that are not, as far as the points measured in them allow.
 
     control  whether control coordinates are in the frame in which oriented images stand; where none is oriented, true
-    What it does not tell: whether the points are the same spots of the object; an orientation from six points fits
+    Limits: whether the points are the same spots of the object; an orientation from six points fits
     nearly everything.  Images that are oriented are held, and so are cameras that have such an image.
     """
     images, o = block.images, block.observations

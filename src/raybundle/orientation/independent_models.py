@@ -66,7 +66,7 @@ class _Tie:
 def joined_models(models: Sequence[Model]) -> list[SimilarityTransform | None]:
     """The transform of each model into the system of the one with the most images; None: nothing ties it.
 
-    What it does not tell: models that show different parts which look alike fall on each other like right ones.
+    Limits: models that show different parts which look alike fall on each other like right ones.
     """
     if not models:
         return []

@@ -54,7 +54,7 @@ def plumb_vertical(normals: Array, sigma: Array, image: Array, prior: Array, pri
     image        (n,) photographs in which the edges were seen
     prior        (3,) vertical, known to `prior_sigma` [rad] in each component
     The standard deviation is that of the prior and the edges together; edges scatter as they do, and those of different
-    photographs count as seen once by an average photograph.  What it does not tell: a building that leans as a whole.
+    photographs count as seen once by an average photograph.  Limits: a building that leans as a whole.
     """
     cone = CONE * prior_sigma
     near = np.abs(normals @ prior) < np.sin(cone)

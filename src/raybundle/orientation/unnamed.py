@@ -30,7 +30,7 @@ def link_unnamed(
     dots   for each image (k, 2) image points [px]
     Each dot meets those near its epipolar line in a few images that stand well apart; the object point is predicted in
     all other images, and the one that most of them confirm wins.  A dot belongs to one group at most.
-    What it does not tell: rows of equal dots on a plane that all cameras look along can be confused; the adjustment's
+    Limits: rows of equal dots on a plane that all cameras look along can be confused; the adjustment's
     tests have the last word.
     """
     from scipy.spatial import KDTree  # noqa: PLC0415

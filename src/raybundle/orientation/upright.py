@@ -86,7 +86,7 @@ def habits(right: Array, upward: Array, centre: Array, distance: float, only: Ki
     centre         (n, 3) projection centres
     distance       of the object, in the unit of `centre`
     only           the kind, where it is known
-    What it does not tell: a camera that was tilted on purpose in all photographs alike.
+    Limits: a camera that was tilted on purpose in all photographs alike.
     """
     rows = np.unique(np.linspace(0, len(right) - 1, min(len(right), MOST)).astype(int))
     x, y, X0 = right[rows], upward[rows], centre[rows] / max(distance, 1e-300)

@@ -17,7 +17,7 @@ def without_strange_bars(block: Block) -> tuple[Block, list[Notice]]:
 
     The tests of the adjustment find less: beyond it a bar pulls its ends behind the photographs, whose right
     measurements are rejected then.
-    What it does not tell: whether control or the bar has the wrong unit, where there is one bar alone.
+    Limits: whether control or the bar has the wrong unit, where there is one bar alone.
     """
     d, xyz = block.distances, block.points.xyz
     shown = np.linalg.norm(xyz[d.start] - xyz[d.end], axis=1)

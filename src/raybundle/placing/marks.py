@@ -220,7 +220,7 @@ def add_points(state: Placing, photos: Sequence[Photo], given: Given, frame: Loc
                     code="control_without_photograph",
                     values={"n": sum(unknown.values()), "table": c.path.name, "names": sorted(unknown)},
                     # a file of several epochs, or of a whole of which this is a part, has its other photographs here
-                    measured=Severity.REMARK if here else Severity.CAUTION,
+                    measured=Severity.NOTE if here else Severity.WARNING,
                 )
             )
     if not ids:

@@ -83,7 +83,7 @@ def size_of_copies(block: Block, points: Index, mark_px: float) -> Size | None:
     As they stand more than half of the marks must lie beyond the gross limit, and at the size found at least half
     within it, more closely than chance would bring them (`CHANCE`).
 
-    What it does not tell: copies that were cropped or turned besides.
+    Limits: copies that were cropped or turned besides.
     """
     rays = np.bincount(block.observations.point, minlength=len(block.points))
     points = points[rays[points] > 1][:POINTS]

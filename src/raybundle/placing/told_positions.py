@@ -56,7 +56,7 @@ def camera_notices(groups: Sequence[CameraGroup]) -> list[Notice]:
     return [
         *(Notice(code="camera_projection", message=m, ids=ids) for m, ids in _once(apart)),
         *(Notice(code="camera", message=m, ids=ids) for m, ids in _once(remarks)),
-        *(Notice(code="camera", message=m, ids=ids, measured=Severity.CAUTION) for m, ids in _once(doubts)),
+        *(Notice(code="camera", message=m, ids=ids, measured=Severity.WARNING) for m, ids in _once(doubts)),
         *(Notice(code="camera_joined", message=m, ids=ids) for m, ids in _once(joined)),
     ]
 

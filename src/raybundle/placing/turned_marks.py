@@ -46,7 +46,7 @@ def take_turned_back(state: Placing, photos: Sequence[Photo], control: Sequence[
     at lie beyond the gross limit as stored and within it turned back, more of them than chance would bring (`CHANCE`).
     Where they fit better turned and chance may do that as well, they stay as they are and a fault says so.
 
-    What it does not tell: points that are marked in a single photograph each, and pictures reduced besides.
+    Limits: points that are marked in a single photograph each, and pictures reduced besides.
     """
     tags = np.array([exif_turn(p) for p in photos])
     for file in control:

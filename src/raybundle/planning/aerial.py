@@ -60,7 +60,7 @@ def precision(plan: Aerial, least_rays: int = 2) -> Precision:
     """What a plan determines; figures over the points of so many rays.
 
     raises  NotSolvable where photographs see too little in common
-    What it does not tell: errors that all positions share, as of a wrong antenna height or geoid, are in no figure.
+    Limits: errors that all positions share, as of a wrong antenna height or geoid, are in no figure.
     """
     block = aerial_block(plan)
     try:

@@ -101,7 +101,7 @@ def improved(designer: Designer, start: Stations, search: Search | None = None, 
     start   stations where one may stand; may be fewer than `count`, or none
     count   how many stations there are to be; None: as many as in `start`
     raises  InputError where one of `start` stands where one may not, or nothing can be seen from anywhere
-    The same arguments give the same stations.  What it does not tell: that there is no better one; how sensitive the
+    The same arguments give the same stations.  Limits: that there is no better one; how sensitive the
     figure is to stations that are not met exactly (`disturbed`).
     """
     with threadpool_limits(1):

@@ -66,7 +66,7 @@ def densified(designer: Designer, stations: Stations, wanted: float) -> Densifie
     """Stations added until the whole surface that can be seen is as precise as wanted, or no station helps.
 
     wanted  largest standard deviation of a coordinate [m], of points that are measured there
-    What it does not tell: that the stations before could not be moved to the same end.
+    Limits: that the stations before could not be moved to the same end.
     """
     with threadpool_limits(1):
         return _densified(designer, stations, wanted)

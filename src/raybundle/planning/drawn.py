@@ -66,7 +66,7 @@ def promised(
     """What a network of these stations promises of its points, and of places that are measured in it.
 
     Standard deviations are infinite where it falls apart in half of the drawings.
-    What it does not tell: how much more than the median the worst point of one survey may have.
+    Limits: how much more than the median the worst point of one survey may have.
     """
     there = [] if places is None else networks.at_places(parts, places)
     if networks.site.found is None:

@@ -166,7 +166,7 @@ def forecast(plan: Flight, name: str = "as planned") -> Forecast:
     """What a plan determines with the unevenness of a real flight, and exactly level at one height.
 
     raises  NotSolvable where the photographs see too little in common
-    What it does not tell: errors that all positions share, as of a wrong antenna height or geoid, are in no figure.
+    Limits: errors that all positions share, as of a wrong antenna height or geoid, are in no figure.
     """
     found = precision(flight_aerial(plan))
     even = replace(plan, height_jitter=0.0, angle_jitter_deg=0.0)

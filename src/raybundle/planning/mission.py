@@ -78,7 +78,7 @@ def mission_forecast(mission: Mission, ground: Ground, asked: Asked | None = Non
 
     ground  heights as far as they are known, NaN elsewhere
     raises  InputError for an orbit, whose object is not known; NotSolvable where photographs see too little in common
-    What it does not tell: what wind, trees and ground without texture take.
+    Limits: what wind, trees and ground without texture take.
     """
     asked = asked or Asked()
     if patterns[mission.pattern].shape == "place":

@@ -53,7 +53,7 @@ def mission_mends(
     uneven   a plan as it is really flown
     accident standard deviations that the unevenness of the flight gives what is lost; none where it gives none
     returns  at most one of each, only what was found to determine everything; empty: nothing that was tried does
-    What it does not tell: how precisely; that is a forecast of the changed mission.
+    Limits: how precisely; that is a forecast of the changed mission.
     """
     if not lost:
         return ()

@@ -166,7 +166,7 @@ def plan_network(
     repeat    so many photographs more from stations that are there
     least_rays  as of `Networks`
     raises    InputError where neither is told, or `wanted` is beyond reach: it says what can be reached and why
-    What it does not tell: whether targets can be fixed and recognised there; errors that all photographs share, as of
+    Limits: whether targets can be fixed and recognised there; errors that all photographs share, as of
     a camera that is not stable.
     """
     if wanted is not None and aims[aim].unit != "m":

@@ -65,7 +65,7 @@ def predicted(block: Block, options: AdjustmentOptions | None = None) -> Predict
     """The covariance of a block whose observations are exact and whose values are the true ones.
 
     raises  NotSolvable where the network determines not even its images and points; InputError as `adjust_block`
-    What it does not tell: errors that no observation of the block knows of, as a wrong antenna height or geoid.
+    Limits: errors that no observation of the block knows of, as a wrong antenna height or geoid.
     """
     with np.errstate(over="ignore", invalid="ignore"):  # test values of no residual, which nobody asks for
         result = adjust_block(block, options or AdjustmentOptions(jobs=1, noise="white"))

@@ -60,7 +60,7 @@ def ticked(planned: Stations, taken: Stations) -> Ticked:
 
     raises  InputError where too few stations of the two agree in any frame, or badly: then they are of another list
     The frame of `taken` is arbitrary: that in which they agree best with the list counts; where a list looks the same
-    after a turn, as a ring, the one in which photographs follow each other as listed.  What it does not tell: of such a
+    after a turn, as a ring, the one in which photographs follow each other as listed.  Limits: of such a
     list whose photographs come in another order, which of its stations is which (`alike`).
     """
     tried = [(_closeness(planned, taken, *_assigned(planned, taken, f), f), f) for f in _frames(planned, taken)]

@@ -30,7 +30,7 @@ def calibration_worth(site: Site, stations: Stations, interior: Array) -> Worth:
     """What the calibration of a network would be worth.
 
     interior  (f, f) covariance of the free parameters
-    What it does not tell: what a lens does that its model lacks, which the residuals alone show.
+    Limits: what a lens does that its model lacks, which the residuals alone show.
     """
     worst = projection_shifts(site.camera, site.free).worst_errors(interior)
     sure, likely = (float(np.quantile(worst, share)) for share in (SURE, LIKELY))

@@ -456,7 +456,7 @@ def _warnings(first: ResultFolder, second: ResultFolder) -> tuple[Part, ...]:
     a, b = (
         [
             (
-                str(w.get("severity") or SEVERITY.get(str(w["code"]), Severity.CAUTION)),
+                str(w.get("severity") or SEVERITY.get(str(w["code"]), Severity.WARNING)),
                 str(w["code"]),
                 str(w["message"]),
             )

@@ -39,7 +39,7 @@ def detail_of(view: View) -> Detail:
     is room for, so that the outline stays, to a cell, however unevenly points lie; and those with the largest
     standard deviations of a coordinate.
 
-    What it does not tell: how densely points lie, within a cell.
+    Limits: how densely points lie, within a cell.
     """
     known = (view.rays > 0) & np.isfinite(view.adjusted.points.xyz).all(axis=1)
     tie = known & (np.asarray(view.given.points.role) == Role.TIE) & ~view.given.points_named

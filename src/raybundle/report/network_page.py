@@ -81,7 +81,7 @@ def write_network_page(
     cloud       dense points of the surface, to be coloured by photograph or by standard deviation
 
     Points beyond what a page of 10 MB can hold are thinned by a grid, the worst kept, images and ellipsoids evenly, and
-    the page says so.  What it does not tell: an ellipsoid describes random errors in the datum of the result; one that
+    the page says so.  Limits: an ellipsoid describes random errors in the datum of the result; one that
     is enlarged is no distance.
     """
     view = with_near_viewpoints(view_of(adjustment))

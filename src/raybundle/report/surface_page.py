@@ -155,7 +155,7 @@ def _adjustment(rests: Occasion | None) -> list[Section]:
     """What the points rest on: the key figures of the adjustment, its statements, all that warns of it."""
     if rests is None:
         return []
-    told = [n for n in as_told(rests.view.adjustment.notices) if n.severity is not Severity.REMARK]
+    told = [n for n in as_told(rests.view.adjustment.notices) if n.severity is not Severity.NOTE]
     d = rests.delivery or delivery_of(rests.view.adjustment)
     parts: list[Part] = [Heading(text="Warnings and remedies"), warnings_table(told)] if told else []
     parts += [*glance_parts(rests, d), Statements(statements=rests.told.statements)]

@@ -22,7 +22,7 @@ AROUND = 2
 def fingerprint(source: Path) -> str:
     """SHA-256 of the orientations and cameras of a project, a result or a block folder; empty where there are none.
 
-    What it does not tell: points and observations that are others and left both as they were to the last bit.
+    Limits: points and observations that are others and left both as they were to the last bit.
     """
     block = next((p for p in block_places(source) if (p / "block.toml").is_file()), None)
     if block is None:

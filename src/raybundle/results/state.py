@@ -21,7 +21,7 @@ RELATIVE = "its heights are relative and tilted: those of the control were not m
 
 def state_line(found: str) -> str:
     """What `state_words` gave as a line of a command's output."""
-    return f"{'caution' if found.lower().rstrip('.') == RELATIVE else 'fault'}: {found}"
+    return f"{'warning' if found.lower().rstrip('.') == RELATIVE else 'fault'}: {found}"
 
 
 def state_words(result: Mapping[str, Any]) -> str:
@@ -44,7 +44,7 @@ def state_words(result: Mapping[str, Any]) -> str:
 def faults_of(folder: Path) -> tuple[str, ...]:
     """Messages of the faults in a folder's result.json; () where there is none, or it cannot be read.
 
-    What it does not tell: whether a folder without a result, as a block, has any.
+    Limits: whether a folder without a result, as a block, has any.
     """
     try:
         found = read_json(folder / "result.json").value
@@ -75,8 +75,8 @@ def _fault(notice: Mapping[str, Any]) -> bool:
 
 def severity_of(notice: Mapping[str, Any]) -> Severity:
     """How grave it is; results of versions that did not write how grave a notice is tell its code."""
-    told = notice.get("severity", SEVERITY.get(str(notice.get("code", "")), Severity.REMARK))
-    return Severity(told) if told in [s.value for s in Severity] else Severity.REMARK
+    told = notice.get("severity", SEVERITY.get(str(notice.get("code", "")), Severity.NOTE))
+    return Severity(told) if told in [s.value for s in Severity] else Severity.NOTE
 
 
 def notice_of(stored: Mapping[str, Any]) -> Notice:

@@ -51,7 +51,7 @@ def agreeing(uv: Array, difference: Array, covariance: Array) -> Mask:
     A start by least median of squares over small sets of points (Rousseeuw 1984), whose kind of bias is chosen by the
     truncated square sum with a price for each parameter; then each point is tested against the fit of the others, with
     the stated sigma, or with that of the others where these scatter more than stated (Pope 1976).
-    What it does not tell: which of two points is wrong, or of two halves that contradict each other.
+    Limits: which of two points is wrong, or of two halves that contradict each other.
     """
     n = len(uv)
     everything: Mask = np.ones(n, np.bool_)

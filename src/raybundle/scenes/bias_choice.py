@@ -216,7 +216,7 @@ def _advised(fits: tuple[BiasFit, ...], sigma_px: float) -> tuple[BiasFit, Messa
                 "model": larger.kind, "test": test, "value": float(value), "limit": limit, "few": few,
                 "left_out_px": 0.0 if few else after, "before_px": before if np.isfinite(before) else 0.0,
             }  # fmt: skip
-            reason = Message(code="bias.improvement", severity=Severity.REMARK, values=values)
+            reason = Message(code="bias.improvement", severity=Severity.NOTE, values=values)
     return chosen, reason
 
 
@@ -224,5 +224,5 @@ def _without_bias(none: BiasFit, models: int, sigma_px: float) -> Message:
     """Whether the points agree with the RPC as it is."""
     if none.misfit > 1:
         values: dict[str, Value] = {"larger": models > 1, "misfit": none.misfit, "sigma_px": sigma_px}
-        return Message(code="bias.rpc_contradicted", severity=Severity.CAUTION, values=values)
-    return Message(code="bias.rpc_confirmed", severity=Severity.REMARK, values={"sigma_px": sigma_px})
+        return Message(code="bias.rpc_contradicted", severity=Severity.WARNING, values=values)
+    return Message(code="bias.rpc_confirmed", severity=Severity.NOTE, values={"sigma_px": sigma_px})

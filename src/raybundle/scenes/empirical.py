@@ -189,15 +189,15 @@ def _adequate(
     from scipy.stats import chi2
 
     if redundancy == 0:
-        return True, Message(code="empirical.no_redundancy", severity=Severity.CAUTION, values={"model": model.name})
+        return True, Message(code="empirical.no_redundancy", severity=Severity.WARNING, values={"model": model.name})
     limit = float(chi2.isf(SIGNIFICANCE, redundancy))
     x, y = np.sqrt(np.mean(residuals**2, axis=0))
     ratio = np.sqrt(square_sum / redundancy)
     values: dict[str, Value] = {"model": model.name, "x_px": float(x), "y_px": float(y), "sigma_px": sigma_px}
     if square_sum <= limit:
-        return True, Message(code="empirical.adequate", severity=Severity.REMARK, values=values)
+        return True, Message(code="empirical.adequate", severity=Severity.NOTE, values=values)
     values |= {"ratio": float(ratio), "limit": float(np.sqrt(limit / redundancy))}
-    return False, Message(code="empirical.not_adequate", severity=Severity.CAUTION, values=values)
+    return False, Message(code="empirical.not_adequate", severity=Severity.WARNING, values=values)
 
 
 def _named(name: str) -> EmpiricalModel:

@@ -173,7 +173,7 @@ def choose_empirical(
         return EmpiricalAdvice(
             candidates=tuple(found), advised=None,
             reason=Message(
-                code="empirical.none_adequate", severity=Severity.CAUTION,
+                code="empirical.none_adequate", severity=Severity.WARNING,
                 values={"model": least.name, "left_out_px": least.left_out_rms_px, "sigma_px": sigma_px},
             ),
         )  # fmt: skip
@@ -182,7 +182,7 @@ def choose_empirical(
     return EmpiricalAdvice(
         candidates=tuple(found), advised=best,
         reason=Message(
-            code="empirical.advised", severity=Severity.REMARK,
+            code="empirical.advised", severity=Severity.NOTE,
             values={"model": best.name, "n": len(best.fit.free), "left_out_px": best.left_out_rms_px},
         ),
     )  # fmt: skip

@@ -78,7 +78,7 @@ def image_grid(rpc: Rpc, size_px: tuple[int, int]) -> tuple[Array, Array]:
 def model_agreement(line: LineScene, rpc: Rpc) -> ModelAgreement:
     """Differences of the two models over the image and 80 % of the RPC's heights.
 
-    What it does not tell: how well either is known; they share the errors of their orbit.
+    Limits: how well either is known; they share the errors of their orbit.
     """
     xy, heights = image_grid(rpc, (line.width_px, line.height_px))
     limit, stated = _limit(line, rpc)

@@ -55,7 +55,7 @@ def ground_errors(rpc: Rpc, advice: BiasAdvice, fit: BiasFit) -> GroundErrors:
     """The errors of an RPC that was corrected by this fit.
 
     Without a correction (none) the common error is the shift that was found and left, and its standard deviation.
-    What it does not tell: errors that all control points have in common, of their datum or of their geoid.
+    Limits: errors that all control points have in common, of their datum or of their geoid.
     """
     G, per_height = _ground_by_image(rpc)
     kept: BiasFit | None = fit

@@ -68,7 +68,7 @@ class DepthMap:
     """Depths of a reference's pixels: arrays (rows, columns), float32 unless said otherwise; NaN where there is none.
 
     Doubtful depths, whose neighbours speak against them, are among them (`doubtful`, `sure`).
-    What it does not tell: an error that all sources share, as a moving shadow or a reflection.
+    Limits: an error that all sources share, as a moving shadow or a reflection.
     """
 
     grid: PixelGrid
@@ -241,7 +241,7 @@ def depth_map(
 def depth_range(block: Block, rays: ReferenceRays, reference: int) -> tuple[float, float]:
     """Depth parameters between which the object lies, by the tie points that the reference sees.
 
-    What stands out has few of them, and so have mistakes; but these hardly agree in three rays.  What it does not tell:
+    What stands out has few of them, and so have mistakes; but these hardly agree in three rays.  Limits:
     a thing that has no tie points, and lies further off than a quarter of the range: it would get wrong depths.
     """
     o = block.observations

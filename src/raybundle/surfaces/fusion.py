@@ -152,7 +152,7 @@ def agreement(
     tables  where each of the others sees what `mine` sees
     order   (k,) a number of each of the others, `own` of this one: of equally good estimates the lower is kept
 
-    What it does not tell: an error that all maps share, as one of orientation.
+    Limits: an error that all maps share, as one of orientation.
     """
     points = _Points.of(mine)
     count = len(points.t)

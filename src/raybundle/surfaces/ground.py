@@ -58,7 +58,7 @@ def _opened(height: Array, known: Mask, noise: Array, largest: float, slope: flo
 def ground(model: HeightModel, largest: float, slope: float) -> tuple[HeightModel, Mask]:
     """Heights of the ground, spanned below what stands on it, and where that was.
 
-    What it does not tell: what the ground does below a thing that is larger than `largest`, or joins it gently.
+    Limits: what the ground does below a thing that is larger than `largest`, or joins it gently.
     """
     stands = standing(model, largest, slope)
     # edges of things mix both: their neighbours are spanned, too

@@ -77,7 +77,7 @@ class Blocks:
 class HeightModel:
     """Heights, their standard deviations, and how they are correlated.
 
-    What it does not tell: what between the points was not measured; an error that all photographs share.
+    Limits: what between the points was not measured; an error that all photographs share.
     """
 
     heights: Heights

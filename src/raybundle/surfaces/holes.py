@@ -43,7 +43,7 @@ def filled(model: HeightModel, limit: float, within: Mask | None = None) -> Heig
     within  (rows, columns) where cells so near are filled, too, that are of a wider hole, or of one that is open to
             the edge of the grid: an outline may cut them off
 
-    What it does not tell: what stands in a hole and shows nowhere around it.
+    Limits: what stands in a hole and shows nowhere around it.
     """
     unknown = ~model.known
     number, _ = parts_of(unknown)

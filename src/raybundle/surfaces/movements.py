@@ -123,7 +123,7 @@ class Movements:
 def movements(model: HeightModel) -> Movements:
     """What has moved, by differences of heights and all their errors.
 
-    What it does not tell: a movement that errors of orientation can explain, other than by its size.  Cells that both
+    Limits: a movement that errors of orientation can explain, other than by its size.  Cells that both
     have from one measurement differ by nothing, without error: they have not moved, and are not tested.
     """
     free = model.known

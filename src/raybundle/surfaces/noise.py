@@ -29,7 +29,7 @@ WEAKEST = 0.2
 def autocovariance(reference: Array, sources: Sequence[Source], grid: PixelGrid, found: Refined) -> Array:
     """(1 + sources, 7, 7) float32 by lag from -3 to 3 px in y and x, 1 in the middle; the same for all views.
 
-    What it does not tell: noise that goes with the brightness, or that a camera has smoothed over more than 3 px.
+    Limits: noise that goes with the brightness, or that a camera has smoothed over more than 3 px.
     """
     own = np.zeros((2 * LAG + 1, 2 * LAG + 1))
     own[LAG, LAG] = 1

@@ -79,7 +79,7 @@ def sources_of_each(block: Block, *, most: int = MOST_SOURCES, among: Sequence[i
     among  images that can be sources; None: all
 
     The first source is the one that tells most of the depths at the reference's tie points, each further one that which
-    adds most to what is known: so sources on all sides of a reference go before several on one.  What it does not tell:
+    adds most to what is known: so sources on all sides of a reference go before several on one.  Limits:
     places without tie points, and what hides the object from a source.
     """
     o = block.observations

@@ -72,7 +72,7 @@ def shown_part(rays: ReferenceRays, t_range: tuple[float, float], region: Region
 
     t_range  smallest and largest depth parameter
 
-    What it does not tell: whether something else hides it.
+    Limits: whether something else hides it.
     """
     width, height = rays.camera.width_px, rays.camera.height_px
     u, v = (np.append(np.arange(STEP_PX / 2, n, STEP_PX), n - 0.5) for n in (width, height))

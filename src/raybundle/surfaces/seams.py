@@ -97,7 +97,7 @@ def gains(samples: Mapping[int, tuple[Index, Array]]) -> dict[int, Array]:
     samples  of each photograph: places (n,) ascending, and its colours (n, 3) there
 
     Medians of the logarithms of ratios of each two photographs, adjusted with Huber's weights; gain compensation of
-    Brown and Lowe (2007) for each channel.  What it does not tell: light that changes within a photograph.
+    Brown and Lowe (2007) for each channel.  Limits: light that changes within a photograph.
     """
     names = sorted(samples)
     first, second, ratio, spread = list[int](), list[int](), list[Array](), list[Array]()

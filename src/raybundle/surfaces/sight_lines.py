@@ -20,7 +20,7 @@ def seen_from(height: Array, sigma: Array, viewer: Array, cells: Index) -> Mask:
 
     Lines are followed from cell to cell along the longer of their two directions, as long as anything stands as high.
     What stands above a line by less than three standard deviations or half of what the line rises in a cell, is taken
-    for the surface itself.  What it does not tell: what hangs over the grid, whose undersides are no heights.
+    for the surface itself.  Limits: what hangs over the grid, whose undersides are no heights.
     """
     rows, columns = height.shape
     highest = float(np.nanmax(height)) if np.isfinite(height).any() else -np.inf

@@ -112,7 +112,7 @@ def swept(
     memory     bytes that costs may take: what takes more is done by bands of rows
     free       (height, width) of each source where it may be measured in, None: everywhere; (): of all everywhere
 
-    What is not told by one level alone, or by a patch of a few pixels, is NaN.  What it does not tell: how good a depth
+    What is not told by one level alone, or by a patch of a few pixels, is NaN.  Limits: how good a depth
     is; it errs by a third of a reduced pixel at best.
     """
     if not sources:

@@ -85,7 +85,7 @@ def true_area(model: HeightModel, covered: Array) -> TrueArea:
     """Area of the surface itself within shares of cells (rows, columns).
 
     What noise adds to the area is taken off.  In filled holes what the surface around does is added, and left
-    uncertain.  What it does not tell: what the surface does within cells, other than by what it does between them.
+    uncertain.  Limits: what the surface does within cells, other than by what it does between them.
     """
     rows, columns = (np.flatnonzero((covered > 0).any(axis=axis)) for axis in (1, 0))
     across = slice(max(int(columns[0]) - FURTHER, 0), int(columns[-1]) + FURTHER + 1)

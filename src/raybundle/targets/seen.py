@@ -77,7 +77,7 @@ def smallest(name: str, most: int) -> str:
 def charuco_of(name: str, views: Sequence[SeenTags]) -> str | None:
     """Name of the ChArUco board whose tags these are, None where they are none of a board.
 
-    A board's tags are numbered along its rows, one in every other square.  What it does not tell: rows of squares
+    A board's tags are numbered along its rows, one in every other square.  Limits: rows of squares
     beyond the last tag that any view shows.
     """
     views = [v for v in views if len(v.id) >= TAGS_OF_A_BOARD]

@@ -137,7 +137,7 @@ def groups(block: Block) -> tuple[tuple[Index, ...], int, int]:
     """Groups of images that no sound pair joins, the largest first, and the barren and mixed cells between them.
 
     Pairs are looked at only where no sound pair has joined their images yet.  Of one group where too little is told.
-    What it does not tell: wrong photographs that a chain of right pairs joins to the others as well.
+    Limits: wrong photographs that a chain of right pairs joins to the others as well.
     """
     seen, n = seen_of(block), len(block.images)
     root = list(range(n))
@@ -181,7 +181,7 @@ def missing_notices(block: Block) -> tuple[Notice, ...]:
         return ()
     # a part that is put upon another has several photographs; single ones each apart have few points in common
     scattered = sum(len(g) == 1 for g in found) > len(found) / 2 > 1
-    grave = Severity.CAUTION if scattered or (np.isnan(usual) and not near) else Severity.FAULT
+    grave = Severity.WARNING if scattered or (np.isnan(usual) and not near) else Severity.FAULT
     named = [[block.images.ids[i] for i in g] for g in found]
     each = tuple(message("repeated_structure.group", n=len(names), names=names[:SHOWN]) for names in named[:SHOWN])
     ids = tuple(n for names in named[1:] for n in names)

@@ -72,7 +72,7 @@ def sound_pairs(
     orient       approximate values of tracks
     join         tracks of pairs
 
-    What it does not tell: an object that looks the same from all sides, and repeated parts that lie closer together
+    Limits: an object that looks the same from all sides, and repeated parts that lie closer together
     than a twentieth of the format, are not recognised.
     """
     whole = join(pairs)
@@ -199,4 +199,4 @@ def _notices(left: Sequence[VerifiedPair], images: Sequence[str], before: float,
     }  # fmt: skip
     if after > CONTRADICTED:
         return (Notice(code="repeated_structure.ambiguous", values=values, measured=Severity.FAULT),)
-    return (Notice(code="repeated_structure", values=values, measured=Severity.CAUTION),)
+    return (Notice(code="repeated_structure", values=values, measured=Severity.WARNING),)

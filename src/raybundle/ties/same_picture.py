@@ -40,7 +40,7 @@ def same_pictures(
     Of each group stays what tells its camera and, of those, what has most bytes, the least compressed.  Empty where
     fewer than two photographs would stay.
 
-    What it does not tell: a copy from a second exposure by a camera that stood still.
+    Limits: a copy from a second exposure by a camera that stood still.
     """
     twins: dict[int, set[int]] = {}
     for p in pairs:

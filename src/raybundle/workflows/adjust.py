@@ -184,7 +184,7 @@ def _given_rejected(wrong: Mask) -> tuple[Notice, ...]:
     n = int(wrong.sum())
     if not n:
         return ()
-    return (Notice(code="given_rejected", values={"n": n}, measured=Severity.REMARK),)
+    return (Notice(code="given_rejected", values={"n": n}, measured=Severity.NOTE),)
 
 
 def _held_calibrations(result: Adjustment, options: AdjustmentOptions) -> tuple[Notice, ...]:
@@ -335,7 +335,7 @@ def _from_given(block: Block, observed: Mask, options: AdjustmentOptions, progre
                 code="approximate_values_replaced.points",
                 values={"n": len(names)},
                 ids=names[:100],
-                measured=Severity.REMARK,
+                measured=Severity.NOTE,
             )
         )
     seen = np.bincount(block.observations.point, minlength=len(block.points)) > 0

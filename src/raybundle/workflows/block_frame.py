@@ -161,7 +161,7 @@ def in_frame_of(block: Block, base: Block) -> Brought:
     (centre, R), (base_centre, base_R) = frames
     by = SimilarityTransform(rotation=base_R @ R.T, translation=base_R @ (centre - base_centre))
     told = Message(
-        code="join.other_frame", severity=Severity.REMARK,
+        code="join.other_frame", severity=Severity.NOTE,
         values={
             "name": block.name, "base": base.name, "away_m": float(np.linalg.norm(by.translation)),
             **_frame_values(here),

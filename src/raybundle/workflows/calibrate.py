@@ -36,7 +36,7 @@ def calibrate(
     folder  project folder, where finished stages are kept and taken from; None: nothing is kept
     raises  InputError where too few targets are found; NotSolvable where they orient no photographs
 
-    A name must occur once on the object.  What it does not tell: the calibration holds for the zoom and focus of the
+    A name must occur once on the object.  Limits: the calibration holds for the zoom and focus of the
     photographs, and for the part of the format in which targets were seen.
     """
     options = options or CalibrateOptions()

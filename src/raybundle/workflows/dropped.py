@@ -69,5 +69,5 @@ class Dropped:
             "not_measured": lost["not_measured_precisely"], "contradict_others": lost["contradict_others"],
             "adjusted": self.adjusted, "given": given,
         }  # fmt: skip
-        grave = Severity.CAUTION if self.share > MOST else Severity.REMARK
+        grave = Severity.WARNING if self.share > MOST else Severity.NOTE
         return Notice(code="dropped", values=values, measured=grave)

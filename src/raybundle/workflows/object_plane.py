@@ -251,7 +251,7 @@ def plane_of(
     covariance  of named points; without it the lean of a plane by names has no standard deviation of its measurement
     raises      InputError for unknown points, for too few and where they lie on a line
     The lean's standard deviation holds the errors of named points, or of unnamed ones the scatter about the plane as
-    if it were independent from point to point; and that of the vertical.  What it does not tell: errors that many
+    if it were independent from point to point; and that of the vertical.  Limits: errors that many
     unnamed points have in common.
     """
     asked = asked or PlaneAsked()

@@ -144,7 +144,7 @@ def orient(
     earlier      what an earlier run in the folder left: its tie points keep their names
     raises       InputError, NoOrientation
 
-    What it does not tell: without control or scale bars the position, orientation and scale of the result are
+    Limits: without control or scale bars the position, orientation and scale of the result are
     arbitrary; and a set of photographs whose parts look alike can be oriented wrongly with small residuals.
     """
     options = options or OrientOptions()

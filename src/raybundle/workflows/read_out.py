@@ -105,7 +105,7 @@ def rolling_shutters(
     """The block, as it was given to the adjustment, with the read-out of the cameras that have a rolling shutter.
 
     known_s  read-out time of all cameras [s]; 0: none has one; None: what the photographs tell decisively
-    What it does not tell: the rotation of a camera during the read-out, which shows as a velocity does.
+    Limits: the rotation of a camera during the read-out, which shows as a velocity does.
     """
     if known_s == 0:
         return Rolling(block=None)
@@ -178,7 +178,7 @@ def with_cause(result: Adjustment, photos: Sequence[Photo]) -> Adjustment:
             continue
         at = next(k for k, n in enumerate(notices) if n.code == "pixel_shape" and n.ids[0] == camera)
         mine = [n for n in notices if n.code == "pixel_shape" and n.ids[0] == camera]
-        grave = Severity.FAULT if any(n.severity is Severity.FAULT for n in mine) else Severity.CAUTION
+        grave = Severity.FAULT if any(n.severity is Severity.FAULT for n in mine) else Severity.WARNING
         notices[at] = replace(found.notice(), measured=grave)
         if found.rolling:
             notices = [n for n in notices if n.code != "pixel_shape" or n.ids[0] != camera]

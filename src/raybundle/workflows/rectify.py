@@ -156,7 +156,7 @@ def rectify_block(
     """The picture of a plane from all oriented photographs, or from those named, and remarks.
 
     Of several photographs that show a place the one that looks at it most squarely with small pixels is taken, and that
-    object points around it say to be looking at the plane, not at what stands before it.  What it does not tell: what
+    object points around it say to be looking at the plane, not at what stands before it.  Limits: what
     hides the plane and has no object points, as a lamp post.
     """
     names = [f or i for f, i in zip(block.images.file, block.images.ids, strict=True)]

@@ -86,7 +86,7 @@ def shared_sensors(
 
     reduced  whether copies of another size are looked at, too
 
-    What it does not tell: whether cameras that are kept apart are two; focus or zoom may have been another.
+    Limits: whether cameras that are kept apart are two; focus or zoom may have been another.
     """
     joins, notices = list[Join](), list[Notice]()
     taken: set[str] = set()
@@ -159,7 +159,7 @@ def _tested(result: Adjustment, one: CameraGroup, two: CameraGroup) -> tuple[Joi
     pair |= {"turn_deg": int(turned), "other_chi_square": found[1][0] if len(found) > 1 else float("nan")}
     join = Join(other=two.id, camera=one.id, turned=turned)
     if len(found) > 1 and found[1][0] - value < DECISIVE:
-        return join, Notice(code="camera_joined.doubtful", values=pair, ids=ids, measured=Severity.CAUTION)
+        return join, Notice(code="camera_joined.doubtful", values=pair, ids=ids, measured=Severity.WARNING)
     return join, Notice(code="camera_joined", values=pair, ids=ids)
 
 

@@ -115,7 +115,7 @@ def surface(
     adjusted  gives the adjustment of the result, where that is at hand; None: its block is adjusted once more
     raises  InputError where no two photographs show the same part, where none is found, and for a free scale
 
-    What it does not tell: errors that all photographs of a place share, as of reflections, water and moving shadows.
+    Limits: errors that all photographs of a place share, as of reflections, water and moving shadows.
     """
     jobs = jobs or os.cpu_count() or 1
     made = adjusted_again(source, progress) if adjusted is None else adjusted()

@@ -154,9 +154,9 @@ def test_a_stored_calibration_far_from_the_metadata_is_remarked():
     assert "the calibration is taken" in group.remarks[0]
     (notice,) = camera_notices([group])
     assert "the calibration is taken" in notice.text
-    assert notice.severity is Severity.CAUTION
+    assert notice.severity is Severity.WARNING
     plain = replace(group, stored=None)
-    assert [n.severity for n in camera_notices([plain])] == [Severity.REMARK]
+    assert [n.severity for n in camera_notices([plain])] == [Severity.NOTE]
 
 
 # ---- starting values

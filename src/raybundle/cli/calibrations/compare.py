@@ -62,7 +62,7 @@ def _lines(found: ComparedCalibrations, distance: float | None) -> list[str]:
     d, expected_px = found.difference, found.expected_px
     turn = float(np.degrees(np.linalg.norm(d.rotation)))
     where = "at infinity" if distance is None else f"at the distance {distance:g}"
-    lines = [f"remark: {note}" for note in found.notes]
+    lines = [f"note: {note}" for note in found.notes]
     lines.append(
         f"difference {where}, after a rotation of {turn:.4f} deg: rms {significant(d.rms)} px, largest "
         f"{significant(d.largest)} px"

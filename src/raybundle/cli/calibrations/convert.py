@@ -37,7 +37,7 @@ def convert(source: Path, **given: Any) -> None:
     settings = made(CalibrationConvertSettings, {"source": source, **values_of(CalibrationConvertSettings, given)})
     found = converted(settings)
     for caution in found.cautions:
-        click.echo(f" caution: {caution}")
+        click.echo(f" warning: {caution}")
     for conversion in found.conversions:
         _tell(conversion)
     files = write_converted(settings, found).files
@@ -62,7 +62,7 @@ def _tell(conversion: Conversion) -> None:
     )
     click.echo(f" camera {c.id}: {conversion.variant}, {how}")
     if conversion.covered < 1:
-        click.echo(f" caution: its distortion has an inverse over {conversion.covered:.1%} of the format alone")
-    click.echo(f" {'remark' if conversion.validity.whole_format else 'caution'}: {conversion.validity}")
+        click.echo(f" warning: its distortion has an inverse over {conversion.covered:.1%} of the format alone")
+    click.echo(f" {'note' if conversion.validity.whole_format else 'warning'}: {conversion.validity}")
     for remark in c.remarks:
-        click.echo(f" remark: {remark}")
+        click.echo(f" note: {remark}")

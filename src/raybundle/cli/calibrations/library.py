@@ -38,7 +38,7 @@ def add(source: Path, **given: Any) -> None:
     asked = {"source": source, **values_of(CalibrationAddSettings, given)}
     kept = run_add(made(CalibrationAddSettings, asked))
     for remark in kept.remarks:
-        click.echo(f" remark: {remark}")
+        click.echo(f" note: {remark}")
     facts(key=str(kept.key), kept=kept.place)
     click.echo(f" {kept.key}: kept as {kept.place}")
 
@@ -72,7 +72,7 @@ def list_(*, as_json: bool, **given: Any) -> None:
     for entry in found.entries:
         click.echo(_row(entry))
     for path, why in found.refused:
-        click.echo(f" caution: {path.name} cannot be used: {why}")
+        click.echo(f" warning: {path.name} cannot be used: {why}")
 
 
 @click.command("find", cls=Command)

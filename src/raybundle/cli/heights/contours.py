@@ -36,7 +36,7 @@ def command(source: Path, **given: Any) -> None:
     click.echo(f" {counted(lines, 'line')} of {counted(len(found.contours), 'height')}, {low:.6g} to {high:.6g}{unit}")
     if found.interval < 2 * found.sigma:
         click.echo(
-            f" caution: the interval {found.interval:g} is less than two standard deviations of a height "
+            f" warning: the interval {found.interval:g} is less than two standard deviations of a height "
             f"({found.sigma:.2g}{unit}): neighbouring lines are not told apart by it"
         )
     if not unit:

@@ -101,7 +101,7 @@ def _lines(found: MeasuredDifference) -> list[str]:
         lines.append(f"  and {len(m.regions) - MOST_SHOWN} more")
     if any(_times(r) < UNSURE for r in m.regions):
         lines.append(
-            "caution: an inner part of less than 2 of its own sigma is no sure movement: that sigma has what errors at "
+            "warning: an inner part of less than 2 of its own sigma is no sure movement: that sigma has what errors at "
             "edges and in filled holes have in common over the region, of which a window counts the part nearby"
         )
     lines += _smallest(found)

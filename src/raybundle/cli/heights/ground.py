@@ -47,7 +47,7 @@ def command(source: Path, **given: Any) -> None:
         )
     if found.filled > SPANNED:
         click.echo(
-            f" caution: {found.filled:.0%} of this ground was not measured but spans gaps: a smaller "
+            f" warning: {found.filled:.0%} of this ground was not measured but spans gaps: a smaller "
             f"{option('largest')} or a larger {option('slope')} leaves more of what was"
         )
     if not unit:

@@ -63,7 +63,7 @@ def _lines(found: MeasuredSections) -> list[str]:
             f"{_with_unit(float(np.median(m.section.sigma[known])), found.unit)} in the median"
         )
         if share < 1:
-            lines.append(f"caution: that mean is of {_share(share)} of the line; of the rest nothing was measured")
+            lines.append(f"warning: that mean is of {_share(share)} of the line; of the rest nothing was measured")
         if m.section.filled_share >= LEAST_TOLD:
             lines.append(f"{m.section.filled_share:.2%} of what has a height was filled: no photograph measured it")
         if m.difference is not None:

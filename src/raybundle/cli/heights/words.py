@@ -29,7 +29,7 @@ def measured(value: float, sigma: float, unit: str, power: int = 1) -> str:
 
 def cautions(told: Sequence[str]) -> list[str]:
     """What is to be told of a surface itself, as lines."""
-    return [f"caution: {one}" for one in told]
+    return [f"warning: {one}" for one in told]
 
 
 def two_digits(sigma: float) -> str:

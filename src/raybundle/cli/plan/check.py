@@ -76,7 +76,7 @@ def lines(done: CheckedFlight) -> list[str]:
         asked = " and ".join(f"{100 * v:.0f} %" for v in m.overlap)
         across = "" if c.across is None else f", across {_overlap(c.across)}"
         text.append(f" overlap along {_overlap(c.along)}{across}; {asked} were asked for")
-    text += [f" remark: {r}" for r in done.remarks]
+    text += [f" note: {r}" for r in done.remarks]
     text += [f" left out: {path.name}: {why}" for path, why in done.refused]
     text += _gaps(c)
     if done.files:
@@ -105,17 +105,17 @@ def list_lines(done: CheckedList) -> list[str]:
         text.append(f" not oriented (blurred, or of something else): {', '.join(done.left_out[:NAMED])}")
     if t.alike:
         text.append(
-            " caution: this list looks the same after a turn; which photograph is which follows their order. If they "
+            " warning: this list looks the same after a turn; which photograph is which follows their order. If they "
             "were taken in another one, what is missing may be on another side"
         )
     if 2 * len(beside) > len(done.names):
-        text.append(" caution: most photographs are beside the list: are they of this list?")
+        text.append(" warning: most photographs are beside the list: are they of this list?")
     elif 2 * len(t.missing) > n:
         text.append(
-            " caution: most of the list is missing; few photographs agree with many places by chance: are they of this "
+            " warning: most of the list is missing; few photographs agree with many places by chance: are they of this "
             "list?"
         )
-    text += [f" caution: {r}" for r in done.remarks]
+    text += [f" warning: {r}" for r in done.remarks]
     if done.files:
         text.append(f" written: {done.files[0].parent}: {', '.join(p.name for p in done.files)}")
     return text

@@ -81,7 +81,7 @@ def _head(plan: Flight) -> list[str]:
         f" positions of {positions(plan.station_sigma)} ({kind})",
     ]
     if along < 0.5:
-        lines.append(" caution: below 50 % along, points between the photographs of a line are seen once")
+        lines.append(" warning: below 50 % along, points between the photographs of a line are seen once")
     if across < 0:
         lines.append(" fault: the lines leave gaps; fly them nearer to each other")
     return lines
@@ -113,7 +113,7 @@ def _verdict(done: FlightPlan) -> str:
     if planned.sure:
         return " everything is determined by design"
     what = ", ".join(planned.lost_level or planned.lost)
-    lead = f" caution: {what} hang{'s' if ',' not in what else ''} on the unevenness of the flight alone"
+    lead = f" warning: {what} hang{'s' if ',' not in what else ''} on the unevenness of the flight alone"
     if planned.lost:
         lead = f" fault: {', '.join(planned.lost)} cannot be determined by this flight"
     if planned.lost and planned.lost_level and planned.lost != planned.lost_level:

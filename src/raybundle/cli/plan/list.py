@@ -41,5 +41,5 @@ def command(kind: str, object: str, progress: str, **given: Any) -> None:  # noq
         plan = run_plan_list(settings, tell)
     lines = [f"{counted(len(plan.design.stations), 'photograph')} listed", *facts_of(settings, plan)]
     if words := free_camera_words(plan):
-        lines.append(f"caution: {words}")
+        lines.append(f"warning: {words}")
     click.echo("\n".join(f" {line}" for line in [*lines, f"{settings.out}: list.pdf, list.csv, network.html, block"]))

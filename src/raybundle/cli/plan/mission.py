@@ -75,8 +75,8 @@ def lines(done: PlannedMission) -> list[str]:
         text.append(f" a place of the area is seen by {least} or more, in the middle by {count[len(count) // 2]}")
     if done.forecast is not None:
         text += forecast_lines(done.forecast)
-    text += [f" remark: {r}" for r in done.remarks]
-    text += [f" {'fault' if w.fault else 'caution'}: {w.words}" for w in done.warnings]
+    text += [f" note: {r}" for r in done.remarks]
+    text += [f" {'fault' if w.fault else 'warning'}: {w.words}" for w in done.warnings]
     text.append(f" written: {done.files[0].parent}: {', '.join(p.name for p in done.files)}")
     return text
 

@@ -100,13 +100,13 @@ def _lines(plan: NetworkPlan, settings: NetworkSettings) -> list[str]:
     if len(out):
         sides = dict.fromkeys(side_words(n) for n in out.normal)
         lines.append(
-            f"caution: {len(out)} of {len(out) + len(plan.site.points)} points ({', '.join(sides)}) cannot be seen "
+            f"warning: {len(out)} of {len(out) + len(plan.site.points)} points ({', '.join(sides)}) cannot be seen "
             f"{settings.rays} times from where one may stand; nothing is promised of them (--heights, --clearance, "
             "--incidence, --around)"
         )
     elif o["seen_twice"] < SEEN:
         lines.append(
-            f"remark: {100 - 100 * o['seen_twice']:.0f} % of the object lies between the points and is not seen twice; "
+            f"note: {100 - 100 * o['seen_twice']:.0f} % of the object lies between the points and is not seen twice; "
             "with more --object-points it is less"
         )
     return [*lines, f"{settings.out}: network.html, stations.csv, points.csv, block"]
@@ -118,14 +118,14 @@ def _seldom(plan: NetworkPlan) -> list[str]:
     lines = list[str]()
     if (often < 1).any():
         lines.append(
-            "remark: these points are not found in every photograph that shows them, "
+            "note: these points are not found in every photograph that shows them, "
             f"{100 * (1 - often.mean()):.1f} % of them less than twice; figures are medians over drawings of what is "
             f"found; in one of ten surveys the worst point has {_mm(plan.promise.unlucky)}"
         )
     if plan.promise.lost > 0:
-        lines.append(f"caution: in {100 * plan.promise.lost:.0f} % of the drawings the network falls apart; take more")
+        lines.append(f"warning: in {100 * plan.promise.lost:.0f} % of the drawings the network falls apart; take more")
     if words := free_camera_words(plan):
-        lines.append(f"caution: {words}")
+        lines.append(f"warning: {words}")
     return lines
 
 

@@ -65,10 +65,10 @@ def lines(plan: NextPlan, settings: NextSettings) -> list[str]:
     if n > SHOWN:
         text.append(f"... {n - SHOWN} more in next.csv")
     if n < plan.wanted:
-        text.append(f"remark: no further photograph within reach lowers it; {plan.wanted} were asked for")
+        text.append(f"note: no further photograph within reach lowers it; {plan.wanted} were asked for")
     elif np.isfinite(first.value) and last.value > HARDLY * first.value:
         text.append(
-            "remark: photographs within reach hardly lower it; control, scale bars, more precise image points or room "
+            "note: photographs within reach hardly lower it; control, scale bars, more precise image points or room "
             "to stand elsewhere (--step, --around) would"
         )
     return [*text, f"{settings.out}: network.html, next.csv, next.json, block"]

@@ -66,7 +66,7 @@ def forecast_lines(f: MissionForecast) -> list[str]:
     if f.without_rtk is not None:
         lines.append(_predicted(f"no RTK ({positions(NO_RTK)}){held}", f.without_rtk, f.pixel_mm))
     if f.lost_even:
-        lines.append(f" caution: {_left_open(f)}")
+        lines.append(f" warning: {_left_open(f)}")
     return lines
 
 

@@ -185,7 +185,7 @@ def _one(s: RpcBatchSettings, file: Path, control: SceneControl, folder: Path, t
         assert found.corrected is not None
         write_rpc(found.corrected, target, given.picture)
     except RaybundleError as error:
-        return BatchScene(name=file.name, problem=replace(as_detail(error), severity=Severity.CAUTION))
+        return BatchScene(name=file.name, problem=replace(as_detail(error), severity=Severity.WARNING))
     return BatchScene(name=file.name, correction=found, file=target, remarks=given.remarks)
 
 

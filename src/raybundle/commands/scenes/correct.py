@@ -113,7 +113,7 @@ def rpc_correct(scene: Any, points: str | Path, *, rpc: Any = None, **settings: 
               same for rasterio
     raises    InputError for what cannot be read; NotSolvable where the points contradict the correction
 
-    What it does not tell: errors that all control points have in common.
+    Limits: errors that all control points have in common.
     """
     opened = is_object(scene)
     path = path_of_object(scene) if opened else path_of("scene", scene)

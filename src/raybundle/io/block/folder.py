@@ -46,7 +46,7 @@ def read_block(path: str | Path, *, progress: Progress = silent) -> Block:
 
     raises  InputError with file, line and column for anything the format does not allow
     Photographs alone, without orientation and points, need no image point: they are to be measured.
-    What it does not tell: whether the block can be adjusted; points without rays and images without
+    Limits: whether the block can be adjusted; points without rays and images without
     orientation are well-formed.
     """
     folder = Path(path)

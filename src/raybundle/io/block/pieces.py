@@ -83,7 +83,7 @@ def read_in_pieces(path: str | Path, *, progress: Progress = silent) -> InTables
 
     raises  InputError as `read_block`, and where the table is not Parquet; every row is checked here, once
 
-    What it does not tell: whether the file is changed afterwards.
+    Limits: whether the file is changed afterwards.
     """
     bare, points, at = read_without_observations(path)
     file = table_file(Path(path), "observations")

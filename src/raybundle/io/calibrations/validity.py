@@ -37,7 +37,7 @@ points."""
 class Validity:
     """Up to where image points and directions belong together one to one; what lies beyond must not be used.
 
-    What it does not tell: whether the calibration was determined so far out.
+    Limits: whether the calibration was determined so far out.
     """
 
     radius_px: float

@@ -273,7 +273,7 @@ def add_entry(entry: LibraryEntry, folder: Path | None = None) -> Path:
 def match(entry: LibraryEntry, photo: Photo) -> Match:
     """Whether an entry serves a photograph: same camera, lens, EXIF focal length and format, or a whole copy of it.
 
-    What it does not tell: whether zoom or focus were moved under the same entry, and whether a copy of the same
+    Limits: whether zoom or focus were moved under the same entry, and whether a copy of the same
     shape was cropped rather than reduced.
     """
     against = _against(entry, photo)

@@ -245,7 +245,7 @@ def film_of(
     pixel_mm                size of a pixel of the scanner; shrinkage counts from it
     raises                  InputError for too few marks, marks on one line, or marks that make no film: the message
                             names those that seem exchanged
-    What it does not tell: with as many marks as the model needs, whether one of them is wrong; and shrinkage includes
+    Limits: with as many marks as the model needs, whether one of them is wrong; and shrinkage includes
     an error of the scanner's pixel size.
     """
     if not 0 < pixel_mm < 1:

@@ -136,7 +136,7 @@ def read_control(
                   measurements alone: points of which nothing is given, the ends of a scale bar
     measurements  a CSV of image measurements; None: NAME-measurements.csv beside a CSV, if there is one
     raises        InputError with file, line and column
-    What it does not tell: whether the images exist; names are as they stand there.
+    Limits: whether the images exist; names are as they stand there.
     """
     path = Path(path)
     if path.is_dir():

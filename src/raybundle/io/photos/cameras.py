@@ -93,7 +93,7 @@ def camera_groups(
     A lens or serial number that some photographs of a camera do not state is that which all others state, where these
     state one.  Files stored turned or at another size are told apart here: `may_share_sensor` says which may be of
     one sensor, and the adjustment decides.
-    What it does not tell: whether a zoom or the focus was moved between photographs with the same entry.
+    Limits: whether a zoom or the focus was moved between photographs with the same entry.
     """
     members: dict[_Key, list[int]] = {}
     for k, photo in enumerate(photos):

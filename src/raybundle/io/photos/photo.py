@@ -107,7 +107,7 @@ def find_photos(
     raises        InputError for an input that does not exist or a folder that cannot be listed
     A file that cannot be used costs that file only and is listed with its reason: empty, truncated, no image,
     too large, not readable, a thumbnail beside photographs, the same content as another file.
-    What it does not tell: whether the pixels in the middle of a file are damaged; `read_grey` finds that.
+    Limits: whether the pixels in the middle of a file are damaged; `read_grey` finds that.
     """
     files, remarks = _files(inputs, frozenset(leave))
     names = _names(files)

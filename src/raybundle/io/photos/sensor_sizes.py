@@ -107,7 +107,7 @@ def sensor_size(metadata: Metadata, format_px: tuple[int, int]) -> tuple[float, 
 
     format_px  longer and shorter side of the image as taken, by which cameras under one name are told apart
 
-    What it does not tell: whether the photograph shows the whole sensor.
+    Limits: whether the photograph shows the whole sensor.
     """
     for name in body_names(metadata):
         if name in _SEVERAL:

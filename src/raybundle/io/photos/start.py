@@ -72,7 +72,7 @@ class _Taken:
 def starting_value(metadata: Metadata, width_px: int, height_px: int) -> Start:
     """Where the camera constant starts, for photographs of this size as stored.
 
-    What it does not tell: the effect of the focus; close up c is longer than the focal length by f / distance.
+    Limits: the effect of the focus; close up c is longer than the focal length by f / distance.
     """
     remarks: list[str] = []
     if metadata.focal35_mm is not None and not EQUIVALENT_MM[0] <= metadata.focal35_mm <= EQUIVALENT_MM[1]:

@@ -86,7 +86,7 @@ def extract_frames(
 
     out     a new or empty folder; written whole or not at all
     raises  InputError where the file is no video that OpenCV can decode, or `out` holds something
-    What it does not tell: the camera constant.  Many cameras crop the sensor for video and stabilise
+    Limits: the camera constant.  Many cameras crop the sensor for video and stabilise
     electronically; then each frame has an interior orientation of its own.
     """
     options = options or FrameOptions()

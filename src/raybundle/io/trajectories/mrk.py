@@ -38,7 +38,7 @@ def read(path: Path) -> Trajectory:
     """Camera positions of an MRK file, in longitude, latitude and height above the ellipsoid.
 
     raises  InputError with line and column for a line that cannot be read; also where the file holds no line
-    What it does not tell: attitudes, and to which photographs the numbers belong.
+    Limits: attitudes, and to which photographs the numbers belong.
     """
     numbers: dict[str, int] = {}
     rows: list[list[float]] = []

@@ -56,7 +56,7 @@ def grade_of(o: Occasion) -> Grade:
     outcomes = () if o.delivery is None else o.delivery.outcomes
     if any(x.kept is False for x in outcomes):
         return "attention"
-    cautious = any(n.severity is Severity.CAUTION for n in o.view.adjustment.notices)
+    cautious = any(n.severity is Severity.WARNING for n in o.view.adjustment.notices)
     if grade == "good" and (cautious or any(x.kept is None for x in outcomes)):
         return "remarks"
     return grade
@@ -72,7 +72,7 @@ def verdict_sentence(o: Occasion) -> str:
     """Whether the result can be used, in one sentence that is never better than the gravest notice."""
     a = o.view.adjustment
     faults = sum(1 for n in a.notices if n.severity is Severity.FAULT)
-    cautions = sum(1 for n in as_told(a.notices, many=1) if n.severity is Severity.CAUTION)
+    cautions = sum(1 for n in as_told(a.notices, many=1) if n.severity is Severity.WARNING)
     outcomes = () if o.delivery is None else o.delivery.outcomes
     if faults:
         return f"Not to be used yet: {counted(faults, 'matter')} to settle first."
@@ -94,7 +94,7 @@ def verdict_sentence(o: Occasion) -> str:
     elif not compared and not o.qualities:
         rest = "; nothing that took no part was compared with it"
     if cautions:
-        head = f"Usable with {counted(cautions, 'caution')}"
+        head = f"Usable with {counted(cautions, 'warning')}"
         return f"{head}: part of it is weaker, or less, than it might be taken for{rest}."
     if rest:
         return f"Usable{rest}."
@@ -116,7 +116,7 @@ def _steps(o: Occasion) -> tuple[tuple[str, str], ...]:
     say = o.language.text
     found = [(n.severity, _sentence(say(unbroken(n.text)))) for n in as_told(o.view.adjustment.notices, many=1)]
     next_ = [("next", _sentence(say(f"camera {q.camera}: {q.advice[0].words}"))) for q in o.qualities if q.advice]
-    faults, cautions = ([(s.value, w) for s, w in found if s is of] for of in (Severity.FAULT, Severity.CAUTION))
+    faults, cautions = ([(s.value, w) for s, w in found if s is of] for of in (Severity.FAULT, Severity.WARNING))
     return (*faults, *next_, *cautions)
 
 

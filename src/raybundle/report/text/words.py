@@ -66,7 +66,7 @@ def _grade(view: View) -> Grade:
     worst = {n.severity for n in a.notices}
     if a.precision is None or Severity.FAULT in worst or not math.isfinite(a.sigma0) or a.sigma0 > POOR_FIT:
         return "attention"
-    return "good" if view.compared and Severity.CAUTION not in worst else "remarks"
+    return "good" if view.compared and Severity.WARNING not in worst else "remarks"
 
 
 def _headline(view: View, grade: Grade) -> str:
@@ -344,7 +344,7 @@ def _fit(view: View) -> str:
             f"{100 * (NEARLY - 1):.0f} %, which so many observations show. All standard deviations here carry the "
             "larger value."
         )
-        return text + (" That harms nothing." if all(n.severity is Severity.REMARK for n in a.notices) else "")
+        return text + (" That harms nothing." if all(n.severity is Severity.NOTE for n in a.notices) else "")
     return (
         f"{sigma0}: the residuals are larger than stated (global test at 5 %). Either the observations are less "
         "precise than assumed, or the model lacks something, or blunders are left. All standard deviations here "

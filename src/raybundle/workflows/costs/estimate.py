@@ -32,7 +32,7 @@ class Limit:
 class Estimate:
     """What it takes.
 
-    What it does not tell: how well photographs of this object match, and rounds of an adjustment that reject blunders
+    Limits: how well photographs of this object match, and rounds of an adjustment that reject blunders
     or choose parameters; each is another `reduction up` and `solution down`.
     """
 
