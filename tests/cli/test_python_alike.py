@@ -37,7 +37,7 @@ def test_empirical(control, tmp_path, capsys):
     done = rb.empirical(control, out=tmp_path / "a")
     status = main(["empirical", str(control), "--out", str(tmp_path / "b")])
     assert status == (0 if done.fit.adequate else 3)
-    assert f" advised: {done.advice.reason}" in capsys.readouterr().out
+    assert f" advised: {done.advice.reason.text()}" in capsys.readouterr().out
     same_files(tmp_path / "a", tmp_path / "b")
     assert len(done.used) == 12
     assert all(0 < v < 2 for v in done.check_rms_px)
@@ -58,7 +58,7 @@ def test_targets_in_photographs(tmp_path):
     assert (tmp_path / "a.csv").read_bytes() == (tmp_path / "b.csv").read_bytes()
     assert (tmp_path / "ao.csv").read_bytes() == (tmp_path / "bo.csv").read_bytes()
     same_files(tmp_path / "af", tmp_path / "bf")
-    with pytest.raises(InputError, match="table= goes with bits= and without target="):
+    with pytest.raises(InputError, match=r"table=.*bits=.*target=.*target\.table_settings"):
         rb.detect_targets(tmp_path / "photos", table=tmp_path / "codes.csv")
 
 
@@ -88,7 +88,7 @@ def test_sheets(tmp_path):
     (tmp_path / "b").mkdir()
     assert main(["targets", "sheet", *words, "--out", str(tmp_path / "b/a.svg")]) == 0
     assert (tmp_path / "a.svg").read_bytes() == (tmp_path / "b/a.svg").read_bytes()
-    with pytest.raises(InputError, match="give either codes= or count="):
+    with pytest.raises(InputError, match=r"codes=.*count=.*option\.one_of"):
         rb.write_target_sheet("aicon12", tmp_path / "c.svg")
     with pytest.raises(InputError, match="dot_radius = 0 must be above 0"):
         rb.write_target_sheet("aicon12", tmp_path / "c.svg", count=3, dot_radius=0)

@@ -173,7 +173,7 @@ def test_python_makes_the_same_pictures(wall, tmp_path):
     assert {"a.tif", "a.tfw", "a.toml", "b.png", "b.pgw", "b.toml"} == names
     for name in names:
         assert (tmp_path / "python" / name).read_bytes() == (tmp_path / "line" / name).read_bytes(), name
-    with pytest.raises(InputError, match="pixel = 0 must be above 0"):
+    with pytest.raises(InputError, match=r"pixel = 0 .* 0\. \[setting\.too_small\]"):
         rb.rectify(folder / "result", tmp_path / "python" / "c.tif", pixel=0)
 
 
@@ -214,13 +214,13 @@ def test_a_wrong_mark_is_named(wall, tmp_path, capsys):
         (["{r}", "--out", "{o}/a.bmp"], "[picture.suffix]"),
         (["{r}", "--out", "{o}/a.png"], "--photos FOLDER"),
         (["{r}", "--out", "{o}/a.png", "--photos", "{p}", "--plane", "nobody,1,2"], "nobody"),
-        (["{r}", "--out", "{o}/a.png", "--photos", "{p}", "--pixel", "1e-6"], "take --pixel"),
+        (["{r}", "--out", "{o}/a.png", "--photos", "{p}", "--pixel", "1e-6"], "[picture.too_large]"),
         (["{r}", "--out", "{o}/a.png", "--photos", "{p}", "--pixel", "100"], "larger than the area"),
         (
             ["{r}", "--out", "{o}/a.png", "--photos", "{p}", "--extent", "50", "50", "51", "51"],
-            "choose another --extent",
+            "[picture.no_photograph]",
         ),
-        (["{r}", "--out", "{o}/a.png", "--photos", "{p}", "--only", "x.png"], "x.png is not in the result"),
+        (["{r}", "--out", "{o}/a.png", "--photos", "{p}", "--only", "x.png"], "x.png. [photograph.not_in_result]"),
         (["{p}/0.png", "--out", "{o}/a.png"], "--control FILE"),
         (["{p}/none.png", "--out", "{o}/a.png"], "no such file"),
     ],

@@ -180,19 +180,19 @@ def test_the_command_line_and_python_ask_for_the_same():
 @pytest.mark.parametrize(
     ("given", "told"),
     [
-        ({"controll": "a"}, "controll is no setting; known are calibration"),
-        ({"mark_sigma": 0}, "mark_sigma = 0 must be at least 0.001"),
-        ({"mark_sigma": "1"}, "mark_sigma = '1' is no number"),
-        ({"mark_sigma": float("nan")}, "mark_sigma = nan is no finite number"),
-        ({"memory": 1e9}, "memory = 1000000000.0 must be at most 1e\\+06"),
-        ({"feature_count": 99.5}, "feature_count = 99.5 is no whole number"),
-        ({"feature_count": True}, "feature_count = True is no whole number"),
-        ({"noise": "pink"}, "noise = 'pink' is not one of 'white', 'fields', 'auto'"),
-        ({"relative": "both"}, "relative = 'both' is not one of 'shift', 'drift'"),
-        ({"control_sigma": (0.1,)}, "control_sigma = \\(0.1,\\): 2 values are needed"),
-        ({"attitude_sigma": (0, 1)}, "attitude_sigma = 0 must be above 0"),
-        ({"scale_bar": [("A", 2, 1.0, 0.1)]}, "scale_bar = 2 is no str"),
-        ({"gps": "no"}, "gps = 'no' is no bool"),
+        ({"controll": "a"}, r"controll .*calibration.*\[setting\.unknown\]"),
+        ({"mark_sigma": 0}, r"mark_sigma = 0 .* 0\.001\. \[setting\.too_small\]"),
+        ({"mark_sigma": "1"}, r"mark_sigma = '1' .*\[setting\.no_number\]"),
+        ({"mark_sigma": float("nan")}, r"mark_sigma = nan .*\[setting\.not_finite\]"),
+        ({"memory": 1e9}, r"memory = 1e\+09 .* 1 000 000\. \[setting\.too_large\]"),
+        ({"feature_count": 99.5}, r"feature_count = 99\.5 .*\[setting\.no_whole_number\]"),
+        ({"feature_count": True}, r"feature_count = True .*\[setting\.no_whole_number\]"),
+        ({"noise": "pink"}, r"noise = 'pink' .*white, fields, auto.*\[setting\.not_one_of\]"),
+        ({"relative": "both"}, r"relative = 'both' .*shift, drift.*\[setting\.not_one_of\]"),
+        ({"control_sigma": (0.1,)}, r"control_sigma = \(0\.1,\): 2 .*\[setting\.value_count\]"),
+        ({"attitude_sigma": (0, 1)}, r"attitude_sigma = 0 .*greater than 0\. \[setting\.too_small\]"),
+        ({"scale_bar": [("A", 2, 1.0, 0.1)]}, r"scale_bar = 2 .*str\. \[setting\.wrong_type\]"),
+        ({"gps": "no"}, r"gps = 'no' .*bool\. \[setting\.wrong_type\]"),
     ],
 )
 def test_what_cannot_be_is_named_with_its_limit(given, told):
@@ -272,7 +272,7 @@ def test_a_conversion_from_python_is_that_of_the_command_line(tmp_path):
     assert len(done.block.observations) == len(block.observations)
     with pytest.raises(InputError, match=r"format\.unknown"):
         rb.convert(tmp_path / "block", tmp_path / "other", to="colmapp")
-    with pytest.raises(InputError, match="crsystem is no setting"):
+    with pytest.raises(InputError, match=r"crsystem .*\[setting\.unknown\]"):
         rb.convert(tmp_path / "block", tmp_path / "other", to="ply", crsystem="EPSG:25832")
 
 
@@ -280,7 +280,7 @@ def test_a_folder_that_looks_like_two_formats_is_asked_for(tmp_path):
     rb.write_block(simulate(field_scene(TargetField(stations=3)), Survey()).truth, tmp_path / "block")
     rb.convert(tmp_path / "block", tmp_path / "model", to="colmap-text", approximate=True)
     (tmp_path / "model" / "transforms.json").write_text("{}")
-    with pytest.raises(InputError, match="looks like colmap and nerfstudio; give read_as="):
+    with pytest.raises(InputError, match=r"colmap, nerfstudio.*read_as=.*format\.ambiguous"):
         rb.convert(tmp_path / "model", tmp_path / "again", to="block")
     assert rb.convert(tmp_path / "model", tmp_path / "again", to="block", read_as="colmap").files == 1
 

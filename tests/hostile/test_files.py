@@ -362,7 +362,7 @@ def test_a_comparison_replaces_a_comparison_alone(tmp_path, block, capsys):
     assert main(["adjust", str(block), "--out", result, "--no-report"]) == 0
     page.write_text("my own page")
     assert main(["compare", result, result, "--out", str(page)]) == 2
-    assert "is no comparison" in capsys.readouterr().err
+    assert "[comparison.path_taken]" in capsys.readouterr().err
     assert page.read_text() == "my own page"
     page.unlink()
     for _ in range(2):

@@ -57,5 +57,5 @@ def test_a_result_that_was_read_is_asked_as_its_folder_is(tmp_path):
 
 
 def test_what_is_no_path_is_said(tmp_path):
-    with pytest.raises(InputError, match="source is a path, no Block; write a result with write_result"):
+    with pytest.raises(InputError, match=r"source .*Block.*write_result.*\[setting\.no_path\]"):
         rb.convert(small_block(), tmp_path / "out", to="colmap")

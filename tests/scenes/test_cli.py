@@ -52,19 +52,15 @@ def test_correct(file, rpc, place, scene, tmp_path, capsys, bias):
     rows = [",".join([f"P{k}", *(repr(v) for v in (*g, *p))]) for k, (g, p) in enumerate(pairs)]
     points, out = tmp_path / "control.csv", tmp_path / "new_RPC.TXT"
     points.write_text("\n".join(["point,lon_deg,lat_deg,h_m,x_px,y_px", *rows]) + "\n")
-    assert (
-        main(
-            ["rpc", "correct", str(file), str(points), "--image-sigma", "0.2", "--scene-bias", bias, "--out", str(out)]
-        )
-        == 0
-    )
+    words = ["rpc", "correct", str(file), str(points), "--image-sigma", "0.2", "--scene-bias", bias, "--verbose"]
+    assert main([*words, "--out", str(out)]) == 0
     said = capsys.readouterr().out
     assert "advised: shift" in said
     corrected = read_scene(out).rpc
     assert np.abs(corrected.project(ground) - seen).max() < 1.0
-    assert ("refitted" in said) == (bias == "affine")
+    assert ("Refitted" in said) == (bias == "affine")
     terms = {"auto": "A0 B0", "shift": "A0 B0", "affine": "A0 A1 A2 B0 B1 B2"}[bias].split()
-    assert re.findall(r"([AB]\d) [+-]\d+\.\d+ \+- ", said) == terms  # what is built in, and all of it
+    assert re.findall(r"([AB]\d) [+-]\d+\.\d+ ± ", said) == terms  # what is built in, and all of it
 
 
 def test_info_and_fit(sensors, tmp_path, capsys):
@@ -145,7 +141,7 @@ def test_correct_names_a_wrong_point_and_leaves_it_out(file, rpc, tmp_path, caps
     points, out = control(rpc, tmp_path / "c.csv", wrong=3), tmp_path / "new_RPC.TXT"
     assert main(["rpc", "correct", str(file), points, "--image-sigma", "0.2", "--out", str(out)]) == 0
     said = capsys.readouterr().out
-    assert re.search(r"warning: 1 point of 8 contradicts .*: P3 \(\+60\.\d\d, [+-]0\.\d\d px\)", said)
+    assert re.search(r"warning: 1 of 8 .*: P3 \(.*60 px\)\. \[rpc\.points_contradict\]", said)
     assert read_scene(out).rpc.image_offset - rpc.image_offset == pytest.approx([12, -7], abs=0.4)
 
 
@@ -154,7 +150,6 @@ def test_correct_writes_nothing_where_nothing_fits(file, rpc, tmp_path, capsys):
     assert main(["rpc", "correct", str(file), points, "--image-sigma", "0.2", "--out", str(out)]) == 3
     said = capsys.readouterr()
     assert "agrees with the points" not in said.out
-    assert "[bias.misfit]" in said.err
     assert "[bias.misfit]" in said.err
     assert not out.exists()
 

@@ -9,7 +9,7 @@ import click
 
 from raybundle.cli.common import FOLDER, NEW_FOLDER, Command, common_options, store_lines, told_outcome
 from raybundle.cli.settings import options_of, values_of
-from raybundle.cli.summary import Summary, of_adjustment, report
+from raybundle.cli.summary import Summary, not_usable, of_adjustment, report
 from raybundle.commands.orient import OrientSettings, accuracy_outcome, run_orient
 from raybundle.commands.pages import page_files
 from raybundle.errors import Message, message, note
@@ -95,7 +95,7 @@ def _summary(done: Orientation, settings: OrientSettings) -> Summary:
     ]
     files = [result, *page_files(result, settings)]
     return of_adjustment(
-        done.adjustment, files, done=[*first, *parts],
+        done.adjustment, files, done=[*first, *parts], notices=not_usable(done.refused),
         next_step=note("summary.next_surface", project=str(settings.out)),
         details=[*_without_orientation(done, settings), note("summary.image_points", sigma_px=done.sigma_px),
                  *store_lines(settings.out)],

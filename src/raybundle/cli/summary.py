@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any, Protocol
 
 import click
 
-from raybundle.errors import Message, Severity, note
+from raybundle.errors import Message, Severity, excluded, note
 
 if TYPE_CHECKING:
     from raybundle.adjustment.result import Adjustment
@@ -49,18 +49,31 @@ def report(summary: Summary) -> None:
 
 def of_adjustment(
     a: Adjustment, files: Sequence[object], *, done: Sequence[Message] = (), next_step: Message | None = None,
-    details: Sequence[Message | str] = (),
+    details: Sequence[Message | str] = (), notices: Sequence[Message] = (),
 ) -> Summary:  # fmt: skip
-    """The summary of an adjustment; `done` in the place of how much was adjusted, `details` after its own."""
+    """The summary of an adjustment; `done` replaces how much was adjusted, notices and details are added."""
     from raybundle.adjustment.result import as_told  # noqa: PLC0415  (what computes is loaded after the help)
     from raybundle.report.text import summary  # noqa: PLC0415
 
     if a.free_scale:
         next_step = note("summary.next_scale")
     return Summary(
-        done=(*(done or (summary.adjusted(a),)), summary.accuracy(a)), notices=as_told(a.notices), next_step=next_step,
-        files=files, details=(*summary.details(a), *details),
+        done=(*(done or (summary.adjusted(a),)), summary.accuracy(a)), next_step=next_step, files=files,
+        notices=_gravest_first([*notices, *as_told(a.notices)]), details=(*summary.details(a), *details),
     )  # fmt: skip
+
+
+def not_usable(refused: Sequence[tuple[str, str]]) -> list[Message]:
+    """A warning that names files without a part in the result; their reasons are its details."""
+    if not refused:
+        return []
+    names = [name for name, _ in refused]
+    return [
+        Message(
+            code="photographs.not_usable", values={"n": len(names), "names": names}, severity=Severity.WARNING,
+            details=tuple(excluded(refused)),
+        )
+    ]  # fmt: skip
 
 
 def lines(summary: Summary, *, verbose: bool) -> list[str]:
@@ -72,11 +85,11 @@ def lines(summary: Summary, *, verbose: bool) -> list[str]:
     found = [m.headline() for m in summary.done]
     if verbose:
         found += [f"  {d if isinstance(d, str) else d.text()}" for d in summary.details]
-    found += [_line(n) for n in shown]
+    found += [_line(n, whole=verbose) for n in shown]
     if len(grave) > len(shown):
         found.append(headline("summary.more", {"n": len(grave) - len(shown)}))
     if verbose:
-        found += [_line(n) for n in summary.notices if _message(n).severity is Severity.NOTE]
+        found += [_line(n, whole=True) for n in summary.notices if _message(n).severity is Severity.NOTE]
     step = _remedy(grave) or (summary.next_step.headline() if summary.next_step else "")
     if step:
         found.append(headline("summary.next", {"step": step}))
@@ -105,13 +118,22 @@ def _message(notice: Message | Coded) -> Message:
     return notice if isinstance(notice, Message) else notice.data
 
 
+def _gravest_first(notices: Sequence[Message | Coded]) -> list[Message | Coded]:
+    order = list(Severity)
+    return sorted(notices, key=lambda n: order.index(_message(n).severity))
+
+
 def _grave(notices: Iterable[Message | Coded]) -> Iterable[Message | Coded]:
     return (n for n in notices if _message(n).severity is not Severity.NOTE)
 
 
-def _line(notice: Message | Coded) -> str:
-    """Severity, what happened and the code, which leads to the rest."""
+def _line(notice: Message | Coded, *, whole: bool = False) -> str:
+    """Severity, what happened and the code, which leads to the rest; `whole`: why it matters and its details too."""
     message, also = _message(notice), getattr(notice, "also", ())
+    if whole:
+        also = f" (+{', '.join(also)})" if also else ""
+        first, *others = message.text().splitlines()
+        return "\n".join([f"{message.severity.value}: {first}{also} [{message.code}]", *others])
     others = f" (+{len(also)})" if also else ""
     return f"{message.severity.value}: {message.headline()}{others} [{message.code}]"
 

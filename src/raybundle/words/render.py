@@ -72,8 +72,8 @@ def action(code: str, values: Mapping[str, Any], reader: Reader = PYTHON) -> str
 
 def sentences(code: str, values: Mapping[str, Any], reader: Reader = PYTHON) -> str:
     """All three, one after the other."""
-    parts = [part(code, values, reader) for part in (headline, why, action)]
-    return " ".join(p if p[-1] in _END else f"{p}." for p in parts if p)
+    parts = [p for part in (headline, why, action) if (p := part(code, values, reader))]
+    return " ".join([*(p if p[-1] in _END else f"{p}." for p in parts[:-1]), *parts[-1:]])
 
 
 def _formatted(code: str, part: Part, values: Mapping[str, Any], reader: Reader) -> str:

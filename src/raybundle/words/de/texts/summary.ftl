@@ -4,7 +4,10 @@ summary-adjusted = Ausgeglichen: { $images } { $images ->
     }, { $points } { $points ->
         [one] Objektpunkt
         *[other] Objektpunkte
-    }, { $observations } Bildbeobachtungen.
+    }, { $observations } Bildbeobachtungen{ $rejected ->
+        [0] {""}
+        *[other] , davon { $rejected } verworfen
+    }.
 
 summary-accuracy_of_check_points = Genauigkeit an { $n } { $n ->
         [one] Kontrollpunkt

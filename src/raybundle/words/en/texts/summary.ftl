@@ -8,7 +8,10 @@ summary-adjusted = Adjusted: { $images } { $images ->
     }, { $points } { $points ->
         [one] object point
         *[other] object points
-    }, { $observations } image observations.
+    }, { $observations } image observations{ $rejected ->
+        [0] {""}
+        *[other] , { $rejected } rejected
+    }.
 
 # $rms = 0.84
 # $unit = "mm"

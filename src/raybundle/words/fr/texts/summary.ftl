@@ -1,4 +1,7 @@
-summary-adjusted = Compensation : { $images } images, { $points } points objet, { $observations } observations d'image.
+summary-adjusted = Compensation : { $images } images, { $points } points objet, { $observations } observations d'image{ $rejected ->
+        [0] {""}
+        *[other] , dont { $rejected } rejetées
+    }.
 
 summary-accuracy_of_check_points = Exactitude sur { $n } points de contrôle : { NUM($rms, digits: 2) } { $unit } (EMQ d'une coordonnée).
 
