@@ -478,7 +478,7 @@ def test_scenes_keep_white_noise_and_frames_beside_them_have_fields():
     observed = MonteCarlo.of(scenes).noisy(np.random.default_rng(5))
     result = adjust_block(observed, AdjustmentOptions(noise="fields"))
     assert result.noise.kind == "white"
-    assert "no places on one plane format" in result.noise.reason
+    assert [m.code for m in result.noise.reason.messages] == ["noise.no_format"]
 
 
 def test_several_cameras_of_which_one_rolls():

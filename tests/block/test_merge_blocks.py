@@ -216,7 +216,7 @@ def test_what_no_file_may_hold_is_no_merged_block(flights):
             )
         )  # fmt: skip
 
-    with pytest.raises(InputError, match=r"directions\.csv.*2.*merge\.do_not_fit"):
+    with pytest.raises(InputError, match=r"(?s)directions\.csv.*2.*merge\.do_not_fit"):
         merge_blocks([sets(0, 1), sets(1, 2)])
 
 

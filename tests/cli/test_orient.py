@@ -56,7 +56,7 @@ def orient(capsys, tmp_path):
     def call(*inputs, out=None, more=()):
         folder = tmp_path / "project" if out is None else out
         quick = ["--quick", "--no-report", "--feature-count", "500", "--jobs", "2"]
-        status = main(["orient", *map(str, inputs), "--out", str(folder), *quick, *more])
+        status = main(["orient", *map(str, inputs), "--out", str(folder), "--verbose", *quick, *more])
         return Told(status, capsys.readouterr())
 
     return call

@@ -50,7 +50,7 @@ def test_a_file_of_attitudes_is_observed_and_compared_in_the_report(tmp_path, ca
     capsys.readouterr()
     assert main(["orient", str(photos), "--out", str(out), "--positions", str(file), "--attitudes", "opk", *QUICK]) == 0
     printed = capsys.readouterr().out
-    assert f" {n} of {n} photographs oriented" in printed
+    assert f"{n} of {n} photographs" in printed
     report = (out / "result/report.html").read_text(encoding="utf-8")
     assert "Direct minus integrated orientation" in report
     assert "(opk, from told.csv)" in report

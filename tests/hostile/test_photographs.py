@@ -53,7 +53,7 @@ class Told:
 @pytest.fixture
 def orient(capsys, tmp_path):
     def call(*inputs, out="project", options=QUICK):
-        status = main(["orient", *map(str, inputs), "--out", str(tmp_path / out), *options])
+        status = main(["orient", *map(str, inputs), "--out", str(tmp_path / out), "--verbose", *options])
         told = capsys.readouterr()
         return Told(status, told.out, told.err)
 
@@ -62,7 +62,7 @@ def orient(capsys, tmp_path):
 
 def apart(photos, out, *before, preexec_fn=None):
     """The same in a process of its own, perhaps within another command."""
-    call = [*before, sys.executable, "-m", "raybundle", "orient", str(photos), "--out", str(out), *QUICK]
+    call = [*before, sys.executable, "-m", "raybundle", "orient", str(photos), "--out", str(out), "--verbose", *QUICK]
     done = subprocess.run(call, capture_output=True, text=True, check=False, preexec_fn=preexec_fn)
     return Told(done.returncode, done.stdout, done.stderr)
 
@@ -111,7 +111,7 @@ def test_photographs_from_one_spot_are_told_so(orient, tmp_path, distorted):
         Image.fromarray(noisy).save(folder / f"{k}.png")
     told = orient(folder)
     assert told.status == 3, told.all
-    assert "taken from one spot" in told.err
+    assert "[tie_points.no_base]" in told.err
     assert "move sideways" in told.err
     assert not (tmp_path / "project/result").exists()
 
@@ -124,7 +124,7 @@ def test_copies_of_one_photograph_have_no_base(orient, half, tmp_path):
             image.save(folder / f"{quality}.jpg", quality=quality, exif=image.info["exif"])
     told = orient(folder)
     assert told.status == 3, told.all
-    assert "taken from one spot" in told.err
+    assert "[tie_points.no_base]" in told.err
 
 
 def test_a_photograph_beside_its_copy_of_another_quality_does_not_hinder_the_others(orient, photos):
@@ -132,7 +132,7 @@ def test_a_photograph_beside_its_copy_of_another_quality_does_not_hinder_the_oth
         image.save(photos / "2 copy.jpg", quality=70, exif=image.info["exif"])
     told = orient(photos)
     assert told.status == 0, told.all
-    assert " 6 of 6 photographs oriented" in told.out or "2 copy.jpg: " in told.out
+    assert "6 of 6 photographs" in told.out or "2 copy.jpg: " in told.out
 
 
 def cameras_of(tmp_path):
@@ -149,7 +149,7 @@ def test_two_cameras_are_two(orient, photos, tmp_path):
             )
     told = orient(photos)
     assert told.status == 0, told.all
-    assert " 5 of 5 photographs oriented" in told.out
+    assert "5 of 5 photographs" in told.out
     assert len(cameras_of(tmp_path)) == 2
 
 
@@ -159,7 +159,7 @@ def test_photographs_turned_by_a_program_are_oriented_and_told_of(orient, photos
             image.transpose(Image.Transpose.ROTATE_90).save(photos / f"{k}.jpg", quality=92, exif=image.info["exif"])
     told = orient(photos)
     assert told.status == 0, told.all
-    assert " 5 of 5 photographs oriented" in told.out
+    assert "5 of 5 photographs" in told.out
     assert "2 of 5 photographs are stored turned" in told.out
     assert len(cameras_of(tmp_path)) == 1
     # other programs get the files as they are stored
@@ -179,7 +179,7 @@ def test_copies_at_half_the_size_share_the_camera_of_the_others(orient, photos, 
     # by few quick points of 120 000 pixels the interior orientation is not told well enough to decide
     told = orient(photos, options=["--no-report", "--jobs", "2"])
     assert told.status == 0, told.all
-    assert " 5 of 5 photographs oriented" in told.out
+    assert "5 of 5 photographs" in told.out
     assert "2 of 5 photographs are at another size, reduced to" in told.out
     assert len(cameras_of(tmp_path)) == 1
 
@@ -191,7 +191,8 @@ def test_a_lens_that_one_photograph_leaves_out_makes_no_second_camera(orient, ph
         image.save(photos / "3.jpg", quality=92, exif=exif.tobytes())
     told = orient(photos)
     assert told.status == 0, told.all
-    assert "3.jpg does not state the lens 'Virtual 24 mm'" in told.out
+    assert "3.jpg" in told.out
+    assert "Virtual 24 mm" in told.out
     assert len(cameras_of(tmp_path)) == 1
 
 
@@ -203,7 +204,7 @@ def test_photographs_taken_upright_share_the_camera_of_the_others(orient, photos
             image.save(photos / f"{k}.jpg", quality=92, exif=exif.tobytes())
     told = orient(photos)
     assert told.status == 0, told.all
-    assert " 5 of 5 photographs oriented" in told.out
+    assert "5 of 5 photographs" in told.out
     assert len(cameras_of(tmp_path)) == 1
 
 
@@ -246,7 +247,7 @@ def test_a_bomb_is_not_decoded(photos, tmp_path):
     told = apart(photos, tmp_path / "project", preexec_fn=bounded)
     assert told.status == 0, told.all
     assert re.search("bomb.png: .* 900 .*600", told.out)
-    assert " 5 of 5 photographs oriented" in told.out
+    assert "5 of 5 photographs" in told.out
 
 
 def test_a_bomb_below_the_limit_is_not_decoded_either(tmp_path):
@@ -263,7 +264,7 @@ def test_a_file_damaged_in_its_middle_costs_that_file(orient, photos):
     (photos / "damaged.png").write_bytes(data)
     told = orient(photos)
     assert told.status == 0, told.all
-    assert " 5 of 5 photographs oriented" in told.out
+    assert "5 of 5 photographs" in told.out
     assert "\n   damaged.png: " in told.out
 
 
@@ -280,7 +281,7 @@ def test_a_photograph_that_goes_away_during_the_work_is_named(orient, photos, mo
     monkeypatch.setattr(stage, "find_photos", found)
     told = orient(photos)
     assert told.status == 0, told.all
-    assert " 4 of 4 photographs oriented" in told.out
+    assert "4 of 4 photographs" in told.out
     assert "   5.jpg: " in told.out
 
 
@@ -314,7 +315,7 @@ def test_a_full_disk_is_named_and_what_is_finished_is_kept(photos, tmp_path, siz
     if products:
         told = apart(photos, kept)
         assert told.status == 0, told.all
-        assert " 5 of 5 photographs oriented" in told.out
+        assert "5 of 5 photographs" in told.out
         assert {p.name: p.stat().st_mtime_ns for p in kept.glob("cache/*/*.npz")}.items() > products.items()
 
 

@@ -125,7 +125,7 @@ def test_a_refusal_says_what_is_wrong(decide, hand, context):
     page.locator("#message.bad", has_text="nowhere").wait_for()
     page.fill("#option-jobs", "-1")
     page.keyboard.press("Tab")
-    page.locator("#message.bad", has_text="jobs = -1 must be at least 0").wait_for()
+    page.locator("#message.bad", has_text="[setting.too_small]").wait_for()
     context.wrong[:] = [w for w in context.wrong if "409" not in w]
 
 

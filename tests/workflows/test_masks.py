@@ -98,7 +98,7 @@ def test_a_turntable_before_a_wall_is_wrong_or_refused_without_masks_and_that_is
 def test_with_masks_it_is_right(scene, tmp_path, capsys):
     assert orient(scene, tmp_path / "project", "--masks", str(scene / "masks")) == 0
     told = capsys.readouterr().out
-    assert "8 of 8 photographs oriented" in told
+    assert "8 of 8 photographs" in told
     assert "8 of 8 photographs have a mask; features are" in told
     assert "same pixels" not in told
     assert turns(tmp_path / "project") == pytest.approx(np.arange(8) * STEP, abs=np.radians(0.5))

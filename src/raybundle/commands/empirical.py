@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any, Literal
 
 from raybundle.errors import InputError
 from raybundle.io.folders import check_free
+from raybundle.io.reading.words import quoted
 from raybundle.settings import PIXELS, made, path_of, setting
 
 if TYPE_CHECKING:
@@ -158,7 +159,7 @@ def read_points(path: Path) -> ControlPoints:
         if role not in {"", "control", "check"}:
             raise InputError(
                 "value.not_supported",
-                value=repr(role),
+                value=quoted(role),
                 known=["control", "check"],
                 file=path,
                 line=k + table.first_line,

@@ -192,7 +192,7 @@ def read_ids(text: str) -> Index:
     for word in text.split(","):
         match = re.fullmatch(r"\s*(\d+)(?:\s*-\s*(\d+))?\s*", word)
         if match is None:
-            raise InputError("target.code_form", text=text, word=repr(word))
+            raise InputError("target.code_form", text=text, word=quoted(word))
         first, last = whole_of(match[1]), whole_of(match[2] or match[1])
         if first is None or last is None or last - first > MOST_CODES:
             raise InputError("target.code_range", word=quoted(word), most=MOST_CODES)

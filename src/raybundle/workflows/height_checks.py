@@ -104,9 +104,9 @@ def check_raster(file: Any, path: Path, tree: Json) -> None:
             raise InputError(
                 "surface_files.place_differs",
                 quantity=what,
-                value=float(found),
+                value=found,
                 about=about,
-                needed=float(said),
+                needed=said,
                 file=path,
             )
     if abs(t.b) > 0 or abs(t.d) > 0:

@@ -11,6 +11,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any, Literal
 
 from raybundle.errors import InputError
+from raybundle.io.reading.words import quoted
 from raybundle.missions.defaults import OVERLAP
 from raybundle.numerics.counting import counted
 from raybundle.settings import ANY, METRES, POSITIVE, Range, made, option, setting, settings_of
@@ -163,7 +164,7 @@ def run_plan_mission(settings: MissionSettings) -> PlannedMission:
     if unknown:
         raise InputError("format.unknown", format=unknown[0], known=list(mission_formats))
     if not re.fullmatch(r"[\w][\w .-]{0,60}", s.name):
-        raise InputError("mission.name", name=repr(s.name[:60]))
+        raise InputError("mission.name", name=quoted(s.name[:60]))
     check_new_folder(s.out)
     task, lenient, remarks = _task(s)
     mission = build(task)
